@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+# What `cmake --install` puts under a prefix: the library, the public headers, the program, and the package
+# that makes `find_package(crossgrain)` give the target crossgrain::crossgrain.
+
+include(CMakePackageConfigHelpers)
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/crossgrain")
+
+install(TARGETS crossgrain EXPORT crossgrainTargets)
+if(TARGET crossgrain_app)
+  set_target_properties(crossgrain_app PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+  install(TARGETS crossgrain_app)
+endif()
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/crossgrain" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+install(FILES "${PROJECT_BINARY_DIR}/include/crossgrain/version.hpp"
+        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/crossgrain")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+install(EXPORT crossgrainTargets NAMESPACE crossgrain:: DESTINATION "${package_dir}")
+configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/crossgrain-config.cmake.in"
+                              "${PROJECT_BINARY_DIR}/crossgrain-config.cmake" INSTALL_DESTINATION "${package_dir}")
+# Before 1.0 a new minor version may break what was there.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/crossgrain-config-version.cmake"
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/crossgrain-config.cmake" "${PROJECT_BINARY_DIR}/crossgrain-config-version.cmake"
+        DESTINATION "${package_dir}")

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+# A layer is a folder of src/ built as an object library that links the layers below it only; the library
+# `crossgrain` is all of them. `cmake/check_layers.py` holds the same order for includes.
+
+set_property(GLOBAL PROPERTY CROSSGRAIN_LAYERS "")
+
+function(crossgrain_compile_settings target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                                           $<$<BOOL:${CROSSGRAIN_WARNINGS_AS_ERRORS}>:-Werror>)
+  # The same bits on every machine: no contraction of a*b+c that depends on the instruction set.
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  target_compile_definitions(${target} PRIVATE $<$<BOOL:${CROSSGRAIN_STD_THREADS}>:CROSSGRAIN_STD_THREADS>)
+endfunction()
+
+# crossgrain_layer(NAME SOURCES ... [LIBRARIES ...])
+function(crossgrain_layer name)
+  cmake_parse_arguments(LAYER "" "" "SOURCES;LIBRARIES" ${ARGN})
+  if(NOT LAYER_SOURCES)
+    return()
+  endif()
+  get_property(lower GLOBAL PROPERTY CROSSGRAIN_LAYERS)
+  add_library(crossgrain_${name} OBJECT ${LAYER_SOURCES})
+  crossgrain_compile_settings(crossgrain_${name})
+  set_target_properties(crossgrain_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(
+    crossgrain_${name} PUBLIC "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/src"
+                              "${PROJECT_BINARY_DIR}/include")
+  target_link_libraries(crossgrain_${name} PUBLIC ${LAYER_LIBRARIES})
+  set_property(GLOBAL APPEND PROPERTY CROSSGRAIN_LAYERS ${name})
+endfunction()
+
+# The library that users link: the objects of every layer.
+function(crossgrain_library)
+  get_property(layers GLOBAL PROPERTY CROSSGRAIN_LAYERS)
+  add_library(crossgrain)
+  add_library(crossgrain::crossgrain ALIAS crossgrain)
+  crossgrain_compile_settings(crossgrain)
+  foreach(layer IN LISTS layers)
+    target_sources(crossgrain PRIVATE $<TARGET_OBJECTS:crossgrain_${layer}>)
+  endforeach()
+  set_target_properties(crossgrain PROPERTIES LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION}
+                                              SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  target_include_directories(crossgrain PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                               $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(crossgrain PRIVATE TBB::tbb ZLIB::ZLIB fmt::fmt Threads::Threads)
+endfunction()
+
+# crossgrain_layer_test(NAME SOURCES ...): one test program for a layer, linked with it and those below.
+function(crossgrain_layer_test name)
+  cmake_parse_arguments(TEST "" "" "SOURCES" ${ARGN})
+  get_property(layers GLOBAL PROPERTY CROSSGRAIN_LAYERS)
+  add_executable(crossgrain_${name}_tests ${TEST_SOURCES})
+  crossgrain_compile_settings(crossgrain_${name}_tests)
+  target_include_directories(crossgrain_${name}_tests PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  foreach(layer IN LISTS layers)
+    target_link_libraries(crossgrain_${name}_tests PRIVATE crossgrain_${layer})
+    if(layer STREQUAL name)
+      break()
+    endif()
+  endforeach()
+  target_link_libraries(crossgrain_${name}_tests PRIVATE crossgrain_test_support GTest::gtest_main)
+  gtest_discover_tests(crossgrain_${name}_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endfunction()

@@ -1,0 +1,114 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Checks that includes go downwards only; prints one line for each that does not, and exits with 1.
+
+Usage: check_layers.py [ROOT]
+
+  src/LAYER/            includes itself, the layers before it, and public headers
+  include/crossgrain/   includes public headers and the standard library
+  apps/ python/ examples/   include public headers and what stands in their own folder
+"""
+
+import re
+import sys
+from pathlib import Path
+
+# From the lowest up, as in CMakeLists.txt.
+LAYERS = ["base", "harmonics", "constraint", "surface", "grid", "field", "analysis", "io"]
+
+# A layer that stands beside one below it, not above: its only exceptions.
+EXTRA_LAYERS = {"distributed": [layer for layer in LAYERS if layer != "io"] + ["distributed"]}
+
+OUTER_FOLDERS = ["apps", "python", "examples"]
+SUFFIXES = {".hpp", ".cpp", ".h", ".cc", ".in"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+STANDARD_HEADER = re.compile(r"^[a-z0-9_]+$")
+
+
+def layers_seen_by(layer):
+    if layer in EXTRA_LAYERS:
+        return EXTRA_LAYERS[layer]
+    return LAYERS[: LAYERS.index(layer) + 1]
+
+
+def includes_of(path):
+    """(line number, opening character, what is included) for each include of a file."""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match.group(1), match.group(2)
+
+
+def sources_below(folder):
+    return sorted(path for path in folder.rglob("*") if path.is_file() and path.suffix in SUFFIXES)
+
+
+def fault_in_layer(layer, quote, included):
+    first = included.split("/")[0]
+    if first in ("tbb", "oneapi") and layer != "base":
+        return "oneTBB stands behind base/parallel.hpp; use parallel_for"
+    if quote == "<" and first != "crossgrain" and first not in LAYERS and first not in EXTRA_LAYERS:
+        return None
+    if quote == "<":
+        return 'headers of the project are included with ""'
+    if first == "crossgrain" or first in layers_seen_by(layer):
+        return None
+    if first in LAYERS or first in EXTRA_LAYERS:
+        return f"layer {layer} may not include layer {first}"
+    return 'write "layer/file.hpp" or "crossgrain/file.hpp"'
+
+
+def fault_in_public_header(quote, included):
+    if quote == '"' and included.startswith("crossgrain/"):
+        return None
+    if quote == "<" and STANDARD_HEADER.match(included):
+        return None
+    return "a public header includes only public headers and the standard library"
+
+
+def fault_in_outer_folder(path, root, quote, included):
+    if included.startswith("crossgrain/"):
+        return None
+    # Its own folder, or the folder of the program that it belongs to.
+    if quote == '"' and any((folder / included).is_file() for folder in path.parents if root in folder.parents):
+        return None
+    if included.split("/")[0] in LAYERS or quote == '"':
+        return "outside src/ only public headers (crossgrain/*.hpp) may be included"
+    return None
+
+
+def faults(root):
+    """One line for each include that goes the wrong way, and for each unknown folder of src/."""
+    source_root = root / "src"
+    for folder in sorted(path for path in source_root.glob("*") if path.is_dir()):
+        layer = folder.name
+        if layer not in LAYERS and layer not in EXTRA_LAYERS:
+            yield f"src/{layer}: unknown layer; add it to LAYERS in cmake/check_layers.py and to CMakeLists.txt"
+            continue
+        for path in sources_below(folder):
+            for number, quote, included in includes_of(path):
+                fault = fault_in_layer(layer, quote, included)
+                if fault:
+                    yield f"{path.relative_to(root)}:{number}: includes {included}: {fault}"
+    for path in sources_below(root / "include"):
+        for number, quote, included in includes_of(path):
+            fault = fault_in_public_header(quote, included)
+            if fault:
+                yield f"{path.relative_to(root)}:{number}: includes {included}: {fault}"
+    for name in OUTER_FOLDERS:
+        for path in sources_below(root / name):
+            for number, quote, included in includes_of(path):
+                fault = fault_in_outer_folder(path, root / name, quote, included)
+                if fault:
+                    yield f"{path.relative_to(root)}:{number}: includes {included}: {fault}"
+
+
+def main():
+    root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent.parent).resolve()
+    found = list(faults(root))
+    print("\n".join(found) if found else "includes go downwards only")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Installs what is missing, builds with warnings as errors into build/test, and runs every test.
+# Arguments go to ctest: ./test.sh -R Octree
+set -euo pipefail
+
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
+build="$root/build/test"
+
+"$root/cmake/install_packages.sh" build test
+
+launcher=""
+if command -v ccache >/dev/null; then launcher=ccache; fi
+cmake -S "$root" -B "$build" -G Ninja --log-level=WARNING -DCMAKE_BUILD_TYPE=Release \
+  -DCROSSGRAIN_BUILD_TESTS=ON -DCROSSGRAIN_WARNINGS_AS_ERRORS=ON -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" >/dev/null
+cmake --build "$build"
+ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" "$@"

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Solves for a cube with an installed Crossgrain: the headers, the library and all that it links must be
+// there.
+#include <cmath>
+#include <crossgrain/crossgrain.hpp>
+#include <cstdio>
+
+namespace {
+
+crossgrain::TriangleMesh cube() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}},
+          {{0, 3, 1},
+           {0, 2, 3},
+           {4, 5, 7},
+           {4, 7, 6},
+           {0, 1, 5},
+           {0, 5, 4},
+           {2, 7, 3},
+           {2, 6, 7},
+           {0, 6, 2},
+           {0, 4, 6},
+           {1, 3, 7},
+           {1, 7, 5}}};
+}
+
+}  // namespace
+
+int main() {
+  crossgrain::SolveOptions options;
+  options.resolution = 8;
+  const crossgrain::FrameField field = crossgrain::solve(cube(), options);
+  const crossgrain::Frame frame = field.sample({0.5, 0.5, 0.5}).frame;
+  std::printf("crossgrain %s\n", crossgrain::kVersion);
+
+  // In a cube every axis of every frame is one of x, y and z.
+  for (const crossgrain::Vector3& axis : frame.axes) {
+    if (std::fmax(std::fmax(std::fabs(axis[0]), std::fabs(axis[1])), std::fabs(axis[2])) < 0.999) return 1;
+  }
+  return 0;
+}

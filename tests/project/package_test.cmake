@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: Apache-2.0
+# Installs BUILD_DIR below a fresh WORK_DIR, moves the prefix to show that nothing in it remembers where it was,
+# and builds and runs the project in CONSUMER_DIR against it.
+
+file(REMOVE_RECURSE "${WORK_DIR}")
+set(prefix "${WORK_DIR}/moved")
+
+execute_process(COMMAND ${CMAKE_COMMAND} --install "${BUILD_DIR}" --prefix "${WORK_DIR}/installed"
+                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(RENAME "${WORK_DIR}/installed" "${prefix}")
+
+execute_process(
+  COMMAND ${CMAKE_COMMAND} -S "${CONSUMER_DIR}" -B "${WORK_DIR}/build" -G "${GENERATOR}"
+          "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}" "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
+          "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}" -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF
+  COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --build "${WORK_DIR}/build" COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${WORK_DIR}/build/consumer" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+
+if(NOT output STREQUAL "crossgrain ${VERSION}\n")
+  message(FATAL_ERROR "the consumer printed '${output}', not the version that was installed, ${VERSION}")
+endif()
+
+if(PROGRAM)
+  file(GLOB program "${prefix}/bin/crossgrain")
+  if(NOT program)
+    message(FATAL_ERROR "the program was not installed below ${prefix}/bin")
+  endif()
+endif()
