@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+
+namespace crossgrain {
+
+/// Where a long computation is.
+struct Progress {
+  const char* phase;  ///< "read", "grid", "solve" or "write"
+  int depth;          ///< octree depth of the level being worked on, 0 where there is none
+  std::size_t cells;  ///< active cells of that level
+  int sweep;          ///< sweeps done on that level
+  double energy;      ///< degree-4 energy after that sweep; not finite where none is known yet
+};
+
+/// Carries cancellation into a computation and progress out of it. The only object that may be shared between
+/// the thread that computes and another: `cancel` may be called from any thread and from a signal handler.
+class Monitor {
+ public:
+  Monitor() = default;
+  explicit Monitor(std::function<void(const Progress&)> on_progress) : on_progress_(std::move(on_progress)) {}
+
+  void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+  bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+
+  /// Tells the listener, always from the thread that called the computation.
+  void report(const Progress& progress) const {
+    if (on_progress_) on_progress_(progress);
+  }
+
+  /// Throws Error(kInterrupted) once cancelled.
+  void check() const;
+
+ private:
+  std::atomic<bool> cancelled_{false};
+  std::function<void(const Progress&)> on_progress_;
+};
+
+}  // namespace crossgrain

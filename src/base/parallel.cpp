@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/parallel.hpp"
+
+#ifdef CROSSGRAIN_STD_THREADS
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace crossgrain {
+namespace {
+
+std::atomic<int> g_thread_limit{0};
+
+int thread_count() {
+  const int limit = g_thread_limit.load();
+  return limit > 0 ? limit : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace
+
+void parallel_for_chunks(std::size_t count, std::size_t grain,
+                         const std::function<void(std::size_t, std::size_t)>& body) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto work = [&] {
+    for (std::size_t begin; (begin = next.fetch_add(grain)) < count;) {
+      try {
+        body(begin, std::min(begin + grain, count));
+      } catch (...) {
+        const std::lock_guard lock(failure_mutex);
+        if (!failure) failure = std::current_exception();
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int i = 1; i < thread_count() && static_cast<std::size_t>(i) * grain < count; ++i)
+    threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+ThreadLimit::ThreadLimit(int threads) : control_(nullptr) {
+  g_thread_limit.store(threads);
+}
+ThreadLimit::~ThreadLimit() {
+  g_thread_limit.store(0);
+}
+
+}  // namespace crossgrain
+
+#else
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace crossgrain {
+
+void parallel_for_chunks(std::size_t count, std::size_t grain,
+                         const std::function<void(std::size_t, std::size_t)>& body) {
+  const std::size_t chunks = (count + grain - 1) / grain;
+  if (chunks <= 1) {
+    if (count > 0) body(0, count);
+    return;
+  }
+  tbb::parallel_for(std::size_t{0}, chunks,
+                    [&](std::size_t chunk) { body(chunk * grain, std::min((chunk + 1) * grain, count)); });
+}
+
+ThreadLimit::ThreadLimit(int threads)
+    : control_(threads > 0 ? new tbb::global_control(tbb::global_control::max_allowed_parallelism,
+                                                     static_cast<std::size_t>(threads))
+                           : nullptr) {}
+
+ThreadLimit::~ThreadLimit() {
+  delete static_cast<tbb::global_control*>(control_);
+}
+
+}  // namespace crossgrain
+
+#endif

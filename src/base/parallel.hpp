@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one parallel loop of the library. Results never depend on the number of threads: a loop body writes
+// only what its own indices own, and sums are taken over fixed chunks in a fixed order.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+namespace crossgrain {
+
+/// Indices that one task takes at a time unless told otherwise: enough to hide the cost of a task.
+inline constexpr std::size_t kParallelGrain = 256;
+
+/// Runs body(begin, end) over [0, count) in chunks of `grain`; the bounds of chunks do not depend on the
+/// number of threads. The first exception thrown by a body is rethrown here.
+void parallel_for_chunks(std::size_t count, std::size_t grain,
+                         const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+/// Runs body(i) for every i in [0, count).
+template <class Body>
+void parallel_for(std::size_t count, const Body& body, std::size_t grain = kParallelGrain) {
+  parallel_for_chunks(count, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(i);
+  });
+}
+
+/// The sum of term(i) over [0, count), the same to the bit for any number of threads.
+template <class Term>
+double parallel_sum(std::size_t count, const Term& term, std::size_t grain = kParallelGrain) {
+  std::vector<double> partial((count + grain - 1) / grain, 0.0);
+  parallel_for_chunks(count, grain, [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i) sum += term(i);
+    partial[begin / grain] = sum;
+  });
+  return std::accumulate(partial.begin(), partial.end(), 0.0);
+}
+
+/// Bounds the threads of the parallel loops while it lives; 0 means all that the machine has.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  void* control_;
+};
+
+}  // namespace crossgrain

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Unit quaternions, the form in which a cell keeps its frame.
+//
+// Convention: active and right-handed; rotate(q, v) = q v q*, and rotate(p * q, v) = rotate(p, rotate(q, v)).
+// The frame of a rotation R has the axes R e_x, R e_y, R e_z.
+#pragma once
+
+#include <cmath>
+
+#include "base/vector3.hpp"
+
+namespace crossgrain {
+
+template <class Real>
+struct BasicQuaternion {
+  Real w = 1, x = 0, y = 0, z = 0;
+};
+
+using Quaternion = BasicQuaternion<double>;
+
+/// Sixteen bytes: how frames are stored, one a cell.
+using StoredQuaternion = BasicQuaternion<float>;
+
+inline Quaternion operator*(const Quaternion& p, const Quaternion& q) {
+  return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
+          p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
+}
+
+inline Quaternion conjugate(const Quaternion& q) {
+  return {q.w, -q.x, -q.y, -q.z};
+}
+
+inline Quaternion normalised(const Quaternion& q) {
+  const double scale = 1 / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  return {scale * q.w, scale * q.x, scale * q.y, scale * q.z};
+}
+
+/// The three axes R e_x, R e_y, R e_z of a unit quaternion.
+inline std::array<Vector3, 3> axes_of(const Quaternion& q) {
+  const double xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
+  const double xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z;
+  const double wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
+  return {Vector3{1 - 2 * (yy + zz), 2 * (xy + wz), 2 * (xz - wy)},
+          Vector3{2 * (xy - wz), 1 - 2 * (xx + zz), 2 * (yz + wx)},
+          Vector3{2 * (xz + wy), 2 * (yz - wx), 1 - 2 * (xx + yy)}};
+}
+
+inline Vector3 rotate(const Quaternion& q, const Vector3& v) {
+  const auto axes = axes_of(q);
+  return v[0] * axes[0] + v[1] * axes[1] + v[2] * axes[2];
+}
+
+/// exp: the turn by |v| radians about v.
+inline Quaternion from_rotation_vector(const Vector3& v) {
+  const double angle_rad = norm(v);
+  const double sinc = angle_rad > 1e-8 ? std::sin(angle_rad / 2) / angle_rad : 0.5;
+  return {std::cos(angle_rad / 2), sinc * v[0], sinc * v[1], sinc * v[2]};
+}
+
+/// The quaternion of a right-handed orthonormal frame given by its axes (Shepperd's method).
+Quaternion quaternion_of(const std::array<Vector3, 3>& axes);
+
+inline StoredQuaternion to_stored(const Quaternion& q) {
+  return {static_cast<float>(q.w), static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
+}
+
+inline Quaternion from_stored(const StoredQuaternion& q) {
+  return normalised(Quaternion{q.w, q.x, q.y, q.z});
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+
+namespace crossgrain {
+
+/// Wall time over several stretches.
+class Stopwatch {
+ public:
+  void start() { begin_ = Clock::now(); }
+  void stop() { total_ += Clock::now() - begin_; }
+  double seconds() const { return total_.count(); }
+
+  /// Seconds since `start` or the last restart.
+  double restart() {
+    const auto now = Clock::now();
+    const std::chrono::duration<double> lap = now - begin_;
+    begin_ = now;
+    return lap.count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point begin_{};
+  std::chrono::duration<double> total_{0};
+};
+
+}  // namespace crossgrain
