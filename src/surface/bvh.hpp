@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// A tree of bounding boxes over the triangles of a surface.
+//
+// Nodes lie in one array in depth-first order, so a walk needs no stack where the order of visits does not
+// matter:
+//
+//   index      0       1      2      3     4     5 = end
+//   node       root    A      A.l    A.r   B
+//   skip       5       4      3      4     5       the node after the subtree
+//   children   1, 4    2, 3   leaf   leaf  leaf    the first child is index + 1, the second is that child's
+//   skip
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "surface/surface.hpp"
+
+namespace crossgrain {
+
+/// Where a ray meets the surface: at origin + t * direction.
+struct RayHit {
+  double t;
+  std::uint32_t triangle;
+};
+
+/// The point of the surface nearest to some point.
+struct NearestPoint {
+  double squared_distance;
+  std::uint32_t triangle;
+  Vector3 point;
+};
+
+/// Bounding volume hierarchy by binned surface area heuristic (Wald 2007). Refers to the surface, which must
+/// outlive it and stay where it is. All queries are safe from any number of threads; the tree does not depend
+/// on their number.
+class TriangleBvh {
+ public:
+  /// A node holds the triangles triangle_order()[first, first + count); it is a leaf if skip is its own index
+  /// + 1.
+  struct Node {
+    Box box;
+    std::uint32_t skip;
+    std::uint32_t first;
+    std::uint32_t count;
+  };
+  static_assert(sizeof(Node) <= 64);
+
+  explicit TriangleBvh(const Surface& surface);
+
+  /// The hit with the smallest t in [t_min, t_max]; of triangles hit at the same t, the one of the lowest
+  /// index. `direction` need not be of unit length; t counts in it. Watertight (Woop et al. 2013, JCGT 2(1)):
+  /// no ray slips through between two triangles that share an edge. Triangles are hit from both sides; one
+  /// that holds the ray is not hit.
+  std::optional<RayHit> first_hit(const Vector3& origin, const Vector3& direction, double t_min,
+                                  double t_max) const;
+
+  /// The point of the surface nearest to p; of equally near triangles, the one of the lowest index.
+  NearestPoint nearest(const Vector3& p) const;
+
+  const Surface& surface() const { return *surface_; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const std::vector<std::uint32_t>& triangle_order() const { return triangle_order_; }
+
+ private:
+  const Surface* surface_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> triangle_order_;
+};
+
+}  // namespace crossgrain

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exact clipping of triangles to the cells of the grid.
+#pragma once
+
+#include <array>
+
+#include "crossgrain/types.hpp"
+
+namespace crossgrain {
+
+/// The part of a triangle inside a box.
+struct ClippedTriangle {
+  double area;       ///< in squared model units; 0 where nothing is inside
+  Vector3 centroid;  ///< of that part, inside the closed box; {0, 0, 0} where `area` is 0
+};
+
+/// The part of the triangle inside the half-open box [low, high), by Sutherland and Hodgman (Comm. ACM 17(1),
+/// 1974). A triangle in the plane between two boxes belongs to the upper one only, and two boxes cut a
+/// triangle at bit-equal points of the plane between them, so over any partition of space into boxes the
+/// areas add up to the triangle's area to rounding. Coordinates must be finite. Allocates nothing.
+ClippedTriangle clip_triangle(const std::array<Vector3, 3>& corners, const Box& box);
+
+/// False only where `clip_triangle` would find no area: compares bounding boxes, then the triangle's plane
+/// with the box. True for some triangles that merely come near. A fifth of the price of clipping.
+bool may_overlap(const std::array<Vector3, 3>& corners, const Box& box);
+
+}  // namespace crossgrain

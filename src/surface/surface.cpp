@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/surface.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Volumes of lengths below this stay far from the largest double (1.8e308) even after summation.
+constexpr double kLargestCoordinate = 1e100;
+
+/// The cross product of two edges scaled to at most 1 per component is off by a few units in the last place;
+/// below this length it has no direction.
+constexpr double kSmallestCross = 8 * std::numeric_limits<double>::epsilon();
+
+double largest_component(const Vector3& a, const Vector3& b) {
+  double largest = 0;
+  for (int axis = 0; axis < 3; ++axis) largest = std::max({largest, std::abs(a[axis]), std::abs(b[axis])});
+  return largest;
+}
+
+Box box_of_triangles(const TriangleMesh& mesh) {
+  std::vector<Vector3> used;
+  used.reserve(3 * mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t vertex : triangle) used.push_back(mesh.vertices[vertex]);
+  return box_of(used);
+}
+
+}  // namespace
+
+void check_mesh(const TriangleMesh& mesh) {
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    for (const double coordinate : mesh.vertices[v]) {
+      if (std::abs(coordinate) < kLargestCoordinate) continue;  // false for NaN
+      throw Error(ErrorKind::kInput,
+                  "vertex " + std::to_string(v) + " (counted from 0): coordinate " +
+                      (std::isfinite(coordinate) ? "beyond 1e100" : "that is not a finite number") +
+                      "; export the mesh again or remove that vertex");
+    }
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::uint32_t vertex : mesh.triangles[t]) {
+      if (vertex < mesh.vertices.size()) continue;
+      throw Error(ErrorKind::kInput, "triangle " + std::to_string(t) + " (counted from 0): vertex index " +
+                                         std::to_string(vertex) + " is out of range, there are " +
+                                         std::to_string(mesh.vertices.size()) +
+                                         " vertices; export the mesh again or remove that triangle");
+    }
+  }
+}
+
+TriangleShape shape_of(const std::array<Vector3, 3>& corners) {
+  const Vector3 ab = corners[1] - corners[0], ac = corners[2] - corners[0];
+  const double scale = largest_component(ab, ac);
+  if (scale == 0) return {{0, 0, 0}, 0};
+  const auto scaled = [scale](const Vector3& v) { return Vector3{v[0] / scale, v[1] / scale, v[2] / scale}; };
+  const Vector3 normal = cross(scaled(ab), scaled(ac));
+  const double twice_area = norm(normal);
+  const double area = 0.5 * twice_area * scale * scale;
+  if (twice_area <= kSmallestCross || area == 0) return {{0, 0, 0}, 0};
+  return {(1 / twice_area) * normal, area};
+}
+
+Surface prepare_surface(TriangleMesh mesh) {
+  check_mesh(mesh);
+  const std::size_t count = mesh.triangles.size();
+  Surface surface;
+  surface.mesh = std::move(mesh);
+  std::vector<TriangleShape> shapes(count);
+  parallel_for(count, [&](std::size_t t) { shapes[t] = shape_of(surface.corners(t)); });
+
+  auto& triangles = surface.mesh.triangles;
+  surface.normals.reserve(count);
+  surface.areas.reserve(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    if (shapes[t].area == 0) continue;
+    triangles[surface.areas.size()] = triangles[t];
+    surface.normals.push_back(shapes[t].normal);
+    surface.areas.push_back(shapes[t].area);
+  }
+  triangles.resize(surface.areas.size());
+  surface.degenerate_triangles = count - triangles.size();
+  if (triangles.empty()) {
+    throw Error(ErrorKind::kInput, count == 0
+                                       ? "no triangles; a surface is needed to make a frame field inside it"
+                                       : "none of the " + std::to_string(count) +
+                                             " triangles has an area; export the surface again");
+  }
+  surface.box = box_of_triangles(surface.mesh);
+  return surface;
+}
+
+}  // namespace crossgrain

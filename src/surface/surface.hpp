@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// A triangle mesh made ready for the grid: checked, without triangles of no area, with normals and areas.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "crossgrain/types.hpp"
+
+namespace crossgrain {
+
+/// Triangles of positive area, each with its unit normal. Plain data that nothing changes after
+/// `prepare_surface`; safe to read from any number of threads.
+struct Surface {
+  TriangleMesh mesh;             ///< vertices as given; only triangles of positive area, in the order given
+  std::vector<Vector3> normals;  ///< per triangle, by the right-hand rule over its corners
+  std::vector<double> areas;     ///< per triangle, in squared model units, > 0
+  Box box;                       ///< of the corners of `mesh.triangles`; vertices nobody uses do not count
+  std::size_t degenerate_triangles = 0;  ///< how many triangles were dropped for want of an area
+
+  std::size_t size() const { return mesh.triangles.size(); }
+
+  std::array<Vector3, 3> corners(std::size_t triangle) const {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+  }
+};
+
+/// Throws Error(kInput) unless every index is in range and every coordinate finite and below 1e100 (squares
+/// and cubes of lengths must not overflow). The message names the triangle or vertex, counted from 0.
+void check_mesh(const TriangleMesh& mesh);
+
+/// Normal and area of a triangle; the area is 0 (and the normal {0, 0, 0}) where the corners are collinear to
+/// rounding, so that the direction of the normal would be noise.
+struct TriangleShape {
+  Vector3 normal;
+  double area;
+};
+TriangleShape shape_of(const std::array<Vector3, 3>& corners);
+
+/// The mesh as a Surface. Throws Error(kInput) as `check_mesh` does, and where no triangle has a positive
+/// area.
+Surface prepare_surface(TriangleMesh mesh);
+
+}  // namespace crossgrain

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+// Notation: r = centre - p. The solid angle of triangles with unit normals n is the integral of n . F(x - p)
+// over their points x, with F(r) = r / |r|^3 = -grad(1 / |r|). Expanded about the centre, with y = x - centre
+// and summed over triangles,
+//
+//   N_i F_i + M_ij d_j F_i + T_ijk d_j d_k F_i,   N = sum of int n,  M = sum of int n y^T,  T = 1/2 sum of
+//   int n y y^T.
+//
+// Derivatives of 1 / |r| are symmetric and traceless, so only these parts Q of M and S of T are left:
+//
+//   N . r / |r|^3  -  3 Q_ij r_i r_j / |r|^5  +  15 S_ijk r_i r_j r_k / |r|^7.
+//
+// What beta buys, over random points in the cube around spheres and tori of 5k to 100k triangles: the largest
+// error, and the clusters looked at a query (random points / points within 0.03 of a torus of 100k; one takes
+// about 20 ns).
+//
+//   beta     1.5          1.75         2            2.5          3
+//   error    .027         .013         .008         .0044        .0014
+//   looked   VISITS
+#include "surface/winding_number.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/parallel.hpp"
+#include "base/vector3.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Nodes near the root take as long as thousands of leaves, so few of them go into one task.
+constexpr std::size_t kClusterGrain = 16;
+
+/// Centres are kept in single precision, off by up to 6e-8. A cluster this far away or farther is not
+/// bothered.
+constexpr double kLeastReach = 2e-5;
+
+/// So far out, in units of the surface's size, that even an open surface fills no angle; keeps single
+/// precision finite.
+constexpr double kFarAway = 1e6;
+
+Vector3 area_vector(const std::array<Vector3, 3>& corners) {
+  return 0.5 * cross(corners[1] - corners[0], corners[2] - corners[0]);
+}
+
+Vector3 centroid(const std::array<Vector3, 3>& corners) {
+  return (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
+}
+
+/// Adds up angles of complex numbers by multiplying them, and counts how often the product passes the
+/// negative real axis: one arc tangent for many triangles.
+class AngleSum {
+ public:
+  void add(double re, double im) {
+    if (re == 0 && im == 0) return;  // p is a corner of the triangle
+    const double product_re = re_ * re - im_ * im, product_im = re_ * im + im_ * re;
+    if (im_ >= 0 && im >= 0 && product_im < 0) ++turns_;
+    if (im_ < 0 && im < 0 && product_im >= 0) --turns_;
+    re_ = product_re;
+    im_ = product_im;
+  }
+  double angle_rad() const { return std::atan2(im_ + 0.0, re_) + 2 * std::numbers::pi * turns_; }
+
+ private:
+  double re_ = 1, im_ = 0;
+  int turns_ = 0;
+};
+
+/// Sums of M and T over triangles that are given by their corners relative to the centre.
+class Multipoles {
+ public:
+  void add(const std::array<Vector3, 3>& corners) {
+    const Vector3 n = area_vector(corners), c = centroid(corners);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        m_[i][j] += n[i] * c[j];
+        for (std::size_t k = 0; k < 3; ++k) {
+          // The mean of y_j y_k over a triangle, from its corners and centroid.
+          double mean = 9 * c[j] * c[k];
+          for (const Vector3& y : corners) mean += y[j] * y[k];
+          t_[i][j][k] += 0.5 * n[i] * mean / 12;
+        }
+      }
+    }
+  }
+
+  std::array<float, 5> quadrupole() const {
+    const double trace = m_[0][0] + m_[1][1] + m_[2][2];
+    const auto q = [&](std::size_t i, std::size_t j) {
+      return static_cast<float>(0.5 * (m_[i][j] + m_[j][i]) - (i == j ? trace / 3 : 0));
+    };
+    return {q(0, 0), q(1, 1), q(0, 1), q(1, 2), q(2, 0)};
+  }
+
+  std::array<float, 7> octupole() const {
+    const auto symmetric = [&](std::size_t i, std::size_t j, std::size_t k) {
+      // t_ is symmetric in its last two indices already.
+      return (t_[i][j][k] + t_[j][k][i] + t_[k][i][j]) / 3;
+    };
+    const auto trace = [&](std::size_t k) {
+      return symmetric(0, 0, k) + symmetric(1, 1, k) + symmetric(2, 2, k);
+    };
+    const auto s = [&](std::size_t i, std::size_t j, std::size_t k) {
+      const double traces = (i == j ? trace(k) : 0) + (j == k ? trace(i) : 0) + (k == i ? trace(j) : 0);
+      return static_cast<float>(symmetric(i, j, k) - traces / 5);
+    };
+    return {s(0, 0, 0), s(1, 1, 1), s(0, 0, 1), s(0, 1, 1), s(0, 0, 2), s(1, 1, 2), s(0, 1, 2)};
+  }
+
+ private:
+  std::array<std::array<double, 3>, 3> m_{};
+  std::array<std::array<std::array<double, 3>, 3>, 3> t_{};
+};
+
+/// Seen from the mean of the surface, so that an open one gives a volume that does not depend on where it
+/// lies.
+double enclosed_volume(const std::vector<std::array<Vector3, 3>>& triangles) {
+  double area = 0;
+  Vector3 moment{0, 0, 0};
+  for (const auto& corners : triangles) {
+    const double weight = norm(area_vector(corners));
+    area += weight;
+    moment += weight * centroid(corners);
+  }
+  const Vector3 mean = (1 / area) * moment;
+  double volume = 0;
+  for (const auto& corners : triangles) volume += dot(area_vector(corners), centroid(corners) - mean) / 3;
+  return volume;
+}
+
+}  // namespace
+
+WindingNumber::WindingNumber(const Surface& surface, const TriangleBvh& bvh, double beta) {
+  const Box& box = surface.box;
+  const Vector3 size = box.high - box.low;
+  middle_ = 0.5 * (box.low + box.high);
+  scale_ = 1 / std::max({size[0], size[1], size[2]});
+
+  const auto& order = bvh.triangle_order();
+  corners_.resize(order.size());
+  parallel_for(order.size(), [&](std::size_t i) {
+    const auto corners = surface.corners(order[i]);
+    corners_[i] = {to_unit(corners[0]), to_unit(corners[1]), to_unit(corners[2])};
+  });
+
+  clusters_.resize(bvh.nodes().size());
+  parallel_for(
+      clusters_.size(),
+      [&](std::size_t i) {
+        const TriangleBvh::Node& node = bvh.nodes()[i];
+        clusters_[i] = make_cluster(corners_.data() + node.first, node.count, beta);
+        clusters_[i].skip = node.skip;
+        clusters_[i].first = node.first;
+        clusters_[i].count = node.count;
+      },
+      kClusterGrain);
+
+  if (enclosed_volume(corners_) < 0) orientation_ = -1;
+}
+
+Vector3 WindingNumber::to_unit(const Vector3& p) const {
+  return scale_ * (p - middle_);
+}
+
+WindingNumber::Cluster WindingNumber::make_cluster(const std::array<Vector3, 3>* corners, std::uint32_t count,
+                                                   double beta) {
+  double area = 0;
+  Vector3 dipole{0, 0, 0}, centre{0, 0, 0};
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const Vector3 n = area_vector(corners[t]);
+    area += norm(n);
+    dipole += n;
+    centre += norm(n) * centroid(corners[t]);
+  }
+  centre = area > 0 ? (1 / area) * centre : centroid(corners[0]);
+
+  double squared_radius = 0;
+  Multipoles multipoles;
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const auto& [a, b, c] = corners[t];
+    multipoles.add({a - centre, b - centre, c - centre});
+    for (const Vector3& corner : corners[t])
+      squared_radius = std::max(squared_radius, dot(corner - centre, corner - centre));
+  }
+
+  Cluster cluster{};
+  const double reach = std::max(beta * std::sqrt(squared_radius), kLeastReach);
+  cluster.squared_reach = static_cast<float>(reach * reach);
+  for (std::size_t k = 0; k < 3; ++k) cluster.centre[k] = static_cast<float>(centre[k]);
+  for (std::size_t k = 0; k < 3; ++k) cluster.dipole[k] = static_cast<float>(dipole[k]);
+  cluster.quadrupole = multipoles.quadrupole();
+  cluster.octupole = multipoles.octupole();
+  return cluster;
+}
+
+/// With r = (x, y, z); the components of Q and S that are not kept follow from the traces.
+double WindingNumber::far_solid_angle(const Cluster& cluster, float x, float y, float z) {
+  const auto& n = cluster.dipole;
+  const auto& q = cluster.quadrupole;
+  const auto& s = cluster.octupole;
+  const float xx = x * x, yy = y * y, zz = z * z;
+  const float inverse_squared = 1 / (xx + yy + zz);
+  const float first = n[0] * x + n[1] * y + n[2] * z;
+  const float second = q[0] * (xx - zz) + q[1] * (yy - zz) + 2 * (q[2] * x * y + q[3] * y * z + q[4] * z * x);
+  const float third = s[0] * x * (xx - 3 * zz) + s[1] * y * (yy - 3 * zz) + 3 * s[2] * y * (xx - zz) +
+                      3 * s[3] * x * (yy - zz) + s[4] * z * (3 * xx - zz) + s[5] * z * (3 * yy - zz) +
+                      6 * s[6] * x * y * z;
+  return static_cast<double>((first + (15 * third * inverse_squared - 3 * second) * inverse_squared) *
+                             inverse_squared * std::sqrt(inverse_squared));
+}
+
+/// Van Oosterom and Strackee (1983): tan(angle / 2) = a . (b x c) / (|a||b||c| + (a.b)|c| + (b.c)|a| +
+/// (c.a)|b|).
+double WindingNumber::exact_solid_angle(const Cluster& leaf, const Vector3& p) const {
+  AngleSum half_angles;
+  for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+    const Vector3 a = corners_[i][0] - p, b = corners_[i][1] - p, c = corners_[i][2] - p;
+    const double la = norm(a), lb = norm(b), lc = norm(c);
+    half_angles.add(la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb, dot(a, cross(b, c)));
+  }
+  return 2 * half_angles.angle_rad();
+}
+
+double WindingNumber::at(const Vector3& p) const {
+  const Vector3 unit = to_unit(p);
+  if (!(dot(unit, unit) < kFarAway * kFarAway)) return 0;
+  const auto px = static_cast<float>(unit[0]), py = static_cast<float>(unit[1]),
+             pz = static_cast<float>(unit[2]);
+  double solid_angle = 0;
+  for (std::uint32_t i = 0; i < clusters_.size();) {
+    const Cluster& cluster = clusters_[i];
+    const float x = cluster.centre[0] - px, y = cluster.centre[1] - py, z = cluster.centre[2] - pz;
+    const float squared = x * x + y * y + z * z;
+    if (squared > cluster.squared_reach) {
+      solid_angle += far_solid_angle(cluster, x, y, z);
+      i = cluster.skip;
+    } else if (cluster.skip == i + 1) {
+      solid_angle += exact_solid_angle(cluster, unit);
+      ++i;
+    } else {
+      ++i;
+    }
+  }
+  return orientation_ * solid_angle / (4 * std::numbers::pi);
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inside or outside, for surfaces that may have holes, overlaps and wrong orientation.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "surface/bvh.hpp"
+#include "surface/surface.hpp"
+
+namespace crossgrain {
+
+/// The generalised winding number of a triangle soup (Jacobson et al. 2013): the solid angle that the surface
+/// fills as seen from p, over 4 pi. 1 inside a closed outward-oriented surface and 0 outside, in between near
+/// holes. Groups of triangles far from p act as multipoles (Barill et al. 2018); triangles near it count
+/// exactly. Keeps what it needs of the surface and the tree. Queries are safe from any number of threads.
+class WindingNumber {
+ public:
+  /// A group of triangles acts as a multipole for points farther from its centre than beta times its radius.
+  /// What beta costs and buys is in the table of winding_number.cpp.
+  WindingNumber(const Surface& surface, const TriangleBvh& bvh, double beta = kDefaultBeta);
+
+  /// The winding number at p with respect to the outward orientation (see `flipped`), within 0.02 of the
+  /// exact sum.
+  double at(const Vector3& p) const;
+
+  bool inside(const Vector3& p) const { return at(p) > 0.5; }
+
+  /// True where the surface as a whole is inside out: the volume that it encloses, sum of a_t n_t . (c_t - c)
+  /// / 3 with c_t the centroids and c their weighted mean, is negative. `at` then counts every triangle
+  /// reversed. One decision for the whole surface: a single component turned against the others stays so.
+  bool flipped() const { return orientation_ < 0; }
+
+  static constexpr double kDefaultBeta = 1.75;
+
+ private:
+  /// Triangles [first, first + count) and their multipoles, in unit coordinates: the box's longest side is 1,
+  /// its middle the origin. In depth-first order as in TriangleBvh. Single precision, for the sake of the
+  /// cache.
+  struct Cluster {
+    std::array<float, 3> centre;
+    float squared_reach;              ///< (beta * radius)^2: nearer points look into the cluster
+    std::array<float, 3> dipole;      ///< N_x, N_y, N_z
+    std::array<float, 5> quadrupole;  ///< Q_xx, Q_yy, Q_xy, Q_yz, Q_zx
+    std::array<float, 7> octupole;    ///< S_xxx, S_yyy, S_xxy, S_xyy, S_xxz, S_yyz, S_xyz
+    std::uint32_t skip, first, count;
+  };
+
+  static Cluster make_cluster(const std::array<Vector3, 3>* corners, std::uint32_t count, double beta);
+  static double far_solid_angle(const Cluster& cluster, float x, float y, float z);
+  Vector3 to_unit(const Vector3& p) const;
+  double exact_solid_angle(const Cluster& leaf, const Vector3& p) const;
+
+  Vector3 middle_;
+  double scale_;
+  double orientation_ = 1;
+  std::vector<Cluster> clusters_;
+  std::vector<std::array<Vector3, 3>> corners_;  ///< in unit coordinates, in the order of the tree
+};
+
+}  // namespace crossgrain
