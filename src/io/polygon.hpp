@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Polygonal faces cut into triangles.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "crossgrain/types.hpp"
+
+namespace crossgrain {
+
+/// Cuts polygons, one after the other, in the plane of their mean (Newell) normal: convex ones into a fan
+/// about their first corner, others by ear clipping. A polygon of n corners gives n - 2 triangles of its own
+/// corners and orientation, and their areas add up to its own if it is planar and does not cross itself; a
+/// polygon that does is cut all the same, somehow.
+class PolygonTriangulator {
+ public:
+  /// Tests of a corner against an ear that one file may cost, half a second or so. Ear clipping takes about
+  /// n^2 of them for n corners, so a single polygon of some 10,000 corners passes.
+  static constexpr std::size_t kEarTests = 200'000'000;
+
+  explicit PolygonTriangulator(std::size_t ear_tests = kEarTests) : ear_tests_left_(ear_tests) {}
+
+  /// Appends the triangles of a polygon of three corners or more, indices into `vertices`. False, with
+  /// nothing appended, where the ear tests are used up.
+  bool triangulate(std::span<const std::uint32_t> corners, const std::vector<Vector3>& vertices,
+                   std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+ private:
+  using Point = std::array<double, 2>;
+
+  void project(std::span<const std::uint32_t> corners, const std::vector<Vector3>& vertices);
+  bool is_convex() const;
+  bool clip_ears(std::span<const std::uint32_t> corners,
+                 std::vector<std::array<std::uint32_t, 3>>& triangles);
+  bool is_ear(std::size_t corner);
+  double turn(std::size_t corner) const;
+  std::size_t flattest_corner(std::size_t any) const;
+  void unlink(std::size_t corner);
+
+  std::size_t ear_tests_left_;
+  // Of the polygon at hand: its corners in the plane, counter-clockwise, and the ring of those not yet cut.
+  std::vector<Point> points_;
+  std::vector<std::size_t> next_, previous_;
+  std::vector<bool> convex_;
+};
+
+}  // namespace crossgrain

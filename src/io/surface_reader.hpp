@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// The readers of surface files. Each takes a whole file and gives its surface as it stands there, polygons
+// cut, vertices not welded; all throw Error(kInput) with the file, the place and the mend. A new format is a
+// file with such a function and a row of the table in surface_reader.cpp.
+#pragma once
+
+#include "crossgrain/io.hpp"
+#include "io/input_file.hpp"
+
+namespace crossgrain {
+
+/// STL, ASCII or binary, told apart by content: a binary file has exactly 84 + 50 n bytes, n from its header.
+TriangleMesh read_stl(const InputFile& file);
+
+/// Wavefront OBJ: v and f; everything else (textures, normals, groups, lines, free-form surfaces) is ignored.
+TriangleMesh read_obj(const InputFile& file);
+
+/// PLY 1.0, ASCII or binary in either byte order: x, y, z of `vertex` and the list vertex_indices (or
+/// vertex_index) of `face`; other properties and elements are skipped.
+TriangleMesh read_ply(const InputFile& file);
+
+/// Geomview OFF in text, with whatever colours, normals and texture coordinates (COFF, NOFF, STOFF).
+TriangleMesh read_off(const InputFile& file);
+
+}  // namespace crossgrain

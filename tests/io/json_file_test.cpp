@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/json_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "crossgrain/error.hpp"
+#include "io/temporary_folder.hpp"
+
+namespace crossgrain {
+namespace {
+
+TEST(JsonText, KeepsTheOrderOfMembers) {
+  nlohmann::ordered_json value;
+  value["zebra"] = 1;
+  value["apple"] = {{"b", 2}, {"a", 3}};
+  EXPECT_EQ(json_text(value), "{\n  \"zebra\": 1,\n  \"apple\": {\n    \"b\": 2,\n    \"a\": 3\n  }\n}\n");
+}
+
+TEST(JsonText, WritesDoublesThatReadBackAsTheSameBits) {
+  const std::vector<double> numbers = {0.1,  1.0 / 3, 5e-324,       1.7976931348623157e308,
+                                       -2.5, 58.26,   123456789.125};
+  const nlohmann::ordered_json value = numbers;
+  EXPECT_EQ(nlohmann::json::parse(json_text(value)).get<std::vector<double>>(), numbers);
+  EXPECT_NE(json_text(value).find("58.26,"), std::string::npos);
+}
+
+TEST(JsonText, NamesTheMemberThatIsNotFinite) {
+  nlohmann::ordered_json value;
+  value["energy"]["total"] = std::nan("");
+  try {
+    json_text(value);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kLimit);
+    EXPECT_EQ(std::string(error.what()).find("/energy/total: "), 0u) << error.what();
+  }
+}
+
+TEST(JsonText, ReplacesBytesThatAreNoUtf8) {
+  const nlohmann::ordered_json value = {{"path", "part\xff.stl"}};
+  EXPECT_NE(json_text(value).find("part\xEF\xBF\xBD.stl"), std::string::npos);
+}
+
+TEST(WriteJson, WritesTheText) {
+  const TemporaryFolder folder;
+  OutputFile file(folder.path() / "a.json");
+  write_json(file, {{"schema", 1}});
+  file.commit();
+  EXPECT_EQ(content_of(folder.path() / "a.json"), "{\n  \"schema\": 1\n}\n");
+}
+
+}  // namespace
+}  // namespace crossgrain
