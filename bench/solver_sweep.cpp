@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sweep behind the defaults of SolverOptions (docs/solver.md): the final degree-4 energy on four
+// generated solids for one option at a time, each over several seeds.
+//
+//   solver_sweep [SEEDS]      default 3
+//
+// Prints one line per value: smallest .. largest energy over the seeds for each solid, and the processor
+// seconds of all.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "field/nested_solve.hpp"
+#include "support/shapes.hpp"
+
+namespace {
+
+using namespace crossgrain;
+
+struct Shape {
+  const char* name;
+  TriangleMesh mesh;
+  double cell_size;
+};
+
+struct Variant {
+  std::string name;
+  std::function<void(SolveOptions&)> apply;
+};
+
+std::vector<Shape> shapes() {
+  const Quaternion tilt = from_rotation_vector({0.3 / std::sqrt(2.0), 0.3 / std::sqrt(2.0), 0});
+  return {{"sphere", make_sphere(0.8, 4), 1.0 / 16},
+          {"cylinder", rotate_mesh(make_cylinder(0.55, 0.7, 96, 16), tilt), 1.0 / 16},
+          {"torus", make_torus(0.6, 0.25, 96, 48), 1.0 / 16},
+          {"bracket", make_bracket(64), 1.0 / 32}};
+}
+
+template <class Value>
+void add(std::vector<Variant>& variants, const char* name, Value SolverOptions::*member,
+         std::vector<Value> values) {
+  for (const Value value : values) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%s = %g", name, static_cast<double>(value));
+    variants.push_back({text, [=](SolveOptions& options) { options.solver.*member = value; }});
+  }
+}
+
+std::vector<Variant> variants() {
+  std::vector<Variant> list{{"defaults", [](SolveOptions&) {}},
+                            {"degree 3", [](SolveOptions& options) { options.degree = Degree::kThree; }}};
+  add(list, "starts", &SolverOptions::starts, {1, 2, 5});
+  add<std::size_t>(list, "start_cells", &SolverOptions::start_cells, {0, 5000});
+  add(list, "start_relaxation", &SolverOptions::start_relaxation, {1, 15, 50, 400});
+  add(list, "start_rounds", &SolverOptions::start_rounds, {1, 2, 8});
+  add(list, "level_relaxation", &SolverOptions::level_relaxation, {5, 20, 80, 200});
+  add(list, "level_rounds", &SolverOptions::level_rounds, {1, 2, 3, 6});
+  add<std::size_t>(list, "relaxed_cells", &SolverOptions::relaxed_cells, {0, 1000, 1000000});
+  add(list, "symmetrisation", &SolverOptions::symmetrisation, {0.1, 0.5, 1.0});
+  add(list, "most_sweeps", &SolverOptions::most_sweeps, {10, 20, 200});
+  add(list, "sweep_tolerance", &SolverOptions::sweep_tolerance, {1e-3, 3e-4, 1e-5});
+  list.push_back({"shift_relaxed_forms off", [](SolveOptions& o) { o.solver.shift_relaxed_forms = false; }});
+  for (const int cells : {3, 8}) {
+    list.push_back({"coarsest_cells = " + std::to_string(cells),
+                    [=](SolveOptions& o) { o.refinement.coarsest_cells = cells; }});
+  }
+  for (const double threshold : {0.05, 1.0}) {
+    list.push_back({"energy_density_threshold = " + std::to_string(threshold),
+                    [=](SolveOptions& o) { o.refinement.energy_density_threshold = threshold; }});
+  }
+  return list;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int seeds = argc > 1 ? std::atoi(argv[1]) : 3;
+  const std::vector<Shape> solids = shapes();
+  std::printf("%-34s", "");
+  for (const Shape& shape : solids) std::printf("%-22s", shape.name);
+  std::printf("%s\n", "cpu s");
+  for (const Variant& variant : variants()) {
+    std::printf("%-34s", variant.name.c_str());
+    const std::clock_t begin = std::clock();
+    for (const Shape& shape : solids) {
+      const Surface surface = prepare_surface(shape.mesh);
+      const TriangleBvh bvh(surface);
+      const WindingNumber winding(surface, bvh);
+      double lowest = INFINITY, highest = -INFINITY;
+      for (int seed = 0; seed < seeds; ++seed) {
+        SolveOptions options;
+        options.cell_size = shape.cell_size;
+        options.seed = static_cast<std::uint64_t>(seed);
+        variant.apply(options);
+        const double energy = nested_solve({surface, bvh, winding}, options, Monitor{}).energy.total();
+        lowest = std::min(lowest, energy);
+        highest = std::max(highest, energy);
+      }
+      std::printf("%8.3f .. %-10.3f", lowest, highest);
+    }
+    std::printf("%6.2f\n", static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    std::fflush(stdout);
+  }
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the surface in a cell asks of the frame there: one quadratic form in its coefficients. Forms add.
+//
+// Notation: E(h) = h^T A h - 2 b.h + c, and w the total weight (area) that went into it. In degree 3 every
+// constraint is even in h, so b = 0 and c = 0 and neither is stored.
+#pragma once
+
+#include <algorithm>
+
+#include "harmonics/coefficients.hpp"
+
+namespace crossgrain {
+
+/// Entries of a symmetric matrix on coefficients, stored as its upper triangle row by row: 28 in degree 3, 45
+/// in 4.
+template <int D>
+inline constexpr int kFormEntryCount = kCoefficientCount<D>*(kCoefficientCount<D> + 1) / 2;
+
+/// Where the entry (row, column) stands, row <= column.
+template <int D>
+constexpr int form_entry(int row, int column) {
+  return row * kCoefficientCount<D> - row * (row - 1) / 2 + (column - row);
+}
+
+template <int D>
+struct QuadraticForm;
+
+template <>
+struct QuadraticForm<3> {
+  std::array<double, kFormEntryCount<3>> matrix{};
+  double weight = 0;
+};
+
+template <>
+struct QuadraticForm<4> {
+  std::array<double, kFormEntryCount<4>> matrix{};
+  Coefficients<4> linear{};
+  double constant = 0;
+  double weight = 0;
+};
+
+/// b; zero in degree 3.
+inline Coefficients<3> linear_part(const QuadraticForm<3>&) {
+  return {};
+}
+inline const Coefficients<4>& linear_part(const QuadraticForm<4>& form) {
+  return form.linear;
+}
+
+/// c; zero in degree 3.
+inline double constant_part(const QuadraticForm<3>&) {
+  return 0;
+}
+inline double constant_part(const QuadraticForm<4>& form) {
+  return form.constant;
+}
+
+/// form += factor * other, weights too.
+template <int D>
+void add_scaled(QuadraticForm<D>& form, double factor, const QuadraticForm<D>& other) {
+  add_scaled(form.matrix, factor, other.matrix);
+  if constexpr (D == 4) {
+    add_scaled(form.linear, factor, other.linear);
+    form.constant += factor * other.constant;
+  }
+  form.weight += factor * other.weight;
+}
+
+template <int D>
+QuadraticForm<D>& operator+=(QuadraticForm<D>& form, const QuadraticForm<D>& other) {
+  add_scaled(form, 1.0, other);
+  return form;
+}
+
+/// factor * form, its weight too.
+template <int D>
+QuadraticForm<D> scaled(const QuadraticForm<D>& form, double factor) {
+  QuadraticForm<D> result;
+  add_scaled(result, factor, form);
+  return result;
+}
+
+/// A += factor * v v^T.
+template <int D>
+void add_outer_product(QuadraticForm<D>& form, double factor, const Coefficients<D>& v) {
+  int entry = 0;
+  for (int row = 0; row < kCoefficientCount<D>; ++row) {
+    const double scaled_row = factor * v[row];
+    for (int column = row; column < kCoefficientCount<D>; ++column)
+      form.matrix[entry++] += scaled_row * v[column];
+  }
+}
+
+/// A += factor * I.
+template <int D>
+void add_identity(QuadraticForm<D>& form, double factor) {
+  for (int row = 0; row < kCoefficientCount<D>; ++row) form.matrix[form_entry<D>(row, row)] += factor;
+}
+
+/// A h. The loops are unrolled so that every position in the triangle is a constant: more than twice as fast.
+template <int D>
+inline Coefficients<D> matrix_times(const QuadraticForm<D>& form, const Coefficients<D>& h) {
+  constexpr int n = kCoefficientCount<D>;
+  Coefficients<D> result{};
+#pragma GCC unroll 9
+  for (int row = 0; row < n; ++row) {
+#pragma GCC unroll 9
+    for (int column = 0; column < n; ++column) {
+      result[row] += form.matrix[form_entry<D>(std::min(row, column), std::max(row, column))] * h[column];
+    }
+  }
+  return result;
+}
+
+/// E(h).
+template <int D>
+inline double value(const QuadraticForm<D>& form, const Coefficients<D>& h) {
+  double result = dot(h, matrix_times(form, h));
+  if constexpr (D == 4) result += form.constant - 2 * dot(form.linear, h);
+  return result;
+}
+
+/// A h - b, half the gradient of E.
+template <int D>
+inline Coefficients<D> half_gradient(const QuadraticForm<D>& form, const Coefficients<D>& h) {
+  Coefficients<D> result = matrix_times(form, h);
+  if constexpr (D == 4) add_scaled(result, -1.0, form.linear);
+  return result;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Notation: E(h) = h^T A h - 2 b.h + c, h* = h(R) the frame that minimises it, t = E(h*), r = A h* - b, L_a
+// the generators.
+//
+// Degree 4. Quadratics that vanish on all frames may be added to E - t. The six |h|^2 - 1 and sum S_ab (L_a
+// h).(L_b h), S symmetric and traceless (section 4 of DESIGN), already settle most cells, in closed form:
+// with multipliers mu and S
+//   W(h) = E(h) - t + mu (|h|^2 - 1) + sum S_ab (L_a h).(L_b h)
+// vanishes at h* together with its gradient, that is W(h) = (h - h*)^T A' (h - h*), if
+//   r + mu h* + sum S_ab L_a^T L_b h* = 0.
+// In nine dimensions h*, the three tangents L_a h*, and the five L_a^T L_b h* are a basis; r has no part
+// along the tangents, since h* is a minimum; so mu and S are unique. mu = -r.h*. Seen in the axes of the
+// frame, S goes by the symmetry of the cube: its diagonal and its off-diagonal part are each mapped by a
+// factor, whose squares are 280/3 and 70/3. W is what is asked for if A' is positive semidefinite. Otherwise
+// log_det_shift.hpp solves the problem in full.
+#include "constraint/spectral_shift.hpp"
+
+#include <Eigen/Cholesky>
+
+#include "constraint/dense.hpp"
+#include "constraint/log_det_shift.hpp"
+#include "constraint/minimising_frame.hpp"
+#include "constraint/spectrum.hpp"
+#include "harmonics/frame.hpp"
+#include "harmonics/generators.hpp"
+
+namespace crossgrain {
+
+namespace {
+
+// The squared norm of S -> sum S_ab L_a^T L_b h~ on traceless diagonal and on off-diagonal S of unit
+// Frobenius norm.
+constexpr double kDiagonalGain = 280.0 / 3;
+constexpr double kOffDiagonalGain = 70.0 / 3;
+
+// Eigenvalues of A' over weight may be this far below zero and count as zero: rounding of h* and of the sums.
+constexpr double kNegligible = 1e-9;
+
+using Matrix3 = Eigen::Matrix3d;
+
+// S of the equation above, in the axes of space.
+Matrix3 symmetrisation_multiplier(const Quaternion& frame, const Coefficients<4>& h,
+                                  const Coefficients<4>& r) {
+  const auto lh = apply_generators<4>(h), lr = apply_generators<4>(r);
+  Matrix3 k, axes;
+  const auto r_axes = axes_of(frame);
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      k(a, b) = 0.5 * (dot(lh[a], lr[b]) + dot(lh[b], lr[a]));
+      axes(a, b) = r_axes[b][a];
+    }
+  }
+  k -= k.trace() / 3 * Matrix3::Identity();
+  const Matrix3 in_frame = axes.transpose() * k * axes;
+  Matrix3 s = -in_frame / kOffDiagonalGain;
+  s.diagonal() = -in_frame.diagonal() / kDiagonalGain;
+  return axes * s * axes.transpose();
+}
+
+// A += sum S_ab L_a^T L_b.
+void add_symmetrisation(QuadraticForm<4>& form, const Matrix3& s) {
+  for (int column = 0; column < kCoefficientCount<4>; ++column) {
+    Coefficients<4> unit{};
+    unit[column] = 1;
+    const auto lh = apply_generators<4>(unit);
+    for (int a = 0; a < 3; ++a) {
+      Coefficients<4> mixed{};
+      for (int b = 0; b < 3; ++b) add_scaled(mixed, s(a, b), lh[b]);
+      const Coefficients<4> image = apply_generator<4>(a, mixed);
+      for (int row = 0; row <= column; ++row) form.matrix[form_entry<4>(row, column)] -= image[row];
+    }
+  }
+}
+
+bool is_positive_semidefinite(const QuadraticForm<4>& form, double tolerance) {
+  const DenseMatrix<4> matrix = dense_matrix(form) + tolerance * DenseMatrix<4>::Identity();
+  return Eigen::LLT<DenseMatrix<4>>(matrix).info() == Eigen::Success;
+}
+
+}  // namespace
+
+template <>
+QuadraticForm<3> shifted<3>(const QuadraticForm<3>& form) {
+  QuadraticForm<3> result = form;
+  add_identity(result, -spectrum(form).eigenvalues[0]);
+  return result;
+}
+
+template <>
+QuadraticForm<4> shifted<4>(const QuadraticForm<4>& form) {
+  if (!(form.weight > 0)) return form;
+  const Quaternion frame = minimising_frame(form);
+  const Coefficients<4> h = frame_coefficients<4>(frame);
+  const Coefficients<4> r = half_gradient(form, h);
+  const double mu = -dot(r, h);
+  QuadraticForm<4> result = form;
+  add_identity(result, mu);
+  add_symmetrisation(result, symmetrisation_multiplier(frame, h, r));
+  result.constant -= value(form, h) + mu;
+  if (is_positive_semidefinite(result, kNegligible * form.weight)) return result;
+  return log_det_shifted(form);
+}
+
+}  // namespace crossgrain
