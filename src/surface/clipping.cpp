@@ -58,13 +58,10 @@ bool plane_meets_box(const std::array<Vector3, 3>& corners, const Box& box) {
   return std::abs(dot(normal, offset)) <= reach + slack;
 }
 
-/// Where the segment crosses the plane x[axis] = position. The ends are taken in the order of their
-/// coordinates, so that the boxes on both sides of the plane get the same point.
+/// Where the segment from p to q crosses the plane x[axis] = position.
 Vector3 crossing(const Vector3& p, const Vector3& q, std::size_t axis, double position) {
-  const Vector3& below = p[axis] < q[axis] ? p : q;
-  const Vector3& above = p[axis] < q[axis] ? q : p;
-  const double t = (position - below[axis]) / (above[axis] - below[axis]);
-  Vector3 point = below + t * (above - below);
+  const double t = (position - p[axis]) / (q[axis] - p[axis]);
+  Vector3 point = p + t * (q - p);
   point[axis] = position;
   return point;
 }

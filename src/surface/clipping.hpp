@@ -15,9 +15,9 @@ struct ClippedTriangle {
 };
 
 /// The part of the triangle inside the half-open box [low, high), by Sutherland and Hodgman (Comm. ACM 17(1),
-/// 1974). A triangle in the plane between two boxes belongs to the upper one only, and two boxes cut a
-/// triangle at bit-equal points of the plane between them, so over any partition of space into boxes the
-/// areas add up to the triangle's area to rounding. Coordinates must be finite. Allocates nothing.
+/// 1974). A triangle in the plane between two boxes belongs to the upper one only, so over any partition of
+/// space into boxes the areas add up to the triangle's area to rounding. Coordinates must be finite.
+/// Allocates nothing.
 ClippedTriangle clip_triangle(const std::array<Vector3, 3>& corners, const Box& box);
 
 /// False only where `clip_triangle` would find no area: compares bounding boxes, then the triangle's plane

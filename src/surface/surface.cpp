@@ -61,12 +61,13 @@ TriangleShape shape_of(const std::array<Vector3, 3>& corners) {
   const Vector3 ab = corners[1] - corners[0], ac = corners[2] - corners[0];
   const double scale = largest_component(ab, ac);
   if (scale == 0) return {{0, 0, 0}, 0};
-  const auto scaled = [scale](const Vector3& v) { return Vector3{v[0] / scale, v[1] / scale, v[2] / scale}; };
-  const Vector3 normal = cross(scaled(ab), scaled(ac));
+  // Divided, not multiplied by the inverse: vectors along an axis stay exactly so.
+  const auto over = [](const Vector3& v, double d) { return Vector3{v[0] / d, v[1] / d, v[2] / d}; };
+  const Vector3 normal = cross(over(ab, scale), over(ac, scale));
   const double twice_area = norm(normal);
   const double area = 0.5 * twice_area * scale * scale;
   if (twice_area <= kSmallestCross || area == 0) return {{0, 0, 0}, 0};
-  return {(1 / twice_area) * normal, area};
+  return {over(normal, twice_area), area};
 }
 
 Surface prepare_surface(TriangleMesh mesh) {
