@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The constraints of the surface inside a leaf as one quadratic form (DESIGN section 3).
+#pragma once
+
+#include "constraint/classification.hpp"
+#include "constraint/quadratic_form.hpp"
+#include "grid/grid_level.hpp"
+
+namespace crossgrain {
+
+/// The sum over the pieces in leaf `i` of area * E_n; its weight is their area in squared model units.
+template <int D>
+QuadraticForm<D> cell_form(const GridLevel& level, const Solid& solid, CellIndex i);
+
+extern template QuadraticForm<3> cell_form<3>(const GridLevel&, const Solid&, CellIndex);
+extern template QuadraticForm<4> cell_form<4>(const GridLevel&, const Solid&, CellIndex);
+
+/// Where all pieces of leaf `i` lie in parallel planes: true. Such a leaf needs no matrix.
+/// Normals within kSameNormal of each other count as one.
+bool has_single_normal(const GridLevel& level, const Solid& solid, CellIndex i);
+
+/// Squared sine up to which two normals are one: 1e-4 degrees, below what a frame in single precision
+/// resolves.
+inline constexpr double kSameNormal = 3e-12;
+
+/// The class of a leaf that holds surface, from its degree-3 form.
+ConstraintClass constraint_class(const GridLevel& level, const Solid& solid, CellIndex i);
+
+}  // namespace crossgrain

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "grid/grid_level.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "crossgrain/error.hpp"
+#include "surface/clipping.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Pieces smaller than this share of a cell face are rounding noise of a triangle that only touches the cell.
+constexpr double kSmallestPiece = 1e-9;
+
+/// Leaves that one task refines.
+constexpr std::size_t kRefineGrain = 512;
+
+/// Fraction of a finest cell by which the surface is off the centre of the root cube; any three numbers that
+/// are not near a fraction with a small denominator do.
+constexpr Vector3 kGenericShift{0.3127, 0.3719, 0.4337};
+
+/// Leaves made from a run of leaves of the level before.
+struct RefinedRun {
+  std::vector<CellAddress> leaves;
+  std::vector<std::uint32_t> piece_counts;
+  std::vector<SurfacePiece> pieces;
+  std::vector<std::uint8_t> centre_inside;
+  std::vector<CellIndex> parent;
+  std::size_t split = 0;
+};
+
+class Refiner {
+ public:
+  Refiner(const GridLevel& level, const Solid& solid) : level_(level), solid_(solid) {}
+
+  RefinedRun refine(CellIndex begin, CellIndex end, const std::vector<bool>& marked) const {
+    RefinedRun run;
+    for (CellIndex i = begin; i < end; ++i) {
+      if (marked[i]) {
+        ++run.split;
+        for (int octant = 0; octant < 8; ++octant) add_child(i, octant, run);
+      } else {
+        const auto pieces = level_.pieces_of(i);
+        run.pieces.insert(run.pieces.end(), pieces.begin(), pieces.end());
+        close_leaf(i, level_.tree[i], pieces.size(), level_.centre_inside[i], run);
+      }
+    }
+    return run;
+  }
+
+ private:
+  void add_child(CellIndex i, int octant, RefinedRun& run) const {
+    const CellAddress child = level_.tree[i].child(octant);
+    const Box box = level_.tree.root().box(child);
+    const double cell_size = level_.tree.root().cell_size(child.depth());
+    const std::size_t before = run.pieces.size();
+    for (const SurfacePiece& piece : level_.pieces_of(i)) {
+      const double area = clip_triangle(solid_.surface.corners(piece.triangle), box).area;
+      if (area > kSmallestPiece * cell_size * cell_size) {
+        run.pieces.push_back({piece.triangle, static_cast<float>(area)});
+      }
+    }
+    const std::size_t piece_count = run.pieces.size() - before;
+    // A leaf without surface is on one side of it, so its children are where it is.
+    const bool inside = level_.holds_surface(i) ? solid_.winding.inside(0.5 * (box.low + box.high)) : true;
+    if (piece_count > 0 || inside) close_leaf(i, child, piece_count, inside, run);
+  }
+
+  static void close_leaf(CellIndex parent, CellAddress leaf, std::size_t piece_count, bool inside,
+                         RefinedRun& run) {
+    run.leaves.push_back(leaf);
+    run.piece_counts.push_back(static_cast<std::uint32_t>(piece_count));
+    run.centre_inside.push_back(inside);
+    run.parent.push_back(parent);
+  }
+
+  const GridLevel& level_;
+  const Solid& solid_;
+};
+
+GridLevel joined(const RootCube& root, const std::vector<RefinedRun>& runs, std::size_t leaves_before) {
+  GridLevel level;
+  std::size_t leaf_count = 0, piece_count = 0, split = 0;
+  for (const RefinedRun& run : runs) {
+    leaf_count += run.leaves.size();
+    piece_count += run.pieces.size();
+    split += run.split;
+  }
+  if (std::max(leaf_count, piece_count) >= kNoCell) {
+    throw Error(ErrorKind::kLimit, "the grid needs more than 4 billion cells: lower the resolution");
+  }
+  std::vector<CellAddress> leaves;
+  leaves.reserve(leaf_count);
+  level.pieces.reserve(piece_count);
+  level.piece_begin.reserve(leaf_count + 1);
+  level.piece_begin.push_back(0);
+  level.centre_inside.reserve(leaf_count);
+  level.parent.reserve(leaf_count);
+  for (const RefinedRun& run : runs) {
+    leaves.insert(leaves.end(), run.leaves.begin(), run.leaves.end());
+    level.pieces.insert(level.pieces.end(), run.pieces.begin(), run.pieces.end());
+    for (const std::uint32_t count : run.piece_counts)
+      level.piece_begin.push_back(level.piece_begin.back() + count);
+    level.centre_inside.insert(level.centre_inside.end(), run.centre_inside.begin(), run.centre_inside.end());
+    level.parent.insert(level.parent.end(), run.parent.begin(), run.parent.end());
+  }
+  level.tree = Octree(root, std::move(leaves));
+  level.examined_leaves = leaves_before + 7 * split;
+  return level;
+}
+
+/// The root as a single leaf that holds the whole surface.
+GridLevel root_level(const Solid& solid, const RootCube& root) {
+  GridLevel level;
+  level.tree = Octree(root, {CellAddress::root()});
+  const std::size_t triangle_count = solid.surface.size();
+  level.pieces.reserve(triangle_count);
+  for (std::size_t t = 0; t < triangle_count; ++t) {
+    level.pieces.push_back({static_cast<std::uint32_t>(t), static_cast<float>(solid.surface.areas[t])});
+  }
+  level.piece_begin = {0, static_cast<std::uint32_t>(triangle_count)};
+  level.centre_inside = {solid.winding.inside(root.centre(CellAddress::root()))};
+  level.examined_leaves = 1;
+  return level;
+}
+
+}  // namespace
+
+GridFrame frame_around(const Box& box, double cell_size) {
+  const Vector3 extent = box.high - box.low;
+  const double cells = std::max({extent[0], extent[1], extent[2]}) / cell_size;
+  // One cell of margin on either side takes the shift.
+  int depth = 0;
+  while (depth <= kMaxDepth && std::ldexp(1.0, depth) < cells + 2) ++depth;
+  if (depth > kMaxDepth) {
+    throw Error(ErrorKind::kLimit, "more than 524286 cells across the model: lower the resolution");
+  }
+  const double size = std::ldexp(cell_size, depth);
+  const Vector3 centre = 0.5 * (box.low + box.high);
+  const Vector3 half{size / 2, size / 2, size / 2};
+  return {{centre - half + cell_size * kGenericShift, size}, depth};
+}
+
+GridLevel uniform_level(const Solid& solid, const RootCube& root, int depth) {
+  GridLevel level = root_level(solid, root);
+  for (int d = 0; d < depth; ++d) level = refined(level, solid, std::vector<bool>(level.size(), true));
+  level.parent.clear();
+  return level;
+}
+
+GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> marked) {
+  balance_marks(level.tree, marked);
+  const Refiner refiner(level, solid);
+  std::vector<RefinedRun> runs((level.size() + kRefineGrain - 1) / kRefineGrain);
+  parallel_for_chunks(level.size(), kRefineGrain, [&](std::size_t begin, std::size_t end) {
+    runs[begin / kRefineGrain] =
+        refiner.refine(static_cast<CellIndex>(begin), static_cast<CellIndex>(end), marked);
+  });
+  return joined(level.tree.root(), runs, level.examined_leaves);
+}
+
+}  // namespace crossgrain

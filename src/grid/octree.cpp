@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "grid/octree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace crossgrain {
+
+std::optional<CellAddress> RootCube::locate(const Vector3& p) const {
+  constexpr std::int32_t kCells = std::int32_t{1} << kMaxDepth;
+  GridPoint corner;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double t = (p[axis] - origin[axis]) / size * kCells;
+    if (!(t >= 0 && t < kCells)) return std::nullopt;
+    corner[axis] = static_cast<std::int32_t>(t);
+  }
+  return CellAddress(corner, kMaxDepth);
+}
+
+CellIndex Octree::find_containing(CellAddress cell) const {
+  const auto after = std::upper_bound(leaves_.begin(), leaves_.end(), cell);
+  if (after == leaves_.begin()) return kNoCell;
+  const auto candidate = after - 1;
+  return candidate->contains(cell) ? static_cast<CellIndex>(candidate - leaves_.begin()) : kNoCell;
+}
+
+CellIndex Octree::neighbour(CellIndex i, int face) const {
+  const auto across = adjacent(leaves_[i], face);
+  return across ? find_containing(*across) : kNoCell;
+}
+
+std::pair<CellIndex, CellIndex> Octree::leaves_inside(CellAddress cell) const {
+  const auto first = std::lower_bound(leaves_.begin(), leaves_.end(), cell);
+  const auto last =
+      std::partition_point(first, leaves_.end(), [&](CellAddress leaf) { return cell.contains(leaf); });
+  return {static_cast<CellIndex>(first - leaves_.begin()), static_cast<CellIndex>(last - leaves_.begin())};
+}
+
+std::optional<CellAddress> adjacent(CellAddress cell, int face) {
+  GridPoint corner = cell.corner();
+  std::int32_t& moved = corner[face_axis(face)];
+  moved += face_sign(face) * cell.width();
+  if (moved < 0 || moved >= std::int32_t{1} << kMaxDepth) return std::nullopt;
+  return CellAddress(corner, cell.depth());
+}
+
+void balance_marks(const Octree& tree, std::vector<bool>& marked) {
+  assert(marked.size() == tree.size());
+  // A split leaf of depth d forces neighbours of depth d - 1 to split, and those force others of depth d - 2:
+  // from the deepest up, one pass is enough.
+  std::array<std::vector<CellIndex>, kMaxDepth + 1> by_depth;
+  for (CellIndex i = 0; i < tree.size(); ++i) {
+    if (marked[i]) by_depth[tree[i].depth()].push_back(i);
+  }
+  for (int depth = kMaxDepth; depth > 0; --depth) {
+    for (const CellIndex i : by_depth[depth]) {
+      for (int face = 0; face < kFaceCount; ++face) {
+        const CellIndex j = tree.neighbour(i, face);
+        if (j == kNoCell || marked[j] || tree[j].depth() >= depth) continue;
+        marked[j] = true;
+        by_depth[tree[j].depth()].push_back(j);
+      }
+    }
+  }
+}
+
+bool is_balanced(const Octree& tree) {
+  for (CellIndex i = 0; i < tree.size(); ++i) {
+    for (int face = 0; face < kFaceCount; ++face) {
+      const CellIndex j = tree.neighbour(i, face);
+      if (j != kNoCell && tree[j].depth() + 1 < tree[i].depth()) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// A linear octree of active leaves: sorted addresses in a cube. Space that no leaf covers is outside the
+// solid.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/vector3.hpp"
+#include "grid/cell_address.hpp"
+
+namespace crossgrain {
+
+using CellIndex = std::uint32_t;
+inline constexpr CellIndex kNoCell = ~CellIndex{0};
+
+/// Where the cells are in space: the root cube of an octree.
+struct RootCube {
+  Vector3 origin;  ///< low corner, model units
+  double size;     ///< side, model units
+
+  double cell_size(int depth) const { return size / static_cast<double>(std::int64_t{1} << depth); }
+  double unit() const { return cell_size(kMaxDepth); }
+  Vector3 position(const GridPoint& point) const {
+    const double u = unit();
+    return {origin[0] + u * point[0], origin[1] + u * point[1], origin[2] + u * point[2]};
+  }
+  Box box(CellAddress cell) const {
+    const GridPoint low = cell.corner();
+    const std::int32_t width = cell.width();
+    return {position(low), position({low[0] + width, low[1] + width, low[2] + width})};
+  }
+  Vector3 centre(CellAddress cell) const {
+    const Box b = box(cell);
+    return 0.5 * (b.low + b.high);
+  }
+
+  /// The smallest possible cell that holds p; empty outside the cube.
+  std::optional<CellAddress> locate(const Vector3& p) const;
+};
+
+class Octree {
+ public:
+  Octree() = default;
+
+  /// `leaves` sorted, none containing another.
+  Octree(const RootCube& root, std::vector<CellAddress> leaves) : root_(root), leaves_(std::move(leaves)) {}
+
+  const RootCube& root() const { return root_; }
+  const std::vector<CellAddress>& leaves() const { return leaves_; }
+  std::size_t size() const { return leaves_.size(); }
+  CellAddress operator[](CellIndex i) const { return leaves_[i]; }
+
+  double cell_size(CellIndex i) const { return root_.cell_size(leaves_[i].depth()); }
+  Vector3 centre(CellIndex i) const { return root_.centre(leaves_[i]); }
+
+  /// The leaf that is `cell` or contains it; kNoCell where there is none (`cell` is inactive, or is
+  /// subdivided).
+  CellIndex find_containing(CellAddress cell) const;
+
+  /// The leaf of the same size or larger across face `face` of leaf `i`; kNoCell where there is none
+  /// (outside, or smaller leaves lie there).
+  CellIndex neighbour(CellIndex i, int face) const;
+
+  /// Range of leaves inside `cell` (itself included).
+  std::pair<CellIndex, CellIndex> leaves_inside(CellAddress cell) const;
+
+ private:
+  RootCube root_{};
+  std::vector<CellAddress> leaves_;
+};
+
+/// The address of the same size across a face; empty beyond the root cube.
+std::optional<CellAddress> adjacent(CellAddress cell, int face);
+
+/// Adds to `marked` what keeps face neighbours within a factor of two once all marked leaves are split into
+/// eight. `tree` itself must be balanced so.
+void balance_marks(const Octree& tree, std::vector<bool>& marked);
+
+/// Whether no two leaves that share a face differ by more than a factor of two.
+bool is_balanced(const Octree& tree);
+
+}  // namespace crossgrain

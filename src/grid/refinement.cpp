@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "grid/refinement.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+#include "constraint/classification.hpp"
+#include "grid/cell_constraints.hpp"
+#include "grid/local_thickness.hpp"
+
+namespace crossgrain {
+
+void mark_surface(const GridLevel& level, Marks& marks) {
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    if (level.holds_surface(i)) marks[i] = true;
+  }
+}
+
+void mark_spectral_conflict(const GridLevel& level, const Solid& solid, Marks& marks) {
+  std::vector<std::uint8_t> conflicted(level.size());
+  parallel_for(level.size(), [&](std::size_t i) {
+    const auto cell = static_cast<CellIndex>(i);
+    conflicted[i] = level.holds_surface(cell) && !compatible(constraint_class(level, solid, cell));
+  });
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    if (!conflicted[i]) continue;
+    marks[i] = true;
+    for (int face = 0; face < kFaceCount; ++face) {
+      const CellIndex j = level.tree.neighbour(i, face);
+      if (j != kNoCell) marks[j] = true;
+    }
+  }
+}
+
+void mark_thin_walls(const GridLevel& level, const Solid& solid, double thickness_cells, Marks& marks) {
+  std::vector<std::vector<CellIndex>> thin((level.size() + kParallelGrain - 1) / kParallelGrain);
+  parallel_for_chunks(level.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<CellIndex>& found = thin[begin / kParallelGrain];
+    for (auto i = static_cast<CellIndex>(begin); i < end; ++i) {
+      const auto ray = inward_ray(level, solid, i);
+      const double size = level.tree.cell_size(i);
+      if (!ray || ray->thickness >= thickness_cells * size) continue;
+      found.push_back(i);
+      // Half a cell a step passes by no more than a corner of a cell.
+      for (double t = size / 2; t < ray->thickness; t += size / 2) {
+        const auto address = level.tree.root().locate(ray->origin + t * ray->direction);
+        const CellIndex j = address ? level.tree.find_containing(*address) : kNoCell;
+        // Cells that are finer than this one judge for themselves.
+        if (j != kNoCell && level.tree[j].depth() <= level.tree[i].depth()) found.push_back(j);
+      }
+    }
+  });
+  for (const auto& found : thin) {
+    for (const CellIndex i : found) marks[i] = true;
+  }
+}
+
+void mark_energy_density(const GridLevel& level, std::span<const double> energy_density, double threshold,
+                         Marks& marks) {
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    const double size = level.tree.cell_size(i);
+    if (energy_density[i] * size * size > threshold) marks[i] = true;
+  }
+}
+
+Marks refinement_marks(const GridLevel& level, const Solid& solid, std::span<const double> energy_density,
+                       int finest_depth, const RefinementOptions& options) {
+  Marks marks(level.size(), false);
+  if (options.by_surface) mark_surface(level, marks);
+  if (options.by_spectral_conflict) mark_spectral_conflict(level, solid, marks);
+  if (options.by_thickness) mark_thin_walls(level, solid, options.thickness_cells, marks);
+  if (options.by_energy_density && !energy_density.empty()) {
+    mark_energy_density(level, energy_density, options.energy_density_threshold, marks);
+  }
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    if (level.tree[i].depth() >= finest_depth) marks[i] = false;
+  }
+  return marks;
+}
+
+}  // namespace crossgrain

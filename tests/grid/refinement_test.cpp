@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "grid/refinement.hpp"
+
+#include <gtest/gtest.h>
+
+#include "grid/local_thickness.hpp"
+#include "grid/test_solid.hpp"
+#include "harmonics/random_samples.hpp"
+#include "support/extrusion.hpp"
+#include "support/shapes.hpp"
+
+namespace crossgrain {
+namespace {
+
+using testing::RandomSamples;
+using testing::TestSolid;
+
+Marks no_marks(const GridLevel& level) {
+  return Marks(level.size(), false);
+}
+
+bool any(const Marks& marks) {
+  return std::find(marks.begin(), marks.end(), true) != marks.end();
+}
+
+/// The distance from the centre of leaf i, in its sizes.
+double cells_from(const GridLevel& level, CellIndex i, const Vector3& p) {
+  return norm(level.tree.centre(i) - p) / level.tree.cell_size(i);
+}
+
+TEST(InwardRay, ThroughAWallIsAsLongAsTheWallIsThick) {
+  RandomSamples random(1);
+  for (int trial = 0; trial < 5; ++trial) {
+    const double thickness = random.uniform(0.05, 0.3);
+    const Quaternion turn = random.rotation();
+    const TestSolid wall(rotate_mesh(make_wall(thickness), turn));
+    const GridLevel level = wall.level(0.06);
+    int rays = 0;
+    for (CellIndex i = 0; i < level.size(); ++i) {
+      const auto ray = inward_ray(level, wall.solid(), i);
+      ASSERT_EQ(ray.has_value(), level.holds_surface(i));
+      if (!ray || std::abs(rotate(conjugate(turn), ray->direction)[2]) < 0.5) continue;
+      ASSERT_NEAR(ray->thickness, thickness, 1e-9);
+      ++rays;
+    }
+    EXPECT_GT(rays, 100);
+  }
+}
+
+TEST(InwardRay, ThroughASphereIsItsDiameter) {
+  const TestSolid sphere(make_sphere(0.5, 4));
+  const GridLevel level = sphere.level(0.1);
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    const auto ray = inward_ray(level, sphere.solid(), i);
+    // Facets of 2 degrees across shorten chords by their sagitta and tilt them.
+    if (ray) {
+      ASSERT_NEAR(ray->thickness, 1, 0.005);
+    }
+  }
+}
+
+TEST(InwardRay, PointsInwardAlsoWhereTheSurfaceIsInsideOut) {
+  const TestSolid sphere(flip_mesh(make_sphere(0.5, 3)));
+  const GridLevel level = sphere.level(0.1);
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    const auto ray = inward_ray(level, sphere.solid(), i);
+    if (ray) {
+      ASSERT_LT(dot(ray->direction, ray->origin), 0);
+    }
+  }
+}
+
+TEST(InwardRay, BehindAnOpenSurfaceIsInfinite) {
+  TriangleMesh sheet;
+  sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  sheet.triangles = {{0, 1, 2}};
+  const TestSolid solid(sheet);
+  const GridLevel level = uniform_level(solid.solid(), {{-0.5, -0.5, -1.1}, 2}, 0);
+  EXPECT_EQ(inward_ray(level, solid.solid(), 0)->thickness, INFINITY);
+}
+
+TEST(SurfaceCriterion, MarksTheLeavesThatHoldSurface) {
+  const TestSolid solid(make_bracket(16));
+  const GridLevel level = solid.level(0.08);
+  Marks marks = no_marks(level);
+  mark_surface(level, marks);
+  for (CellIndex i = 0; i < level.size(); ++i) EXPECT_EQ(marks[i], level.holds_surface(i));
+}
+
+TEST(ConflictCriterion, MarksTheCellOfASmallCavityAndThoseAcrossItsFaces) {
+  RandomSamples random(2);
+  for (int trial = 0; trial < 6; ++trial) {
+    const double size = 0.1, radius = random.uniform(0.01, 0.04);
+    const Quaternion turn = random.rotation();
+    const TriangleMesh block = rotate_mesh(make_box({1, 0.9, 0.8}), turn);
+    const GridFrame frame = frame_around(prepare_surface(block).box, size);
+    // The cavity is in the middle of the cell that holds the origin.
+    const CellAddress finest = *frame.root.locate({0, 0, 0});
+    CellAddress cell = finest;
+    while (cell.depth() > frame.finest_depth) cell = cell.parent();
+    const Vector3 centre = frame.root.centre(cell);
+    const TestSolid solid(join_meshes(block, translate_mesh(flip_mesh(make_sphere(radius, 2)), centre)));
+    const GridLevel level = uniform_level(solid.solid(), frame.root, frame.finest_depth);
+    Marks marks = no_marks(level);
+    mark_spectral_conflict(level, solid.solid(), marks);
+    for (CellIndex i = 0; i < level.size(); ++i)
+      ASSERT_EQ(marks[i], cells_from(level, i, centre) < 1.01) << "radius " << radius;
+  }
+}
+
+TEST(ConflictCriterion, MarksNothingOnAnyTurnedBox) {
+  RandomSamples random(3);
+  for (int trial = 0; trial < 4; ++trial) {
+    const TestSolid solid(rotate_mesh(make_box({1, 0.8, 0.6}), random.rotation()));
+    const GridLevel level = solid.level(0.08);
+    Marks marks = no_marks(level);
+    mark_spectral_conflict(level, solid.solid(), marks);
+    EXPECT_FALSE(any(marks));
+  }
+}
+
+TEST(ConflictCriterion, MarksTheEdgesOfATriangularPrismAndNothingElse) {
+  // Angles of 60 degrees: no frame has axes along both normals.
+  RandomSamples random(4);
+  const double height = std::sqrt(0.75);
+  const Loop2 triangle{{-0.5, -height / 3}, {0.5, -height / 3}, {0, 2 * height / 3}};
+  for (int trial = 0; trial < 3; ++trial) {
+    const Quaternion turn = random.rotation();
+    const TestSolid solid(rotate_mesh(extrude(triangle, {}, -0.4, {0.4}), turn));
+    const GridLevel level = solid.level(0.05);
+    Marks marks = no_marks(level);
+    mark_spectral_conflict(level, solid.solid(), marks);
+    for (CellIndex i = 0; i < level.size(); ++i) {
+      const Vector3 p = rotate(conjugate(turn), level.tree.centre(i));
+      double distance = INFINITY;
+      for (const Point2& corner : triangle)
+        distance = std::min(distance, std::hypot(p[0] - corner[0], p[1] - corner[1]));
+      // A cell that holds the edge has its centre within 0.87 cells, one across its face within 1.87.
+      if (distance > 1.87 * 0.05) {
+        ASSERT_FALSE(marks[i]);
+      }
+      // With the edge well inside and both faces in it, there is no doubt.
+      if (distance < 0.25 * 0.05 && std::abs(p[2]) < 0.3) {
+        ASSERT_TRUE(marks[i]);
+      }
+    }
+    EXPECT_TRUE(any(marks));
+  }
+}
+
+TEST(ThicknessCriterion, MarksAllOfAWallThinnerThanFourCells) {
+  RandomSamples random(5);
+  for (int trial = 0; trial < 6; ++trial) {
+    const double size = 0.05, cells = random.uniform(0.7, 3.9);
+    const Quaternion turn = random.rotation();
+    const TestSolid wall(rotate_mesh(make_wall(cells * size), turn));
+    const GridLevel level = wall.level(size);
+    Marks marks = no_marks(level);
+    mark_thin_walls(level, wall.solid(), 4, marks);
+    std::size_t away = 0, missed = 0;
+    for (CellIndex i = 0; i < level.size(); ++i) {
+      const Vector3 p = rotate(conjugate(turn), level.tree.centre(i));
+      if (std::max(std::abs(p[0]), std::abs(p[1])) > 0.5 - 2 * size) continue;
+      ++away;
+      missed += !marks[i];
+    }
+    EXPECT_GT(away, 200u);
+    // Cells without surface are marked from the rays that pass through them, one a boundary cell: some slip
+    // between the rays.
+    EXPECT_LE(missed, away / 50) << cells << " cells thick";
+  }
+}
+
+TEST(ThicknessCriterion, MarksEverySurfaceCellOfThinWallsAwayFromTheRim) {
+  RandomSamples random(6);
+  const Quaternion turn = random.rotation();
+  const TestSolid wall(rotate_mesh(make_wall(0.17), turn));
+  const GridLevel level = wall.level(0.05);
+  Marks marks = no_marks(level);
+  mark_thin_walls(level, wall.solid(), 4, marks);
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    const Vector3 p = rotate(conjugate(turn), level.tree.centre(i));
+    if (!level.holds_surface(i) || std::max(std::abs(p[0]), std::abs(p[1])) > 0.4) continue;
+    ASSERT_TRUE(marks[i]);
+  }
+}
+
+TEST(ThicknessCriterion, MarksNothingInABlockOfMoreThanFourCells) {
+  RandomSamples random(7);
+  for (int trial = 0; trial < 4; ++trial) {
+    const double size = 0.05;
+    const TestSolid block(rotate_mesh(make_wall(random.uniform(4.01, 8) * size), random.rotation()));
+    const GridLevel level = block.level(size);
+    Marks marks = no_marks(level);
+    mark_thin_walls(level, block.solid(), 4, marks);
+    EXPECT_FALSE(any(marks));
+  }
+}
+
+TEST(EnergyCriterion, MarksWhatExceedsTheThresholdInItsOwnSize) {
+  const TestSolid solid(make_sphere(0.5, 2));
+  GridLevel level = solid.level(0.2);
+  Marks first(level.size(), false);
+  first[0] = first[level.size() - 1] = true;
+  level = refined(level, solid.solid(), first);  // cells of two sizes
+  RandomSamples random(8);
+  std::vector<double> density(level.size());
+  for (double& value : density) value = random.uniform(0, 40);
+  Marks marks = no_marks(level);
+  mark_energy_density(level, density, 0.2, marks);
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    const double size = level.tree[i].depth() == level.tree[level.size() / 2].depth() ? 0.2 : 0.1;
+    EXPECT_EQ(marks[i], density[i] * size * size > 0.2);
+  }
+}
+
+class RefinementMarksTest : public ::testing::Test {
+ protected:
+  RefinementMarksTest() { options_ = {false, false, false, false, 4, 0.2, 4}; }
+
+  Marks marks(const std::vector<double>& density = {}) const {
+    return refinement_marks(level_, solid_.solid(), density, depth_ + 1, options_);
+  }
+
+  // A wall of three cells, with a cylinder's rim for conflict.
+  const TestSolid solid_{make_cylinder(0.5, 0.12, 40)};
+  const GridLevel level_ = solid_.level(0.08);
+  const int depth_ = frame_around(solid_.surface().box, 0.08).finest_depth;
+  RefinementOptions options_;
+};
+
+TEST_F(RefinementMarksTest, WithoutCriteriaAreNone) {
+  EXPECT_FALSE(any(marks()));
+}
+
+TEST_F(RefinementMarksTest, OfOneCriterionAreThatCriterion) {
+  Marks expected = no_marks(level_);
+  mark_surface(level_, expected);
+  options_.by_surface = true;
+  EXPECT_EQ(marks(), expected);
+
+  expected = no_marks(level_);
+  mark_thin_walls(level_, solid_.solid(), 4, expected);
+  options_ = {false, false, true, false, 4, 0.2, 4};
+  EXPECT_EQ(marks(), expected);
+  EXPECT_TRUE(any(expected));
+
+  expected = no_marks(level_);
+  mark_spectral_conflict(level_, solid_.solid(), expected);
+  options_ = {false, true, false, false, 4, 0.2, 4};
+  EXPECT_EQ(marks(), expected);
+
+  std::vector<double> density(level_.size(), 0);
+  density[5] = 1e6;
+  expected = no_marks(level_);
+  expected[5] = true;
+  options_ = {false, false, false, true, 4, 0.2, 4};
+  EXPECT_EQ(marks(density), expected);
+}
+
+TEST_F(RefinementMarksTest, WithoutAFieldPassOverTheEnergyCriterion) {
+  options_.by_energy_density = true;
+  EXPECT_FALSE(any(marks()));
+}
+
+TEST_F(RefinementMarksTest, SpareWhatIsFinestAlready) {
+  options_ = {};
+  EXPECT_FALSE(any(refinement_marks(level_, solid_.solid(), {}, depth_, options_)));
+  EXPECT_TRUE(any(refinement_marks(level_, solid_.solid(), {}, depth_ + 1, options_)));
+}
+
+}  // namespace
+}  // namespace crossgrain
