@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "crossgrain/types.hpp"
+
+namespace crossgrain {
+
+/// Which cells a level refines into the next, finer one. Lengths are in cells, energies per unit as stated.
+struct RefinementOptions {
+  /// Cells that hold surface.
+  bool by_surface = true;
+
+  /// Cells whose constraints no frame meets (DESIGN section 3, class *conflicted* or *compromised*) and the
+  /// cells that touch them: geometry that the level does not resolve.
+  bool by_spectral_conflict = true;
+
+  /// Cells with less than `thickness_cells` cells of solid across them, measured along the inward normal.
+  bool by_thickness = true;
+
+  /// Cells of an energy density above `energy_density_threshold`, that is: near singular arcs.
+  bool by_energy_density = true;
+
+  /// A wall counts as resolved with this many cells across it: two boundary cells and two between them.
+  double thickness_cells = 4;
+
+  /// Energy density times the squared cell size (dimensionless: the squared turn across a cell, 10/3 t^2 / 2)
+  /// above which a cell is refined.
+  double energy_density_threshold = 0.2;
+
+  /// Cells across the longest side of the bounding box on the coarsest level, at least.
+  int coarsest_cells = 4;
+};
+
+/// The coarse-to-fine solve. The defaults are those of the sweeps in docs/solver.md.
+struct SolverOptions {
+  /// kappa: the boundary form counts kappa / (cell size) times (DESIGN section 7).
+  double boundary_weight = 10;
+
+  /// Starts from random frames. Each is carried through all levels of up to `start_cells` active cells, then
+  /// the one of lowest energy goes on alone.
+  int starts = 3;
+  std::size_t start_cells = 1000;
+
+  /// A start is relaxed in rounds, each ended by projection to frames: `start_relaxation` sweeps in the first
+  /// round, fewer from round to round, one in the last. Long enough a first round forgets the random frames;
+  /// later starts take a third of the sweeps of the one before, so that they differ.
+  int start_relaxation = 150;
+  int start_rounds = 4;
+
+  /// The same on every later level of up to `relaxed_cells` active cells.
+  int level_relaxation = 40;
+  int level_rounds = 4;
+  std::size_t relaxed_cells = 20000;
+
+  /// Strength of the symmetrisation penalty at the end of a round, from 0 to 1 (as long a step as is stable).
+  double symmetrisation = 0;
+
+  /// Whether relaxed levels use shifted forms (DESIGN section 3).
+  bool shift_relaxed_forms = true;
+
+  /// Manifold sweeps at most, on every level.
+  int most_sweeps = 40;
+
+  /// Sweeping ends when a sweep lowers the energy by less than this fraction.
+  double sweep_tolerance = 1e-4;
+};
+
+/// Everything that shapes a solve. The same struct stands behind the command line, C++ and Python.
+struct SolveOptions {
+  Degree degree = Degree::kFour;
+
+  /// Cells along the longest side of the bounding box at the finest level; at least 4.
+  int resolution = 128;
+
+  /// Size of the finest cells in model units; where positive it replaces `resolution`.
+  double cell_size = 0;
+
+  /// Threads of the parallel loops; 0 for all there are. The result does not depend on it.
+  int threads = 0;
+
+  /// Changes the initial frames of every start.
+  std::uint64_t seed = 0;
+
+  RefinementOptions refinement;
+  SolverOptions solver;
+};
+
+}  // namespace crossgrain

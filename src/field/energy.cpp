@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/energy.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+#include "constraint/normal_form.hpp"
+#include "harmonics/frame.hpp"
+
+namespace crossgrain {
+namespace {
+
+template <int D>
+double smoothness_of(const Coefficients<D>& a, const Coefficients<D>& b) {
+  if constexpr (D == 4) return squared_norm(difference(a, b));
+  const double cosine = dot(a, b);
+  return 5.0 / 3 * (squared_norm(a) * squared_norm(b) - cosine * cosine);
+}
+
+template <int D>
+double form_value(const CellForms<D>& forms, std::size_t cell, const Coefficients<D>& h) {
+  if (const PlaneForm* plane = forms.plane(cell)) {
+    const Vector3 normal = normalised(Vector3{plane->normal[0], plane->normal[1], plane->normal[2]});
+    return plane->weight * normal_value<D>(normal_basis<D>(normal), h);
+  }
+  const PackedForm<D>* packed = forms.general(cell);
+  if (!packed) return 0;
+  QuadraticForm<D> form;
+  std::copy_n(packed->begin(), kFormEntryCount<D>, form.matrix.begin());
+  if constexpr (D == 4) {
+    std::copy_n(packed->begin() + kFormEntryCount<D>, kCoefficientCount<D>, form.linear.begin());
+    form.constant = packed->back();
+  }
+  return value(form, h);
+}
+
+/// sum over the edges of a cell of w |h_i - h_j|^2, degree 4. Each edge is met from both its cells.
+double edge_sum(const Adjacency& adjacency, const std::vector<StoredCoefficients<4>>& coefficients,
+                std::size_t cell) {
+  const Coefficients<4> h = from_stored<4>(coefficients[cell]);
+  double sum = 0;
+  for (const auto& [neighbour, weight] : adjacency[cell]) {
+    sum += weight * smoothness_of<4>(h, from_stored<4>(coefficients[neighbour]));
+  }
+  return sum;
+}
+
+}  // namespace
+
+template <int D>
+double graph_energy(const FieldGraph<D>& graph, const FieldState<D>& state) {
+  return parallel_sum(graph.size(), [&](std::size_t i) {
+    const Coefficients<D> h = from_stored<D>(state.coefficients[i]);
+    double sum = 0;
+    for (const auto& [neighbour, weight] : graph.adjacency()[i]) {
+      sum += weight * smoothness_of<D>(h, from_stored<D>(state.coefficients[neighbour]));
+    }
+    return sum / 4 + form_value(graph.forms, i, h);
+  });
+}
+
+EnergyParts degree_four_energy(const GridLevel& level, const Solid& solid, const Adjacency& adjacency,
+                               std::span<const StoredQuaternion> frames, double boundary_weight) {
+  const FieldState<4> state = state_of<4>({frames.begin(), frames.end()});
+  EnergyParts parts;
+  parts.smoothness = parallel_sum(
+      frames.size(), [&](std::size_t i) { return edge_sum(adjacency, state.coefficients, i) / 4; });
+  parts.boundary = parallel_sum(frames.size(), [&](std::size_t i) {
+    const auto cell = static_cast<CellIndex>(i);
+    if (!level.holds_surface(cell)) return 0.0;
+    const Coefficients<4> h = frame_coefficients<4>(from_stored(frames[i]));
+    double sum = 0;
+    for (const SurfacePiece& piece : level.pieces_of(cell)) {
+      sum += piece.area * normal_value<4>(normal_basis<4>(solid.surface.normals[piece.triangle]), h);
+    }
+    return boundary_weight / level.tree.cell_size(cell) * sum;
+  });
+  return parts;
+}
+
+std::vector<double> energy_density(const GridLevel& level, const Adjacency& adjacency,
+                                   std::span<const StoredQuaternion> frames) {
+  const FieldState<4> state = state_of<4>({frames.begin(), frames.end()});
+  std::vector<double> density(frames.size());
+  parallel_for(frames.size(), [&](std::size_t i) {
+    const double size = level.tree.cell_size(static_cast<CellIndex>(i));
+    density[i] = edge_sum(adjacency, state.coefficients, i) / (4 * size * size * size);
+  });
+  return density;
+}
+
+template double graph_energy<3>(const FieldGraph<3>&, const FieldState<3>&);
+template double graph_energy<4>(const FieldGraph<4>&, const FieldState<4>&);
+
+}  // namespace crossgrain

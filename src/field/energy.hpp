@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Energies of a field: in the solver's own degree, and in degree 4 for every report.
+#pragma once
+
+#include <span>
+
+#include "field/field_graph.hpp"
+#include "field/field_state.hpp"
+#include "grid/grid_level.hpp"
+
+namespace crossgrain {
+
+/// The energy that the sweeps lower, constants included: smoothness over all edges plus the forms.
+template <int D>
+double graph_energy(const FieldGraph<D>& graph, const FieldState<D>& state);
+
+/// Parts of the degree-4 energy of frames, whatever degree found them; lengths in model units.
+struct EnergyParts {
+  double smoothness = 0;  ///< 1/2 sum over edges of w |h_i - h_j|^2
+  double boundary = 0;    ///< kappa / dx * sum over surface pieces of area * E_n(h)
+  double total() const { return smoothness + boundary; }
+};
+
+/// The degree-4 energy of a level's frames, computed from the surface pieces themselves, not from summed
+/// forms.
+EnergyParts degree_four_energy(const GridLevel& level, const Solid& solid, const Adjacency& adjacency,
+                               std::span<const StoredQuaternion> frames, double boundary_weight);
+
+/// Smoothness energy per volume, cell by cell: half of every edge's energy to each of its cells, over the
+/// cell's volume. In model units to the power of -2.
+std::vector<double> energy_density(const GridLevel& level, const Adjacency& adjacency,
+                                   std::span<const StoredQuaternion> frames);
+
+extern template double graph_energy<3>(const FieldGraph<3>&, const FieldState<3>&);
+extern template double graph_energy<4>(const FieldGraph<4>&, const FieldState<4>&);
+
+}  // namespace crossgrain

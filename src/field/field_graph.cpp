@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/field_graph.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "crossgrain/error.hpp"
+
+namespace crossgrain {
+
+Adjacency::Adjacency(std::size_t cell_count, std::span<const WeightedEdge> edges) {
+  if (2 * edges.size() > std::numeric_limits<std::uint32_t>::max()) {
+    throw Error(ErrorKind::kLimit, "more than 2 billion cell faces: lower the resolution");
+  }
+  begin_.assign(cell_count + 1, 0);
+  for (const WeightedEdge& edge : edges) {
+    ++begin_[edge.first + 1];
+    ++begin_[edge.second + 1];
+  }
+  for (std::size_t i = 0; i < cell_count; ++i) begin_[i + 1] += begin_[i];
+  neighbours_.resize(2 * edges.size());
+  // begin_[i] serves as the cursor of row i and ends as the start of row i + 1; shift back afterwards.
+  for (const WeightedEdge& edge : edges) {
+    neighbours_[begin_[edge.first]++] = {edge.second, edge.weight};
+    neighbours_[begin_[edge.second]++] = {edge.first, edge.weight};
+  }
+  for (std::size_t i = cell_count; i > 0; --i) begin_[i] = begin_[i - 1];
+  begin_[0] = 0;
+}
+
+Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell) {
+  const std::size_t colour_count =
+      colour_of_cell.empty()
+          ? 0
+          : std::size_t{*std::max_element(colour_of_cell.begin(), colour_of_cell.end())} + 1;
+  Colouring colouring;
+  colouring.begin.assign(colour_count + 1, 0);
+  for (const std::uint8_t colour : colour_of_cell) ++colouring.begin[colour + 1];
+  for (std::size_t c = 0; c < colour_count; ++c) colouring.begin[c + 1] += colouring.begin[c];
+  colouring.cells.resize(colour_of_cell.size());
+  std::vector<std::size_t> cursor(colouring.begin.begin(), colouring.begin.end() - 1);
+  for (std::size_t i = 0; i < colour_of_cell.size(); ++i) {
+    colouring.cells[cursor[colour_of_cell[i]]++] = static_cast<std::uint32_t>(i);
+  }
+  return colouring;
+}
+
+template <int D>
+void CellForms<D>::set_plane(std::size_t cell, const Vector3& unit_normal, double weight) {
+  slot_[cell] = static_cast<std::uint32_t>(planes_.size());
+  planes_.push_back({{static_cast<float>(unit_normal[0]), static_cast<float>(unit_normal[1]),
+                      static_cast<float>(unit_normal[2])},
+                     static_cast<float>(weight)});
+}
+
+template <int D>
+void CellForms<D>::reserve_general(std::span<const std::uint32_t> cells) {
+  generals_.resize(cells.size());
+  for (std::size_t k = 0; k < cells.size(); ++k) slot_[cells[k]] = kGeneral + static_cast<std::uint32_t>(k);
+}
+
+template <int D>
+void CellForms<D>::set_general(std::size_t cell, const QuadraticForm<D>& form, double scale) {
+  PackedForm<D>& packed = generals_[slot_[cell] - kGeneral];
+  auto next = packed.begin();
+  for (const double value : form.matrix) *next++ = static_cast<float>(scale * value);
+  if constexpr (D == 4) {
+    for (const double value : form.linear) *next++ = static_cast<float>(scale * value);
+    *next++ = static_cast<float>(scale * form.constant);
+  }
+}
+
+template class CellForms<3>;
+template class CellForms<4>;
+
+}  // namespace crossgrain

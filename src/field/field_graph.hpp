@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the solver sees: cells, their neighbours with weights, and a quadratic form for some cells. Octrees
+// become such a graph (field/octree_graph.hpp); so can tet meshes, and one rank's share of a distributed
+// octree.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/vector3.hpp"
+#include "constraint/quadratic_form.hpp"
+
+namespace crossgrain {
+
+/// An edge of the graph: smoothness counts (weight / 2) |h_first - h_second|^2 over it.
+struct WeightedEdge {
+  std::uint32_t first;
+  std::uint32_t second;
+  float weight;  ///< a length: open face area over the distance of the centres
+};
+
+/// Neighbour lists in compressed rows, each edge in both.
+class Adjacency {
+ public:
+  struct Neighbour {
+    std::uint32_t cell;
+    float weight;
+  };
+
+  Adjacency() = default;
+  /// The order of a cell's neighbours is that of `edges`.
+  Adjacency(std::size_t cell_count, std::span<const WeightedEdge> edges);
+
+  std::size_t size() const { return begin_.empty() ? 0 : begin_.size() - 1; }
+  std::span<const Neighbour> operator[](std::size_t cell) const {
+    return {neighbours_.data() + begin_[cell], neighbours_.data() + begin_[cell + 1]};
+  }
+
+ private:
+  std::vector<std::uint32_t> begin_;
+  std::vector<Neighbour> neighbours_;
+};
+
+/// Cells in an order of colours: no two neighbours have the same one, so cells of a colour can be updated in
+/// parallel with the same result as one after the other.
+struct Colouring {
+  std::vector<std::uint32_t> cells;
+  std::vector<std::size_t> begin;  ///< colour c is cells[begin[c] .. begin[c + 1])
+
+  std::size_t colour_count() const { return begin.size() - 1; }
+};
+
+/// From a colour per cell, each below 256.
+Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell);
+
+/// weight * E_n of one normal: where a cell's surface is flat there is no need of a matrix.
+struct PlaneForm {
+  std::array<float, 3> normal;
+  float weight;
+};
+
+/// h^T A h - 2 b.h + c in single precision: A packed as in QuadraticForm, then (degree 4) b and c.
+template <int D>
+inline constexpr int kPackedFormSize = D == 3 ? 28 : 45 + 9 + 1;
+template <int D>
+using PackedForm = std::array<float, kPackedFormSize<D>>;
+
+/// The boundary forms of a graph, scaled as they stand in the energy: by kappa / dx, and in degree 3 by 5/3
+/// (DESIGN sections 5 and 7). At most one form a cell.
+template <int D>
+class CellForms {
+ public:
+  CellForms() = default;
+  explicit CellForms(std::size_t cell_count) : slot_(cell_count, kNone) {}
+
+  void set_plane(std::size_t cell, const Vector3& unit_normal, double weight);
+
+  /// Makes room for the general forms of these cells; each is then set once, in any order and from any
+  /// thread.
+  void reserve_general(std::span<const std::uint32_t> cells);
+  void set_general(std::size_t cell, const QuadraticForm<D>& form, double scale);
+
+  const PlaneForm* plane(std::size_t cell) const {
+    return slot_[cell] < kGeneral ? &planes_[slot_[cell]] : nullptr;
+  }
+  const PackedForm<D>* general(std::size_t cell) const {
+    return slot_[cell] >= kGeneral && slot_[cell] != kNone ? &generals_[slot_[cell] - kGeneral] : nullptr;
+  }
+  bool empty(std::size_t cell) const { return slot_[cell] == kNone; }
+
+ private:
+  static constexpr std::uint32_t kGeneral = std::uint32_t{1} << 31;
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  std::vector<std::uint32_t> slot_;
+  std::vector<PlaneForm> planes_;
+  std::vector<PackedForm<D>> generals_;
+};
+
+extern template class CellForms<3>;
+extern template class CellForms<4>;
+
+/// Who neighbours whom, and in which order cells are visited.
+struct Connectivity {
+  Adjacency adjacency;
+  Colouring colouring;
+};
+
+/// What a sweep works on. Graphs of both degrees over the same cells share their connectivity.
+template <int D>
+struct FieldGraph {
+  std::shared_ptr<const Connectivity> connectivity;
+  CellForms<D> forms;
+
+  const Adjacency& adjacency() const { return connectivity->adjacency; }
+  const Colouring& colouring() const { return connectivity->colouring; }
+  std::size_t size() const { return adjacency().size(); }
+};
+
+}  // namespace crossgrain

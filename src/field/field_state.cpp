@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/field_state.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/parallel.hpp"
+#include "harmonics/frame.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// SplitMix64 (Steele, Lea, Flood 2014): a fixed generator, so that seeds mean the same everywhere; the
+/// standard library's distributions differ between implementations.
+class SplitMix64 {
+ public:
+  /// The seed is mixed too: streams whose states differ by a multiple of the step are shifts of each other.
+  explicit SplitMix64(std::uint64_t seed) : state_(mixed(seed)) {}
+  std::uint64_t next() { return mixed(state_ += 0x9e3779b97f4a7c15); }
+  /// Uniform in [0, 1).
+  double next_double() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+
+ private:
+  static std::uint64_t mixed(std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+    return z ^ (z >> 31);
+  }
+
+  std::uint64_t state_;
+};
+
+}  // namespace
+
+template <int D>
+FieldState<D> state_of(std::vector<StoredQuaternion> frames) {
+  FieldState<D> state;
+  state.coefficients.resize(frames.size());
+  parallel_for(frames.size(), [&](std::size_t i) {
+    state.coefficients[i] = to_stored<D>(frame_coefficients<D>(from_stored(frames[i])));
+  });
+  state.frames = std::move(frames);
+  return state;
+}
+
+template FieldState<3> state_of<3>(std::vector<StoredQuaternion>);
+template FieldState<4> state_of<4>(std::vector<StoredQuaternion>);
+
+std::vector<StoredQuaternion> random_frames(std::size_t count, std::uint64_t seed) {
+  std::vector<StoredQuaternion> frames(count);
+  SplitMix64 random(seed);
+  for (StoredQuaternion& frame : frames) {
+    // Shoemake, "Uniform random rotations", Graphics Gems III (1992).
+    const double u = random.next_double();
+    const double a = 2 * std::numbers::pi * random.next_double(),
+                 b = 2 * std::numbers::pi * random.next_double();
+    const double r = std::sqrt(1 - u), s = std::sqrt(u);
+    frame = to_stored(Quaternion{r * std::sin(a), r * std::cos(a), s * std::sin(b), s * std::cos(b)});
+  }
+  return frames;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The unknowns of a solve: per cell a frame, and coefficients beside it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/quaternion.hpp"
+#include "harmonics/coefficients.hpp"
+
+namespace crossgrain {
+
+/// Coefficients in single precision, as they are stored per cell.
+template <int D>
+using StoredCoefficients = std::array<float, kCoefficientCount<D>>;
+
+template <int D>
+struct FieldState {
+  std::vector<StoredQuaternion> frames;
+
+  /// Of the frames; while a level is relaxed, of whatever the relaxation has made of them.
+  std::vector<StoredCoefficients<D>> coefficients;
+
+  std::size_t size() const { return frames.size(); }
+};
+
+template <int D>
+inline StoredCoefficients<D> to_stored(const Coefficients<D>& h) {
+  StoredCoefficients<D> stored;
+  for (int m = 0; m < kCoefficientCount<D>; ++m) stored[m] = static_cast<float>(h[m]);
+  return stored;
+}
+
+template <int D>
+inline Coefficients<D> from_stored(const StoredCoefficients<D>& stored) {
+  Coefficients<D> h;
+  for (int m = 0; m < kCoefficientCount<D>; ++m) h[m] = stored[m];
+  return h;
+}
+
+/// The state of these frames.
+template <int D>
+FieldState<D> state_of(std::vector<StoredQuaternion> frames);
+
+/// Frames drawn uniformly from SO(3), each from `seed` and its own index.
+std::vector<StoredQuaternion> random_frames(std::size_t count, std::uint64_t seed);
+
+extern template FieldState<3> state_of<3>(std::vector<StoredQuaternion>);
+extern template FieldState<4> state_of<4>(std::vector<StoredQuaternion>);
+
+}  // namespace crossgrain

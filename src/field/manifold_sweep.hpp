@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sweeps on the manifold of frames: every cell in turn takes one guarded Newton step on so(3).
+#pragma once
+
+#include "field/field_graph.hpp"
+#include "field/field_state.hpp"
+
+namespace crossgrain {
+
+/// The largest turn of one step. A cube comes to itself after 90 degrees, so half a radian never passes the
+/// far side of a valley.
+inline constexpr double kLargestStep_rad = 0.5;
+
+/// Visits all cells once, colour by colour. The energy of the graph never rises: a step that would raise it
+/// is halved, and given up after a few halvings. Returns by how much the energy fell (in the degree's own
+/// energy). The result does not depend on the number of threads.
+template <int D>
+double manifold_sweep(const FieldGraph<D>& graph, FieldState<D>& state);
+
+extern template double manifold_sweep<3>(const FieldGraph<3>&, FieldState<3>&);
+extern template double manifold_sweep<4>(const FieldGraph<4>&, FieldState<4>&);
+
+}  // namespace crossgrain

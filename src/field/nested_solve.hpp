@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nested iteration: the field is found on a coarse octree and carried to finer ones.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "crossgrain/monitor.hpp"
+#include "crossgrain/options.hpp"
+#include "crossgrain/statistics.hpp"
+#include "field/energy.hpp"
+#include "field/octree_graph.hpp"
+#include "grid/grid_level.hpp"
+
+namespace crossgrain {
+
+/// The finest level with its frames, and how it was reached.
+struct SolvedField {
+  GridLevel level;
+  Adjacency adjacency;
+  std::vector<std::uint8_t> open_faces;  ///< as in LeafConnections
+  std::size_t tied_leaves = 0;           ///< as in LeafConnections
+  std::vector<StoredQuaternion> frames;
+  EnergyParts energy;
+  std::vector<LevelStatistics> levels;  ///< from the coarsest on
+  double grid_seconds = 0;
+  double solve_seconds = 0;
+};
+
+/// A frame for any point, to start from instead of random ones.
+using InitialFrame = std::function<Quaternion(const Vector3& point)>;
+
+/// Solves level by level. `initial_frame`, if given, replaces the starts on the coarsest level and what finer
+/// levels inherit; nothing is relaxed then. Throws Error(kLimit) where the grid cannot be had, Error(kInput)
+/// where the solid has no cell, Error(kInterrupted) once the monitor is cancelled.
+SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
+                         const InitialFrame& initial_frame = {});
+
+}  // namespace crossgrain

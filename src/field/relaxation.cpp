@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/relaxation.hpp"
+
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "field/local_energy.hpp"
+#include "field/small_solve.hpp"
+#include "harmonics/deviation.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Relative distance of the shift of inverse iteration below the smallest eigenvalue there can be.
+constexpr double kShiftMargin = 1e-3;
+
+/// The minimiser of (W/2) |h|^2 + h^T A h - 2 b.h, A = s (I - C C^T - S S^T) + A_c.
+Coefficients<4> minimising_coefficients(const LocalEnergy<4>& energy, const Coefficients<4>&) {
+  const double half_weight = 0.5 * energy.neighbour_weight();
+  if (energy.has_matrix()) return solve_shifted<4>(energy.matrix(), half_weight, energy.linear());
+  const double outside = 1 / (half_weight + energy.plane_weight());
+  Coefficients<4> h = scaled(energy.linear(), outside);
+  if (energy.plane_weight() > 0) {
+    const double inside = 1 / half_weight - outside;
+    const NormalBasis<4>& plane = energy.plane();
+    add_scaled(h, inside * dot(plane.cosine, energy.linear()), plane.cosine);
+    add_scaled(h, inside * dot(plane.sine, energy.linear()), plane.sine);
+  }
+  return h;
+}
+
+/// One step of inverse iteration for the smallest eigenvalue of the local matrix, which is no less than
+/// -(5/6) W.
+Coefficients<3> minimising_coefficients(const LocalEnergy<3>& energy, const Coefficients<3>& h) {
+  QuadraticForm<3> matrix = energy.matrix();
+  if (energy.plane_weight() > 0) {
+    add_identity(matrix, energy.plane_weight());
+    add_outer_product(matrix, -energy.plane_weight(), energy.plane().cosine);
+    add_outer_product(matrix, -energy.plane_weight(), energy.plane().sine);
+  }
+  const double shift = (1 + kShiftMargin) * 5.0 / 6 * energy.neighbour_weight();
+  const Coefficients<3> x = solve_shifted<3>(matrix, shift, h);
+  return scaled(x, 1 / std::sqrt(squared_norm(x)));
+}
+
+/// A step down the gradient of E_sym, whose curvature across the orbit is at most kCurvature |h|^2 there.
+template <int D>
+void symmetrise(Coefficients<D>& h, double strength) {
+  constexpr double kCurvature = D == 3 ? 576.0 : 1600.0;  // bound 4 l^2 (l+1)^2
+  add_scaled(h, -strength / kCurvature, deviation_gradient<D>(h));
+  const double norm = std::sqrt(squared_norm(h));
+  if (D == 3 && norm > 0) h = scaled(h, 1 / norm);
+  // (|h|^2 - 1)^2 has curvature 8 at |h| = 1.
+  if (D == 4) h = scaled(h, 1 - strength * 0.5 * (norm * norm - 1));
+}
+
+}  // namespace
+
+template <int D>
+void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation) {
+  for (std::size_t colour = 0; colour < graph.colouring().colour_count(); ++colour) {
+    const std::size_t begin = graph.colouring().begin[colour];
+    parallel_for(graph.colouring().begin[colour + 1] - begin, [&](std::size_t k) {
+      const std::size_t cell = graph.colouring().cells[begin + k];
+      if (graph.adjacency()[cell].empty()) return;
+      const LocalEnergy<D> energy(graph, state.coefficients, cell);
+      Coefficients<D> h = minimising_coefficients(energy, from_stored<D>(state.coefficients[cell]));
+      if (symmetrisation > 0) symmetrise<D>(h, symmetrisation);
+      state.coefficients[cell] = to_stored<D>(h);
+    });
+  }
+}
+
+template <int D>
+void project_to_frames(FieldState<D>& state) {
+  parallel_for(state.size(), [&](std::size_t i) {
+    const Quaternion frame = nearest_frame<D>(from_stored<D>(state.coefficients[i]));
+    state.frames[i] = to_stored(frame);
+    state.coefficients[i] = to_stored<D>(frame_coefficients<D>(from_stored(state.frames[i])));
+  });
+}
+
+template void relaxation_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double);
+template void relaxation_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double);
+template void project_to_frames<3>(FieldState<3>&);
+template void project_to_frames<4>(FieldState<4>&);
+
+}  // namespace crossgrain

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/field_graph.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "constraint/normal_form.hpp"
+#include "field/field_state.hpp"
+#include "field/small_solve.hpp"
+#include "harmonics/random_samples.hpp"
+
+namespace crossgrain {
+namespace {
+
+using testing::BothDegrees;
+using testing::RandomSamples;
+
+TEST(Adjacency, HoldsEachEdgeInBothItsCells) {
+  RandomSamples random(1);
+  std::vector<WeightedEdge> edges;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, float> weights;
+  for (std::uint32_t i = 0; i < 50; ++i) {
+    for (std::uint32_t j = i + 1; j < 50; ++j) {
+      if (random.uniform(0, 1) > 0.1) continue;
+      edges.push_back({i, j, static_cast<float>(random.uniform(0, 1))});
+      weights[{i, j}] = weights[{j, i}] = edges.back().weight;
+    }
+  }
+  const Adjacency adjacency(50, edges);
+  ASSERT_EQ(adjacency.size(), 50u);
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < 50; ++i) {
+    for (const auto& [j, weight] : adjacency[i]) {
+      EXPECT_EQ(weights.at({i, j}), weight);
+      ++count;
+    }
+  }
+  EXPECT_EQ(count, weights.size());
+}
+
+TEST(Adjacency, KeepsTheOrderOfTheEdges) {
+  const std::vector<WeightedEdge> edges{{2, 0, 1}, {0, 3, 2}, {1, 0, 3}};
+  const Adjacency adjacency(4, edges);
+  ASSERT_EQ(adjacency[0].size(), 3u);
+  EXPECT_EQ(adjacency[0][0].cell, 2u);
+  EXPECT_EQ(adjacency[0][1].cell, 3u);
+  EXPECT_EQ(adjacency[0][2].cell, 1u);
+}
+
+TEST(Adjacency, OfCellsWithoutEdgesIsEmptyRows) {
+  const Adjacency adjacency(3, {});
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(adjacency[i].empty());
+  EXPECT_EQ(Adjacency().size(), 0u);
+}
+
+TEST(Colouring, VisitsEveryCellOnceColourByColour) {
+  const std::vector<std::uint8_t> colours{2, 0, 2, 3, 0};
+  const Colouring colouring = colouring_of(colours);
+  ASSERT_EQ(colouring.colour_count(), 4u);
+  EXPECT_EQ(colouring.cells, (std::vector<std::uint32_t>{1, 4, 0, 2, 3}));
+  EXPECT_EQ(colouring.begin, (std::vector<std::size_t>{0, 2, 2, 4, 5}));
+}
+
+TEST(Colouring, OfNoCellsHasNoColours) {
+  EXPECT_EQ(colouring_of({}).colour_count(), 0u);
+}
+
+template <class Degree>
+class SmallGraphTest : public ::testing::Test {};
+TYPED_TEST_SUITE(SmallGraphTest, BothDegrees);
+
+TYPED_TEST(SmallGraphTest, FormsAreFoundWhereTheyWereSet) {
+  constexpr int D = TypeParam::value;
+  CellForms<D> forms(5);
+  forms.set_plane(3, {0, 0, 1}, 2);
+  const std::vector<std::uint32_t> general{1, 4};
+  forms.reserve_general(general);
+  const QuadraticForm<D> form = normal_form<D>({1, 0, 0});
+  forms.set_general(4, form, 0.5);
+  forms.set_general(1, form, 1);
+  for (const std::size_t cell : {0, 2}) {
+    EXPECT_TRUE(forms.empty(cell));
+    EXPECT_EQ(forms.plane(cell), nullptr);
+    EXPECT_EQ(forms.general(cell), nullptr);
+  }
+  EXPECT_EQ(forms.general(3), nullptr);
+  ASSERT_NE(forms.plane(3), nullptr);
+  EXPECT_EQ(forms.plane(3)->weight, 2);
+  EXPECT_EQ(forms.plane(4), nullptr);
+  ASSERT_NE(forms.general(4), nullptr);
+  for (int e = 0; e < kFormEntryCount<D>; ++e) {
+    EXPECT_EQ((*forms.general(4))[e], static_cast<float>(0.5 * form.matrix[e]));
+    EXPECT_EQ((*forms.general(1))[e], static_cast<float>(form.matrix[e]));
+  }
+}
+
+TYPED_TEST(SmallGraphTest, SolvesAShiftedSystem) {
+  constexpr int D = TypeParam::value;
+  RandomSamples random(2);
+  for (int trial = 0; trial < 20; ++trial) {
+    QuadraticForm<D> form;
+    for (int n = 0; n < 3; ++n) add_normal(form, random.direction(), random.uniform(0.1, 2));
+    const double shift = random.uniform(0.01, 1);
+    const Coefficients<D> right = random.coefficients<D>();
+    const Coefficients<D> x = solve_shifted<D>(form, shift, right);
+    Coefficients<D> back = matrix_times(form, x);
+    add_scaled(back, shift, x);
+    // Condition numbers here are below 1000.
+    EXPECT_LT(testing::largest_difference(back, right), 1e-12);
+  }
+}
+
+TEST(RandomFrames, DependOnTheSeedAlone) {
+  const auto a = random_frames(100, 7), b = random_frames(100, 7), longer = random_frames(200, 7);
+  for (std::size_t i = 0; i < 100; ++i) {
+    EXPECT_EQ(a[i].w, b[i].w);
+    EXPECT_EQ(a[i].z, longer[i].z);
+  }
+}
+
+TEST(RandomFrames, OfDifferentSeedsShareNone) {
+  // SplitMix64 steps by this constant: seeds that differ by multiples of it must not give shifted copies.
+  constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15;
+  std::set<std::pair<float, float>> seen;
+  std::size_t count = 0;
+  for (const std::uint64_t seed :
+       {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{2}, kStep, 3 * kStep, 6 * kStep}) {
+    for (const StoredQuaternion& q : random_frames(200, seed)) seen.emplace(q.w, q.x);
+    count += 200;
+  }
+  EXPECT_EQ(seen.size(), count);
+}
+
+TEST(RandomFrames, CoverAllRotationsEvenly) {
+  // For rotations drawn uniformly w^2, x^2, y^2 and z^2 average 1/4, and products average 0.
+  const auto frames = random_frames(20000, 3);
+  std::array<double, 10> mean{};
+  for (const StoredQuaternion& q : frames) {
+    const double c[4] = {q.w, q.x, q.y, q.z};
+    int k = 0;
+    for (int a = 0; a < 4; ++a)
+      for (int b = a; b < 4; ++b) mean[k++] += c[a] * c[b] / 20000;
+  }
+  // Five standard deviations of the mean: w^2 has variance 1/16, products 1/24.
+  const double expected[10] = {0.25, 0, 0, 0, 0.25, 0, 0, 0.25, 0, 0.25};
+  for (int k = 0; k < 10; ++k) EXPECT_NEAR(mean[k], expected[k], 5 * 0.25 / std::sqrt(20000.0));
+}
+
+}  // namespace
+}  // namespace crossgrain

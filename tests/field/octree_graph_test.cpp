@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/octree_graph.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numeric>
+
+#include "constraint/normal_form.hpp"
+#include "field/energy.hpp"
+#include "grid/open_faces.hpp"
+#include "grid/refinement.hpp"
+#include "grid/test_solid.hpp"
+#include "harmonics/random_samples.hpp"
+#include "support/shapes.hpp"
+
+namespace crossgrain {
+namespace {
+
+using testing::interior_level;
+using testing::RandomSamples;
+using testing::TestSolid;
+using testing::touching_face;
+
+/// A balanced octree that fills its root cube, random leaves of the unit cube refined `rounds` times.
+Octree random_complete_octree(RandomSamples& random, int rounds) {
+  Octree tree({{0, 0, 0}, 1}, {CellAddress::root()});
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<bool> marks(tree.size());
+    for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = round < 2 || random.uniform(0, 1) < 0.2;
+    balance_marks(tree, marks);
+    tree = testing::split(tree, marks);
+  }
+  return tree;
+}
+
+/// No leaf of the trees above holds surface, so the solid is never looked at.
+const TestSolid& any_solid() {
+  static const TestSolid solid(make_box({1, 1, 1}));
+  return solid;
+}
+
+std::size_t component_count(std::size_t cells, const std::vector<WeightedEdge>& edges) {
+  std::vector<std::uint32_t> root(cells);
+  std::iota(root.begin(), root.end(), 0u);
+  const auto find = [&](std::uint32_t i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  std::size_t components = cells;
+  for (const WeightedEdge& edge : edges) {
+    const std::uint32_t a = find(edge.first), b = find(edge.second);
+    components -= a != b;
+    root[a] = b;
+  }
+  return components;
+}
+
+/// The volume over which edges along an axis measure a gradient: the tree less half a cell at either end.
+double measured_volume(const Octree& tree, int axis) {
+  double volume = 1;
+  for (CellIndex i = 0; i < tree.size(); ++i) {
+    const double size = tree.cell_size(i);
+    for (const int face : {2 * axis, 2 * axis + 1})
+      if (!adjacent(tree[i], face)) volume -= size * size * size / 2;
+  }
+  return volume;
+}
+
+TEST(OctreeGraph, HasOneEdgeForEveryPairOfLeavesThatShareAFace) {
+  RandomSamples random(1);
+  for (int trial = 0; trial < 3; ++trial) {
+    const GridLevel level = interior_level(random_complete_octree(random, 4));
+    const LeafConnections connections = connect_leaves(level, any_solid().solid());
+    std::map<std::pair<CellIndex, CellIndex>, int> found;
+    for (const WeightedEdge& edge : connections.edges) ++found[std::minmax(edge.first, edge.second)];
+    std::size_t pairs = 0;
+    for (CellIndex i = 0; i < level.size(); ++i) {
+      for (CellIndex j = i + 1; j < level.size(); ++j) {
+        const bool touch = touching_face(level.tree[i], level.tree[j]) >= 0;
+        ASSERT_EQ(found.count({i, j}), touch ? 1u : 0u);
+        if (touch) {
+          ASSERT_EQ((found[{i, j}]), 1);
+        }
+        pairs += touch;
+      }
+    }
+    EXPECT_EQ(connections.edges.size(), pairs);
+    EXPECT_EQ(connections.tied_leaves, 0u);
+  }
+}
+
+TEST(OctreeGraph, FlagsTheFaceOfEveryEdgeOnTheSmallerLeafOrTheLowerOfTwoEqualOnes) {
+  const TestSolid solid(make_bracket(16));
+  GridLevel level = solid.level(0.1);
+  Marks marks(level.size(), false);
+  mark_surface(level, marks);
+  level = refined(level, solid.solid(), marks);
+  const LeafConnections connections = connect_leaves(level, solid.solid());
+  std::map<std::pair<CellIndex, CellIndex>, int> flagged;
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    for (int face = 0; face < kFaceCount; ++face) {
+      if (connections.open_faces[i] >> face & 1) ++flagged[std::minmax(i, level.tree.neighbour(i, face))];
+    }
+  }
+  EXPECT_EQ(flagged.size(), connections.edges.size());
+  for (const WeightedEdge& edge : connections.edges)
+    ASSERT_EQ(flagged.count(std::minmax(edge.first, edge.second)), 1u);
+}
+
+TEST(OctreeGraph, WeighsAFaceBetweenEqualLeavesByAreaOverDistance) {
+  Octree tree({{0, 0, 0}, 2}, {CellAddress::root()});
+  tree = testing::split(tree, {true});
+  const LeafConnections connections = connect_leaves(interior_level(tree), any_solid().solid());
+  EXPECT_EQ(connections.edges.size(), 12u);
+  for (const WeightedEdge& edge : connections.edges) EXPECT_EQ(edge.weight, 1);
+}
+
+TEST(OctreeGraph, ColoursNoTwoNeighboursAlike) {
+  RandomSamples random(2);
+  for (int trial = 0; trial < 3; ++trial) {
+    const GridLevel level = interior_level(random_complete_octree(random, 5));
+    const LeafConnections connections = connect_leaves(level, any_solid().solid());
+    const Connectivity connectivity = connectivity_of(level, connections.edges);
+    std::vector<std::size_t> colour(level.size());
+    const Colouring& colouring = connectivity.colouring;
+    ASSERT_EQ(colouring.cells.size(), level.size());
+    for (std::size_t c = 0; c < colouring.colour_count(); ++c)
+      for (std::size_t k = colouring.begin[c]; k < colouring.begin[c + 1]; ++k)
+        colour[colouring.cells[k]] = c;
+    for (const WeightedEdge& edge : connections.edges) ASSERT_NE(colour[edge.first], colour[edge.second]);
+  }
+}
+
+TEST(OctreeGraph, CostsALinearFunctionWhatTheIntegralSaysAcrossTwoToOneFaces) {
+  RandomSamples random(3);
+  for (int trial = 0; trial < 8; ++trial) {
+    const GridLevel level = interior_level(random_complete_octree(random, 5));
+    const LeafConnections connections = connect_leaves(level, any_solid().solid());
+    const Vector3 gradient = random.vector();
+    double cost = 0, exact = 0;
+    std::size_t hanging = 0;
+    for (const WeightedEdge& edge : connections.edges) {
+      const double step = dot(gradient, level.tree.centre(edge.first) - level.tree.centre(edge.second));
+      cost += edge.weight / 2 * step * step;
+      hanging += level.tree[edge.first].depth() != level.tree[edge.second].depth();
+    }
+    for (int axis = 0; axis < 3; ++axis)
+      exact += gradient[axis] * gradient[axis] / 2 * measured_volume(level.tree, axis);
+    EXPECT_GT(hanging, connections.edges.size() / 5);
+    // Weights are stored in single precision.
+    EXPECT_NEAR(cost / exact, 1, 1e-6);
+  }
+}
+
+TEST(OctreeGraph, CostsALinearTwistWhatTheIntegralSaysToThreePercent) {
+  RandomSamples random(4);
+  double worst = 0;
+  for (int trial = 0; trial < 24; ++trial) {
+    const GridLevel level = interior_level(random_complete_octree(random, 5));
+    const LeafConnections connections = connect_leaves(level, any_solid().solid());
+    // A turn about each axis along each direction, then oblique ones; 0.1 rad from cell to cell of the
+    // largest.
+    Vector3 about{0, 0, 0}, along{0, 0, 0};
+    about[trial % 3] = along[trial / 3 % 3] = 1;
+    if (trial >= 9) {
+      about = random.direction();
+      along = random.direction();
+    }
+    const double rate = 0.1 * 4;
+    const Quaternion base = random.rotation();
+    std::vector<StoredQuaternion> frames;
+    for (CellIndex i = 0; i < level.size(); ++i) {
+      const double angle_rad = rate * dot(along, level.tree.centre(i));
+      frames.push_back(to_stored(from_rotation_vector(angle_rad * about) * base));
+    }
+    const Adjacency adjacency(level.size(), connections.edges);
+    const double cost = degree_four_energy(level, any_solid().solid(), adjacency, frames, 10).smoothness;
+    double exact = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      exact += 10.0 / 3 * std::pow(rate * along[axis], 2) * measured_volume(level.tree, axis);
+    worst = std::max(worst, std::abs(cost / exact - 1));
+  }
+  EXPECT_LT(worst, 0.03);
+  RecordProperty("worst_relative_error", std::to_string(worst));
+}
+
+class GapTest : public ::testing::TestWithParam<double> {};
+
+TEST_P(GapTest, JoinsNoCellsOfTheTwoPlatesWhereCellFacesLieInTheGap) {
+  const double cell = 0.1, gap = GetParam() * cell;
+  const TestSolid plates(make_plates(gap));
+  RandomSamples random(5);
+  for (int trial = 0; trial < 6; ++trial) {
+    // The plane of the cell faces anywhere in the gap, the plates anywhere along them.
+    const double plane = random.uniform(-0.49, 0.49) * gap;
+    const RootCube root{
+        {-0.8 - random.uniform(-1, 1) * cell, -0.8 - random.uniform(-1, 1) * cell, plane - 0.8}, 1.6};
+    const GridLevel level = uniform_level(plates.solid(), root, 4);
+    const LeafConnections connections = connect_leaves(level, plates.solid());
+    for (const WeightedEdge& edge : connections.edges) {
+      const bool above = level.tree.centre(edge.first)[2] > plane;
+      ASSERT_EQ(level.tree.centre(edge.second)[2] > plane, above);
+    }
+    EXPECT_EQ(component_count(level.size(), connections.edges), 2u);
+  }
+}
+
+TEST_P(GapTest, JoinsNoCellsOfTheTwoPlatesWhereLeavesDifferInSize) {
+  const double cell = 0.1, gap = GetParam() * cell;
+  const TestSolid plates(make_plates(gap));
+  RandomSamples random(6);
+  const double plane = 0.1 * gap;
+  GridLevel level = uniform_level(plates.solid(), {{-0.83, -0.77, plane - 0.8}, 1.6}, 3);
+  Marks marks(level.size());
+  for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = random.uniform(0, 1) < 0.5;
+  level = refined(level, plates.solid(), marks);
+  for (const WeightedEdge& edge : connect_leaves(level, plates.solid()).edges) {
+    const bool above = level.tree.centre(edge.first)[2] > plane;
+    ASSERT_EQ(level.tree.centre(edge.second)[2] > plane, above);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(CellsAcrossTheGap, GapTest, ::testing::Values(0.05, 0.3, 0.6, 0.95));
+
+TEST(StraddledGap, IsCountedAsCellsOfTwoSheets) {
+  const TestSolid plates(make_plates(0.03));
+  const GridLevel level = uniform_level(plates.solid(), {{-0.83, -0.77, -0.85}, 1.6}, 4);
+  int joined = 0, counted = 0;
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    const Box box = level.tree.root().box(level.tree[i]);
+    joined += box.low[2] < -0.015 && box.high[2] > 0.015;
+    counted += holds_two_sheets(level, plates.solid(), i);
+  }
+  // Cells at the rim may hold less than the tenth of a face that counts.
+  EXPECT_LE(counted, joined);
+  EXPECT_GE(counted, 0.9 * joined);
+  EXPECT_GT(joined, 80);
+}
+
+class ThinWallTest : public ::testing::TestWithParam<double> {};
+
+TEST_P(ThinWallTest, IsConnectedAndEveryCellHasAnOpenFace) {
+  RandomSamples random(7);
+  for (int trial = 0; trial < 8; ++trial) {
+    const double cell = 0.08;
+    const TestSolid wall(rotate_mesh(make_wall(GetParam() * cell), random.rotation()));
+    const GridLevel level = wall.level(cell);
+    const LeafConnections connections = connect_leaves(level, wall.solid());
+    const Adjacency adjacency(level.size(), connections.edges);
+    for (CellIndex i = 0; i < level.size(); ++i) {
+      ASSERT_FALSE(adjacency[i].empty());
+      for (const auto& [neighbour, weight] : adjacency[i]) ASSERT_GT(weight, 0);
+    }
+    EXPECT_EQ(component_count(level.size(), connections.edges), 1u) << "of " << level.size() << " cells";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(CellsThick, ThinWallTest, ::testing::Values(1.0, 1.7, 3.0));
+
+TEST(OctreeGraph, OfASmoothSolidIsOneComponentWithFewTies) {
+  RandomSamples random(8);
+  const TestSolid torus(rotate_mesh(make_torus(0.6, 0.25, 48, 24), random.rotation()));
+  const GridLevel level = torus.level(0.05);
+  const LeafConnections connections = connect_leaves(level, torus.solid());
+  EXPECT_EQ(component_count(level.size(), connections.edges), 1u);
+  EXPECT_LT(connections.tied_leaves, level.size() / 10);
+}
+
+template <class Degree>
+class BoundaryFormsTest : public ::testing::Test {};
+TYPED_TEST_SUITE(BoundaryFormsTest, testing::BothDegrees);
+
+TYPED_TEST(BoundaryFormsTest, AreTheSumsOverThePiecesTimesWeightOverCellSize) {
+  constexpr int D = TypeParam::value;
+  RandomSamples random(9);
+  const TestSolid solid(make_bracket(16));
+  GridLevel level = solid.level(0.12);
+  Marks marks(level.size());
+  for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = random.uniform(0, 1) < 0.5;
+  level = refined(level, solid.solid(), marks);
+  // A graph without edges has no energy but that of its forms.
+  FieldGraph<D> graph{std::make_shared<const Connectivity>(connectivity_of(level, {})),
+                      boundary_forms<D>(level, solid.solid(), 10, Shift::kNone)};
+  FieldState<D> state;
+  state.frames.resize(level.size());
+  double expected = 0;
+  int planes = 0, generals = 0;
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    const Coefficients<D> h = random.coefficients<D>();
+    state.coefficients.push_back(to_stored<D>(h));
+    planes += graph.forms.plane(i) != nullptr;
+    generals += graph.forms.general(i) != nullptr;
+    for (const SurfacePiece& piece : level.pieces_of(i)) {
+      const auto basis = normal_basis<D>(solid.surface().normals[piece.triangle]);
+      expected +=
+          (D == 3 ? 5.0 / 3 : 1) * 10 / level.tree.cell_size(i) * piece.area * normal_value<D>(basis, h);
+    }
+  }
+  EXPECT_GT(planes, 100);
+  EXPECT_GT(generals, 100);
+  EXPECT_NEAR(graph_energy(graph, state) / expected, 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace crossgrain

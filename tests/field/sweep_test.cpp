@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: Apache-2.0
+// One cell, one sweep: local energies, Newton steps, manifold and relaxation sweeps, and the energies that
+// they lower.
+#include <gtest/gtest.h>
+
+#include "base/parallel.hpp"
+#include "field/energy.hpp"
+#include "field/local_energy.hpp"
+#include "field/manifold_sweep.hpp"
+#include "field/octree_graph.hpp"
+#include "field/relaxation.hpp"
+#include "grid/test_solid.hpp"
+#include "harmonics/deviation.hpp"
+#include "harmonics/random_samples.hpp"
+#include "support/shapes.hpp"
+
+namespace crossgrain {
+namespace {
+
+using testing::BothDegrees;
+using testing::RandomSamples;
+using testing::TestSolid;
+
+// States are stored in single precision, energies are sums of a few thousand terms of either sign.
+constexpr double kStored = 2e-6;
+
+template <int D>
+FieldGraph<D> graph_of(const GridLevel& level, const Solid& solid, Shift shift = Shift::kNone) {
+  const LeafConnections connections = connect_leaves(level, solid);
+  return {std::make_shared<const Connectivity>(connectivity_of(level, connections.edges)),
+          boundary_forms<D>(level, solid, 10, shift)};
+}
+
+/// A few cells all of which neighbour each other; plane forms on some, general ones on others.
+template <int D>
+FieldGraph<D> small_graph(RandomSamples& random) {
+  constexpr std::uint32_t kCells = 7;
+  std::vector<WeightedEdge> edges;
+  for (std::uint32_t i = 0; i < kCells; ++i) {
+    for (std::uint32_t j = i + 1; j < kCells; ++j)
+      edges.push_back({i, j, static_cast<float>(random.uniform(0.1, 1))});
+  }
+  const std::vector<std::uint8_t> colours{0, 1, 2, 3, 4, 5, 6};
+  FieldGraph<D> graph{
+      std::make_shared<const Connectivity>(Connectivity{Adjacency(kCells, edges), colouring_of(colours)}),
+      CellForms<D>(kCells)};
+  const std::vector<std::uint32_t> general{2, 3};
+  graph.forms.set_plane(0, random.direction(), random.uniform(0.5, 5));
+  graph.forms.set_plane(1, random.direction(), random.uniform(0.5, 5));
+  graph.forms.reserve_general(general);
+  for (const std::uint32_t cell : general) {
+    QuadraticForm<D> form;
+    for (int n = 0; n < 3; ++n) add_normal(form, random.direction(), random.uniform(0.5, 2));
+    graph.forms.set_general(cell, form, 1.5);
+  }
+  return graph;
+}
+
+/// A graph of one cell with a form that a single frame meets.
+template <int D>
+FieldGraph<D> one_cell_graph(const Quaternion& wanted) {
+  FieldGraph<D> graph{std::make_shared<const Connectivity>(
+                          Connectivity{Adjacency(1, {}), colouring_of(std::vector<std::uint8_t>{0})}),
+                      CellForms<D>(1)};
+  QuadraticForm<D> form;
+  add_frame(form, wanted, 2);
+  graph.forms.reserve_general(std::vector<std::uint32_t>{0});
+  graph.forms.set_general(0, form, 1);
+  return graph;
+}
+
+template <class Degree>
+class SweepTest : public ::testing::Test {
+ protected:
+  const TestSolid bracket_{make_bracket(16)};
+  const GridLevel level_ = bracket_.level(0.08);
+};
+TYPED_TEST_SUITE(SweepTest, BothDegrees);
+
+TYPED_TEST(SweepTest, LocalEnergyChangesAsTheEnergyOfTheGraphDoes) {
+  constexpr int D = TypeParam::value;
+  RandomSamples random(1);
+  for (int trial = 0; trial < 20; ++trial) {
+    const FieldGraph<D> graph = small_graph<D>(random);
+    FieldState<D> state = state_of<D>(random_frames(graph.size(), static_cast<std::uint64_t>(trial)));
+    for (std::size_t cell = 0; cell < graph.size(); ++cell) {
+      const LocalEnergy<D> local(graph, state.coefficients, cell);
+      const double before = graph_energy(graph, state);
+      const Coefficients<D> h = from_stored<D>(state.coefficients[cell]);
+      state.coefficients[cell] = to_stored<D>(frame_coefficients<D>(random.rotation()));
+      const Coefficients<D> turned = from_stored<D>(state.coefficients[cell]);
+      const double change = graph_energy(graph, state) - before;
+      ASSERT_NEAR(local.value(turned) - local.value(h), change, kStored * before) << "cell " << cell;
+    }
+  }
+}
+
+TYPED_TEST(SweepTest, NewtonStepSquaresTheDistanceToTheMinimiser) {
+  constexpr int D = TypeParam::value;
+  RandomSamples random(2);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Quaternion wanted = random.rotation();
+    const FieldGraph<D> graph = one_cell_graph<D>(wanted);
+    const double error_rad = 0.05;
+    const Quaternion start = from_rotation_vector(error_rad * random.direction()) * wanted;
+    FieldState<D> state = state_of<D>({to_stored(start)});
+    manifold_sweep(graph, state);
+    const double after_one = testing::misorientation_rad(from_stored(state.frames[0]), wanted);
+    EXPECT_LT(after_one, 2 * error_rad * error_rad);
+    manifold_sweep(graph, state);
+    manifold_sweep(graph, state);
+    // What single precision resolves; the square root in the angle of near quaternions costs half the digits.
+    EXPECT_LT(testing::misorientation_rad(from_stored(state.frames[0]), wanted), 5e-6);
+  }
+}
+
+TYPED_TEST(SweepTest, ManifoldSweepsFindTheFormsFrameFromAnywhere) {
+  constexpr int D = TypeParam::value;
+  RandomSamples random(3);
+  int found = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    const Quaternion wanted = random.rotation();
+    const FieldGraph<D> graph = one_cell_graph<D>(wanted);
+    FieldState<D> state = state_of<D>({to_stored(random.rotation())});
+    for (int sweep = 0; sweep < 20; ++sweep) manifold_sweep(graph, state);
+    found += testing::misorientation_rad(from_stored(state.frames[0]), wanted) < 1e-4;
+  }
+  // |h(R) - h(S)| has no local minimum but S in degree 4; a start near a maximum may need more sweeps.
+  EXPECT_GE(found, 95);
+}
+
+TYPED_TEST(SweepTest, ManifoldSweepNeverRaisesTheEnergy) {
+  constexpr int D = TypeParam::value;
+  const auto graph = graph_of<D>(this->level_, this->bracket_.solid());
+  FieldState<D> state = state_of<D>(random_frames(graph.size(), 4));
+  double energy = graph_energy(graph, state);
+  const double first = energy;
+  for (int sweep = 0; sweep < 30; ++sweep) {
+    manifold_sweep(graph, state);
+    const double next = graph_energy(graph, state);
+    ASSERT_LE(next, energy * (1 + kStored));
+    energy = next;
+  }
+  EXPECT_LT(energy, 0.5 * first);
+}
+
+TYPED_TEST(SweepTest, ManifoldSweepReportsByHowMuchTheEnergyFell) {
+  constexpr int D = TypeParam::value;
+  const auto graph = graph_of<D>(this->level_, this->bracket_.solid());
+  FieldState<D> state = state_of<D>(random_frames(graph.size(), 5));
+  for (int sweep = 0; sweep < 5; ++sweep) {
+    const double before = graph_energy(graph, state);
+    const double decrease = manifold_sweep(graph, state);
+    EXPECT_NEAR(before - graph_energy(graph, state), decrease, kStored * before);
+  }
+}
+
+TYPED_TEST(SweepTest, ManifoldSweepKeepsCoefficientsThoseOfTheFrames) {
+  constexpr int D = TypeParam::value;
+  const auto graph = graph_of<D>(this->level_, this->bracket_.solid());
+  FieldState<D> state = state_of<D>(random_frames(graph.size(), 6));
+  manifold_sweep(graph, state);
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const auto h = frame_coefficients<D>(from_stored(state.frames[i]));
+    ASSERT_LT(testing::largest_difference(h, from_stored<D>(state.coefficients[i])), 1e-6);
+  }
+}
+
+TYPED_TEST(SweepTest, SweepsAreTheSameToTheBitForAnyNumberOfThreads) {
+  constexpr int D = TypeParam::value;
+  const auto graph = graph_of<D>(this->level_, this->bracket_.solid());
+  std::vector<FieldState<D>> results;
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    FieldState<D> state = state_of<D>(random_frames(graph.size(), 7));
+    for (int sweep = 0; sweep < 3; ++sweep) relaxation_sweep(graph, state, 0.5);
+    project_to_frames(state);
+    for (int sweep = 0; sweep < 3; ++sweep) manifold_sweep(graph, state);
+    results.push_back(std::move(state));
+  }
+  EXPECT_EQ(results[0].coefficients, results[1].coefficients);
+  EXPECT_EQ(results[0].coefficients, results[2].coefficients);
+}
+
+TYPED_TEST(SweepTest, RelaxationSweepNeverRaisesTheRelaxedEnergy) {
+  constexpr int D = TypeParam::value;
+  RandomSamples random(8);
+  for (const Shift shift : {Shift::kNone, Shift::kSpectral}) {
+    const auto graph = graph_of<D>(this->level_, this->bracket_.solid(), shift);
+    FieldState<D> state = state_of<D>(random_frames(graph.size(), 8));
+    double energy = graph_energy(graph, state);
+    for (int sweep = 0; sweep < 30; ++sweep) {
+      relaxation_sweep(graph, state, 0);
+      const double next = graph_energy(graph, state);
+      ASSERT_LE(next, energy + kStored * std::abs(energy)) << "sweep " << sweep;
+      energy = next;
+    }
+  }
+}
+
+TYPED_TEST(SweepTest, ProjectionGivesTheNearestFrameAndItsCoefficients) {
+  constexpr int D = TypeParam::value;
+  RandomSamples random(9);
+  FieldState<D> state;
+  for (int i = 0; i < 20; ++i) state.coefficients.push_back(to_stored<D>(random.coefficients<D>()));
+  const auto relaxed = state.coefficients;
+  state.frames.resize(state.coefficients.size());
+  project_to_frames(state);
+  const auto overlap = [](const Coefficients<D>& a, const Coefficients<D>& b) {
+    return D == 3 ? std::abs(dot(a, b)) : dot(a, b);
+  };
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Coefficients<D> target = from_stored<D>(relaxed[i]), h = from_stored<D>(state.coefficients[i]);
+    EXPECT_LT(deviation(h), 1e-8);
+    EXPECT_NEAR(squared_norm(h), 1, 1e-6);
+    for (int k = 0; k < 200; ++k)
+      ASSERT_GE(overlap(target, h), overlap(target, frame_coefficients<D>(random.rotation())) - 1e-5);
+  }
+}
+
+TEST(RelaxationInDegreeFour, ForgetsWhereItStarted) {
+  const TestSolid sphere(make_sphere(0.5, 3));
+  const GridLevel level = sphere.level(0.12);
+  const auto graph = graph_of<4>(level, sphere.solid());
+  std::vector<FieldState<4>> states;
+  for (const std::uint64_t seed : {1, 2}) {
+    states.push_back(state_of<4>(random_frames(graph.size(), seed)));
+    for (int sweep = 0; sweep < 200; ++sweep) relaxation_sweep(graph, states.back(), 0);
+  }
+  double largest = 0;
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    largest = std::max(largest, testing::largest_difference(from_stored<4>(states[0].coefficients[i]),
+                                                            from_stored<4>(states[1].coefficients[i])));
+  }
+  EXPECT_LT(largest, 1e-4);
+}
+
+TEST(RelaxationInDegreeFour, MeetsTheMinimumOfALocalEnergyInOneVisit) {
+  RandomSamples random(10);
+  for (int trial = 0; trial < 10; ++trial) {
+    FieldGraph<4> graph = small_graph<4>(random);
+    FieldState<4> state = state_of<4>(random_frames(graph.size(), static_cast<std::uint64_t>(trial)));
+    relaxation_sweep(graph, state, 0);
+    // The last cell visited sees what the others have become: nothing around it costs less.
+    const double least = graph_energy(graph, state);
+    const auto h = state.coefficients.back();
+    for (int k = 0; k < 50; ++k) {
+      Coefficients<4> other = from_stored<4>(h);
+      add_scaled(other, 0.05, random.coefficients<4>());
+      state.coefficients.back() = to_stored<4>(other);
+      ASSERT_GT(graph_energy(graph, state), least);
+    }
+  }
+}
+
+TEST(RelaxationWithSymmetrisation, BringsCoefficientsNearerToFrames) {
+  const TestSolid sphere(make_sphere(0.5, 3));
+  const GridLevel level = sphere.level(0.1);
+  const auto graph = graph_of<4>(level, sphere.solid());
+  const auto mean_defect = [&](double symmetrisation) {
+    FieldState<4> state = state_of<4>(random_frames(graph.size(), 11));
+    for (int sweep = 0; sweep < 100; ++sweep) relaxation_sweep(graph, state, symmetrisation);
+    double sum = 0;
+    for (const auto& stored : state.coefficients)
+      sum += std::abs(1 - std::sqrt(squared_norm(from_stored<4>(stored))));
+    return sum / static_cast<double>(state.size());
+  };
+  EXPECT_LT(mean_defect(1), 0.7 * mean_defect(0));
+}
+
+class EnergyTest : public ::testing::Test {
+ protected:
+  const TestSolid bracket_{make_bracket(16)};
+  GridLevel level_ = bracket_.level(0.08);
+
+  void refine_some() {
+    std::vector<bool> marks(level_.size());
+    for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = i % 5 == 0;
+    level_ = refined(level_, bracket_.solid(), marks);
+  }
+};
+
+TEST_F(EnergyTest, OfThePiecesIsThatOfTheGraphInDegreeFour) {
+  refine_some();
+  const auto graph = graph_of<4>(level_, bracket_.solid());
+  const auto frames = random_frames(level_.size(), 12);
+  const EnergyParts parts = degree_four_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10);
+  EXPECT_NEAR(parts.total() / graph_energy(graph, state_of<4>(frames)), 1, 1e-6);
+}
+
+TEST_F(EnergyTest, OfSmoothFramesIsTheSameInBothDegrees) {
+  // Turns of 0.01 rad between neighbours: the degrees differ at the fourth power.
+  const auto three = graph_of<3>(level_, bracket_.solid());
+  const auto four = graph_of<4>(level_, bracket_.solid());
+  FieldGraph<3> three_inside{three.connectivity, CellForms<3>(three.size())};
+  FieldGraph<4> four_inside{four.connectivity, CellForms<4>(four.size())};
+  std::vector<StoredQuaternion> frames;
+  for (CellIndex i = 0; i < level_.size(); ++i)
+    frames.push_back(to_stored(from_rotation_vector(0.1 * level_.tree.centre(i))));
+  const double energy = graph_energy(four_inside, state_of<4>(frames));
+  EXPECT_NEAR(graph_energy(three_inside, state_of<3>(frames)) / energy, 1, 1e-3);
+}
+
+TEST_F(EnergyTest, DensityTimesVolumeSumsUpToTheSmoothness) {
+  refine_some();
+  const auto graph = graph_of<4>(level_, bracket_.solid());
+  const auto frames = random_frames(level_.size(), 13);
+  const EnergyParts parts = degree_four_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10);
+  const std::vector<double> density = energy_density(level_, graph.adjacency(), frames);
+  double sum = 0;
+  for (CellIndex i = 0; i < level_.size(); ++i) sum += density[i] * std::pow(level_.tree.cell_size(i), 3);
+  EXPECT_NEAR(sum / parts.smoothness, 1, 1e-9);
+}
+
+TEST_F(EnergyTest, OfTheBoundaryGrowsWithItsWeight) {
+  const auto graph = graph_of<4>(level_, bracket_.solid());
+  const auto frames = random_frames(level_.size(), 14);
+  const EnergyParts ten = degree_four_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10);
+  const EnergyParts twenty = degree_four_energy(level_, bracket_.solid(), graph.adjacency(), frames, 20);
+  EXPECT_DOUBLE_EQ(twenty.boundary, 2 * ten.boundary);
+  EXPECT_EQ(twenty.smoothness, ten.smoothness);
+}
+
+}  // namespace
+}  // namespace crossgrain
