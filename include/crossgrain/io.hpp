@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
 
+#include "crossgrain/frame_field.hpp"
+#include "crossgrain/monitor.hpp"
+#include "crossgrain/spectrum.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -14,5 +21,54 @@ namespace crossgrain {
 /// format; triangles without area stay in. Throws Error(kInput) naming the file, the place in it and the
 /// mend.
 TriangleMesh read_surface(const std::filesystem::path& path);
+
+/// Writes FOLDER/field.vtu (docs/field-file.md), which ParaView opens, and FOLDER/report.json
+/// (docs/report.md), making the folder where it is missing. Both are written beside and then renamed: a
+/// failure leaves what was there before. The report's seconds.write is what that took; it is added to
+/// seconds.total, and peak_memory_bytes is brought up to date. Throws Error(kOutput), and Error(kInterrupted)
+/// once the monitor is cancelled.
+void write_field(const FrameField& field, const std::filesystem::path& folder, const Monitor& monitor = {});
+
+/// The same with `report`, the field's own with the model's path and the time of reading it filled in, say.
+void write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
+                 const Monitor& monitor = {});
+
+/// What `write_field` has written to a folder, to the bit. Throws Error(kInput).
+FrameField read_field(const std::filesystem::path& folder);
+
+/// Throws Error(kOutput) where `write_field` could not write to a folder; leaves no trace. To be asked before
+/// a solve.
+void check_field_folder(const std::filesystem::path& folder);
+
+/// In the following, the path "-" means standard input or standard output. Text files have one item a line,
+/// its numbers separated by blanks; blank lines, and what follows a word that begins with '#', are passed
+/// over.
+
+/// Points, `x y z` a line. Throws Error(kInput) naming the line that is wrong, and where there is no point at
+/// all.
+std::vector<Vector3> read_points(const std::filesystem::path& path);
+
+/// Normals of any length but zero, `nx ny nz [weight]` a line; the weight is 1 where it is left out. Throws
+/// Error(kInput) naming the line that is wrong, and where there is no normal at all.
+std::vector<WeightedNormal> read_normals(const std::filesystem::path& path);
+
+/// Where `write_samples` writes to.
+struct SampleFiles {
+  std::filesystem::path frames = "-";
+
+  /// The points outside, `x y z` a line; none where empty.
+  std::filesystem::path outside;
+};
+
+/// Writes the frame at each point (FrameField::sample): the nine numbers of its three unit axes one after the
+/// other, a line each, of 17 significant digits. Returns how many points are in no active cell. Both files
+/// appear complete or not at all. Throws Error(kOutput), and Error(kInterrupted) once the monitor is
+/// cancelled.
+std::size_t write_samples(const FrameField& field, std::span<const Vector3> points, const SampleFiles& files,
+                          const Monitor& monitor = {});
+
+/// A spectrum as JSON text: {degree, matrix, eigenvalues, null_space, linear, constant} as in SpectrumReport,
+/// matrices as lists of rows.
+std::string spectrum_json(const SpectrumReport& report);
 
 }  // namespace crossgrain

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything that the library offers.
+#pragma once
+
+#include "crossgrain/error.hpp"
+#include "crossgrain/frame_field.hpp"
+#include "crossgrain/io.hpp"
+#include "crossgrain/monitor.hpp"
+#include "crossgrain/options.hpp"
+#include "crossgrain/report.hpp"
+#include "crossgrain/solve.hpp"
+#include "crossgrain/spectrum.hpp"
+#include "crossgrain/types.hpp"
+#include "crossgrain/version.hpp"

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// How well a field follows the surface (DESIGN section 8).
+#pragma once
+
+#include <vector>
+
+#include "analysis/sampling.hpp"
+#include "crossgrain/report.hpp"
+#include "grid/grid_level.hpp"
+
+namespace crossgrain {
+
+/// Angles between the surface normal and the nearest axis of the interpolated frame, each taken at the
+/// centroid of a surface piece clipped to its leaf and weighted by the piece's area.
+struct AlignmentMeasurement {
+  /// Over pieces in leaves whose constraints one frame can meet; the angles are zero where there is none.
+  /// p95: the smallest angle that 95 % of that area does not exceed.
+  SolveReport::Alignment alignment_deg;
+
+  /// How many leaves with surface are of each class.
+  SolveReport::Spectrum spectrum;
+
+  /// Per leaf the mean over all its pieces, in compatible leaves or not; 0 for a leaf without surface.
+  std::vector<float> leaf_mean_deg;
+};
+
+/// `sampler` is of a field on `level.tree`. The same to the bit for any number of threads.
+AlignmentMeasurement measure_alignment(const GridLevel& level, const Solid& solid, const Sampler& sampler);
+
+/// Degrees between a unit vector and the nearest of a frame's six half-axes, from 0 to 54.74.
+double angle_to_nearest_axis_deg(const Quaternion& frame, const Vector3& direction);
+
+}  // namespace crossgrain

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a field is made of once it is solved, and what is written to and read from files.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/quaternion.hpp"
+#include "crossgrain/report.hpp"
+#include "crossgrain/types.hpp"
+#include "grid/octree.hpp"
+
+namespace crossgrain {
+
+/// All vectors have one entry per leaf of `tree`.
+struct FieldData {
+  Degree degree = Degree::kFour;
+  Octree tree;
+  std::vector<StoredQuaternion> frames;
+  std::vector<std::uint8_t> open_faces;   ///< as in LeafConnections: which neighbours a leaf is joined to
+  std::vector<std::uint8_t> on_boundary;  ///< 1 where the leaf holds surface
+  std::vector<float> energy_density;      ///< smoothness energy per volume, model units to the power of -2
+  std::vector<float> alignment_deg;       ///< mean angle between normal and nearest axis, by area; 0 inside
+  SolveReport report;
+};
+
+}  // namespace crossgrain

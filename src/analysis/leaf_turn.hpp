@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the frame of a leaf varies around it, from the frames of the leaves that it is joined to.
+//
+// Notation: q_i the frame of leaf i as a quaternion, c_i its centre, s_i its side, W_i its turn: the frame
+// near c_i is exp(W_i (x - c_i)) q_i, exp as in from_rotation_vector.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "analysis/leaf_finder.hpp"
+#include "base/quaternion.hpp"
+
+namespace crossgrain {
+
+/// A field as it is known cell by cell; refers to its arrays.
+struct LeafField {
+  const Octree& tree;
+  std::span<const StoredQuaternion> frames;
+  std::span<const std::uint8_t> open_faces;  ///< as in LeafConnections
+  LeafFinder finder{tree};
+};
+
+/// A leaf with its place, in units of the smallest possible cell.
+struct PlacedLeaf {
+  CellIndex index;
+  GridPoint corner;
+  std::int32_t width;
+  std::uint8_t open_faces;
+
+  /// (point - centre) / width, the point in the same units.
+  Vector3 offset_of(const Vector3& point) const {
+    const double scale = 1.0 / width;
+    return {scale * (point[0] - corner[0]) - 0.5, scale * (point[1] - corner[1]) - 0.5,
+            scale * (point[2] - corner[2]) - 0.5};
+  }
+  Vector3 centre() const {
+    return {corner[0] + 0.5 * width, corner[1] + 0.5 * width, corner[2] + 0.5 * width};
+  }
+};
+
+inline PlacedLeaf placed(const LeafField& field, CellIndex i) {
+  const CellAddress address = field.tree[i];
+  return {i, address.corner(), address.width(), field.open_faces[i]};
+}
+
+/// Whether there is an open face between two leaves.
+bool joined(const PlacedLeaf& a, const PlacedLeaf& b);
+
+struct LeafTurn {
+  /// s_i W_i row by row: radians of turn about each axis for a move of one cell along each axis.
+  std::array<float, 9> per_cell{};
+
+  /// All leaves that touch this one are of its size.
+  bool even_surroundings = true;
+
+  /// There is a leaf across each face, and all of those are joined to this one.
+  bool open_all_around = true;
+};
+static_assert(sizeof(LeafTurn) <= 40);
+
+/// The least-squares turn of leaf `i`: over the leaves j it is joined to, the sum of (face area / distance)
+/// |W_i (c_j - c_i) - w_ij|^2 is least, w_ij the smallest turn that takes frame i to frame j. Along
+/// directions in which there is no neighbour W_i is 0.
+LeafTurn leaf_turn(const LeafField& field, CellIndex i);
+
+/// A leaf's frame extended to the point at `offset` from its centre, in its own cells: exp(W_i (x - c_i))
+/// q_i.
+inline Quaternion extended_frame(const StoredQuaternion& frame, const LeafTurn& turn, const Vector3& offset) {
+  const auto& [x, y, z] = offset;
+  const auto& w = turn.per_cell;
+  const Vector3 rotation{w[0] * x + w[1] * y + w[2] * z, w[3] * x + w[4] * y + w[5] * z,
+                         w[6] * x + w[7] * y + w[8] * z};
+  return from_rotation_vector(rotation) * from_stored(frame);
+}
+
+}  // namespace crossgrain

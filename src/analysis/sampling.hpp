@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The frame at any point of a field that is known cell by cell.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "analysis/leaf_turn.hpp"
+
+namespace crossgrain {
+
+/// Interpolates a field. Inside an active leaf, every leaf i around that is joined to it through open faces
+/// extends its frame to the point by its turn (analysis/leaf_turn.hpp); the degree-4 coefficients of these
+/// frames are blended with the weights product over axes of max(0, 1 - |x - c_i| / s_i), normalised, and
+/// projected to the nearest frame. So a field that turns about one axis at a constant rate comes out exactly
+/// up to the surface, and the blend is continuous across faces, between leaves of different size too. Leaves
+/// across an outside gap take no part. Elsewhere: the frame of the nearest active leaf.
+///
+/// Holds at most 42 bytes a leaf of its own and refers to the arrays given, which must outlive it. Queries
+/// allocate nothing and are safe from any number of threads. Which axes the cells' frames name x, y, z
+/// changes answers by rounding only.
+class Sampler {
+ public:
+  /// Finds the turns of all leaves, in parallel. `open_faces` as in LeafConnections.
+  Sampler(const Octree& tree, std::span<const StoredQuaternion> frames,
+          std::span<const std::uint8_t> open_faces);
+
+  struct Result {
+    Quaternion frame;
+    CellIndex leaf;       ///< that holds the point, or the nearest one
+    bool in_active_cell;  ///< whether it holds the point
+  };
+
+  /// The frame at a point of finite coordinates. The field must have a leaf.
+  Result at(const Vector3& point) const;
+
+  /// The frame at a point of the closed box of leaf `leaf`, as that leaf sees it.
+  Quaternion in_leaf(CellIndex leaf, const Vector3& point) const;
+
+ private:
+  LeafField field_;
+  std::vector<LeafTurn> turns_;
+};
+
+}  // namespace crossgrain

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The grid edges around which a frame field turns by more than nothing.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/quaternion.hpp"
+#include "grid/octree.hpp"
+
+namespace crossgrain {
+
+/// A piece of an axis-parallel grid line, in units of the smallest possible cell.
+struct GridEdge {
+  GridPoint start;  ///< its low end
+  int axis;
+  std::int32_t length;
+
+  GridPoint end() const {
+    GridPoint point = start;
+    point[axis] += length;
+    return point;
+  }
+  bool operator==(const GridEdge&) const = default;
+};
+
+/// The singular edges of a field, each once, in the order of the smallest leaf at each.
+///
+/// An edge of a leaf counts if no smaller leaf subdivides it and it is interior: the leaves in the four
+/// quadrants around it (two quadrants may belong to one larger leaf) are all there, and each is joined with
+/// the next through an open face. It is singular if the matchings around it compose to more than the
+/// identity.
+///
+/// Every face between leaves has one matching, used in both directions. So the product of the turns around
+/// all edges that meet at an interior vertex is the identity, and singular edges never end at one: where just
+/// one arrives, the vertex is not surrounded by joined leaves.
+///
+/// `frames` and `open_faces` (as in LeafConnections) have one entry per leaf.
+std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
+                                     std::span<const std::uint8_t> open_faces);
+
+}  // namespace crossgrain

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/sampling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+
+#include "analysis/field_data.hpp"
+#include "analysis/matching.hpp"
+#include "analysis/nearest_leaf.hpp"
+#include "base/parallel.hpp"
+#include "crossgrain/frame_field.hpp"
+#include "field/octree_graph.hpp"
+#include "harmonics/frame.hpp"
+#include "support/shapes.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Single precision in which frames and turns are stored, times the few of them that make a sample.
+constexpr double kStorage_rad = 1e-6;
+
+using FrameAt = std::function<Quaternion(const Vector3&)>;
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+  int below(int end) { return std::uniform_int_distribution<int>(0, end - 1)(engine_); }
+  Vector3 point(const Box& box) {
+    Vector3 p;
+    for (int axis = 0; axis < 3; ++axis) p[axis] = uniform(box.low[axis], box.high[axis]);
+    return p;
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+/// The misorientation of two frames, whatever their axes are called.
+double angle_between_rad(const Quaternion& p, const Quaternion& q) {
+  const Quaternion r = conjugate(p) * q;
+  const Quaternion rest = r * conjugate(to_quaternion(nearest_cube_rotation(r)));
+  return 2 * std::atan2(norm(Vector3{rest.x, rest.y, rest.z}), std::abs(rest.w));
+}
+
+/// An octree with frames by formula.
+struct MadeField {
+  Octree tree;
+  std::vector<StoredQuaternion> frames;
+  std::vector<std::uint8_t> open_faces;
+
+  Sampler sampler() const { return Sampler(tree, frames, open_faces); }
+  void fill(const FrameAt& frame_at) {
+    frames.clear();
+    for (CellIndex i = 0; i < tree.size(); ++i) frames.push_back(to_stored(frame_at(tree.centre(i))));
+  }
+};
+
+/// The unit cube in 8 x 8 x 8 cells, of which those in the lower x half are in four 2:1 layers halved again:
+/// all faces are open.
+MadeField graded_cube(const FrameAt& frame_at) {
+  std::vector<CellAddress> leaves;
+  const std::function<void(CellAddress)> divide = [&](CellAddress cell) {
+    const double low_x = static_cast<double>(cell.corner()[0]) / (1 << kMaxDepth);
+    const int depth = low_x < 0.25 ? 4 : low_x < 0.5 || cell.corner()[1] == 0 ? 3 : 2;
+    if (cell.depth() >= depth) {
+      leaves.push_back(cell);
+      return;
+    }
+    for (int octant = 0; octant < 8; ++octant) divide(cell.child(octant));
+  };
+  divide(CellAddress::root());
+  MadeField field;
+  field.tree = Octree({{0, 0, 0}, 1}, std::move(leaves));
+  field.open_faces.assign(field.tree.size(), 0x3f);
+  field.fill(frame_at);
+  return field;
+}
+
+Quaternion twist(const Vector3& p) {
+  return from_rotation_vector((0.4 * p[0] + 0.7 * p[1] - 0.5 * p[2]) * normalised({1, -2, 0.5}));
+}
+
+/// Curved: no two turns commute.
+Quaternion bent(const Vector3& p) {
+  return from_rotation_vector({std::sin(p[1] + 2 * p[2]), 0.5 * p[0] * p[0], std::cos(p[0] - p[1])});
+}
+
+TEST(Sampler, ReproducesATwistAtAConstantRateAcrossCellsOfDifferentSizeUpToTheSurface) {
+  const MadeField field = graded_cube(twist);
+  ASSERT_TRUE(is_balanced(field.tree));
+  const Sampler sampler = field.sampler();
+  Random random(1);
+  double worst = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Vector3 p = random.point({{0, 0, 0}, {1, 1, 1}});
+    const auto result = sampler.at(p);
+    EXPECT_TRUE(result.in_active_cell);
+    worst = std::max(worst, angle_between_rad(result.frame, twist(p)));
+  }
+  EXPECT_LT(worst, kStorage_rad);
+}
+
+TEST(Sampler, IsOfSecondOrderOnABentField) {
+  const auto worst_at = [](int depth) {
+    std::vector<CellAddress> leaves{CellAddress::root()};
+    for (int d = 0; d < depth; ++d) {
+      std::vector<CellAddress> finer;
+      for (const CellAddress cell : leaves) {
+        for (int octant = 0; octant < 8; ++octant) finer.push_back(cell.child(octant));
+      }
+      leaves = std::move(finer);
+    }
+    MadeField field;
+    field.tree = Octree({{0, 0, 0}, 1}, std::move(leaves));
+    field.open_faces.assign(field.tree.size(), 0x3f);
+    field.fill(bent);
+    const Sampler sampler = field.sampler();
+    Random random(2);
+    double worst = 0;
+    for (int k = 0; k < 1000; ++k) {
+      const Vector3 p = random.point({{0, 0, 0}, {1, 1, 1}});
+      worst = std::max(worst, angle_between_rad(sampler.at(p).frame, bent(p)));
+    }
+    return worst;
+  };
+  const double coarse = worst_at(3), fine = worst_at(4);
+  // Halving the cells divides the error by four once they are small; 3 tells it from first order's 2.
+  EXPECT_GT(coarse / fine, 3.0) << coarse << " then " << fine;
+}
+
+TEST(Sampler, IsContinuousAcrossFacesBetweenCellsOfDifferentSizeToo) {
+  const MadeField field = graded_cube(bent);
+  const Sampler sampler = field.sampler();
+  Random random(3);
+  // The field turns by less than 4 rad over the cube, so over this distance by less than 4e-9; a jump of
+  // linear extensions that are cut off would be of the second order in the cell size, about 1e-3.
+  constexpr double kStep = 1e-9;
+  double worst = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const auto i = static_cast<CellIndex>(random.below(static_cast<int>(field.tree.size())));
+    const Box box = field.tree.root().box(field.tree[i]);
+    Vector3 p = random.point(box);
+    const int axis = random.below(3);
+    Vector3 q = p;
+    p[axis] = box.high[axis] - kStep;
+    q[axis] = box.high[axis] + kStep;
+    if (q[axis] > 1) continue;
+    worst = std::max(worst, angle_between_rad(sampler.at(p).frame, sampler.at(q).frame));
+  }
+  EXPECT_LT(worst, 1e-7);
+}
+
+TEST(Sampler, AnswersWithOrthonormalRightHandedAxes) {
+  auto data = std::make_shared<FieldData>();
+  MadeField made = graded_cube(bent);
+  data->tree = made.tree;
+  data->frames = made.frames;
+  data->open_faces = made.open_faces;
+  const FrameField field(data);
+  Random random(4);
+  for (int k = 0; k < 5000; ++k) {
+    const auto axes = field.sample(random.point({{-0.2, -0.2, -0.2}, {1.2, 1.2, 1.2}})).frame.axes;
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) ASSERT_NEAR(dot(axes[a], axes[b]), a == b, 1e-15);
+    }
+    ASSERT_NEAR(dot(cross(axes[0], axes[1]), axes[2]), 1, 1e-14);
+  }
+}
+
+TEST(Sampler, DoesNotCareHowTheCellsNameTheirAxes) {
+  MadeField field = graded_cube(bent);
+  MadeField renamed = field;
+  Random random(5);
+  const std::array<Quaternion, 3> quarter_turns{from_rotation_vector({std::numbers::pi / 2, 0, 0}),
+                                                from_rotation_vector({0, std::numbers::pi / 2, 0}),
+                                                from_rotation_vector({0, 0, std::numbers::pi / 2})};
+  for (StoredQuaternion& frame : renamed.frames) {
+    for (int turns = random.below(5); turns > 0; --turns) {
+      frame = to_stored(from_stored(frame) * quarter_turns[random.below(3)]);
+    }
+  }
+  const Sampler sampler = field.sampler(), renamed_sampler = renamed.sampler();
+  for (int k = 0; k < 1000; ++k) {
+    const Vector3 p = random.point({{0, 0, 0}, {1, 1, 1}});
+    ASSERT_LT(angle_between_rad(sampler.at(p).frame, renamed_sampler.at(p).frame), kStorage_rad);
+  }
+}
+
+TEST(Sampler, FindsTheNearestFrameOfABlendFarFromAllFrames) {
+  // A line of index 1/4: the frame turns by a quarter around it, so blends at the line are far from all
+  // frames.
+  const auto around_line = [](const Vector3& p) {
+    return from_rotation_vector({0, 0, std::atan2(p[1] - 0.5, p[0] - 0.5) / 4});
+  };
+  const MadeField field = graded_cube(around_line);
+  const Sampler sampler = field.sampler();
+  Random random(6);
+  for (int k = 0; k < 500; ++k) {
+    const Vector3 p{0.5 + random.uniform(-0.1, 0.1), 0.5 + random.uniform(-0.1, 0.1), random.uniform(0, 1)};
+    const auto axes = axes_of(sampler.at(p).frame);
+    const double along = std::max({std::abs(axes[0][2]), std::abs(axes[1][2]), std::abs(axes[2][2])});
+    ASSERT_NEAR(along, 1, 1e-6);
+  }
+}
+
+struct Model {
+  explicit Model(const TriangleMesh& mesh)
+      : surface(prepare_surface(mesh)), bvh(surface), winding(surface, bvh) {}
+  Surface surface;
+  TriangleBvh bvh;
+  WindingNumber winding;
+  Solid solid{surface, bvh, winding};
+};
+
+TEST(Sampler, KeepsFramesOnTheTwoSidesOfAThinGapApart) {
+  // Plates that a gap of a hundredth of a cell separates, at a place where no cell face is: cells of the gap
+  // hold both.
+  const double cell = 1.0 / 16;
+  const Model model(make_plates(0.01 * cell));
+  const auto [root, depth] = frame_around(model.surface.box, cell);
+  const GridLevel level = uniform_level(model.solid, root, depth);
+  const LeafConnections connections = connect_leaves(level, model.solid);
+  // Above the gap and in the cells that hold it the frame is upright, below it is turned by 45 degrees: what
+  // is sampled is one or the other where no open face joins the two, and only there.
+  MadeField field{level.tree, {}, connections.open_faces};
+  field.fill([](const Vector3& p) {
+    return from_rotation_vector({0, 0, p[2] > -1.0 / 16 / 2 ? 0.0 : std::numbers::pi / 4});
+  });
+  // Cut what joins the two halves, as a gap that lies in cell faces would.
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    if (level.tree.centre(i)[2] > -cell / 2) continue;
+    const CellIndex above = level.tree.neighbour(i, 5);
+    if (above != kNoCell && level.tree.centre(above)[2] > -cell / 2) field.open_faces[i] &= ~(1u << 5);
+  }
+  const Sampler sampler = field.sampler();
+  Random random(7);
+  for (int k = 0; k < 1000; ++k) {
+    const Vector3 p = random.point({{-0.45, -0.45, -0.2}, {0.45, 0.45, 0.2}});
+    const auto result = sampler.at(p);
+    ASSERT_LT(angle_between_rad(result.frame, from_stored(field.frames[result.leaf])), kStorage_rad);
+  }
+}
+
+TEST(Sampler, OutsideAnswersWithTheFrameOfTheNearestLeafAndSaysSo) {
+  const MadeField field = graded_cube(bent);
+  const Sampler sampler = field.sampler();
+  const auto result = sampler.at({-3, 0.99, 0.01});
+  EXPECT_FALSE(result.in_active_cell);
+  const CellIndex corner = field.tree.find_containing(*field.tree.root().locate({0.01, 0.99, 0.01}));
+  EXPECT_EQ(result.leaf, corner);
+  EXPECT_EQ(angle_between_rad(result.frame, from_stored(field.frames[corner])), 0);
+}
+
+TEST(NearestLeaf, IsTheOneThatTryingAllOfThemFinds) {
+  const Model model(make_bracket(16));
+  const auto [root, depth] = frame_around(model.surface.box, 0.1);
+  GridLevel level = uniform_level(model.solid, root, depth);
+  std::vector<bool> marked(level.size());
+  for (CellIndex i = 0; i < level.size(); ++i) marked[i] = level.holds_surface(i);
+  level = refined(level, model.solid, marked);
+  Random random(8);
+  for (int k = 0; k < 500; ++k) {
+    const double reach = k % 2 ? 1 : 5;
+    const Vector3 p = random.point({{-reach, -reach, -reach}, {reach, reach, reach}});
+    CellIndex best = kNoCell;
+    double best_distance = std::numeric_limits<double>::infinity();
+    for (CellIndex i = 0; i < level.size(); ++i) {
+      const Box box = level.tree.root().box(level.tree[i]);
+      double distance = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double off = p[axis] - std::clamp(p[axis], box.low[axis], box.high[axis]);
+        distance += off * off;
+      }
+      if (distance < best_distance) {
+        best_distance = distance;
+        best = i;
+      }
+    }
+    ASSERT_EQ(nearest_leaf(level.tree, p), best);
+  }
+}
+
+TEST(NearestLeaf, OfEquallyNearLeavesIsTheLowest) {
+  const MadeField field = graded_cube(twist);
+  // In front of a corner that four leaves share.
+  const Vector3 p{0.125, 0.5, -1};
+  EXPECT_EQ(nearest_leaf(field.tree, p),
+            field.tree.find_containing(*field.tree.root().locate({0.12, 0.49, 0.01})));
+}
+
+TEST(NearestLeaf, OfAnEmptyTreeIsNone) {
+  EXPECT_EQ(nearest_leaf(Octree({{0, 0, 0}, 1}, {}), {0, 0, 0}), kNoCell);
+}
+
+TEST(LeafTurn, IsJoinedToWhatTheGraphHasAnEdgeTo) {
+  const Model model(make_bracket(16));
+  const auto [root, depth] = frame_around(model.surface.box, 0.1);
+  GridLevel level = uniform_level(model.solid, root, depth);
+  std::vector<bool> marked(level.size());
+  for (CellIndex i = 0; i < level.size(); ++i) marked[i] = level.holds_surface(i);
+  level = refined(level, model.solid, marked);
+  const LeafConnections connections = connect_leaves(level, model.solid);
+  const std::vector<StoredQuaternion> frames(level.size());
+  const LeafField field{level.tree, frames, connections.open_faces};
+  std::vector<std::pair<CellIndex, CellIndex>> expected, found;
+  for (const WeightedEdge& edge : connections.edges) expected.push_back(std::minmax(edge.first, edge.second));
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    for (CellIndex j = i + 1; j < level.size(); ++j) {
+      if (joined(placed(field, i), placed(field, j))) found.emplace_back(i, j);
+    }
+  }
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(found, expected);
+}
+
+}  // namespace
+}  // namespace crossgrain

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is known of the singular lines of solved fields.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/singularity_graph.hpp"
+#include "crossgrain/monitor.hpp"
+#include "field/nested_solve.hpp"
+#include "support/shapes.hpp"
+
+namespace crossgrain {
+namespace {
+
+struct Solved {
+  SolvedField field;
+  SingularityGraph graph;
+
+  double finest_cell() const { return field.level.tree.root().cell_size(field.levels.back().depth); }
+  Vector3 position(const GridPoint& point) const { return field.level.tree.root().position(point); }
+};
+
+Solved solve_coarsely(const TriangleMesh& mesh, int resolution) {
+  const Surface surface = prepare_surface(mesh);
+  const TriangleBvh bvh(surface);
+  const WindingNumber winding(surface, bvh);
+  SolveOptions options;
+  options.resolution = resolution;
+  Solved solved;
+  solved.field = nested_solve({surface, bvh, winding}, options, Monitor());
+  solved.graph = singularity_graph(solved.field.level.tree, solved.field.frames, solved.field.open_faces);
+  return solved;
+}
+
+constexpr double kCylinderRadius = 0.55, kCylinderHalfHeight = 0.7;
+
+class TiltedCylinder : public ::testing::TestWithParam<Vector3> {};
+
+TEST_P(TiltedCylinder, HasFourSingularLinesFromCapToCapAndNothingElse) {
+  const Quaternion tilt = from_rotation_vector(GetParam());
+  const auto mesh = rotate_mesh(make_cylinder(kCylinderRadius, kCylinderHalfHeight, 64, 8), tilt);
+  const Solved solved = solve_coarsely(mesh, 16);
+  EXPECT_EQ(solved.graph.arcs.size(), 4u);
+  EXPECT_EQ(solved.graph.nodes.size(), 0u);
+  EXPECT_EQ(solved.graph.boundary_ends.size(), 8u);
+  // Cap to cap: the last edge may be missing, and where the grid is tilted it is one cell's diagonal away.
+  const double reach = kCylinderHalfHeight - 2 * std::sqrt(3.0) * solved.finest_cell();
+  for (const auto& arc : solved.graph.arcs) {
+    const double from = rotate(conjugate(tilt), solved.position(arc.front()))[2];
+    const double to = rotate(conjugate(tilt), solved.position(arc.back()))[2];
+    EXPECT_GT(std::max(from, to), reach);
+    EXPECT_LT(std::min(from, to), -reach);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SingularityOfSolids, TiltedCylinder,
+                         ::testing::Values(Vector3{0, 0, 0}, Vector3{0.212, 0.212, 0},
+                                           Vector3{0.9, -0.4, 0.3}));
+
+TEST(SingularityOfSolids, EightLinesReachTheSurfaceOfASphere) {
+  const Solved solved = solve_coarsely(make_sphere(0.8, 3), 16);
+  EXPECT_EQ(solved.graph.boundary_ends.size(), 8u);
+}
+
+TEST(SingularityOfSolids, ATiltedBoxHasNone) {
+  const Quaternion tilt = from_rotation_vector({0.4, -0.7, 0.5});
+  const Solved solved = solve_coarsely(rotate_mesh(make_box({1.4, 1.2, 0.6}), tilt), 16);
+  EXPECT_EQ(solved.graph.edges, 0u);
+}
+
+TEST(SingularityOfSolids, ATorusHasFourClosedLoops) {
+  const Solved solved = solve_coarsely(make_torus(0.6, 0.25, 64, 32), 24);
+  EXPECT_EQ(solved.graph.arcs.size(), 4u);
+  EXPECT_EQ(solved.graph.nodes.size(), 0u);
+  EXPECT_EQ(solved.graph.boundary_ends.size(), 0u);
+}
+
+}  // namespace
+}  // namespace crossgrain
