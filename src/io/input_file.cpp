@@ -65,6 +65,22 @@ InputFile::InputFile(const std::filesystem::path& path) : name_(path.string()) {
   ::close(descriptor);
 }
 
+InputFile InputFile::standard_input() {
+  const std::string name = "standard input";
+  std::size_t capacity = std::size_t{1} << 16, size = 0;
+  auto bytes = std::make_unique_for_overwrite<char[]>(capacity);
+  for (;;) {
+    size += read_fully(STDIN_FILENO, bytes.get() + size, capacity - size, name);
+    if (size < capacity) break;
+    auto larger = std::make_unique_for_overwrite<char[]>(2 * capacity);
+    std::copy_n(bytes.get(), size, larger.get());
+    bytes = std::move(larger);
+    capacity *= 2;
+  }
+  if (size == 0) throw Error(ErrorKind::kInput, name + ": is empty; pass some lines through it");
+  return {name, std::move(bytes), size};
+}
+
 void fail_input(const InputFile& file, const Place& place, const std::string& message) {
   std::string where = file.name();
   if (place.unit != nullptr) {

@@ -17,10 +17,16 @@ class InputFile {
   /// Throws Error(kInput) for what is missing, not a regular file, not readable or empty.
   explicit InputFile(const std::filesystem::path& path);
 
+  /// All that comes through standard input, which errors call "standard input".
+  static InputFile standard_input();
+
   std::string_view bytes() const { return {bytes_.get(), size_}; }
   const std::string& name() const { return name_; }
 
  private:
+  InputFile(std::string name, std::unique_ptr<char[]> bytes, std::size_t size)
+      : name_(std::move(name)), bytes_(std::move(bytes)), size_(size) {}
+
   std::string name_;
   std::unique_ptr<char[]> bytes_;
   std::size_t size_ = 0;

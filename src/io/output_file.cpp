@@ -81,6 +81,15 @@ OutputFile::OutputFile(const std::filesystem::path& target) : name_(target.strin
   }
 }
 
+OutputFile::OutputFile(std::string name, int descriptor) : name_(std::move(name)), descriptor_(descriptor) {
+  if (descriptor_ < 0) fail("opened", errno);
+}
+
+// A copy of the descriptor, so that closing it leaves standard output open to others.
+OutputFile OutputFile::standard_output() {
+  return {"standard output", ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)};
+}
+
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());

@@ -19,6 +19,10 @@ class OutputFile {
  public:
   /// Opens a temporary file in the folder of `target`, which must exist.
   explicit OutputFile(const std::filesystem::path& target);
+
+  /// Standard output, which errors call so.
+  static OutputFile standard_output();
+
   /// Removes the temporary file unless `commit` has been called.
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -42,6 +46,8 @@ class OutputFile {
   void commit();
 
  private:
+  OutputFile(std::string name, int descriptor);
+
   void flush();
   void write_at(std::uint64_t offset, std::string_view bytes);
   [[noreturn]] void fail(const char* doing, int code) const;

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one source that includes CLI11, which takes seconds to compile.
+#include "arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "crossgrain/error.hpp"
+#include "crossgrain/version.hpp"
+
+namespace crossgrain::app {
+namespace {
+
+constexpr const char* kFooter =
+    "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 output cannot be written;\n"
+    "5 no convergence or out of a stated limit; 130 interrupted.";
+
+void add_degree(CLI::App& command, Degree& degree) {
+  command
+      .add_option_function<int>(
+          "--degree", [&degree](int value) { degree = static_cast<Degree>(value); },
+          "Degree of the spherical harmonics that carry the frames: 3 or 4 (default)")
+      ->check(CLI::IsMember({3, 4}))
+      ->type_name("3|4");
+}
+
+/// CLI11's own check for a positive number lets NaN pass.
+std::string fault_of_length(const std::string& text) {
+  double value = 0;
+  const bool is_number = CLI::detail::lexical_cast(text, value);
+  return is_number && value > 0 && std::isfinite(value) ? "" : "'" + text + "' is no positive number";
+}
+
+CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
+  CLI::App* command = app.add_subcommand("solve", "Computes the frame field inside a surface");
+  SolveOptions& options = arguments.options;
+  constexpr int kMany = std::numeric_limits<int>::max();
+  command->add_option("MODEL", arguments.model, "The surface: an STL, OBJ, PLY or OFF file")
+      ->required()
+      ->type_name("");
+  command->add_option("-o,--output", arguments.output, "Folder to write (default: MODEL-stem.frames here)")
+      ->type_name("DIR");
+  add_degree(*command, options.degree);
+  CLI::Option* resolution =
+      command
+          ->add_option("--resolution", options.resolution,
+                       "Finest cells along the longest side of the bounding box (default 128)")
+          ->check(CLI::Range(4, kMany))
+          ->type_name("N");
+  command->add_option("--cell-size", options.cell_size, "Size of the finest cells in model units instead")
+      ->check(fault_of_length)
+      ->excludes(resolution)
+      ->type_name("X");
+  command->add_option("--threads", options.threads, "Threads; 0 (default) for all there are")
+      ->check(CLI::Range(0, kMany))
+      ->type_name("N");
+  command->add_option("--seed", options.seed, "Changes the initial frames of every start (default 0)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command->add_option("--from", arguments.from, "Start from the field in this folder")->type_name("DIR");
+  command->add_flag("--quiet", arguments.quiet, "Print no summary and no progress");
+  command->add_flag("--progress", arguments.progress,
+                    "Show progress on standard error even where that is no terminal");
+  command->add_flag("--no-report", arguments.no_report,
+                    "Write no page of pictures; there is none yet. report.json is always written");
+  return command;
+}
+
+CLI::App* add_sample(CLI::App& app, SampleArguments& arguments) {
+  CLI::App* command = app.add_subcommand("sample", "Prints the frames of a field at given points");
+  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
+      ->required()
+      ->type_name("");
+  command->add_option("POINTS", arguments.points, "One 'x y z' a line, # for comments; - for standard input")
+      ->required()
+      ->type_name("");
+  command->add_option("-o,--output", arguments.output, "File for the frames (default: standard output)")
+      ->type_name("FILE");
+  command->add_option("--outside", arguments.outside, "File for the points outside the solid")
+      ->type_name("FILE");
+  return command;
+}
+
+CLI::App* add_spectrum(CLI::App& app, SpectrumArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("spectrum", "Prints what some surface normals say together about a frame");
+  CLI::Option* preset = command->add_option("--preset", arguments.preset, "A shape instead of normals")
+                            ->check(CLI::IsMember({"plane", "cube", "cylinder", "sphere"}))
+                            ->type_name("plane|cube|cylinder|sphere");
+  command
+      ->add_option("NORMALS", arguments.normals,
+                   "One 'nx ny nz [weight]' a line, # for comments; - for standard input")
+      ->excludes(preset)
+      ->type_name("");
+  add_degree(*command, arguments.degree);
+  command->add_flag("--json", arguments.json, "Print JSON");
+  return command;
+}
+
+[[noreturn]] void refuse(const std::string& message, const CLI::App* command) {
+  std::string line = message.substr(0, message.find_last_not_of('\n') + 1);
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  const std::string name = command ? "crossgrain " + command->get_name() : "crossgrain";
+  throw Error(ErrorKind::kUsage, line + "; try '" + name + " --help'");
+}
+
+/// What options alone do not rule out.
+void check_arguments(SolveArguments& arguments, const CLI::App* command) {
+  if (arguments.model.empty()) refuse("MODEL is empty", command);
+  if (command->count("--output") > 0 && arguments.output.empty())
+    refuse("the folder of -o is empty", command);
+  if (arguments.output.empty())
+    arguments.output = std::filesystem::path(arguments.model).stem().string() + ".frames";
+}
+
+void check_arguments(const SpectrumArguments& arguments, const CLI::App* command) {
+  if (arguments.preset.empty() && arguments.normals.empty())
+    refuse("give a file of normals or --preset", command);
+}
+
+}  // namespace
+
+Arguments parse_arguments(int argc, char** argv) {
+  CLI::App app("Volumetric octahedral frame fields", "crossgrain");
+  app.set_version_flag("--version", std::string("crossgrain ") + kVersion);
+  app.footer(kFooter);
+  app.require_subcommand(0, 1);
+  SolveArguments solve;
+  SampleArguments sample;
+  SpectrumArguments spectrum;
+  const CLI::App* solve_command = add_solve(app, solve);
+  const CLI::App* sample_command = add_sample(app, sample);
+  const CLI::App* spectrum_command = add_spectrum(app, spectrum);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version are such "errors" too.
+    if (error.get_exit_code() == 0) {
+      app.exit(error);
+      return Finished{0};
+    }
+    refuse(error.what(), app.get_subcommands().empty() ? nullptr : app.get_subcommands().front());
+  }
+  if (*solve_command) {
+    check_arguments(solve, solve_command);
+    return solve;
+  }
+  if (*sample_command) return sample;
+  if (*spectrum_command) {
+    check_arguments(spectrum, spectrum_command);
+    return spectrum;
+  }
+  std::cerr << app.help();
+  return Finished{static_cast<int>(ErrorKind::kUsage)};
+}
+
+}  // namespace crossgrain::app

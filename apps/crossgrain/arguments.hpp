@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the command line says, parsed.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "crossgrain/options.hpp"
+
+namespace crossgrain::app {
+
+struct SolveArguments {
+  std::string model;
+  std::string output;  ///< the folder to write; never empty
+  std::string from;    ///< the folder of an earlier field; empty for none
+  SolveOptions options;
+  bool quiet = false;
+  bool progress = false;
+  bool no_report = false;  ///< nothing depends on it as long as there is no page
+};
+
+struct SampleArguments {
+  std::string field;
+  std::string points;
+  std::string output = "-";
+  std::string outside;  ///< empty for none
+};
+
+struct SpectrumArguments {
+  std::string preset;   ///< empty where `normals` is given
+  std::string normals;  ///< a file, or "-"
+  Degree degree = Degree::kFour;
+  bool json = false;
+};
+
+/// Nothing is left to do but to end with `exit_code`; what there was to say has been said.
+struct Finished {
+  int exit_code;
+};
+
+using Arguments = std::variant<Finished, SolveArguments, SampleArguments, SpectrumArguments>;
+
+/// Prints help and version on standard output; throws Error(kUsage) for a command line that makes no sense.
+Arguments parse_arguments(int argc, char** argv);
+
+}  // namespace crossgrain::app

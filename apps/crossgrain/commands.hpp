@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "arguments.hpp"
+
+namespace crossgrain::app {
+
+// Each does what its arguments say and throws Error where that fails.
+
+/// Writes the field; a summary on standard output, progress on standard error.
+void run_solve(const SolveArguments& arguments);
+
+/// Writes the frames; the number of points outside on standard error.
+void run_sample(const SampleArguments& arguments);
+
+/// Prints the spectrum on standard output.
+void run_spectrum(const SpectrumArguments& arguments);
+
+}  // namespace crossgrain::app

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line program: every error ends as one line on standard error and the exit code of its kind.
+#include <csignal>
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+#include "arguments.hpp"
+#include "commands.hpp"
+#include "crossgrain/error.hpp"
+#include "output.hpp"
+
+namespace crossgrain::app {
+namespace {
+
+/// A fault of the program itself, which none of the documented codes stands for.
+constexpr int kInternalError = 1;
+
+struct Run {
+  int operator()(const Finished& finished) const { return finished.exit_code; }
+  int operator()(const SolveArguments& arguments) const { return run_solve(arguments), 0; }
+  int operator()(const SampleArguments& arguments) const { return run_sample(arguments), 0; }
+  int operator()(const SpectrumArguments& arguments) const { return run_spectrum(arguments), 0; }
+};
+
+/// The file that a command is about, for errors that name none.
+struct Subject {
+  std::string operator()(const Finished&) const { return ""; }
+  std::string operator()(const SolveArguments& arguments) const { return arguments.model + ": "; }
+  std::string operator()(const SampleArguments& arguments) const { return arguments.field + ": "; }
+  std::string operator()(const SpectrumArguments&) const { return "spectrum: "; }
+};
+
+int fail(int exit_code, const std::string& message) {
+  print_message(message);
+  return exit_code;
+}
+
+int run(int argc, char** argv) {
+  Arguments arguments = Finished{0};
+  try {
+    arguments = parse_arguments(argc, argv);
+    return std::visit(Run(), arguments);
+  } catch (const Error& error) {
+    return fail(static_cast<int>(error.kind()), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(
+        static_cast<int>(ErrorKind::kLimit),
+        std::visit(Subject(), arguments) + "out of memory; lower --resolution or simplify the surface");
+  } catch (const std::exception& error) {
+    return fail(kInternalError, std::visit(Subject(), arguments) + "unexpected: " + error.what() +
+                                    "; please report this with the input");
+  } catch (...) {
+    return fail(kInternalError, std::visit(Subject(), arguments) + "unexpected; please report this");
+  }
+}
+
+}  // namespace
+}  // namespace crossgrain::app
+
+int main(int argc, char** argv) {
+  // A file beyond a limit of the system's is to fail like any other that cannot be written, not to end the
+  // process.
+  std::signal(SIGXFSZ, SIG_IGN);
+  return crossgrain::app::run(argc, argv);
+}

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// A field as a folder of two files. What ParaView shows (axes, coefficients, ...) is derived from the few
+// arrays that make up a field, which are kept beside it as field data; those alone are read back.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "analysis/field_data.hpp"
+#include "base/stopwatch.hpp"
+#include "crossgrain/io.hpp"
+#include "harmonics/deviation.hpp"
+#include "harmonics/frame.hpp"
+#include "io/field_arrays.hpp"
+#include "io/json_file.hpp"
+#include "io/leaf_corners.hpp"
+#include "io/output_file.hpp"
+#include "io/report_file.hpp"
+#include "io/vtu_writer.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr const char* kFieldFile = "field.vtu";
+constexpr const char* kReportFile = "report.json";
+
+/// An array that is a vector of the field, as it stands in memory.
+template <class T>
+VtuArray stored_array(VtuSection section, const char* name, const std::vector<T>& values) {
+  return vtu_array<T>(section, name, 1, values.size(), [&values](std::size_t begin, std::size_t end, T* out) {
+    std::copy(values.begin() + static_cast<std::ptrdiff_t>(begin),
+              values.begin() + static_cast<std::ptrdiff_t>(end), out);
+  });
+}
+
+/// A cell array of `components` floats from value_of(frame), any sequence of as many numbers.
+template <class ValueOf>
+VtuArray frame_array(const FieldData& data, const char* name, std::size_t components,
+                     const ValueOf& value_of) {
+  return vtu_array<float>(VtuSection::kCellData, name, components, data.frames.size(),
+                          [&data, value_of](std::size_t begin, std::size_t end, float* out) {
+                            for (std::size_t i = begin; i < end; ++i) {
+                              for (const double value : value_of(from_stored(data.frames[i])))
+                                *out++ = static_cast<float>(value);
+                            }
+                          });
+}
+
+/// The coefficients of a frame as the file has them, in single precision.
+template <int D>
+Coefficients<D> written_coefficients(const Quaternion& frame) {
+  Coefficients<D> h = frame_coefficients<D>(frame);
+  for (double& value : h) value = static_cast<float>(value);
+  return h;
+}
+
+template <int D>
+void add_coefficients(const FieldData& data, std::vector<VtuArray>& arrays) {
+  arrays.push_back(frame_array(data, "coefficients", kCoefficientCount<D>, written_coefficients<D>));
+  arrays.push_back(frame_array(data, "deviation", 1, [](const Quaternion& frame) {
+    return std::array{deviation<D>(written_coefficients<D>(frame))};
+  }));
+}
+
+/// What DESIGN section 10 promises for every cell.
+void add_cell_data(const FieldData& data, std::vector<VtuArray>& arrays) {
+  const std::array names{"axis_u", "axis_v", "axis_w"};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    arrays.push_back(
+        frame_array(data, names[k], 3, [k](const Quaternion& frame) { return axes_of(frame)[k]; }));
+  }
+  if (data.degree == Degree::kThree)
+    add_coefficients<3>(data, arrays);
+  else
+    add_coefficients<4>(data, arrays);
+  arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kEnergyDensity, data.energy_density));
+  arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kAlignment, data.alignment_deg));
+  const auto& leaves = data.tree.leaves();
+  arrays.push_back(vtu_array<std::uint8_t>(VtuSection::kCellData, "level", 1, leaves.size(),
+                                           [&leaves](std::size_t begin, std::size_t end, std::uint8_t* out) {
+                                             for (std::size_t i = begin; i < end; ++i)
+                                               *out++ = static_cast<std::uint8_t>(leaves[i].depth());
+                                           }));
+  arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kOnBoundary, data.on_boundary));
+}
+
+void add_grid(const LeafCorners& corners, std::size_t cells, std::vector<VtuArray>& arrays) {
+  arrays.push_back(vtu_array<double>(VtuSection::kPoints, "Points", 3, corners.size(),
+                                     [&corners](std::size_t begin, std::size_t end, double* out) {
+                                       for (std::size_t i = begin; i < end; ++i, out += 3) {
+                                         std::ranges::copy(corners.position(i), out);
+                                       }
+                                     }));
+  arrays.push_back(vtu_array<std::int64_t>(VtuSection::kCells, "connectivity", 1, 8 * cells,
+                                           [&corners](std::size_t begin, std::size_t end, std::int64_t* out) {
+                                             corners.write_indices(begin, end, out);
+                                           }));
+  arrays.push_back(vtu_array<std::int64_t>(VtuSection::kCells, "offsets", 1, cells,
+                                           [](std::size_t begin, std::size_t end, std::int64_t* out) {
+                                             for (std::size_t i = begin; i < end; ++i)
+                                               *out++ = static_cast<std::int64_t>(8 * (i + 1));
+                                           }));
+  static constexpr std::uint8_t kVtkVoxel = 11;
+  arrays.push_back(vtu_array<std::uint8_t>(VtuSection::kCells, "types", 1, cells,
+                                           [](std::size_t begin, std::size_t end, std::uint8_t* out) {
+                                             std::fill_n(out, end - begin, kVtkVoxel);
+                                           }));
+}
+
+/// Numbers that belong to the field as a whole.
+template <class T>
+VtuArray constant_array(const char* name, std::vector<T> values) {
+  const std::size_t count = values.size();
+  return vtu_array<T>(VtuSection::kFieldData, name, count, 1,
+                      [values = std::move(values)](std::size_t begin, std::size_t end, T* out) {
+                        if (begin < end) std::ranges::copy(values, out);
+                      });
+}
+
+void add_field_data(const FieldData& data, std::vector<VtuArray>& arrays) {
+  const RootCube& root = data.tree.root();
+  arrays.push_back(constant_array<std::uint32_t>(field_arrays::kSchema, {field_arrays::kSchemaNumber}));
+  arrays.push_back(
+      constant_array<std::uint32_t>(field_arrays::kDegree, {static_cast<std::uint32_t>(data.degree)}));
+  arrays.push_back(constant_array<double>(field_arrays::kRootCube,
+                                          {root.origin[0], root.origin[1], root.origin[2], root.size}));
+  const auto& leaves = data.tree.leaves();
+  arrays.push_back(
+      vtu_array<std::uint64_t>(VtuSection::kFieldData, field_arrays::kCellAddress, 1, leaves.size(),
+                               [&leaves](std::size_t begin, std::size_t end, std::uint64_t* out) {
+                                 for (std::size_t i = begin; i < end; ++i) *out++ = leaves[i].packed();
+                               }));
+  arrays.push_back(vtu_array<float>(VtuSection::kFieldData, field_arrays::kFrame, 4, data.frames.size(),
+                                    [&data](std::size_t begin, std::size_t end, float* out) {
+                                      for (std::size_t i = begin; i < end; ++i) {
+                                        const StoredQuaternion& q = data.frames[i];
+                                        for (const float part : {q.w, q.x, q.y, q.z}) *out++ = part;
+                                      }
+                                    }));
+  arrays.push_back(stored_array(VtuSection::kFieldData, field_arrays::kOpenFaces, data.open_faces));
+}
+
+/// The arrays ask the monitor between blocks whether to go on.
+void watch(std::vector<VtuArray>& arrays, const Monitor& monitor) {
+  for (VtuArray& array : arrays) {
+    array.produce = [produce = std::move(array.produce), &monitor](std::size_t begin, std::size_t end,
+                                                                   void* out) {
+      monitor.check();
+      produce(begin, end, out);
+    };
+  }
+}
+
+void write_field_file(const FieldData& data, OutputFile& file, const Monitor& monitor) {
+  const LeafCorners corners(data.tree);
+  std::vector<VtuArray> arrays;
+  add_field_data(data, arrays);
+  add_cell_data(data, arrays);
+  add_grid(corners, data.tree.size(), arrays);
+  watch(arrays, monitor);
+  write_vtu(file, corners.size(), data.tree.size(), arrays);
+  file.finish();
+}
+
+std::size_t peak_memory_bytes() {
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+}  // namespace
+
+void check_field_folder(const std::filesystem::path& folder) {
+  check_writable(folder, {kFieldFile, kReportFile});
+}
+
+void write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
+                 const Monitor& monitor) {
+  Stopwatch watch;
+  watch.start();
+  OutputFolder output(folder);
+  write_field_file(field.data(), output.create(kFieldFile), monitor);
+  report.seconds.write = watch.restart();
+  report.seconds.total += report.seconds.write;
+  report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());
+  write_json(output.create(kReportFile), report_json(report));
+  monitor.check();
+  output.commit();
+}
+
+void write_field(const FrameField& field, const std::filesystem::path& folder, const Monitor& monitor) {
+  write_field(field, field.report(), folder, monitor);
+}
+
+FrameField read_field(const std::filesystem::path& folder) {
+  auto data = std::make_shared<FieldData>(read_field_arrays(folder / kFieldFile));
+  data->report = read_report(folder / kReportFile);
+  return FrameField(std::move(data));
+}
+
+}  // namespace crossgrain

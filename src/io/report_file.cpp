@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/report_file.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+
+#include "crossgrain/error.hpp"
+#include "crossgrain/version.hpp"
+#include "io/input_file.hpp"
+
+namespace crossgrain {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Every member by its key, in the order of the file, said once for writing and reading.
+
+template <class File, class Level>
+void describe_level(File& file, Level& level) {
+  file.member("depth", level.depth);
+  file.member("cells", level.cells);
+  file.member("active_cells", level.active_cells);
+  file.member("sweeps", level.sweeps);
+  file.member("energy", level.energy);
+  file.member("seconds", level.seconds);
+}
+
+template <class File, class Report>
+void describe_input(File& file, Report& report) {
+  file.object("model", [&](auto& model) {
+    model.member("path", report.model.path);
+    model.member("triangles", report.model.triangles);
+    model.object("bounding_box", [&](auto& box) {
+      box.member("low", report.model.bounding_box.low);
+      box.member("high", report.model.bounding_box.high);
+    });
+    model.member("watertight", report.model.watertight);
+    model.member("components", report.model.components);
+  });
+  file.member("degree", report.degree);
+  file.member("resolution", report.resolution);
+}
+
+template <class File, class Report>
+void describe_quality(File& file, Report& report) {
+  file.object("energy", [&](auto& energy) {
+    energy.member("smoothness", report.energy.smoothness);
+    energy.member("boundary", report.energy.boundary);
+    energy.member("total", report.energy.total);
+    energy.member("deviation_max", report.energy.deviation_max);
+  });
+  file.object("alignment_deg", [&](auto& alignment) {
+    alignment.member("mean", report.alignment_deg.mean);
+    alignment.member("p95", report.alignment_deg.p95);
+    alignment.member("max", report.alignment_deg.max);
+    alignment.member("excluded_share", report.alignment_deg.excluded_share);
+  });
+  file.object("spectrum", [&](auto& spectrum) {
+    spectrum.member("plane", report.spectrum.plane);
+    spectrum.member("axis", report.spectrum.axis);
+    spectrum.member("frame", report.spectrum.frame);
+    spectrum.member("free", report.spectrum.free);
+    spectrum.member("conflicted", report.spectrum.conflicted);
+  });
+  file.object("singularity", [&](auto& singularity) {
+    singularity.member("edges", report.singularity.edges);
+    singularity.member("length", report.singularity.length);
+    singularity.member("arcs", report.singularity.arcs);
+    singularity.member("nodes", report.singularity.nodes);
+    singularity.member("boundary_ends", report.singularity.boundary_ends);
+  });
+}
+
+template <class File, class Report>
+void describe_cost(File& file, Report& report) {
+  file.object("seconds", [&](auto& seconds) {
+    seconds.member("read", report.seconds.read);
+    seconds.member("grid", report.seconds.grid);
+    seconds.member("solve", report.seconds.solve);
+    seconds.member("write", report.seconds.write);
+    seconds.member("total", report.seconds.total);
+  });
+  file.member("peak_memory_bytes", report.peak_memory_bytes);
+}
+
+template <class File, class Report>
+void describe_doubts(File& file, Report& report) {
+  file.object("walls", [&](auto& walls) {
+    walls.member("cells_wanted", report.walls.cells_wanted);
+    walls.member("thin_share", report.walls.thin_share);
+    walls.member("thinnest_cells", report.walls.thinnest_cells);
+    walls.member("two_sheet_cells", report.walls.two_sheet_cells);
+    walls.member("tied_cells", report.walls.tied_cells);
+  });
+  file.member("warnings", report.warnings);
+}
+
+class JsonWriter {
+ public:
+  explicit JsonWriter(Json& json) : json_(json) {}
+
+  template <class T>
+  void member(const char* key, const T& value) {
+    json_[key] = value;
+  }
+
+  template <class Members>
+  void object(const char* key, const Members& members) {
+    JsonWriter inner(json_[key] = Json::object());
+    members(inner);
+  }
+
+  void levels(const char* key, const std::vector<LevelStatistics>& levels) {
+    Json& list = json_[key] = Json::array();
+    for (const LevelStatistics& level : levels) {
+      JsonWriter inner(list.emplace_back(Json::object()));
+      describe_level(inner, level);
+    }
+  }
+
+ private:
+  Json& json_;
+};
+
+class JsonReader {
+ public:
+  JsonReader(const Json& json, const InputFile& file) : json_(json), file_(file) {}
+
+  template <class T>
+  void member(const char* key, T& value) {
+    const Json& json = require(key);
+    bool fits = true;
+    if constexpr (std::is_same_v<T, bool>)
+      fits = json.is_boolean();
+    else if constexpr (std::is_integral_v<T>)
+      fits = json.is_number_unsigned() && json.get<std::uint64_t>() <= std::numeric_limits<T>::max();
+    if (!fits) fail(key);
+    try {
+      value = json.get<T>();
+    } catch (const nlohmann::json::exception&) {
+      fail(key);
+    }
+  }
+
+  template <class Members>
+  void object(const char* key, const Members& members) {
+    JsonReader inner(require(key), file_);
+    members(inner);
+  }
+
+  void levels(const char* key, std::vector<LevelStatistics>& levels) {
+    const Json& list = require(key);
+    if (!list.is_array()) fail(key);
+    for (const Json& json : list) {
+      JsonReader inner(json, file_);
+      describe_level(inner, levels.emplace_back());
+    }
+  }
+
+ private:
+  const Json& require(const char* key) const {
+    if (!json_.is_object() || !json_.contains(key)) fail(key);
+    return json_.at(key);
+  }
+  [[noreturn]] void fail(const char* key) const {
+    fail_input(file_, {}, fmt::format("'{}' is missing or of another type; solve again", key));
+  }
+
+  const Json& json_;
+  const InputFile& file_;
+};
+
+template <class File, class Report>
+void describe(File& file, Report& report) {
+  describe_input(file, report);
+  file.levels("levels", report.levels);
+  describe_quality(file, report);
+  describe_cost(file, report);
+}
+
+}  // namespace
+
+Json report_json(const SolveReport& report) {
+  Json json;
+  json["schema"] = kReportSchema;
+  JsonWriter writer(json);
+  describe(writer, report);
+  json["version"] = kVersion;
+  describe_doubts(writer, report);
+  return json;
+}
+
+SolveReport read_report(const std::filesystem::path& path) {
+  const InputFile file(path);
+  const Json json = Json::parse(file.bytes(), nullptr, false);
+  if (json.is_discarded()) fail_input(file, {}, "is no JSON; copy the file again, or solve again");
+  JsonReader reader(json, file);
+  int schema = 0;
+  reader.member("schema", schema);
+  if (schema != kReportSchema)
+    fail_input(file, {},
+               fmt::format("has schema {} and this program reads {}; solve again", schema, kReportSchema));
+  SolveReport report;
+  describe(reader, report);
+  describe_doubts(reader, report);
+  return report;
+}
+
+}  // namespace crossgrain

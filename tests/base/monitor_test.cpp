@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crossgrain/monitor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <vector>
+
+#include "crossgrain/error.hpp"
+
+namespace crossgrain {
+namespace {
+
+TEST(Monitor, ChecksInSilenceUntilItIsCancelled) {
+  const Monitor monitor;
+  EXPECT_FALSE(monitor.cancelled());
+  EXPECT_NO_THROW(monitor.check());
+}
+
+TEST(Monitor, ThrowsInterruptedOnceCancelled) {
+  Monitor monitor;
+  monitor.cancel();
+  EXPECT_TRUE(monitor.cancelled());
+  try {
+    monitor.check();
+    FAIL() << "nothing was thrown";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kInterrupted);
+  }
+}
+
+TEST(Monitor, StaysCancelled) {
+  Monitor monitor;
+  monitor.cancel();
+  EXPECT_THROW(monitor.check(), Error);
+  EXPECT_THROW(monitor.check(), Error);
+}
+
+TEST(Monitor, IsCancelledFromAnotherThread) {
+  Monitor monitor;
+  std::thread([&] { monitor.cancel(); }).join();
+  EXPECT_THROW(monitor.check(), Error);
+}
+
+TEST(Monitor, HandsReportsToItsListener) {
+  std::vector<Progress> reports;
+  const Monitor monitor([&](const Progress& progress) { reports.push_back(progress); });
+  monitor.report({"solve", 5, 1234, 7, 0.5});
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_STREQ(reports[0].phase, "solve");
+  EXPECT_EQ(reports[0].depth, 5);
+  EXPECT_EQ(reports[0].cells, 1234u);
+  EXPECT_EQ(reports[0].sweep, 7);
+  EXPECT_EQ(reports[0].energy, 0.5);
+}
+
+TEST(Monitor, WithoutListenerTakesReportsToo) {
+  EXPECT_NO_THROW(Monitor().report({"grid", 0, 0, 0, 0}));
+}
+
+TEST(Error, CarriesTheExitCodeOfItsKind) {
+  // The codes of the command line (README): scripts rely on them.
+  EXPECT_EQ(static_cast<int>(ErrorKind::kUsage), 2);
+  EXPECT_EQ(static_cast<int>(ErrorKind::kInput), 3);
+  EXPECT_EQ(static_cast<int>(ErrorKind::kOutput), 4);
+  EXPECT_EQ(static_cast<int>(ErrorKind::kLimit), 5);
+  EXPECT_EQ(static_cast<int>(ErrorKind::kInterrupted), 130);
+}
+
+}  // namespace
+}  // namespace crossgrain

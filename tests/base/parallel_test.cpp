@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+namespace crossgrain {
+namespace {
+
+using Chunks = std::set<std::pair<std::size_t, std::size_t>>;
+
+Chunks chunks_of(std::size_t count, std::size_t grain) {
+  Chunks chunks;
+  std::mutex mutex;
+  parallel_for_chunks(count, grain, [&](std::size_t begin, std::size_t end) {
+    const std::lock_guard lock(mutex);
+    chunks.emplace(begin, end);
+  });
+  return chunks;
+}
+
+TEST(ParallelLoop, VisitsEveryIndexOnce) {
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    std::vector<std::atomic<int>> visits(10007);
+    parallel_for(visits.size(), [&](std::size_t i) { ++visits[i]; });
+    for (std::size_t i = 0; i < visits.size(); ++i) ASSERT_EQ(visits[i], 1) << i;
+  }
+}
+
+TEST(ParallelLoop, CutsChunksThatDoNotDependOnTheThreads) {
+  const Chunks expected{{0, 100}, {100, 200}, {200, 250}};
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    EXPECT_EQ(chunks_of(250, 100), expected) << threads << " threads";
+  }
+}
+
+TEST(ParallelLoop, OfACountThatTheGrainDividesHasNoShortChunk) {
+  EXPECT_EQ(chunks_of(200, 100), (Chunks{{0, 100}, {100, 200}}));
+}
+
+TEST(ParallelLoop, OfFewerIndicesThanTheGrainIsOneChunk) {
+  EXPECT_EQ(chunks_of(7, 100), (Chunks{{0, 7}}));
+}
+
+TEST(ParallelLoop, OverNothingCallsNothing) {
+  EXPECT_TRUE(chunks_of(0, 100).empty());
+}
+
+TEST(ParallelLoop, LetsAnExceptionThrough) {
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    std::string message;
+    try {
+      parallel_for(10000, [](std::size_t i) {
+        if (i == 7777) throw std::runtime_error("at 7777");
+      });
+    } catch (const std::runtime_error& error) {
+      message = error.what();
+    }
+    EXPECT_EQ(message, "at 7777") << threads << " threads";
+  }
+}
+
+TEST(ParallelLoop, RunsAgainAfterAnException) {
+  EXPECT_THROW(parallel_for(10000, [](std::size_t) { throw std::runtime_error("always"); }),
+               std::runtime_error);
+  EXPECT_EQ(parallel_sum(10000, [](std::size_t) { return 1.0; }), 10000);
+}
+
+TEST(ParallelLoop, MayRunInsideAnother) {
+  std::vector<double> sums(20);
+  parallel_for(
+      sums.size(),
+      [&](std::size_t i) {
+        sums[i] = parallel_sum(1000, [i](std::size_t k) { return static_cast<double>(i * k); });
+      },
+      1);
+  for (std::size_t i = 0; i < sums.size(); ++i) EXPECT_EQ(sums[i], static_cast<double>(i) * 499500);
+}
+
+TEST(ParallelSum, IsTheSameToTheBitForAnyNumberOfThreads) {
+  // Terms of very different size, so that any other order of summation gives other bits.
+  const auto term = [](std::size_t i) {
+    return std::sin(static_cast<double>(i)) * std::exp(20 * std::cos(1.7 * static_cast<double>(i)));
+  };
+  std::vector<double> sums;
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    sums.push_back(parallel_sum(100003, term));
+  }
+  EXPECT_EQ(sums[0], sums[1]);
+  EXPECT_EQ(sums[0], sums[2]);
+}
+
+TEST(ParallelSum, AddsChunkByChunk) {
+  const auto term = [](std::size_t i) { return 1 / (1 + static_cast<double>(i)); };
+  double expected = 0;
+  for (std::size_t begin = 0; begin < 1000; begin += 300) {
+    double chunk = 0;
+    for (std::size_t i = begin; i < std::min<std::size_t>(begin + 300, 1000); ++i) chunk += term(i);
+    expected += chunk;
+  }
+  EXPECT_EQ(parallel_sum(1000, term, 300), expected);
+}
+
+TEST(ParallelSum, OfNothingIsZero) {
+  EXPECT_EQ(parallel_sum(0, [](std::size_t) { return 1.0; }), 0);
+}
+
+}  // namespace
+}  // namespace crossgrain

@@ -1,0 +1,170 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Every error is one line with the exit code of its kind, and leaves nothing behind."""
+
+import os
+import resource
+import struct
+import subprocess
+import unittest
+
+from program import PROGRAM, CommandTest, box_triangles, run, stl_bytes
+
+USAGE, INPUT, OUTPUT = 2, 3, 4
+
+
+class WrongUsage(CommandTest):
+    def refuse(self, arguments, *words):
+        self.assert_fails(self.run_here(*arguments), USAGE, "--help", *words)
+        self.assertEqual(self.names(), [])
+
+    def test_without_arguments_there_is_help_and_exit_code_2(self):
+        result = run()
+        self.assertEqual(result.returncode, USAGE)
+        self.assertIn("solve", result.stderr)
+
+    def test_help_and_version_are_no_errors(self):
+        for arguments in (["--help"], ["solve", "--help"], ["sample", "--help"], ["spectrum", "--help"], ["--version"]):
+            result = run(*arguments)
+            self.assert_succeeds(result)
+            self.assertNotEqual(result.stdout, "")
+            self.assertEqual(result.stderr, "")
+
+    def test_unknown_options_and_commands_are_refused(self):
+        self.refuse(["solve", "a.stl", "--wrong"], "--wrong")
+        self.refuse(["resolve"], "resolve")
+        self.refuse(["solve"], "MODEL")
+        self.refuse(["sample", "a.frames"], "POINTS")
+        self.refuse(["solve", "a.stl", "b.stl"], "b.stl")
+
+    def test_values_out_of_range_are_refused(self):
+        for option, value in [("--degree", "5"), ("--degree", "four"), ("--resolution", "3"), ("--resolution", "-1"),
+                              ("--resolution", "1e99"), ("--cell-size", "0"), ("--cell-size", "-1"),
+                              ("--cell-size", "x"), ("--cell-size", "nan"), ("--cell-size", "inf"),
+                              ("--threads", "-2"), ("--seed", "-1"), ("--seed", "x")]:
+            with self.subTest(option=option, value=value):
+                self.refuse(["solve", "a.stl", option, value], option)
+
+    def test_resolution_and_cell_size_exclude_each_other(self):
+        self.refuse(["solve", "a.stl", "--resolution", "8", "--cell-size", "1"], "--resolution")
+
+    def test_spectrum_wants_one_of_preset_and_normals(self):
+        self.refuse(["spectrum"], "--preset")
+        self.refuse(["spectrum", "--preset", "teapot"], "teapot")
+        self.refuse(["spectrum", "--preset", "cube", "normals.txt"], "--preset")
+
+
+class BadModels(CommandTest):
+    def refuse(self, name, content, *words):
+        with self.subTest(name=name):
+            if content is not None:
+                self.write(name, content)
+            before = self.names()
+            self.assert_fails(self.run_here("solve", name, "-o", "out/deep"), INPUT, name, *words)
+            self.assertEqual(self.names(), before)
+
+    def test_missing_empty_and_foreign_files(self):
+        self.refuse("none.stl", None, "no such file")
+        self.refuse("empty.stl", b"", "empty")
+        self.refuse("text.obj", "nothing of the kind\n")
+        self.refuse("picture.png", b"\x89PNG\r\n\x1a\n")
+        self.refuse("mesh.obj", stl_bytes(box_triangles()))
+        (self.folder / "folder.stl").mkdir()
+        self.refuse("folder.stl", None, "folder")
+
+    def test_truncated_files(self):
+        self.refuse("a.stl", stl_bytes(box_triangles())[:-20])
+        self.refuse("b.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n")
+        self.refuse("c.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n")
+        self.refuse("d.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n")
+
+    def test_surfaces_without_triangles(self):
+        self.refuse("a.stl", stl_bytes(box_triangles()[:0]), "triangle")
+        self.refuse("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "triangle")
+        self.refuse("c.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "triangle")
+
+    def test_triangles_without_area(self):
+        self.refuse("a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "area")
+
+    def test_coordinates_that_are_no_numbers(self):
+        triangles = box_triangles()
+        triangles[3, 1, 2] = float("nan")
+        self.refuse("a.stl", stl_bytes(triangles), "3")
+        self.refuse("b.obj", "v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n", ":2")
+        self.refuse("c.off", "OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n", ":4")
+
+    def test_indices_out_of_range(self):
+        self.refuse("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", ":4")
+        self.refuse("b.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", ":6")
+
+    def test_headers_that_claim_more_than_there_is(self):
+        header = "ply\nformat binary_little_endian 1.0\nelement vertex 353535235358\nproperty float x\n" \
+                 "property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        self.refuse("a.ply", header.encode() + b"\0" * 50, "353535235358")
+        self.refuse("b.off", "OFF\n353535235358 1 0\n0 0 0\n")
+        self.refuse("c.stl", b"\0" * 80 + struct.pack("<I", 4000000000) + b"\0" * 50)
+
+    def test_an_earlier_field_that_is_none(self):
+        self.write("box.stl", stl_bytes(box_triangles()))
+        self.assert_fails(self.run_here("solve", "box.stl", "--from", "none.frames"), INPUT, "none.frames")
+        self.assertEqual(self.names(), ["box.stl"])
+
+
+class UnwritableOutput(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.write("box.stl", stl_bytes(box_triangles()))
+
+    def test_a_file_where_the_folder_should_be(self):
+        self.write("taken", "precious")
+        self.assert_fails(self.run_here("solve", "box.stl", "-o", "taken"), OUTPUT, "taken")
+        self.assert_fails(self.run_here("solve", "box.stl", "-o", "taken/below"), OUTPUT, "taken")
+        self.assertEqual(self.names(), ["box.stl", "taken"])
+        self.assertEqual((self.folder / "taken").read_text(), "precious")
+
+    def test_a_folder_where_a_file_should_be(self):
+        (self.folder / "out" / "field.vtu").mkdir(parents=True)
+        self.assert_fails(self.run_here("solve", "box.stl", "-o", "out"), OUTPUT, "field.vtu")
+
+    def test_a_folder_without_permission(self):
+        (self.folder / "locked").mkdir(mode=0o555)
+        self.folder.chmod(0o755)
+        # The superuser may write anywhere, so the program runs as nobody then.
+        user = {"user": 65534, "group": 65534} if os.getuid() == 0 else {}
+        try:
+            result = self.run_here("solve", "box.stl", "-o", "locked/out", **user)
+        except PermissionError:
+            self.skipTest("others than the superuser cannot enter the folder of the program")
+        self.assert_fails(result, OUTPUT, "locked/out", "Permission denied", "-o")
+        self.assertEqual(list((self.folder / "locked").iterdir()), [])
+
+    def test_the_output_is_looked_at_before_the_model(self):
+        self.write("taken", "precious")
+        self.assert_fails(self.run_here("solve", "none.stl", "-o", "taken"), OUTPUT, "taken")
+
+    def test_a_full_disk_leaves_nothing_and_an_earlier_result_as_it_was(self):
+        def small_files_only():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
+
+        result = self.run_here("solve", "box.stl", "-o", "out", "--resolution", "16", preexec_fn=small_files_only)
+        self.assert_fails(result, OUTPUT, "field.vtu", "too large", "-o")
+        self.assertEqual(self.names(), ["box.stl"])
+
+        self.assert_succeeds(self.run_here("solve", "box.stl", "-o", "out", "--resolution", "16"))
+        files = {path.name: path.read_bytes() for path in (self.folder / "out").iterdir()}
+        result = self.run_here("solve", "box.stl", "-o", "out", "--resolution", "24", preexec_fn=small_files_only)
+        self.assert_fails(result, OUTPUT)
+        self.assertEqual({path.name: path.read_bytes() for path in (self.folder / "out").iterdir()}, files)
+
+    def test_a_full_standard_output_is_told(self):
+        with open("/dev/full", "wb") as full:
+            for arguments in (["spectrum", "--preset", "cube"], ["solve", "box.stl", "--resolution", "8"]):
+                result = subprocess.run([PROGRAM, *arguments], stdout=full, stderr=subprocess.PIPE, cwd=self.folder,
+                                        timeout=60, check=False)
+                self.assertEqual(result.returncode, OUTPUT)
+                self.assertEqual(result.stderr.count(b"\n"), 1)
+                self.assertIn(b"standard output", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the tests of the command line program share: running it, folders for it to work in, small models.
+
+The program is named by the environment variable CROSSGRAIN_PROGRAM.
+"""
+
+import os
+import struct
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+PROGRAM = os.environ.get("CROSSGRAIN_PROGRAM", "")
+TIME_LIMIT = 120
+
+
+def run(*arguments, stdin=b"", **options):
+    """The finished process, its output as text."""
+    command = [PROGRAM, *map(str, arguments)]
+    result = subprocess.run(command, input=stdin, capture_output=True, timeout=TIME_LIMIT, check=False, **options)
+    result.stdout = result.stdout.decode()
+    result.stderr = result.stderr.decode()
+    return result
+
+
+class CommandTest(unittest.TestCase):
+    """A test with a folder of its own, which is the program's current folder too."""
+
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory(prefix="crossgrain-command-")
+        self.addCleanup(self.temporary.cleanup)
+        self.folder = Path(self.temporary.name)
+
+    def run_here(self, *arguments, **options):
+        return run(*arguments, cwd=self.folder, **options)
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def names(self):
+        return sorted(path.name for path in self.folder.iterdir())
+
+    def assert_fails(self, result, code, *words):
+        """Exit code, one line on standard error that begins with the program's name and holds all words."""
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertEqual(result.stdout, "")
+        self.assertTrue(result.stderr.startswith("crossgrain: "), result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assertTrue(result.stderr.endswith("\n"))
+        for word in words:
+            self.assertIn(word, result.stderr)
+
+    def assert_succeeds(self, result):
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+
+def box_triangles(size=(2.0, 1.0, 1.5)):
+    """Twelve triangles, outward."""
+    corners = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float) * size
+    faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    return np.array([corners[list(f)] for a, b, c, d in faces for f in ((a, b, c), (a, c, d))])
+
+
+def torus_triangles(major=0.6, minor=0.25, around=24, across=12):
+    """About an axis that is tilted against the coordinates, outward."""
+    phi = 2 * np.pi * np.arange(around) / around
+    theta = 2 * np.pi * np.arange(across) / across
+    ring = major + minor * np.cos(theta)
+    points = np.stack([np.cos(phi)[:, None] * ring, np.sin(phi)[:, None] * ring,
+                       np.broadcast_to(minor * np.sin(theta), (around, across))], axis=2)
+    points = points @ tilt()
+    triangles = []
+    for i in range(around):
+        for j in range(across):
+            a, b = points[i, j], points[(i + 1) % around, j]
+            c, d = points[(i + 1) % around, (j + 1) % across], points[i, (j + 1) % across]
+            triangles += [(a, b, c), (a, c, d)]
+    return np.array(triangles)
+
+
+def cylinder_triangles(radius=0.55, half_height=0.7, segments=32):
+    """About an axis that is tilted against the coordinates, outward."""
+    phi = 2 * np.pi * np.arange(segments) / segments
+    rims = [np.stack([radius * np.cos(phi), radius * np.sin(phi), np.full(segments, z)], axis=1) @ tilt()
+            for z in (-half_height, half_height)]
+    low, high = np.array([[0, 0, -half_height], [0, 0, half_height]]) @ tilt()
+    triangles = []
+    for i in range(segments):
+        j = (i + 1) % segments
+        triangles += [(rims[0][i], rims[0][j], rims[1][j]), (rims[0][i], rims[1][j], rims[1][i]),
+                      (low, rims[0][j], rims[0][i]), (high, rims[1][i], rims[1][j])]
+    return np.array(triangles)
+
+
+def tilt():
+    """A rotation that has nothing to do with the coordinate axes."""
+    quaternion = np.array([0.9, 0.3, -0.2, 0.25])
+    w, x, y, z = quaternion / np.linalg.norm(quaternion)
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+
+
+def stl_bytes(triangles):
+    """A binary STL file; its coordinates are in single precision."""
+    records = np.zeros(len(triangles), np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("zero", "<u2")]))
+    records["corners"] = triangles
+    return b"\0" * 80 + struct.pack("<I", len(triangles)) + records.tobytes()

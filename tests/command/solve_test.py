@@ -1,0 +1,104 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""What `crossgrain solve` does besides errors: files, streams, determinism, interruption."""
+
+import json
+import os
+import pty
+import signal
+import subprocess
+import time
+import unittest
+
+from program import PROGRAM, CommandTest, box_triangles, stl_bytes, torus_triangles
+
+INTERRUPTED = 130
+
+
+class Solve(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.write("torus.stl", stl_bytes(torus_triangles()))
+
+    def report_without_costs(self, folder):
+        report = json.loads((self.folder / folder / "report.json").read_text())
+        del report["seconds"], report["peak_memory_bytes"]
+        for level in report["levels"]:
+            del level["seconds"]
+        return report
+
+    def test_writes_two_files_into_a_folder_named_after_the_model(self):
+        result = self.run_here("solve", "torus.stl", "--resolution", "8")
+        self.assert_succeeds(result)
+        self.assertEqual(self.names(), ["torus.frames", "torus.stl"])
+        self.assertEqual(sorted(os.listdir(self.folder / "torus.frames")), ["field.vtu", "report.json"])
+
+    def test_the_summary_is_a_result_and_progress_is_not(self):
+        result = self.run_here("solve", "torus.stl", "--resolution", "8", "--progress")
+        self.assertIn("torus.frames", result.stdout)
+        self.assertIn("level", result.stderr)
+        self.assertNotIn("\x1b", result.stderr)
+        self.assertNotIn("level", result.stdout)
+        result = self.run_here("solve", "torus.stl", "--resolution", "8")
+        self.assertEqual(result.stderr, "")
+
+    def test_quiet_says_nothing(self):
+        result = self.run_here("solve", "torus.stl", "--resolution", "8", "--quiet", "--progress", "--no-report")
+        self.assert_succeeds(result)
+        self.assertEqual(result.stdout + result.stderr, "")
+        self.assertTrue((self.folder / "torus.frames" / "report.json").is_file())
+
+    def test_shows_progress_on_a_terminal(self):
+        master, terminal = pty.openpty()
+        result = subprocess.run([PROGRAM, "solve", "torus.stl", "--resolution", "8"], stdout=subprocess.DEVNULL,
+                                stderr=terminal, cwd=self.folder, timeout=60, check=False)
+        os.close(terminal)
+        shown = os.read(master, 100000)
+        os.close(master)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn(b"level", shown)
+
+    def field_bytes(self, *arguments):
+        self.assert_succeeds(self.run_here("solve", "torus.stl", "--resolution", "20", "-o", "out", *arguments))
+        return (self.folder / "out" / "field.vtu").read_bytes()
+
+    def test_the_result_does_not_depend_on_the_number_of_threads(self):
+        field, report = self.field_bytes("--threads", 1), self.report_without_costs("out")
+        self.assertTrue(field == self.field_bytes("--threads", 2))
+        self.assertEqual(report, self.report_without_costs("out"))
+
+    def test_the_seed_counts(self):
+        self.assertTrue(self.field_bytes() == self.field_bytes("--seed", 0))
+        self.assertTrue(self.field_bytes() != self.field_bytes("--seed", 1))
+
+    def test_starts_from_an_earlier_field(self):
+        self.assert_succeeds(self.run_here("solve", "torus.stl", "--resolution", "16", "-o", "a"))
+        self.assert_succeeds(self.run_here("solve", "torus.stl", "--resolution", "16", "--from", "a", "-o", "b"))
+        first, second = (self.report_without_costs(name)["energy"]["total"] for name in "ab")
+        # It may only improve, but for the energy that rounding takes.
+        self.assertLessEqual(second, first * 1.001)
+
+    def test_the_cell_size_is_in_model_units(self):
+        self.write("box.stl", stl_bytes(box_triangles((2, 1, 1.5))))
+        self.assert_succeeds(self.run_here("solve", "box.stl", "--cell-size", "0.25"))
+        self.assertEqual(self.report_without_costs("box.frames")["resolution"], 8)
+
+    def test_interrupting_leaves_nothing(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(signal=number.name):
+                process = subprocess.Popen([PROGRAM, "solve", "torus.stl", "--resolution", "400", "-o", "out/deep",
+                                            "--progress"], stderr=subprocess.PIPE, cwd=self.folder)
+                while b"level" not in process.stderr.readline():
+                    pass
+                process.send_signal(number)
+                asked = time.monotonic()
+                lines = process.communicate(timeout=60)[1].decode().splitlines()
+                self.assertEqual(process.returncode, INTERRUPTED)
+                self.assertEqual([line for line in lines if line.startswith("crossgrain:")], lines[-1:])
+                self.assertIn("interrupted", lines[-1])
+                self.assertLess(time.monotonic() - asked, 20)
+                self.assertEqual(self.names(), ["torus.stl"])
+
+
+if __name__ == "__main__":
+    unittest.main()
