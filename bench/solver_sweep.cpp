@@ -57,14 +57,12 @@ std::vector<Variant> variants() {
   add(list, "starts", &SolverOptions::starts, {1, 2, 5});
   add<std::size_t>(list, "start_cells", &SolverOptions::start_cells, {0, 5000});
   add(list, "start_relaxation", &SolverOptions::start_relaxation, {1, 15, 50, 400});
-  add(list, "start_rounds", &SolverOptions::start_rounds, {1, 2, 8});
-  add(list, "level_relaxation", &SolverOptions::level_relaxation, {5, 20, 80, 200});
-  add(list, "level_rounds", &SolverOptions::level_rounds, {1, 2, 3, 6});
+  add(list, "level_relaxation", &SolverOptions::level_relaxation, {0, 20, 40, 120, 240});
   add<std::size_t>(list, "relaxed_cells", &SolverOptions::relaxed_cells, {0, 1000, 1000000});
-  add(list, "symmetrisation", &SolverOptions::symmetrisation, {0.1, 0.5, 1.0});
+  add(list, "symmetrisation", &SolverOptions::symmetrisation, {0.0, 0.1, 0.3});
   add(list, "most_sweeps", &SolverOptions::most_sweeps, {10, 20, 200});
   add(list, "sweep_tolerance", &SolverOptions::sweep_tolerance, {1e-3, 3e-4, 1e-5});
-  list.push_back({"shift_relaxed_forms off", [](SolveOptions& o) { o.solver.shift_relaxed_forms = false; }});
+  list.push_back({"shift_relaxed_forms", [](SolveOptions& o) { o.solver.shift_relaxed_forms = true; }});
   for (const int cells : {3, 8}) {
     list.push_back({"coarsest_cells = " + std::to_string(cells),
                     [=](SolveOptions& o) { o.refinement.coarsest_cells = cells; }});

@@ -13,8 +13,8 @@ struct RefinementOptions {
   /// Cells that hold surface.
   bool by_surface = true;
 
-  /// Cells whose constraints no frame meets (DESIGN section 3, class *conflicted* or *compromised*) and the
-  /// cells that touch them: geometry that the level does not resolve.
+  /// Cells whose constraints no frame meets (docs/design.md section 3, class *conflicted* or *compromised*)
+  /// and the cells that touch them: geometry that the level does not resolve.
   bool by_spectral_conflict = true;
 
   /// Cells with less than `thickness_cells` cells of solid across them, measured along the inward normal.
@@ -36,7 +36,7 @@ struct RefinementOptions {
 
 /// The coarse-to-fine solve. The defaults are those of the sweeps in docs/solver.md.
 struct SolverOptions {
-  /// kappa: the boundary form counts kappa / (cell size) times (DESIGN section 7).
+  /// kappa: the boundary form counts kappa / (cell size) times (docs/design.md section 7).
   double boundary_weight = 10;
 
   /// Starts from random frames. Each is carried through all levels of up to `start_cells` active cells, then
@@ -44,22 +44,22 @@ struct SolverOptions {
   int starts = 3;
   std::size_t start_cells = 1000;
 
-  /// A start is relaxed in rounds, each ended by projection to frames: `start_relaxation` sweeps in the first
-  /// round, fewer from round to round, one in the last. Long enough a first round forgets the random frames;
-  /// later starts take a third of the sweeps of the one before, so that they differ.
+  /// Relaxation sweeps of the first start on the coarsest level: enough of them forget the random frames.
+  /// Later starts take a third of the sweeps of the one before, so that they differ.
   int start_relaxation = 150;
-  int start_rounds = 4;
 
-  /// The same on every later level of up to `relaxed_cells` active cells.
-  int level_relaxation = 40;
-  int level_rounds = 4;
+  /// Relaxation sweeps on every later level of up to `relaxed_cells` active cells.
+  int level_relaxation = 60;
   std::size_t relaxed_cells = 20000;
 
-  /// Strength of the symmetrisation penalty at the end of a round, from 0 to 1 (as long a step as is stable).
-  double symmetrisation = 0;
+  /// Strength of the symmetrisation penalty at the end of a relaxation, from 0 to 1 (as long a step as is
+  /// stable). It grows from 0 in equal steps, sweep by sweep.
+  double symmetrisation = 1;
 
-  /// Whether relaxed levels use shifted forms (DESIGN section 3).
-  bool shift_relaxed_forms = true;
+  /// Whether relaxed levels use forms shifted so that they penalise only what the constraints of a cell
+  /// exclude (crossgrain/spectrum.hpp). It takes 15 % more time and has not lowered an energy:
+  /// docs/solver.md.
+  bool shift_relaxed_forms = false;
 
   /// Manifold sweeps at most, on every level.
   int most_sweeps = 40;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How well a field follows the surface (DESIGN section 8).
+// How well a field follows the surface (docs/design.md section 8).
 #pragma once
 
 #include <vector>

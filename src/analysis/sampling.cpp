@@ -63,6 +63,17 @@ class LeavesAround {
     size_ = kept;
   }
 
+  /// Weighted mean of x - c over the leaves, in units of the smallest possible cell.
+  Vector3 mean_offset() const {
+    Vector3 sum{0, 0, 0};
+    double total = 0;
+    for (const auto& [leaf, offset, weight] : *this) {
+      sum += weight * leaf.width * offset;
+      total += weight;
+    }
+    return 1 / total * sum;
+  }
+
  private:
   const LeafField& field_;
   Vector3 point_;
@@ -83,11 +94,16 @@ void add_even_surroundings(const LeafField& field, CellIndex leaf, LeavesAround&
 }
 
 void add_uneven_surroundings(const LeafField& field, CellIndex leaf, LeavesAround& around) {
+  const Vector3 offset = around.begin()->offset;
+  const CellAddress own = field.tree[leaf];
   for (int number = 0; number < 27; ++number) {
     const std::array<int, 3> step{number % 3 - 1, number / 3 % 3 - 1, number / 9 - 1};
-    const auto across = moved(field.tree[leaf], step);
+    const auto across = moved(own, step);
     if (!across) continue;
     const auto [first, last] = field.finder.over(*across);
+    // Across the far side of A, more than half a cell away, only a leaf larger than A has a weight.
+    const bool far_side = step[0] * offset[0] < 0 || step[1] * offset[1] < 0 || step[2] * offset[2] < 0;
+    if (far_side && (first == last || field.tree[first].depth() >= own.depth())) continue;
     for (CellIndex i = first; i < last; ++i) around.add(i);
   }
 }
@@ -117,9 +133,11 @@ Quaternion Sampler::in_leaf(CellIndex leaf, const Vector3& point) const {
       });
   if (!all_open) around.keep_joined();
 
+  const Vector3 lopsided = around.mean_offset();
   Coefficients<4> h{};
   for (const auto& [other, offset, weight] : around) {
-    const Quaternion extended = extended_frame(field_.frames[other.index], turns_[other.index], offset);
+    const Vector3 half_way = 0.5 * (offset + 1.0 / other.width * lopsided);
+    const Quaternion extended = extended_frame(field_.frames[other.index], turns_[other.index], half_way);
     add_scaled(h, weight, frame_coefficients<4>(extended));
   }
   const Quaternion own = extended_frame(field_.frames[leaf], turns_[leaf], around.begin()->offset);

@@ -10,11 +10,14 @@
 namespace crossgrain {
 
 /// Interpolates a field. Inside an active leaf, every leaf i around that is joined to it through open faces
-/// extends its frame to the point by its turn (analysis/leaf_turn.hpp); the degree-4 coefficients of these
-/// frames are blended with the weights product over axes of max(0, 1 - |x - c_i| / s_i), normalised, and
-/// projected to the nearest frame. So a field that turns about one axis at a constant rate comes out exactly
-/// up to the surface, and the blend is continuous across faces, between leaves of different size too. Leaves
-/// across an outside gap take no part. Elsewhere: the frame of the nearest active leaf.
+/// extends its frame by its turn W_i (analysis/leaf_turn.hpp) over (d_i + r) / 2, with d_i = x - c_i and r
+/// the mean of the d_i; the degree-4 coefficients of these frames are blended with the weights product over
+/// axes of max(0, 1 - |d_i| / s_i), which the means are taken with too, and projected to the nearest frame.
+///
+/// Where the leaves lie evenly around x, r is 0 and half the turn is just what reproduces a field that is
+/// quadratic in x: third order. At the surface, where they lie on one side, r makes up for it: exact for
+/// linear fields, second order. The blend is continuous across faces, between leaves of different size too.
+/// Leaves across an outside gap take no part. Elsewhere: the frame of the nearest active leaf.
 ///
 /// Holds at most 42 bytes a leaf of its own and refers to the arrays given, which must outlive it. Queries
 /// allocate nothing and are safe from any number of threads. Which axes the cells' frames name x, y, z

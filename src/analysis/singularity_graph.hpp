@@ -17,6 +17,10 @@ struct SingularityGraph {
   /// A chain of singular edges by its points, each an end of the edge before and after it. A chain goes on
   /// through vertices of degree two and ends at others. A closed loop without such a vertex has its first
   /// point again as its last; so has a chain that returns to its node, but then that point is one of `nodes`.
+  ///
+  /// Where cells do not resolve the field, frames of neighbours differ by more than 45 degrees and a matching
+  /// is a guess; a wrong one shows as singular edges around its face, often a loop of four. Nothing of the
+  /// kind is removed here.
   std::vector<std::vector<GridPoint>> arcs;
 
   /// Vertices of degree three and more. Where several lines meet within a cell or two, the grid may show the

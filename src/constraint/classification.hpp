@@ -30,7 +30,7 @@ struct ClassificationTolerances {
   double fits = 0.15;
 };
 
-/// The class of a cell from the spectrum of its degree-3 form (DESIGN section 3).
+/// The class of a cell from the spectrum of its degree-3 form (docs/design.md section 3).
 ConstraintClass classify(const QuadraticForm<3>& form, const ClassificationTolerances& tolerances = {});
 
 /// Whether some one frame meets the constraints of a cell of this class, up to what a smooth surface turns

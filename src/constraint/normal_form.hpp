@@ -2,9 +2,10 @@
 // The constraints that forms are made of: a frame has one axis along a unit vector n (a surface normal or the
 // tangent of a crease), or is a given frame.
 //
-// Notation (arXiv 2309.13477; DESIGN section 3): u, v complete n to a right-handed frame. P_n = C C^T + S S^T
-// projects onto the two harmonics about n with |m| = 2 (degree 3) or |m| = 4 (degree 4), b_n = sqrt(7/12)
-// times the unit zonal harmonic about n. E_n(h) = h^T (I - P_n) h, in degree 4 minus 2 b_n.h plus 7/12.
+// Notation (arXiv 2309.13477; docs/design.md section 3): u, v complete n to a right-handed frame. P_n = C C^T
+// + S S^T projects onto the two harmonics about n with |m| = 2 (degree 3) or |m| = 4 (degree 4), b_n =
+// sqrt(7/12) times the unit zonal harmonic about n. E_n(h) = h^T (I - P_n) h, in degree 4 minus 2 b_n.h plus
+// 7/12.
 #pragma once
 
 #include "constraint/quadratic_form.hpp"

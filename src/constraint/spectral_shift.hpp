@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The spectral shift: a form that penalises only what its constraints really exclude (DESIGN section 3).
+// The spectral shift: a form that penalises only what its constraints really exclude (docs/design.md section
+// 3).
 #pragma once
 
 #include "constraint/quadratic_form.hpp"

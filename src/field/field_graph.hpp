@@ -69,7 +69,7 @@ template <int D>
 using PackedForm = std::array<float, kPackedFormSize<D>>;
 
 /// The boundary forms of a graph, scaled as they stand in the energy: by kappa / dx, and in degree 3 by 5/3
-/// (DESIGN sections 5 and 7). At most one form a cell.
+/// (docs/design.md sections 5 and 7). At most one form a cell.
 template <int D>
 class CellForms {
  public:

@@ -2,7 +2,7 @@
 // The energy as one cell sees it while its neighbours stand still.
 //
 // Notation: f(h) = h^T A h - 2 b.h, up to constants on |h| = 1. With neighbours h_j, weights w_j and the
-// cell's form h^T A_c h - 2 b_c.h (scaled as in CellForms), DESIGN section 5 gives
+// cell's form h^T A_c h - 2 b_c.h (scaled as in CellForms), docs/design.md section 5 gives
 //   degree 4: A = A_c, b = b_c + v / 2, v = sum w_j h_j;
 //   degree 3: A = A_c - (5/6) sum w_j h_j h_j^T, b = 0.
 #pragma once

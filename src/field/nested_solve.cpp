@@ -30,20 +30,14 @@ class LevelSolver {
     graph_ = {connectivity_, boundary_forms<D>(level, solid, options_.boundary_weight, Shift::kNone)};
   }
 
-  /// Rounds of relaxation and projection, of fewer and fewer sweeps. With symmetrisation the penalty grows in
-  /// each.
-  Frames relaxed(Frames frames, int first_sweeps, int rounds) {
+  /// Relaxation under a penalty that grows from sweep to sweep, and projection.
+  Frames relaxed(Frames frames, int sweeps) {
     FieldState<4> state = state_of<4>(std::move(frames));
-    double sweeps = first_sweeps;
-    const double shrink = rounds > 1 ? std::pow(sweeps, -1.0 / (rounds - 1)) : 1;
-    for (int round = 0; round < rounds; ++round, sweeps *= shrink) {
-      const int count = std::max(1, static_cast<int>(std::lround(sweeps)));
-      for (int sweep = 0; sweep < count; ++sweep) {
-        relaxation_sweep(relaxed_graph(), state, options_.symmetrisation * (sweep + 1) / count);
-        advance(std::numeric_limits<double>::quiet_NaN());
-      }
-      project_to_frames(state);
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      relaxation_sweep(relaxed_graph(), state, options_.symmetrisation * (sweep + 1) / sweeps);
+      advance(std::numeric_limits<double>::quiet_NaN());
     }
+    project_to_frames(state);
     return std::move(state.frames);
   }
 
@@ -191,9 +185,9 @@ class NestedSolver {
     Frames& frames = candidates_[c];
     if (!initial_frame_ && coarsest) {
       const double sweeps = options.start_relaxation / std::pow(3.0, static_cast<double>(c));
-      frames = solver.relaxed(std::move(frames), std::max(1, static_cast<int>(sweeps)), options.start_rounds);
+      frames = solver.relaxed(std::move(frames), static_cast<int>(sweeps));
     } else if (!initial_frame_ && result_.level.size() <= options.relaxed_cells) {
-      frames = solver.relaxed(std::move(frames), options.level_relaxation, options.level_rounds);
+      frames = solver.relaxed(std::move(frames), options.level_relaxation);
     }
     frames = solver.settled(std::move(frames));
   }

@@ -36,23 +36,27 @@ class LeafConnector {
     return static_cast<std::uint8_t>(open_faces);
   }
 
-  /// The smallest edge there can be, through the face where the solid most likely goes on: the one that the
-  /// inward normal points at, of those with a leaf behind. -1 where the leaf is alone.
-  int tie_face(CellIndex i) const {
+  /// The face of a closed leaf behind which the solid most likely goes on: the one that the inward normal
+  /// points at, of those with a leaf behind. Of `connected` leaves only, and none that lies outwards; with
+  /// nullptr any leaf. -1 where there is none.
+  int tie_face(CellIndex i, const std::vector<bool>* connected) const {
     Vector3 inward{0, 0, 0};
     for (const SurfacePiece& piece : level_.pieces_of(i))
       inward += -piece.area * solid_.outward_normal(piece.triangle);
-    double best = -INFINITY;
+    double best = connected ? 0 : -INFINITY;
     int best_face = -1;
     for (int face = 0; face < kFaceCount; ++face) {
       const double along = face_sign(face) * inward[face_axis(face)];
-      if (along <= best || tree_.neighbour(i, face) == kNoCell) continue;
+      if (along <= best) continue;
+      const CellIndex j = tree_.neighbour(i, face);
+      if (j == kNoCell || (connected && !(*connected)[j])) continue;
       best = along;
       best_face = face;
     }
     return best_face;
   }
 
+  /// The smallest edge there can be.
   WeightedEdge tie(CellIndex i, int face) const {
     return edge(i, face, tree_.neighbour(i, face), 0.5 / (kOpenFaceSamples * kOpenFaceSamples));
   }
@@ -88,6 +92,40 @@ class LeafConnector {
   const Solid& solid_;
 };
 
+/// Ties leaves without an edge, inwards and from the connected leaves outwards, so that no two slivers are
+/// tied to each other only. Leaves that this does not reach are tied to any neighbour.
+void tie_closed_leaves(const LeafConnector& connector, LeafConnections& connections) {
+  const std::size_t count = connections.open_faces.size();
+  std::vector<bool> connected(count, false);
+  for (const WeightedEdge& edge : connections.edges) connected[edge.first] = connected[edge.second] = true;
+  std::vector<CellIndex> closed;
+  for (CellIndex i = 0; i < count; ++i) {
+    if (!connected[i]) closed.push_back(i);
+  }
+  const std::vector<bool>* candidates = &connected;
+  while (!closed.empty()) {
+    std::vector<CellIndex> waiting;
+    for (const CellIndex i : closed) {
+      if (connected[i]) continue;
+      const int face = connector.tie_face(i, candidates);
+      if (face < 0) {
+        waiting.push_back(i);
+        continue;
+      }
+      const WeightedEdge tie = connector.tie(i, face);
+      connected[i] = connected[tie.second] = true;
+      connections.edges.push_back(tie);
+      connections.open_faces[i] |= static_cast<std::uint8_t>(1u << face);
+      ++connections.tied_leaves;
+    }
+    if (waiting.size() == closed.size()) {
+      if (!candidates) break;  // leaves without any neighbour
+      candidates = nullptr;
+    }
+    closed = std::move(waiting);
+  }
+}
+
 std::uint8_t parity_colour(CellAddress cell) {
   const GridPoint corner = cell.corner();
   const int parity = (corner[0] / cell.width() + corner[1] / cell.width() + corner[2] / cell.width()) & 1;
@@ -114,17 +152,7 @@ LeafConnections connect_leaves(const GridLevel& level, const Solid& solid) {
     result.edges.insert(result.edges.end(), run.begin(), run.end());
     run = {};
   }
-  std::vector<bool> connected(count, false);
-  for (const WeightedEdge& edge : result.edges) connected[edge.first] = connected[edge.second] = true;
-  for (CellIndex i = 0; i < count; ++i) {
-    const int face = connected[i] ? -1 : connector.tie_face(i);
-    if (face < 0) continue;
-    const WeightedEdge tie = connector.tie(i, face);
-    connected[i] = connected[tie.second] = true;
-    result.edges.push_back(tie);
-    result.open_faces[i] |= static_cast<std::uint8_t>(1u << face);
-    ++result.tied_leaves;
-  }
+  tie_closed_leaves(connector, result);
   return result;
 }
 

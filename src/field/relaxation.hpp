@@ -15,9 +15,9 @@ namespace crossgrain {
 /// energy is homogeneous and even, so |h| stays 1, and the cell takes one step of inverse iteration towards
 /// the eigenvector that minimises it.
 ///
-/// `symmetrisation` in [0, 1] adds the (semi)symmetrisation penalty (DESIGN section 4) by operator splitting:
-/// after the minimisation, a step down the gradient of E_sym + (|h|^2 - 1)^2, as long as is stable for 1,
-/// none for 0.
+/// `symmetrisation` in [0, 1] adds the (semi)symmetrisation penalty (docs/design.md section 4) by operator
+/// splitting: after the minimisation, a step down the gradient of E_sym + (|h|^2 - 1)^2, as long as is stable
+/// for 1, none for 0.
 template <int D>
 void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation);
 

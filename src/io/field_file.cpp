@@ -62,7 +62,7 @@ void add_coefficients(const FieldData& data, std::vector<VtuArray>& arrays) {
   }));
 }
 
-/// What DESIGN section 10 promises for every cell.
+/// What docs/design.md section 10 promises for every cell.
 void add_cell_data(const FieldData& data, std::vector<VtuArray>& arrays) {
   const std::array names{"axis_u", "axis_v", "axis_w"};
   for (std::size_t k = 0; k < names.size(); ++k) {

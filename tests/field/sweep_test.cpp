@@ -211,7 +211,7 @@ TYPED_TEST(SweepTest, ProjectionGivesTheNearestFrameAndItsCoefficients) {
   };
   for (std::size_t i = 0; i < state.size(); ++i) {
     const Coefficients<D> target = from_stored<D>(relaxed[i]), h = from_stored<D>(state.coefficients[i]);
-    EXPECT_LT(deviation(h), 1e-8);
+    EXPECT_LT(deviation<D>(h), 1e-8);
     EXPECT_NEAR(squared_norm(h), 1, 1e-6);
     for (int k = 0; k < 200; ++k)
       ASSERT_GE(overlap(target, h), overlap(target, frame_coefficients<D>(random.rotation())) - 1e-5);

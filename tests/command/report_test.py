@@ -1,0 +1,88 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""report.json: its keys, and that its numbers are what the model and field.vtu say."""
+
+import json
+import resource
+import time
+import unittest
+
+from program import CommandTest, box_triangles, cylinder_triangles, stl_bytes, tilt, torus_triangles
+from recompute_report import disagreements
+
+KEYS = {
+    "": ["schema", "model", "degree", "resolution", "levels", "energy", "alignment_deg", "spectrum", "singularity",
+         "seconds", "peak_memory_bytes", "version", "walls", "warnings"],
+    "model": ["path", "triangles", "bounding_box", "watertight", "components"],
+    "energy": ["smoothness", "boundary", "total", "deviation_max"],
+    "alignment_deg": ["mean", "p95", "max", "excluded_share"],
+    "spectrum": ["plane", "axis", "frame", "free", "conflicted"],
+    "singularity": ["edges", "length", "arcs", "nodes", "boundary_ends"],
+    "seconds": ["read", "grid", "solve", "write", "total"],
+}
+
+
+class Report(CommandTest):
+    def solve(self, triangles, *arguments):
+        """The report of a model, and the seconds that the program took."""
+        self.write("part.stl", stl_bytes(triangles))
+        start = time.monotonic()
+        self.assert_succeeds(self.run_here("solve", self.folder / "part.stl", "-o", "out", *arguments))
+        elapsed = time.monotonic() - start
+        return json.loads((self.folder / "out" / "report.json").read_text()), elapsed
+
+    def assert_recomputable(self, triangles, *arguments):
+        self.solve(triangles, *arguments)
+        self.assertEqual(disagreements(self.folder / "part.stl", self.folder / "out"), [])
+
+    def test_every_number_of_a_cylinder_is_recomputed(self):
+        self.assert_recomputable(cylinder_triangles(), "--resolution", "10")
+
+    def test_every_number_of_a_torus_is_recomputed(self):
+        self.assert_recomputable(torus_triangles(), "--resolution", "12")
+
+    def test_every_number_of_a_surface_inside_out_is_recomputed(self):
+        self.assert_recomputable(torus_triangles()[:, ::-1], "--resolution", "8")
+
+    def test_every_number_of_degree_3_is_recomputed(self):
+        self.assert_recomputable(cylinder_triangles(), "--resolution", "7", "--degree", "3")
+
+    def test_every_number_of_a_thin_wall_is_recomputed(self):
+        self.assert_recomputable(box_triangles((2, 1.5, 0.12)) @ tilt(), "--resolution", "10")
+
+    def test_a_number_that_is_off_by_a_little_is_found(self):
+        report, _ = self.solve(torus_triangles(), "--resolution", "8")
+        changed = []
+        for section in ("energy", "alignment_deg", "spectrum", "singularity", "walls"):
+            for key, value in report[section].items():
+                report[section][key] = value + 1 if isinstance(value, int) else 1.01 * value + 1e-9
+                changed.append(f"{section}.{key}")
+        (self.folder / "out" / "report.json").write_text(json.dumps(report))
+        found = {line.split(":")[0] for line in disagreements(self.folder / "part.stl", self.folder / "out")}
+        self.assertEqual([name for name in changed if name not in found], [])
+
+    def test_has_the_keys_of_the_design_in_their_order(self):
+        report, _ = self.solve(box_triangles(), "--resolution", "8")
+        for section, keys in KEYS.items():
+            self.assertEqual(list(report[section] if section else report), keys)
+        for level in report["levels"]:
+            self.assertEqual(list(level), ["depth", "cells", "active_cells", "sweeps", "energy", "seconds"])
+            self.assertGreater(level["sweeps"], 0)
+        self.assertEqual(report["schema"], 1)
+
+    def test_times_and_memory_are_possible(self):
+        report, elapsed = self.solve(torus_triangles(), "--resolution", "24")
+        seconds = report["seconds"]
+        parts = sum(value for name, value in seconds.items() if name != "total")
+        self.assertGreater(min(seconds.values()), 0)
+        self.assertLessEqual(parts, seconds["total"])
+        self.assertLessEqual(seconds["total"], elapsed)
+        self.assertLessEqual(sum(level["seconds"] for level in report["levels"]), seconds["total"])
+        self.assertGreater(report["peak_memory_bytes"], 1 << 20)
+        # The system counts the largest of all finished children in KiB.
+        largest = 1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+        self.assertLessEqual(report["peak_memory_bytes"], largest)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+#include <set>
+
+#include "analysis/field_data.hpp"
+#include "base/parallel.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
+#include "field/field_state.hpp"
+#include "io/field_arrays.hpp"
+#include "io/leaf_corners.hpp"
+#include "io/temporary_folder.hpp"
+#include "io/vtu_reader.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// An octree of 8^depth cells, one of which is split into eight, all joined as far as they can be.
+Octree sample_tree(int depth) {
+  std::vector<CellAddress> leaves{CellAddress::root()};
+  for (int d = 0; d <= depth; ++d) {
+    std::vector<CellAddress> finer;
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      if (d == depth && i != leaves.size() / 2) {
+        finer.push_back(leaves[i]);
+        continue;
+      }
+      for (int octant = 0; octant < 8; ++octant) finer.push_back(leaves[i].child(octant));
+    }
+    leaves = finer;
+  }
+  // Far off and of an odd size, where single precision would not do.
+  return {{{1e5 + 0.1, -3e4 + 0.7, 11.3}, 0.731}, leaves};
+}
+
+SolveReport sample_report() {
+  SolveReport report;
+  report.model = {"a \"quoted\" name.stl", 12, {{-1, -2, -3}, {0.1, 1.0 / 3, 1e300}}, true, 2};
+  report.degree = 3;
+  report.resolution = 7.3;
+  report.levels = {{2, 100, 50, 12, 0.1, 0.2}, {3, 1000, 500, 5, 1.0 / 7, 0.4}};
+  report.energy = {1.25, 2.5, 3.75, 1e-13};
+  report.alignment_deg = {0.5, 1.5, 2.5, 0.125};
+  report.spectrum = {1, 2, 3, 4, 5};
+  report.singularity = {6, 7.5, 8, 9, 10};
+  report.walls = {4, 0.25, 1.5, 11, 12};
+  report.seconds = {0.1, 0.2, 0.3, 0.4, 1.5};
+  report.peak_memory_bytes = 1;
+  report.warnings = {"one", "two"};
+  return report;
+}
+
+FieldData sample_data(Degree degree, int depth = 2) {
+  FieldData data;
+  data.degree = degree;
+  data.tree = sample_tree(depth);
+  const std::size_t count = data.tree.size();
+  data.frames = random_frames(count, 5);
+  std::mt19937 random(6);
+  for (CellIndex i = 0; i < count; ++i) {
+    unsigned open = 0;
+    for (int face = 0; face < kFaceCount; ++face)
+      open |= (data.tree.neighbour(i, face) != kNoCell ? 1u : 0u) << face;
+    data.open_faces.push_back(static_cast<std::uint8_t>(open));
+    data.on_boundary.push_back(random() & 1);
+    data.energy_density.push_back(static_cast<float>(random()) * 1e-9f);
+    data.alignment_deg.push_back(static_cast<float>(random()) * 1e-8f);
+  }
+  data.report = sample_report();
+  return data;
+}
+
+FrameField field_of(FieldData data) {
+  return FrameField(std::make_shared<const FieldData>(std::move(data)));
+}
+
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+class FieldFileOfDegree : public testing::TestWithParam<Degree> {};
+INSTANTIATE_TEST_SUITE_P(Degrees, FieldFileOfDegree, testing::Values(Degree::kThree, Degree::kFour));
+
+TEST_P(FieldFileOfDegree, GivesTheFieldBackToTheBit) {
+  const TemporaryFolder folder;
+  const FieldData data = sample_data(GetParam());
+  write_field(field_of(data), folder.path() / "made" / "for it");
+  const FrameField read = read_field(folder.path() / "made" / "for it");
+  EXPECT_EQ(read.data().degree, data.degree);
+  EXPECT_EQ(read.data().tree.root().origin, data.tree.root().origin);
+  EXPECT_EQ(read.data().tree.root().size, data.tree.root().size);
+  EXPECT_EQ(read.data().tree.leaves(), data.tree.leaves());
+  EXPECT_TRUE(same_bits(read.data().frames, data.frames));
+  EXPECT_EQ(read.data().open_faces, data.open_faces);
+  EXPECT_EQ(read.data().on_boundary, data.on_boundary);
+  EXPECT_TRUE(same_bits(read.data().energy_density, data.energy_density));
+  EXPECT_TRUE(same_bits(read.data().alignment_deg, data.alignment_deg));
+}
+
+TEST_P(FieldFileOfDegree, HasTheCellDataThatTheInterfacePromises) {
+  const TemporaryFolder folder;
+  const FieldData data = sample_data(GetParam());
+  write_field(field_of(data), folder.path());
+  const VtuFile file(folder.path() / "field.vtu");
+  EXPECT_EQ(file.cells(), data.tree.size());
+  std::set<std::string> names;
+  for (const auto& array : file.arrays()) {
+    if (array.section == VtuSection::kCellData) names.insert(array.name);
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"axis_u", "axis_v", "axis_w", "coefficients", "deviation",
+                                          "energy_density", "alignment_deg", "level", "is_boundary"}));
+  const std::size_t coefficients = 2 * static_cast<std::size_t>(GetParam()) + 1;
+  EXPECT_EQ(file.read<float>(VtuSection::kCellData, "coefficients", coefficients).size(),
+            coefficients * data.tree.size());
+  EXPECT_EQ(file.read<float>(VtuSection::kCellData, "axis_v", 3).size(), 3 * data.tree.size());
+}
+
+TEST(FieldFile, HasEveryCellAsAVoxelOfSharedPoints) {
+  const TemporaryFolder folder;
+  const FieldData data = sample_data(Degree::kFour);
+  write_field(field_of(data), folder.path());
+  const VtuFile file(folder.path() / "field.vtu");
+  const auto points = file.read<double>(VtuSection::kPoints, "Points", 3);
+  const auto connectivity = file.read<std::int64_t>(VtuSection::kCells, "connectivity", 1);
+  // 5 corners along each side of 4 cells, and those of the cell that is split in two each way.
+  EXPECT_EQ(file.points(), 5u * 5 * 5 + 27 - 8);
+  ASSERT_EQ(connectivity.size(), 8 * data.tree.size());
+  for (CellIndex i = 0; i < data.tree.size(); ++i) {
+    const Box box = data.tree.root().box(data.tree[i]);
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double expected = corner >> axis & 1 ? box.high[axis] : box.low[axis];
+        EXPECT_EQ(points[3 * static_cast<std::size_t>(connectivity[8 * i + corner]) + axis], expected);
+      }
+    }
+  }
+}
+
+TEST(LeafCorners, AreFoundFromAnyEntryOn) {
+  const Octree tree = sample_tree(4);
+  const LeafCorners corners(tree);
+  std::vector<std::int64_t> whole(8 * tree.size());
+  corners.write_indices(0, whole.size(), whole.data());
+  EXPECT_EQ(static_cast<std::size_t>(*std::max_element(whole.begin(), whole.end())) + 1, corners.size());
+  for (std::size_t begin = 0; begin < whole.size(); begin += 1013) {
+    std::vector<std::int64_t> part(std::min<std::size_t>(501, whole.size() - begin));
+    corners.write_indices(begin, begin + part.size(), part.data());
+    EXPECT_TRUE(std::equal(part.begin(), part.end(), whole.begin() + static_cast<std::ptrdiff_t>(begin)));
+  }
+}
+
+TEST(FieldFile, HasTheSameBytesForAnyNumberOfThreads) {
+  const TemporaryFolder folder;
+  const FrameField field = field_of(sample_data(Degree::kFour, 5));
+  for (const int threads : {1, 3}) {
+    const ThreadLimit limit(threads);
+    write_field(field, folder.path() / std::to_string(threads));
+  }
+  EXPECT_TRUE(content_of(folder.path() / "1" / "field.vtu") == content_of(folder.path() / "3" / "field.vtu"));
+}
+
+TEST(ReportFile, GivesTheReportBack) {
+  const TemporaryFolder folder;
+  const SolveReport written = sample_report();
+  write_field(field_of(sample_data(Degree::kThree)), folder.path());
+  const SolveReport read = read_field(folder.path()).report();
+  EXPECT_EQ(read.model.path, written.model.path);
+  EXPECT_EQ(read.model.bounding_box.high, written.model.bounding_box.high);
+  EXPECT_TRUE(read.model.watertight);
+  EXPECT_EQ(read.resolution, written.resolution);
+  ASSERT_EQ(read.levels.size(), 2u);
+  EXPECT_EQ(read.levels[1].energy, written.levels[1].energy);
+  EXPECT_EQ(read.energy.deviation_max, written.energy.deviation_max);
+  EXPECT_EQ(read.alignment_deg.excluded_share, written.alignment_deg.excluded_share);
+  EXPECT_EQ(read.spectrum.conflicted, written.spectrum.conflicted);
+  EXPECT_EQ(read.singularity.boundary_ends, written.singularity.boundary_ends);
+  EXPECT_EQ(read.walls.tied_cells, written.walls.tied_cells);
+  EXPECT_EQ(read.warnings, written.warnings);
+}
+
+TEST(ReportFile, CountsTheTimeOfWritingAndTheMemoryOfTheProcess) {
+  const TemporaryFolder folder;
+  SolveReport report = sample_report();
+  write_field(field_of(sample_data(Degree::kFour)), report, folder.path());
+  const SolveReport read = read_field(folder.path()).report();
+  EXPECT_GT(read.seconds.write, 0);
+  EXPECT_EQ(read.seconds.total, report.seconds.total + read.seconds.write);
+  EXPECT_GT(read.peak_memory_bytes, std::size_t{1} << 20);
+}
+
+TEST(FieldFile, LeavesAnEarlierResultAsItWasWhereItIsInterrupted) {
+  const TemporaryFolder folder;
+  const FrameField field = field_of(sample_data(Degree::kFour));
+  write_field(field, folder.path() / "field");
+  const std::string before = content_of(folder.path() / "field" / "report.json");
+  Monitor monitor;
+  monitor.cancel();
+  EXPECT_THROW(write_field(field, folder.path() / "field", monitor), Error);
+  EXPECT_THROW(write_field(field, folder.path() / "other", monitor), Error);
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"field"});
+  EXPECT_EQ(content_of(folder.path() / "field" / "report.json"), before);
+}
+
+/// Writes the arrays of a field that somebody has spoilt, and tells what reading them says.
+std::string error_of_reading(const FieldData& data) {
+  const TemporaryFolder folder;
+  write_field(field_of(data), folder.path());
+  try {
+    read_field(folder.path());
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kInput);
+    EXPECT_NE(std::string(error.what()).find("field.vtu: "), std::string::npos);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FieldFile, WhoseArraysMakeNoFieldIsRefused) {
+  const FieldData sound = sample_data(Degree::kFour);
+  EXPECT_EQ(error_of_reading(sound), "");
+  FieldData data = sound;
+  data.frames[7].w += 0.5f;
+  EXPECT_NE(error_of_reading(data), "") << "a quaternion not of unit norm";
+  data = sound;
+  data.frames[7].x = NAN;
+  EXPECT_NE(error_of_reading(data), "") << "a quaternion that is no number";
+  data = sound;
+  data.open_faces[0] |= 1;
+  EXPECT_NE(error_of_reading(data), "") << "a face open to nowhere";
+  data = sound;
+  data.open_faces[9] |= 64;
+  EXPECT_NE(error_of_reading(data), "") << "a face that there is not";
+  data = sound;
+  std::vector<CellAddress> leaves = data.tree.leaves();
+  std::swap(leaves[3], leaves[4]);
+  data.tree = Octree(data.tree.root(), leaves);
+  EXPECT_NE(error_of_reading(data), "") << "cells out of order";
+  data = sound;
+  data.tree = Octree({data.tree.root().origin, NAN}, data.tree.leaves());
+  EXPECT_NE(error_of_reading(data), "") << "a root cube that is none";
+}
+
+TEST(FieldFile, SurvivesDamage) {
+  const TemporaryFolder folder;
+  write_field(field_of(sample_data(Degree::kFour)), folder.path());
+  for (const char* name : {"field.vtu", "report.json"}) {
+    const std::string content = content_of(folder.path() / name);
+    std::mt19937 random(9);
+    for (int trial = 0; trial < 300; ++trial) {
+      std::string damaged = content;
+      for (int flips = 0; flips < 3; ++flips)
+        damaged[random() % damaged.size()] = static_cast<char>(random());
+      folder.write(name, damaged);
+      try {
+        read_field(folder.path());
+      } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::kInput);
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      }
+    }
+    folder.write(name, content);
+  }
+}
+
+TEST(FieldFile, IsMissedByItsName) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(read_field(folder.path() / "none"), Error);
+  write_field(field_of(sample_data(Degree::kFour)), folder.path());
+  std::filesystem::remove(folder.path() / "report.json");
+  try {
+    read_field(folder.path());
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("report.json"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace crossgrain
