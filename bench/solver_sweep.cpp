@@ -59,7 +59,7 @@ std::vector<Variant> variants() {
   add(list, "start_relaxation", &SolverOptions::start_relaxation, {1, 15, 50, 400});
   add(list, "level_relaxation", &SolverOptions::level_relaxation, {0, 20, 40, 120, 240});
   add<std::size_t>(list, "relaxed_cells", &SolverOptions::relaxed_cells, {0, 1000, 1000000});
-  add(list, "symmetrisation", &SolverOptions::symmetrisation, {0.0, 0.1, 0.3});
+  add(list, "symmetrisation", &SolverOptions::symmetrisation, {0.0, 0.2, 1.0});
   add(list, "most_sweeps", &SolverOptions::most_sweeps, {10, 20, 200});
   add(list, "sweep_tolerance", &SolverOptions::sweep_tolerance, {1e-3, 3e-4, 1e-5});
   list.push_back({"shift_relaxed_forms", [](SolveOptions& o) { o.solver.shift_relaxed_forms = true; }});

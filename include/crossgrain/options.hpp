@@ -54,7 +54,7 @@ struct SolverOptions {
 
   /// Strength of the symmetrisation penalty at the end of a relaxation, from 0 to 1 (as long a step as is
   /// stable). It grows from 0 in equal steps, sweep by sweep.
-  double symmetrisation = 1;
+  double symmetrisation = 0.5;
 
   /// Whether relaxed levels use forms shifted so that they penalise only what the constraints of a cell
   /// exclude (crossgrain/spectrum.hpp). It takes 15 % more time and has not lowered an energy:

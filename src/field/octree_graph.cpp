@@ -2,6 +2,8 @@
 #include "field/octree_graph.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "constraint/spectral_shift.hpp"
@@ -36,21 +38,20 @@ class LeafConnector {
     return static_cast<std::uint8_t>(open_faces);
   }
 
-  /// The face of a closed leaf behind which the solid most likely goes on: the one that the inward normal
-  /// points at, of those with a leaf behind. Of `connected` leaves only, and none that lies outwards; with
-  /// nullptr any leaf. -1 where there is none.
-  int tie_face(CellIndex i, const std::vector<bool>* connected) const {
+  /// The face behind which the solid most likely goes on: the one that the inward normal of leaf i points at
+  /// most, of those with an admissible leaf behind and more than `least` along the normal. -1 for none.
+  template <class Admissible>
+  int tie_face(CellIndex i, double least, const Admissible& admissible) const {
     Vector3 inward{0, 0, 0};
     for (const SurfacePiece& piece : level_.pieces_of(i))
       inward += -piece.area * solid_.outward_normal(piece.triangle);
-    double best = connected ? 0 : -INFINITY;
     int best_face = -1;
     for (int face = 0; face < kFaceCount; ++face) {
       const double along = face_sign(face) * inward[face_axis(face)];
-      if (along <= best) continue;
+      if (along <= least) continue;
       const CellIndex j = tree_.neighbour(i, face);
-      if (j == kNoCell || (connected && !(*connected)[j])) continue;
-      best = along;
+      if (j == kNoCell || !admissible(j)) continue;
+      least = along;
       best_face = face;
     }
     return best_face;
@@ -92,37 +93,76 @@ class LeafConnector {
   const Solid& solid_;
 };
 
-/// Ties leaves without an edge, inwards and from the connected leaves outwards, so that no two slivers are
-/// tied to each other only. Leaves that this does not reach are tied to any neighbour.
-void tie_closed_leaves(const LeafConnector& connector, LeafConnections& connections) {
-  const std::size_t count = connections.open_faces.size();
-  std::vector<bool> connected(count, false);
-  for (const WeightedEdge& edge : connections.edges) connected[edge.first] = connected[edge.second] = true;
-  std::vector<CellIndex> closed;
-  for (CellIndex i = 0; i < count; ++i) {
-    if (!connected[i]) closed.push_back(i);
+/// Sets of leaves that edges join (union by smaller index, path halving).
+class Components {
+ public:
+  explicit Components(const std::vector<std::uint8_t>& centre_inside)
+      : root_(centre_inside.size()), size_(centre_inside.size(), 1), inside_(centre_inside) {
+    std::iota(root_.begin(), root_.end(), CellIndex{0});
   }
-  const std::vector<bool>* candidates = &connected;
-  while (!closed.empty()) {
+
+  void join(CellIndex a, CellIndex b) {
+    a = find(a);
+    b = find(b);
+    if (a == b) return;
+    if (b < a) std::swap(a, b);
+    root_[b] = a;
+    size_[a] += size_[b];
+    inside_[a] |= inside_[b];
+  }
+
+  /// Whether no centre of the leaf's component is inside and it is too small for a thin plate of its own:
+  /// leaves, mostly one or two, that the surface barely cuts.
+  bool is_speck(CellIndex i) {
+    const CellIndex root = find(i);
+    return !inside_[root] && size_[root] <= kLargestSpeck;
+  }
+  bool is_alone(CellIndex i) { return size_[find(i)] == 1; }
+
+ private:
+  static constexpr std::uint32_t kLargestSpeck = 8;
+
+  CellIndex find(CellIndex i) {
+    while (root_[i] != i) i = root_[i] = root_[root_[i]];
+    return i;
+  }
+
+  std::vector<CellIndex> root_;
+  std::vector<std::uint32_t> size_;
+  std::vector<std::uint8_t> inside_;
+};
+
+/// Ties specks to the rest of the solid, inwards and from the rest outwards, so that none is tied to another
+/// speck only. Single leaves that this does not reach are tied to any neighbour.
+void tie_specks(const GridLevel& level, const LeafConnector& connector, LeafConnections& connections) {
+  Components components(level.centre_inside);
+  for (const WeightedEdge& edge : connections.edges) components.join(edge.first, edge.second);
+  std::vector<CellIndex> specks;
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    if (components.is_speck(i)) specks.push_back(i);
+  }
+  bool inwards = true;
+  while (!specks.empty()) {
     std::vector<CellIndex> waiting;
-    for (const CellIndex i : closed) {
-      if (connected[i]) continue;
-      const int face = connector.tie_face(i, candidates);
+    for (const CellIndex i : specks) {
+      if (inwards ? !components.is_speck(i) : !components.is_alone(i)) continue;
+      const int face = connector.tie_face(i, inwards ? 0 : -INFINITY,
+                                          [&](CellIndex j) { return !inwards || !components.is_speck(j); });
       if (face < 0) {
         waiting.push_back(i);
         continue;
       }
       const WeightedEdge tie = connector.tie(i, face);
-      connected[i] = connected[tie.second] = true;
+      components.join(i, tie.second);
       connections.edges.push_back(tie);
       connections.open_faces[i] |= static_cast<std::uint8_t>(1u << face);
       ++connections.tied_leaves;
     }
-    if (waiting.size() == closed.size()) {
-      if (!candidates) break;  // leaves without any neighbour
-      candidates = nullptr;
+    if (waiting.size() == specks.size()) {
+      if (!inwards) break;  // leaves without any neighbour
+      inwards = false;
     }
-    closed = std::move(waiting);
+    specks = std::move(waiting);
   }
 }
 
@@ -152,7 +192,7 @@ LeafConnections connect_leaves(const GridLevel& level, const Solid& solid) {
     result.edges.insert(result.edges.end(), run.begin(), run.end());
     run = {};
   }
-  tie_closed_leaves(connector, result);
+  tie_specks(level, connector, result);
   return result;
 }
 

@@ -15,7 +15,8 @@ struct LeafConnections {
   /// on one of its two leaves at least: the smaller, or of two equal ones the lower.
   std::vector<std::uint8_t> open_faces;
 
-  /// Leaves that had no open face and were tied to a neighbour by the smallest one there can be.
+  /// Leaves that no open face joined to the rest of the solid, and that were tied to a neighbour by the
+  /// smallest one there can be.
   std::size_t tied_leaves = 0;
 };
 

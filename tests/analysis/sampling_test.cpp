@@ -14,9 +14,9 @@
 #include "analysis/field_data.hpp"
 #include "analysis/matching.hpp"
 #include "analysis/nearest_leaf.hpp"
+#include "base/parallel.hpp"
 #include "crossgrain/frame_field.hpp"
 #include "field/octree_graph.hpp"
-#include "harmonics/frame.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {
@@ -175,13 +175,30 @@ TEST(Sampler, IsContinuousAcrossFacesBetweenCellsOfDifferentSizeToo) {
   EXPECT_LT(worst, 1e-7);
 }
 
-TEST(Sampler, AnswersWithOrthonormalRightHandedAxes) {
+std::shared_ptr<const FieldData> data_of(const MadeField& made) {
   auto data = std::make_shared<FieldData>();
-  MadeField made = graded_cube(bent);
   data->tree = made.tree;
   data->frames = made.frames;
   data->open_faces = made.open_faces;
-  const FrameField field(data);
+  return data;
+}
+
+TEST(Sampler, MayBeMadeFromWithinAParallelLoop) {
+  // Waiting for each other the threads would hang here, by chance: hence some tries.
+  const auto data = data_of(graded_cube(bent));
+  const Vector3 p{0.3, 0.4, 0.5};
+  const Frame expected = FrameField(data).sample(p).frame;
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    const FrameField field(data);
+    std::vector<Frame> frames(500);
+    parallel_for(
+        frames.size(), [&](std::size_t i) { frames[i] = field.sample(p).frame; }, 1);
+    for (const Frame& frame : frames) ASSERT_EQ(frame.axes, expected.axes);
+  }
+}
+
+TEST(Sampler, AnswersWithOrthonormalRightHandedAxes) {
+  const FrameField field(data_of(graded_cube(bent)));
   Random random(4);
   for (int k = 0; k < 20000; ++k) {
     const auto axes = field.sample(random.point({{-0.2, -0.2, -0.2}, {1.2, 1.2, 1.2}})).frame.axes;
@@ -211,21 +228,19 @@ TEST(Sampler, DoesNotCareHowTheCellsNameTheirAxes) {
   }
 }
 
-TEST(Sampler, FindsTheNearestFrameOfABlendFarFromAllFrames) {
-  // A line of index 1/4: the frame turns by a quarter around it, so blends at the line are far from all
-  // frames.
-  const auto around_line = [](const Vector3& p) {
-    return from_rotation_vector({0, 0, std::atan2(p[1] - 0.5, p[0] - 0.5) / 4});
-  };
-  const MadeField field = graded_cube(around_line);
+TEST(Sampler, GoesWithTheManyWhereTheCellOfThePointDisagreesWithAllAround) {
+  // Turned by 60 degrees about a diagonal a frame is as far from another as can be, and by symmetry no small
+  // turn leads from one nearer to the other: from the cell's own frame Newton's iteration goes nowhere.
+  MadeField field = even_cube(2, [](const Vector3&) { return Quaternion{}; });
+  const double s = std::numbers::pi / 3 / std::sqrt(3.0);
+  const CellIndex odd = field.tree.find_containing(*field.tree.root().locate({0.4, 0.4, 0.4}));
+  field.frames[odd] = to_stored(from_rotation_vector({s, s, s}));
   const Sampler sampler = field.sampler();
-  Random random(6);
-  for (int k = 0; k < 500; ++k) {
-    const Vector3 p{0.5 + random.uniform(-0.1, 0.1), 0.5 + random.uniform(-0.1, 0.1), random.uniform(0, 1)};
-    const auto axes = axes_of(sampler.at(p).frame);
-    const double along = std::max({std::abs(axes[0][2]), std::abs(axes[1][2]), std::abs(axes[2][2])});
-    ASSERT_NEAR(along, 1, 1e-6);
-  }
+  const auto at_corner = sampler.at({0.499, 0.499, 0.499});
+  EXPECT_EQ(at_corner.leaf, odd);
+  EXPECT_LT(angle_between_rad(at_corner.frame, Quaternion{}), kStorage_rad);
+  EXPECT_LT(angle_between_rad(sampler.at({0.375, 0.375, 0.375}).frame, from_stored(field.frames[odd])),
+            kStorage_rad);
 }
 
 struct Model {
@@ -246,9 +261,7 @@ TEST(Sampler, KeepsFramesOnTheTwoSidesOfAThinGapApart) {
   const double layer = root.origin[2] + cell * std::round(-root.origin[2] / cell);
   ASSERT_LT(std::abs(layer), gap / 2);
   MadeField field{level.tree, {}, connect_leaves(level, model.solid).open_faces};
-  field.fill([&](const Vector3& p) {
-    return from_rotation_vector({0, 0, p[2] > layer ? 0.0 : std::numbers::pi / 4});
-  });
+  field.fill([&](const Vector3& p) { return from_rotation_vector({0, 0, p[2] > layer ? 0.0 : 0.5}); });
   const CellIndex below = level.tree.find_containing(*root.locate({0, 0, layer - cell / 2}));
   ASSERT_NE(level.tree.neighbour(below, 5), kNoCell);
   const Sampler sampler = field.sampler();
