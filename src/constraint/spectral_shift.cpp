@@ -3,8 +3,8 @@
 // the generators.
 //
 // Degree 4. Quadratics that vanish on all frames may be added to E - t. The six |h|^2 - 1 and sum S_ab (L_a
-// h).(L_b h), S symmetric and traceless (section 4 of DESIGN), already settle most cells, in closed form:
-// with multipliers mu and S
+// h).(L_b h), S symmetric and traceless (docs/design.md section 4), already settle most cells, in closed
+// form: with multipliers mu and S
 //   W(h) = E(h) - t + mu (|h|^2 - 1) + sum S_ab (L_a h).(L_b h)
 // vanishes at h* together with its gradient, that is W(h) = (h - h*)^T A' (h - h*), if
 //   r + mu h* + sum S_ab L_a^T L_b h* = 0.

@@ -12,7 +12,8 @@ struct LeafConnections {
   std::vector<WeightedEdge> edges;
 
   /// Bit f of open_faces[i]: there is an edge from leaf i to Octree::neighbour(i, f). Every edge has this bit
-  /// on one of its two leaves at least: the smaller, or of two equal ones the lower.
+  /// on one of its two leaves: the smaller, of two equal ones the lower, or the one that was tied. So who
+  /// asks for a leaf's neighbours looks at the bits of both sides.
   std::vector<std::uint8_t> open_faces;
 
   /// Leaves that no open face joined to the rest of the solid, and that were tied to a neighbour by the
@@ -33,8 +34,9 @@ LeafConnections connect_leaves(const GridLevel& level, const Solid& solid);
 /// Adjacency, and a colouring by parity of position and depth.
 Connectivity connectivity_of(const GridLevel& level, std::span<const WeightedEdge> edges);
 
-/// Whether the forms of cells are shifted so that they penalise only what their constraints exclude (DESIGN
-/// section 3). That changes relaxed coefficients; for frames it changes the energy by a constant.
+/// Whether the forms of cells are shifted so that they penalise only what their constraints exclude
+/// (docs/design.md section 3). That changes relaxed coefficients; for frames it changes the energy by a
+/// constant.
 enum class Shift : bool { kNone, kSpectral };
 
 /// The boundary forms of a level times `boundary_weight` / (cell size) (times 5/3 in degree 3).

@@ -57,6 +57,10 @@ std::size_t write_samples(const FrameField& field, std::span<const Vector3> poin
   std::optional<Sink> outside;
   if (!files.outside.empty()) outside.emplace(files.outside);
 
+  // The first sample prepares the field for all others, in a parallel loop of its own: not to be met within
+  // ours.
+  if (!points.empty()) field.sample(points.front());
+
   std::size_t outside_count = 0;
   std::vector<FrameField::Sample> samples;
   for (std::size_t begin = 0; begin < points.size(); begin += kPointsAtOnce) {

@@ -22,8 +22,8 @@ static_assert(std::endian::native == std::endian::little, "arrays are written as
 /// the blocks at hand would take 64 MB.
 constexpr std::size_t kBlockBytes = 1 << 18;
 
-/// Blocks in memory at a time: enough for many threads to share, about 16 MB with their compressed forms.
-constexpr std::size_t kBlocksAtOnce = 32;
+/// Blocks in memory at a time: enough for many threads to share, about 8 MB with their compressed forms.
+constexpr std::size_t kBlocksAtOnce = 16;
 
 /// Room for offset="..." with any 64-bit number; what is left of it is filled with blanks, which XML allows
 /// between attributes.
