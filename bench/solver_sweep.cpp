@@ -54,6 +54,9 @@ void add(std::vector<Variant>& variants, const char* name, Value SolverOptions::
 std::vector<Variant> variants() {
   std::vector<Variant> list{{"defaults", [](SolveOptions&) {}},
                             {"degree 3", [](SolveOptions& options) { options.degree = Degree::kThree; }}};
+  list.push_back({"degree 3, relaxed in degree 3", [](SolveOptions& options) {
+                    options.degree = options.solver.relaxation_degree = Degree::kThree;
+                  }});
   add(list, "starts", &SolverOptions::starts, {1, 2, 5});
   add<std::size_t>(list, "start_cells", &SolverOptions::start_cells, {0, 5000});
   add(list, "start_relaxation", &SolverOptions::start_relaxation, {1, 15, 50, 400});

@@ -52,6 +52,11 @@ struct SolverOptions {
   int level_relaxation = 60;
   std::size_t relaxed_cells = 20000;
 
+  /// In which degree relaxed problems are solved, whatever the degree of the field. In degree 4 they are
+  /// quadratic but for the penalty, so that long relaxation forgets where it started; the degree-3 energy has
+  /// many poor minima (docs/solver.md).
+  Degree relaxation_degree = Degree::kFour;
+
   /// Strength of the symmetrisation penalty at the end of a relaxation, from 0 to 1 (as long a step as is
   /// stable). It grows from 0 in equal steps, sweep by sweep.
   double symmetrisation = 0.5;

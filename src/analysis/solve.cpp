@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "analysis/alignment.hpp"
@@ -11,6 +12,7 @@
 #include "analysis/singularity_graph.hpp"
 #include "analysis/walls.hpp"
 #include "base/parallel.hpp"
+#include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
 #include "field/nested_solve.hpp"
 #include "harmonics/deviation.hpp"
@@ -27,6 +29,10 @@ constexpr int kSmallestResolution = 4;
 constexpr double kThinShareToWarnOf = 0.02;
 constexpr double kExcludedShareToWarnOf = 0.1;
 
+bool is_degree(Degree degree) {
+  return degree == Degree::kThree || degree == Degree::kFour;
+}
+
 void check_options(const SolveOptions& options) {
   const auto refuse = [](const std::string& message) { throw Error(ErrorKind::kUsage, message); };
   if (options.degree != Degree::kThree && options.degree != Degree::kFour)
@@ -37,6 +43,23 @@ void check_options(const SolveOptions& options) {
     refuse("the resolution must be at least 4");
   if (options.threads < 0) refuse("the number of threads must not be negative");
   if (!(options.solver.boundary_weight > 0)) refuse("the boundary weight must be positive");
+}
+
+/// Active cells per squared finest cell of surface, and bytes per active cell: about what the shipped models
+/// take.
+constexpr double kCellsPerFace = 3;
+constexpr double kBytesPerCell = 250;
+
+/// Refuses what cannot fit into the machine before hours are spent on finding out.
+void check_memory(const Surface& surface, double cell_size) {
+  const double area = std::accumulate(surface.areas.begin(), surface.areas.end(), 0.0);
+  const double cells = kCellsPerFace * area / (cell_size * cell_size);
+  const double available = static_cast<double>(physical_memory_bytes());
+  if (cells < kNoCell && (available == 0 || cells * kBytesPerCell < available)) return;
+  const auto rounded = [](double value) { return std::to_string(std::llround(value)); };
+  throw Error(ErrorKind::kLimit, "about " + rounded(cells / 1e6) + " million cells would need " +
+                                     rounded(cells * kBytesPerCell / 1e9) + " GB, and the machine has " +
+                                     rounded(available / 1e9) + " GB: lower the resolution");
 }
 
 template <int D>
@@ -91,9 +114,7 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
                       const SolveOptions& options) {
   SolveReport report;
   report.degree = static_cast<int>(options.degree);
-  const Vector3 extent = solid.surface.box.high - solid.surface.box.low;
-  const double longest = std::max({extent[0], extent[1], extent[2]});
-  report.resolution = options.cell_size > 0 ? longest / options.cell_size : options.resolution;
+  report.resolution = longest_side(solid.surface.box) / finest_cell_size(solid.surface.box, options);
   report.levels = field.levels;
   report.energy.smoothness = field.energy.smoothness;
   report.energy.boundary = field.energy.boundary;
@@ -114,6 +135,7 @@ FrameField solve_with(const TriangleMesh& mesh, const SolveOptions& options, con
   check_options(options);
   const ThreadLimit thread_limit(options.threads);
   const Surface surface = prepare_surface(mesh);
+  check_memory(surface, finest_cell_size(surface.box, options));
   const TriangleBvh bvh(surface);
   const WindingNumber winding(surface, bvh);
   const Solid solid{surface, bvh, winding};

@@ -62,4 +62,10 @@ inline Box box_of(const std::vector<Vector3>& points) {
   return box;
 }
 
+/// Of the three sides of a box.
+inline double longest_side(const Box& box) {
+  const Vector3 extent = box.high - box.low;
+  return std::max({extent[0], extent[1], extent[2]});
+}
+
 }  // namespace crossgrain

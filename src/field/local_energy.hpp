@@ -18,7 +18,6 @@ class LocalEnergy {
  public:
   LocalEnergy(const FieldGraph<D>& graph, const std::vector<StoredCoefficients<D>>& coefficients,
               std::size_t cell) {
-    if constexpr (D == 3) quadratic_.matrix.fill(0);
     add_neighbours(graph.adjacency()[cell], coefficients);
     if (const PlaneForm* plane = graph.forms.plane(cell)) add_plane(*plane);
     if (const PackedForm<D>* form = graph.forms.general(cell)) add_form(*form);
@@ -80,7 +79,7 @@ class LocalEnergy {
     has_matrix_ = true;
   }
 
-  QuadraticForm<D> quadratic_;  // matrix only; not even zeroed where it is not used
+  QuadraticForm<D> quadratic_;  // its matrix only
   bool has_matrix_ = false;
   double plane_weight_ = 0;
   NormalBasis<D> plane_;

@@ -17,9 +17,11 @@ namespace {
 
 using Frames = std::vector<StoredQuaternion>;
 
-/// Relaxation, then sweeps on the manifold, on one level. Relaxed problems are solved in degree 4 whatever
-/// the degree of the field: there they are quadratic, so that a long relaxation forgets where it started,
-/// while the degree-3 energy has many poor minima (docs/solver.md).
+/// A squared turn between neighbours that is rounding of frames in single precision: where a field costs no
+/// more than that, there is nothing left to lower.
+constexpr double kNoise = 1e-12;
+
+/// Relaxation, then sweeps on the manifold, on one level.
 template <int D>
 class LevelSolver {
  public:
@@ -27,18 +29,19 @@ class LevelSolver {
               const SolveOptions& options, const Monitor& monitor, int depth)
       : level_(level), solid_(solid), options_(options.solver), monitor_(monitor), depth_(depth) {
     connectivity_ = std::make_shared<const Connectivity>(connectivity_of(level, edges));
+    total_weight_ = parallel_sum(level.size(), [&](std::size_t i) {
+      double sum = 0;
+      for (const Adjacency::Neighbour& neighbour : connectivity_->adjacency[i]) sum += neighbour.weight;
+      return sum;
+    });
     graph_ = {connectivity_, boundary_forms<D>(level, solid, options_.boundary_weight, Shift::kNone)};
   }
 
   /// Relaxation under a penalty that grows from sweep to sweep, and projection.
   Frames relaxed(Frames frames, int sweeps) {
-    FieldState<4> state = state_of<4>(std::move(frames));
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      relaxation_sweep(relaxed_graph(), state, options_.symmetrisation * (sweep + 1) / sweeps);
-      advance(std::numeric_limits<double>::quiet_NaN());
-    }
-    project_to_frames(state);
-    return std::move(state.frames);
+    return options_.relaxation_degree == Degree::kThree
+               ? relaxed_in(relaxed_graph3_, std::move(frames), sweeps)
+               : relaxed_in(relaxed_graph4_, std::move(frames), sweeps);
   }
 
   /// Sweeps on the manifold until the energy settles.
@@ -49,7 +52,7 @@ class LevelSolver {
       const double decrease = manifold_sweep(graph_, state);
       energy -= decrease;
       advance(energy);
-      if (decrease <= options_.sweep_tolerance * energy) break;
+      if (decrease <= options_.sweep_tolerance * energy + kNoise * total_weight_) break;
     }
     return std::move(state.frames);
   }
@@ -62,12 +65,19 @@ class LevelSolver {
   int sweeps() const { return sweeps_; }
 
  private:
-  const FieldGraph<4>& relaxed_graph() {
-    if (!relaxed_graph_.connectivity) {
+  template <int R>
+  Frames relaxed_in(FieldGraph<R>& graph, Frames frames, int sweeps) {
+    if (!graph.connectivity) {
       const Shift shift = options_.shift_relaxed_forms ? Shift::kSpectral : Shift::kNone;
-      relaxed_graph_ = {connectivity_, boundary_forms<4>(level_, solid_, options_.boundary_weight, shift)};
+      graph = {connectivity_, boundary_forms<R>(level_, solid_, options_.boundary_weight, shift)};
     }
-    return relaxed_graph_;
+    FieldState<R> state = state_of<R>(std::move(frames));
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      relaxation_sweep(graph, state, options_.symmetrisation * (sweep + 1) / sweeps);
+      advance(std::numeric_limits<double>::quiet_NaN());
+    }
+    project_to_frames(state);
+    return std::move(state.frames);
   }
 
   void advance(double energy) {
@@ -82,8 +92,10 @@ class LevelSolver {
   const Monitor& monitor_;
   int depth_;
   std::shared_ptr<const Connectivity> connectivity_;
+  double total_weight_;
   FieldGraph<D> graph_;
-  FieldGraph<4> relaxed_graph_;
+  FieldGraph<3> relaxed_graph3_;
+  FieldGraph<4> relaxed_graph4_;
   int sweeps_ = 0;
 };
 
@@ -114,7 +126,8 @@ class NestedSolver {
   SolvedField run() {
     level_watch_.start();
     grid_watch_.start();
-    const auto [root, finest_depth] = frame_around(solid_.surface.box, finest_cell_size());
+    const auto [root, finest_depth] =
+        frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
     const int coarsest_depth = std::max(0, finest_depth - levels_above_finest());
     result_.level = uniform_level(solid_, root, coarsest_depth);
     for (int depth = coarsest_depth;; ++depth) {
@@ -131,15 +144,10 @@ class NestedSolver {
   }
 
  private:
-  double longest_side() const {
-    const Vector3 extent = solid_.surface.box.high - solid_.surface.box.low;
-    return std::max({extent[0], extent[1], extent[2]});
-  }
-  double finest_cell_size() const {
-    return options_.cell_size > 0 ? options_.cell_size : longest_side() / options_.resolution;
-  }
   int levels_above_finest() const {
-    const double ratio = longest_side() / finest_cell_size() / options_.refinement.coarsest_cells;
+    const Box& box = solid_.surface.box;
+    const double ratio =
+        longest_side(box) / finest_cell_size(box, options_) / options_.refinement.coarsest_cells;
     // The margin keeps powers of two what they are.
     return std::max(0, static_cast<int>(std::floor(std::log2(ratio) + 1e-9)));
   }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/vector3.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/statistics.hpp"
@@ -26,6 +27,11 @@ struct SolvedField {
   double grid_seconds = 0;
   double solve_seconds = 0;
 };
+
+/// The size of the finest cells that the options ask for around a box, model units.
+inline double finest_cell_size(const Box& box, const SolveOptions& options) {
+  return options.cell_size > 0 ? options.cell_size : longest_side(box) / options.resolution;
+}
 
 /// A frame for any point, to start from instead of random ones.
 using InitialFrame = std::function<Quaternion(const Vector3& point)>;

@@ -14,6 +14,10 @@ namespace {
 /// Relative distance of the shift of inverse iteration below the smallest eigenvalue there can be.
 constexpr double kShiftMargin = 1e-3;
 
+/// Coefficients that overlap this much with a frame they climbed to have no other maximum of the overlap that
+/// is higher: tested in tests/field against the global search.
+constexpr double kSafeOverlap = 0.9;
+
 /// The minimiser of (W/2) |h|^2 + h^T A h - 2 b.h, A = s (I - C C^T - S S^T) + A_c.
 Coefficients<4> minimising_coefficients(const LocalEnergy<4>& energy, const Coefficients<4>&) {
   const double half_weight = 0.5 * energy.neighbour_weight();
@@ -74,7 +78,13 @@ void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double s
 template <int D>
 void project_to_frames(FieldState<D>& state) {
   parallel_for(state.size(), [&](std::size_t i) {
-    const Quaternion frame = nearest_frame<D>(from_stored<D>(state.coefficients[i]));
+    const Coefficients<D> h = from_stored<D>(state.coefficients[i]);
+    // The cell's own frame leads to the nearest one unless the cell has turned a long way or is far from any
+    // frame.
+    Quaternion frame = refine_frame<D>(h, from_stored(state.frames[i]));
+    const double overlap = dot(h, frame_coefficients<D>(frame));
+    if (overlap * std::abs(overlap) < (kSafeOverlap * kSafeOverlap) * squared_norm(h))
+      frame = nearest_frame<D>(h);
     state.frames[i] = to_stored(frame);
     state.coefficients[i] = to_stored<D>(frame_coefficients<D>(from_stored(state.frames[i])));
   });

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A field as a folder of two files. What ParaView shows (axes, coefficients, ...) is derived from the few
 // arrays that make up a field, which are kept beside it as field data; those alone are read back.
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "analysis/field_data.hpp"
 #include "base/stopwatch.hpp"
+#include "base/system_memory.hpp"
 #include "crossgrain/io.hpp"
 #include "harmonics/deviation.hpp"
 #include "harmonics/frame.hpp"
@@ -160,12 +160,6 @@ void write_field_file(const FieldData& data, OutputFile& file, const Monitor& mo
   watch(arrays, monitor);
   write_vtu(file, corners.size(), data.tree.size(), arrays);
   file.finish();
-}
-
-std::size_t peak_memory_bytes() {
-  rusage usage{};
-  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
 }  // namespace

@@ -100,11 +100,19 @@ Comparison turned_bracket(int resolution, double cells_away, unsigned rotation_s
                  cells_away * options.cell_size);
 }
 
-TEST(TurnedPart, HasTheTurnedFieldAtSixtyFourCells) {
-  const Comparison comparison = turned_bracket(64, 4, 1);
+const Comparison& at_sixty_four_cells() {
+  static const Comparison comparison = turned_bracket(64, 4, 1);
+  return comparison;
+}
+
+TEST(TurnedPart, HasTheTurnedFramesAtSixtyFourCells) {
+  const Comparison& comparison = at_sixty_four_cells();
   EXPECT_GE(comparison.within_two, 0.95) << "95th percentile: " << comparison.p95_deg << " degrees";
-  EXPECT_NEAR(comparison.energy_ratio, 1, 0.06);
   EXPECT_GT(comparison.compared, 0.2) << "hardly anything is away from singular cells";
+}
+
+TEST(TurnedPart, HasTheEnergyOfTheUnturnedAtSixtyFourCells) {
+  EXPECT_NEAR(at_sixty_four_cells().energy_ratio, 1, 0.06);
 }
 
 TEST(TurnedPart, HasAFieldThatDiffersLessOnCellsOfHalfTheSize) {

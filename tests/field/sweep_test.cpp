@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One cell, one sweep: local energies, Newton steps, manifold and relaxation sweeps, and the energies that
-// they lower.
+// One cell, one sweep: local energies, Newton steps, manifold and relaxation sweeps.
 #include <gtest/gtest.h>
 
 #include "base/parallel.hpp"
@@ -266,59 +265,6 @@ TEST(RelaxationWithSymmetrisation, BringsCoefficientsNearerToFrames) {
     return sum / static_cast<double>(state.size());
   };
   EXPECT_LT(mean_defect(1), 0.7 * mean_defect(0));
-}
-
-class EnergyTest : public ::testing::Test {
- protected:
-  const TestSolid bracket_{make_bracket(16)};
-  GridLevel level_ = bracket_.level(0.08);
-
-  void refine_some() {
-    std::vector<bool> marks(level_.size());
-    for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = i % 5 == 0;
-    level_ = refined(level_, bracket_.solid(), marks);
-  }
-};
-
-TEST_F(EnergyTest, OfThePiecesIsThatOfTheGraphInDegreeFour) {
-  refine_some();
-  const auto graph = graph_of<4>(level_, bracket_.solid());
-  const auto frames = random_frames(level_.size(), 12);
-  const EnergyParts parts = degree_four_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10);
-  EXPECT_NEAR(parts.total() / graph_energy(graph, state_of<4>(frames)), 1, 1e-6);
-}
-
-TEST_F(EnergyTest, OfSmoothFramesIsTheSameInBothDegrees) {
-  // Turns of 0.01 rad between neighbours: the degrees differ at the fourth power.
-  const auto three = graph_of<3>(level_, bracket_.solid());
-  const auto four = graph_of<4>(level_, bracket_.solid());
-  FieldGraph<3> three_inside{three.connectivity, CellForms<3>(three.size())};
-  FieldGraph<4> four_inside{four.connectivity, CellForms<4>(four.size())};
-  std::vector<StoredQuaternion> frames;
-  for (CellIndex i = 0; i < level_.size(); ++i)
-    frames.push_back(to_stored(from_rotation_vector(0.1 * level_.tree.centre(i))));
-  const double energy = graph_energy(four_inside, state_of<4>(frames));
-  EXPECT_NEAR(graph_energy(three_inside, state_of<3>(frames)) / energy, 1, 1e-3);
-}
-
-TEST_F(EnergyTest, DensityTimesVolumeSumsUpToTheSmoothness) {
-  refine_some();
-  const auto graph = graph_of<4>(level_, bracket_.solid());
-  const auto frames = random_frames(level_.size(), 13);
-  const EnergyParts parts = degree_four_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10);
-  const std::vector<double> density = energy_density(level_, graph.adjacency(), frames);
-  double sum = 0;
-  for (CellIndex i = 0; i < level_.size(); ++i) sum += density[i] * std::pow(level_.tree.cell_size(i), 3);
-  EXPECT_NEAR(sum / parts.smoothness, 1, 1e-9);
-}
-
-TEST_F(EnergyTest, OfTheBoundaryGrowsWithItsWeight) {
-  const auto graph = graph_of<4>(level_, bracket_.solid());
-  const auto frames = random_frames(level_.size(), 14);
-  const EnergyParts ten = degree_four_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10);
-  const EnergyParts twenty = degree_four_energy(level_, bracket_.solid(), graph.adjacency(), frames, 20);
-  EXPECT_DOUBLE_EQ(twenty.boundary, 2 * ten.boundary);
-  EXPECT_EQ(twenty.smoothness, ten.smoothness);
 }
 
 }  // namespace
