@@ -35,14 +35,22 @@ bool is_degree(Degree degree) {
 
 void check_options(const SolveOptions& options) {
   const auto refuse = [](const std::string& message) { throw Error(ErrorKind::kUsage, message); };
-  if (options.degree != Degree::kThree && options.degree != Degree::kFour)
-    refuse("the degree must be 3 or 4");
+  const SolverOptions& solver = options.solver;
+  if (!is_degree(options.degree) || !is_degree(solver.relaxation_degree)) refuse("a degree must be 3 or 4");
   if (!(options.cell_size >= 0) || std::isinf(options.cell_size))
     refuse("the cell size must be a positive number");
   if (options.cell_size == 0 && options.resolution < kSmallestResolution)
     refuse("the resolution must be at least 4");
   if (options.threads < 0) refuse("the number of threads must not be negative");
-  if (!(options.solver.boundary_weight > 0)) refuse("the boundary weight must be positive");
+  if (!(solver.boundary_weight > 0)) refuse("the boundary weight must be positive");
+  if (solver.starts < 1) refuse("there must be at least one start");
+  if (solver.start_relaxation < 0 || solver.level_relaxation < 0 || solver.most_sweeps < 0) {
+    refuse("numbers of sweeps must not be negative");
+  }
+  if (!(solver.symmetrisation >= 0 && solver.symmetrisation <= 1))
+    refuse("the symmetrisation must lie in [0, 1]");
+  if (!(solver.sweep_tolerance >= 0)) refuse("the sweep tolerance must not be negative");
+  if (options.refinement.coarsest_cells < 1) refuse("the coarsest level needs a cell");
 }
 
 /// Active cells per squared finest cell of surface, and bytes per active cell: about what the shipped models

@@ -97,6 +97,21 @@ def cylinder_triangles(radius=0.55, half_height=0.7, segments=32):
     return np.array(triangles)
 
 
+def sphere_triangles(rings=12, segments=24):
+    """Of radius 1, outward."""
+    def point(i, j):
+        latitude, longitude = np.pi * i / rings, 2 * np.pi * j / segments
+        return np.array([np.sin(latitude) * np.cos(longitude), np.sin(latitude) * np.sin(longitude), np.cos(latitude)])
+
+    triangles = []
+    for i in range(rings):
+        for j in range(segments):
+            a, b, c, d = point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)
+            triangles += [(a, b, c)] if i < rings - 1 else []
+            triangles += [(a, c, d)] if i > 0 else []
+    return np.array(triangles)
+
+
 def tilt():
     """A rotation that has nothing to do with the coordinate axes."""
     quaternion = np.array([0.9, 0.3, -0.2, 0.25])
