@@ -9,6 +9,7 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/solve.hpp"
+#include "crossgrain/thread_limit.hpp"
 #include "interruption.hpp"
 #include "output.hpp"
 #include "progress_lines.hpp"
@@ -62,6 +63,7 @@ std::string summary_of(const SolveReport& report, const std::string& output) {
 
 void run_solve(const SolveArguments& arguments) {
   const auto start = Clock::now();
+  const ThreadLimit thread_limit(arguments.options.threads);
   check_field_folder(arguments.output);
 
   SolveReport report;

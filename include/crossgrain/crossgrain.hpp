@@ -10,5 +10,6 @@
 #include "crossgrain/report.hpp"
 #include "crossgrain/solve.hpp"
 #include "crossgrain/spectrum.hpp"
+#include "crossgrain/thread_limit.hpp"
 #include "crossgrain/types.hpp"
 #include "crossgrain/version.hpp"

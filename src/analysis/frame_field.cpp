@@ -2,7 +2,6 @@
 #include "crossgrain/frame_field.hpp"
 
 #include <cassert>
-#include <future>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -51,12 +50,8 @@ FrameField::Cell FrameField::cell(std::size_t index) const {
 }
 
 FrameField::Sample FrameField::sample(const Vector3& point) const {
-  // On a thread of its own: from within a parallel loop of the caller, a wait for the loop that makes the
-  // sampler might run another turn of the caller's loop, which would come here again and wait for itself.
-  std::call_once(sampler_->once, [&] {
-    const auto make = [&] { return Sampler(data_->tree, data_->frames, data_->open_faces); };
-    sampler_->sampler.emplace(std::async(std::launch::async, make).get());
-  });
+  std::call_once(sampler_->once,
+                 [&] { sampler_->sampler.emplace(data_->tree, data_->frames, data_->open_faces); });
   const Sampler::Result result = sampler_->sampler->at(point);
   return {orthonormal_frame(result.frame), result.in_active_cell};
 }

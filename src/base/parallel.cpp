@@ -57,6 +57,7 @@ ThreadLimit::~ThreadLimit() {
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 
@@ -69,8 +70,12 @@ void parallel_for_chunks(std::size_t count, std::size_t grain,
     if (count > 0) body(0, count);
     return;
   }
-  tbb::parallel_for(std::size_t{0}, chunks,
-                    [&](std::size_t chunk) { body(chunk * grain, std::min((chunk + 1) * grain, count)); });
+  // Isolated: a thread that waits for a loop inside a loop must not take up a turn of the outer one, which
+  // may wait for what this thread is making.
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(std::size_t{0}, chunks,
+                      [&](std::size_t chunk) { body(chunk * grain, std::min((chunk + 1) * grain, count)); });
+  });
 }
 
 ThreadLimit::ThreadLimit(int threads)

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <vector>
 
+#include "crossgrain/thread_limit.hpp"
+
 namespace crossgrain {
 
 /// Indices that one task takes at a time unless told otherwise: enough to hide the cost of a task.
@@ -37,17 +39,5 @@ double parallel_sum(std::size_t count, const Term& term, std::size_t grain = kPa
   });
   return std::accumulate(partial.begin(), partial.end(), 0.0);
 }
-
-/// Bounds the threads of the parallel loops while it lives; 0 means all that the machine has.
-class ThreadLimit {
- public:
-  explicit ThreadLimit(int threads);
-  ~ThreadLimit();
-  ThreadLimit(const ThreadLimit&) = delete;
-  ThreadLimit& operator=(const ThreadLimit&) = delete;
-
- private:
-  void* control_;
-};
 
 }  // namespace crossgrain

@@ -129,7 +129,7 @@ class NestedSolver {
     const auto [root, finest_depth] =
         frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
     const int coarsest_depth = std::max(0, finest_depth - levels_above_finest());
-    result_.level = uniform_level(solid_, root, coarsest_depth);
+    result_.level = uniform_level(solid_, root, coarsest_depth, monitor_);
     for (int depth = coarsest_depth;; ++depth) {
       if (result_.level.size() == 0) throw Error(ErrorKind::kInput, "the surface encloses nothing");
       const bool coarsest = depth == coarsest_depth, finest = depth == finest_depth;
@@ -154,7 +154,7 @@ class NestedSolver {
 
   void solve_level(int depth, bool coarsest, bool finest) {
     const GridLevel& level = result_.level;
-    LeafConnections connections = connect_leaves(level, solid_);
+    LeafConnections connections = connect_leaves(level, solid_, monitor_);
     LevelSolver<D> solver(level, solid_, connections.edges, options_, monitor_, depth);
     result_.open_faces = std::move(connections.open_faces);
     result_.tied_leaves = connections.tied_leaves;
@@ -222,7 +222,7 @@ class NestedSolver {
                                                : refinement_marks(result_.level, solid_, density_,
                                                                   finest_depth, options_.refinement);
     density_ = {};
-    result_.level = refined(result_.level, solid_, marks);
+    result_.level = refined(result_.level, solid_, marks, monitor_);
   }
 
   const Solid& solid_;

@@ -174,13 +174,14 @@ std::uint8_t parity_colour(CellAddress cell) {
 
 }  // namespace
 
-LeafConnections connect_leaves(const GridLevel& level, const Solid& solid) {
+LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const Monitor& monitor) {
   const LeafConnector connector(level, solid);
   const std::size_t count = level.size();
   std::vector<std::vector<WeightedEdge>> runs((count + kParallelGrain - 1) / kParallelGrain);
   LeafConnections result;
   result.open_faces.resize(count);
   parallel_for_chunks(count, kParallelGrain, [&](std::size_t begin, std::size_t end) {
+    monitor.check();
     for (auto i = static_cast<CellIndex>(begin); i < end; ++i) {
       result.open_faces[i] = connector.connect(i, runs[begin / kParallelGrain]);
     }

@@ -2,6 +2,7 @@
 // A level of the octree as the graph that the solver sees.
 #pragma once
 
+#include "crossgrain/monitor.hpp"
 #include "field/field_graph.hpp"
 #include "grid/grid_level.hpp"
 
@@ -29,7 +30,7 @@ struct LeafConnections {
 /// field linear along the face the four edges between those leaves cost three times that variance times H/2 *
 /// ..., so each of them gives up a third of its weight for every such face that its two leaves share. Linear
 /// fields then cost what the integral says.
-LeafConnections connect_leaves(const GridLevel& level, const Solid& solid);
+LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const Monitor& monitor = {});
 
 /// Adjacency, and a colouring by parity of position and depth.
 Connectivity connectivity_of(const GridLevel& level, std::span<const WeightedEdge> edges);

@@ -144,18 +144,21 @@ GridFrame frame_around(const Box& box, double cell_size) {
   return {{centre - half + cell_size * kGenericShift, size}, depth};
 }
 
-GridLevel uniform_level(const Solid& solid, const RootCube& root, int depth) {
+GridLevel uniform_level(const Solid& solid, const RootCube& root, int depth, const Monitor& monitor) {
   GridLevel level = root_level(solid, root);
-  for (int d = 0; d < depth; ++d) level = refined(level, solid, std::vector<bool>(level.size(), true));
+  for (int d = 0; d < depth; ++d)
+    level = refined(level, solid, std::vector<bool>(level.size(), true), monitor);
   level.parent.clear();
   return level;
 }
 
-GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> marked) {
+GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> marked,
+                  const Monitor& monitor) {
   balance_marks(level.tree, marked);
   const Refiner refiner(level, solid);
   std::vector<RefinedRun> runs((level.size() + kRefineGrain - 1) / kRefineGrain);
   parallel_for_chunks(level.size(), kRefineGrain, [&](std::size_t begin, std::size_t end) {
+    monitor.check();
     runs[begin / kRefineGrain] =
         refiner.refine(static_cast<CellIndex>(begin), static_cast<CellIndex>(end), marked);
   });

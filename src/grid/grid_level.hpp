@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "crossgrain/monitor.hpp"
 #include "grid/octree.hpp"
 #include "surface/bvh.hpp"
 #include "surface/surface.hpp"
@@ -64,10 +65,12 @@ struct GridFrame {
 };
 GridFrame frame_around(const Box& box, double cell_size);
 
-/// The uniform octree of `depth`.
-GridLevel uniform_level(const Solid& solid, const RootCube& root, int depth);
+/// The uniform octree of `depth`. Throws Error(kInterrupted) once the monitor is cancelled, as does
+/// `refined`.
+GridLevel uniform_level(const Solid& solid, const RootCube& root, int depth, const Monitor& monitor = {});
 
 /// Splits the marked leaves of `level` (and those that balance demands) into eight.
-GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> marked);
+GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> marked,
+                  const Monitor& monitor = {});
 
 }  // namespace crossgrain
