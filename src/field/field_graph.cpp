@@ -45,6 +45,28 @@ Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell) {
   return colouring;
 }
 
+Colouring greedy_colouring(const Adjacency& adjacency) {
+  std::vector<std::uint8_t> colours(adjacency.size());
+  std::array<std::uint32_t, 256> taken_by;  // the last cell for which a colour was seen among the neighbours
+  taken_by.fill(~std::uint32_t{0});
+  for (std::uint32_t i = 0; i < adjacency.size(); ++i) {
+    for (const Adjacency::Neighbour& neighbour : adjacency[i]) {
+      if (neighbour.cell < i) taken_by[colours[neighbour.cell]] = i;
+    }
+    const auto free =
+        std::find_if(taken_by.begin(), taken_by.end(), [i](std::uint32_t by) { return by != i; });
+    if (free == taken_by.end()) throw Error(ErrorKind::kLimit, "a cell has neighbours of 256 colours");
+    colours[i] = static_cast<std::uint8_t>(free - taken_by.begin());
+  }
+  return colouring_of(colours);
+}
+
+template <int D>
+void CellForms<D>::hold_axis(std::size_t cell, const Vector3& unit_axis) {
+  slot_[cell] = kHeld + static_cast<std::uint32_t>(held_axes_.size());
+  held_axes_.push_back(unit_axis);
+}
+
 template <int D>
 void CellForms<D>::set_plane(std::size_t cell, const Vector3& unit_normal, double weight) {
   slot_[cell] = static_cast<std::uint32_t>(planes_.size());

@@ -56,6 +56,10 @@ struct Colouring {
 /// From a colour per cell, each below 256.
 Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell);
 
+/// Every cell takes the lowest colour that none of its neighbours of lower index has. Throws Error(kLimit)
+/// where that takes more than 256 colours.
+Colouring greedy_colouring(const Adjacency& adjacency);
+
 /// weight * E_n of one normal: where a cell's surface is flat there is no need of a matrix.
 struct PlaneForm {
   std::array<float, 3> normal;
@@ -83,20 +87,30 @@ class CellForms {
   void reserve_general(std::span<const std::uint32_t> cells);
   void set_general(std::size_t cell, const QuadraticForm<D>& form, double scale);
 
+  /// From now on the frame of the cell keeps one of its axes along `unit_axis`, exactly, and turns about it
+  /// only. The cell's frame must have such an axis already.
+  void hold_axis(std::size_t cell, const Vector3& unit_axis);
+
+  const Vector3* held_axis(std::size_t cell) const {
+    return slot_[cell] >= kHeld && slot_[cell] != kNone ? &held_axes_[slot_[cell] - kHeld] : nullptr;
+  }
   const PlaneForm* plane(std::size_t cell) const {
     return slot_[cell] < kGeneral ? &planes_[slot_[cell]] : nullptr;
   }
   const PackedForm<D>* general(std::size_t cell) const {
-    return slot_[cell] >= kGeneral && slot_[cell] != kNone ? &generals_[slot_[cell] - kGeneral] : nullptr;
+    return slot_[cell] >= kGeneral && slot_[cell] < kHeld ? &generals_[slot_[cell] - kGeneral] : nullptr;
   }
   bool empty(std::size_t cell) const { return slot_[cell] == kNone; }
 
  private:
-  static constexpr std::uint32_t kGeneral = std::uint32_t{1} << 31;
+  // A slot is an index into one of three lists, told apart by its two highest bits.
+  static constexpr std::uint32_t kGeneral = std::uint32_t{2} << 30;
+  static constexpr std::uint32_t kHeld = std::uint32_t{3} << 30;
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   std::vector<std::uint32_t> slot_;
   std::vector<PlaneForm> planes_;
   std::vector<PackedForm<D>> generals_;
+  std::vector<Vector3> held_axes_;
 };
 
 extern template class CellForms<3>;

@@ -5,6 +5,8 @@
 // and u.(L_a L_b h) = -(L_a u).(L_b h), the generators being antisymmetric.
 #include "field/manifold_sweep.hpp"
 
+#include <cmath>
+
 #include "base/parallel.hpp"
 #include "field/local_energy.hpp"
 #include "harmonics/frame.hpp"
@@ -17,13 +19,21 @@ namespace {
 /// How often a step is halved before the cell is left as it is.
 constexpr int kMostHalvings = 4;
 
+/// f to second order in the rotation vector.
+struct LocalModel {
+  Vector3 gradient;
+  SymmetricMatrix3 hessian;
+};
+
 template <int D>
-Vector3 newton_step(const LocalEnergy<D>& energy, const Coefficients<D>& h, const Coefficients<D>& matrix_h) {
+LocalModel local_model(const LocalEnergy<D>& energy, const Coefficients<D>& h,
+                       const Coefficients<D>& matrix_h) {
   const Coefficients<D> u = difference(matrix_h, energy.linear());
   const auto lh = apply_generators<D>(h);
   const auto lu = apply_generators<D>(u);
-  const Vector3 gradient{2 * dot(lh[0], u), 2 * dot(lh[1], u), 2 * dot(lh[2], u)};
-  SymmetricMatrix3 hessian;
+  LocalModel model;
+  model.gradient = {2 * dot(lh[0], u), 2 * dot(lh[1], u), 2 * dot(lh[2], u)};
+  SymmetricMatrix3& hessian = model.hessian;
   int entry = 0;
   for (int a = 0; a < 3; ++a) {
     for (int b = a; b < 3; ++b) hessian[entry++] = -dot(lu[a], lh[b]) - dot(lu[b], lh[a]);
@@ -35,7 +45,17 @@ Vector3 newton_step(const LocalEnergy<D>& energy, const Coefficients<D>& h, cons
       for (int b = a; b < 3; ++b) hessian[entry++] += 2 * dot(matrix_lh, lh[b]);
     }
   }
-  return guarded_newton_step(hessian, gradient, kLargestStep_rad);
+  return model;
+}
+
+/// The Newton step of a frame that turns about one axis only, down the valley wherever the curvature points.
+Vector3 step_about(const Vector3& axis, const LocalModel& model) {
+  const double slope = dot(model.gradient, axis);
+  const double curvature = std::abs(dot(apply(model.hessian, axis), axis));
+  const double angle_rad = curvature * kLargestStep_rad > std::abs(slope)
+                               ? -slope / curvature
+                               : -std::copysign(kLargestStep_rad, slope);
+  return angle_rad * axis;
 }
 
 /// Returns by how much f fell.
@@ -46,7 +66,10 @@ double update_cell(const FieldGraph<D>& graph, FieldState<D>& state, std::size_t
   const Coefficients<D> h = frame_coefficients<D>(frame);
   const Coefficients<D> matrix_h = energy.apply_matrix(h);
   const double before = dot(h, matrix_h) - 2 * dot(energy.linear(), h);
-  Vector3 step = newton_step(energy, h, matrix_h);
+  const LocalModel model = local_model(energy, h, matrix_h);
+  const Vector3* axis = graph.forms.held_axis(cell);
+  Vector3 step =
+      axis ? step_about(*axis, model) : guarded_newton_step(model.hessian, model.gradient, kLargestStep_rad);
   for (int halving = 0; halving <= kMostHalvings; ++halving) {
     const StoredQuaternion stored = to_stored(normalised(from_rotation_vector(step) * frame));
     const Coefficients<D> turned = frame_coefficients<D>(from_stored(stored));
