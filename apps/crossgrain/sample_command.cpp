@@ -1,14 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "commands.hpp"
+#include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "interruption.hpp"
 #include "output.hpp"
 
 namespace crossgrain::app {
 
+namespace {
+
+void check_files(const SampleArguments& arguments) {
+  const auto same = [](const std::string& a, const std::string& b) {
+    return a != "-" && !a.empty() &&
+           std::filesystem::path(a).lexically_normal() == std::filesystem::path(b).lexically_normal();
+  };
+  if (same(arguments.output, arguments.points) || same(arguments.outside, arguments.points)) {
+    throw Error(ErrorKind::kUsage, arguments.points + ": holds the points; name another file for the result");
+  }
+  if (same(arguments.output, arguments.outside)) {
+    throw Error(ErrorKind::kUsage,
+                arguments.output + ": is named for frames and for outside points; name two files");
+  }
+}
+
+}  // namespace
+
 void run_sample(const SampleArguments& arguments) {
+  check_files(arguments);
   const FrameField field = read_field(arguments.field);
   const std::vector<Vector3> points = read_points(arguments.points);
 

@@ -50,8 +50,9 @@ std::string summary_of(const SolveReport& report, const std::string& output) {
   text += fmt::format("energy     {:.6g} (smoothness {:.6g}, boundary {:.6g})\n", report.energy.total,
                       report.energy.smoothness, report.energy.boundary);
   text += fmt::format(
-      "alignment  {:.3g} degrees off the surface in the mean, 95 % within {:.3g}, all within {:.3g}\n",
-      alignment.mean, alignment.p95, alignment.max);
+      "alignment  {:.3g} degrees off the surface in the mean, 95 % within {:.3g}, all within {:.3g}; {:.2g} "
+      "% left out\n",
+      alignment.mean, alignment.p95, alignment.max, 100 * alignment.excluded_share);
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
   for (const std::string& warning : report.warnings) text += fmt::format("warning    {}\n", warning);
   text += fmt::format("result     {} and {}\n", (std::filesystem::path(output) / "field.vtu").string(),

@@ -11,7 +11,7 @@ enum class ErrorKind : int {
   kUsage = 2,         ///< an option or argument that makes no sense
   kInput = 3,         ///< an input file or mesh that cannot be used
   kOutput = 4,        ///< a result that cannot be written
-  kLimit = 5,         ///< no convergence, or out of a stated limit
+  kLimit = 5,         ///< out of a stated limit, memory too
   kInterrupted = 130  ///< cancelled through a Monitor
 };
 

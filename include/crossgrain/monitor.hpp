@@ -9,11 +9,11 @@ namespace crossgrain {
 
 /// Where a long computation is.
 struct Progress {
-  const char* phase;  ///< "read", "grid", "solve" or "write"
+  const char* phase;  ///< "read", "grid", "solve", "analysis" or "write"
   int depth;          ///< octree depth of the level being worked on, 0 where there is none
   std::size_t cells;  ///< active cells of that level
   int sweep;          ///< sweeps done on that level
-  double energy;      ///< degree-4 energy after that sweep; not finite where none is known yet
+  double energy;  ///< energy after that sweep in the degree of the solve; not finite where none is known yet
 };
 
 /// Carries cancellation into a computation and progress out of it. The only object that may be shared between

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,7 +51,7 @@ struct SolveReport {
     std::size_t edges = 0;          ///< singular grid edges
     double length = 0;              ///< sum of their lengths
     std::size_t arcs = 0;           ///< chains of them between nodes, and closed loops
-    std::size_t nodes = 0;          ///< grid vertices where other than two of them meet inside the solid
+    std::size_t nodes = 0;          ///< grid vertices inside the solid where three or more of them meet
     std::size_t boundary_ends = 0;  ///< ends of arcs on the surface
   } singularity;
 
@@ -60,8 +61,37 @@ struct SolveReport {
     double thin_share = 0;            ///< share of the surface's area over walls of fewer cells than that
     double thinnest_cells = 0;        ///< thickness of the thinnest wall in cells; 0 where no wall was met
     std::size_t two_sheet_cells = 0;  ///< cells that hold both sides of a wall or gap
-    std::size_t tied_cells = 0;       ///< cells that no open face joins to others
+    std::size_t tied_cells = 0;       ///< cells, alone or a few together, that no open face joins to the rest
   } walls;
+
+  /// A mean, the 95th percentile (interpolated between ranks) and the largest; none where nothing was
+  /// measured.
+  struct AngleSummary {
+    std::optional<double> mean, p95, max;
+  };
+
+  /// The field on a tet mesh. Energies are those of degree 4.
+  struct Onto {
+    std::size_t vertices = 0;  ///< of the file, unused ones too
+    std::size_t tets = 0;      ///< that carry frames
+    std::string boundary;      ///< which boundary vertices were held to the surface
+    double dirichlet = 0;      ///< 1/2 integral of |grad h|^2, h linear in every tet
+    double edge_sum = 0;       ///< sum over edges of |h_i - h_j|^2
+
+    /// Faces around which the matchings of the vertices' frames compose to more than the identity.
+    struct Singular {
+      std::size_t interior_faces = 0, boundary_faces = 0;
+    } singular;
+
+    AngleSummary normal_deg;  ///< area-weighted normal to nearest axis, over smooth boundary vertices
+    AngleSummary crease_deg;  ///< normal of each face to nearest axis, at the other ones
+    std::size_t outside_vertices = 0;  ///< in no active cell; they start from the nearest cell's frame
+    std::size_t unused_vertices = 0;   ///< of no tet
+    std::size_t inverted_tets = 0;     ///< turned
+    std::size_t left_out_tets = 0;     ///< without volume
+    double seconds = 0;  ///< from the field on the grid to the one on the tets, evaluation included
+  };
+  std::optional<Onto> onto;  ///< only where there is a tet mesh
 
   struct Seconds {
     double read = 0, grid = 0, solve = 0, write = 0, total = 0;

@@ -21,11 +21,7 @@ double wall_thickness(const GridLevel& level, const Solid& solid, CellIndex i) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const auto ray = inward_ray(level, solid, i);
   if (!ray || ray->thickness == kNone) return kNone;
-  // The same hit again, for its triangle: inward_ray only tells how far it is.
-  constexpr double kSlack = 1e-9;
-  const auto exit = solid.bvh.first_hit(ray->origin, ray->direction, (1 - kSlack) * ray->thickness,
-                                        (1 + kSlack) * ray->thickness);
-  if (!exit || dot(solid.outward_normal(exit->triangle), ray->direction) < kOpposite) return kNone;
+  if (dot(solid.outward_normal(ray->exit_triangle), ray->direction) < kOpposite) return kNone;
   return ray->thickness;
 }
 
@@ -44,7 +40,7 @@ LeafWall leaf_wall(const GridLevel& level, const Solid& solid, CellIndex i) {
   return wall;
 }
 
-double finest_cell_size(const Octree& tree) {
+double smallest_cell_size(const Octree& tree) {
   double size = tree.root().size;
   for (CellIndex i = 0; i < tree.size(); ++i) size = std::min(size, tree.cell_size(i));
   return size;
@@ -56,7 +52,7 @@ SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid, dou
   std::vector<LeafWall> walls(level.size());
   parallel_for(level.size(),
                [&](std::size_t i) { walls[i] = leaf_wall(level, solid, static_cast<CellIndex>(i)); });
-  const double finest = finest_cell_size(level.tree);
+  const double finest = smallest_cell_size(level.tree);
   SolveReport::Walls report;
   report.cells_wanted = thickness_cells;
   double thinnest = std::numeric_limits<double>::infinity(), area = 0, thin_area = 0;

@@ -1,6 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/parallel.hpp"
 
+#include <algorithm>
+#include <thread>
+
+namespace crossgrain {
+namespace {
+
+/// More threads than the machine has gain nothing and cost memory each.
+int at_most_all(int threads) {
+  return std::min(threads, std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+}
+
+}  // namespace
+}  // namespace crossgrain
+
 #ifdef CROSSGRAIN_STD_THREADS
 
 #include <algorithm>
@@ -44,11 +58,13 @@ void parallel_for_chunks(std::size_t count, std::size_t grain,
   if (failure) std::rethrow_exception(failure);
 }
 
-ThreadLimit::ThreadLimit(int threads) : control_(nullptr) {
-  g_thread_limit.store(threads);
+ThreadLimit::ThreadLimit(int threads) : control_(new int(g_thread_limit.load())) {
+  g_thread_limit.store(at_most_all(threads));
 }
 ThreadLimit::~ThreadLimit() {
-  g_thread_limit.store(0);
+  const auto* before = static_cast<int*>(control_);
+  g_thread_limit.store(*before);
+  delete before;
 }
 
 }  // namespace crossgrain
@@ -80,7 +96,7 @@ void parallel_for_chunks(std::size_t count, std::size_t grain,
 
 ThreadLimit::ThreadLimit(int threads)
     : control_(threads > 0 ? new tbb::global_control(tbb::global_control::max_allowed_parallelism,
-                                                     static_cast<std::size_t>(threads))
+                                                     static_cast<std::size_t>(at_most_all(threads)))
                            : nullptr) {}
 
 ThreadLimit::~ThreadLimit() {

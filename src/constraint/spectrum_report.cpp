@@ -95,6 +95,9 @@ SpectrumReport report_of_normals(std::span<const WeightedNormal> normals) {
   return report_of(form);
 }
 
+/// Sums and squares of weights within these stay far from the ends of double precision.
+constexpr double kSmallestWeight = 1e-100, kLargestWeight = 1e100;
+
 void check(std::span<const WeightedNormal> normals) {
   if (normals.empty()) throw Error(ErrorKind::kUsage, "spectrum: no normals; give at least one");
   for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -105,8 +108,9 @@ void check(std::span<const WeightedNormal> normals) {
     if (!finite || !(length > 0)) {
       throw Error(ErrorKind::kUsage, place + "length zero or not finite; give a direction");
     }
-    if (!std::isfinite(weight) || !(weight > 0)) {
-      throw Error(ErrorKind::kUsage, place + "weight not positive and finite; give an area or leave it out");
+    if (!(weight >= kSmallestWeight && weight <= kLargestWeight)) {
+      throw Error(ErrorKind::kUsage,
+                  place + "weight not between 1e-100 and 1e100; give an area or leave it out");
     }
   }
 }

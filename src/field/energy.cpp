@@ -71,7 +71,9 @@ EnergyParts degree_four_energy(const GridLevel& level, const Solid& solid, const
     const Coefficients<4> h = frame_coefficients<4>(from_stored(frames[i]));
     double sum = 0;
     for (const SurfacePiece& piece : level.pieces_of(cell)) {
-      sum += piece.area * normal_value<4>(normal_basis<4>(solid.surface.normals[piece.triangle]), h);
+      // Never negative but for rounding.
+      sum += piece.area *
+             std::max(0.0, normal_value<4>(normal_basis<4>(solid.surface.normals[piece.triangle]), h));
     }
     return boundary_weight / level.tree.cell_size(cell) * sum;
   });

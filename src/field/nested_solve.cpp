@@ -52,7 +52,8 @@ class LevelSolver {
       const double decrease = manifold_sweep(graph_, state);
       energy -= decrease;
       advance(energy);
-      if (decrease <= options_.sweep_tolerance * energy + kNoise * total_weight_) break;
+      settled_ = decrease <= options_.sweep_tolerance * energy + kNoise * total_weight_;
+      if (settled_) break;
     }
     return std::move(state.frames);
   }
@@ -63,6 +64,9 @@ class LevelSolver {
 
   const Adjacency& adjacency() const { return connectivity_->adjacency; }
   int sweeps() const { return sweeps_; }
+
+  /// Whether the last field that was swept came to rest.
+  bool is_settled() const { return settled_; }
 
  private:
   template <int R>
@@ -97,6 +101,7 @@ class LevelSolver {
   FieldGraph<3> relaxed_graph3_;
   FieldGraph<4> relaxed_graph4_;
   int sweeps_ = 0;
+  bool settled_ = true;
 };
 
 /// Each leaf takes the frame of the leaf it came from.
@@ -131,7 +136,9 @@ class NestedSolver {
     const int coarsest_depth = std::max(0, finest_depth - levels_above_finest());
     result_.level = uniform_level(solid_, root, coarsest_depth, monitor_);
     for (int depth = coarsest_depth;; ++depth) {
-      if (result_.level.size() == 0) throw Error(ErrorKind::kInput, "the surface encloses nothing");
+      if (result_.level.size() == 0)
+        throw Error(ErrorKind::kInput,
+                    "the parts of the surface are too small for the cells; raise the resolution");
       const bool coarsest = depth == coarsest_depth, finest = depth == finest_depth;
       solve_level(depth, coarsest, finest);
       if (finest) break;
@@ -154,6 +161,7 @@ class NestedSolver {
 
   void solve_level(int depth, bool coarsest, bool finest) {
     const GridLevel& level = result_.level;
+    monitor_.report({"grid", depth, level.size(), 0, std::numeric_limits<double>::quiet_NaN()});
     LeafConnections connections = connect_leaves(level, solid_, monitor_);
     LevelSolver<D> solver(level, solid_, connections.edges, options_, monitor_, depth);
     result_.open_faces = std::move(connections.open_faces);
@@ -165,8 +173,10 @@ class NestedSolver {
     start_candidates(coarsest);
     for (std::size_t c = 0; c < candidates_.size(); ++c) advance_candidate(solver, c, coarsest);
     keep_best(solver, finest || level.size() > options_.solver.start_cells);
-    density_ =
-        finest ? std::vector<double>{} : energy_density(level, solver.adjacency(), candidates_.front());
+    density_ = finest || candidates_.size() > 1
+                   ? std::vector<double>{}
+                   : energy_density(level, solver.adjacency(), candidates_.front());
+    result_.settled = solver.is_settled();
     solve_watch_.stop();
     result_.levels.push_back({depth, level.examined_leaves, level.size(), solver.sweeps(),
                               result_.energy.total(), level_watch_.restart()});

@@ -23,6 +23,8 @@ struct SolvedField {
   std::size_t tied_leaves = 0;           ///< as in LeafConnections
   std::vector<StoredQuaternion> frames;
   EnergyParts energy;
+  bool settled =
+      true;  ///< false: the finest level was still falling by more than the tolerance when sweeps ran out
   std::vector<LevelStatistics> levels;  ///< from the coarsest on
   double grid_seconds = 0;
   double solve_seconds = 0;

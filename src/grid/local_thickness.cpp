@@ -20,7 +20,8 @@ std::optional<InwardRay> inward_ray(const GridLevel& level, const Solid& solid, 
   // The start is off the surface by rounding only; a millionth of a cell clears it.
   const double start = 1e-6 * level.tree.cell_size(i);
   const auto hit = solid.bvh.first_hit(origin, direction, start, std::numeric_limits<double>::infinity());
-  return InwardRay{origin, direction, hit ? hit->t : std::numeric_limits<double>::infinity()};
+  return InwardRay{origin, direction, hit ? hit->t : std::numeric_limits<double>::infinity(),
+                   hit ? hit->triangle : 0};
 }
 
 }  // namespace crossgrain

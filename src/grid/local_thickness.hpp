@@ -13,6 +13,7 @@ struct InwardRay {
   Vector3 origin;     ///< on the surface
   Vector3 direction;  ///< unit, inward
   double thickness;   ///< to where the ray leaves the solid, model units; infinite where it meets nothing
+  std::uint32_t exit_triangle;  ///< where it leaves; means something only where the thickness is finite
 };
 
 /// The ray from the centroid of the largest piece in leaf `i`; empty where the leaf holds no surface.

@@ -10,7 +10,7 @@ import unittest
 
 from program import PROGRAM, CommandTest, box_triangles, run, stl_bytes
 
-USAGE, INPUT, OUTPUT = 2, 3, 4
+USAGE, INPUT, OUTPUT, LIMIT = 2, 3, 4, 5
 
 
 class WrongUsage(CommandTest):
@@ -54,6 +54,24 @@ class WrongUsage(CommandTest):
         self.refuse(["spectrum", "--preset", "cube", "normals.txt"], "--preset")
 
 
+class WrongSizes(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.write("box.stl", stl_bytes(box_triangles()))
+
+    def test_cells_too_large_for_the_model_are_refused(self):
+        self.assert_fails(self.run_here("solve", "box.stl", "--cell-size", "1"), USAGE, "too large")
+
+    def test_what_cannot_fit_into_memory_is_refused_at_once(self):
+        for arguments in (["--resolution", "400000"], ["--cell-size", "1e-300"]):
+            self.assert_fails(self.run_here("solve", "box.stl", *arguments), LIMIT, "lower the resolution")
+        self.assertEqual(self.names(), ["box.stl"])
+
+    def test_any_number_of_threads_will_do(self):
+        result = self.run_here("solve", "box.stl", "--resolution", "8", "--threads", "2147483647", "--quiet")
+        self.assert_succeeds(result)
+
+
 class BadModels(CommandTest):
     def refuse(self, name, content, *words):
         with self.subTest(name=name):
@@ -85,6 +103,15 @@ class BadModels(CommandTest):
 
     def test_triangles_without_area(self):
         self.refuse("a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "area")
+
+    def test_surfaces_that_enclose_nothing(self):
+        self.refuse("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "encloses nothing")
+        self.refuse("flat.stl", stl_bytes(box_triangles((1.0, 1.0, 1e-12))), "encloses nothing")
+
+    def test_models_of_a_size_or_at_a_place_that_numbers_cannot_hold(self):
+        self.refuse("small.stl", stl_bytes(1e-12 * box_triangles()), "rescale")
+        self.refuse("large.stl", stl_bytes(1e15 * box_triangles()), "rescale")
+        self.refuse("far.obj", "v 1e12 0 0\nv 1e12 1 0\nv 1e12 0 1\nf 1 2 3\n", "origin")
 
     def test_coordinates_that_are_no_numbers(self):
         triangles = box_triangles()

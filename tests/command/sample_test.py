@@ -8,7 +8,7 @@ import unittest
 import numpy as np
 from program import CommandTest, box_triangles, run, stl_bytes
 
-INPUT, OUTPUT = 3, 4
+USAGE, INPUT, OUTPUT = 2, 3, 4
 
 
 class Sample(CommandTest):
@@ -49,6 +49,12 @@ class Sample(CommandTest):
         shown = self.run_here("sample", "box", points).stdout
         self.assert_succeeds(self.run_here("sample", "box", points, "-o", "frames.txt"))
         self.assertEqual((self.folder / "frames.txt").read_text(), shown)
+
+    def test_files_that_would_be_overwritten_are_refused(self):
+        self.write("points.txt", "0.3 0.4 0.5\n")
+        for files in (["-o", "points.txt"], ["--outside", "./points.txt"], ["-o", "same.txt", "--outside", "same.txt"]):
+            self.assert_fails(self.run_here("sample", "box", "points.txt", *files), USAGE)
+        self.assertEqual((self.folder / "points.txt").read_text(), "0.3 0.4 0.5\n")
 
     def test_a_wrong_line_is_named(self):
         for text, line in [("0 0 0\n1 2\n", 2), ("0 0 0 0\n", 1), ("# x\n\n0 0 x\n", 3), ("nan 0 0\n", 1)]:

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/solve_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/system_memory.hpp"
+#include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Fewer cells across than this are no grid to speak of.
+constexpr int kSmallestResolution = 4;
+
+/// Longest sides between which cubes and inverse squares of cell sizes are far from the ends of single
+/// precision.
+constexpr double kSmallestModel = 1e-9;
+constexpr double kLargestModel = 1e12;
+
+/// Coordinates this many times the model's size leave too few digits for its shape.
+constexpr double kFarthestModel = 1e9;
+
+/// Active cells per squared finest cell of surface, and bytes per active cell: about what the shipped models
+/// take.
+constexpr double kCellsPerFace = 3;
+constexpr double kBytesPerCell = 250;
+
+/// Mean thickness, relative to the longest side, below which a solid is a sheet with two sides drawn.
+constexpr double kFlat = 1e-9;
+
+/// Shares of the surface's area above which the user is warned of thin walls and of what no frame can meet.
+constexpr double kThinShareToWarnOf = 0.02;
+constexpr double kExcludedShareToWarnOf = 0.1;
+
+/// Relative difference of bounding boxes below which two models count as the same part.
+constexpr double kSameBox = 0.01;
+
+[[noreturn]] void refuse(ErrorKind kind, const std::string& message) {
+  throw Error(kind, message);
+}
+
+bool is_degree(Degree degree) {
+  return degree == Degree::kThree || degree == Degree::kFour;
+}
+
+double total_area(const Surface& surface) {
+  return std::accumulate(surface.areas.begin(), surface.areas.end(), 0.0);
+}
+
+double enclosed_volume(const Surface& surface) {
+  double volume = 0;
+  for (std::size_t t = 0; t < surface.size(); ++t) {
+    volume += surface.areas[t] * dot(surface.normals[t], surface.corners(t)[0] - surface.box.low) / 3;
+  }
+  return std::abs(volume);
+}
+
+}  // namespace
+
+void check_options(const SolveOptions& options) {
+  const auto demand = [](bool met, const char* message) {
+    if (!met) refuse(ErrorKind::kUsage, message);
+  };
+  const SolverOptions& solver = options.solver;
+  demand(is_degree(options.degree) && is_degree(solver.relaxation_degree), "a degree must be 3 or 4");
+  demand(options.cell_size >= 0 && std::isfinite(options.cell_size),
+         "the cell size must be a positive number");
+  demand(options.cell_size > 0 || options.resolution >= kSmallestResolution,
+         "the resolution must be at least 4");
+  demand(options.threads >= 0, "the number of threads must not be negative");
+  demand(solver.boundary_weight > 0 && std::isfinite(solver.boundary_weight),
+         "the boundary weight must be positive");
+  demand(solver.starts >= 1, "there must be at least one start");
+  demand(solver.start_relaxation >= 0 && solver.level_relaxation >= 0 && solver.most_sweeps >= 0,
+         "numbers of sweeps must not be negative");
+  demand(solver.symmetrisation >= 0 && solver.symmetrisation <= 1, "the symmetrisation must lie in [0, 1]");
+  demand(solver.sweep_tolerance >= 0, "the sweep tolerance must not be negative");
+  demand(options.refinement.coarsest_cells >= 1, "the coarsest level needs a cell");
+  demand(options.refinement.thickness_cells >= 0, "the cells wanted across a wall must not be negative");
+  demand(!std::isnan(options.refinement.energy_density_threshold),
+         "the threshold of the energy density must be a number");
+}
+
+void check_size(const Surface& surface, double finest_cell_size) {
+  const double size = longest_side(surface.box);
+  if (!(size >= kSmallestModel && size <= kLargestModel)) {
+    refuse(ErrorKind::kInput, fmt::format("the model is {:.3g} across; rescale it to between {:g} and {:g}",
+                                          size, kSmallestModel, kLargestModel));
+  }
+  double farthest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    farthest = std::max({farthest, std::abs(surface.box.low[axis]), std::abs(surface.box.high[axis])});
+  }
+  if (farthest > kFarthestModel * size) {
+    refuse(ErrorKind::kInput,
+           fmt::format("the model is {:.3g} across but {:.3g} away from the origin; move it there", size,
+                       farthest));
+  }
+  if (finest_cell_size > size / kSmallestResolution * (1 + 1e-9)) {
+    refuse(ErrorKind::kUsage,
+           fmt::format("cells of {:.3g} are too large for a model {:.3g} across; it takes {} along "
+                       "the longest side at least",
+                       finest_cell_size, size, kSmallestResolution));
+  }
+  const double cells = kCellsPerFace * total_area(surface) / (finest_cell_size * finest_cell_size);
+  const double available = static_cast<double>(physical_memory_bytes());
+  if (cells < kNoCell && (available == 0 || cells * kBytesPerCell < available)) return;
+  refuse(
+      ErrorKind::kLimit,
+      fmt::format("about {:.3g} million cells would need {:.3g} GB, and the machine has {:.3g} GB; lower the "
+                  "resolution or take larger cells",
+                  cells / 1e6, cells * kBytesPerCell / 1e9, available / 1e9));
+}
+
+void check_interior(const GridLevel& finest, const Surface& surface, const SurfaceTopology& topology) {
+  if (std::find(finest.centre_inside.begin(), finest.centre_inside.end(), 1) != finest.centre_inside.end())
+    return;
+  if (!topology.watertight) {
+    refuse(ErrorKind::kInput, "the surface is open and encloses nothing; close it");
+  }
+  if (2 * enclosed_volume(surface) < kFlat * total_area(surface) * longest_side(surface.box)) {
+    refuse(ErrorKind::kInput, "the surface is flat and encloses nothing; give it thickness");
+  }
+}
+
+std::vector<std::string> warnings_of(const SolveReport& report, const Surface& surface,
+                                     const SurfaceTopology& topology) {
+  std::vector<std::string> warnings;
+  if (surface.degenerate_triangles > 0) {
+    warnings.push_back(fmt::format("{} triangles without area were left out", surface.degenerate_triangles));
+  }
+  if (topology.misoriented_edges > 0) {
+    warnings.push_back(
+        fmt::format("at {} edges neighbouring triangles face opposite ways: what is inside is not reliable "
+                    "there, orient the surface",
+                    topology.misoriented_edges));
+  }
+  if (topology.open_edges + topology.nonmanifold_edges > 0) {
+    warnings.push_back(
+        fmt::format("the surface has {} open edges and {} with more than two triangles: inside and outside "
+                    "are told apart by the winding number",
+                    topology.open_edges, topology.nonmanifold_edges));
+  }
+  if (report.walls.thin_share > kThinShareToWarnOf) {
+    warnings.push_back(
+        fmt::format("walls below {:g} cells under {:.0f} % of the surface: under-resolved there, raise the "
+                    "resolution",
+                    report.walls.cells_wanted, 100 * report.walls.thin_share));
+  }
+  if (report.alignment_deg.excluded_share > kExcludedShareToWarnOf) {
+    warnings.push_back(
+        fmt::format("{:.0f} % of the surface lies in cells whose constraints no frame meets, and is left "
+                    "out of alignment_deg",
+                    100 * report.alignment_deg.excluded_share));
+  }
+  return warnings;
+}
+
+std::string other_model_warning(const Box& earlier, const Box& box) {
+  const double tolerance = kSameBox * longest_side(box);
+  if (norm(earlier.low - box.low) <= tolerance && norm(earlier.high - box.high) <= tolerance) return "";
+  return "the field that was started from is of a model with another bounding box";
+}
+
+}  // namespace crossgrain

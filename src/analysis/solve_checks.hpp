@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a solve refuses before it begins or once it sees that there is nothing to solve, and what it warns of.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "crossgrain/options.hpp"
+#include "crossgrain/report.hpp"
+#include "grid/grid_level.hpp"
+#include "surface/surface.hpp"
+#include "surface/topology.hpp"
+
+namespace crossgrain {
+
+/// Throws Error(kUsage) for an option out of its range.
+void check_options(const SolveOptions& options);
+
+/// Throws Error(kInput) for a model so small or large that numbers derived from it leave single precision,
+/// Error(kUsage) for cells too large for it, Error(kLimit) where the field would not fit into the machine's
+/// memory.
+void check_size(const Surface& surface, double finest_cell_size);
+
+/// Throws Error(kInput) where no cell has its centre inside and that is not for want of resolution: the
+/// surface is open, or flat.
+void check_interior(const GridLevel& finest, const Surface& surface, const SurfaceTopology& topology);
+
+/// One sentence each, for SolveReport::warnings.
+std::vector<std::string> warnings_of(const SolveReport& report, const Surface& surface,
+                                     const SurfaceTopology& topology);
+
+/// A warning where a field is started from that of a model of another size or place; empty otherwise.
+std::string other_model_warning(const Box& earlier, const Box& box);
+
+}  // namespace crossgrain
