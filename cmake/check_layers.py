@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 # From the lowest up, as in CMakeLists.txt.
-LAYERS = ["base", "harmonics", "constraint", "surface", "grid", "field", "analysis", "io"]
+LAYERS = ["base", "harmonics", "constraint", "surface", "tets", "grid", "field", "analysis", "io"]
 
 # A layer that stands beside one below it, not above: its only exceptions.
 EXTRA_LAYERS = {"distributed": [layer for layer in LAYERS if layer != "io"] + ["distributed"]}

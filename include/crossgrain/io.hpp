@@ -22,6 +22,15 @@ namespace crossgrain {
 /// mend.
 TriangleMesh read_surface(const std::filesystem::path& path);
 
+/// The solid in a tet mesh file: Medit in text (.mesh). Vertices and tets stand in the order of the file,
+/// those that are unused, inverted or without volume too; tags and elements of fewer dimensions are passed
+/// over. Throws Error(kInput) naming the file, the place in it and the mend, also where there are no tets or
+/// solid elements of other shapes.
+TetMesh read_tets(const std::filesystem::path& path);
+
+/// Whether `read_tets`, and not `read_surface`, takes a file of this name, by its extension.
+bool is_tet_file(const std::filesystem::path& path);
+
 /// Writes FOLDER/field.vtu (docs/field-file.md), which ParaView opens, and FOLDER/report.json
 /// (docs/report.md), making the folder where it is missing. Both are written beside and then renamed: a
 /// failure leaves what was there before. The report's seconds.write is what that took; it is added to

@@ -23,6 +23,12 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
+/// A solid cut into tets that index vertices, of either orientation.
+struct TetMesh {
+  std::vector<Vector3> vertices;
+  std::vector<std::array<std::uint32_t, 4>> tets;
+};
+
 /// Three orthonormal axes, right-handed. As an octahedral frame it stands for itself and the 23 other
 /// rotations that permute the axes and flip their signs.
 struct Frame {

@@ -36,9 +36,9 @@ Box box_of_triangles(const TriangleMesh& mesh) {
 
 }  // namespace
 
-void check_mesh(const TriangleMesh& mesh) {
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    for (const double coordinate : mesh.vertices[v]) {
+void check_vertices(const std::vector<Vector3>& vertices) {
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    for (const double coordinate : vertices[v]) {
       if (std::abs(coordinate) < kLargestCoordinate) continue;  // false for NaN
       throw Error(ErrorKind::kInput,
                   "vertex " + std::to_string(v) + " (counted from 0): coordinate " +
@@ -46,6 +46,10 @@ void check_mesh(const TriangleMesh& mesh) {
                       "; export the mesh again or remove that vertex");
     }
   }
+}
+
+void check_mesh(const TriangleMesh& mesh) {
+  check_vertices(mesh.vertices);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const std::uint32_t vertex : mesh.triangles[t]) {
       if (vertex < mesh.vertices.size()) continue;

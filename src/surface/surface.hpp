@@ -27,8 +27,11 @@ struct Surface {
   }
 };
 
-/// Throws Error(kInput) unless every index is in range and every coordinate finite and below 1e100 (squares
-/// and cubes of lengths must not overflow). The message names the triangle or vertex, counted from 0.
+/// Throws Error(kInput) unless every coordinate is finite and below 1e100 (squares and cubes of lengths must
+/// not overflow). The message names the vertex, counted from 0.
+void check_vertices(const std::vector<Vector3>& vertices);
+
+/// The same, and that every index is in range; that message names the triangle.
 void check_mesh(const TriangleMesh& mesh);
 
 /// Normal and area of a triangle; the area is 0 (and the normal {0, 0, 0}) where the corners are collinear to

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "surface/surface.hpp"
 
 namespace crossgrain {
@@ -64,24 +65,6 @@ std::vector<EdgeUse> sorted_edge_uses(const TriangleMesh& mesh) {
   return uses;
 }
 
-/// Disjoint sets of triangles.
-class TriangleSets {
- public:
-  explicit TriangleSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  std::uint32_t root(std::uint32_t t) {
-    while (parent_[t] != t) t = parent_[t] = parent_[parent_[t]];
-    return t;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    const auto [low, high] = std::minmax({root(a), root(b)});
-    parent_[high] = low;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 }  // namespace
 
 TriangleMesh weld(const TriangleMesh& mesh) {
@@ -109,7 +92,7 @@ TriangleMesh weld(const TriangleMesh& mesh) {
 SurfaceTopology analyse_topology(const TriangleMesh& mesh) {
   SurfaceTopology topology;
   const std::vector<EdgeUse> uses = sorted_edge_uses(mesh);
-  TriangleSets sets(mesh.triangles.size());
+  DisjointSets sets(mesh.triangles.size());
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
     while (end < uses.size() && uses[end].edge == uses[begin].edge)
       sets.join(uses[begin].triangle, uses[end++].triangle);

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tets/tet_solid.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "base/disjoint_sets.hpp"
+#include "base/parallel.hpp"
+#include "crossgrain/error.hpp"
+#include "surface/surface.hpp"
+#include "tets/boundary_edges.hpp"
+#include "tets/tet_faces.hpp"
+#include "tets/tet_shape.hpp"
+
+namespace crossgrain {
+namespace {
+
+using Tets = std::vector<std::array<std::uint32_t, 4>>;
+
+std::string numbers(std::span<const std::uint32_t> values) {
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < values.size() ? ", " : " and ") + std::to_string(values[i]);
+  return text;
+}
+
+/// How many things of a kind there are, and the first of them.
+struct Tally {
+  std::size_t count = 0;
+  std::size_t first = 0;
+
+  void add(std::size_t index) {
+    if (count++ == 0 || index < first) first = index;
+  }
+};
+
+void warn(std::vector<std::string>& warnings, const Tally& tally, const char* kind, const char* what) {
+  if (tally.count == 0) return;
+  warnings.push_back(std::string(what) + ": " + std::to_string(tally.count) + "; the first is " + kind + " " +
+                     std::to_string(tally.first) + " (counted from 0)");
+}
+
+void check_indices(const TetMesh& mesh) {
+  if (mesh.tets.empty())
+    throw Error(ErrorKind::kInput, "no tets; a solid cut into tets is needed to put a frame field on them");
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    for (const std::uint32_t vertex : mesh.tets[t]) {
+      if (vertex < mesh.vertices.size()) continue;
+      throw Error(ErrorKind::kInput, "tet " + std::to_string(t) + " (counted from 0): vertex index " +
+                                         std::to_string(vertex) + " is out of range, there are " +
+                                         std::to_string(mesh.vertices.size()) +
+                                         " vertices; export the mesh again or remove that tet");
+    }
+  }
+}
+
+/// The tets' shapes before inverted ones are turned, which this does.
+std::vector<TetShape> turn_tets(TetMesh& mesh) {
+  std::vector<TetShape> shapes(mesh.tets.size());
+  parallel_for(shapes.size(), [&](std::size_t t) {
+    shapes[t] = shape_of_tet(mesh.vertices, mesh.tets[t]);
+    if (shapes[t] == TetShape::kInverted) std::swap(mesh.tets[t][2], mesh.tets[t][3]);
+  });
+  return shapes;
+}
+
+[[noreturn]] void refuse_face(std::span<const std::uint32_t> vertices, std::span<const FaceUse> uses) {
+  const std::array first = {uses[0].tet, uses[1].tet, uses[2].tet};
+  throw Error(ErrorKind::kInput,
+              "the face of vertices " + numbers(vertices) + " belongs to " + std::to_string(uses.size()) +
+                  " tets, among them " + numbers(first) +
+                  " (counted from 0), where a solid has two at most; remove the tets that overlap others");
+}
+
+/// Unsets `take` for tets of the same four vertices as an earlier one.
+Tally drop_repeated_tets(const TetFaces& faces, const Tets& tets, std::vector<std::uint8_t>& take) {
+  Tally repeated;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> apexes;  // opposite vertex and tet
+  faces.visit([&](const auto&, std::span<const FaceUse> uses) {
+    apexes.clear();
+    for (const FaceUse& use : uses) apexes.emplace_back(tets[use.tet][use.corner], use.tet);
+    std::sort(apexes.begin(), apexes.end());
+    for (std::size_t i = 1; i < apexes.size(); ++i) {
+      const auto [apex, tet] = apexes[i];
+      if (apex != apexes[i - 1].first || !take[tet]) continue;
+      take[tet] = 0;
+      repeated.add(tet);
+    }
+  });
+  return repeated;
+}
+
+/// Whether a face has more than two tets, or two of the same vertices.
+bool has_crowded_face(const TetFaces& faces, const Tets& tets) {
+  bool crowded = false;
+  faces.visit([&](const auto&, std::span<const FaceUse> uses) {
+    crowded |= uses.size() > 2 ||
+               (uses.size() == 2 && tets[uses[0].tet][uses[0].corner] == tets[uses[1].tet][uses[1].corner]);
+  });
+  return crowded;
+}
+
+/// All faces of tets that name four vertices, each set of them once. Repeated tets lose their `take`.
+TetFaces faces_of_solid(const TetMesh& mesh, std::vector<std::uint8_t>& take,
+                        std::vector<std::string>& warnings) {
+  TetFaces faces(mesh.vertices.size(), mesh.tets, take);
+  if (!has_crowded_face(faces, mesh.tets)) return faces;
+  const Tally repeated = drop_repeated_tets(faces, mesh.tets, take);
+  warn(warnings, repeated, "tet", "tets of the same vertices as an earlier one, left out");
+  if (repeated.count > 0) faces = TetFaces(mesh.vertices.size(), mesh.tets, take);
+  faces.visit([](const auto& vertices, std::span<const FaceUse> uses) {
+    if (uses.size() > 2) refuse_face(vertices, uses);
+  });
+  return faces;
+}
+
+/// Flat tets have no orientation of their own: it is what fits to their neighbours'. Returns for each tet
+/// whether the table's `even` is to be taken the other way round.
+std::vector<std::uint8_t> orient_flat_tets(const TetFaces& faces, const std::vector<TetShape>& shapes) {
+  // Each pass takes it at least one flat tet farther into a heap of them; deeper ones stay as they are.
+  constexpr int kPasses = 16;
+  std::vector<std::uint8_t> reversed(shapes.size(), 0);
+  std::vector<std::uint8_t> known(shapes.size());
+  for (std::size_t t = 0; t < shapes.size(); ++t) known[t] = shapes[t] != TetShape::kFlat;
+  bool changed = std::count(known.begin(), known.end(), 0) > 0;
+  for (int pass = 0; pass < kPasses && changed; ++pass) {
+    changed = false;
+    faces.visit([&](const auto&, std::span<const FaceUse> uses) {
+      if (uses.size() != 2 || known[uses[0].tet] == known[uses[1].tet]) return;
+      const FaceUse& from = known[uses[0].tet] ? uses[0] : uses[1];
+      const FaceUse& to = known[uses[0].tet] ? uses[1] : uses[0];
+      const bool from_even = from.even != (reversed[from.tet] != 0);
+      reversed[to.tet] = to.even == from_even;
+      known[to.tet] = 1;
+      changed = true;
+    });
+  }
+  return reversed;
+}
+
+/// Fills in `inner_faces`, `boundary` and `boundary_tets`, and joins tets across faces; `new_index` is kNoTet
+/// for flat tets. Returns the faces that have both their tets on the same side, by the first of these.
+Tally sort_out_faces(const TetFaces& faces, const std::vector<std::uint32_t>& new_index,
+                     const std::vector<std::uint8_t>& reversed, DisjointSets& connected, TetSolid& solid) {
+  Tally folded;
+  solid.inner_faces.reserve(faces.use_count() / 2);
+  faces.visit([&](const std::array<std::uint32_t, 3>& v, std::span<const FaceUse> uses) {
+    const std::uint32_t tet = new_index[uses[0].tet];
+    if (uses.size() == 1) {
+      const bool even = uses[0].even != (reversed[uses[0].tet] != 0);
+      solid.boundary.push_back(even ? v : std::array{v[0], v[2], v[1]});
+      solid.boundary_tets.push_back(tet);
+      return;
+    }
+    connected.join(uses[0].tet, uses[1].tet);
+    const std::uint32_t other = new_index[uses[1].tet];
+    if (tet == kNoTet && other == kNoTet) return;
+    solid.inner_faces.push_back({v, {std::min(tet, other), std::max(tet, other)}});
+    if (tet != kNoTet && other != kNoTet && uses[0].even == uses[1].even) folded.add(std::min(tet, other));
+  });
+  return folded;
+}
+
+/// Numbers the components in the order of their first tets. Flat tets connect too.
+void number_components(DisjointSets& connected, const std::vector<std::uint32_t>& new_index,
+                       TetSolid& solid) {
+  std::vector<std::uint32_t> component_of_root(new_index.size(), kNoComponent);
+  solid.tet_components.resize(solid.mesh.tets.size());
+  solid.vertex_components.assign(solid.mesh.vertices.size(), kNoComponent);
+  for (std::uint32_t t = 0; t < new_index.size(); ++t) {
+    if (new_index[t] == kNoTet) continue;
+    std::uint32_t& component = component_of_root[connected.root(t)];
+    if (component == kNoComponent) component = static_cast<std::uint32_t>(solid.components++);
+    solid.tet_components[new_index[t]] = component;
+    for (const std::uint32_t v : solid.mesh.tets[new_index[t]])
+      solid.vertex_components[v] = std::min(solid.vertex_components[v], component);
+  }
+}
+
+/// Moves tets that are kept to the front; returns their new indices, kNoTet for the others.
+std::vector<std::uint32_t> keep_tets(Tets& tets, const std::vector<TetShape>& shapes,
+                                     const std::vector<std::uint8_t>& take) {
+  std::vector<std::uint32_t> new_index(tets.size(), kNoTet);
+  std::uint32_t count = 0;
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    if (!take[t] || shapes[t] == TetShape::kFlat) continue;
+    tets[count] = tets[t];
+    new_index[t] = count++;
+  }
+  tets.resize(count);
+  return new_index;
+}
+
+void warn_of_unused_vertices(TetSolid& solid, std::vector<std::string>& warnings) {
+  Tally unused;
+  for (std::size_t v = 0; v < solid.vertex_components.size(); ++v)
+    if (solid.vertex_components[v] == kNoComponent) unused.add(v);
+  solid.unused_vertices = unused.count;
+  warn(warnings, unused, "vertex", "vertices of no tet, kept in the numbering");
+}
+
+void warn_of_boundary_faults(const TetSolid& solid, std::vector<std::string>& warnings) {
+  const BoundaryFaults faults = find_boundary_faults(solid.boundary);
+  if (faults.edges > 0) {
+    warnings.push_back("edges along which the solid touches itself, more than two boundary faces each: " +
+                       std::to_string(faults.edges) + "; the first joins vertices " +
+                       numbers(faults.first_edge) + " (counted from 0)");
+  }
+  warn(warnings, {faults.vertices, faults.first_vertex}, "vertex",
+       "vertices at which the solid touches itself");
+}
+
+}  // namespace
+
+TetSolid prepare_tets(TetMesh mesh, std::vector<std::string>& warnings) {
+  check_vertices(mesh.vertices);
+  check_indices(mesh);
+  const std::size_t given = mesh.tets.size();
+  const std::vector<TetShape> shapes = turn_tets(mesh);
+  Tally inverted, flat;
+  std::vector<std::uint8_t> take(given);
+  for (std::size_t t = 0; t < given; ++t) {
+    take[t] = shapes[t] != TetShape::kCollapsed;
+    if (shapes[t] == TetShape::kInverted) inverted.add(t);
+    if (shapes[t] == TetShape::kFlat || shapes[t] == TetShape::kCollapsed) flat.add(t);
+  }
+  if (flat.count == given)
+    throw Error(ErrorKind::kInput, "none of the " + std::to_string(given) +
+                                       " tets has a volume (the first is tet 0); export the mesh again");
+  warn(warnings, inverted, "tet", "inverted tets, turned");
+  warn(warnings, flat, "tet", "tets without volume, left out");
+
+  const TetFaces faces = faces_of_solid(mesh, take, warnings);
+  TetSolid solid;
+  solid.inverted_tets = inverted.count;
+  const std::vector<std::uint32_t> new_index = keep_tets(mesh.tets, shapes, take);
+  solid.left_out_tets = given - mesh.tets.size();
+  solid.mesh = std::move(mesh);
+  DisjointSets connected(given);
+  const Tally folded = sort_out_faces(faces, new_index, orient_flat_tets(faces, shapes), connected, solid);
+  warn(warnings, folded, "a face of tet",
+       "faces with both their tets on the same side, where the mesh overlaps itself");
+  if (solid.boundary.empty())
+    throw Error(
+        ErrorKind::kInput,
+        "every face has two tets, so there is no boundary (tet 0 is the first); the mesh folds over itself: "
+        "export the mesh again");
+  number_components(connected, new_index, solid);
+  warn_of_unused_vertices(solid, warnings);
+  warn_of_boundary_faults(solid, warnings);
+  return solid;
+}
+
+TriangleMesh boundary_surface(const TetSolid& solid) {
+  constexpr std::uint32_t kUnused = UINT32_MAX;
+  std::vector<std::uint32_t> new_index(solid.mesh.vertices.size(), kUnused);
+  for (const auto& face : solid.boundary)
+    for (const std::uint32_t v : face) new_index[v] = 0;
+  TriangleMesh surface;
+  for (std::size_t v = 0; v < new_index.size(); ++v) {
+    if (new_index[v] == kUnused) continue;
+    new_index[v] = static_cast<std::uint32_t>(surface.vertices.size());
+    surface.vertices.push_back(solid.mesh.vertices[v]);
+  }
+  surface.triangles.reserve(solid.boundary.size());
+  for (const auto& [a, b, c] : solid.boundary)
+    surface.triangles.push_back({new_index[a], new_index[b], new_index[c]});
+  return surface;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
+#include "io/temporary_folder.hpp"
+
+namespace crossgrain {
+namespace {
+
+const std::string kHeader = "MeshVersionFormatted 1\nDimension 3\n";
+const std::string kVertices = "Vertices\n4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\n";
+const std::string kTets = "Tetrahedra\n1\n1 2 3 4 7\n";
+
+TetMesh read_text(std::string_view content) {
+  const TemporaryFolder folder;
+  return read_tets(folder.write("a.mesh", content));
+}
+
+void expect_corner_tet(const TetMesh& mesh) {
+  EXPECT_EQ(mesh.vertices, (std::vector<Vector3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+  EXPECT_EQ(mesh.tets, (std::vector<std::array<std::uint32_t, 4>>{{0, 1, 2, 3}}));
+}
+
+void expect_error(std::string_view content, const std::string& part) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("a.mesh", content);
+  try {
+    read_tets(path);
+    ADD_FAILURE() << "no error about " << part;
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(error.kind(), ErrorKind::kInput);
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+    EXPECT_TRUE(message.starts_with(path.string())) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+}
+
+TEST(MeditReader, ReadsVerticesAndTets) {
+  expect_corner_tet(read_text(kHeader + kVertices + kTets + "End\n"));
+}
+
+TEST(MeditReader, TakesTheDimensionOnTheNextLine) {
+  expect_corner_tet(read_text(" MeshVersionFormatted\n 2\n Dimension\n 3\n" + kVertices + kTets + "End"));
+}
+
+TEST(MeditReader, DoesWithoutHeaderAndEnd) {
+  expect_corner_tet(read_text(kVertices + kTets));
+  expect_corner_tet(read_text(kVertices + kTets.substr(0, kTets.size() - 1)));
+}
+
+TEST(MeditReader, TakesTetsBeforeVertices) {
+  expect_corner_tet(read_text(kHeader + kTets + kVertices + "End\n"));
+}
+
+TEST(MeditReader, PassesOverCommentsAndEmptyLines) {
+  expect_corner_tet(
+      read_text("# made by hand\n\nMeshVersionFormatted 1 # old\nDimension 3\n\n"
+                "Vertices # four of them\n4\n0 0 0 1 # origin\n\n1 0 0 1\n0 1 0 1\n0 0 1 1\n" +
+                kTets));
+}
+
+TEST(MeditReader, TakesLineEndsOfAllKinds) {
+  for (const std::string end : {"\r\n", "\r", " "}) {
+    std::string text = kHeader + kVertices + kTets + "End\n";
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += end.size())
+      text.replace(at, 1, end);
+    expect_corner_tet(read_text(text));
+  }
+}
+
+TEST(MeditReader, PassesOverOtherSections) {
+  expect_corner_tet(read_text(kHeader + "Triangles\n2\n1 2 3 1\n1 2 4 1\n" + kVertices +
+                              "Edges 1 1 2 5\nCorners 2 1 2\nNormals 1 0 0 1\nHexahedra 0\n" + kTets +
+                              "RequiredVertices\n1\n4\nEnd\n"));
+}
+
+TEST(MeditReader, PassesOverSectionsThatItDoesNotKnow) {
+  expect_corner_tet(read_text(kHeader + "AngleOfCornerBound 45.5\nGeometry \"part.geom\"\n" + kVertices +
+                              "Wobbles\n2\n1 -2.5 3\n4 5 6e7\n" + kTets));
+}
+
+TEST(MeditReader, IgnoresWhatFollowsEnd) {
+  expect_corner_tet(read_text(kVertices + kTets + "End\n1 2 3 Vertices"));
+}
+
+TEST(MeditReader, RefusesMoreRowsThanTheFileCanHold) {
+  for (const char* count : {"353535235358", "99999999999999999999", "9", "-1", "4.5", "many"}) {
+    expect_error(fmt::format("Vertices\n{}\n0 0 0 1\n1 0 0 1\n", count), "a.mesh:2: ");
+    expect_error(fmt::format("{}Tetrahedra\n{}\n1 2 3 4 1\n", kVertices, count), "a.mesh:8: ");
+    expect_error(fmt::format("{}Hexahedra\n{}\n1 2 3 4 1\n", kVertices, count), "a.mesh:8: ");
+  }
+}
+
+TEST(MeditReader, RefusesAFileCutShortAnywhere) {
+  const std::string text = kHeader + kVertices + kTets;
+  // The last four characters are the tet's reference number, whose first digit would do, and blanks around
+  // it.
+  for (std::size_t size = 1; size < text.size() - 2; ++size) expect_error(text.substr(0, size), "a.mesh:");
+}
+
+TEST(MeditReader, NamesTheLineOfAVertexOutOfRange) {
+  for (const char* number : {"5", "0", "-1", "4294967297", "1.5", "x"}) {
+    const std::string tets = fmt::format("Tetrahedra\n2\n1 2 3 4 0\n1 2 3 {} 0\n", number);
+    expect_error(kVertices + tets, "a.mesh:10: ");
+    expect_error(tets + kVertices, "a.mesh:4: ");
+  }
+}
+
+TEST(MeditReader, NamesTheLineOfACoordinateThatIsNoNumber) {
+  for (const char* bad : {"nan", "inf", "-1e999", "0,5", "1.0D0"})
+    expect_error(fmt::format("Vertices 2\n0 0 0 1\n0 {} 0 1\nTetrahedra 1\n1 1 1 1 1\n", bad), "a.mesh:3: ");
+}
+
+TEST(MeditReader, RefusesRowsOfAnotherLength) {
+  expect_error("Vertices\n3\n0 0 0\n0.5 1 0\n0 1 0\n" + kTets, "a.mesh:4: '0.5' where the reference number");
+  expect_error("Vertices\n2\n0 0 0 1\n1 0 0 1\n0 1 0 1\n" + kTets, "after the last row of Vertices");
+}
+
+TEST(MeditReader, RefusesOtherSolidElements) {
+  const std::string hexahedra = "Hexahedra\n1\n1 2 3 4 1 2 3 4 0\n";
+  expect_error(kHeader + kVertices + hexahedra + "End\n", "a.mesh:10: 1 Hexahedra, where only Tetrahedra");
+  expect_error(kHeader + kVertices + kTets + hexahedra + "End\n", "1 Hexahedra");
+}
+
+TEST(MeditReader, SaysWhatItMissesInASurfaceMesh) {
+  expect_error(kHeader + kVertices + "Triangles\n1\n1 2 3 0\nEnd\n", "1 triangles but no tets");
+  expect_error(kHeader + kVertices + "End\n", "no tets");
+  expect_error(kHeader + kTets + "End\n", "no section Vertices");
+}
+
+TEST(MeditReader, RefusesASecondSectionOfTheSameKind) {
+  expect_error(kVertices + kVertices + kTets, "a.mesh:8: a second section Vertices");
+  expect_error(kVertices + kTets + kTets, "a second section Tetrahedra");
+}
+
+TEST(MeditReader, RefusesPlaneMeshesAndOtherFiles) {
+  expect_error("MeshVersionFormatted 1\nDimension 2\n" + kVertices, "a.mesh:2: ");
+  expect_error("solid cube\n", "no Medit mesh");
+  expect_error(std::string_view("\x01\0\0\0\x03\0\0\0", 8), "no Medit mesh");
+  expect_error(" \n", "no Medit mesh");
+}
+
+TEST(ReadTets, GoesByTheExtension) {
+  EXPECT_TRUE(is_tet_file("folder/part.mesh"));
+  EXPECT_TRUE(is_tet_file("PART.MESH"));
+  for (const char* name : {"part.stl", "part", "mesh", "part.meshb", "part.mesh.xz"})
+    EXPECT_FALSE(is_tet_file(name));
+  const TemporaryFolder folder;
+  EXPECT_THROW(read_tets(folder.write("a.stl", kVertices + kTets)), Error);
+  EXPECT_THROW(read_tets(folder.path() / "missing.mesh"), Error);
+}
+
+// The models of the shared folder.
+
+TEST(SharedModels, MeditFilesHaveTheCountsOfTheManifest) {
+  const char* set = std::getenv("CROSSGRAIN_SHARED");
+  const auto models = std::filesystem::path(set != nullptr ? set : CROSSGRAIN_DEFAULT_SHARED) / "models";
+  std::size_t read = 0;
+  for (const char* folder : {"good", "bad"}) {
+    std::ifstream manifest(models / folder / "MANIFEST.tsv");
+    for (std::string line; std::getline(manifest, line);) {
+      std::istringstream row(line);
+      std::vector<std::string> fields;
+      for (std::string field; std::getline(row, field, '\t');) fields.push_back(field);
+      if (!is_tet_file(fields.at(0))) continue;
+      SCOPED_TRACE(fields[0]);
+      const TetMesh mesh = read_tets(models / folder / fields[0]);
+      EXPECT_EQ(std::to_string(mesh.vertices.size()), fields.at(3));
+      EXPECT_EQ(std::to_string(mesh.tets.size()), fields.at(5));
+      ++read;
+    }
+  }
+  if (read == 0) GTEST_SKIP() << "no tet meshes in " << models;
+}
+
+}  // namespace
+}  // namespace crossgrain

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tets/boundary_vertices.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tets/tet_meshes.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// On how many faces of the box a point lies.
+int faces_of_box(const Vector3& p, const TetBox& box) {
+  int faces = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) faces += p[axis] == 0 || p[axis] == box.cells[axis];
+  return faces;
+}
+
+class BoundaryOfABox : public ::testing::Test {
+ protected:
+  const TetBox box{{3, 4, 5}};
+  const TetSolid solid = solid_of(box.mesh(0.1));
+  const BoundaryVertices boundary = classify_boundary_vertices(solid);
+
+  const Vector3& position(std::size_t k) const { return solid.mesh.vertices[boundary.vertices[k]]; }
+};
+
+TEST_F(BoundaryOfABox, ListsItsVerticesAscending) {
+  EXPECT_EQ(boundary.size(), 4u * 5 * 6 - 2 * 3 * 4);
+  for (std::size_t k = 1; k < boundary.size(); ++k) EXPECT_LT(boundary.vertices[k - 1], boundary.vertices[k]);
+}
+
+TEST_F(BoundaryOfABox, IsSmoothOnFacesCreasedOnEdgesAndHasCorners) {
+  constexpr std::array kClasses = {BoundaryClass::kSmooth, BoundaryClass::kCrease, BoundaryClass::kCorner};
+  for (std::size_t k = 0; k < boundary.size(); ++k)
+    EXPECT_EQ(boundary.classes[k], kClasses.at(static_cast<std::size_t>(faces_of_box(position(k), box) - 1)));
+}
+
+TEST_F(BoundaryOfABox, HasOutwardNormals) {
+  for (std::size_t k = 0; k < boundary.size(); ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double x = position(k)[axis], n = boundary.normals[k][axis];
+      const int side = x == 0 ? -1 : x == box.cells[axis] ? 1 : 0;
+      EXPECT_EQ(n > 1e-15, side > 0);
+      EXPECT_EQ(n < -1e-15, side < 0);
+    }
+    EXPECT_NEAR(norm(boundary.normals[k]), 1, 1e-15);
+  }
+}
+
+TEST_F(BoundaryOfABox, SpreadsByTheAngleBetweenFacesAndTheirMean) {
+  for (std::size_t k = 0; k < boundary.size(); ++k) {
+    if (boundary.classes[k] == BoundaryClass::kCorner) continue;
+    // Along an edge of the box three triangles lie on either side. An arc cosine of 1 less one rounding is
+    // 1e-6 degrees.
+    EXPECT_NEAR(boundary.spread_deg[k], boundary.classes[k] == BoundaryClass::kSmooth ? 0 : 45, 2e-6);
+  }
+}
+
+TEST_F(BoundaryOfABox, HasTangentsAlongItsEdges) {
+  for (std::size_t k = 0; k < boundary.size(); ++k) {
+    const Vector3& tangent = boundary.tangents[k];
+    if (boundary.classes[k] != BoundaryClass::kCrease) {
+      EXPECT_EQ(tangent, (Vector3{0, 0, 0}));
+      continue;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double x = position(k)[axis];
+      EXPECT_EQ(std::abs(tangent[axis]), x == 0 || x == box.cells[axis] ? 0 : 1);
+    }
+  }
+}
+
+TEST_F(BoundaryOfABox, SharesOutTheWholeArea) {
+  double area = 0;
+  for (const FaceAtVertex& face : boundary.faces) area += face.area_third;
+  EXPECT_NEAR(area, 2 * (3 * 4 + 4 * 5 + 5 * 3), 1e-12);
+}
+
+TEST_F(BoundaryOfABox, GivesEachVertexItsOwnFaces) {
+  std::vector<std::size_t> faces(solid.mesh.vertices.size(), 0);
+  for (const auto& face : solid.boundary)
+    for (const std::uint32_t v : face) ++faces[v];
+  for (std::size_t k = 0; k < boundary.size(); ++k) {
+    EXPECT_EQ(boundary.faces_at(k).size(), faces[boundary.vertices[k]]);
+    for (const FaceAtVertex& face : boundary.faces_at(k)) {
+      // The plane of the face passes through the vertex.
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (face.normal[axis] == 0) continue;
+        EXPECT_EQ(position(k)[axis], face.normal[axis] > 0 ? box.cells[axis] : 0);
+      }
+    }
+  }
+}
+
+TEST(BoundaryVertices, ACreaseThatTurnsTooMuchIsACorner) {
+  const TetBox box{{2, 2, 2}};
+  TetMesh mesh = box.mesh();
+  mesh.vertices[box.at(1, 0, 0)] = {1, 0.2,
+                                    0};  // two edges from (1, .2, 0) turn by 2 atan(.2) = 22.6 degrees
+  const TetSolid solid = solid_of(mesh);
+  const auto class_with = [&](double turn_deg) {
+    const BoundaryVertices boundary = classify_boundary_vertices(solid, {.crease_turn_deg = turn_deg});
+    return boundary.classes[1];
+  };
+  ASSERT_EQ(box.at(1, 0, 0), 1u);
+  EXPECT_EQ(class_with(23), BoundaryClass::kCrease);
+  EXPECT_EQ(class_with(22), BoundaryClass::kCorner);
+}
+
+TEST(BoundaryVertices, OneTetHasCornersOnly) {
+  const BoundaryVertices boundary = classify_boundary_vertices(solid_of(corner_tet()));
+  ASSERT_EQ(boundary.size(), 4u);
+  for (const BoundaryClass c : boundary.classes) EXPECT_EQ(c, BoundaryClass::kCorner);
+  EXPECT_NEAR(boundary.spread_deg[0], std::acos(1 / std::sqrt(3.0)) * 180 / std::numbers::pi, 1e-12);
+  EXPECT_NEAR(norm(boundary.normals[0] - normalised({-1, -1, -1})), 0, 1e-15);
+}
+
+TEST(BoundaryVertices, TheSpreadOptionDecidesWhatIsSmooth) {
+  const BoundaryVertices boundary =
+      classify_boundary_vertices(solid_of(corner_tet()), {.smooth_spread_deg = 60});
+  EXPECT_EQ(boundary.classes[0], BoundaryClass::kSmooth);
+}
+
+TEST(BoundaryVertices, FacesWithoutAreaCountNowhere) {
+  // Below the corner tet a flat one whose fourth vertex, 4, divides the edge from 0 to 1.
+  TetMesh mesh = corner_tet();
+  mesh.vertices.push_back({0.5, 0, 0});
+  mesh.tets.push_back({0, 1, 2, 4});
+  const TetSolid solid = solid_of(mesh);
+  EXPECT_EQ(solid.boundary.size(), 6u);
+  const BoundaryVertices boundary = classify_boundary_vertices(solid);
+  for (const FaceAtVertex& face : boundary.faces) EXPECT_GT(face.area_third, 0);
+  double area = 0;
+  for (const FaceAtVertex& face : boundary.faces) area += face.area_third;
+  EXPECT_NEAR(area, 1.5 + std::sqrt(3.0) / 2, 1e-14);
+}
+
+}  // namespace
+}  // namespace crossgrain
