@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A field as a folder of two files. What ParaView shows (axes, coefficients, ...) is derived from the few
 // arrays that make up a field, which are kept beside it as field data; those alone are read back.
+#include "io/field_file.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -16,6 +17,7 @@
 #include "io/leaf_corners.hpp"
 #include "io/output_file.hpp"
 #include "io/report_file.hpp"
+#include "io/vtu_arrays.hpp"
 #include "io/vtu_writer.hpp"
 
 namespace crossgrain {
@@ -24,26 +26,14 @@ namespace {
 constexpr const char* kFieldFile = "field.vtu";
 constexpr const char* kReportFile = "report.json";
 
-/// An array that is a vector of the field, as it stands in memory.
-template <class T>
-VtuArray stored_array(VtuSection section, const char* name, const std::vector<T>& values) {
-  return vtu_array<T>(section, name, 1, values.size(), [&values](std::size_t begin, std::size_t end, T* out) {
-    std::copy(values.begin() + static_cast<std::ptrdiff_t>(begin),
-              values.begin() + static_cast<std::ptrdiff_t>(end), out);
-  });
-}
-
 /// A cell array of `components` floats from value_of(frame), any sequence of as many numbers.
 template <class ValueOf>
 VtuArray frame_array(const FieldData& data, const char* name, std::size_t components,
                      const ValueOf& value_of) {
-  return vtu_array<float>(VtuSection::kCellData, name, components, data.frames.size(),
-                          [&data, value_of](std::size_t begin, std::size_t end, float* out) {
-                            for (std::size_t i = begin; i < end; ++i) {
-                              for (const double value : value_of(from_stored(data.frames[i])))
-                                *out++ = static_cast<float>(value);
-                            }
-                          });
+  return float_array(
+      VtuSection::kCellData, name, components, data.frames.size(),
+      [&data, value_of](std::size_t i) { return value_of(from_stored(data.frames[i])); },
+      VtuPacking::kSingleBytes);
 }
 
 /// The coefficients of a frame as the file has them, in single precision.
@@ -64,11 +54,9 @@ void add_coefficients(const FieldData& data, std::vector<VtuArray>& arrays) {
 
 /// What docs/design.md section 10 promises for every cell.
 void add_cell_data(const FieldData& data, std::vector<VtuArray>& arrays) {
-  const std::array names{"axis_u", "axis_v", "axis_w"};
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    arrays.push_back(
-        frame_array(data, names[k], 3, [k](const Quaternion& frame) { return axes_of(frame)[k]; }));
-  }
+  add_axes(
+      VtuSection::kCellData, data.frames.size(),
+      [&data](std::size_t i) { return from_stored(data.frames[i]); }, arrays);
   if (data.degree == Degree::kThree)
     add_coefficients<3>(data, arrays);
   else
@@ -95,16 +83,8 @@ void add_grid(const LeafCorners& corners, std::size_t cells, std::vector<VtuArra
                                            [&corners](std::size_t begin, std::size_t end, std::int64_t* out) {
                                              corners.write_indices(begin, end, out);
                                            }));
-  arrays.push_back(vtu_array<std::int64_t>(VtuSection::kCells, "offsets", 1, cells,
-                                           [](std::size_t begin, std::size_t end, std::int64_t* out) {
-                                             for (std::size_t i = begin; i < end; ++i)
-                                               *out++ = static_cast<std::int64_t>(8 * (i + 1));
-                                           }));
-  static constexpr std::uint8_t kVtkVoxel = 11;
-  arrays.push_back(vtu_array<std::uint8_t>(VtuSection::kCells, "types", 1, cells,
-                                           [](std::size_t begin, std::size_t end, std::uint8_t* out) {
-                                             std::fill_n(out, end - begin, kVtkVoxel);
-                                           }));
+  constexpr std::uint8_t kVtkVoxel = 11;
+  add_uniform_cells<std::int64_t>(cells, 8, kVtkVoxel, arrays);
 }
 
 /// Numbers that belong to the field as a whole.
@@ -140,17 +120,6 @@ void add_field_data(const FieldData& data, std::vector<VtuArray>& arrays) {
   arrays.push_back(stored_array(VtuSection::kFieldData, field_arrays::kOpenFaces, data.open_faces));
 }
 
-/// The arrays ask the monitor between blocks whether to go on.
-void watch(std::vector<VtuArray>& arrays, const Monitor& monitor) {
-  for (VtuArray& array : arrays) {
-    array.produce = [produce = std::move(array.produce), &monitor](std::size_t begin, std::size_t end,
-                                                                   void* out) {
-      monitor.check();
-      produce(begin, end, out);
-    };
-  }
-}
-
 void write_field_file(const FieldData& data, OutputFile& file, const Monitor& monitor) {
   const LeafCorners corners(data.tree);
   std::vector<VtuArray> arrays;
@@ -168,18 +137,24 @@ void check_field_folder(const std::filesystem::path& folder) {
   check_writable(folder, {kFieldFile, kReportFile});
 }
 
-void write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
-                 const Monitor& monitor) {
-  Stopwatch watch;
-  watch.start();
+void write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
+                     const Monitor& monitor, const std::function<void(OutputFolder&)>& add_files) {
+  Stopwatch stopwatch;
+  stopwatch.start();
   OutputFolder output(folder);
   write_field_file(field.data(), output.create(kFieldFile), monitor);
-  report.seconds.write = watch.restart();
+  add_files(output);
+  report.seconds.write = stopwatch.restart();
   report.seconds.total += report.seconds.write;
   report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());
   write_json(output.create(kReportFile), report_json(report));
   monitor.check();
   output.commit();
+}
+
+void write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
+                 const Monitor& monitor) {
+  write_field_and(field, std::move(report), folder, monitor, [](OutputFolder&) {});
 }
 
 void write_field(const FrameField& field, const std::filesystem::path& folder, const Monitor& monitor) {

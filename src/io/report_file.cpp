@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <type_traits>
 
 #include "crossgrain/error.hpp"
@@ -74,6 +75,35 @@ void describe_quality(File& file, Report& report) {
   });
 }
 
+template <class File, class Angles>
+void describe_angles(File& file, const char* key, Angles& angles) {
+  file.object(key, [&](auto& inner) {
+    inner.member("mean", angles.mean);
+    inner.member("p95", angles.p95);
+    inner.member("max", angles.max);
+  });
+}
+
+template <class File, class Onto>
+void describe_onto(File& file, Onto& onto) {
+  file.member("vertices", onto.vertices);
+  file.member("tets", onto.tets);
+  file.member("boundary", onto.boundary);
+  file.member("dirichlet", onto.dirichlet);
+  file.member("edge_sum", onto.edge_sum);
+  file.object("singular", [&](auto& singular) {
+    singular.member("interior_faces", onto.singular.interior_faces);
+    singular.member("boundary_faces", onto.singular.boundary_faces);
+  });
+  describe_angles(file, "normal_deg", onto.normal_deg);
+  describe_angles(file, "crease_deg", onto.crease_deg);
+  file.member("outside_vertices", onto.outside_vertices);
+  file.member("unused_vertices", onto.unused_vertices);
+  file.member("inverted_tets", onto.inverted_tets);
+  file.member("left_out_tets", onto.left_out_tets);
+  file.member("seconds", onto.seconds);
+}
+
 template <class File, class Report>
 void describe_cost(File& file, Report& report) {
   file.object("seconds", [&](auto& seconds) {
@@ -95,6 +125,7 @@ void describe_doubts(File& file, Report& report) {
     walls.member("two_sheet_cells", report.walls.two_sheet_cells);
     walls.member("tied_cells", report.walls.tied_cells);
   });
+  file.optional_object("onto", report.onto, [](auto& inner, auto& onto) { describe_onto(inner, onto); });
   file.member("warnings", report.warnings);
 }
 
@@ -107,10 +138,21 @@ class JsonWriter {
     json_[key] = value;
   }
 
+  /// A number that there may be none of: then null.
+  void member(const char* key, const std::optional<double>& value) {
+    json_[key] = value ? Json(*value) : Json(nullptr);
+  }
+
   template <class Members>
   void object(const char* key, const Members& members) {
     JsonWriter inner(json_[key] = Json::object());
     members(inner);
+  }
+
+  /// An object that there may be none of: then no such key.
+  template <class T, class Describe>
+  void optional_object(const char* key, const std::optional<T>& value, const Describe& describe) {
+    if (value) object(key, [&](auto& inner) { describe(inner, *value); });
   }
 
   void levels(const char* key, const std::vector<LevelStatistics>& levels) {
@@ -143,6 +185,18 @@ class JsonReader {
     } catch (const nlohmann::json::exception&) {
       fail(key);
     }
+  }
+
+  void member(const char* key, std::optional<double>& value) {
+    value.reset();
+    if (!require(key).is_null()) member(key, value.emplace());
+  }
+
+  template <class T, class Describe>
+  void optional_object(const char* key, std::optional<T>& value, const Describe& describe) {
+    value.reset();
+    if (json_.is_object() && json_.contains(key))
+      object(key, [&](auto& inner) { describe(inner, value.emplace()); });
   }
 
   template <class Members>

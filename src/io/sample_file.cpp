@@ -2,11 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+#include <cstdint>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/parallel.hpp"
 #include "crossgrain/io.hpp"
+#include "io/frame_lines.hpp"
 #include "io/output_file.hpp"
 
 namespace crossgrain {
@@ -15,23 +19,9 @@ namespace {
 /// Points sampled between two writes: enough to keep many threads busy, and little memory.
 constexpr std::size_t kPointsAtOnce = 1 << 16;
 
-void append_numbers(std::string& text, std::span<const double> numbers) {
-  // 17 significant digits read back as the same bits.
-  for (const double number : numbers) fmt::format_to(std::back_inserter(text), "{:.17g} ", number);
-}
-
-std::string line_of(const Frame& frame) {
-  std::string line;
-  for (const Vector3& axis : frame.axes) append_numbers(line, axis);
-  line.back() = '\n';
-  return line;
-}
-
 std::string line_of(const Vector3& point) {
-  std::string line;
-  append_numbers(line, point);
-  line.back() = '\n';
-  return line;
+  // 17 significant digits read back as the same bits.
+  return fmt::format("{:.17g} {:.17g} {:.17g}\n", point[0], point[1], point[2]);
 }
 
 /// A file, or standard output for "-".
@@ -44,6 +34,7 @@ class Sink {
       file_ = std::make_unique<OutputFile>(path);
   }
   OutputFile* operator->() { return file_.get(); }
+  OutputFile& operator*() { return *file_; }
 
  private:
   std::unique_ptr<OutputFile> file_;
@@ -62,15 +53,21 @@ std::size_t write_samples(const FrameField& field, std::span<const Vector3> poin
   if (!points.empty()) field.sample(points.front());
 
   std::size_t outside_count = 0;
-  std::vector<FrameField::Sample> samples;
+  std::vector<Frame> batch_frames;
+  std::vector<std::uint8_t> is_inside;
   for (std::size_t begin = 0; begin < points.size(); begin += kPointsAtOnce) {
     monitor.check();
     const auto batch = points.subspan(begin, std::min(kPointsAtOnce, points.size() - begin));
-    samples.resize(batch.size());
-    parallel_for(batch.size(), [&](std::size_t i) { samples[i] = field.sample(batch[i]); });
+    batch_frames.resize(batch.size());
+    is_inside.resize(batch.size());
+    parallel_for(batch.size(), [&](std::size_t i) {
+      const FrameField::Sample sample = field.sample(batch[i]);
+      batch_frames[i] = sample.frame;
+      is_inside[i] = sample.in_active_cell;
+    });
+    write_frame_lines(*frames, batch_frames);
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      frames->write(line_of(samples[i].frame));
-      if (samples[i].in_active_cell) continue;
+      if (is_inside[i]) continue;
       ++outside_count;
       if (outside) (*outside)->write(line_of(batch[i]));
     }

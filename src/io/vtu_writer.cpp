@@ -135,14 +135,28 @@ class VtuWriter {
     const std::size_t bytes = (end - begin) * row_bytes;
     slot.raw.resize((bytes + 7) / 8);
     array.produce(begin, end, slot.raw.data());
-    uLongf compressed_bytes = compressBound(bytes);
-    slot.compressed.resize(compressed_bytes);
-    const int code =
-        compress2(slot.compressed.data(), &compressed_bytes,
-                  reinterpret_cast<const unsigned char*>(slot.raw.data()), bytes, options_.compression_level);
-    // With a buffer of that size and a level that exists, zlib fails for lack of memory only.
-    if (code != Z_OK) throw std::bad_alloc();
-    slot.compressed_bytes = compressed_bytes;
+    slot.compressed_bytes = compress(slot.raw, bytes, array.packing, slot.compressed);
+  }
+
+  /// A zlib stream of the first bytes of `raw`; returns its length, which `out` is made large enough for.
+  std::size_t compress(std::vector<std::uint64_t>& raw, std::size_t bytes, VtuPacking packing,
+                       std::vector<unsigned char>& out) const {
+    constexpr int kWindowBits = 15, kMemoryLevel = 8;  // zlib's own defaults
+    const int strategy = packing == VtuPacking::kSingleBytes ? Z_HUFFMAN_ONLY : Z_DEFAULT_STRATEGY;
+    z_stream stream{};
+    // With a level that exists and a buffer of that size, zlib fails for lack of memory only.
+    if (deflateInit2(&stream, options_.compression_level, Z_DEFLATED, kWindowBits, kMemoryLevel, strategy) !=
+        Z_OK)
+      throw std::bad_alloc();
+    out.resize(deflateBound(&stream, bytes));
+    stream.next_in = reinterpret_cast<Bytef*>(raw.data());
+    stream.avail_in = static_cast<uInt>(bytes);
+    stream.next_out = out.data();
+    stream.avail_out = static_cast<uInt>(out.size());
+    const int code = deflate(&stream, Z_FINISH);
+    deflateEnd(&stream);
+    if (code != Z_STREAM_END) throw std::bad_alloc();
+    return stream.total_out;
   }
 
   OutputFile& file_;

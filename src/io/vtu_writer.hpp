@@ -18,6 +18,11 @@
 
 namespace crossgrain {
 
+/// How zlib packs an array. Numbers that do not repeat, such as directions, take a quarter of the time
+/// without the search for repetitions and come out no larger; where many cells have the same frame they do
+/// (13 % of a file of a cylinder).
+enum class VtuPacking { kRepetitions, kSingleBytes };
+
 /// An array to be written: `tuples` rows of `components` values.
 struct VtuArray {
   VtuSection section;
@@ -28,12 +33,13 @@ struct VtuArray {
   /// Writes rows [begin, end) to `out`; called for disjoint ranges at once from several threads. `out` is
   /// aligned for any type.
   std::function<void(std::size_t begin, std::size_t end, void* out)> produce;
+  VtuPacking packing = VtuPacking::kRepetitions;
 };
 
 /// An array of T from produce(begin, end, T* out).
 template <class T, class Produce>
 VtuArray vtu_array(VtuSection section, std::string name, std::size_t components, std::size_t tuples,
-                   Produce produce) {
+                   Produce produce, VtuPacking packing = VtuPacking::kRepetitions) {
   return {section,
           std::move(name),
           vtu_type_of<T>(),
@@ -41,7 +47,8 @@ VtuArray vtu_array(VtuSection section, std::string name, std::size_t components,
           tuples,
           [produce = std::move(produce)](std::size_t begin, std::size_t end, void* out) {
             produce(begin, end, static_cast<T*>(out));
-          }};
+          },
+          packing};
 }
 
 struct VtuOptions {

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/onto_files.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "crossgrain/io.hpp"
+#include "io/field_file.hpp"
+#include "io/frame_lines.hpp"
+#include "io/vtu_arrays.hpp"
+#include "io/vtu_writer.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr const char* kFramesFile = "onto.frames";
+constexpr const char* kGridFile = "onto.vtu";
+
+/// Frames made into text between two looks at the monitor: some 10 MB.
+constexpr std::size_t kFramesAtOnce = 1 << 16;
+
+void write_frames(OutputFile& file, const std::vector<Quaternion>& quaternions, const Monitor& monitor) {
+  std::vector<Frame> frames;
+  for (std::size_t begin = 0; begin < quaternions.size(); begin += kFramesAtOnce) {
+    monitor.check();
+    frames.resize(std::min(kFramesAtOnce, quaternions.size() - begin));
+    parallel_for(frames.size(), [&](std::size_t i) { frames[i].axes = axes_of(quaternions[begin + i]); });
+    write_frame_lines(file, frames);
+  }
+  file.finish();
+}
+
+template <class Index>
+void add_tets(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
+  arrays.push_back(vtu_array<Index>(
+      VtuSection::kCells, "connectivity", 1, 4 * mesh.tets.size(),
+      [&mesh](std::size_t begin, std::size_t end, Index* out) {
+        for (std::size_t i = begin; i < end; ++i) *out++ = static_cast<Index>(mesh.tets[i / 4][i % 4]);
+      },
+      VtuPacking::kSingleBytes));
+  constexpr std::uint8_t kVtkTetra = 10;
+  add_uniform_cells<Index>(mesh.tets.size(), 4, kVtkTetra, arrays);
+}
+
+void add_mesh(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
+  arrays.push_back(vtu_array<double>(
+      VtuSection::kPoints, "Points", 3, mesh.vertices.size(),
+      [&mesh](std::size_t begin, std::size_t end, double* out) {
+        for (std::size_t i = begin; i < end; ++i, out += 3) std::ranges::copy(mesh.vertices[i], out);
+      },
+      VtuPacking::kSingleBytes));
+  // In 32 bits the connectivity takes half the time, and 15 % less space.
+  constexpr std::size_t kMost32 = std::numeric_limits<std::int32_t>::max();
+  if (std::max(mesh.vertices.size(), 4 * mesh.tets.size()) <= kMost32)
+    add_tets<std::int32_t>(mesh, arrays);
+  else
+    add_tets<std::int64_t>(mesh, arrays);
+}
+
+void write_grid(OutputFile& file, const TetMesh& mesh, const TetField& onto, const Monitor& monitor) {
+  std::vector<VtuArray> arrays;
+  add_axes(
+      VtuSection::kPointData, onto.vertex_frames.size(),
+      [&onto](std::size_t i) { return onto.vertex_frames[i]; }, arrays);
+  add_axes(
+      VtuSection::kCellData, onto.tet_frames.size(), [&onto](std::size_t i) { return onto.tet_frames[i]; },
+      arrays);
+  add_mesh(mesh, arrays);
+  watch(arrays, monitor);
+  write_vtu(file, mesh.vertices.size(), mesh.tets.size(), arrays);
+  file.finish();
+}
+
+}  // namespace
+
+void write_field_onto(const FrameField& field, SolveReport report, const TetMesh& mesh, const TetField& onto,
+                      const std::filesystem::path& folder, const Monitor& monitor) {
+  assert(onto.vertex_frames.size() == mesh.vertices.size() && onto.tet_frames.size() == mesh.tets.size());
+  write_field_and(field, std::move(report), folder, monitor, [&](OutputFolder& output) {
+    write_frames(output.create(kFramesFile), onto.vertex_frames, monitor);
+    write_grid(output.create(kGridFile), mesh, onto, monitor);
+  });
+}
+
+void check_onto_folder(const std::filesystem::path& folder) {
+  check_field_folder(folder);
+  check_writable(folder, {kFramesFile, kGridFile});
+}
+
+}  // namespace crossgrain
