@@ -9,6 +9,7 @@
 
 #include "analysis/tet_evaluation.hpp"
 #include "base/quaternion.hpp"
+#include "tets/tet_meshes.hpp"
 #include "tets/tet_solid.hpp"
 
 namespace crossgrain {
@@ -16,39 +17,7 @@ namespace crossgrain {
 /// The box from the origin to `cells` of unit cubes, each cut into six tets around its diagonal. Vertices
 /// inside are moved by up to `shake` along each axis.
 inline TetMesh tet_box(std::array<std::uint32_t, 3> cells, double shake = 0) {
-  TetMesh mesh;
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> uniform(-shake, shake);
-  for (std::uint32_t z = 0; z <= cells[2]; ++z) {
-    for (std::uint32_t y = 0; y <= cells[1]; ++y) {
-      for (std::uint32_t x = 0; x <= cells[0]; ++x) {
-        Vector3 p{double(x), double(y), double(z)};
-        const bool inside = x % cells[0] && y % cells[1] && z % cells[2];
-        if (inside && shake > 0) p += Vector3{uniform(random), uniform(random), uniform(random)};
-        mesh.vertices.push_back(p);
-      }
-    }
-  }
-  const std::array<std::uint32_t, 3> step{1, cells[0] + 1, (cells[0] + 1) * (cells[1] + 1)};
-  const std::array<std::array<std::size_t, 3>, 6> ways{
-      {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}}};
-  for (std::uint32_t z = 0; z < cells[2]; ++z) {
-    for (std::uint32_t y = 0; y < cells[1]; ++y) {
-      for (std::uint32_t x = 0; x < cells[0]; ++x) {
-        const std::uint32_t a = x * step[0] + y * step[1] + z * step[2];
-        for (const auto& way : ways) {
-          const std::uint32_t b = a + step[way[0]], c = b + step[way[1]], d = c + step[way[2]];
-          mesh.tets.push_back({a, b, c, d});
-        }
-      }
-    }
-  }
-  return mesh;
-}
-
-inline TetSolid solid_of(TetMesh mesh) {
-  std::vector<std::string> warnings;
-  return prepare_tets(std::move(mesh), warnings);
+  return TetBox{cells}.mesh(shake);
 }
 
 inline VertexFieldEvaluation evaluate(const TetSolid& solid, const std::vector<Quaternion>& frames) {
