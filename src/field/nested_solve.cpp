@@ -8,8 +8,7 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "crossgrain/error.hpp"
-#include "field/manifold_sweep.hpp"
-#include "field/relaxation.hpp"
+#include "field/stages.hpp"
 #include "grid/refinement.hpp"
 
 namespace crossgrain {
@@ -17,9 +16,8 @@ namespace {
 
 using Frames = std::vector<StoredQuaternion>;
 
-/// A squared turn between neighbours that is rounding of frames in single precision: where a field costs no
-/// more than that, there is nothing left to lower.
-constexpr double kNoise = 1e-12;
+/// The field of one start, as the last level left it.
+using Candidate = SettledFrames;
 
 /// Relaxation, then sweeps on the manifold, on one level.
 template <int D>
@@ -29,33 +27,22 @@ class LevelSolver {
               const SolveOptions& options, const Monitor& monitor, int depth)
       : level_(level), solid_(solid), options_(options.solver), monitor_(monitor), depth_(depth) {
     connectivity_ = std::make_shared<const Connectivity>(connectivity_of(level, edges));
-    total_weight_ = parallel_sum(level.size(), [&](std::size_t i) {
-      double sum = 0;
-      for (const Adjacency::Neighbour& neighbour : connectivity_->adjacency[i]) sum += neighbour.weight;
-      return sum;
-    });
     graph_ = {connectivity_, boundary_forms<D>(level, solid, options_.boundary_weight, Shift::kNone)};
   }
 
-  /// Relaxation under a penalty that grows from sweep to sweep, and projection.
-  Frames relaxed(Frames frames, int sweeps) {
-    return options_.relaxation_degree == Degree::kThree
-               ? relaxed_in(relaxed_graph3_, std::move(frames), sweeps)
-               : relaxed_in(relaxed_graph4_, std::move(frames), sweeps);
-  }
-
-  /// Sweeps on the manifold until the energy settles.
-  Frames settled(Frames frames) {
-    FieldState<D> state = state_of<D>(std::move(frames));
-    double energy = graph_energy(graph_, state);
-    for (int sweep = 0; sweep < options_.most_sweeps; ++sweep) {
-      const double decrease = manifold_sweep(graph_, state);
-      energy -= decrease;
-      advance(energy);
-      settled_ = decrease <= options_.sweep_tolerance * energy + kNoise * total_weight_;
-      if (settled_) break;
+  /// Relaxation, where `relaxation_sweeps` is positive, and sweeps on the manifold until the energy settles.
+  SettledFrames solved(Frames frames, int relaxation_sweeps) {
+    const SettlingLimits limits{options_.most_sweeps, options_.sweep_tolerance,
+                                rounding_noise(connectivity_->adjacency)};
+    std::function<Frames(Frames)> relax;
+    if (relaxation_sweeps > 0) {
+      relax = [=, this](Frames came) {
+        return options_.relaxation_degree == Degree::kThree
+                   ? relaxed_in(relaxed_graph3_, std::move(came), relaxation_sweeps)
+                   : relaxed_in(relaxed_graph4_, std::move(came), relaxation_sweeps);
+      };
     }
-    return std::move(state.frames);
+    return relaxed_and_settled(graph_, std::move(frames), relax, limits, [this](double e) { advance(e); });
   }
 
   EnergyParts energy(const Frames& frames) const {
@@ -65,9 +52,6 @@ class LevelSolver {
   const Adjacency& adjacency() const { return connectivity_->adjacency; }
   int sweeps() const { return sweeps_; }
 
-  /// Whether the last field that was swept came to rest.
-  bool is_settled() const { return settled_; }
-
  private:
   template <int R>
   Frames relaxed_in(FieldGraph<R>& graph, Frames frames, int sweeps) {
@@ -75,13 +59,8 @@ class LevelSolver {
       const Shift shift = options_.shift_relaxed_forms ? Shift::kSpectral : Shift::kNone;
       graph = {connectivity_, boundary_forms<R>(level_, solid_, options_.boundary_weight, shift)};
     }
-    FieldState<R> state = state_of<R>(std::move(frames));
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      relaxation_sweep(graph, state, options_.symmetrisation * (sweep + 1) / sweeps);
-      advance(std::numeric_limits<double>::quiet_NaN());
-    }
-    project_to_frames(state);
-    return std::move(state.frames);
+    return relaxed(graph, std::move(frames), sweeps, options_.symmetrisation,
+                   [this](double energy) { advance(energy); });
   }
 
   void advance(double energy) {
@@ -96,12 +75,10 @@ class LevelSolver {
   const Monitor& monitor_;
   int depth_;
   std::shared_ptr<const Connectivity> connectivity_;
-  double total_weight_;
   FieldGraph<D> graph_;
   FieldGraph<3> relaxed_graph3_;
   FieldGraph<4> relaxed_graph4_;
   int sweeps_ = 0;
-  bool settled_ = true;
 };
 
 /// Each leaf takes the frame of the leaf it came from.
@@ -144,7 +121,7 @@ class NestedSolver {
       if (finest) break;
       refine(finest_depth);
     }
-    result_.frames = std::move(candidates_.front());
+    result_.frames = std::move(candidates_.front().frames);
     result_.grid_seconds = grid_watch_.seconds();
     result_.solve_seconds = solve_watch_.seconds();
     return std::move(result_);
@@ -171,12 +148,13 @@ class NestedSolver {
 
     solve_watch_.start();
     start_candidates(coarsest);
-    for (std::size_t c = 0; c < candidates_.size(); ++c) advance_candidate(solver, c, coarsest);
+    for (std::size_t c = 0; c < candidates_.size(); ++c) {
+      candidates_[c] = solver.solved(std::move(candidates_[c].frames), relaxation_sweeps(c, coarsest));
+    }
     keep_best(solver, finest || level.size() > options_.solver.start_cells);
     density_ = finest || candidates_.size() > 1
                    ? std::vector<double>{}
-                   : energy_density(level, solver.adjacency(), candidates_.front());
-    result_.settled = solver.is_settled();
+                   : energy_density(level, solver.adjacency(), candidates_.front().frames);
     solve_watch_.stop();
     result_.levels.push_back({depth, level.examined_leaves, level.size(), solver.sweeps(),
                               result_.energy.total(), level_watch_.restart()});
@@ -186,37 +164,36 @@ class NestedSolver {
 
   void start_candidates(bool coarsest) {
     if (initial_frame_) {
-      candidates_ = {sampled(initial_frame_, result_.level)};
+      candidates_.resize(1);
+      candidates_[0].frames = sampled(initial_frame_, result_.level);
     } else if (coarsest) {
-      for (int start = 0; start < std::max(1, options_.solver.starts); ++start) {
+      candidates_.resize(static_cast<std::size_t>(std::max(1, options_.solver.starts)));
+      for (std::size_t start = 0; start < candidates_.size(); ++start) {
         // Seeds far apart, so that start k of one seed is not start k - 1 of the next.
-        const std::uint64_t seed = options_.seed * 0x9e3779b97f4a7c15 + static_cast<std::uint64_t>(start);
-        candidates_.push_back(random_frames(result_.level.size(), seed));
+        const std::uint64_t seed = options_.seed * 0x9e3779b97f4a7c15 + start;
+        candidates_[start].frames = random_frames(result_.level.size(), seed);
       }
     } else {
-      for (Frames& frames : candidates_) frames = inherited(frames, result_.level);
+      for (Candidate& candidate : candidates_) candidate.frames = inherited(candidate.frames, result_.level);
     }
   }
 
-  void advance_candidate(LevelSolver<D>& solver, std::size_t c, bool coarsest) {
+  int relaxation_sweeps(std::size_t start, bool coarsest) const {
     const SolverOptions& options = options_.solver;
-    Frames& frames = candidates_[c];
-    if (!initial_frame_ && coarsest) {
-      const double sweeps = options.start_relaxation / std::pow(3.0, static_cast<double>(c));
-      frames = solver.relaxed(std::move(frames), static_cast<int>(sweeps));
-    } else if (!initial_frame_ && result_.level.size() <= options.relaxed_cells) {
-      frames = solver.relaxed(std::move(frames), options.level_relaxation);
-    }
-    frames = solver.settled(std::move(frames));
+    if (initial_frame_) return 0;
+    if (coarsest)
+      return static_cast<int>(options.start_relaxation / std::pow(3.0, static_cast<double>(start)));
+    return result_.level.size() <= options.relaxed_cells ? options.level_relaxation : 0;
   }
 
   /// Brings the candidate of lowest energy to the front, and ends the race if told to.
   void keep_best(const LevelSolver<D>& solver, bool end_race) {
     std::size_t best = 0;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
-      const EnergyParts energy = solver.energy(candidates_[c]);
+      const EnergyParts energy = solver.energy(candidates_[c].frames);
       if (c == 0 || energy.total() < result_.energy.total()) {
         result_.energy = energy;
+        result_.settled = candidates_[c].settled;
         best = c;
       }
     }
@@ -240,7 +217,7 @@ class NestedSolver {
   const Monitor& monitor_;
   const InitialFrame& initial_frame_;
   SolvedField result_;
-  std::vector<Frames> candidates_;
+  std::vector<Candidate> candidates_;
   std::vector<double> density_;
   Stopwatch grid_watch_, solve_watch_, level_watch_;
 };

@@ -58,6 +58,26 @@ void symmetrise(Coefficients<D>& h, double strength) {
   if (D == 4) h = scaled(h, 1 - strength * 0.5 * (norm * norm - 1));
 }
 
+/// The degree-4 coefficients of the frames with an axis along `axis`, h = b_n + x C + y S with x^2 + y^2 =
+/// 5/12, but for that radius: the minimiser of the local energy among them, then a step of `strength` back to
+/// it.
+Coefficients<4> coefficients_about(const Vector3& axis, const LocalEnergy<4>& energy, double strength) {
+  const NormalBasis<4> basis = normal_basis<4>(axis);
+  const double half_weight = 0.5 * energy.neighbour_weight();
+  double x = dot(basis.cosine, energy.linear()) / half_weight;
+  double y = dot(basis.sine, energy.linear()) / half_weight;
+  const double radius = std::sqrt(x * x + y * y);
+  if (radius > 0) {
+    const double scale = 1 + strength * (std::sqrt(1 - kZonalShare) / radius - 1);
+    x *= scale;
+    y *= scale;
+  }
+  Coefficients<4> h = basis.zonal;
+  add_scaled(h, x, basis.cosine);
+  add_scaled(h, y, basis.sine);
+  return h;
+}
+
 }  // namespace
 
 template <int D>
@@ -68,6 +88,12 @@ void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double s
       const std::size_t cell = graph.colouring().cells[begin + k];
       if (graph.adjacency()[cell].empty()) return;
       const LocalEnergy<D> energy(graph, state.coefficients, cell);
+      if constexpr (D == 4) {
+        if (const Vector3* axis = graph.forms.held_axis(cell)) {
+          state.coefficients[cell] = to_stored<D>(coefficients_about(*axis, energy, symmetrisation));
+          return;
+        }
+      }
       Coefficients<D> h = minimising_coefficients(energy, from_stored<D>(state.coefficients[cell]));
       if (symmetrisation > 0) symmetrise<D>(h, symmetrisation);
       state.coefficients[cell] = to_stored<D>(h);

@@ -3,14 +3,16 @@
 
 #include <cmath>
 #include <memory>
+#include <type_traits>
 
 #include "base/parallel.hpp"
 #include "constraint/normal_form.hpp"
-#include "field/energy.hpp"
-#include "field/manifold_sweep.hpp"
+#include "field/stages.hpp"
 
 namespace crossgrain {
 namespace {
+
+using Frames = std::vector<StoredQuaternion>;
 
 std::shared_ptr<const Connectivity> connectivity_of(std::size_t vertex_count,
                                                     const std::vector<StiffnessEdge>& edges) {
@@ -64,6 +66,7 @@ CellForms<D> vertex_forms(const Adjacency& adjacency, const BoundaryVertices& bo
   return forms;
 }
 
+/// Turns the frames of held vertices so that they have the axis that is held.
 void align_held(const BoundaryVertices& boundary, std::vector<Quaternion>& frames) {
   parallel_for(boundary.size(), [&](std::size_t k) {
     if (!is_held(boundary, k)) return;
@@ -72,25 +75,53 @@ void align_held(const BoundaryVertices& boundary, std::vector<Quaternion>& frame
   });
 }
 
+void align_held(const BoundaryVertices& boundary, Frames& frames) {
+  parallel_for(boundary.size(), [&](std::size_t k) {
+    if (!is_held(boundary, k)) return;
+    StoredQuaternion& frame = frames[boundary.vertices[k]];
+    frame = to_stored(with_axis_along(from_stored(frame), boundary.normals[k]));
+  });
+}
+
 template <int D>
 std::vector<Quaternion> finish_in_degree(const TetSolid& solid, const std::vector<StiffnessEdge>& edges,
-                                         const BoundaryVertices& boundary, std::vector<Quaternion> frames,
+                                         const BoundaryVertices& boundary,
+                                         const std::vector<Quaternion>& start,
                                          const TetFinishOptions& options, const Monitor& monitor) {
-  FieldGraph<D> graph{connectivity_of(solid.mesh.vertices.size(), edges), {}};
-  graph.forms = vertex_forms<D>(graph.adjacency(), boundary, options);
-  align_held(boundary, frames);
-  std::vector<StoredQuaternion> stored(frames.size());
-  for (std::size_t i = 0; i < frames.size(); ++i) stored[i] = to_stored(frames[i]);
-  FieldState<D> state = state_of<D>(std::move(stored));
-  double energy = graph_energy(graph, state);
-  for (int sweep = 0; sweep < options.most_sweeps; ++sweep) {
-    const double decrease = manifold_sweep(graph, state);
-    energy -= decrease;
+  const auto connectivity = connectivity_of(solid.mesh.vertices.size(), edges);
+  const auto graph_in = [&]<int R>(std::integral_constant<int, R>) {
+    return FieldGraph<R>{connectivity, vertex_forms<R>(connectivity->adjacency, boundary, options)};
+  };
+  const FieldGraph<D> graph = graph_in(std::integral_constant<int, D>());
+  int sweeps = 0;
+  const SweepMonitor after_sweep = [&](double energy) {
     monitor.check();
-    monitor.report({"tets", 0, graph.size(), sweep + 1, energy});
-    if (decrease <= options.sweep_tolerance * energy) break;
+    monitor.report({"tets", 0, graph.size(), ++sweeps, energy});
+  };
+  std::function<Frames(Frames)> relax;
+  if (options.relaxation_sweeps > 0) {
+    relax = [&](Frames frames) {
+      // In degree 4 for both degrees, as on the grid.
+      if constexpr (D == 4) {
+        frames =
+            relaxed(graph, std::move(frames), options.relaxation_sweeps, options.symmetrisation, after_sweep);
+      } else {
+        frames = relaxed(graph_in(std::integral_constant<int, 4>()), std::move(frames),
+                         options.relaxation_sweeps, options.symmetrisation, after_sweep);
+      }
+      align_held(boundary, frames);
+      return frames;
+    };
   }
-  for (std::size_t i = 0; i < frames.size(); ++i) frames[i] = from_stored(state.frames[i]);
+  const SettlingLimits limits{options.most_sweeps, options.sweep_tolerance,
+                              rounding_noise(connectivity->adjacency)};
+
+  Frames stored(start.size());
+  for (std::size_t i = 0; i < start.size(); ++i) stored[i] = to_stored(start[i]);
+  align_held(boundary, stored);
+  stored = relaxed_and_settled(graph, std::move(stored), relax, limits, after_sweep).frames;
+  std::vector<Quaternion> frames(stored.size());
+  for (std::size_t i = 0; i < stored.size(); ++i) frames[i] = from_stored(stored[i]);
   // Sweeps are in single precision; the boundary is held in double.
   align_held(boundary, frames);
   return frames;
@@ -113,12 +144,11 @@ Quaternion with_axis_along(const Quaternion& frame, const Vector3& direction) {
 }
 
 std::vector<Quaternion> finish_on_tets(const TetSolid& solid, const std::vector<StiffnessEdge>& edges,
-                                       const BoundaryVertices& boundary, std::vector<Quaternion> start,
+                                       const BoundaryVertices& boundary, const std::vector<Quaternion>& start,
                                        Degree degree, const TetFinishOptions& options,
                                        const Monitor& monitor) {
-  return degree == Degree::kThree
-             ? finish_in_degree<3>(solid, edges, boundary, std::move(start), options, monitor)
-             : finish_in_degree<4>(solid, edges, boundary, std::move(start), options, monitor);
+  return degree == Degree::kThree ? finish_in_degree<3>(solid, edges, boundary, start, options, monitor)
+                                  : finish_in_degree<4>(solid, edges, boundary, start, options, monitor);
 }
 
 }  // namespace crossgrain

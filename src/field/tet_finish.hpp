@@ -21,6 +21,11 @@ struct TetFinishOptions {
   /// Whether creases and corners are constrained at all, or only smooth boundary vertices.
   bool constrain_creases = true;
 
+  /// Relaxation sweeps before, and the strength of the symmetrisation penalty at their end, as in
+  /// SolverOptions.
+  int relaxation_sweeps = 0;
+  double symmetrisation = 0.5;
+
   /// Sweeps at most, and the fraction of the energy by which a sweep must lower it for another to follow.
   int most_sweeps = 60;
   double sweep_tolerance = 1e-5;
@@ -31,7 +36,7 @@ struct TetFinishOptions {
 /// to rounding: they turn about it only. Creases and corners follow the summed form of their faces, creases
 /// their tangent too. The same to the bit for any number of threads.
 std::vector<Quaternion> finish_on_tets(const TetSolid& solid, const std::vector<StiffnessEdge>& edges,
-                                       const BoundaryVertices& boundary, std::vector<Quaternion> start,
+                                       const BoundaryVertices& boundary, const std::vector<Quaternion>& start,
                                        Degree degree, const TetFinishOptions& options,
                                        const Monitor& monitor);
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/stages.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "field/energy.hpp"
+#include "field/manifold_sweep.hpp"
+#include "field/relaxation.hpp"
+
+namespace crossgrain {
+
+template <int D>
+std::vector<StoredQuaternion> relaxed(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
+                                      int sweeps, double symmetrisation, const SweepMonitor& after_sweep) {
+  FieldState<D> state = state_of<D>(std::move(frames));
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    relaxation_sweep(graph, state, symmetrisation * (sweep + 1) / sweeps);
+    after_sweep(std::numeric_limits<double>::quiet_NaN());
+  }
+  project_to_frames(state);
+  return std::move(state.frames);
+}
+
+template <int D>
+SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
+                      const SettlingLimits& limits, const SweepMonitor& after_sweep) {
+  FieldState<D> state = state_of<D>(std::move(frames));
+  SettledFrames result;
+  result.energy = graph_energy(graph, state);
+  for (int sweep = 0; sweep < limits.most_sweeps && !result.settled; ++sweep) {
+    const double decrease = manifold_sweep(graph, state);
+    result.energy -= decrease;
+    after_sweep(result.energy);
+    result.settled = decrease <= limits.fraction * result.energy + limits.noise;
+  }
+  result.frames = std::move(state.frames);
+  return result;
+}
+
+double rounding_noise(const Adjacency& adjacency) {
+  constexpr double kSquaredTurn = 1e-12;
+  return kSquaredTurn * parallel_sum(adjacency.size(), [&](std::size_t i) {
+           double sum = 0;
+           for (const Adjacency::Neighbour& neighbour : adjacency[i]) sum += std::abs(neighbour.weight);
+           return sum;
+         });
+}
+
+template std::vector<StoredQuaternion> relaxed<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>, int,
+                                                  double, const SweepMonitor&);
+template std::vector<StoredQuaternion> relaxed<4>(const FieldGraph<4>&, std::vector<StoredQuaternion>, int,
+                                                  double, const SweepMonitor&);
+template SettledFrames settled<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>, const SettlingLimits&,
+                                  const SweepMonitor&);
+template SettledFrames settled<4>(const FieldGraph<4>&, std::vector<StoredQuaternion>, const SettlingLimits&,
+                                  const SweepMonitor&);
+
+}  // namespace crossgrain

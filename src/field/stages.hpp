@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// The two stages of a solve on one graph, an octree level or a tet mesh: relaxation, in which singular arcs
+// form and move, and settling, in which frames turn until the energy stands still.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "crossgrain/options.hpp"
+#include "field/energy.hpp"
+#include "field/field_graph.hpp"
+#include "field/field_state.hpp"
+
+namespace crossgrain {
+
+/// Called after every sweep with the energy, or NaN while that is not known.
+using SweepMonitor = std::function<void(double energy)>;
+
+/// When settling ends.
+struct SettlingLimits {
+  int most_sweeps = 0;
+
+  /// A sweep that lowers the energy by no more than `fraction` of it, or by no more than `noise`, is the
+  /// last.
+  double fraction = 0;
+  double noise = 0;
+};
+
+struct SettledFrames {
+  std::vector<StoredQuaternion> frames;
+  double energy = 0;     ///< in the degree's own
+  bool settled = false;  ///< false: the sweeps ran out
+};
+
+/// `sweeps` relaxation sweeps under a symmetrisation penalty that grows from nothing to `symmetrisation`,
+/// then the frames nearest to what has become of the coefficients.
+template <int D>
+std::vector<StoredQuaternion> relaxed(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
+                                      int sweeps, double symmetrisation, const SweepMonitor& after_sweep);
+
+/// Manifold sweeps until the energy settles; it never rises.
+template <int D>
+SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
+                      const SettlingLimits& limits, const SweepMonitor& after_sweep);
+
+/// `relax` makes a start for settling of the frames as they came. Relaxation may lose more than it finds:
+/// where it ends above the energy of the frames as they came, those are settled in its place, so that the
+/// energy never rises. Without `relax`, just settled.
+template <int D>
+SettledFrames relaxed_and_settled(
+    const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
+    const std::function<std::vector<StoredQuaternion>(std::vector<StoredQuaternion>)>& relax,
+    const SettlingLimits& limits, const SweepMonitor& after_sweep) {
+  if (!relax) return settled(graph, std::move(frames), limits, after_sweep);
+  const double energy_before = graph_energy(graph, state_of<D>(frames));
+  SettledFrames result = settled(graph, relax(frames), limits, after_sweep);
+  if (result.energy > energy_before) result = settled(graph, std::move(frames), limits, after_sweep);
+  return result;
+}
+
+/// What rounding of frames in single precision costs: a squared turn of 1e-12 across every edge. Below that
+/// there is nothing left to lower.
+double rounding_noise(const Adjacency& adjacency);
+
+extern template std::vector<StoredQuaternion> relaxed<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>,
+                                                         int, double, const SweepMonitor&);
+extern template std::vector<StoredQuaternion> relaxed<4>(const FieldGraph<4>&, std::vector<StoredQuaternion>,
+                                                         int, double, const SweepMonitor&);
+extern template SettledFrames settled<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>,
+                                         const SettlingLimits&, const SweepMonitor&);
+extern template SettledFrames settled<4>(const FieldGraph<4>&, std::vector<StoredQuaternion>,
+                                         const SettlingLimits&, const SweepMonitor&);
+
+}  // namespace crossgrain
