@@ -7,8 +7,10 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 
 #include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
 #include "crossgrain/version.hpp"
 
 namespace crossgrain::app {
@@ -35,10 +37,15 @@ std::string fault_of_length(const std::string& text) {
 }
 
 CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
-  CLI::App* command = app.add_subcommand("solve", "Computes the frame field inside a surface");
+  CLI::App* command =
+      app.add_subcommand("solve", "Computes the frame field inside a surface or on a tet mesh");
   SolveOptions& options = arguments.options;
   constexpr int kMany = std::numeric_limits<int>::max();
-  command->add_option("MODEL", arguments.model, "The surface: an STL, OBJ, PLY or OFF file")
+  command
+      ->add_option(
+          "MODEL", arguments.model,
+          "The surface, an STL, OBJ, PLY or OFF file; or a tet mesh, a Medit .mesh file, whose boundary "
+          "is the surface")
       ->required()
       ->type_name("");
   command->add_option("-o,--output", arguments.output, "Folder to write (default: MODEL-stem.frames here)")
@@ -46,8 +53,10 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   add_degree(*command, options.degree);
   CLI::Option* resolution =
       command
-          ->add_option("--resolution", options.resolution,
-                       "Finest cells along the longest side of the bounding box (default 128)")
+          ->add_option(
+              "--resolution", options.resolution,
+              "Finest cells along the longest side of the bounding box (default 128; with tets, cells "
+              "of the size of their edges)")
           ->check(CLI::Range(4, kMany))
           ->type_name("N");
   command->add_option("--cell-size", options.cell_size, "Size of the finest cells in model units instead")
@@ -60,6 +69,18 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   command->add_option("--seed", options.seed, "Changes the initial frames of every start (default 0)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
+  command
+      ->add_option("--onto", arguments.onto,
+                   "Carry the field of a surface onto this tet mesh and finish it there")
+      ->type_name("TETS");
+  command
+      ->add_option(
+          "--boundary", arguments.options.onto.boundary,
+          "Boundary vertices of tets that are held to the surface: all (default), or smooth-only, which "
+          "leaves creases and corners free")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, TetBoundary>{
+          {"all", TetBoundary::kAll}, {"smooth-only", TetBoundary::kSmoothOnly}}))
+      ->type_name("all|smooth-only");
   command->add_option("--from", arguments.from, "Start from the field in this folder")->type_name("DIR");
   command->add_flag("--quiet", arguments.quiet, "Print no summary and no progress");
   command->add_flag("--progress", arguments.progress,
@@ -112,6 +133,12 @@ void check_arguments(SolveArguments& arguments, const CLI::App* command) {
   if (arguments.model.empty()) refuse("MODEL is empty", command);
   if (command->count("--output") > 0 && arguments.output.empty())
     refuse("the folder of -o is empty", command);
+  if (command->count("--onto") > 0 && arguments.onto.empty()) refuse("the file of --onto is empty", command);
+  const bool is_tets = is_tet_file(arguments.model);
+  if (is_tets && !arguments.onto.empty())
+    refuse("MODEL is a tet mesh, which --onto is not for; give a surface or leave out --onto", command);
+  if (!is_tets && arguments.onto.empty() && command->count("--boundary") > 0)
+    refuse("--boundary is for tet meshes; give one as MODEL or with --onto", command);
   if (arguments.output.empty())
     arguments.output = std::filesystem::path(arguments.model).stem().string() + ".frames";
 }

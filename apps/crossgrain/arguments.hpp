@@ -13,6 +13,7 @@ struct SolveArguments {
   std::string model;
   std::string output;  ///< the folder to write; never empty
   std::string from;    ///< the folder of an earlier field; empty for none
+  std::string onto;    ///< the tet mesh to carry the field onto; empty for none
   SolveOptions options;
   bool quiet = false;
   bool progress = false;

@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
@@ -23,23 +25,53 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The library knows a mesh; the user knows the file it came from.
-FrameField solve_model(const SolveArguments& arguments, const TriangleMesh& mesh, const Monitor& monitor) {
+/// Runs `compute`. What it throws of the model gets the name of the file that the model came from.
+template <class Compute>
+auto naming(const std::string& file, const SolveArguments& arguments, const Compute& compute) {
   try {
-    if (arguments.from.empty()) return solve(mesh, arguments.options, monitor);
-    return solve_from(read_field(arguments.from), mesh, arguments.options, monitor);
+    return compute();
   } catch (const Error& error) {
-    const bool of_mesh = error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit;
+    const bool of_model = error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit;
     const std::string message = error.what();
-    if (!of_mesh || (!arguments.from.empty() && message.starts_with(arguments.from))) throw;
-    throw Error(error.kind(), arguments.model + ": " + message);
+    if (!of_model || (!arguments.from.empty() && message.starts_with(arguments.from))) throw;
+    throw Error(error.kind(), file + ": " + message);
   }
+}
+
+/// The tet mesh that the command line names, as MODEL or with --onto; none otherwise.
+std::optional<TetDomain> read_domain(const SolveArguments& arguments) {
+  const std::string& file = arguments.onto.empty() ? arguments.model : arguments.onto;
+  if (!is_tet_file(file) && arguments.onto.empty()) return std::nullopt;
+  TetMesh mesh = read_tets(file);
+  return naming(file, arguments, [&] { return TetDomain(std::move(mesh)); });
+}
+
+FrameField solve_model(const SolveArguments& arguments, const SolveOptions& options, const TriangleMesh& mesh,
+                       const Monitor& monitor) {
+  return naming(arguments.model, arguments, [&] {
+    if (arguments.from.empty()) return solve(mesh, options, monitor);
+    return solve_from(read_field(arguments.from), mesh, options, monitor);
+  });
 }
 
 std::string singularity_line(const SolveReport::Singularity& singularity) {
   if (singularity.arcs == 0) return "none";
   return fmt::format("{} arcs, {:.4g} long in all, {} nodes inside, {} ends on the surface", singularity.arcs,
                      singularity.length, singularity.nodes, singularity.boundary_ends);
+}
+
+std::string tets_lines(const SolveReport::Onto& onto) {
+  return fmt::format("tets       {}, {} vertices, boundary {}: Dirichlet energy {:.6g}, {} singular faces\n",
+                     onto.tets, onto.vertices, onto.boundary, onto.dirichlet,
+                     onto.singular.interior_faces + onto.singular.boundary_faces);
+}
+
+std::string files_line(const SolveReport& report, const std::filesystem::path& output) {
+  std::vector<std::string> names{"field.vtu"};
+  if (report.onto) names.insert(names.end(), {"onto.frames", "onto.vtu"});
+  std::string text;
+  for (const std::string& name : names) text += (output / name).string() + (name == names.back() ? "" : ", ");
+  return text + " and " + (output / "report.json").string();
 }
 
 std::string summary_of(const SolveReport& report, const std::string& output) {
@@ -54,10 +86,35 @@ std::string summary_of(const SolveReport& report, const std::string& output) {
       "% left out\n",
       alignment.mean, alignment.p95, alignment.max, 100 * alignment.excluded_share);
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
+  if (report.onto) text += tets_lines(*report.onto);
   for (const std::string& warning : report.warnings) text += fmt::format("warning    {}\n", warning);
-  text += fmt::format("result     {} and {}\n", (std::filesystem::path(output) / "field.vtu").string(),
-                      (std::filesystem::path(output) / "report.json").string());
-  return text;
+  return text + fmt::format("result     {}\n", files_line(report, output));
+}
+
+/// Solves, carries onto the tets where there are any, and writes all files.
+SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point start,
+                            const Monitor& monitor) {
+  monitor.report({"read", 0, 0, 0, 0});
+  const std::optional<TetDomain> domain = read_domain(arguments);
+  const TriangleMesh mesh = is_tet_file(arguments.model) ? domain->boundary() : read_surface(arguments.model);
+  const double read_seconds = seconds_since(start);
+  monitor.check();
+  const SolveOptions options = domain ? sized_for(*domain, arguments.options) : arguments.options;
+  const FrameField field = solve_model(arguments, options, mesh, monitor);
+  std::optional<TetFrameField> tet_field;
+  if (domain) tet_field = carry_onto(field, *domain, options, monitor);
+
+  monitor.report({"write", 0, 0, 0, 0});
+  SolveReport report = tet_field ? tet_field->report() : field.report();
+  report.model.path = arguments.model;
+  report.seconds.read = read_seconds;
+  report.seconds.total = seconds_since(start);
+  if (tet_field) {
+    write_field(*tet_field, report, arguments.output, monitor);
+  } else {
+    write_field(field, report, arguments.output, monitor);
+  }
+  return report;
 }
 
 }  // namespace
@@ -65,26 +122,17 @@ std::string summary_of(const SolveReport& report, const std::string& output) {
 void run_solve(const SolveArguments& arguments) {
   const auto start = Clock::now();
   const ThreadLimit thread_limit(arguments.options.threads);
-  check_field_folder(arguments.output);
-
+  if (arguments.onto.empty() && !is_tet_file(arguments.model)) {
+    check_field_folder(arguments.output);
+  } else {
+    check_onto_folder(arguments.output);
+  }
   SolveReport report;
   {
     ProgressLines lines(!arguments.quiet && (arguments.progress || isatty(STDERR_FILENO)));
     Monitor monitor([&lines](const Progress& progress) { lines.show(progress); });
     const Interruption interruption(monitor);
-
-    monitor.report({"read", 0, 0, 0, 0});
-    const TriangleMesh mesh = read_surface(arguments.model);
-    const double read_seconds = seconds_since(start);
-    monitor.check();
-    const FrameField field = solve_model(arguments, mesh, monitor);
-
-    monitor.report({"write", 0, 0, 0, 0});
-    report = field.report();
-    report.model.path = arguments.model;
-    report.seconds.read = read_seconds;
-    report.seconds.total = seconds_since(start);
-    write_field(field, report, arguments.output, monitor);
+    report = solve_and_write(arguments, start, monitor);
   }
   if (!arguments.quiet) print_result(summary_of(report, arguments.output));
 }

@@ -10,6 +10,8 @@
 #include "crossgrain/report.hpp"
 #include "crossgrain/solve.hpp"
 #include "crossgrain/spectrum.hpp"
+#include "crossgrain/tet_domain.hpp"
+#include "crossgrain/tet_frame_field.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "crossgrain/types.hpp"
 #include "crossgrain/version.hpp"

@@ -10,6 +10,7 @@
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/spectrum.hpp"
+#include "crossgrain/tet_frame_field.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -42,12 +43,23 @@ void write_field(const FrameField& field, const std::filesystem::path& folder, c
 void write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                  const Monitor& monitor = {});
 
-/// What `write_field` has written to a folder, to the bit. Throws Error(kInput).
+/// The same with FOLDER/onto.frames and FOLDER/onto.vtu (docs/field-file.md): all four files or none. Without
+/// `report`, the field's own.
+void write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
+                 const Monitor& monitor = {});
+void write_field(const TetFrameField& field, const std::filesystem::path& folder,
+                 const Monitor& monitor = {});
+
+/// What `write_field` has written to a folder, to the bit; of a field on tets, the one on the grid. Throws
+/// Error(kInput).
 FrameField read_field(const std::filesystem::path& folder);
 
 /// Throws Error(kOutput) where `write_field` could not write to a folder; leaves no trace. To be asked before
 /// a solve.
 void check_field_folder(const std::filesystem::path& folder);
+
+/// The same for a field on tets.
+void check_onto_folder(const std::filesystem::path& folder);
 
 /// In the following, the path "-" means standard input or standard output. Text files have one item a line,
 /// its numbers separated by blanks; blank lines, and what follows a word that begins with '#', are passed

@@ -49,7 +49,7 @@ struct SolverOptions {
   int start_relaxation = 150;
 
   /// Relaxation sweeps on every later level of up to `relaxed_cells` active cells.
-  int level_relaxation = 60;
+  int level_relaxation = 15;
   std::size_t relaxed_cells = 20000;
 
   /// In which degree relaxed problems are solved, whatever the degree of the field. In degree 4 they are
@@ -57,9 +57,12 @@ struct SolverOptions {
   /// many poor minima (docs/solver.md).
   Degree relaxation_degree = Degree::kFour;
 
-  /// Strength of the symmetrisation penalty at the end of a relaxation, from 0 to 1 (as long a step as is
-  /// stable). It grows from 0 in equal steps, sweep by sweep.
-  double symmetrisation = 0.5;
+  /// Strength of the symmetrisation penalty at the end of a relaxation: how many steps down it, each as long
+  /// as is stable, follow on a sweep. It grows from 0 in equal parts, sweep by sweep.
+  double symmetrisation = 4;
+
+  /// How many times as far as to its own minimum a cell goes in a sweep, from 1 to below 2.
+  double over_relaxation = 1.6;
 
   /// Whether relaxed levels use forms shifted so that they penalise only what the constraints of a cell
   /// exclude (crossgrain/spectrum.hpp). It takes 15 % more time and has not lowered an energy:
@@ -73,12 +76,47 @@ struct SolverOptions {
   double sweep_tolerance = 1e-4;
 };
 
+/// Which boundary vertices of a tet mesh are held to the surface.
+enum class TetBoundary {
+  kAll,        ///< smooth ones exactly, creases and corners by a weighted form
+  kSmoothOnly  ///< smooth ones exactly, creases and corners are free
+};
+
+/// How a field is carried from the grid onto a tet mesh and finished there. The defaults are those of the
+/// sweeps in docs/solver.md.
+struct OntoOptions {
+  TetBoundary boundary = TetBoundary::kAll;
+
+  /// Size of the finest octree cells in mean edge lengths of the tets, where no resolution and no cell size
+  /// is given; but at least `fewest_cells` along the longest side.
+  double cell_size_edges = 1;
+  int fewest_cells = 8;
+
+  /// Weight of the form of a crease or corner vertex, in units of the sum of its edge weights.
+  double crease_weight = 1;
+
+  /// Relaxation sweeps on the tets, and the penalty at their end, as in SolverOptions.
+  int relaxation_sweeps = 30;
+  double symmetrisation = 4;
+
+  /// As in SolverOptions.
+  double over_relaxation = 1.6;
+
+  /// Manifold sweeps at most, and the fraction of the energy by which a sweep must lower it for another to
+  /// follow.
+  int most_sweeps = 80;
+  double sweep_tolerance = 1e-5;
+};
+
+inline constexpr int kDefaultResolution = 128;
+
 /// Everything that shapes a solve. The same struct stands behind the command line, C++ and Python.
 struct SolveOptions {
   Degree degree = Degree::kFour;
 
-  /// Cells along the longest side of the bounding box at the finest level; at least 4.
-  int resolution = 128;
+  /// Cells along the longest side of the bounding box at the finest level; at least 4. 0: kDefaultResolution,
+  /// or what suits a tet mesh (OntoOptions::cell_size_edges).
+  int resolution = 0;
 
   /// Size of the finest cells in model units; where positive it replaces `resolution`.
   double cell_size = 0;
@@ -91,6 +129,7 @@ struct SolveOptions {
 
   RefinementOptions refinement;
   SolverOptions solver;
+  OntoOptions onto;
 };
 
 }  // namespace crossgrain

@@ -4,6 +4,8 @@
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
+#include "crossgrain/tet_domain.hpp"
+#include "crossgrain/tet_frame_field.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -20,5 +22,22 @@ FrameField solve(const TriangleMesh& mesh, const SolveOptions& options = {}, con
 /// The same, starting from an earlier field (of this or another surface) in place of random frames.
 FrameField solve_from(const FrameField& earlier, const TriangleMesh& mesh, const SolveOptions& options = {},
                       const Monitor& monitor = {});
+
+/// The options for a field that is to be carried onto tets: where they give neither resolution nor cell size,
+/// with cells of the size of the tets' edges (OntoOptions).
+SolveOptions sized_for(const TetDomain& domain, SolveOptions options = {});
+
+/// Carries a field onto the vertices of a tet mesh and finishes it there (docs/solver.md): relaxation and
+/// sweeps lower the Dirichlet energy of the degree-4 coefficients, linear in every tet. Smooth boundary
+/// vertices keep an axis along their area-weighted normal exactly and turn about it only; creases and corners
+/// are held as `options.onto` says. Vertices in no cell begin with the frame of the nearest cell of their own
+/// component. Errors: kUsage, kInterrupted.
+TetFrameField carry_onto(const FrameField& field, const TetDomain& domain, const SolveOptions& options = {},
+                         const Monitor& monitor = {});
+
+/// The field inside the boundary of a tet mesh, carried onto it: `solve` with the options of `sized_for`, and
+/// `carry_onto`. Errors as those two.
+TetFrameField solve_onto(const TetDomain& domain, const SolveOptions& options = {},
+                         const Monitor& monitor = {});
 
 }  // namespace crossgrain

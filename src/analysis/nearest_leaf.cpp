@@ -19,7 +19,9 @@ double squared_distance(const Vector3& point, const Box& box) {
 
 class NearestLeafSearch {
  public:
-  NearestLeafSearch(const Octree& tree, const Vector3& point) : tree_(tree), point_(point) {}
+  NearestLeafSearch(const Octree& tree, const Vector3& point,
+                    const std::function<bool(CellIndex)>& admissible)
+      : tree_(tree), point_(point), admissible_(admissible) {}
 
   CellIndex best() const { return best_; }
 
@@ -60,12 +62,14 @@ class NearestLeafSearch {
   void offer(CellIndex leaf) {
     const double distance = distance_to(tree_[leaf]);
     if (distance > best_squared_distance_ || (distance == best_squared_distance_ && leaf >= best_)) return;
+    if (admissible_ && !admissible_(leaf)) return;
     best_ = leaf;
     best_squared_distance_ = distance;
   }
 
   const Octree& tree_;
   Vector3 point_;
+  const std::function<bool(CellIndex)>& admissible_;
   CellIndex best_ = kNoCell;
   double best_squared_distance_ = std::numeric_limits<double>::infinity();
 };
@@ -73,7 +77,12 @@ class NearestLeafSearch {
 }  // namespace
 
 CellIndex nearest_leaf(const Octree& tree, const Vector3& point) {
-  NearestLeafSearch search(tree, point);
+  return nearest_leaf(tree, point, {});
+}
+
+CellIndex nearest_leaf(const Octree& tree, const Vector3& point,
+                       const std::function<bool(CellIndex)>& admissible) {
+  NearestLeafSearch search(tree, point, admissible);
   search.visit(CellAddress::root(), 0, static_cast<CellIndex>(tree.size()));
   return search.best();
 }

@@ -60,30 +60,52 @@ double enclosed_volume(const Surface& surface) {
   return std::abs(volume);
 }
 
+void demand(bool met, const char* message) {
+  if (!met) refuse(ErrorKind::kUsage, message);
+}
+
+/// What the solver's options and those for tets have in common.
+template <class Options>
+void check_sweeps(const Options& options) {
+  demand(options.most_sweeps >= 0, "numbers of sweeps must not be negative");
+  demand(options.symmetrisation >= 0 && std::isfinite(options.symmetrisation),
+         "the symmetrisation must not be negative");
+  demand(options.over_relaxation >= 1 && options.over_relaxation < 2,
+         "the over-relaxation must lie in [1, 2)");
+  demand(options.sweep_tolerance >= 0, "the sweep tolerance must not be negative");
+}
+
+void check_onto(const OntoOptions& options) {
+  check_sweeps(options);
+  demand(options.relaxation_sweeps >= 0, "numbers of sweeps must not be negative");
+  demand(options.cell_size_edges > 0 && std::isfinite(options.cell_size_edges),
+         "the cell size in edges must be a positive number");
+  demand(options.fewest_cells >= kSmallestResolution, "there must be at least 4 cells across a tet mesh");
+  demand(options.crease_weight >= 0 && std::isfinite(options.crease_weight),
+         "the weight of creases must not be negative");
+}
+
 }  // namespace
 
 void check_options(const SolveOptions& options) {
-  const auto demand = [](bool met, const char* message) {
-    if (!met) refuse(ErrorKind::kUsage, message);
-  };
   const SolverOptions& solver = options.solver;
   demand(is_degree(options.degree) && is_degree(solver.relaxation_degree), "a degree must be 3 or 4");
   demand(options.cell_size >= 0 && std::isfinite(options.cell_size),
          "the cell size must be a positive number");
-  demand(options.cell_size > 0 || options.resolution >= kSmallestResolution,
+  demand(options.cell_size > 0 || options.resolution == 0 || options.resolution >= kSmallestResolution,
          "the resolution must be at least 4");
   demand(options.threads >= 0, "the number of threads must not be negative");
   demand(solver.boundary_weight > 0 && std::isfinite(solver.boundary_weight),
          "the boundary weight must be positive");
   demand(solver.starts >= 1, "there must be at least one start");
-  demand(solver.start_relaxation >= 0 && solver.level_relaxation >= 0 && solver.most_sweeps >= 0,
+  demand(solver.start_relaxation >= 0 && solver.level_relaxation >= 0,
          "numbers of sweeps must not be negative");
-  demand(solver.symmetrisation >= 0 && solver.symmetrisation <= 1, "the symmetrisation must lie in [0, 1]");
-  demand(solver.sweep_tolerance >= 0, "the sweep tolerance must not be negative");
+  check_sweeps(solver);
   demand(options.refinement.coarsest_cells >= 1, "the coarsest level needs a cell");
   demand(options.refinement.thickness_cells >= 0, "the cells wanted across a wall must not be negative");
   demand(!std::isnan(options.refinement.energy_density_threshold),
          "the threshold of the energy density must be a number");
+  check_onto(options.onto);
 }
 
 void check_size(const Surface& surface, double finest_cell_size) {
@@ -159,6 +181,12 @@ std::vector<std::string> warnings_of(const SolveReport& report, const Surface& s
                     100 * report.alignment_deg.excluded_share));
   }
   return warnings;
+}
+
+std::string outside_warning(std::size_t outside, std::size_t vertices) {
+  return fmt::format(
+      "{} of {} vertices of the tet mesh are in no cell and began with the nearest cell's frame", outside,
+      vertices);
 }
 
 std::string other_model_warning(const Box& earlier, const Box& box) {

@@ -29,6 +29,9 @@ void check_interior(const GridLevel& finest, const Surface& surface, const Surfa
 std::vector<std::string> warnings_of(const SolveReport& report, const Surface& surface,
                                      const SurfaceTopology& topology);
 
+/// A warning of vertices of a tet mesh outside every cell.
+std::string outside_warning(std::size_t outside, std::size_t vertices);
+
 /// A warning where a field is started from that of a model of another size or place; empty otherwise.
 std::string other_model_warning(const Box& earlier, const Box& box);
 

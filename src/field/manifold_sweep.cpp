@@ -49,18 +49,18 @@ LocalModel local_model(const LocalEnergy<D>& energy, const Coefficients<D>& h,
 }
 
 /// The Newton step of a frame that turns about one axis only, down the valley wherever the curvature points.
-Vector3 step_about(const Vector3& axis, const LocalModel& model) {
+Vector3 step_about(const Vector3& axis, const LocalModel& model, double max_angle_rad) {
   const double slope = dot(model.gradient, axis);
   const double curvature = std::abs(dot(apply(model.hessian, axis), axis));
-  const double angle_rad = curvature * kLargestStep_rad > std::abs(slope)
-                               ? -slope / curvature
-                               : -std::copysign(kLargestStep_rad, slope);
+  const double angle_rad =
+      curvature * max_angle_rad > std::abs(slope) ? -slope / curvature : -std::copysign(max_angle_rad, slope);
   return angle_rad * axis;
 }
 
 /// Returns by how much f fell.
 template <int D>
-double update_cell(const FieldGraph<D>& graph, FieldState<D>& state, std::size_t cell) {
+double update_cell(const FieldGraph<D>& graph, FieldState<D>& state, std::size_t cell,
+                   double over_relaxation) {
   const LocalEnergy<D> energy(graph, state.coefficients, cell);
   const Quaternion frame = from_stored(state.frames[cell]);
   const Coefficients<D> h = frame_coefficients<D>(frame);
@@ -68,8 +68,9 @@ double update_cell(const FieldGraph<D>& graph, FieldState<D>& state, std::size_t
   const double before = dot(h, matrix_h) - 2 * dot(energy.linear(), h);
   const LocalModel model = local_model(energy, h, matrix_h);
   const Vector3* axis = graph.forms.held_axis(cell);
-  Vector3 step =
-      axis ? step_about(*axis, model) : guarded_newton_step(model.hessian, model.gradient, kLargestStep_rad);
+  const double max_angle_rad = kLargestStep_rad / over_relaxation;
+  Vector3 step = over_relaxation * (axis ? step_about(*axis, model, max_angle_rad)
+                                         : guarded_newton_step(model.hessian, model.gradient, max_angle_rad));
   for (int halving = 0; halving <= kMostHalvings; ++halving) {
     const StoredQuaternion stored = to_stored(normalised(from_rotation_vector(step) * frame));
     const Coefficients<D> turned = frame_coefficients<D>(from_stored(stored));
@@ -87,18 +88,19 @@ double update_cell(const FieldGraph<D>& graph, FieldState<D>& state, std::size_t
 }  // namespace
 
 template <int D>
-double manifold_sweep(const FieldGraph<D>& graph, FieldState<D>& state) {
+double manifold_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double over_relaxation) {
   double decrease = 0;
   for (std::size_t colour = 0; colour < graph.colouring().colour_count(); ++colour) {
     const std::size_t begin = graph.colouring().begin[colour];
     const std::size_t count = graph.colouring().begin[colour + 1] - begin;
-    decrease += parallel_sum(
-        count, [&](std::size_t k) { return update_cell(graph, state, graph.colouring().cells[begin + k]); });
+    decrease += parallel_sum(count, [&](std::size_t k) {
+      return update_cell(graph, state, graph.colouring().cells[begin + k], over_relaxation);
+    });
   }
   return decrease;
 }
 
-template double manifold_sweep<3>(const FieldGraph<3>&, FieldState<3>&);
-template double manifold_sweep<4>(const FieldGraph<4>&, FieldState<4>&);
+template double manifold_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double);
+template double manifold_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double);
 
 }  // namespace crossgrain

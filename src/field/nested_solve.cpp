@@ -32,17 +32,18 @@ class LevelSolver {
 
   /// Relaxation, where `relaxation_sweeps` is positive, and sweeps on the manifold until the energy settles.
   SettledFrames solved(Frames frames, int relaxation_sweeps) {
-    const SettlingLimits limits{options_.most_sweeps, options_.sweep_tolerance,
+    const RelaxationPlan relaxation{relaxation_sweeps, options_.symmetrisation, options_.over_relaxation};
+    const SettlingPlan settling{options_.most_sweeps, options_.over_relaxation, options_.sweep_tolerance,
                                 rounding_noise(connectivity_->adjacency)};
     std::function<Frames(Frames)> relax;
     if (relaxation_sweeps > 0) {
       relax = [=, this](Frames came) {
         return options_.relaxation_degree == Degree::kThree
-                   ? relaxed_in(relaxed_graph3_, std::move(came), relaxation_sweeps)
-                   : relaxed_in(relaxed_graph4_, std::move(came), relaxation_sweeps);
+                   ? relaxed_in(relaxed_graph3_, std::move(came), relaxation)
+                   : relaxed_in(relaxed_graph4_, std::move(came), relaxation);
       };
     }
-    return relaxed_and_settled(graph_, std::move(frames), relax, limits, [this](double e) { advance(e); });
+    return relaxed_and_settled(graph_, std::move(frames), relax, settling, [this](double e) { advance(e); });
   }
 
   EnergyParts energy(const Frames& frames) const {
@@ -54,13 +55,12 @@ class LevelSolver {
 
  private:
   template <int R>
-  Frames relaxed_in(FieldGraph<R>& graph, Frames frames, int sweeps) {
+  Frames relaxed_in(FieldGraph<R>& graph, Frames frames, const RelaxationPlan& plan) {
     if (!graph.connectivity) {
       const Shift shift = options_.shift_relaxed_forms ? Shift::kSpectral : Shift::kNone;
       graph = {connectivity_, boundary_forms<R>(level_, solid_, options_.boundary_weight, shift)};
     }
-    return relaxed(graph, std::move(frames), sweeps, options_.symmetrisation,
-                   [this](double energy) { advance(energy); });
+    return relaxed(graph, std::move(frames), plan, [this](double energy) { advance(energy); });
   }
 
   void advance(double energy) {

@@ -32,7 +32,8 @@ struct SolvedField {
 
 /// The size of the finest cells that the options ask for around a box, model units.
 inline double finest_cell_size(const Box& box, const SolveOptions& options) {
-  return options.cell_size > 0 ? options.cell_size : longest_side(box) / options.resolution;
+  if (options.cell_size > 0) return options.cell_size;
+  return longest_side(box) / (options.resolution > 0 ? options.resolution : kDefaultResolution);
 }
 
 /// A frame for any point, to start from instead of random ones.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/relaxation.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "base/parallel.hpp"
@@ -58,45 +60,67 @@ void symmetrise(Coefficients<D>& h, double strength) {
   if (D == 4) h = scaled(h, 1 - strength * 0.5 * (norm * norm - 1));
 }
 
-/// The degree-4 coefficients of the frames with an axis along `axis`, h = b_n + x C + y S with x^2 + y^2 =
-/// 5/12, but for that radius: the minimiser of the local energy among them, then a step of `strength` back to
-/// it.
-Coefficients<4> coefficients_about(const Vector3& axis, const LocalEnergy<4>& energy, double strength) {
+template <int D>
+void symmetrise_steps(Coefficients<D>& h, double strength) {
+  for (; strength > 0; strength -= 1) symmetrise<D>(h, std::min(strength, 1.0));
+}
+
+/// Among the degree-4 coefficients of frames with an axis along `axis`, h = b_n + x C + y S but for the
+/// radius x^2 + y^2 = 5/12 of frames: over-relaxed from `h` to the minimiser of the local energy, then a step
+/// back to that radius.
+Coefficients<4> relaxed_about(const Vector3& axis, const LocalEnergy<4>& energy, const Coefficients<4>& h,
+                              double symmetrisation, double over_relaxation) {
   const NormalBasis<4> basis = normal_basis<4>(axis);
   const double half_weight = 0.5 * energy.neighbour_weight();
-  double x = dot(basis.cosine, energy.linear()) / half_weight;
-  double y = dot(basis.sine, energy.linear()) / half_weight;
+  const auto relaxed_along = [&](const Coefficients<4>& harmonic) {
+    const double before = dot(harmonic, h);
+    return before + over_relaxation * (dot(harmonic, energy.linear()) / half_weight - before);
+  };
+  double x = relaxed_along(basis.cosine), y = relaxed_along(basis.sine);
   const double radius = std::sqrt(x * x + y * y);
   if (radius > 0) {
-    const double scale = 1 + strength * (std::sqrt(1 - kZonalShare) / radius - 1);
+    const double scale = 1 + std::min(symmetrisation, 1.0) * (std::sqrt(1 - kZonalShare) / radius - 1);
     x *= scale;
     y *= scale;
   }
-  Coefficients<4> h = basis.zonal;
-  add_scaled(h, x, basis.cosine);
-  add_scaled(h, y, basis.sine);
+  Coefficients<4> result = basis.zonal;
+  add_scaled(result, x, basis.cosine);
+  add_scaled(result, y, basis.sine);
+  return result;
+}
+
+/// One cell of a relaxation sweep.
+template <int D>
+Coefficients<D> relaxed_coefficients(const LocalEnergy<D>& energy, const Vector3* held_axis,
+                                     const Coefficients<D>& before, double symmetrisation,
+                                     double over_relaxation) {
+  if constexpr (D == 4) {
+    if (held_axis) return relaxed_about(*held_axis, energy, before, symmetrisation, over_relaxation);
+  }
+  assert(!held_axis);
+  Coefficients<D> h = minimising_coefficients(energy, before);
+  if constexpr (D == 4) {
+    h = scaled(h, over_relaxation);
+    add_scaled(h, 1 - over_relaxation, before);
+  }
+  symmetrise_steps<D>(h, symmetrisation);
   return h;
 }
 
 }  // namespace
 
 template <int D>
-void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation) {
+void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation,
+                      double over_relaxation) {
   for (std::size_t colour = 0; colour < graph.colouring().colour_count(); ++colour) {
     const std::size_t begin = graph.colouring().begin[colour];
     parallel_for(graph.colouring().begin[colour + 1] - begin, [&](std::size_t k) {
       const std::size_t cell = graph.colouring().cells[begin + k];
       if (graph.adjacency()[cell].empty()) return;
       const LocalEnergy<D> energy(graph, state.coefficients, cell);
-      if constexpr (D == 4) {
-        if (const Vector3* axis = graph.forms.held_axis(cell)) {
-          state.coefficients[cell] = to_stored<D>(coefficients_about(*axis, energy, symmetrisation));
-          return;
-        }
-      }
-      Coefficients<D> h = minimising_coefficients(energy, from_stored<D>(state.coefficients[cell]));
-      if (symmetrisation > 0) symmetrise<D>(h, symmetrisation);
-      state.coefficients[cell] = to_stored<D>(h);
+      const Coefficients<D> before = from_stored<D>(state.coefficients[cell]);
+      state.coefficients[cell] = to_stored<D>(
+          relaxed_coefficients(energy, graph.forms.held_axis(cell), before, symmetrisation, over_relaxation));
     });
   }
 }
@@ -116,8 +140,8 @@ void project_to_frames(FieldState<D>& state) {
   });
 }
 
-template void relaxation_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double);
-template void relaxation_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double);
+template void relaxation_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double, double);
+template void relaxation_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double, double);
 template void project_to_frames<3>(FieldState<3>&);
 template void project_to_frames<4>(FieldState<4>&);
 

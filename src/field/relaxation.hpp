@@ -15,18 +15,22 @@ namespace crossgrain {
 /// energy is homogeneous and even, so |h| stays 1, and the cell takes one step of inverse iteration towards
 /// the eigenvector that minimises it.
 ///
-/// `symmetrisation` in [0, 1] adds the (semi)symmetrisation penalty (docs/design.md section 4) by operator
-/// splitting: after the minimisation, a step down the gradient of E_sym + (|h|^2 - 1)^2, as long as is stable
-/// for 1, none for 0.
+/// `symmetrisation` >= 0 adds the (semi)symmetrisation penalty (docs/design.md section 4) by operator
+/// splitting: after the minimisation so many steps down the gradient of E_sym + (|h|^2 - 1)^2, each as long
+/// as is stable; the last one shorter by the fraction. `over_relaxation` in [1, 2) is for degree 4: how many
+/// times as far as to the minimum a cell goes.
+///
+/// Degree 4 keeps the axes that cells hold; in degree 3 no cell may hold one.
 template <int D>
-void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation);
+void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation,
+                      double over_relaxation = 1);
 
 /// Ends a relaxation: every cell takes the frame nearest to its coefficients, and that frame's coefficients.
 template <int D>
 void project_to_frames(FieldState<D>& state);
 
-extern template void relaxation_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double);
-extern template void relaxation_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double);
+extern template void relaxation_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double, double);
+extern template void relaxation_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double, double);
 extern template void project_to_frames<3>(FieldState<3>&);
 extern template void project_to_frames<4>(FieldState<4>&);
 

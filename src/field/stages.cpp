@@ -13,10 +13,10 @@ namespace crossgrain {
 
 template <int D>
 std::vector<StoredQuaternion> relaxed(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
-                                      int sweeps, double symmetrisation, const SweepMonitor& after_sweep) {
+                                      const RelaxationPlan& plan, const SweepMonitor& after_sweep) {
   FieldState<D> state = state_of<D>(std::move(frames));
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    relaxation_sweep(graph, state, symmetrisation * (sweep + 1) / sweeps);
+  for (int sweep = 0; sweep < plan.sweeps; ++sweep) {
+    relaxation_sweep(graph, state, plan.symmetrisation * (sweep + 1) / plan.sweeps, plan.over_relaxation);
     after_sweep(std::numeric_limits<double>::quiet_NaN());
   }
   project_to_frames(state);
@@ -25,15 +25,15 @@ std::vector<StoredQuaternion> relaxed(const FieldGraph<D>& graph, std::vector<St
 
 template <int D>
 SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
-                      const SettlingLimits& limits, const SweepMonitor& after_sweep) {
+                      const SettlingPlan& plan, const SweepMonitor& after_sweep) {
   FieldState<D> state = state_of<D>(std::move(frames));
   SettledFrames result;
   result.energy = graph_energy(graph, state);
-  for (int sweep = 0; sweep < limits.most_sweeps && !result.settled; ++sweep) {
-    const double decrease = manifold_sweep(graph, state);
+  for (int sweep = 0; sweep < plan.most_sweeps && !result.settled; ++sweep) {
+    const double decrease = manifold_sweep(graph, state, plan.over_relaxation);
     result.energy -= decrease;
     after_sweep(result.energy);
-    result.settled = decrease <= limits.fraction * result.energy + limits.noise;
+    result.settled = decrease <= plan.fraction * result.energy + plan.noise;
   }
   result.frames = std::move(state.frames);
   return result;
@@ -48,13 +48,13 @@ double rounding_noise(const Adjacency& adjacency) {
          });
 }
 
-template std::vector<StoredQuaternion> relaxed<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>, int,
-                                                  double, const SweepMonitor&);
-template std::vector<StoredQuaternion> relaxed<4>(const FieldGraph<4>&, std::vector<StoredQuaternion>, int,
-                                                  double, const SweepMonitor&);
-template SettledFrames settled<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>, const SettlingLimits&,
+template std::vector<StoredQuaternion> relaxed<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>,
+                                                  const RelaxationPlan&, const SweepMonitor&);
+template std::vector<StoredQuaternion> relaxed<4>(const FieldGraph<4>&, std::vector<StoredQuaternion>,
+                                                  const RelaxationPlan&, const SweepMonitor&);
+template SettledFrames settled<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>, const SettlingPlan&,
                                   const SweepMonitor&);
-template SettledFrames settled<4>(const FieldGraph<4>&, std::vector<StoredQuaternion>, const SettlingLimits&,
+template SettledFrames settled<4>(const FieldGraph<4>&, std::vector<StoredQuaternion>, const SettlingPlan&,
                                   const SweepMonitor&);
 
 }  // namespace crossgrain

@@ -16,9 +16,15 @@ namespace crossgrain {
 /// Called after every sweep with the energy, or NaN while that is not known.
 using SweepMonitor = std::function<void(double energy)>;
 
-/// When settling ends.
-struct SettlingLimits {
+struct RelaxationPlan {
+  int sweeps = 0;
+  double symmetrisation = 0;  ///< of the last sweep; it grows from nothing in equal parts
+  double over_relaxation = 1;
+};
+
+struct SettlingPlan {
   int most_sweeps = 0;
+  double over_relaxation = 1;
 
   /// A sweep that lowers the energy by no more than `fraction` of it, or by no more than `noise`, is the
   /// last.
@@ -36,12 +42,12 @@ struct SettledFrames {
 /// then the frames nearest to what has become of the coefficients.
 template <int D>
 std::vector<StoredQuaternion> relaxed(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
-                                      int sweeps, double symmetrisation, const SweepMonitor& after_sweep);
+                                      const RelaxationPlan& plan, const SweepMonitor& after_sweep);
 
 /// Manifold sweeps until the energy settles; it never rises.
 template <int D>
 SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
-                      const SettlingLimits& limits, const SweepMonitor& after_sweep);
+                      const SettlingPlan& plan, const SweepMonitor& after_sweep);
 
 /// `relax` makes a start for settling of the frames as they came. Relaxation may lose more than it finds:
 /// where it ends above the energy of the frames as they came, those are settled in its place, so that the
@@ -50,11 +56,11 @@ template <int D>
 SettledFrames relaxed_and_settled(
     const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
     const std::function<std::vector<StoredQuaternion>(std::vector<StoredQuaternion>)>& relax,
-    const SettlingLimits& limits, const SweepMonitor& after_sweep) {
-  if (!relax) return settled(graph, std::move(frames), limits, after_sweep);
+    const SettlingPlan& plan, const SweepMonitor& after_sweep) {
+  if (!relax) return settled(graph, std::move(frames), plan, after_sweep);
   const double energy_before = graph_energy(graph, state_of<D>(frames));
-  SettledFrames result = settled(graph, relax(frames), limits, after_sweep);
-  if (result.energy > energy_before) result = settled(graph, std::move(frames), limits, after_sweep);
+  SettledFrames result = settled(graph, relax(frames), plan, after_sweep);
+  if (result.energy > energy_before) result = settled(graph, std::move(frames), plan, after_sweep);
   return result;
 }
 
@@ -63,12 +69,12 @@ SettledFrames relaxed_and_settled(
 double rounding_noise(const Adjacency& adjacency);
 
 extern template std::vector<StoredQuaternion> relaxed<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>,
-                                                         int, double, const SweepMonitor&);
+                                                         const RelaxationPlan&, const SweepMonitor&);
 extern template std::vector<StoredQuaternion> relaxed<4>(const FieldGraph<4>&, std::vector<StoredQuaternion>,
-                                                         int, double, const SweepMonitor&);
+                                                         const RelaxationPlan&, const SweepMonitor&);
 extern template SettledFrames settled<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>,
-                                         const SettlingLimits&, const SweepMonitor&);
+                                         const SettlingPlan&, const SweepMonitor&);
 extern template SettledFrames settled<4>(const FieldGraph<4>&, std::vector<StoredQuaternion>,
-                                         const SettlingLimits&, const SweepMonitor&);
+                                         const SettlingPlan&, const SweepMonitor&);
 
 }  // namespace crossgrain

@@ -2,8 +2,8 @@
 #include "field/tet_finish.hpp"
 
 #include <cmath>
+#include <functional>
 #include <memory>
-#include <type_traits>
 
 #include "base/parallel.hpp"
 #include "constraint/normal_form.hpp"
@@ -42,14 +42,14 @@ bool is_held(const BoundaryVertices& boundary, std::size_t k) {
 
 template <int D>
 CellForms<D> vertex_forms(const Adjacency& adjacency, const BoundaryVertices& boundary,
-                          const TetFinishOptions& options) {
+                          const OntoOptions& options) {
   CellForms<D> forms(adjacency.size());
   std::vector<std::uint32_t> creases;
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < boundary.size(); ++k) {
     if (is_held(boundary, k)) {
       forms.hold_axis(boundary.vertices[k], boundary.normals[k]);
-    } else if (options.constrain_creases && !boundary.faces_at(k).empty()) {
+    } else if (options.boundary == TetBoundary::kAll && !boundary.faces_at(k).empty()) {
       creases.push_back(boundary.vertices[k]);
       places.push_back(k);
     }
@@ -84,47 +84,32 @@ void align_held(const BoundaryVertices& boundary, Frames& frames) {
 }
 
 template <int D>
-std::vector<Quaternion> finish_in_degree(const TetSolid& solid, const std::vector<StiffnessEdge>& edges,
-                                         const BoundaryVertices& boundary,
-                                         const std::vector<Quaternion>& start,
-                                         const TetFinishOptions& options, const Monitor& monitor) {
-  const auto connectivity = connectivity_of(solid.mesh.vertices.size(), edges);
-  const auto graph_in = [&]<int R>(std::integral_constant<int, R>) {
-    return FieldGraph<R>{connectivity, vertex_forms<R>(connectivity->adjacency, boundary, options)};
-  };
-  const FieldGraph<D> graph = graph_in(std::integral_constant<int, D>());
-  int sweeps = 0;
-  const SweepMonitor after_sweep = [&](double energy) {
-    monitor.check();
-    monitor.report({"tets", 0, graph.size(), ++sweeps, energy});
-  };
+FieldGraph<D> graph_of(const std::shared_ptr<const Connectivity>& connectivity,
+                       const BoundaryVertices& boundary, const OntoOptions& options) {
+  return {connectivity, vertex_forms<D>(connectivity->adjacency, boundary, options)};
+}
+
+/// Relaxes in degree 4 for both degrees, as on the grid, and settles in the field's own.
+template <int D>
+Frames solved(const std::shared_ptr<const Connectivity>& connectivity, const BoundaryVertices& boundary,
+              Frames frames, const OntoOptions& options, const SweepMonitor& after_sweep) {
+  const FieldGraph<D> graph = graph_of<D>(connectivity, boundary, options);
   std::function<Frames(Frames)> relax;
   if (options.relaxation_sweeps > 0) {
-    relax = [&](Frames frames) {
-      // In degree 4 for both degrees, as on the grid.
+    relax = [&](Frames came) {
+      const RelaxationPlan plan{options.relaxation_sweeps, options.symmetrisation, options.over_relaxation};
       if constexpr (D == 4) {
-        frames =
-            relaxed(graph, std::move(frames), options.relaxation_sweeps, options.symmetrisation, after_sweep);
+        came = relaxed(graph, std::move(came), plan, after_sweep);
       } else {
-        frames = relaxed(graph_in(std::integral_constant<int, 4>()), std::move(frames),
-                         options.relaxation_sweeps, options.symmetrisation, after_sweep);
+        came = relaxed(graph_of<4>(connectivity, boundary, options), std::move(came), plan, after_sweep);
       }
-      align_held(boundary, frames);
-      return frames;
+      align_held(boundary, came);
+      return came;
     };
   }
-  const SettlingLimits limits{options.most_sweeps, options.sweep_tolerance,
+  const SettlingPlan settling{options.most_sweeps, options.over_relaxation, options.sweep_tolerance,
                               rounding_noise(connectivity->adjacency)};
-
-  Frames stored(start.size());
-  for (std::size_t i = 0; i < start.size(); ++i) stored[i] = to_stored(start[i]);
-  align_held(boundary, stored);
-  stored = relaxed_and_settled(graph, std::move(stored), relax, limits, after_sweep).frames;
-  std::vector<Quaternion> frames(stored.size());
-  for (std::size_t i = 0; i < stored.size(); ++i) frames[i] = from_stored(stored[i]);
-  // Sweeps are in single precision; the boundary is held in double.
-  align_held(boundary, frames);
-  return frames;
+  return relaxed_and_settled(graph, std::move(frames), relax, settling, after_sweep).frames;
 }
 
 }  // namespace
@@ -143,12 +128,25 @@ Quaternion with_axis_along(const Quaternion& frame, const Vector3& direction) {
   return normalised(from_rotation_vector((angle_rad / sine) * turn) * frame);
 }
 
-std::vector<Quaternion> finish_on_tets(const TetSolid& solid, const std::vector<StiffnessEdge>& edges,
-                                       const BoundaryVertices& boundary, const std::vector<Quaternion>& start,
-                                       Degree degree, const TetFinishOptions& options,
-                                       const Monitor& monitor) {
-  return degree == Degree::kThree ? finish_in_degree<3>(solid, edges, boundary, start, options, monitor)
-                                  : finish_in_degree<4>(solid, edges, boundary, start, options, monitor);
+std::vector<Quaternion> finish_on_tets(const std::vector<StiffnessEdge>& edges,
+                                       const BoundaryVertices& boundary, std::vector<Quaternion> frames,
+                                       Degree degree, const OntoOptions& options, const Monitor& monitor) {
+  const auto connectivity = connectivity_of(frames.size(), edges);
+  int sweeps = 0;
+  const SweepMonitor after_sweep = [&](double energy) {
+    monitor.check();
+    monitor.report({"tets", 0, frames.size(), ++sweeps, energy});
+  };
+  align_held(boundary, frames);
+  Frames stored(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) stored[i] = to_stored(frames[i]);
+  stored = degree == Degree::kThree
+               ? solved<3>(connectivity, boundary, std::move(stored), options, after_sweep)
+               : solved<4>(connectivity, boundary, std::move(stored), options, after_sweep);
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i] = from_stored(stored[i]);
+  // Sweeps are in single precision; the boundary is held in double.
+  align_held(boundary, frames);
+  return frames;
 }
 
 }  // namespace crossgrain

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "analysis/orthonormal_frame.hpp"
 #include "base/parallel.hpp"
 #include "crossgrain/io.hpp"
 #include "io/field_file.hpp"
@@ -28,7 +29,8 @@ void write_frames(OutputFile& file, const std::vector<Quaternion>& quaternions, 
   for (std::size_t begin = 0; begin < quaternions.size(); begin += kFramesAtOnce) {
     monitor.check();
     frames.resize(std::min(kFramesAtOnce, quaternions.size() - begin));
-    parallel_for(frames.size(), [&](std::size_t i) { frames[i].axes = axes_of(quaternions[begin + i]); });
+    parallel_for(frames.size(),
+                 [&](std::size_t i) { frames[i] = orthonormal_frame(quaternions[begin + i]); });
     write_frame_lines(file, frames);
   }
   file.finish();
@@ -84,6 +86,15 @@ void write_field_onto(const FrameField& field, SolveReport report, const TetMesh
     write_frames(output.create(kFramesFile), onto.vertex_frames, monitor);
     write_grid(output.create(kGridFile), mesh, onto, monitor);
   });
+}
+
+void write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
+                 const Monitor& monitor) {
+  write_field_onto(field.grid(), std::move(report), field.domain().mesh(), field.data(), folder, monitor);
+}
+
+void write_field(const TetFrameField& field, const std::filesystem::path& folder, const Monitor& monitor) {
+  write_field(field, field.report(), folder, monitor);
 }
 
 void check_onto_folder(const std::filesystem::path& folder) {

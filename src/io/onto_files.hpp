@@ -18,7 +18,4 @@ namespace crossgrain {
 void write_field_onto(const FrameField& field, SolveReport report, const TetMesh& mesh, const TetField& onto,
                       const std::filesystem::path& folder, const Monitor& monitor = {});
 
-/// Throws Error(kOutput) where `write_field_onto` could not write to a folder; leaves no trace.
-void check_onto_folder(const std::filesystem::path& folder);
-
 }  // namespace crossgrain

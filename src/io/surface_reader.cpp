@@ -76,7 +76,7 @@ std::string mend_for(const Signature& signature) {
   if (const Signature* signature = signature_of(file.bytes()))
     fail_input(file, {},
                fmt::format("{}; it begins like {}: {}", what, signature->kind, mend_for(*signature)));
-  fail_input(file, {}, what + "; give a surface as .stl, .obj, .ply or .off");
+  fail_input(file, {}, what + "; give a surface as .stl, .obj, .ply or .off, or tets as .mesh");
 }
 
 /// The surface as it stands in the file. The bytes of the file are gone on return.

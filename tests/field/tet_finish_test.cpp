@@ -32,9 +32,9 @@ class TetFinish : public ::testing::Test {
     }
   }
 
-  std::vector<Quaternion> finished(const TetFinishOptions& options) const {
-    return finish_on_tets(solid_, edges_, boundary_, start_, static_cast<crossgrain::Degree>(Degree::value),
-                          options, Monitor());
+  std::vector<Quaternion> finished(const OntoOptions& options) const {
+    return finish_on_tets(edges_, boundary_, start_, static_cast<crossgrain::Degree>(Degree::value), options,
+                          Monitor());
   }
 
   TetSolid solid_;
@@ -45,7 +45,7 @@ class TetFinish : public ::testing::Test {
 TYPED_TEST_SUITE(TetFinish, testing::BothDegrees);
 
 TYPED_TEST(TetFinish, OfABoxEndsAtTheFrameOfTheBox) {
-  TetFinishOptions options;
+  OntoOptions options;
   options.sweep_tolerance = 0;
   options.most_sweeps = 200;
   for (const Quaternion& frame : this->finished(options)) {
@@ -55,7 +55,7 @@ TYPED_TEST(TetFinish, OfABoxEndsAtTheFrameOfTheBox) {
 }
 
 TYPED_TEST(TetFinish, HoldsTheNormalsOfSmoothVerticesToRounding) {
-  TetFinishOptions options;
+  OntoOptions options;
   options.most_sweeps = 3;
   const std::vector<Quaternion> frames = this->finished(options);
   std::size_t smooth = 0;
@@ -69,8 +69,10 @@ TYPED_TEST(TetFinish, HoldsTheNormalsOfSmoothVerticesToRounding) {
 }
 
 TYPED_TEST(TetFinish, LeavesCreasesFreeWhereTold) {
-  TetFinishOptions free, bound;
-  free.constrain_creases = false;
+  OntoOptions free, bound;
+  free.boundary = TetBoundary::kSmoothOnly;
+  // Relaxed, a box has no conflict left to tell the two apart.
+  free.relaxation_sweeps = bound.relaxation_sweeps = 0;
   free.most_sweeps = bound.most_sweeps = 3;
   const std::vector<Quaternion> with = this->finished(bound), without = this->finished(free);
   double worst_with = 0, worst_without = 0;

@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "analysis/made_tets.hpp"
+#include "analysis/orthonormal_frame.hpp"
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
@@ -53,7 +54,8 @@ TEST(OntoFrames, HasTheAxesOfEachVertexToTheBit) {
   EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), 12u * 12 * 12);
   std::vector<double> expected;
   for (const Quaternion& frame : sample.onto.vertex_frames) {
-    for (const Vector3& axis : axes_of(frame)) expected.insert(expected.end(), axis.begin(), axis.end());
+    for (const Vector3& axis : orthonormal_frame(frame).axes)
+      expected.insert(expected.end(), axis.begin(), axis.end());
   }
   EXPECT_TRUE(numbers_in(folder.path() / "onto.frames") == expected);
 }
@@ -69,7 +71,7 @@ TEST(OntoFrames, WritesNumbersAsSampleDoes) {
   std::getline(text, line);
   EXPECT_EQ(line, "1 0 0 0 1 0 0 0 1");
   std::getline(text, line);
-  const auto axes = axes_of(sample.onto.vertex_frames[1]);
+  const auto axes = orthonormal_frame(sample.onto.vertex_frames[1]).axes;
   EXPECT_EQ(line, fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}",
                               axes[0][0], axes[0][1], axes[0][2], axes[1][0], axes[1][1], axes[1][2],
                               axes[2][0], axes[2][1], axes[2][2]));

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "crossgrain/frame_field.hpp"
+#include "crossgrain/report.hpp"
+#include "crossgrain/tet_domain.hpp"
+#include "crossgrain/types.hpp"
+
+namespace crossgrain {
+
+struct TetField;
+
+/// A frame field on the vertices and tets of a mesh, with the field on the grid that it was carried over
+/// from. Immutable and cheap to copy; all members are safe to call from any number of threads.
+class TetFrameField {
+ public:
+  TetFrameField(FrameField grid, TetDomain domain, std::shared_ptr<const TetField> field, SolveReport report);
+
+  const FrameField& grid() const { return grid_; }
+  const TetDomain& domain() const { return domain_; }
+
+  /// The frame of vertex `index` of domain().mesh(). At a smooth boundary vertex one axis is the
+  /// area-weighted normal of its faces, to rounding. Also of vertices that no tet uses.
+  Frame vertex_frame(std::size_t index) const;
+
+  /// The frame of tet `index` of domain().mesh(): nearest to the mean of the degree-4 coefficients of its
+  /// four vertices.
+  Frame tet_frame(std::size_t index) const;
+
+  /// That of grid(), with `onto`, the domain's warnings and the time that the tets took.
+  const SolveReport& report() const { return *report_; }
+
+  /// The representation behind the field, for the library itself.
+  const TetField& data() const { return *field_; }
+
+ private:
+  FrameField grid_;
+  TetDomain domain_;
+  std::shared_ptr<const TetField> field_;
+  std::shared_ptr<const SolveReport> report_;
+};
+
+}  // namespace crossgrain

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "analysis/carried_frames.hpp"
+#include "analysis/field_data.hpp"
+#include "analysis/solve_checks.hpp"
+#include "analysis/tet_domain_data.hpp"
+#include "analysis/tet_evaluation.hpp"
+#include "analysis/tet_field.hpp"
+#include "base/stopwatch.hpp"
+#include "crossgrain/solve.hpp"
+#include "crossgrain/thread_limit.hpp"
+#include "field/tet_finish.hpp"
+
+namespace crossgrain {
+namespace {
+
+const char* name_of(TetBoundary boundary) {
+  return boundary == TetBoundary::kAll ? "all" : "smooth-only";
+}
+
+SolveReport::Onto describe(const TetDomainData& domain, const VertexFieldEvaluation& evaluation) {
+  SolveReport::Onto onto;
+  onto.vertices = domain.solid.mesh.vertices.size();
+  onto.tets = domain.solid.mesh.tets.size();
+  onto.unused_vertices = domain.solid.unused_vertices;
+  onto.inverted_tets = domain.solid.inverted_tets;
+  onto.left_out_tets = domain.solid.left_out_tets;
+  onto.dirichlet = evaluation.dirichlet;
+  onto.edge_sum = evaluation.edge_sum;
+  onto.singular = evaluation.singular;
+  onto.normal_deg = evaluation.normal_deg;
+  onto.crease_deg = evaluation.crease_deg;
+  return onto;
+}
+
+}  // namespace
+
+TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const SolveOptions& options,
+                         const Monitor& monitor) {
+  check_options(options);
+  const ThreadLimit thread_limit(options.threads);
+  Stopwatch stopwatch;
+  stopwatch.start();
+  const TetDomainData& tets = domain.data();
+  CarriedFrames start = carried_frames(grid.data(), tets.solid);
+  monitor.check();
+  auto field = std::make_shared<TetField>();
+  field->vertex_frames = finish_on_tets(tets.edges, tets.boundary, std::move(start.frames),
+                                        grid.data().degree, options.onto, monitor);
+  field->tet_frames = tet_frames_of(tets.solid.mesh, field->vertex_frames);
+  monitor.check();
+
+  SolveReport report = grid.report();
+  report.onto =
+      describe(tets, evaluate_vertex_field(tets.solid, tets.boundary, tets.edges, field->vertex_frames));
+  report.onto->boundary = name_of(options.onto.boundary);
+  report.onto->outside_vertices = start.outside;
+  report.onto->seconds = stopwatch.restart();
+  report.warnings.insert(report.warnings.end(), domain.warnings().begin(), domain.warnings().end());
+  if (start.outside > 0) report.warnings.push_back(outside_warning(start.outside, report.onto->vertices));
+  return {grid, domain, std::move(field), std::move(report)};
+}
+
+TetFrameField solve_onto(const TetDomain& domain, const SolveOptions& options, const Monitor& monitor) {
+  const SolveOptions sized = sized_for(domain, options);
+  return carry_onto(solve(domain.boundary(), sized, monitor), domain, sized, monitor);
+}
+
+SolveOptions sized_for(const TetDomain& domain, SolveOptions options) {
+  if (options.cell_size > 0 || options.resolution > 0) return options;
+  const double wanted = options.onto.cell_size_edges * domain.mean_edge_length();
+  options.cell_size = std::min(wanted, longest_side(domain.data().box) / options.onto.fewest_cells);
+  return options;
+}
+
+}  // namespace crossgrain

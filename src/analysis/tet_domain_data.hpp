@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "crossgrain/tet_domain.hpp"
+#include "tets/boundary_vertices.hpp"
+#include "tets/stiffness.hpp"
+#include "tets/tet_solid.hpp"
+
+namespace crossgrain {
+
+/// What a TetDomain holds.
+struct TetDomainData {
+  TetSolid solid;
+  std::vector<StiffnessEdge> edges;
+  BoundaryVertices boundary;
+  Box box{};  ///< of the boundary
+  double mean_edge_length = 0;
+  std::vector<std::string> warnings;
+};
+
+}  // namespace crossgrain
