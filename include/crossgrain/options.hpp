@@ -42,7 +42,7 @@ struct SolverOptions {
   /// Starts from random frames. Each is carried through all levels of up to `start_cells` active cells, then
   /// the one of lowest energy goes on alone.
   int starts = 3;
-  std::size_t start_cells = 1000;
+  std::size_t start_cells = 100;
 
   /// Relaxation sweeps of the first start on the coarsest level: enough of them forget the random frames.
   /// Later starts take a third of the sweeps of the one before, so that they differ.
@@ -97,7 +97,7 @@ struct OntoOptions {
 
   /// Relaxation sweeps on the tets, and the penalty at their end, as in SolverOptions.
   int relaxation_sweeps = 30;
-  double symmetrisation = 4;
+  double symmetrisation = 6;
 
   /// As in SolverOptions.
   double over_relaxation = 1.6;
