@@ -52,7 +52,7 @@ struct SolveReport {
     double length = 0;              ///< sum of their lengths
     std::size_t arcs = 0;           ///< chains of them between nodes, and closed loops
     std::size_t nodes = 0;          ///< grid vertices inside the solid where three or more of them meet
-    std::size_t boundary_ends = 0;  ///< ends of arcs on the surface
+    std::size_t boundary_ends = 0;  ///< grid vertices where a line reaches the surface
   } singularity;
 
   /// Walls that the finest cells do not resolve.

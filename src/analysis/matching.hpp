@@ -16,6 +16,11 @@ struct CubeRotation {
   std::int8_t w = 1, x = 0, y = 0, z = 0;
 
   bool is_identity() const { return x == 0 && y == 0 && z == 0; }
+
+  /// Whether two axes change places: quarter turns, and half turns about face diagonals. A product is odd if
+  /// an odd number of its factors are.
+  bool is_odd() const { return (w != 0) + (x != 0) + (y != 0) + (z != 0) == 2; }
+
   bool operator==(const CubeRotation&) const = default;
 };
 

@@ -32,10 +32,9 @@ class SingularEdgeFinder {
         if (!comes_before(i, j) || !comes_before(i, k)) continue;
         const CellIndex diagonal = across_edge(i, face_u, face_v);
         if (!comes_before(i, diagonal)) continue;
-        if (is_singular({i, j, diagonal, k},
-                        {face_u, face_v, opposite_face(face_u), opposite_face(face_v)})) {
-          found.push_back(edge_of(i, axis, face_u, face_v));
-        }
+        const CubeRotation turn =
+            turn_around({i, j, diagonal, k}, {face_u, face_v, opposite_face(face_u), opposite_face(face_v)});
+        if (!turn.is_identity()) found.push_back(edge_of(i, axis, face_u, face_v, turn));
       }
     }
   }
@@ -53,16 +52,17 @@ class SingularEdgeFinder {
     return diagonal ? tree_.find_containing(*diagonal) : kNoCell;
   }
 
-  /// Whether the way around over these leaves, leaving ring[s] through faces[s], is open and turns frames.
-  bool is_singular(const std::array<CellIndex, 4>& ring, const std::array<int, 4>& faces) const {
+  /// How the way around over these leaves, leaving ring[s] through faces[s], turns frames; not at all where
+  /// it is not open.
+  CubeRotation turn_around(const std::array<CellIndex, 4>& ring, const std::array<int, 4>& faces) const {
     CubeRotation turn;
     for (std::size_t step = 0; step < 4; ++step) {
       const CellIndex from = ring[step], to = ring[(step + 1) % 4];
       if (from == to) continue;
-      if (!are_joined(from, faces[step], to)) return false;
+      if (!are_joined(from, faces[step], to)) return {};
       turn = face_matching(from, to) * turn;
     }
-    return !turn.is_identity();
+    return turn;
   }
 
   /// A face between leaves is open if the smaller of them says so, or either of two equal ones.
@@ -78,13 +78,13 @@ class SingularEdgeFinder {
     return from < to ? matching(frames_[from], frames_[to]) : inverse(matching(frames_[to], frames_[from]));
   }
 
-  GridEdge edge_of(CellIndex i, int axis, int face_u, int face_v) const {
+  GridEdge edge_of(CellIndex i, int axis, int face_u, int face_v, const CubeRotation& turn) const {
     const std::int32_t width = tree_[i].width();
     GridPoint start = tree_[i].corner();
     for (const int face : {face_u, face_v}) {
       if (face_sign(face) > 0) start[face_axis(face)] += width;
     }
-    return {start, axis, width};
+    return {start, axis, width, turn.is_odd()};
   }
 
   const Octree& tree_;

@@ -16,6 +16,7 @@ struct GridEdge {
   GridPoint start;  ///< its low end
   int axis;
   std::int32_t length;
+  bool odd = true;  ///< whether the turn around it is (CubeRotation::is_odd), as a quarter turn is
 
   GridPoint end() const {
     GridPoint point = start;
@@ -33,8 +34,8 @@ struct GridEdge {
 /// identity.
 ///
 /// Every face between leaves has one matching, used in both directions. So the product of the turns around
-/// all edges that meet at an interior vertex is the identity, and singular edges never end at one: where just
-/// one arrives, the vertex is not surrounded by joined leaves.
+/// all edges that meet at an interior vertex is the identity, and the number of odd ones is even: where just
+/// one edge arrives, or an odd number of odd ones, the vertex is not surrounded by joined leaves.
 ///
 /// `frames` and `open_faces` (as in LeafConnections) have one entry per leaf.
 std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQuaternion> frames,

@@ -20,18 +20,21 @@ class EdgeNetwork {
     std::sort(vertices_.begin(), vertices_.end());
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
     incident_.resize(vertices_.size());
+    odd_.resize(vertices_.size(), false);
     for (const GridEdge& edge : sorted) {
       const std::size_t low = index_of(edge.start), high = index_of(edge.end());
       incident_[low].push_back(ends_.size());
       incident_[high].push_back(ends_.size());
       ends_.push_back({low, high});
+      odd_[low] = odd_[low] != edge.odd;
+      odd_[high] = odd_[high] != edge.odd;
     }
   }
 
   SingularityGraph arcs_and_nodes() {
     SingularityGraph graph;
     for (std::size_t v = 0; v < vertices_.size(); ++v) {
-      if (degree(v) == 1) graph.boundary_ends.push_back(vertices_[v]);
+      if (degree(v) == 1 || odd_[v]) graph.boundary_ends.push_back(vertices_[v]);
       if (degree(v) >= 3) graph.nodes.push_back(vertices_[v]);
       if (degree(v) != 2) trace_all_from(v, graph);
     }
@@ -70,6 +73,7 @@ class EdgeNetwork {
   std::vector<GridPoint> vertices_;                 ///< sorted
   std::vector<std::vector<std::size_t>> incident_;  ///< edges at each vertex
   std::vector<std::array<std::size_t, 2>> ends_;    ///< vertices of each edge
+  std::vector<bool> odd_;                           ///< vertices with an odd number of odd edges
   std::vector<bool> used_;                          ///< edges that are part of an arc
 };
 

@@ -27,9 +27,12 @@ struct SingularityGraph {
   /// meeting as a few of them with short arcs between.
   std::vector<GridPoint> nodes;
 
-  /// Vertices of degree one: lines that reach the surface. That they do needs no test, for singular edges
-  /// never end where joined leaves are all around (see singular_edges). The grid's line ends where the
-  /// solid's does up to the last edge that is not interior, about one cell short of the surface.
+  /// Where lines reach the surface: vertices at which one singular edge arrives, or several whose turns
+  /// cannot cancel, an odd number of them being odd. That the surface is there needs no test, for neither
+  /// happens where joined leaves are all around (see singular_edges). The grid's line ends where the solid's
+  /// does up to the last edge that is not interior, about one cell short of the surface; where lines meet
+  /// that near to it, the one that goes on to the surface has no edge at all, and the vertex may be a node
+  /// too.
   std::vector<GridPoint> boundary_ends;
 
   std::size_t edges = 0;  ///< singular edges in all

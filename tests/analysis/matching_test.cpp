@@ -71,6 +71,18 @@ TEST(CubeRotation, TimesItsInverseIsTheIdentity) {
   }
 }
 
+TEST(CubeRotation, IsOddWhereTwoAxesChangePlaces) {
+  int odd = 0;
+  for (const CubeRotation& g : generated_group()) {
+    int in_place = 0;
+    const auto axes = axes_of(to_quaternion(g));
+    for (std::size_t k = 0; k < 3; ++k) in_place += std::abs(axes[k][k]) > 0.5;
+    EXPECT_EQ(g.is_odd(), in_place == 1);
+    odd += g.is_odd();
+  }
+  EXPECT_EQ(odd, 12);
+}
+
 TEST(NearestCubeRotation, IsTheNearestOfAllTwentyFour) {
   const auto group = generated_group();
   RandomRotations random(1);

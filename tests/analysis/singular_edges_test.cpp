@@ -207,14 +207,16 @@ TEST(SingularEdges, AreAsLongAsTheSmallestLeafBesideThem) {
   EXPECT_EQ(largest_ratio, 4) << "the tree should have leaves of 4:1 that meet in an edge";
 }
 
-TEST(SingularEdges, NeverEndWhereLeavesAreAllAround) {
+TEST(SingularEdges, CancelWhereLeavesAreAllAround) {
   const std::int32_t high = CellAddress::root().width();
   for (unsigned seed = 0; seed < 3; ++seed) {
     const Octree tree = graded_octree(20 + seed);
-    std::map<GridPoint, int> degree;
+    std::map<GridPoint, int> degree, odd;
     for (const GridEdge& edge : singular_edges(tree, random_frames(tree.size(), seed), all_open(tree))) {
       ++degree[edge.start];
       ++degree[edge.end()];
+      odd[edge.start] += edge.odd;
+      odd[edge.end()] += edge.odd;
     }
     int interior = 0;
     for (const auto& [point, count] : degree) {
@@ -223,6 +225,7 @@ TEST(SingularEdges, NeverEndWhereLeavesAreAllAround) {
       if (on_boundary) continue;
       ++interior;
       EXPECT_GE(count, 2);
+      EXPECT_EQ(odd[point] % 2, 0) << "turns that cannot cancel meet where leaves are all around";
     }
     EXPECT_GE(interior, 100);
   }

@@ -23,9 +23,11 @@ const std::vector<GridEdge> kBentLine{{{2, 2, 2}, 0, 2}, {{4, 2, 2}, 2, 1}, {{4,
 const std::vector<GridEdge> kSquare{
     {{0, 0, 0}, 0, 1}, {{1, 0, 0}, 1, 1}, {{0, 1, 0}, 0, 1}, {{0, 0, 0}, 1, 1}};
 
-/// Three lines of one, two and three edges from (5, 5, 5).
-const std::vector<GridEdge> kTripod{{{4, 5, 5}, 0, 1}, {{5, 5, 5}, 1, 1}, {{5, 6, 5}, 1, 1},
-                                    {{5, 5, 5}, 2, 1}, {{5, 5, 6}, 2, 1}, {{5, 5, 7}, 2, 1}};
+/// Three lines of one, two and three edges from (5, 5, 5): two quarter turns and their product.
+constexpr bool kEven = false;
+const std::vector<GridEdge> kTripod{{{4, 5, 5}, 0, 1},        {{5, 5, 5}, 1, 1},
+                                    {{5, 6, 5}, 1, 1},        {{5, 5, 5}, 2, 1, kEven},
+                                    {{5, 5, 6}, 2, 1, kEven}, {{5, 5, 7}, 2, 1, kEven}};
 
 TEST(SingularityGraph, OfNoEdgesIsEmpty) {
   const SingularityGraph graph = joined({}, 1);
@@ -58,6 +60,14 @@ TEST(SingularityGraph, WhereThreeLinesMeetHasANode) {
   for (const auto& arc : graph.arcs) edge_counts.push_back(arc.size() - 1);
   std::sort(edge_counts.begin(), edge_counts.end());
   EXPECT_EQ(edge_counts, (std::vector<std::size_t>{1, 2, 3}));
+}
+
+TEST(SingularityGraph, WhereThreeQuarterTurnsMeetAFourthLineReachesTheSurface) {
+  std::vector<GridEdge> edges = kTripod;
+  for (GridEdge& edge : edges) edge.odd = true;
+  const SingularityGraph graph = joined(edges, 1);
+  EXPECT_EQ(graph.nodes, (std::vector<GridPoint>{{5, 5, 5}}));
+  EXPECT_EQ(graph.boundary_ends, (std::vector<GridPoint>{{4, 5, 5}, {5, 5, 5}, {5, 5, 8}, {5, 7, 5}}));
 }
 
 TEST(SingularityGraph, OfALoopThatHangsOnALineBeginsAndEndsItAtTheNode) {

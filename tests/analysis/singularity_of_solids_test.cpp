@@ -2,7 +2,11 @@
 // What is known of the singular lines of solved fields.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <tuple>
 
 #include "analysis/singularity_graph.hpp"
 #include "crossgrain/monitor.hpp"
@@ -20,12 +24,22 @@ struct Solved {
   Vector3 position(const GridPoint& point) const { return field.level.tree.root().position(point); }
 };
 
-Solved solve_coarsely(const TriangleMesh& mesh, int resolution) {
+/// How a solid is solved: degree and cells across.
+using Setting = std::tuple<Degree, int>;
+const auto kSettings =
+    ::testing::Combine(::testing::Values(Degree::kThree, Degree::kFour), ::testing::Values(16, 24, 32));
+
+std::string name_of(const Setting& setting) {
+  const auto [degree, resolution] = setting;
+  return (degree == Degree::kThree ? "Degree3On" : "Degree4On") + std::to_string(resolution) + "Cells";
+}
+
+Solved solve_coarsely(const TriangleMesh& mesh, const Setting& setting) {
   const Surface surface = prepare_surface(mesh);
   const TriangleBvh bvh(surface);
   const WindingNumber winding(surface, bvh);
   SolveOptions options;
-  options.resolution = resolution;
+  std::tie(options.degree, options.resolution) = setting;
   Solved solved;
   solved.field = nested_solve({surface, bvh, winding}, options, Monitor());
   solved.graph = singularity_graph(solved.field.level.tree, solved.field.frames, solved.field.open_faces);
@@ -34,12 +48,12 @@ Solved solve_coarsely(const TriangleMesh& mesh, int resolution) {
 
 constexpr double kCylinderRadius = 0.55, kCylinderHalfHeight = 0.7;
 
-class TiltedCylinder : public ::testing::TestWithParam<Vector3> {};
+class TiltedCylinder : public ::testing::TestWithParam<std::tuple<Vector3, Setting>> {};
 
 TEST_P(TiltedCylinder, HasFourSingularLinesFromCapToCapAndNothingElse) {
-  const Quaternion tilt = from_rotation_vector(GetParam());
+  const Quaternion tilt = from_rotation_vector(std::get<Vector3>(GetParam()));
   const auto mesh = rotate_mesh(make_cylinder(kCylinderRadius, kCylinderHalfHeight, 64, 8), tilt);
-  const Solved solved = solve_coarsely(mesh, 16);
+  const Solved solved = solve_coarsely(mesh, std::get<Setting>(GetParam()));
   EXPECT_EQ(solved.graph.arcs.size(), 4u);
   EXPECT_EQ(solved.graph.nodes.size(), 0u);
   EXPECT_EQ(solved.graph.boundary_ends.size(), 8u);
@@ -53,23 +67,37 @@ TEST_P(TiltedCylinder, HasFourSingularLinesFromCapToCapAndNothingElse) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(SingularityOfSolids, TiltedCylinder,
-                         ::testing::Values(Vector3{0, 0, 0}, Vector3{0.212, 0.212, 0},
-                                           Vector3{0.9, -0.4, 0.3}));
+constexpr std::array<Vector3, 3> kTilts{{{0, 0, 0}, {0.212, 0.212, 0}, {0.9, -0.4, 0.3}}};
 
-TEST(SingularityOfSolids, EightLinesReachTheSurfaceOfASphere) {
-  const Solved solved = solve_coarsely(make_sphere(0.8, 3), 16);
+std::string name_of(const ::testing::TestParamInfo<std::tuple<Vector3, Setting>>& info) {
+  const auto& [tilt, setting] = info.param;
+  const auto index = std::find(kTilts.begin(), kTilts.end(), tilt) - kTilts.begin();
+  return "Tilt" + std::to_string(index) + name_of(setting);
+}
+
+INSTANTIATE_TEST_SUITE_P(SingularityOfSolids, TiltedCylinder,
+                         ::testing::Combine(::testing::ValuesIn(kTilts), kSettings),
+                         [](const auto& cylinder) { return name_of(cylinder); });
+
+class SolidIn : public ::testing::TestWithParam<Setting> {};
+
+// At 16 cells across, the ends of some lines on the sphere are less than an edge long.
+TEST_P(SolidIn, EightLinesReachTheSurfaceOfASphere) {
+  const Solved solved = solve_coarsely(make_sphere(0.8, 3), GetParam());
   EXPECT_EQ(solved.graph.boundary_ends.size(), 8u);
 }
 
-TEST(SingularityOfSolids, ATiltedBoxHasNone) {
+TEST_P(SolidIn, ATiltedBoxHasNoSingularLine) {
   const Quaternion tilt = from_rotation_vector({0.4, -0.7, 0.5});
-  const Solved solved = solve_coarsely(rotate_mesh(make_box({1.4, 1.2, 0.6}), tilt), 16);
+  const Solved solved = solve_coarsely(rotate_mesh(make_box({1.4, 1.2, 0.6}), tilt), GetParam());
   EXPECT_EQ(solved.graph.edges, 0u);
 }
 
+INSTANTIATE_TEST_SUITE_P(SingularityOfSolids, SolidIn, kSettings,
+                         [](const auto& solid) { return name_of(solid.param); });
+
 TEST(SingularityOfSolids, ATorusHasFourClosedLoops) {
-  const Solved solved = solve_coarsely(make_torus(0.6, 0.25, 64, 32), 24);
+  const Solved solved = solve_coarsely(make_torus(0.6, 0.25, 64, 32), {Degree::kFour, 24});
   EXPECT_EQ(solved.graph.arcs.size(), 4u);
   EXPECT_EQ(solved.graph.nodes.size(), 0u);
   EXPECT_EQ(solved.graph.boundary_ends.size(), 0u);

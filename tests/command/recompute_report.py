@@ -167,11 +167,12 @@ class Recomputation:
 
     def singularity(self):
         edges = {edge for i in range(len(self.field)) for edge in self.singular_edges_of(i)}
-        degrees = Counter()
+        degrees, swaps = Counter(), Counter()
         joined = {}
-        for start, axis, width in edges:
+        for start, axis, width, swap in edges:
             end = tuple(x + width * (k == axis) for k, x in enumerate(start))
             degrees.update((start, end))
+            swaps.update({start: swap, end: swap})
             joined.setdefault(start, []).append(end)
             joined.setdefault(end, []).append(start)
         # A chain has two ends at vertices of degree other than two; what never meets one is a closed loop.
@@ -190,13 +191,13 @@ class Recomputation:
             seen |= component
             loops += all(degrees[v] == 2 for v in component)
         unit = self.field.arrays["root_cube"].ravel()[3] / 2.0**19
-        length = unit * sum(width for _, _, width in edges)
+        length = unit * sum(width for _, _, width, _ in edges)
         return {"edges": (len(edges), 0), "length": (length, 1e-9 * length), "arcs": (chain_ends // 2 + loops, 0),
                 "nodes": (sum(degree > 2 for degree in degrees.values()), 0),
-                "boundary_ends": (sum(degree == 1 for degree in degrees.values()), 0)}
+                "boundary_ends": (sum(degrees[v] == 1 or swaps[v] % 2 for v in degrees), 0)}
 
     def singular_edges_of(self, i):
-        """(start, axis, width), in units of the smallest possible cell."""
+        """(start, axis, width, whether two axes change places around it), in units of the smallest possible cell."""
         field = self.field
         width = 1 << (19 - int(field.depth[i]))
         low = [x * width for x in field.place[i]]
@@ -207,8 +208,9 @@ class Recomputation:
                 start[b] += db * width
                 start[c] += dc * width
                 ring = self.cells_around(start, axis, width)
-                if ring and self.turns(ring, b, c):
-                    yield tuple(start), axis, width
+                turn = self.turn_around(ring, b, c) if ring else np.eye(3)
+                if not np.array_equal(turn, np.eye(3)):
+                    yield tuple(start), axis, width, round(np.linalg.det(np.abs(turn))) < 0
 
     def cells_around(self, start, axis, width):
         """The cells in the four quadrants, in turn; empty where one is missing or smaller than the edge."""
@@ -226,18 +228,18 @@ class Recomputation:
             ring.append(i)
         return ring
 
-    def turns(self, ring, b, c):
+    def turn_around(self, ring, b, c):
         turn = np.eye(3)
         for k, face in enumerate((2 * b + 1, 2 * c + 1, 2 * b, 2 * c)):
             i, j = ring[k], ring[(k + 1) % 4]
             if i == j:
                 continue
             if not self.field.joined(i, face, j):
-                return False
+                return np.eye(3)
             axes = self.field.axes
             step = matching(axes[i], axes[j]) if i < j else matching(axes[j], axes[i]).T
             turn = step @ turn
-        return not np.array_equal(turn, np.eye(3))
+        return turn
 
     def walls(self):
         finest = self.field.size.min()
