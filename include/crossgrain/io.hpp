@@ -34,7 +34,8 @@ bool is_tet_file(const std::filesystem::path& path);
 
 /// Writes FOLDER/field.vtu (docs/field-file.md), which ParaView opens, and FOLDER/report.json
 /// (docs/report.md), making the folder where it is missing. Both are written beside and then renamed: a
-/// failure leaves what was there before. The report's seconds.write is what that took; it is added to
+/// failure leaves what was there before. Files of an earlier field on tets are removed, so that a folder
+/// never holds a mix of two solves. The report's seconds.write is what that took; it is added to
 /// seconds.total, and peak_memory_bytes is brought up to date. Throws Error(kOutput), and Error(kInterrupted)
 /// once the monitor is cancelled.
 void write_field(const FrameField& field, const std::filesystem::path& folder, const Monitor& monitor = {});

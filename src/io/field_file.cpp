@@ -154,7 +154,10 @@ void write_field_and(const FrameField& field, SolveReport report, const std::fil
 
 void write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                  const Monitor& monitor) {
-  write_field_and(field, std::move(report), folder, monitor, [](OutputFolder&) {});
+  // Those of an earlier field would pass for this one's.
+  write_field_and(field, std::move(report), folder, monitor, [](OutputFolder& output) {
+    for (const char* name : kOntoFiles) output.remove_at_commit(name);
+  });
 }
 
 void write_field(const FrameField& field, const std::filesystem::path& folder, const Monitor& monitor) {

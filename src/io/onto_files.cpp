@@ -18,8 +18,8 @@
 namespace crossgrain {
 namespace {
 
-constexpr const char* kFramesFile = "onto.frames";
-constexpr const char* kGridFile = "onto.vtu";
+constexpr const char* kFramesFile = kOntoFiles[0];
+constexpr const char* kGridFile = kOntoFiles[1];
 
 /// Frames made into text between two looks at the monitor: some 10 MB.
 constexpr std::size_t kFramesAtOnce = 1 << 16;

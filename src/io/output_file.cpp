@@ -45,6 +45,13 @@ const char* mend_for(int code) {
                                               std::generic_category().message(code), mend_for(code)));
 }
 
+/// Removes a regular file or a link, where there is one.
+void remove_file(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0 || !(S_ISREG(status.st_mode) || S_ISLNK(status.st_mode))) return;
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) fail_output(path.string(), "removed", errno);
+}
+
 /// A name in the same folder (a rename works only within a file system) that no file has.
 int open_temporary(const std::filesystem::path& target, std::string& temporary) {
   for (int attempt = 0;; ++attempt) {
@@ -191,6 +198,7 @@ OutputFile& OutputFolder::create(const std::string& name) {
 
 void OutputFolder::commit() {
   for (const auto& file : files_) file->finish();
+  for (const auto& path : outdated_) remove_file(path);
   for (const auto& file : files_) file->commit();
   made_.keep();
 }

@@ -86,13 +86,18 @@ class OutputFolder {
   /// A new file in it, owned by it.
   OutputFile& create(const std::string& name);
 
-  /// Completes all files, and only then renames them.
+  /// An earlier file of this name, or a link, goes when the new ones come. What else has the name stays.
+  void remove_at_commit(const std::string& name) { outdated_.push_back(folder_ / name); }
+
+  /// Completes all files, and only then removes the outdated ones and renames the new ones. At no moment is
+  /// a new file beside an outdated one.
   void commit();
 
  private:
   std::filesystem::path folder_;
   NewFolders made_;  // before the files, so that they are gone when it removes folders
   std::vector<std::unique_ptr<OutputFile>> files_;
+  std::vector<std::filesystem::path> outdated_;
 };
 
 /// Throws Error(kOutput) where a folder with such files could not be written, and leaves no trace. To be

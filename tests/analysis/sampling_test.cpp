@@ -282,33 +282,60 @@ TEST(Sampler, OutsideAnswersWithTheFrameOfTheNearestLeafAndSaysSo) {
   EXPECT_EQ(angle_between_rad(result.frame, from_stored(field.frames[corner])), 0);
 }
 
-TEST(NearestLeaf, IsTheOneThatTryingAllOfThemFinds) {
+/// The lowest of the nearest leaves that are admissible, by trying all.
+CellIndex nearest_of_all(const Octree& tree, const Vector3& p,
+                         const std::function<bool(CellIndex)>& admissible) {
+  CellIndex best = kNoCell;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (CellIndex i = 0; i < tree.size(); ++i) {
+    if (!admissible(i)) continue;
+    const Box box = tree.root().box(tree[i]);
+    double distance = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double off = p[axis] - std::clamp(p[axis], box.low[axis], box.high[axis]);
+      distance += off * off;
+    }
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = i;
+    }
+  }
+  return best;
+}
+
+Octree octree_around_a_bracket() {
   const Model model(make_bracket(16));
   const auto [root, depth] = frame_around(model.surface.box, 0.1);
-  GridLevel level = uniform_level(model.solid, root, depth);
+  const GridLevel level = uniform_level(model.solid, root, depth);
   std::vector<bool> marked(level.size());
   for (CellIndex i = 0; i < level.size(); ++i) marked[i] = level.holds_surface(i);
-  level = refined(level, model.solid, marked);
+  return refined(level, model.solid, marked).tree;
+}
+
+TEST(NearestLeaf, IsTheOneThatTryingAllOfThemFinds) {
+  const Octree tree = octree_around_a_bracket();
   Random random(8);
   for (int k = 0; k < 500; ++k) {
     const double reach = k % 2 ? 1 : 5;
     const Vector3 p = random.point({{-reach, -reach, -reach}, {reach, reach, reach}});
-    CellIndex best = kNoCell;
-    double best_distance = std::numeric_limits<double>::infinity();
-    for (CellIndex i = 0; i < level.size(); ++i) {
-      const Box box = level.tree.root().box(level.tree[i]);
-      double distance = 0;
-      for (int axis = 0; axis < 3; ++axis) {
-        const double off = p[axis] - std::clamp(p[axis], box.low[axis], box.high[axis]);
-        distance += off * off;
-      }
-      if (distance < best_distance) {
-        best_distance = distance;
-        best = i;
-      }
-    }
-    ASSERT_EQ(nearest_leaf(level.tree, p), best);
+    ASSERT_EQ(nearest_leaf(tree, p), nearest_of_all(tree, p, [](CellIndex) { return true; }));
   }
+}
+
+TEST(NearestLeaf, IsTheNearestOfThoseThatAreAdmissible) {
+  const Octree tree = octree_around_a_bracket();
+  Random random(9);
+  for (const double share : {0.5, 0.05, 0.002}) {
+    std::vector<bool> chosen(tree.size());
+    for (CellIndex i = 0; i < tree.size(); ++i) chosen[i] = random.uniform(0, 1) < share;
+    const auto admissible = [&](CellIndex i) { return chosen[i]; };
+    for (int k = 0; k < 200; ++k) {
+      const double reach = k % 2 ? 0.6 : 5;
+      const Vector3 p = random.point({{-reach, -reach, -reach}, {reach, reach, reach}});
+      ASSERT_EQ(nearest_leaf(tree, p, admissible), nearest_of_all(tree, p, admissible)) << share;
+    }
+  }
+  EXPECT_EQ(nearest_leaf(tree, {0, 0, 0}, [](CellIndex) { return false; }), kNoCell);
 }
 
 TEST(NearestLeaf, OfEquallyNearLeavesIsTheLowest) {

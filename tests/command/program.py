@@ -4,6 +4,7 @@
 The program is named by the environment variable CROSSGRAIN_PROGRAM.
 """
 
+import itertools
 import os
 import struct
 import subprocess
@@ -110,6 +111,30 @@ def sphere_triangles(rings=12, segments=24):
             triangles += [(a, b, c)] if i < rings - 1 else []
             triangles += [(a, c, d)] if i > 0 else []
     return np.array(triangles)
+
+
+def tet_box(cells=(4, 3, 3), size=(2.0, 1.0, 1.5)):
+    """Vertices and tets, numbered from 0, all of positive volume: each of the cells is cut into six around a diagonal."""
+    def at(x, y, z):
+        return x + (cells[0] + 1) * (y + (cells[1] + 1) * z)
+
+    grid = np.array([[x, y, z] for z in range(cells[2] + 1) for y in range(cells[1] + 1) for x in range(cells[0] + 1)])
+    steps = (at(1, 0, 0), at(0, 1, 0), at(0, 0, 1))
+    tets = []
+    for z, y, x in np.ndindex(cells[::-1]):
+        for i, j, k in itertools.permutations(range(3)):
+            a = at(x, y, z)
+            tet = [a, a + steps[i], a + steps[i] + steps[j], a + sum(steps)]
+            tets.append(tet if (j - i) % 3 == 1 else [tet[0], tet[1], tet[3], tet[2]])
+    return grid * (np.array(size) / cells), np.array(tets)
+
+
+def medit_text(vertices, tets):
+    """A Medit mesh file."""
+    rows = [" ".join(repr(float(x)) for x in vertex) + " 0" for vertex in vertices]
+    elements = [" ".join(str(i + 1) for i in tet) + " 1" for tet in tets]
+    return "\n".join(["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(rows)), *rows, "Tetrahedra",
+                      str(len(elements)), *elements, "End", ""])
 
 
 def tilt():

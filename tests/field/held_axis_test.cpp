@@ -2,6 +2,7 @@
 // Cells that hold an axis, greedy colours, and projection from a cell's own frame.
 #include <gtest/gtest.h>
 
+#include "constraint/normal_form.hpp"
 #include "field/energy.hpp"
 #include "field/manifold_sweep.hpp"
 #include "field/octree_graph.hpp"
@@ -70,6 +71,112 @@ TYPED_TEST(HeldAxis, TurnsToTheBestFrameAboutItsAxis) {
   FieldState<D> state = state_of<D>({to_stored(Quaternion{}), to_stored(turned)});
   for (int sweep = 0; sweep < 10; ++sweep) manifold_sweep(graph, state);
   EXPECT_NEAR(graph_energy(graph, state), 0, 1e-10);
+}
+
+/// Every other cell of a random graph holds an axis of its random frame.
+struct HeldGraph {
+  explicit HeldGraph(unsigned seed) {
+    RandomSamples random(seed);
+    const Adjacency adjacency(kCells, random_edges(random));
+    graph = {std::make_shared<const Connectivity>(Connectivity{adjacency, greedy_colouring(adjacency)}),
+             CellForms<4>(kCells)};
+    for (std::uint32_t i = 0; i < kCells; ++i) frames.push_back(to_stored(random.rotation()));
+    for (std::uint32_t i = 0; i < kCells; i += 2)
+      graph.forms.hold_axis(i, axes_of(from_stored(frames[i]))[i % 3]);
+  }
+
+  FieldState<4> relaxed(int sweeps, double symmetrisation, double over_relaxation) const {
+    FieldState<4> state = state_of<4>(frames);
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+      relaxation_sweep(graph, state, symmetrisation, over_relaxation);
+    return state;
+  }
+
+  FieldGraph<4> graph;
+  std::vector<StoredQuaternion> frames;
+};
+
+/// b_n + x C + y S.
+Coefficients<4> coefficients_about(const NormalBasis<4>& basis, double x, double y) {
+  Coefficients<4> h = basis.zonal;
+  add_scaled(h, x, basis.cosine);
+  add_scaled(h, y, basis.sine);
+  return h;
+}
+
+TEST(RelaxationOfHeldAxes, KeepsTheCoefficientsThoseOfFramesAboutTheAxisButForTheirRadius) {
+  const HeldGraph held(7);
+  for (const double symmetrisation : {0.0, 0.7, 4.0}) {
+    const FieldState<4> state = held.relaxed(10, symmetrisation, 1.6);
+    for (std::uint32_t i = 0; i < kCells; i += 2) {
+      const NormalBasis<4> basis = normal_basis<4>(*held.graph.forms.held_axis(i));
+      const Coefficients<4> h = from_stored<4>(state.coefficients[i]);
+      const double x = dot(basis.cosine, h), y = dot(basis.sine, h);
+      // What single precision rounds.
+      EXPECT_LT(testing::largest_difference(h, coefficients_about(basis, x, y)), 1e-6);
+      // With a whole step the penalty takes the radius to that of frames.
+      if (symmetrisation >= 1) {
+        EXPECT_NEAR(x * x + y * y, 1 - kZonalShare, 1e-6);
+      }
+    }
+  }
+}
+
+TEST(RelaxationOfHeldAxes, FindsTheMinimumThatTryingAllRadiiAndAnglesFinds) {
+  RandomSamples random(8);
+  for (int trial = 0; trial < 20; ++trial) {
+    // The highest of a star's cells is visited last: it sees what its neighbours have become.
+    constexpr std::uint32_t kCentre = 5;
+    std::vector<WeightedEdge> edges;
+    for (std::uint32_t i = 0; i < kCentre; ++i)
+      edges.push_back({i, kCentre, static_cast<float>(random.uniform(0.1, 1))});
+    const Adjacency adjacency(kCentre + 1, edges);
+    FieldGraph<4> graph{
+        std::make_shared<const Connectivity>(Connectivity{adjacency, greedy_colouring(adjacency)}),
+        CellForms<4>(kCentre + 1)};
+    FieldState<4> state = state_of<4>(random_frames(kCentre + 1, static_cast<std::uint64_t>(trial)));
+    graph.forms.hold_axis(kCentre, axes_of(from_stored(state.frames[kCentre]))[0]);
+    // Among neighbours that hold axes too, the centre does not just find what they all have become.
+    graph.forms.hold_axis(0, axes_of(from_stored(state.frames[0]))[1]);
+    graph.forms.hold_axis(1, axes_of(from_stored(state.frames[1]))[2]);
+    relaxation_sweep(graph, state, 0, 1);
+
+    const NormalBasis<4> basis = normal_basis<4>(*graph.forms.held_axis(kCentre));
+    const Coefficients<4> found = from_stored<4>(state.coefficients[kCentre]);
+    double x = 0, y = 0;
+    for (double step = 0.1; step > 5e-4; step /= 10) {
+      const double x_before = x, y_before = y;
+      double least = INFINITY;
+      for (int i = -15; i <= 15; ++i) {
+        for (int j = -15; j <= 15; ++j) {
+          const double x_tried = x_before + i * step, y_tried = y_before + j * step;
+          state.coefficients[kCentre] = to_stored<4>(coefficients_about(basis, x_tried, y_tried));
+          const double energy = graph_energy(graph, state);
+          if (energy < least) {
+            least = energy;
+            x = x_tried;
+            y = y_tried;
+          }
+        }
+      }
+    }
+    // The last step, and as much again for energies in single precision.
+    EXPECT_NEAR(dot(basis.cosine, found), x, 2e-3);
+    EXPECT_NEAR(dot(basis.sine, found), y, 2e-3);
+  }
+}
+
+TEST(RelaxationOfHeldAxes, EndsAtTheSameFieldHoweverOverRelaxed) {
+  const HeldGraph held(9);
+  const FieldState<4> plain = held.relaxed(1000, 0, 1);
+  for (const double over_relaxation : {1.3, 1.6, 1.9}) {
+    const FieldState<4> other = held.relaxed(1000, 0, over_relaxation);
+    for (std::size_t i = 0; i < kCells; ++i) {
+      EXPECT_LT(testing::largest_difference(from_stored<4>(plain.coefficients[i]),
+                                            from_stored<4>(other.coefficients[i])),
+                1e-5);
+    }
+  }
 }
 
 TEST(GreedyColouring, GivesNeighboursDifferentColoursAndVisitsEveryCellOnce) {

@@ -68,24 +68,37 @@ TYPED_TEST(TetFinish, HoldsTheNormalsOfSmoothVerticesToRounding) {
   EXPECT_GT(smooth, 20u);
 }
 
-TYPED_TEST(TetFinish, LeavesCreasesFreeWhereTold) {
-  OntoOptions free, bound;
-  free.boundary = TetBoundary::kSmoothOnly;
-  // Relaxed, a box has no conflict left to tell the two apart.
-  free.relaxation_sweeps = bound.relaxation_sweeps = 0;
-  free.most_sweeps = bound.most_sweeps = 3;
-  const std::vector<Quaternion> with = this->finished(bound), without = this->finished(free);
-  double worst_with = 0, worst_without = 0;
-  for (std::size_t k = 0; k < this->boundary_.size(); ++k) {
-    if (this->boundary_.classes[k] == BoundaryClass::kSmooth) continue;
-    for (const FaceAtVertex& face : this->boundary_.faces_at(k)) {
-      const std::uint32_t vertex = this->boundary_.vertices[k];
-      worst_with = std::max(worst_with, angle_to_nearest_axis_rad(with[vertex], face.normal));
-      worst_without = std::max(worst_without, angle_to_nearest_axis_rad(without[vertex], face.normal));
-    }
+/// A plate of one layer of cells: what smooth vertices it has lie on its two large faces, so only creases and
+/// corners know where its sides are.
+template <class Degree>
+class FinishOfAPlate : public ::testing::Test {
+ protected:
+  /// From frames that all stand along the large faces but are turned against the sides.
+  std::vector<Quaternion> finished(TetBoundary boundary_option) const {
+    OntoOptions options;
+    options.boundary = boundary_option;
+    options.relaxation_sweeps = 0;
+    options.most_sweeps = 200;
+    options.sweep_tolerance = 0;
+    const TetSolid solid = solid_of(TetBox{{6, 5, 1}}.mesh());
+    return finish_on_tets(stiffness_edges(solid.mesh), classify_boundary_vertices(solid),
+                          std::vector<Quaternion>(solid.mesh.vertices.size(), turned_),
+                          static_cast<crossgrain::Degree>(Degree::value), options, Monitor());
   }
-  EXPECT_LT(worst_with, 1e-2);
-  EXPECT_GT(worst_without, 3 * worst_with);
+
+  Quaternion turned_ = from_rotation_vector({0, 0, 0.5});
+};
+TYPED_TEST_SUITE(FinishOfAPlate, testing::BothDegrees);
+
+TYPED_TEST(FinishOfAPlate, FollowsItsCreases) {
+  for (const Quaternion& frame : this->finished(TetBoundary::kAll))
+    EXPECT_LT(testing::misorientation_rad(frame, Quaternion{}), 1e-3);
+}
+
+TYPED_TEST(FinishOfAPlate, LeavesCreasesFreeWhereTold) {
+  // Nothing but creases and corners could turn it.
+  for (const Quaternion& frame : this->finished(TetBoundary::kSmoothOnly))
+    EXPECT_LT(testing::misorientation_rad(frame, this->turned_), 1e-3);
 }
 
 TEST(WithAxisAlong, TurnsByNoMoreThanTheAngleToTheNearestAxis) {

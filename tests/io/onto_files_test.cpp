@@ -130,6 +130,19 @@ TEST(OntoFiles, AppearTogetherWithTheFieldOrNotAtAll) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / name)) << name;
 }
 
+TEST(OntoFiles, GoWhereAFieldWithoutTetsIsWritten) {
+  const TemporaryFolder folder;
+  Sample({2, 2, 2}).write(folder.path());
+  const FrameField without = field_of(sample_data(Degree::kFour));
+  Monitor cancelled;
+  cancelled.cancel();
+  const std::vector<std::string> before = folder.names();
+  EXPECT_THROW(write_field(without, folder.path(), cancelled), Error);
+  EXPECT_EQ(folder.names(), before);
+  write_field(without, folder.path());
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"field.vtu", "report.json"}));
+}
+
 // Against tools/evaluate.py of the folder that CROSSGRAIN_SHARED names.
 
 std::filesystem::path evaluator() {

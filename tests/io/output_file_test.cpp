@@ -151,6 +151,34 @@ TEST(OutputFolder, LeavesAnExistingFolderAndItsFiles) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"other"});
 }
 
+TEST(OutputFolder, RemovesOutdatedFilesOnlyOnceItsOwnAreComplete) {
+  const TemporaryFolder folder;
+  folder.write("outdated", "content");
+  std::filesystem::create_symlink(folder.write("target", "content"), folder.path() / "link");
+  const std::vector<std::string> before = folder.names();
+  {
+    OutputFolder output(folder.path());
+    output.create("a").write("1");
+    output.remove_at_commit("outdated");
+  }
+  EXPECT_EQ(folder.names(), before);
+  OutputFolder output(folder.path());
+  output.create("a").write("1");
+  for (const char* name : {"outdated", "link", "missing"}) output.remove_at_commit(name);
+  output.commit();
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a", "target"}));
+}
+
+TEST(OutputFolder, RemovesNothingThatIsNoFile) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "outdated");
+  OutputFolder output(folder.path());
+  output.create("a").write("1");
+  output.remove_at_commit("outdated");
+  output.commit();
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a", "outdated"}));
+}
+
 TEST(OutputFolder, RefusesAFileInTheWay) {
   const TemporaryFolder folder;
   folder.write("file", "content");

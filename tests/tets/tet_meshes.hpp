@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <random>
 #include <string>
 #include <utility>
@@ -58,6 +60,24 @@ struct TetBox {
     }
   }
 };
+
+/// A cylinder of radius 1 and height 2 about the z axis, `across` tets along a diameter and along the axis:
+/// squares around the centre of a TetBox become circles.
+inline TetMesh tet_cylinder(std::uint32_t across) {
+  TetMesh mesh = TetBox{{across, across, across}}.mesh();
+  for (Vector3& p : mesh.vertices) {
+    p = (2.0 / across) * p - Vector3{1, 1, 1};
+    if (p[0] == 0 && p[1] == 0) continue;
+    // The angle along the side of the square, in equal steps.
+    constexpr double kHalfSide_rad = std::numbers::pi / 4;
+    const bool on_x_side = std::abs(p[0]) >= std::abs(p[1]);
+    const double along_rad = kHalfSide_rad * (on_x_side ? p[1] / p[0] : p[0] / p[1]);
+    const double radius = on_x_side ? p[0] : p[1];
+    p[on_x_side ? 0 : 1] = radius * std::cos(along_rad);
+    p[on_x_side ? 1 : 0] = radius * std::sin(along_rad);
+  }
+  return mesh;
+}
 
 /// The corner tet of the unit cube: positive, volume 1/6.
 inline TetMesh corner_tet() {
