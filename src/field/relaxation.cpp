@@ -18,42 +18,50 @@ constexpr double kShiftMargin = 1e-3;
 /// is higher: tested in tests/field against the global search.
 constexpr double kSafeOverlap = 0.9;
 
-/// The minimiser of (W/2) |h|^2 + h^T A h - 2 b.h, A = s (I - C C^T - S S^T) + A_c.
-Coefficients<4> minimising_coefficients(const LocalEnergy<4>& energy, const Coefficients<4>&) {
-  const double half_weight = 0.5 * energy.neighbour_weight();
-  if (energy.has_matrix()) return solve_shifted<4>(energy.matrix(), half_weight, energy.linear());
-  const double outside = 1 / (half_weight + energy.plane_weight());
-  Coefficients<4> h = scaled(energy.linear(), outside);
-  if (energy.plane_weight() > 0) {
-    const double inside = 1 / half_weight - outside;
-    const NormalBasis<4>& plane = energy.plane();
+/// The minimisers of (W/2) |h|^2 + h^T A h - 2 b.h, A = s (I - C C^T - S S^T) + A_c.
+template <int W, class Real>
+Coefficients<4, Real> minimising_coefficients(const LocalEnergy<4, W>& energy, const CellForms<4>& forms,
+                                              const CellsInLanes<W>& cells, const Coefficients<4, Real>&) {
+  const Real half_weight = 0.5 * energy.neighbour_weight();
+  const Real outside = 1 / (half_weight + energy.plane_weight());
+  Coefficients<4, Real> h = scaled(energy.linear(), outside);
+  if (energy.has_planes()) {
+    const Real inside = 1 / half_weight - outside;
+    const NormalBasis<4, Real>& plane = energy.plane();
     add_scaled(h, inside * dot(plane.cosine, energy.linear()), plane.cosine);
     add_scaled(h, inside * dot(plane.sine, energy.linear()), plane.sine);
+  }
+  if (energy.matrix() != nullptr) {
+    LaneMask<W> has_form;
+    for (int lane = 0; lane < W; ++lane) has_form.set(lane, forms.general(cells[lane]) != nullptr);
+    h = select(has_form, solve_shifted<4>(*energy.matrix(), half_weight, energy.linear()), h);
   }
   return h;
 }
 
-/// One step of inverse iteration for the smallest eigenvalue of the local matrix, which is no less than
+/// One step of inverse iteration for the smallest eigenvalues of the local matrices, which are no less than
 /// -(5/6) W.
-Coefficients<3> minimising_coefficients(const LocalEnergy<3>& energy, const Coefficients<3>& h) {
-  QuadraticForm<3> matrix = energy.matrix();
-  if (energy.plane_weight() > 0) {
-    add_identity(matrix, energy.plane_weight());
-    add_outer_product(matrix, -energy.plane_weight(), energy.plane().cosine);
-    add_outer_product(matrix, -energy.plane_weight(), energy.plane().sine);
+template <int W, class Real>
+Coefficients<3, Real> minimising_coefficients(const LocalEnergy<3, W>& energy, const CellForms<3>&,
+                                              const CellsInLanes<W>&, const Coefficients<3, Real>& h) {
+  FormMatrix<3, Real> matrix = *energy.matrix();
+  if (energy.has_planes()) {
+    add_identity<3>(matrix, energy.plane_weight());
+    add_outer_product<3>(matrix, -energy.plane_weight(), energy.plane().cosine);
+    add_outer_product<3>(matrix, -energy.plane_weight(), energy.plane().sine);
   }
-  const double shift = (1 + kShiftMargin) * 5.0 / 6 * energy.neighbour_weight();
-  const Coefficients<3> x = solve_shifted<3>(matrix, shift, h);
-  return scaled(x, 1 / std::sqrt(squared_norm(x)));
+  const Real shift = (1 + kShiftMargin) * 5.0 / 6 * energy.neighbour_weight();
+  const Coefficients<3, Real> x = solve_shifted<3>(matrix, shift, h);
+  return scaled(x, 1 / sqrt(squared_norm(x)));
 }
 
 /// A step down the gradient of E_sym, whose curvature across the orbit is at most kCurvature |h|^2 there.
-template <int D>
-void symmetrise(Coefficients<D>& h, double strength) {
+template <int D, class Real>
+void symmetrise(Coefficients<D, Real>& h, double strength) {
   constexpr double kCurvature = D == 3 ? 576.0 : 1600.0;  // bound 4 l^2 (l+1)^2
   add_scaled(h, -strength / kCurvature, deviation_gradient<D>(h));
-  const double norm = std::sqrt(squared_norm(h));
-  if (D == 3 && norm > 0) h = scaled(h, 1 / norm);
+  const Real norm = sqrt(squared_norm(h));
+  if (D == 3) h = scaled(h, select(norm > 0.0, 1 / norm, 1.0));
   // (|h|^2 - 1)^2 has curvature 8 at |h| = 1.
   if (D == 4) h = scaled(h, 1 - strength * 0.5 * (norm * norm - 1));
 }
@@ -61,21 +69,42 @@ void symmetrise(Coefficients<D>& h, double strength) {
 /// The degree-4 coefficients of the frames with an axis along `axis`, h = b_n + x C + y S with x^2 + y^2 =
 /// 5/12, but for that radius: the minimiser of the local energy among them, then a step of `strength` back to
 /// it.
-Coefficients<4> coefficients_about(const Vector3& axis, const LocalEnergy<4>& energy, double strength) {
-  const NormalBasis<4> basis = normal_basis<4>(axis);
-  const double half_weight = 0.5 * energy.neighbour_weight();
-  double x = dot(basis.cosine, energy.linear()) / half_weight;
-  double y = dot(basis.sine, energy.linear()) / half_weight;
-  const double radius = std::sqrt(x * x + y * y);
-  if (radius > 0) {
-    const double scale = 1 + strength * (std::sqrt(1 - kZonalShare) / radius - 1);
-    x *= scale;
-    y *= scale;
-  }
-  Coefficients<4> h = basis.zonal;
-  add_scaled(h, x, basis.cosine);
-  add_scaled(h, y, basis.sine);
+template <int W, class Real>
+Coefficients<4, Real> coefficients_about(const BasicVector3<Real>& axis, const LocalEnergy<4, W>& energy,
+                                         double strength) {
+  const NormalBasis<4, Real> basis = normal_basis<4>(axis);
+  const Real half_weight = 0.5 * energy.neighbour_weight();
+  const Real x = dot(basis.cosine, energy.linear()) / half_weight;
+  const Real y = dot(basis.sine, energy.linear()) / half_weight;
+  const Real radius = sqrt(x * x + y * y);
+  const Real scale = select(radius > 0.0, 1 + strength * (std::sqrt(1 - kZonalShare) / radius - 1), 1.0);
+  Coefficients<4, Real> h = basis.zonal;
+  add_scaled(h, x * scale, basis.cosine);
+  add_scaled(h, y * scale, basis.sine);
   return h;
+}
+
+template <int D, int W>
+void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsInLanes<W>& cells,
+                 double symmetrisation) {
+  using Real = Lanes<W>;
+  const LocalEnergy<D, W> energy(graph, state.coefficients, cells);
+  Coefficients<D, Real> h;
+  if constexpr (D == 3) {
+    for (int lane = 0; lane < W; ++lane) {
+      for (int m = 0; m < kCoefficientCount<D>; ++m) h[m].set(lane, state.coefficients[cells[lane]][m]);
+    }
+  }
+  h = minimising_coefficients(energy, graph.forms, cells, h);
+  if (symmetrisation > 0) symmetrise<D>(h, symmetrisation);
+  if constexpr (D == 4) {
+    const HeldAxes<W> held(graph.forms, cells);
+    if (held.any) h = select(held.mask, coefficients_about(held.axes, energy, symmetrisation), h);
+  }
+  for (int lane = 0; lane < cells.count; ++lane) {
+    if (graph.adjacency()[cells[lane]].empty()) continue;
+    state.coefficients[cells[lane]] = to_stored<D>(in_lane(h, lane));
+  }
 }
 
 }  // namespace
@@ -83,20 +112,8 @@ Coefficients<4> coefficients_about(const Vector3& axis, const LocalEnergy<4>& en
 template <int D>
 void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation) {
   for (std::size_t colour = 0; colour < graph.colouring().colour_count(); ++colour) {
-    const std::size_t begin = graph.colouring().begin[colour];
-    parallel_for(graph.colouring().begin[colour + 1] - begin, [&](std::size_t k) {
-      const std::size_t cell = graph.colouring().cells[begin + k];
-      if (graph.adjacency()[cell].empty()) return;
-      const LocalEnergy<D> energy(graph, state.coefficients, cell);
-      if constexpr (D == 4) {
-        if (const Vector3* axis = graph.forms.held_axis(cell)) {
-          state.coefficients[cell] = to_stored<D>(coefficients_about(*axis, energy, symmetrisation));
-          return;
-        }
-      }
-      Coefficients<D> h = minimising_coefficients(energy, from_stored<D>(state.coefficients[cell]));
-      if (symmetrisation > 0) symmetrise<D>(h, symmetrisation);
-      state.coefficients[cell] = to_stored<D>(h);
+    visit_in_lanes(graph.colouring().cells_of(colour), [&]<int W>(const CellsInLanes<W>& cells) {
+      relax_cells(graph, state, cells, symmetrisation);
     });
   }
 }
