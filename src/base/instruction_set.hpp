@@ -2,7 +2,11 @@
 // The choice, at run time, of the widest vectors that the processor has.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+
+#include "base/parallel.hpp"
 
 namespace crossgrain {
 
@@ -46,5 +50,17 @@ auto run_in_lanes(const Kernel& kernel) {
 }
 
 #endif
+
+/// Calls visit.operator()<W>(begin, count) over [0, count) from several threads, W indices at a time but for
+/// the last of a chunk, compiled for the processor at hand.
+template <class Visit>
+void parallel_for_lanes(std::size_t count, const Visit& visit) {
+  parallel_for_chunks(count, kParallelGrain, [&](std::size_t begin, std::size_t end) {
+    run_in_lanes([&]<int W>() {
+      for (std::size_t i = begin; i < end; i += W)
+        visit.template operator()<W>(i, static_cast<int>(std::min<std::size_t>(W, end - i)));
+    });
+  });
+}
 
 }  // namespace crossgrain

@@ -55,6 +55,11 @@ struct LaneMask {
 
   bool operator[](int lane) const { return native[lane] != 0; }
   void set(int lane, bool value) { native[lane] = value ? -1 : 0; }
+  friend bool any(const LaneMask& a) {
+    std::int64_t all = 0;
+    for (int lane = 0; lane < W; ++lane) all |= a.native[lane];
+    return all != 0;
+  }
   friend LaneMask operator&(const LaneMask& a, const LaneMask& b) { return LaneMask(a.native & b.native); }
 };
 
@@ -120,6 +125,8 @@ struct Lanes {
   friend Mask operator<(const Lanes& a, const Lanes& b) { return Mask(a.native < b.native); }
   friend Mask operator>(const Lanes& a, const Lanes& b) { return Mask(a.native > b.native); }
 
+  friend Mask operator>=(const Lanes& a, const Lanes& b) { return Mask(a.native >= b.native); }
+
   /// In each lane a where `mask` is true, else b.
   friend Lanes select(const Mask& mask, const Lanes& a, const Lanes& b) {
     return Lanes(mask.native ? a.native : b.native);
@@ -145,6 +152,11 @@ std::array<double, N> in_lane(const std::array<Lanes<W>, N>& numbers, int lane) 
   return result;
 }
 
+template <int W, std::size_t N>
+void set_lane(std::array<Lanes<W>, N>& numbers, int lane, const std::array<double, N>& values) {
+  for (std::size_t i = 0; i < N; ++i) numbers[i].set(lane, values[i]);
+}
+
 /// In each lane the numbers of a where `mask` is true, else those of b.
 template <int W, std::size_t N>
 std::array<Lanes<W>, N> select(const LaneMask<W>& mask, const std::array<Lanes<W>, N>& a,
@@ -154,9 +166,12 @@ std::array<Lanes<W>, N> select(const LaneMask<W>& mask, const std::array<Lanes<W
   return result;
 }
 
-/// What select is for lanes.
+/// What select and any are for lanes.
 inline double select(bool mask, double a, double b) {
   return mask ? a : b;
+}
+inline bool any(bool mask) {
+  return mask;
 }
 
 }  // namespace crossgrain

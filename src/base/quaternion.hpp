@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "base/lanes.hpp"
 #include "base/vector3.hpp"
 
 namespace crossgrain {
@@ -22,6 +23,26 @@ using Quaternion = BasicQuaternion<double>;
 template <class Lanes>
 BasicQuaternion<Lanes> to_single(const BasicQuaternion<Lanes>& q) {
   return {to_single(q.w), to_single(q.x), to_single(q.y), to_single(q.z)};
+}
+
+/// In each lane a where `mask` is true, else b.
+template <class Mask, class Real>
+BasicQuaternion<Real> select(const Mask& mask, const BasicQuaternion<Real>& a,
+                             const BasicQuaternion<Real>& b) {
+  return {select(mask, a.w, b.w), select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
+}
+
+/// One quaternion in a lane, there and back.
+template <int W>
+void set_lane(BasicQuaternion<Lanes<W>>& q, int lane, const Quaternion& value) {
+  q.w.set(lane, value.w);
+  q.x.set(lane, value.x);
+  q.y.set(lane, value.y);
+  q.z.set(lane, value.z);
+}
+template <int W>
+Quaternion in_lane(const BasicQuaternion<Lanes<W>>& q, int lane) {
+  return {q.w[lane], q.x[lane], q.y[lane], q.z[lane]};
 }
 
 /// Sixteen bytes: how frames are stored, one a cell.

@@ -81,17 +81,14 @@ BasicQuaternion<Lanes<W>> from_stored(const std::vector<StoredQuaternion>& frame
   BasicQuaternion<Lanes<W>> q;
   for (int lane = 0; lane < W; ++lane) {
     const StoredQuaternion& frame = frames[cells[lane]];
-    q.w.set(lane, frame.w);
-    q.x.set(lane, frame.x);
-    q.y.set(lane, frame.y);
-    q.z.set(lane, frame.z);
+    set_lane(q, lane, {frame.w, frame.x, frame.y, frame.z});
   }
   return normalised(q);
 }
 
 template <int W>
 StoredQuaternion stored_in_lane(const BasicQuaternion<Lanes<W>>& q, int lane) {
-  return to_stored(Quaternion{q.w[lane], q.x[lane], q.y[lane], q.z[lane]});
+  return to_stored(in_lane(q, lane));
 }
 
 }  // namespace crossgrain

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "base/parallel.hpp"
 #include "field/local_energy.hpp"
 #include "field/small_solve.hpp"
 #include "harmonics/deviation.hpp"
+#include "harmonics/refined_frame.hpp"
 
 namespace crossgrain {
 namespace {
@@ -120,16 +120,25 @@ void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double s
 
 template <int D>
 void project_to_frames(FieldState<D>& state) {
-  parallel_for(state.size(), [&](std::size_t i) {
-    const Coefficients<D> h = from_stored<D>(state.coefficients[i]);
+  parallel_for_lanes(state.size(), [&]<int W>(std::size_t begin, int count) {
+    Coefficients<D, Lanes<W>> targets{};
+    BasicQuaternion<Lanes<W>> starts;
+    for (int lane = 0; lane < count; ++lane) {
+      const std::size_t cell = begin + static_cast<std::size_t>(lane);
+      set_lane(targets, lane, from_stored<D>(state.coefficients[cell]));
+      set_lane(starts, lane, from_stored(state.frames[cell]));
+    }
     // The cell's own frame leads to the nearest one unless the cell has turned a long way or is far from any
     // frame.
-    Quaternion frame = refine_frame<D>(h, from_stored(state.frames[i]));
-    const double overlap = dot(h, frame_coefficients<D>(frame));
-    if (overlap * std::abs(overlap) < (kSafeOverlap * kSafeOverlap) * squared_norm(h))
-      frame = nearest_frame<D>(h);
-    state.frames[i] = to_stored(frame);
-    state.coefficients[i] = to_stored<D>(frame_coefficients<D>(from_stored(state.frames[i])));
+    const BasicQuaternion<Lanes<W>> frames = refined_frame<D>(targets, starts);
+    const Lanes<W> overlap = dot(targets, frame_coefficients<D>(frames));
+    const auto safe = overlap * abs(overlap) >= (kSafeOverlap * kSafeOverlap) * squared_norm(targets);
+    for (int lane = 0; lane < count; ++lane) {
+      const std::size_t cell = begin + static_cast<std::size_t>(lane);
+      state.frames[cell] =
+          to_stored(safe[lane] ? in_lane(frames, lane) : nearest_frame<D>(in_lane(targets, lane)));
+      state.coefficients[cell] = to_stored<D>(frame_coefficients<D>(from_stored(state.frames[cell])));
+    }
   });
 }
 
