@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "base/lanes.hpp"
 #include "base/vector3.hpp"
 
 namespace crossgrain {
@@ -18,10 +19,37 @@ struct BasicQuaternion {
 
 using Quaternion = BasicQuaternion<double>;
 
+/// Rounded to single precision, component by component.
+template <class Lanes>
+BasicQuaternion<Lanes> to_single(const BasicQuaternion<Lanes>& q) {
+  return {to_single(q.w), to_single(q.x), to_single(q.y), to_single(q.z)};
+}
+
+/// In each lane a where `mask` is true, else b.
+template <class Mask, class Real>
+BasicQuaternion<Real> select(const Mask& mask, const BasicQuaternion<Real>& a,
+                             const BasicQuaternion<Real>& b) {
+  return {select(mask, a.w, b.w), select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
+}
+
+/// One quaternion in a lane, there and back.
+template <int W>
+void set_lane(BasicQuaternion<Lanes<W>>& q, int lane, const Quaternion& value) {
+  q.w.set(lane, value.w);
+  q.x.set(lane, value.x);
+  q.y.set(lane, value.y);
+  q.z.set(lane, value.z);
+}
+template <int W>
+Quaternion in_lane(const BasicQuaternion<Lanes<W>>& q, int lane) {
+  return {q.w[lane], q.x[lane], q.y[lane], q.z[lane]};
+}
+
 /// Sixteen bytes: how frames are stored, one a cell.
 using StoredQuaternion = BasicQuaternion<float>;
 
-inline Quaternion operator*(const Quaternion& p, const Quaternion& q) {
+template <class Real>
+BasicQuaternion<Real> operator*(const BasicQuaternion<Real>& p, const BasicQuaternion<Real>& q) {
   return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
           p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
 }
@@ -30,19 +58,22 @@ inline Quaternion conjugate(const Quaternion& q) {
   return {q.w, -q.x, -q.y, -q.z};
 }
 
-inline Quaternion normalised(const Quaternion& q) {
-  const double scale = 1 / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+template <class Real>
+BasicQuaternion<Real> normalised(const BasicQuaternion<Real>& q) {
+  using std::sqrt;
+  const Real scale = 1 / sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   return {scale * q.w, scale * q.x, scale * q.y, scale * q.z};
 }
 
 /// The three axes R e_x, R e_y, R e_z of a unit quaternion.
-inline std::array<Vector3, 3> axes_of(const Quaternion& q) {
-  const double xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
-  const double xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z;
-  const double wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
-  return {Vector3{1 - 2 * (yy + zz), 2 * (xy + wz), 2 * (xz - wy)},
-          Vector3{2 * (xy - wz), 1 - 2 * (xx + zz), 2 * (yz + wx)},
-          Vector3{2 * (xz + wy), 2 * (yz - wx), 1 - 2 * (xx + yy)}};
+template <class Real>
+std::array<BasicVector3<Real>, 3> axes_of(const BasicQuaternion<Real>& q) {
+  const Real xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
+  const Real xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z;
+  const Real wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
+  return {BasicVector3<Real>{1 - 2 * (yy + zz), 2 * (xy + wz), 2 * (xz - wy)},
+          BasicVector3<Real>{2 * (xy - wz), 1 - 2 * (xx + zz), 2 * (yz + wx)},
+          BasicVector3<Real>{2 * (xz + wy), 2 * (yz - wx), 1 - 2 * (xx + yy)}};
 }
 
 inline Vector3 rotate(const Quaternion& q, const Vector3& v) {
@@ -55,6 +86,22 @@ inline Quaternion from_rotation_vector(const Vector3& v) {
   const double angle_rad = norm(v);
   const double sinc = angle_rad > 1e-8 ? std::sin(angle_rad / 2) / angle_rad : 0.5;
   return {std::cos(angle_rad / 2), sinc * v[0], sinc * v[1], sinc * v[2]};
+}
+
+/// from_rotation_vector for |v| <= 1/2, to rounding by its series.
+template <class Real>
+BasicQuaternion<Real> from_small_rotation_vector(const BasicVector3<Real>& v) {
+  const Real s = -0.25 * dot(v, v);  // -(half the angle)^2
+  const Real cosine =
+      1 + s * (1.0 / 2) *
+              (1 + s * (1.0 / 12) *
+                       (1 + s * (1.0 / 30) *
+                                (1 + s * (1.0 / 56) * (1 + s * (1.0 / 90) * (1 + s * (1.0 / 132))))));
+  const Real half_sinc =
+      0.5 *
+      (1 + s * (1.0 / 6) *
+               (1 + s * (1.0 / 20) * (1 + s * (1.0 / 42) * (1 + s * (1.0 / 72) * (1 + s * (1.0 / 110))))));
+  return {cosine, half_sinc * v[0], half_sinc * v[1], half_sinc * v[2]};
 }
 
 /// The quaternion of a right-handed orthonormal frame given by its axes (Shepperd's method).

@@ -3,38 +3,53 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
 
-inline Vector3 operator+(const Vector3& a, const Vector3& b) {
+/// Real is double, or several doubles side by side (base/lanes.hpp).
+template <class Real>
+using BasicVector3 = std::array<Real, 3>;
+
+template <class Real>
+BasicVector3<Real> operator+(const BasicVector3<Real>& a, const BasicVector3<Real>& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
-inline Vector3 operator-(const Vector3& a, const Vector3& b) {
+template <class Real>
+BasicVector3<Real> operator-(const BasicVector3<Real>& a, const BasicVector3<Real>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-inline Vector3 operator-(const Vector3& a) {
+template <class Real>
+BasicVector3<Real> operator-(const BasicVector3<Real>& a) {
   return {-a[0], -a[1], -a[2]};
 }
-inline Vector3 operator*(double s, const Vector3& a) {
+template <class Real>
+BasicVector3<Real> operator*(const std::type_identity_t<Real>& s, const BasicVector3<Real>& a) {
   return {s * a[0], s * a[1], s * a[2]};
 }
-inline Vector3& operator+=(Vector3& a, const Vector3& b) {
+template <class Real>
+BasicVector3<Real>& operator+=(BasicVector3<Real>& a, const BasicVector3<Real>& b) {
   return a = a + b;
 }
 
-inline double dot(const Vector3& a, const Vector3& b) {
+template <class Real>
+Real dot(const BasicVector3<Real>& a, const BasicVector3<Real>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-inline Vector3 cross(const Vector3& a, const Vector3& b) {
+template <class Real>
+BasicVector3<Real> cross(const BasicVector3<Real>& a, const BasicVector3<Real>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-inline double norm(const Vector3& a) {
-  return std::sqrt(dot(a, a));
+template <class Real>
+Real norm(const BasicVector3<Real>& a) {
+  using std::sqrt;
+  return sqrt(dot(a, a));
 }
 
 /// The unit vector along a; {0, 0, 0} for a zero vector.
@@ -45,9 +60,11 @@ inline Vector3 normalised(const Vector3& a) {
 
 /// A unit vector orthogonal to the unit vector n, continuous except near n = -z (Duff et al. 2017, JCGT
 /// 6(1)).
-inline Vector3 orthogonal_unit(const Vector3& n) {
-  const double sign = std::copysign(1.0, n[2]);
-  const double a = -1 / (sign + n[2]);
+template <class Real>
+BasicVector3<Real> orthogonal_unit(const BasicVector3<Real>& n) {
+  using std::copysign;
+  const Real sign = copysign(Real(1.0), n[2]);
+  const Real a = -1 / (sign + n[2]);
   return {1 + sign * n[0] * n[0] * a, sign * n[0] * n[1] * a, -sign * n[0]};
 }
 

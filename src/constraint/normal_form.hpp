@@ -14,77 +14,80 @@
 namespace crossgrain {
 
 /// C, S and b_n about one axis n. Which u, v were taken turns C and S into each other and changes no energy.
-template <int D>
+template <int D, class Real = double>
 struct NormalBasis;
 
-template <>
-struct NormalBasis<3> {
-  Coefficients<3> cosine, sine;  ///< of unit norm
+template <class Real>
+struct NormalBasis<3, Real> {
+  Coefficients<3, Real> cosine, sine;  ///< of unit norm
 };
 
-template <>
-struct NormalBasis<4> {
-  Coefficients<4> cosine, sine;  ///< of unit norm
-  Coefficients<4> zonal;         ///< b_n, of squared norm 7/12
+template <class Real>
+struct NormalBasis<4, Real> {
+  Coefficients<4, Real> cosine, sine;  ///< of unit norm
+  Coefficients<4, Real> zonal;         ///< b_n, of squared norm 7/12
 };
 
 /// |b_n|^2, the constant of E_n in degree 4.
 inline constexpr double kZonalShare = 7.0 / 12;
 
 /// C, S and b_n for a unit vector; even in n.
-template <int D>
-NormalBasis<D> normal_basis(const Vector3& unit_normal);
-
+///
 /// Degree 3: n (u^2 - v^2) / 2 and u v n, each of unit norm once normalised as a frame is.
-template <>
-inline NormalBasis<3> normal_basis<3>(const Vector3& n) {
-  const Vector3 u = orthogonal_unit(n), v = cross(n, u);
-  const QuadraticFactor uu = product_of(u, u), vv = product_of(v, v);
-  const QuadraticFactor half_difference{0.5 * (uu.order2_re - vv.order2_re),
-                                        0.5 * (uu.order2_im - vv.order2_im),
-                                        0.5 * (uu.order1_re - vv.order1_re),
-                                        0.5 * (uu.order1_im - vv.order1_im), 0.5 * (uu.order0 - vv.order0)};
+template <int D, class Real = double>
+requires(D == 3) NormalBasis<D, Real> normal_basis(const BasicVector3<Real>& n) {
+  const BasicVector3<Real> u = orthogonal_unit(n), v = cross(n, u);
+  const QuadraticFactor<Real> uu = product_of(u, u), vv = product_of(v, v);
+  const QuadraticFactor<Real> half_difference{
+      0.5 * (uu.order2_re - vv.order2_re), 0.5 * (uu.order2_im - vv.order2_im),
+      0.5 * (uu.order1_re - vv.order1_re), 0.5 * (uu.order1_im - vv.order1_im),
+      0.5 * (uu.order0 - vv.order0)};
   return {octupole_of(half_difference, n), octupole_of(product_of(u, v), n)};
 }
 
 /// A complex number whose product is just the formula: std::complex checks every product for NaN.
+template <class Real>
 struct PlainComplex {
-  double re, im;
+  Real re, im;
 };
-inline PlainComplex operator*(const PlainComplex& a, const PlainComplex& b) {
+template <class Real>
+PlainComplex<Real> operator*(const PlainComplex<Real>& a, const PlainComplex<Real>& b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
-inline PlainComplex operator*(double s, const PlainComplex& a) {
+template <class Real>
+PlainComplex<Real> operator*(double s, const PlainComplex<Real>& a) {
   return {s * a.re, s * a.im};
 }
-inline PlainComplex operator-(const PlainComplex& a, const PlainComplex& b) {
+template <class Real>
+PlainComplex<Real> operator-(const PlainComplex<Real>& a, const PlainComplex<Real>& b) {
   return {a.re - b.re, a.im - b.im};
 }
 
 /// Degree 4: with w = u + i v, a null vector, (w.x)^4 is harmonic, and its coefficients are proportional to
 /// the harmonics evaluated at w, where x^2 + y^2 + z^2 = 0. So C + i S is evaluate_harmonics<4>(w) with that
 /// term left out, scaled to be e_4 + i e_{-4} for n = z.
-template <>
-inline NormalBasis<4> normal_basis<4>(const Vector3& n) {
+template <int D, class Real = double>
+requires(D == 4) NormalBasis<D, Real> normal_basis(const BasicVector3<Real>& n) {
   constexpr double k3 = 2.828427124746190098 / 8;  // 2 sqrt 2, over the 8 that (w.x)^4 brings
   constexpr double k2 = 5.291502622129181181 / 8;  // 2 sqrt 7
   constexpr double k1 = 7.483314773547882772 / 8;  // 2 sqrt 14
   constexpr double k0 = 5.916079783099616042 / 8;  // sqrt 35
   constexpr double kZonal = 0.9024893263989445;    // sqrt(7/12) sqrt(4 pi / 9)
-  const Vector3 u = orthogonal_unit(n), v = cross(n, u);
-  const PlainComplex x{u[0], v[0]}, y{u[1], v[1]}, z{u[2], v[2]};
-  const PlainComplex xx = x * x, yy = y * y, zz = z * z, xy = x * y, zx = z * x, zy = z * y;
-  const PlainComplex square = xx - yy;
-  const std::array<PlainComplex, 9> harmonics{0.5 * (xy * square),
-                                              k3 * (zy * (3 * xx - yy)),
-                                              2 * k2 * (zz * xy),
-                                              k1 * (zz * zy),
-                                              k0 * (zz * zz),
-                                              k1 * (zz * zx),
-                                              k2 * (zz * square),
-                                              k3 * (zx * (xx - 3 * yy)),
-                                              0.125 * (square * square - 4 * (xy * xy))};
-  NormalBasis<4> basis;
+  using Complex = PlainComplex<Real>;
+  const BasicVector3<Real> u = orthogonal_unit(n), v = cross(n, u);
+  const Complex x{u[0], v[0]}, y{u[1], v[1]}, z{u[2], v[2]};
+  const Complex xx = x * x, yy = y * y, zz = z * z, xy = x * y, zx = z * x, zy = z * y;
+  const Complex square = xx - yy;
+  const std::array<Complex, 9> harmonics{0.5 * (xy * square),
+                                         k3 * (zy * (3 * xx - yy)),
+                                         2 * k2 * (zz * xy),
+                                         k1 * (zz * zy),
+                                         k0 * (zz * zz),
+                                         k1 * (zz * zx),
+                                         k2 * (zz * square),
+                                         k3 * (zx * (xx - 3 * yy)),
+                                         0.125 * (square * square - 4 * (xy * xy))};
+  NormalBasis<4, Real> basis;
   for (int i = 0; i < kCoefficientCount<4>; ++i) {
     basis.cosine[i] = harmonics[i].re;
     basis.sine[i] = harmonics[i].im;

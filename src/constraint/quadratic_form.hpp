@@ -22,18 +22,22 @@ constexpr int form_entry(int row, int column) {
   return row * kCoefficientCount<D> - row * (row - 1) / 2 + (column - row);
 }
 
+/// The entries of a symmetric matrix.
+template <int D, class Real = double>
+using FormMatrix = std::array<Real, kFormEntryCount<D>>;
+
 template <int D>
 struct QuadraticForm;
 
 template <>
 struct QuadraticForm<3> {
-  std::array<double, kFormEntryCount<3>> matrix{};
+  FormMatrix<3> matrix{};
   double weight = 0;
 };
 
 template <>
 struct QuadraticForm<4> {
-  std::array<double, kFormEntryCount<4>> matrix{};
+  FormMatrix<4> matrix{};
   Coefficients<4> linear{};
   double constant = 0;
   double weight = 0;
@@ -81,35 +85,47 @@ QuadraticForm<D> scaled(const QuadraticForm<D>& form, double factor) {
 }
 
 /// A += factor * v v^T.
-template <int D>
-void add_outer_product(QuadraticForm<D>& form, double factor, const Coefficients<D>& v) {
+template <int D, class Real>
+void add_outer_product(FormMatrix<D, Real>& matrix, const std::type_identity_t<Real>& factor,
+                       const Coefficients<D, Real>& v) {
   int entry = 0;
   for (int row = 0; row < kCoefficientCount<D>; ++row) {
-    const double scaled_row = factor * v[row];
-    for (int column = row; column < kCoefficientCount<D>; ++column)
-      form.matrix[entry++] += scaled_row * v[column];
+    const Real scaled_row = factor * v[row];
+    for (int column = row; column < kCoefficientCount<D>; ++column) matrix[entry++] += scaled_row * v[column];
   }
+}
+template <int D>
+void add_outer_product(QuadraticForm<D>& form, double factor, const Coefficients<D>& v) {
+  add_outer_product<D>(form.matrix, factor, v);
 }
 
 /// A += factor * I.
+template <int D, class Real>
+void add_identity(FormMatrix<D, Real>& matrix, const std::type_identity_t<Real>& factor) {
+  for (int row = 0; row < kCoefficientCount<D>; ++row) matrix[form_entry<D>(row, row)] += factor;
+}
 template <int D>
 void add_identity(QuadraticForm<D>& form, double factor) {
-  for (int row = 0; row < kCoefficientCount<D>; ++row) form.matrix[form_entry<D>(row, row)] += factor;
+  add_identity<D>(form.matrix, factor);
 }
 
 /// A h. The loops are unrolled so that every position in the triangle is a constant: more than twice as fast.
-template <int D>
-inline Coefficients<D> matrix_times(const QuadraticForm<D>& form, const Coefficients<D>& h) {
+template <int D, class Real>
+Coefficients<D, Real> matrix_times(const FormMatrix<D, Real>& matrix, const Coefficients<D, Real>& h) {
   constexpr int n = kCoefficientCount<D>;
-  Coefficients<D> result{};
+  Coefficients<D, Real> result{};
 #pragma GCC unroll 9
   for (int row = 0; row < n; ++row) {
 #pragma GCC unroll 9
     for (int column = 0; column < n; ++column) {
-      result[row] += form.matrix[form_entry<D>(std::min(row, column), std::max(row, column))] * h[column];
+      result[row] += matrix[form_entry<D>(std::min(row, column), std::max(row, column))] * h[column];
     }
   }
   return result;
+}
+template <int D>
+Coefficients<D> matrix_times(const QuadraticForm<D>& form, const Coefficients<D>& h) {
+  return matrix_times<D>(form.matrix, h);
 }
 
 /// E(h).

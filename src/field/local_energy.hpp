@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The energy as one cell sees it while its neighbours stand still.
+// The energy as a cell sees it while its neighbours stand still, for W cells side by side.
 //
 // Notation: f(h) = h^T A h - 2 b.h, up to constants on |h| = 1. With neighbours h_j, weights w_j and the
 // cell's form h^T A_c h - 2 b_c.h (scaled as in CellForms), docs/design.md section 5 gives
@@ -7,84 +7,138 @@
 //   degree 3: A = A_c - (5/6) sum w_j h_j h_j^T, b = 0.
 #pragma once
 
+#include <optional>
+
 #include "constraint/normal_form.hpp"
+#include "field/cells_in_lanes.hpp"
 #include "field/field_graph.hpp"
 #include "field/field_state.hpp"
 
 namespace crossgrain {
 
-template <int D>
+template <int D, int W>
 class LocalEnergy {
  public:
+  using Real = Lanes<W>;
+  using Vector = Coefficients<D, Real>;
+
   LocalEnergy(const FieldGraph<D>& graph, const std::vector<StoredCoefficients<D>>& coefficients,
-              std::size_t cell) {
-    add_neighbours(graph.adjacency()[cell], coefficients);
-    if (const PlaneForm* plane = graph.forms.plane(cell)) add_plane(*plane);
-    if (const PackedForm<D>* form = graph.forms.general(cell)) add_form(*form);
+              const CellsInLanes<W>& cells) {
+    if constexpr (D == 3) matrix_.emplace();
+    add_neighbours(graph.adjacency(), coefficients, cells);
+    for (int lane = 0; lane < W; ++lane) {
+      if (graph.forms.empty(cells[lane])) continue;
+      if (const PlaneForm* plane = graph.forms.plane(cells[lane])) add_plane(lane, *plane);
+      if (const PackedForm<D>* form = graph.forms.general(cells[lane])) add_form(lane, *form);
+    }
+    if (has_planes_) finish_planes();
   }
 
   /// f(h) for |h| = 1.
-  double value(const Coefficients<D>& h) const { return dot(h, apply_matrix(h)) - 2 * dot(linear_, h); }
+  Real value(const Vector& h) const { return dot(h, apply_matrix(h)) - 2 * dot(linear_, h); }
 
   /// A x, up to a multiple of x that changes nothing on |h| = 1.
-  Coefficients<D> apply_matrix(const Coefficients<D>& x) const {
-    Coefficients<D> result{};
-    if (D == 3 || has_matrix_) result = matrix_times(quadratic_, x);
-    if (plane_weight_ > 0) {
+  Vector apply_matrix(const Vector& x) const {
+    Vector result{};
+    if (matrix_) result = matrix_times<D>(*matrix_, x);
+    if (has_planes_) {
       add_scaled(result, -plane_weight_ * dot(plane_.cosine, x), plane_.cosine);
       add_scaled(result, -plane_weight_ * dot(plane_.sine, x), plane_.sine);
     }
     return result;
   }
 
-  const Coefficients<D>& linear() const { return linear_; }
+  const Vector& linear() const { return linear_; }
 
-  /// Whether A is zero, so that f is -2 b.h.
-  bool is_linear() const { return D == 4 && !has_matrix_ && plane_weight_ == 0; }
+  /// Whether A is zero for all cells, so that f is -2 b.h.
+  bool is_linear() const { return !matrix_ && !has_planes_; }
 
-  double neighbour_weight() const { return neighbour_weight_; }
-  double plane_weight() const { return plane_weight_; }
-  const NormalBasis<D>& plane() const { return plane_; }
-  bool has_matrix() const { return D == 3 || has_matrix_; }
-  const QuadraticForm<D>& matrix() const { return quadratic_; }
+  const Real& neighbour_weight() const { return neighbour_weight_; }
+
+  /// Whether any of the cells has a plane form, and what they are; of weight 0 for cells without.
+  bool has_planes() const { return has_planes_; }
+  const Real& plane_weight() const { return plane_weight_; }
+  const NormalBasis<D, Real>& plane() const { return plane_; }
+
+  /// A without plane forms; null where it is zero for all cells.
+  const FormMatrix<D, Real>* matrix() const { return matrix_ ? &*matrix_ : nullptr; }
 
  private:
-  void add_neighbours(std::span<const Adjacency::Neighbour> neighbours,
-                      const std::vector<StoredCoefficients<D>>& coefficients) {
-    for (const auto& [neighbour, weight] : neighbours) {
-      const Coefficients<D> h = from_stored<D>(coefficients[neighbour]);
-      neighbour_weight_ += weight;
-      if constexpr (D == 3) {
-        add_outer_product(quadratic_, -5.0 / 6 * weight, h);
-      } else {
-        add_scaled(linear_, 0.5 * weight, h);
-      }
+  void add_neighbours(const Adjacency& adjacency, const std::vector<StoredCoefficients<D>>& coefficients,
+                      const CellsInLanes<W>& cells) {
+    if constexpr (D == 3) {
+      add_side_by_side(adjacency, coefficients, cells);
+    } else {
+      for (int lane = 0; lane < W; ++lane) add_to_lane(lane, adjacency[cells[lane]], coefficients);
     }
   }
 
-  void add_plane(const PlaneForm& form) {
+  /// The k-th neighbour of every cell at once.
+  void add_side_by_side(const Adjacency& adjacency, const std::vector<StoredCoefficients<3>>& coefficients,
+                        const CellsInLanes<W>& cells) {
+    std::size_t most = 0;
+    for (const std::uint32_t cell : cells.cells) most = std::max(most, adjacency[cell].size());
+    for (std::size_t k = 0; k < most; ++k) {
+      Coefficients<3, Real> h{};
+      Real weight = 0;
+      for (int lane = 0; lane < W; ++lane) {
+        const std::span<const Adjacency::Neighbour> neighbours = adjacency[cells[lane]];
+        if (k >= neighbours.size()) continue;
+        weight.set(lane, neighbours[k].weight);
+        for (int m = 0; m < kCoefficientCount<3>; ++m) h[m].set(lane, coefficients[neighbours[k].cell][m]);
+      }
+      neighbour_weight_ += weight;
+      add_outer_product<3>(*matrix_, -5.0 / 6 * weight, h);
+    }
+  }
+
+  /// Here the eight orders below the last stand side by side, since that is how they are stored.
+  void add_to_lane(int lane, std::span<const Adjacency::Neighbour> neighbours,
+                   const std::vector<StoredCoefficients<4>>& coefficients) {
+    Lanes<8> sum = 0;
+    double last = 0, total_weight = 0;
+    for (const auto& [neighbour, weight] : neighbours) {
+      const StoredCoefficients<4>& h = coefficients[neighbour];
+      const double half_weight = 0.5 * weight;
+      sum += half_weight * eight_lanes_of(h.data());
+      last += half_weight * h[8];
+      total_weight += weight;
+    }
+    for (int m = 0; m < 8; ++m) linear_[m].set(lane, sum[m]);
+    linear_[8].set(lane, last);
+    neighbour_weight_.set(lane, total_weight);
+  }
+
+  void add_plane(int lane, const PlaneForm& form) {
+    if (!has_planes_) normal_ = {0.0, 0.0, 1.0};
     const Vector3 normal = normalised(Vector3{form.normal[0], form.normal[1], form.normal[2]});
-    plane_ = normal_basis<D>(normal);
-    plane_weight_ = form.weight;
+    for (int axis = 0; axis < 3; ++axis) normal_[axis].set(lane, normal[axis]);
+    plane_weight_.set(lane, form.weight);
+    has_planes_ = true;
+  }
+
+  void finish_planes() {
+    plane_ = normal_basis<D>(normal_);
     if constexpr (D == 4) add_scaled(linear_, plane_weight_, plane_.zonal);
   }
 
-  void add_form(const PackedForm<D>& form) {
-    if constexpr (D == 3) {
-      for (int e = 0; e < kFormEntryCount<D>; ++e) quadratic_.matrix[e] += form[e];
-    } else {
-      for (int e = 0; e < kFormEntryCount<D>; ++e) quadratic_.matrix[e] = form[e];
-      for (int m = 0; m < kCoefficientCount<D>; ++m) linear_[m] += form[kFormEntryCount<D> + m];
+  void add_form(int lane, const PackedForm<D>& form) {
+    if (!matrix_) matrix_.emplace();
+    FormMatrix<D, Real>& matrix = *matrix_;
+    for (int e = 0; e < kFormEntryCount<D>; ++e) matrix[e].set(lane, matrix[e][lane] + form[e]);
+    if constexpr (D == 4) {
+      for (int m = 0; m < kCoefficientCount<D>; ++m)
+        linear_[m].set(lane, linear_[m][lane] + form[kFormEntryCount<D> + m]);
     }
-    has_matrix_ = true;
   }
 
-  QuadraticForm<D> quadratic_;  // its matrix only
-  bool has_matrix_ = false;
-  double plane_weight_ = 0;
-  NormalBasis<D> plane_;
-  Coefficients<D> linear_{};
-  double neighbour_weight_ = 0;
+  std::optional<FormMatrix<D, Real>> matrix_;  // where it is zero, clearing it would take a while
+  bool has_planes_ = false;
+  BasicVector3<Real> normal_;
+  Real plane_weight_ = 0;
+  NormalBasis<D, Real> plane_;
+  Vector linear_{};
+  Real neighbour_weight_ = 0;
 };
 
 }  // namespace crossgrain

@@ -20,20 +20,21 @@ namespace {
 constexpr int kMostHalvings = 4;
 
 /// f to second order in the rotation vector.
+template <class Real>
 struct LocalModel {
-  Vector3 gradient;
-  SymmetricMatrix3 hessian;
+  BasicVector3<Real> gradient;
+  BasicSymmetricMatrix3<Real> hessian;
 };
 
-template <int D>
-LocalModel local_model(const LocalEnergy<D>& energy, const Coefficients<D>& h,
-                       const Coefficients<D>& matrix_h) {
-  const Coefficients<D> u = difference(matrix_h, energy.linear());
+template <int D, int W, class Real>
+LocalModel<Real> local_model(const LocalEnergy<D, W>& energy, const Coefficients<D, Real>& h,
+                             const Coefficients<D, Real>& matrix_h) {
+  const Coefficients<D, Real> u = difference(matrix_h, energy.linear());
   const auto lh = apply_generators<D>(h);
   const auto lu = apply_generators<D>(u);
-  LocalModel model;
+  LocalModel<Real> model;
   model.gradient = {2 * dot(lh[0], u), 2 * dot(lh[1], u), 2 * dot(lh[2], u)};
-  SymmetricMatrix3& hessian = model.hessian;
+  BasicSymmetricMatrix3<Real>& hessian = model.hessian;
   int entry = 0;
   for (int a = 0; a < 3; ++a) {
     for (int b = a; b < 3; ++b) hessian[entry++] = -dot(lu[a], lh[b]) - dot(lu[b], lh[a]);
@@ -41,7 +42,7 @@ LocalModel local_model(const LocalEnergy<D>& energy, const Coefficients<D>& h,
   if (!energy.is_linear()) {
     entry = 0;
     for (int a = 0; a < 3; ++a) {
-      const Coefficients<D> matrix_lh = energy.apply_matrix(lh[a]);
+      const Coefficients<D, Real> matrix_lh = energy.apply_matrix(lh[a]);
       for (int b = a; b < 3; ++b) hessian[entry++] += 2 * dot(matrix_lh, lh[b]);
     }
   }
@@ -49,40 +50,55 @@ LocalModel local_model(const LocalEnergy<D>& energy, const Coefficients<D>& h,
 }
 
 /// The Newton step of a frame that turns about one axis only, down the valley wherever the curvature points.
-Vector3 step_about(const Vector3& axis, const LocalModel& model, double max_angle_rad) {
-  const double slope = dot(model.gradient, axis);
-  const double curvature = std::abs(dot(apply(model.hessian, axis), axis));
-  const double angle_rad =
-      curvature * max_angle_rad > std::abs(slope) ? -slope / curvature : -std::copysign(max_angle_rad, slope);
+template <class Real>
+BasicVector3<Real> step_about(const BasicVector3<Real>& axis, const LocalModel<Real>& model,
+                              double max_angle_rad) {
+  const Real slope = dot(model.gradient, axis);
+  const Real curvature = abs(dot(apply(model.hessian, axis), axis));
+  const Real angle_rad = select(curvature * max_angle_rad > abs(slope), -slope / curvature,
+                                -copysign(Real(max_angle_rad), slope));
   return angle_rad * axis;
 }
 
-/// Returns by how much f fell.
-template <int D>
-double update_cell(const FieldGraph<D>& graph, FieldState<D>& state, std::size_t cell,
-                   double over_relaxation) {
-  const LocalEnergy<D> energy(graph, state.coefficients, cell);
-  const Quaternion frame = from_stored(state.frames[cell]);
-  const Coefficients<D> h = frame_coefficients<D>(frame);
-  const Coefficients<D> matrix_h = energy.apply_matrix(h);
-  const double before = dot(h, matrix_h) - 2 * dot(energy.linear(), h);
-  const LocalModel model = local_model(energy, h, matrix_h);
-  const Vector3* axis = graph.forms.held_axis(cell);
+/// The Newton step of every cell, over-relaxed.
+template <int D, int W, class Real>
+BasicVector3<Real> newton_steps(const CellForms<D>& forms, const CellsInLanes<W>& cells,
+                                const LocalModel<Real>& model, double over_relaxation) {
   const double max_angle_rad = kLargestStep_rad / over_relaxation;
-  Vector3 step = over_relaxation * (axis ? step_about(*axis, model, max_angle_rad)
-                                         : guarded_newton_step(model.hessian, model.gradient, max_angle_rad));
-  for (int halving = 0; halving <= kMostHalvings; ++halving) {
-    const StoredQuaternion stored = to_stored(normalised(from_rotation_vector(step) * frame));
-    const Coefficients<D> turned = frame_coefficients<D>(from_stored(stored));
-    const double after = energy.value(turned);
-    if (after < before) {
-      state.frames[cell] = stored;
-      state.coefficients[cell] = to_stored<D>(turned);
-      return before - after;
+  BasicVector3<Real> step = guarded_newton_step(model.hessian, model.gradient, max_angle_rad);
+  const HeldAxes<W> held(forms, cells);
+  if (held.any) step = select(held.mask, step_about(held.axes, model, max_angle_rad), step);
+  return over_relaxation * step;
+}
+
+/// Adds to `decrease` by how much f fell for each cell.
+template <int D, int W>
+void update_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsInLanes<W>& cells,
+                  double over_relaxation, double& decrease) {
+  using Real = Lanes<W>;
+  const LocalEnergy<D, W> energy(graph, state.coefficients, cells);
+  const BasicQuaternion<Real> frame = from_stored(state.frames, cells);
+  const Coefficients<D, Real> h = frame_coefficients<D>(frame);
+  const Coefficients<D, Real> matrix_h = energy.apply_matrix(h);
+  const Real before = dot(h, matrix_h) - 2 * dot(energy.linear(), h);
+  BasicVector3<Real> step =
+      newton_steps(graph.forms, cells, local_model(energy, h, matrix_h), over_relaxation);
+  std::array<double, W> fell{};
+  int waiting = cells.count;
+  for (int halving = 0; halving <= kMostHalvings && waiting > 0; ++halving) {
+    const BasicQuaternion<Real> stored = to_single(normalised(from_small_rotation_vector(step) * frame));
+    const Coefficients<D, Real> turned = frame_coefficients<D>(normalised(stored));
+    const Real after = energy.value(turned);
+    for (int lane = 0; lane < cells.count; ++lane) {
+      if (fell[lane] > 0 || !(after[lane] < before[lane])) continue;
+      state.frames[cells[lane]] = stored_in_lane(stored, lane);
+      state.coefficients[cells[lane]] = to_stored<D>(in_lane(turned, lane));
+      fell[lane] = before[lane] - after[lane];
+      --waiting;
     }
     step = 0.5 * step;
   }
-  return 0;
+  for (const double amount : fell) decrease += amount;
 }
 
 }  // namespace
@@ -91,11 +107,10 @@ template <int D>
 double manifold_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double over_relaxation) {
   double decrease = 0;
   for (std::size_t colour = 0; colour < graph.colouring().colour_count(); ++colour) {
-    const std::size_t begin = graph.colouring().begin[colour];
-    const std::size_t count = graph.colouring().begin[colour + 1] - begin;
-    decrease += parallel_sum(count, [&](std::size_t k) {
-      return update_cell(graph, state, graph.colouring().cells[begin + k], over_relaxation);
-    });
+    decrease += sum_in_lanes(graph.colouring().cells_of(colour),
+                             [&]<int W>(const CellsInLanes<W>& cells, double& sum) {
+                               update_cells(graph, state, cells, over_relaxation, sum);
+                             });
   }
   return decrease;
 }

@@ -5,10 +5,10 @@
 #include <cassert>
 #include <cmath>
 
-#include "base/parallel.hpp"
 #include "field/local_energy.hpp"
 #include "field/small_solve.hpp"
 #include "harmonics/deviation.hpp"
+#include "harmonics/refined_frame.hpp"
 
 namespace crossgrain {
 namespace {
@@ -20,91 +20,109 @@ constexpr double kShiftMargin = 1e-3;
 /// is higher: tested in tests/field against the global search.
 constexpr double kSafeOverlap = 0.9;
 
-/// The minimiser of (W/2) |h|^2 + h^T A h - 2 b.h, A = s (I - C C^T - S S^T) + A_c.
-Coefficients<4> minimising_coefficients(const LocalEnergy<4>& energy, const Coefficients<4>&) {
-  const double half_weight = 0.5 * energy.neighbour_weight();
-  if (energy.has_matrix()) return solve_shifted<4>(energy.matrix(), half_weight, energy.linear());
-  const double outside = 1 / (half_weight + energy.plane_weight());
-  Coefficients<4> h = scaled(energy.linear(), outside);
-  if (energy.plane_weight() > 0) {
-    const double inside = 1 / half_weight - outside;
-    const NormalBasis<4>& plane = energy.plane();
+/// The minimisers of (W/2) |h|^2 + h^T A h - 2 b.h, A = s (I - C C^T - S S^T) + A_c.
+template <int W, class Real>
+Coefficients<4, Real> minimising_coefficients(const LocalEnergy<4, W>& energy, const CellForms<4>& forms,
+                                              const CellsInLanes<W>& cells, const Coefficients<4, Real>&) {
+  const Real half_weight = 0.5 * energy.neighbour_weight();
+  const Real outside = 1 / (half_weight + energy.plane_weight());
+  Coefficients<4, Real> h = scaled(energy.linear(), outside);
+  if (energy.has_planes()) {
+    const Real inside = 1 / half_weight - outside;
+    const NormalBasis<4, Real>& plane = energy.plane();
     add_scaled(h, inside * dot(plane.cosine, energy.linear()), plane.cosine);
     add_scaled(h, inside * dot(plane.sine, energy.linear()), plane.sine);
+  }
+  if (energy.matrix() != nullptr) {
+    LaneMask<W> has_form;
+    for (int lane = 0; lane < W; ++lane) has_form.set(lane, forms.general(cells[lane]) != nullptr);
+    h = select(has_form, solve_shifted<4>(*energy.matrix(), half_weight, energy.linear()), h);
   }
   return h;
 }
 
-/// One step of inverse iteration for the smallest eigenvalue of the local matrix, which is no less than
+/// One step of inverse iteration for the smallest eigenvalues of the local matrices, which are no less than
 /// -(5/6) W.
-Coefficients<3> minimising_coefficients(const LocalEnergy<3>& energy, const Coefficients<3>& h) {
-  QuadraticForm<3> matrix = energy.matrix();
-  if (energy.plane_weight() > 0) {
-    add_identity(matrix, energy.plane_weight());
-    add_outer_product(matrix, -energy.plane_weight(), energy.plane().cosine);
-    add_outer_product(matrix, -energy.plane_weight(), energy.plane().sine);
+template <int W, class Real>
+Coefficients<3, Real> minimising_coefficients(const LocalEnergy<3, W>& energy, const CellForms<3>&,
+                                              const CellsInLanes<W>&, const Coefficients<3, Real>& h) {
+  FormMatrix<3, Real> matrix = *energy.matrix();
+  if (energy.has_planes()) {
+    add_identity<3>(matrix, energy.plane_weight());
+    add_outer_product<3>(matrix, -energy.plane_weight(), energy.plane().cosine);
+    add_outer_product<3>(matrix, -energy.plane_weight(), energy.plane().sine);
   }
-  const double shift = (1 + kShiftMargin) * 5.0 / 6 * energy.neighbour_weight();
-  const Coefficients<3> x = solve_shifted<3>(matrix, shift, h);
-  return scaled(x, 1 / std::sqrt(squared_norm(x)));
+  const Real shift = (1 + kShiftMargin) * 5.0 / 6 * energy.neighbour_weight();
+  const Coefficients<3, Real> x = solve_shifted<3>(matrix, shift, h);
+  return scaled(x, 1 / sqrt(squared_norm(x)));
 }
 
 /// A step down the gradient of E_sym, whose curvature across the orbit is at most kCurvature |h|^2 there.
-template <int D>
-void symmetrise(Coefficients<D>& h, double strength) {
+template <int D, class Real>
+void symmetrise(Coefficients<D, Real>& h, double strength) {
   constexpr double kCurvature = D == 3 ? 576.0 : 1600.0;  // bound 4 l^2 (l+1)^2
   add_scaled(h, -strength / kCurvature, deviation_gradient<D>(h));
-  const double norm = std::sqrt(squared_norm(h));
-  if (D == 3 && norm > 0) h = scaled(h, 1 / norm);
+  const Real norm = sqrt(squared_norm(h));
+  if (D == 3) h = scaled(h, select(norm > 0.0, 1 / norm, 1.0));
   // (|h|^2 - 1)^2 has curvature 8 at |h| = 1.
   if (D == 4) h = scaled(h, 1 - strength * 0.5 * (norm * norm - 1));
 }
 
-template <int D>
-void symmetrise_steps(Coefficients<D>& h, double strength) {
+template <int D, class Real>
+void symmetrise_steps(Coefficients<D, Real>& h, double strength) {
   for (; strength > 0; strength -= 1) symmetrise<D>(h, std::min(strength, 1.0));
 }
 
+/// From `before` towards `minimum`, `over_relaxation` times as far.
+template <class Real>
+Coefficients<4, Real> over_relaxed(const Coefficients<4, Real>& before, const Coefficients<4, Real>& minimum,
+                                   double over_relaxation) {
+  Coefficients<4, Real> h = scaled(minimum, Real(over_relaxation));
+  add_scaled(h, Real(1 - over_relaxation), before);
+  return h;
+}
+
 /// Among the degree-4 coefficients of frames with an axis along `axis`, h = b_n + x C + y S but for the
-/// radius x^2 + y^2 = 5/12 of frames: over-relaxed from `h` to the minimiser of the local energy, then a step
-/// back to that radius.
-Coefficients<4> relaxed_about(const Vector3& axis, const LocalEnergy<4>& energy, const Coefficients<4>& h,
-                              double symmetrisation, double over_relaxation) {
-  const NormalBasis<4> basis = normal_basis<4>(axis);
-  const double half_weight = 0.5 * energy.neighbour_weight();
-  const auto relaxed_along = [&](const Coefficients<4>& harmonic) {
-    const double before = dot(harmonic, h);
-    return before + over_relaxation * (dot(harmonic, energy.linear()) / half_weight - before);
-  };
-  double x = relaxed_along(basis.cosine), y = relaxed_along(basis.sine);
-  const double radius = std::sqrt(x * x + y * y);
-  if (radius > 0) {
-    const double scale = 1 + std::min(symmetrisation, 1.0) * (std::sqrt(1 - kZonalShare) / radius - 1);
-    x *= scale;
-    y *= scale;
-  }
-  Coefficients<4> result = basis.zonal;
-  add_scaled(result, x, basis.cosine);
-  add_scaled(result, y, basis.sine);
+/// radius x^2 + y^2 = 5/12 of frames: over-relaxed from `before` to the minimiser of the local energy, then a
+/// step back to that radius.
+template <int W, class Real>
+Coefficients<4, Real> relaxed_about(const BasicVector3<Real>& axis, const LocalEnergy<4, W>& energy,
+                                    const Coefficients<4, Real>& before, double symmetrisation,
+                                    double over_relaxation) {
+  const NormalBasis<4, Real> basis = normal_basis<4>(axis);
+  const Coefficients<4, Real> h =
+      over_relaxed(before, scaled(energy.linear(), 2 / energy.neighbour_weight()), over_relaxation);
+  const Real x = dot(basis.cosine, h), y = dot(basis.sine, h);
+  const Real radius = sqrt(x * x + y * y);
+  const double strength = std::min(symmetrisation, 1.0);
+  const Real scale = select(radius > 0.0, 1 + strength * (std::sqrt(1 - kZonalShare) / radius - 1), 1.0);
+  Coefficients<4, Real> result = basis.zonal;
+  add_scaled(result, x * scale, basis.cosine);
+  add_scaled(result, y * scale, basis.sine);
   return result;
 }
 
-/// One cell of a relaxation sweep.
-template <int D>
-Coefficients<D> relaxed_coefficients(const LocalEnergy<D>& energy, const Vector3* held_axis,
-                                     const Coefficients<D>& before, double symmetrisation,
-                                     double over_relaxation) {
-  if constexpr (D == 4) {
-    if (held_axis) return relaxed_about(*held_axis, energy, before, symmetrisation, over_relaxation);
-  }
-  assert(!held_axis);
-  Coefficients<D> h = minimising_coefficients(energy, before);
-  if constexpr (D == 4) {
-    h = scaled(h, over_relaxation);
-    add_scaled(h, 1 - over_relaxation, before);
-  }
+template <int D, int W>
+void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsInLanes<W>& cells,
+                 double symmetrisation, double over_relaxation) {
+  using Real = Lanes<W>;
+  const LocalEnergy<D, W> energy(graph, state.coefficients, cells);
+  Coefficients<D, Real> before;
+  for (int lane = 0; lane < W; ++lane)
+    set_lane(before, lane, from_stored<D>(state.coefficients[cells[lane]]));
+  Coefficients<D, Real> h = minimising_coefficients(energy, graph.forms, cells, before);
+  if constexpr (D == 4) h = over_relaxed(before, h, over_relaxation);
   symmetrise_steps<D>(h, symmetrisation);
-  return h;
+  const HeldAxes<W> held(graph.forms, cells);
+  assert(D == 4 || !held.any);
+  if constexpr (D == 4) {
+    if (held.any)
+      h = select(held.mask, relaxed_about(held.axes, energy, before, symmetrisation, over_relaxation), h);
+  }
+  for (int lane = 0; lane < cells.count; ++lane) {
+    if (graph.adjacency()[cells[lane]].empty()) continue;
+    state.coefficients[cells[lane]] = to_stored<D>(in_lane(h, lane));
+  }
 }
 
 }  // namespace
@@ -113,30 +131,33 @@ template <int D>
 void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation,
                       double over_relaxation) {
   for (std::size_t colour = 0; colour < graph.colouring().colour_count(); ++colour) {
-    const std::size_t begin = graph.colouring().begin[colour];
-    parallel_for(graph.colouring().begin[colour + 1] - begin, [&](std::size_t k) {
-      const std::size_t cell = graph.colouring().cells[begin + k];
-      if (graph.adjacency()[cell].empty()) return;
-      const LocalEnergy<D> energy(graph, state.coefficients, cell);
-      const Coefficients<D> before = from_stored<D>(state.coefficients[cell]);
-      state.coefficients[cell] = to_stored<D>(
-          relaxed_coefficients(energy, graph.forms.held_axis(cell), before, symmetrisation, over_relaxation));
+    visit_in_lanes(graph.colouring().cells_of(colour), [&]<int W>(const CellsInLanes<W>& cells) {
+      relax_cells(graph, state, cells, symmetrisation, over_relaxation);
     });
   }
 }
 
 template <int D>
 void project_to_frames(FieldState<D>& state) {
-  parallel_for(state.size(), [&](std::size_t i) {
-    const Coefficients<D> h = from_stored<D>(state.coefficients[i]);
+  parallel_for_lanes(state.size(), [&]<int W>(std::size_t begin, int count) {
+    Coefficients<D, Lanes<W>> targets{};
+    BasicQuaternion<Lanes<W>> starts;
+    for (int lane = 0; lane < count; ++lane) {
+      const std::size_t cell = begin + static_cast<std::size_t>(lane);
+      set_lane(targets, lane, from_stored<D>(state.coefficients[cell]));
+      set_lane(starts, lane, from_stored(state.frames[cell]));
+    }
     // The cell's own frame leads to the nearest one unless the cell has turned a long way or is far from any
     // frame.
-    Quaternion frame = refine_frame<D>(h, from_stored(state.frames[i]));
-    const double overlap = dot(h, frame_coefficients<D>(frame));
-    if (overlap * std::abs(overlap) < (kSafeOverlap * kSafeOverlap) * squared_norm(h))
-      frame = nearest_frame<D>(h);
-    state.frames[i] = to_stored(frame);
-    state.coefficients[i] = to_stored<D>(frame_coefficients<D>(from_stored(state.frames[i])));
+    const BasicQuaternion<Lanes<W>> frames = refined_frame<D>(targets, starts);
+    const Lanes<W> overlap = dot(targets, frame_coefficients<D>(frames));
+    const auto safe = overlap * abs(overlap) >= (kSafeOverlap * kSafeOverlap) * squared_norm(targets);
+    for (int lane = 0; lane < count; ++lane) {
+      const std::size_t cell = begin + static_cast<std::size_t>(lane);
+      state.frames[cell] =
+          to_stored(safe[lane] ? in_lane(frames, lane) : nearest_frame<D>(in_lane(targets, lane)));
+      state.coefficients[cell] = to_stored<D>(frame_coefficients<D>(from_stored(state.frames[cell])));
+    }
   });
 }
 

@@ -8,24 +8,27 @@
 
 namespace crossgrain {
 
-/// x with (A + shift I) x = right, A the form's matrix; A + shift I must be positive definite.
-template <int D>
-Coefficients<D> solve_shifted(const QuadraticForm<D>& form, double shift, const Coefficients<D>& right) {
+/// x with (A + shift I) x = right, A A + shift I must be positive definite.
+template <int D, class Real>
+Coefficients<D, Real> solve_shifted(const FormMatrix<D, Real>& matrix,
+                                    const std::type_identity_t<Real>& shift,
+                                    const Coefficients<D, Real>& right) {
+  using std::sqrt;
   constexpr int n = kCoefficientCount<D>;
   // U^T U = A + shift I, row by row over the packed upper triangle.
-  auto u = form.matrix;
+  auto u = matrix;
   for (int row = 0; row < n; ++row) {
     u[form_entry<D>(row, row)] += shift;
     for (int k = 0; k < row; ++k) {
-      const double factor = u[form_entry<D>(k, row)];
+      const Real factor = u[form_entry<D>(k, row)];
       for (int column = row; column < n; ++column) {
         u[form_entry<D>(row, column)] -= factor * u[form_entry<D>(k, column)];
       }
     }
-    const double scale = 1 / std::sqrt(u[form_entry<D>(row, row)]);
+    const Real scale = 1 / sqrt(u[form_entry<D>(row, row)]);
     for (int column = row; column < n; ++column) u[form_entry<D>(row, column)] *= scale;
   }
-  Coefficients<D> x = right;
+  Coefficients<D, Real> x = right;
   for (int row = 0; row < n; ++row) {
     for (int k = 0; k < row; ++k) x[row] -= u[form_entry<D>(k, row)] * x[k];
     x[row] /= u[form_entry<D>(row, row)];

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace crossgrain {
 
@@ -12,9 +13,10 @@ namespace crossgrain {
 template <int D>
 inline constexpr int kCoefficientCount = 2 * D + 1;
 
-/// Coefficients in the order m = -D ... D.
-template <int D>
-using Coefficients = std::array<double, kCoefficientCount<D>>;
+/// Coefficients in the order m = -D ... D. Here as in all of the arithmetic that sweeps are made of, Real is
+/// double, or several doubles side by side (base/lanes.hpp).
+template <int D, class Real = double>
+using Coefficients = std::array<Real, kCoefficientCount<D>>;
 
 /// Where the coefficient of order m stands.
 template <int D>
@@ -22,35 +24,36 @@ constexpr int index_of_order(int m) {
   return m + D;
 }
 
-template <std::size_t N>
-double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
-  double sum = 0;
+template <class Real, std::size_t N>
+Real dot(const std::array<Real, N>& a, const std::array<Real, N>& b) {
+  Real sum = 0;
   for (std::size_t i = 0; i < N; ++i) sum += a[i] * b[i];
   return sum;
 }
 
-template <std::size_t N>
-double squared_norm(const std::array<double, N>& a) {
+template <class Real, std::size_t N>
+Real squared_norm(const std::array<Real, N>& a) {
   return dot(a, a);
 }
 
-template <std::size_t N>
-std::array<double, N> scaled(const std::array<double, N>& a, double factor) {
-  std::array<double, N> result;
+template <class Real, std::size_t N>
+std::array<Real, N> scaled(const std::array<Real, N>& a, const std::type_identity_t<Real>& factor) {
+  std::array<Real, N> result;
   for (std::size_t i = 0; i < N; ++i) result[i] = factor * a[i];
   return result;
 }
 
 /// a += factor * b.
-template <std::size_t N>
-void add_scaled(std::array<double, N>& a, double factor, const std::array<double, N>& b) {
+template <class Real, std::size_t N>
+void add_scaled(std::array<Real, N>& a, const std::type_identity_t<Real>& factor,
+                const std::array<Real, N>& b) {
   for (std::size_t i = 0; i < N; ++i) a[i] += factor * b[i];
 }
 
 /// a - b.
-template <std::size_t N>
-std::array<double, N> difference(const std::array<double, N>& a, const std::array<double, N>& b) {
-  std::array<double, N> result;
+template <class Real, std::size_t N>
+std::array<Real, N> difference(const std::array<Real, N>& a, const std::array<Real, N>& b) {
+  std::array<Real, N> result;
   for (std::size_t i = 0; i < N; ++i) result[i] = a[i] - b[i];
   return result;
 }

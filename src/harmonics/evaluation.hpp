@@ -24,19 +24,16 @@ inline constexpr double kInvSqrtPi = std::numbers::inv_sqrtpi;
 /// The values Y_m(x), m = -D ... D, of the real orthonormal harmonics of degree D, extended to all of space
 /// as homogeneous polynomials: evaluate_harmonics(s x) = s^D evaluate_harmonics(x). On the unit sphere their
 /// squares sum to (2 D + 1) / (4 pi).
-template <int D>
-Coefficients<D> evaluate_harmonics(const Vector3& point);
-
-template <>
-inline Coefficients<3> evaluate_harmonics<3>(const Vector3& point) {
+template <int D, class Real = double>
+requires(D == 3) Coefficients<D, Real> evaluate_harmonics(const BasicVector3<Real>& point) {
   using namespace normalisation;
   constexpr double kOrder3 = 0.25 * kSqrt5 * kSqrt7 / kSqrt2 * kInvSqrtPi;
   constexpr double kOrder2 = 0.25 * kSqrt3 * kSqrt5 * kSqrt7 * kInvSqrtPi;
   constexpr double kOrder1 = 0.25 * kSqrt3 * kSqrt7 / kSqrt2 * kInvSqrtPi;
   constexpr double kOrder0 = 0.25 * kSqrt7 * kInvSqrtPi;
   const auto [x, y, z] = point;
-  const double xx = x * x, yy = y * y, zz = z * z;
-  const double ring = kOrder1 * (4 * zz - xx - yy);
+  const Real xx = x * x, yy = y * y, zz = z * z;
+  const Real ring = kOrder1 * (4 * zz - xx - yy);
   return {kOrder3 * y * (3 * xx - yy),
           2 * kOrder2 * x * y * z,
           y * ring,
@@ -46,8 +43,8 @@ inline Coefficients<3> evaluate_harmonics<3>(const Vector3& point) {
           kOrder3 * x * (xx - 3 * yy)};
 }
 
-template <>
-inline Coefficients<4> evaluate_harmonics<4>(const Vector3& point) {
+template <int D, class Real = double>
+requires(D == 4) Coefficients<D, Real> evaluate_harmonics(const BasicVector3<Real>& point) {
   using namespace normalisation;
   constexpr double kOrder4 = 0.1875 * kSqrt5 * kSqrt7 * kInvSqrtPi;
   constexpr double kOrder3 = 0.75 * kSqrt5 * kSqrt7 / kSqrt2 * kInvSqrtPi;
@@ -55,11 +52,11 @@ inline Coefficients<4> evaluate_harmonics<4>(const Vector3& point) {
   constexpr double kOrder1 = 0.75 * kSqrt5 / kSqrt2 * kInvSqrtPi;
   constexpr double kOrder0 = 0.1875 * kInvSqrtPi;
   const auto [x, y, z] = point;
-  const double xx = x * x, yy = y * y, zz = z * z, rr = xx + yy + zz;
-  const double xy = x * y, square = xx - yy;
-  const double order3 = kOrder3 * z;
-  const double order2 = kOrder2 * (7 * zz - rr);
-  const double order1 = kOrder1 * z * (7 * zz - 3 * rr);
+  const Real xx = x * x, yy = y * y, zz = z * z, rr = xx + yy + zz;
+  const Real xy = x * y, square = xx - yy;
+  const Real order3 = kOrder3 * z;
+  const Real order2 = kOrder2 * (7 * zz - rr);
+  const Real order1 = kOrder1 * z * (7 * zz - 3 * rr);
   return {4 * kOrder4 * xy * square,
           order3 * y * (3 * xx - yy),
           2 * order2 * xy,

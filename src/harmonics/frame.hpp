@@ -33,12 +33,14 @@ inline Coefficients<4> reference_frame<4>() {
 
 /// A quadratic polynomial q(x) by what a product with an orthogonal linear factor needs: with A = x + i y and
 /// z the parts of each axis, a b has order2 = A B, order1 = a_z B + b_z A, order0 = a_z b_z.
+template <class Real>
 struct QuadraticFactor {
-  double order2_re, order2_im, order1_re, order1_im, order0;
+  Real order2_re, order2_im, order1_re, order1_im, order0;
 };
 
 /// The product (a.x)(b.x).
-inline QuadraticFactor product_of(const Vector3& a, const Vector3& b) {
+template <class Real>
+QuadraticFactor<Real> product_of(const BasicVector3<Real>& a, const BasicVector3<Real>& b) {
   return {a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0], a[2] * b[0] + b[2] * a[0],
           a[2] * b[1] + b[2] * a[1], a[2] * b[2]};
 }
@@ -46,7 +48,8 @@ inline QuadraticFactor product_of(const Vector3& a, const Vector3& b) {
 /// The coefficients of q(x) (c.x), where q is a sum of products (a.x)(b.x) with a, b, c mutually
 /// orthogonal, so that the cubic is harmonic; scaled so that one product of unit vectors has unit norm.
 /// Each coefficient is the polarised harmonic at (a, b, c); the factors are their norms relative to order 2.
-inline Coefficients<3> octupole_of(const QuadraticFactor& q, const Vector3& c) {
+template <class Real>
+Coefficients<3, Real> octupole_of(const QuadraticFactor<Real>& q, const BasicVector3<Real>& c) {
   constexpr double k3 = 1.224744871391589049;  // sqrt(3/2)
   constexpr double k1 = 1.581138830084189666;  // sqrt(5/2)
   constexpr double k0 = 3.872983346207416885;  // sqrt(15)
@@ -62,27 +65,23 @@ inline Coefficients<3> octupole_of(const QuadraticFactor& q, const Vector3& c) {
 /// h(R) of the frame with these orthonormal axes; the same (up to sign in degree 3) for all 24 ways to name
 /// them. Degree 3: x -> (r1.x)(r2.x)(r3.x), normalised. Degree 4: c (Y(r1) + Y(r2) + Y(r3)), 1/c^2 = (9 / 4
 /// pi) (21/4).
-template <int D>
-Coefficients<D> frame_coefficients(const std::array<Vector3, 3>& axes);
-
-template <>
-inline Coefficients<3> frame_coefficients<3>(const std::array<Vector3, 3>& axes) {
-  return octupole_of(product_of(axes[0], axes[1]), axes[2]);
-}
-
-template <>
-inline Coefficients<4> frame_coefficients<4>(const std::array<Vector3, 3>& axes) {
-  constexpr double c = 0.5157081865136826;  // sqrt(16 pi / 189)
-  Coefficients<4> sum = evaluate_harmonics<4>(axes[0]);
-  add_scaled(sum, 1.0, evaluate_harmonics<4>(axes[1]));
-  add_scaled(sum, 1.0, evaluate_harmonics<4>(axes[2]));
-  return scaled(sum, c);
+template <int D, class Real = double>
+Coefficients<D, Real> frame_coefficients(const std::array<BasicVector3<Real>, 3>& axes) {
+  if constexpr (D == 3) {
+    return octupole_of(product_of(axes[0], axes[1]), axes[2]);
+  } else {
+    constexpr double c = 0.5157081865136826;  // sqrt(16 pi / 189)
+    Coefficients<4, Real> sum = evaluate_harmonics<4>(axes[0]);
+    add_scaled(sum, 1.0, evaluate_harmonics<4>(axes[1]));
+    add_scaled(sum, 1.0, evaluate_harmonics<4>(axes[2]));
+    return scaled(sum, c);
+  }
 }
 
 /// h(R) of the frame of a unit quaternion. In the innermost loop of the solver: no rotation matrix, no
 /// branch.
-template <int D>
-inline Coefficients<D> frame_coefficients(const Quaternion& q) {
+template <int D, class Real = double>
+Coefficients<D, Real> frame_coefficients(const BasicQuaternion<Real>& q) {
   return frame_coefficients<D>(axes_of(q));
 }
 

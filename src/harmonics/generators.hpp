@@ -35,36 +35,29 @@ inline constexpr double k23<4> = 1.870828693386970692;  // sqrt 7/2
 inline constexpr double k34 = 1.414213562373095049;     // sqrt 2, degree 4 only
 }  // namespace generator_entries
 
-template <int D>
-Coefficients<D> apply_generator_x(const Coefficients<D>& h);
-template <int D>
-Coefficients<D> apply_generator_y(const Coefficients<D>& h);
-template <int D>
-Coefficients<D> apply_generator_z(const Coefficients<D>& h);
-
-template <>
-inline Coefficients<3> apply_generator_x<3>(const Coefficients<3>& h) {
+template <int D, class Real>
+requires(D == 3) Coefficients<D, Real> apply_generator_x(const Coefficients<D, Real>& h) {
   using namespace generator_entries;
   constexpr double a = k01<3>, b = k12<3>, c = k23<3>;
   return {-c * h[5], -b * h[4] - c * h[6], -a * h[3] - b * h[5], a * h[2], b * h[1], b * h[2] + c * h[0],
           c * h[1]};
 }
 
-template <>
-inline Coefficients<3> apply_generator_y<3>(const Coefficients<3>& h) {
+template <int D, class Real>
+requires(D == 3) Coefficients<D, Real> apply_generator_y(const Coefficients<D, Real>& h) {
   using namespace generator_entries;
   constexpr double a = k01<3>, b = k12<3>, c = k23<3>;
   return {c * h[1], b * h[2] - c * h[0], -b * h[1], -a * h[4], a * h[3] - b * h[5], b * h[4] - c * h[6],
           c * h[5]};
 }
 
-template <>
-inline Coefficients<3> apply_generator_z<3>(const Coefficients<3>& h) {
+template <int D, class Real>
+requires(D == 3) Coefficients<D, Real> apply_generator_z(const Coefficients<D, Real>& h) {
   return {3 * h[6], 2 * h[5], h[4], 0, -h[2], -2 * h[1], -3 * h[0]};
 }
 
-template <>
-inline Coefficients<4> apply_generator_x<4>(const Coefficients<4>& h) {
+template <int D, class Real>
+requires(D == 4) Coefficients<D, Real> apply_generator_x(const Coefficients<D, Real>& h) {
   using namespace generator_entries;
   constexpr double a = k01<4>, b = k12<4>, c = k23<4>, d = k34;
   return {-d * h[7],
@@ -78,8 +71,8 @@ inline Coefficients<4> apply_generator_x<4>(const Coefficients<4>& h) {
           d * h[1]};
 }
 
-template <>
-inline Coefficients<4> apply_generator_y<4>(const Coefficients<4>& h) {
+template <int D, class Real>
+requires(D == 4) Coefficients<D, Real> apply_generator_y(const Coefficients<D, Real>& h) {
   using namespace generator_entries;
   constexpr double a = k01<4>, b = k12<4>, c = k23<4>, d = k34;
   return {d * h[1],  c * h[2] - d * h[0], b * h[3] - c * h[1], -b * h[2],
@@ -87,23 +80,23 @@ inline Coefficients<4> apply_generator_y<4>(const Coefficients<4>& h) {
           d * h[7]};
 }
 
-template <>
-inline Coefficients<4> apply_generator_z<4>(const Coefficients<4>& h) {
+template <int D, class Real>
+requires(D == 4) Coefficients<D, Real> apply_generator_z(const Coefficients<D, Real>& h) {
   return {4 * h[8], 3 * h[7], 2 * h[6], h[5], 0, -h[3], -2 * h[2], -3 * h[1], -4 * h[0]};
 }
 
 /// L_axis h, axis 0, 1, 2 for x, y, z: the rate at which h changes when it is turned right-handed about the
 /// axis.
-template <int D>
-inline Coefficients<D> apply_generator(int axis, const Coefficients<D>& h) {
+template <int D, class Real>
+Coefficients<D, Real> apply_generator(int axis, const Coefficients<D, Real>& h) {
   if (axis == 0) return apply_generator_x<D>(h);
   if (axis == 1) return apply_generator_y<D>(h);
   return apply_generator_z<D>(h);
 }
 
 /// L_x h, L_y h, L_z h.
-template <int D>
-inline std::array<Coefficients<D>, 3> apply_generators(const Coefficients<D>& h) {
+template <int D, class Real>
+std::array<Coefficients<D, Real>, 3> apply_generators(const Coefficients<D, Real>& h) {
   return {apply_generator_x<D>(h), apply_generator_y<D>(h), apply_generator_z<D>(h)};
 }
 

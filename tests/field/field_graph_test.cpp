@@ -104,7 +104,7 @@ TYPED_TEST(SmallGraphTest, SolvesAShiftedSystem) {
     for (int n = 0; n < 3; ++n) add_normal(form, random.direction(), random.uniform(0.1, 2));
     const double shift = random.uniform(0.01, 1);
     const Coefficients<D> right = random.coefficients<D>();
-    const Coefficients<D> x = solve_shifted<D>(form, shift, right);
+    const Coefficients<D> x = solve_shifted<D>(form.matrix, shift, right);
     Coefficients<D> back = matrix_times(form, x);
     add_scaled(back, shift, x);
     // Condition numbers here are below 1000.

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The choice, at run time, of the widest vectors that the processor has.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/parallel.hpp"
+
+namespace crossgrain {
+
+enum class VectorWidth : std::uint8_t { kTwo, kFour, kEight };  ///< in doubles
+
+/// What this processor has.
+VectorWidth vector_width();
+
+#if defined(__x86_64__) && defined(__GNUC__)
+
+// `flatten` draws everything that a kernel calls into the function that is compiled for the instructions.
+template <class Kernel>
+__attribute__((target("avx2"), flatten)) auto run_in_four_lanes(const Kernel& kernel) {
+  return kernel.template operator()<4>();
+}
+template <class Kernel>
+__attribute__((target("avx2,avx512f,avx512dq,avx512vl"), flatten)) auto run_in_eight_lanes(
+    const Kernel& kernel) {
+  return kernel.template operator()<8>();
+}
+
+/// kernel.operator()<W>() compiled for the processor at hand, W the number of Lanes (base/lanes.hpp) that
+/// suits it. Call it once for many cells.
+template <class Kernel>
+auto run_in_lanes(const Kernel& kernel) {
+  switch (vector_width()) {
+    case VectorWidth::kEight:
+      return run_in_eight_lanes(kernel);
+    case VectorWidth::kFour:
+      return run_in_four_lanes(kernel);
+    default:
+      return kernel.template operator()<2>();
+  }
+}
+
+#else
+
+template <class Kernel>
+auto run_in_lanes(const Kernel& kernel) {
+  return kernel.template operator()<2>();
+}
+
+#endif
+
+/// Calls visit.operator()<W>(begin, count) over [0, count) from several threads, W indices at a time but for
+/// the last of a chunk, compiled for the processor at hand.
+template <class Visit>
+void parallel_for_lanes(std::size_t count, const Visit& visit) {
+  parallel_for_chunks(count, kParallelGrain, [&](std::size_t begin, std::size_t end) {
+    run_in_lanes([&]<int W>() {
+      for (std::size_t i = begin; i < end; i += W)
+        visit.template operator()<W>(i, static_cast<int>(std::min<std::size_t>(W, end - i)));
+    });
+  });
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cells of one colour side by side in lanes (base/lanes.hpp).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "base/instruction_set.hpp"
+#include "base/lanes.hpp"
+#include "base/parallel.hpp"
+#include "field/field_state.hpp"
+
+namespace crossgrain {
+
+/// Which cell is in which lane. Only the first `count` are to be changed: where cells run out, the last one
+/// fills the other lanes.
+template <int W>
+struct CellsInLanes {
+  std::array<std::uint32_t, W> cells;
+  int count;
+
+  CellsInLanes(std::span<const std::uint32_t> from, std::size_t begin)
+      : count(static_cast<int>(std::min<std::size_t>(W, from.size() - begin))) {
+    for (int lane = 0; lane < W; ++lane)
+      cells[lane] = from[begin + static_cast<std::size_t>(std::min(lane, count - 1))];
+  }
+  std::uint32_t operator[](int lane) const { return cells[lane]; }
+};
+
+/// Calls visit(CellsInLanes<W>) over all of `cells` from several threads, compiled for this processor.
+template <class Visit>
+void visit_in_lanes(std::span<const std::uint32_t> cells, const Visit& visit) {
+  parallel_for_chunks(cells.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
+    run_in_lanes([&]<int W>() {
+      for (std::size_t k = begin; k < end; k += W) visit(CellsInLanes<W>(cells.first(end), k));
+    });
+  });
+}
+
+/// The sum of what visit(CellsInLanes<W>, double& sum) adds, one number for each cell in their order: the
+/// same to the bit for any number of threads and lanes.
+template <class Visit>
+double sum_in_lanes(std::span<const std::uint32_t> cells, const Visit& visit) {
+  std::vector<double> partial((cells.size() + kParallelGrain - 1) / kParallelGrain, 0.0);
+  parallel_for_chunks(cells.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
+    run_in_lanes([&]<int W>() {
+      for (std::size_t k = begin; k < end; k += W)
+        visit(CellsInLanes<W>(cells.first(end), k), partial[begin / kParallelGrain]);
+    });
+  });
+  return std::accumulate(partial.begin(), partial.end(), 0.0);
+}
+
+/// The axes that cells are held along (CellForms::hold_axis), and which of them are.
+template <int W>
+struct HeldAxes {
+  BasicVector3<Lanes<W>> axes{0.0, 0.0, 1.0};
+  LaneMask<W> mask;
+  bool any = false;
+
+  template <class Forms>
+  HeldAxes(const Forms& forms, const CellsInLanes<W>& cells) {
+    for (int lane = 0; lane < W; ++lane) {
+      const Vector3* axis = forms.held_axis(cells[lane]);
+      if (axis == nullptr) continue;
+      for (int k = 0; k < 3; ++k) axes[k].set(lane, (*axis)[k]);
+      mask.set(lane, true);
+      any = true;
+    }
+  }
+};
+
+/// As from_stored for one cell.
+template <int W>
+BasicQuaternion<Lanes<W>> from_stored(const std::vector<StoredQuaternion>& frames,
+                                      const CellsInLanes<W>& cells) {
+  BasicQuaternion<Lanes<W>> q;
+  for (int lane = 0; lane < W; ++lane) {
+    const StoredQuaternion& frame = frames[cells[lane]];
+    set_lane(q, lane, {frame.w, frame.x, frame.y, frame.z});
+  }
+  return normalised(q);
+}
+
+template <int W>
+StoredQuaternion stored_in_lane(const BasicQuaternion<Lanes<W>>& q, int lane) {
+  return to_stored(in_lane(q, lane));
+}
+
+}  // namespace crossgrain
