@@ -213,8 +213,8 @@ class WrongUsage(OntoTest):
     def test_onto_and_boundary_where_they_make_no_sense(self):
         self.refuse(USAGE, "box.mesh", "--onto", "box.mesh", words=["--onto", "--help"])
         self.refuse(USAGE, "box.stl", "--boundary", "all", words=["--boundary", "--help"])
-        self.refuse(USAGE, "box.mesh", "--boundary", "creases", words=["--boundary", "creases", "--help"])
-        self.refuse(USAGE, "box.mesh", "--boundary", "", words=["--boundary", "--help"])
+        for word in ("creases", "", "0", "ALL"):
+            self.refuse(USAGE, "box.mesh", "--boundary", word, words=["--boundary", word, "--help"])
         self.refuse(USAGE, "box.stl", "--onto", "", words=["--onto", "--help"])
 
     def test_files_of_tets_that_are_none(self):
