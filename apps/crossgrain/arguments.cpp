@@ -7,7 +7,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <map>
 
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
@@ -74,12 +73,14 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
                    "Carry the field of a surface onto this tet mesh and finish it there")
       ->type_name("TETS");
   command
-      ->add_option(
-          "--boundary", arguments.options.onto.boundary,
+      ->add_option_function<std::string>(
+          "--boundary",
+          [&options](const std::string& name) {
+            options.onto.boundary = name == "all" ? TetBoundary::kAll : TetBoundary::kSmoothOnly;
+          },
           "Boundary vertices of tets that are held to the surface: all (default), or smooth-only, which "
           "leaves creases and corners free")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, TetBoundary>{
-          {"all", TetBoundary::kAll}, {"smooth-only", TetBoundary::kSmoothOnly}}))
+      ->check(CLI::IsMember({"all", "smooth-only"}))
       ->type_name("all|smooth-only");
   command->add_option("--from", arguments.from, "Start from the field in this folder")->type_name("DIR");
   command->add_flag("--quiet", arguments.quiet, "Print no summary and no progress");

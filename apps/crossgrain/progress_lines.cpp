@@ -14,9 +14,17 @@ namespace {
 /// Often enough to look alive, seldom enough to cost nothing.
 constexpr std::chrono::milliseconds kRewritingInterval{100};
 
+/// What is being worked on: a level of the octree, all cells, or the vertices of tets.
+std::string extent_of(const Progress& progress) {
+  const std::string_view phase = progress.phase;
+  if (phase == "tets") return fmt::format("{} vertices", progress.cells);
+  if (phase == "analysis") return fmt::format("{} cells", progress.cells);
+  return fmt::format("level {}, {} cells", progress.depth, progress.cells);
+}
+
 std::string text_of(const Progress& progress) {
   if (progress.cells == 0) return progress.phase;
-  std::string text = fmt::format("{}: level {}, {} cells", progress.phase, progress.depth, progress.cells);
+  std::string text = fmt::format("{}: {}", progress.phase, extent_of(progress));
   if (progress.sweep > 0) text += fmt::format(", sweep {}", progress.sweep);
   if (std::isfinite(progress.energy)) text += fmt::format(", energy {:.6g}", progress.energy);
   return text;

@@ -9,9 +9,9 @@ namespace crossgrain {
 
 /// Where a long computation is.
 struct Progress {
-  const char* phase;  ///< "read", "grid", "solve", "analysis" or "write"
+  const char* phase;  ///< "read", "grid", "solve", "analysis", "tets" or "write"
   int depth;          ///< octree depth of the level being worked on, 0 where there is none
-  std::size_t cells;  ///< active cells of that level
+  std::size_t cells;  ///< active cells of that level; in "tets" vertices of the mesh
   int sweep;          ///< sweeps done on that level
   double energy;  ///< energy after that sweep in the degree of the solve; not finite where none is known yet
 };

@@ -119,6 +119,14 @@ class TetsAsModel(OntoTest):
                             for name in ("onto.frames", "onto.vtu", "field.vtu")])
         self.assertTrue(results[0] == results[1])
 
+    def test_progress_tells_of_the_tets(self):
+        vertices, _ = self.write_box()
+        result = self.run_here("solve", "box.mesh", "--progress")
+        self.assert_succeeds(result)
+        lines = [line for line in result.stderr.splitlines() if line.startswith("tets")]
+        self.assertEqual(len(lines), 1, result.stderr)
+        self.assertTrue(lines[0].startswith(f"tets: {len(vertices)} vertices, sweep "), lines)
+
     def test_sample_takes_the_folder(self):
         self.write_box()
         self.solve("box.mesh")
@@ -205,8 +213,8 @@ class WrongUsage(OntoTest):
     def test_onto_and_boundary_where_they_make_no_sense(self):
         self.refuse(USAGE, "box.mesh", "--onto", "box.mesh", words=["--onto", "--help"])
         self.refuse(USAGE, "box.stl", "--boundary", "all", words=["--boundary", "--help"])
-        self.refuse(USAGE, "box.mesh", "--boundary", "creases", words=["--boundary", "creases", "--help"])
-        self.refuse(USAGE, "box.mesh", "--boundary", "", words=["--boundary", "--help"])
+        for word in ("creases", "", "0", "ALL"):
+            self.refuse(USAGE, "box.mesh", "--boundary", word, words=["--boundary", word, "--help"])
         self.refuse(USAGE, "box.stl", "--onto", "", words=["--onto", "--help"])
 
     def test_files_of_tets_that_are_none(self):
@@ -433,10 +441,10 @@ class Numbers(OntoTest):
 @unittest.skipUnless((SHARED / "comparison").is_dir() and (SHARED / "tools" / "evaluate.py").is_file(),
                      f"no comparison meshes in {SHARED}")
 class ComparisonMeshes(OntoTest):
-    # Best known of any program, on 20,000 tets; what this one reached when these tests were written.
+    # A little above what was reached when this was written.
     MOST_ENERGY = {"sphere20k": 54.1, "cylinder20k": 29.84, "part20k": 28.5}
 
-    def test_energies_are_below_the_best_known_and_are_those_of_the_evaluator(self):
+    def test_energies_stay_as_low_as_they_were_and_are_those_of_the_evaluator(self):
         for name, most_energy in self.MOST_ENERGY.items():
             with self.subTest(name):
                 packed = SHARED / "comparison" / f"{name}.mesh.xz"
