@@ -49,7 +49,7 @@ struct SolverOptions {
   int start_relaxation = 150;
 
   /// Relaxation sweeps on every later level of up to `relaxed_cells` active cells.
-  int level_relaxation = 15;
+  int level_relaxation = 20;
   std::size_t relaxed_cells = 20000;
 
   /// In which degree relaxed problems are solved, whatever the degree of the field. In degree 4 they are
@@ -87,13 +87,14 @@ enum class TetBoundary {
 struct OntoOptions {
   TetBoundary boundary = TetBoundary::kAll;
 
-  /// Size of the finest octree cells in mean edge lengths of the tets, where no resolution and no cell size
-  /// is given; but at least `fewest_cells` along the longest side.
-  double cell_size_edges = 1;
+  /// Size of the finest octree cells in typical edge lengths of the tets (TetDomain::typical_edge_length),
+  /// where no resolution and no cell size is given; but at least `fewest_cells` along the longest side.
+  double cell_size_edges = 1.05;
   int fewest_cells = 8;
 
-  /// Weight of the form of a crease or corner vertex, in units of the sum of its edge weights.
-  double crease_weight = 1;
+  /// Weight of the form of a crease or corner vertex, in units of the sum of its edge weights: the larger,
+  /// the closer to the creases and the less smooth.
+  double crease_weight = 0.5;
 
   /// Relaxation sweeps on the tets, and the penalty at their end, as in SolverOptions.
   int relaxation_sweeps = 30;

@@ -28,8 +28,9 @@ class TetDomain {
   /// The boundary as a surface of its own, outward, with only the vertices that it uses.
   TriangleMesh boundary() const;
 
-  /// Mean length of the edges of the tets, model units.
-  double mean_edge_length() const;
+  /// Edge of a regular tet with the mean volume of the tets, model units. Many tiny tets in a corner do not
+  /// make it tiny.
+  double typical_edge_length() const;
 
   /// One sentence each for what was mended or is odd, ready for a reader.
   const std::vector<std::string>& warnings() const;

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "analysis/leaf_components.hpp"
+#include "analysis/leaf_finder.hpp"
 #include "analysis/nearest_leaf.hpp"
-#include "analysis/sampling.hpp"
 #include "base/parallel.hpp"
 
 namespace crossgrain {
@@ -37,14 +37,15 @@ class SharedComponents {
 
 CarriedFrames carried_frames(const FieldData& field, const TetSolid& solid) {
   const std::vector<Vector3>& points = solid.mesh.vertices;
-  const Sampler sampler(field.tree, field.frames, field.open_faces);
+  const LeafFinder finder(field.tree);
   CarriedFrames result;
   result.frames.resize(points.size());
   std::vector<CellIndex> leaf(points.size());
   parallel_for(points.size(), [&](std::size_t i) {
-    const Sampler::Result sample = sampler.at(points[i]);
-    result.frames[i] = sample.frame;
-    leaf[i] = sample.in_active_cell ? sample.leaf : kNoCell;
+    const auto address = field.tree.root().locate(points[i]);
+    leaf[i] = address ? finder.containing(*address) : kNoCell;
+    const CellIndex source = leaf[i] == kNoCell ? nearest_leaf(field.tree, points[i]) : leaf[i];
+    result.frames[i] = from_stored(field.frames[source]);
   });
 
   std::vector<std::size_t> outside;

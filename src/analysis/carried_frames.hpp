@@ -16,9 +16,9 @@ struct CarriedFrames {
   std::size_t outside = 0;         ///< vertices of tets that are in no active cell
 };
 
-/// Each vertex in an active cell takes the interpolated frame (analysis/sampling.hpp). Others take that of
-/// the nearest cell of their own component: one that is joined through open faces to a cell which holds a
-/// vertex of the same component of tets. Where there is none such, of the nearest cell.
+/// Each vertex in an active cell takes the frame of that cell; relaxation forgets what interpolation would
+/// add. Others take that of the nearest cell of their own component: one that is joined through open faces to
+/// a cell which holds a vertex of the same component of tets. Where there is none such, of the nearest cell.
 CarriedFrames carried_frames(const FieldData& field, const TetSolid& solid);
 
 }  // namespace crossgrain

@@ -69,7 +69,7 @@ TetFrameField solve_onto(const TetDomain& domain, const SolveOptions& options, c
 
 SolveOptions sized_for(const TetDomain& domain, SolveOptions options) {
   if (options.cell_size > 0 || options.resolution > 0) return options;
-  const double wanted = options.onto.cell_size_edges * domain.mean_edge_length();
+  const double wanted = options.onto.cell_size_edges * domain.typical_edge_length();
   options.cell_size = std::min(wanted, longest_side(domain.data().box) / options.onto.fewest_cells);
   return options;
 }

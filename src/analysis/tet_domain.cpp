@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crossgrain/tet_domain.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "analysis/tet_domain_data.hpp"
 #include "base/vector3.hpp"
 
 namespace crossgrain {
 namespace {
 
-double mean_length(const TetMesh& mesh, const std::vector<StiffnessEdge>& edges) {
-  double sum = 0;
-  for (const StiffnessEdge& edge : edges) sum += norm(mesh.vertices[edge.i] - mesh.vertices[edge.j]);
-  return sum / static_cast<double>(edges.size());
+/// That of a regular tet, edge^3 / (6 sqrt 2), with the mean volume.
+double edge_of_mean_tet(const TetMesh& mesh) {
+  double six_volumes = 0;
+  for (const auto& [a, b, c, d] : mesh.tets) {
+    const std::vector<Vector3>& v = mesh.vertices;
+    six_volumes += dot(cross(v[b] - v[a], v[c] - v[a]), v[d] - v[a]);
+  }
+  return std::cbrt(std::numbers::sqrt2 * six_volumes / static_cast<double>(mesh.tets.size()));
 }
 
 }  // namespace
@@ -21,7 +28,7 @@ TetDomain::TetDomain(TetMesh mesh) {
   data->edges = stiffness_edges(data->solid.mesh);
   data->boundary = classify_boundary_vertices(data->solid);
   data->box = box_of(boundary_surface(data->solid).vertices);
-  data->mean_edge_length = mean_length(data->solid.mesh, data->edges);
+  data->typical_edge_length = edge_of_mean_tet(data->solid.mesh);
   data_ = std::move(data);
 }
 
@@ -33,8 +40,8 @@ TriangleMesh TetDomain::boundary() const {
   return boundary_surface(data_->solid);
 }
 
-double TetDomain::mean_edge_length() const {
-  return data_->mean_edge_length;
+double TetDomain::typical_edge_length() const {
+  return data_->typical_edge_length;
 }
 
 const std::vector<std::string>& TetDomain::warnings() const {

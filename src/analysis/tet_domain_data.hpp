@@ -17,7 +17,7 @@ struct TetDomainData {
   std::vector<StiffnessEdge> edges;
   BoundaryVertices boundary;
   Box box{};  ///< of the boundary
-  double mean_edge_length = 0;
+  double typical_edge_length = 0;
   std::vector<std::string> warnings;
 };
 

@@ -228,12 +228,21 @@ TEST(CarryOnto, RefusesOptionsOutOfRange) {
 
 TEST(SizedFor, TakesCellsOfTheSizeOfTheEdges) {
   const TetDomain domain(TetBox{{20, 10, 10}}.mesh());
-  EXPECT_GT(domain.mean_edge_length(), 1);
-  EXPECT_LT(domain.mean_edge_length(), std::sqrt(3));
-  EXPECT_EQ(sized_for(domain).cell_size, domain.mean_edge_length());
-  SolveOptions finer;
-  finer.onto.cell_size_edges = 0.5;
-  EXPECT_EQ(sized_for(domain, finer).cell_size, 0.5 * domain.mean_edge_length());
+  // Six tets to a unit cube, of the volume of a regular tet with this edge.
+  EXPECT_NEAR(domain.typical_edge_length(), std::cbrt(std::sqrt(2.0)), 1e-12);
+  SolveOptions options;
+  options.onto.cell_size_edges = 0.5;
+  EXPECT_EQ(sized_for(domain, options).cell_size, 0.5 * domain.typical_edge_length());
+}
+
+TEST(SizedFor, IsNotLedAstrayByATinyPartOfManyTets) {
+  TetMesh mesh = TetBox{{10, 10, 10}}.mesh();
+  const TetMesh lump = TetBox{{10, 10, 10}}.mesh();
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const Vector3& v : lump.vertices) mesh.vertices.push_back(0.01 * v + Vector3{12, 0, 0});
+  for (const auto& [a, b, c, d] : lump.tets)
+    mesh.tets.push_back({first + a, first + b, first + c, first + d});
+  EXPECT_GT(sized_for(TetDomain(mesh)).cell_size, 0.5);
 }
 
 TEST(SizedFor, TakesAFewCellsAtLeast) {

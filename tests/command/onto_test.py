@@ -85,10 +85,10 @@ class TetsAsModel(OntoTest):
 
     def test_cells_are_of_the_size_of_the_edges_unless_told(self):
         vertices, tets = self.write_box(cells=(16, 8, 12))
-        pairs = tets[:, [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]]].reshape(-1, 2)
-        pairs = np.unique(np.sort(pairs, 1), axis=0)
-        edge = np.linalg.norm(vertices[pairs[:, 0]] - vertices[pairs[:, 1]], axis=1).mean()
-        self.assertAlmostEqual(2 / self.solve("box.mesh")["resolution"], edge, places=9)
+        corners = vertices[tets]
+        volume = np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1])).mean() / 6
+        edge = (6 * np.sqrt(2) * volume) ** (1 / 3)  # of a regular tet of that volume
+        self.assertAlmostEqual(2 / self.solve("box.mesh")["resolution"], 1.05 * edge, places=9)
         self.assertEqual(self.solve("box.mesh", "--resolution", 10)["resolution"], 10)
         self.assertEqual(self.solve("box.mesh", "--cell-size", 0.25)["resolution"], 8)
 
