@@ -13,7 +13,6 @@ Seconds are medians of five whole runs with two threads, memory is the highest o
 
 import json
 import lzma
-import os
 import statistics
 import subprocess
 import sys
@@ -32,13 +31,10 @@ class Run:
     def __init__(self, program, model, folder, *options):
         command = [program, "solve", model, "-o", folder, "--threads", "2", "--quiet", "--no-report", *options]
         begin = time.perf_counter()
-        process = subprocess.Popen(list(map(str, command)))
-        _, status, usage = os.wait4(process.pid, 0)
+        subprocess.run(list(map(str, command)), check=True)
         self.seconds = time.perf_counter() - begin
-        if status != 0:
-            sys.exit(f"failed: {' '.join(map(str, command))}")
-        self.megabytes = usage.ru_maxrss / 1024
         self.report = json.loads((Path(folder) / "report.json").read_text())
+        self.megabytes = self.report["peak_memory_bytes"] / 2**20
 
 
 def unpacked(path, folder):
@@ -112,7 +108,7 @@ def degrees(program, evaluate, paths):
                     ends = report["singularity"]["boundary_ends"]
                 rows.append((energy, seconds, megabytes, singular, ends))
             four, three = rows
-            print(f"| {model.name.split('.')[0] if is_mesh else model.name} | {four[0]:.4g} | {100 * (three[0] / four[0] - 1):+.2f} % | "
+            print(f"| {model.stem if is_mesh else model.name} | {four[0]:.5g} | {100 * (three[0] / four[0] - 1):+.2f} % | "
                   f"{four[1]:.2f} | {three[1]:.2f} | {four[2]:.0f} | {three[2]:.0f} | {four[3]} | {three[3]} | {four[4]} | {three[4]} |",
                   flush=True)
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/system_memory.hpp"
 
-#include <sys/resource.h>
 #include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <string>
 
 namespace crossgrain {
 
@@ -13,9 +16,13 @@ std::size_t physical_memory_bytes() {
 }
 
 std::size_t peak_memory_bytes() {
-  rusage usage{};
-  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+  // Not getrusage: its peak is no less than that of the program which started this one.
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    std::size_t kib = 0;
+    if (std::sscanf(line.c_str(), "VmHWM: %zu kB", &kib) == 1) return 1024 * kib;
+  }
+  return 0;
 }
 
 }  // namespace crossgrain
