@@ -6,7 +6,7 @@
     comparison.py degrees PROGRAM EVALUATE FILE...   degree 3 against degree 4, on tet meshes and surfaces
 
 PROGRAM is the built command line program. EVALUATE is a script that judges a field on tets: called with a mesh and a
-file of frames it prints one JSON object with `dirichlet`, `edge_sum` and `singular` (see docs/comparison.md).
+file of frames it prints one JSON object with `dirichlet`, `edge_sum`, `singular` and `crease_deg` (see docs/comparison.md).
 MESH is a Medit .mesh file, or one packed as .mesh.xz; FILE is one too, or a surface, which is solved 64 cells across.
 Seconds are medians of five whole runs with two threads, memory is the highest of those runs.
 """

@@ -60,9 +60,9 @@ std::vector<Variant> variants() {
   add(list, "starts", &SolverOptions::starts, {1, 2, 5});
   add<std::size_t>(list, "start_cells", &SolverOptions::start_cells, {0, 100, 300, 5000});
   add(list, "start_relaxation", &SolverOptions::start_relaxation, {1, 15, 50, 400});
-  add(list, "level_relaxation", &SolverOptions::level_relaxation, {0, 5, 10, 20, 30, 60, 120});
+  add(list, "level_relaxation", &SolverOptions::level_relaxation, {0, 10, 20, 60, 120});
   add<std::size_t>(list, "relaxed_cells", &SolverOptions::relaxed_cells, {0, 1000, 1000000});
-  add(list, "symmetrisation", &SolverOptions::symmetrisation, {0.0, 0.5, 1.0, 2.0, 8.0, 16.0});
+  add(list, "symmetrisation", &SolverOptions::symmetrisation, {0.0, 0.25, 0.5, 2.0, 4.0, 8.0});
   add(list, "over_relaxation", &SolverOptions::over_relaxation, {1.0, 1.3, 1.8});
   add(list, "most_sweeps", &SolverOptions::most_sweeps, {10, 20, 200});
   add(list, "sweep_tolerance", &SolverOptions::sweep_tolerance, {1e-3, 3e-4, 1e-5});

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -46,6 +47,28 @@ std::optional<TetDomain> read_domain(const SolveArguments& arguments) {
   return naming(file, arguments, [&] { return TetDomain(std::move(mesh)); });
 }
 
+double longest_side(const std::vector<Vector3>& points) {
+  double longest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [low, high] = std::minmax_element(
+        points.begin(), points.end(), [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+    if (low != points.end()) longest = std::max(longest, (*high)[axis] - (*low)[axis]);
+  }
+  return longest;
+}
+
+/// A surface in millimetres and tets in metres make a field that looks right and is not, or a grid beyond any
+/// memory.
+void check_same_unit(const SolveArguments& arguments, const TriangleMesh& surface, const TetDomain& domain) {
+  constexpr double kMostTimes = 5;  // the tets may fill but a part of the solid
+  const double size = longest_side(surface.vertices), tets_size = longest_side(domain.boundary().vertices);
+  if (std::max(size, tets_size) <= kMostTimes * std::min(size, tets_size)) return;
+  throw Error(
+      ErrorKind::kInput,
+      fmt::format("{}: the tets are {:.3g} across, the surface {} is {:.3g}; give both in the same unit",
+                  arguments.onto, tets_size, arguments.model, size));
+}
+
 FrameField solve_model(const SolveArguments& arguments, const SolveOptions& options, const TriangleMesh& mesh,
                        const Monitor& monitor) {
   return naming(arguments.model, arguments, [&] {
@@ -63,7 +86,13 @@ std::string singularity_line(const SolveReport::Singularity& singularity) {
 std::string tets_lines(const SolveReport::Onto& onto) {
   return fmt::format("tets       {}, {} vertices, boundary {}: Dirichlet energy {:.6g}, {} singular faces\n",
                      onto.tets, onto.vertices, onto.boundary, onto.dirichlet,
-                     onto.singular.interior_faces + onto.singular.boundary_faces);
+                     onto.singular.interior_faces + onto.singular.boundary_faces) +
+         (onto.crease_deg.mean
+              ? fmt::format(
+                    "creases    {:.3g} degrees off their faces in the mean, 95 % within {:.3g}, all within "
+                    "{:.3g}\n",
+                    *onto.crease_deg.mean, *onto.crease_deg.p95, *onto.crease_deg.max)
+              : "");
 }
 
 std::string files_line(const SolveReport& report, const std::filesystem::path& output) {
@@ -82,7 +111,7 @@ std::string summary_of(const SolveReport& report, const std::string& output) {
   text += fmt::format("energy     {:.6g} (smoothness {:.6g}, boundary {:.6g})\n", report.energy.total,
                       report.energy.smoothness, report.energy.boundary);
   text += fmt::format(
-      "alignment  {:.3g} degrees off the surface in the mean, 95 % within {:.3g}, all within {:.3g}; {:.2g} "
+      "alignment  {:.3g} degrees off the surface in the mean, 95 % within {:.3g}, all within {:.3g}; {:.3g} "
       "% left out\n",
       alignment.mean, alignment.p95, alignment.max, 100 * alignment.excluded_share);
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
@@ -97,12 +126,16 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   monitor.report({"read", 0, 0, 0, 0});
   const std::optional<TetDomain> domain = read_domain(arguments);
   const TriangleMesh mesh = is_tet_file(arguments.model) ? domain->boundary() : read_surface(arguments.model);
+  if (!arguments.onto.empty()) check_same_unit(arguments, mesh, *domain);
   const double read_seconds = seconds_since(start);
   monitor.check();
   const SolveOptions options = domain ? sized_for(*domain, arguments.options) : arguments.options;
   const FrameField field = solve_model(arguments, options, mesh, monitor);
   std::optional<TetFrameField> tet_field;
-  if (domain) tet_field = carry_onto(field, *domain, options, monitor);
+  if (domain) {
+    tet_field = naming(arguments.onto.empty() ? arguments.model : arguments.onto, arguments,
+                       [&] { return carry_onto(field, *domain, options, monitor); });
+  }
 
   monitor.report({"write", 0, 0, 0, 0});
   SolveReport report = tet_field ? tet_field->report() : field.report();

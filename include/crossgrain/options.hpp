@@ -42,14 +42,14 @@ struct SolverOptions {
   /// Starts from random frames. Each is carried through all levels of up to `start_cells` active cells, then
   /// the one of lowest energy goes on alone.
   int starts = 3;
-  std::size_t start_cells = 100;
+  std::size_t start_cells = 1000;
 
   /// Relaxation sweeps of the first start on the coarsest level: enough of them forget the random frames.
   /// Later starts take a third of the sweeps of the one before, so that they differ.
   int start_relaxation = 150;
 
   /// Relaxation sweeps on every later level of up to `relaxed_cells` active cells.
-  int level_relaxation = 20;
+  int level_relaxation = 40;
   std::size_t relaxed_cells = 20000;
 
   /// In which degree relaxed problems are solved, whatever the degree of the field. In degree 4 they are
@@ -59,7 +59,7 @@ struct SolverOptions {
 
   /// Strength of the symmetrisation penalty at the end of a relaxation: how many steps down it, each as long
   /// as is stable, follow on a sweep. It grows from 0 in equal parts, sweep by sweep.
-  double symmetrisation = 4;
+  double symmetrisation = 1;
 
   /// How many times as far as to its own minimum a cell goes in a sweep, from 1 to below 2.
   double over_relaxation = 1.6;

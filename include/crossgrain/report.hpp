@@ -85,10 +85,11 @@ struct SolveReport {
 
     AngleSummary normal_deg;  ///< area-weighted normal to nearest axis, over smooth boundary vertices
     AngleSummary crease_deg;  ///< normal of each face to nearest axis, at the other ones
-    std::size_t outside_vertices = 0;  ///< in no active cell; they start from the nearest cell's frame
-    std::size_t unused_vertices = 0;   ///< of no tet
-    std::size_t inverted_tets = 0;     ///< turned
-    std::size_t left_out_tets = 0;     ///< without volume
+    std::size_t outside_vertices =
+        0;  ///< in no active cell; they start from the frame of the nearest cell of their component
+    std::size_t unused_vertices = 0;  ///< of no tet
+    std::size_t inverted_tets = 0;    ///< turned
+    std::size_t left_out_tets = 0;    ///< without volume
     double seconds = 0;  ///< from the field on the grid to the one on the tets, evaluation included
   };
   std::optional<Onto> onto;  ///< only where there is a tet mesh

@@ -24,14 +24,15 @@ FrameField solve_from(const FrameField& earlier, const TriangleMesh& mesh, const
                       const Monitor& monitor = {});
 
 /// The options for a field that is to be carried onto tets: where they give neither resolution nor cell size,
-/// with cells of the size of the tets' edges (OntoOptions).
+/// with cells of the size of the tets' edges (OntoOptions). Errors: kUsage.
 SolveOptions sized_for(const TetDomain& domain, SolveOptions options = {});
 
 /// Carries a field onto the vertices of a tet mesh and finishes it there (docs/solver.md): relaxation and
 /// sweeps lower the Dirichlet energy of the degree-4 coefficients, linear in every tet. Smooth boundary
 /// vertices keep an axis along their area-weighted normal exactly and turn about it only; creases and corners
 /// are held as `options.onto` says. Vertices in no cell begin with the frame of the nearest cell of their own
-/// component. Errors: kUsage, kInterrupted.
+/// component. The degree is that of `field`. Errors: kUsage; kInput where no vertex lies in a cell, or for
+/// tets of a size or place that leaves single precision; kLimit; kInterrupted.
 TetFrameField carry_onto(const FrameField& field, const TetDomain& domain, const SolveOptions& options = {},
                          const Monitor& monitor = {});
 

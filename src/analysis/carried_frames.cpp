@@ -15,7 +15,7 @@ namespace {
 /// The components of leaves that a component of tets lies in, pair by pair.
 class SharedComponents {
  public:
-  SharedComponents(std::vector<std::uint32_t> of_leaf) : of_leaf_(std::move(of_leaf)) {}
+  explicit SharedComponents(std::vector<std::uint32_t> of_leaf) : of_leaf_(std::move(of_leaf)) {}
 
   void add(std::uint32_t tet_component, CellIndex leaf) { pairs_.emplace(tet_component, of_leaf_[leaf]); }
 

@@ -30,6 +30,13 @@ constexpr double kFarthestModel = 1e9;
 constexpr double kCellsPerFace = 3;
 constexpr double kBytesPerCell = 250;
 
+/// Steps down the penalty after a relaxation sweep, beyond which they take longer than they can be worth.
+constexpr double kMostPenaltySteps = 100;
+
+/// Rounding of forms in single precision stays far below the weight of the edges up to this weight of
+/// creases.
+constexpr double kLargestCreaseWeight = 1e4;
+
 /// Mean thickness, relative to the longest side, below which a solid is a sheet with two sides drawn.
 constexpr double kFlat = 1e-9;
 
@@ -68,8 +75,8 @@ void demand(bool met, const char* message) {
 template <class Options>
 void check_sweeps(const Options& options) {
   demand(options.most_sweeps >= 0, "numbers of sweeps must not be negative");
-  demand(options.symmetrisation >= 0 && std::isfinite(options.symmetrisation),
-         "the symmetrisation must not be negative");
+  demand(options.symmetrisation >= 0 && options.symmetrisation <= kMostPenaltySteps,
+         "the symmetrisation must lie in [0, 100]");
   demand(options.over_relaxation >= 1 && options.over_relaxation < 2,
          "the over-relaxation must lie in [1, 2)");
   demand(options.sweep_tolerance >= 0, "the sweep tolerance must not be negative");
@@ -81,8 +88,8 @@ void check_onto(const OntoOptions& options) {
   demand(options.cell_size_edges > 0 && std::isfinite(options.cell_size_edges),
          "the cell size in edges must be a positive number");
   demand(options.fewest_cells >= kSmallestResolution, "there must be at least 4 cells across a tet mesh");
-  demand(options.crease_weight >= 0 && std::isfinite(options.crease_weight),
-         "the weight of creases must not be negative");
+  demand(options.crease_weight >= 0 && options.crease_weight <= kLargestCreaseWeight,
+         "the weight of creases must lie in [0, 10000]");
 }
 
 }  // namespace
@@ -108,21 +115,26 @@ void check_options(const SolveOptions& options) {
   check_onto(options.onto);
 }
 
-void check_size(const Surface& surface, double finest_cell_size) {
-  const double size = longest_side(surface.box);
+void check_scale(const Box& box) {
+  const double size = longest_side(box);
   if (!(size >= kSmallestModel && size <= kLargestModel)) {
     refuse(ErrorKind::kInput, fmt::format("the model is {:.3g} across; rescale it to between {:g} and {:g}",
                                           size, kSmallestModel, kLargestModel));
   }
   double farthest = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    farthest = std::max({farthest, std::abs(surface.box.low[axis]), std::abs(surface.box.high[axis])});
+    farthest = std::max({farthest, std::abs(box.low[axis]), std::abs(box.high[axis])});
   }
   if (farthest > kFarthestModel * size) {
     refuse(ErrorKind::kInput,
            fmt::format("the model is {:.3g} across but {:.3g} away from the origin; move it there", size,
                        farthest));
   }
+}
+
+void check_size(const Surface& surface, double finest_cell_size) {
+  check_scale(surface.box);
+  const double size = longest_side(surface.box);
   if (finest_cell_size > size / kSmallestResolution * (1 + 1e-9)) {
     refuse(ErrorKind::kUsage,
            fmt::format("cells of {:.3g} are too large for a model {:.3g} across; it takes {} along "
@@ -185,8 +197,9 @@ std::vector<std::string> warnings_of(const SolveReport& report, const Surface& s
 
 std::string outside_warning(std::size_t outside, std::size_t vertices) {
   return fmt::format(
-      "{} of {} vertices of the tet mesh are in no cell and began with the nearest cell's frame", outside,
-      vertices);
+      "vertices of the tet mesh in no cell: {} of {}; they began with the frame of the nearest cell of their "
+      "part",
+      outside, vertices);
 }
 
 std::string other_model_warning(const Box& earlier, const Box& box) {

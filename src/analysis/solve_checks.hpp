@@ -16,9 +16,12 @@ namespace crossgrain {
 /// Throws Error(kUsage) for an option out of its range.
 void check_options(const SolveOptions& options);
 
-/// Throws Error(kInput) for a model so small or large that numbers derived from it leave single precision,
-/// Error(kUsage) for cells too large for it, Error(kLimit) where the field would not fit into the machine's
-/// memory.
+/// Throws Error(kInput) for a model so small, large or far away that numbers derived from it leave single
+/// precision.
+void check_scale(const Box& box);
+
+/// `check_scale`; and throws Error(kUsage) for cells too large for it, Error(kLimit) where the field would
+/// not fit into the machine's memory.
 void check_size(const Surface& surface, double finest_cell_size);
 
 /// Throws Error(kInput) where no cell has its centre inside and that is not for want of resolution: the

@@ -8,6 +8,7 @@
 #include "analysis/tet_evaluation.hpp"
 #include "analysis/tet_field.hpp"
 #include "base/stopwatch.hpp"
+#include "crossgrain/error.hpp"
 #include "crossgrain/solve.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "field/tet_finish.hpp"
@@ -39,15 +40,20 @@ SolveReport::Onto describe(const TetDomainData& domain, const VertexFieldEvaluat
 TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const SolveOptions& options,
                          const Monitor& monitor) {
   check_options(options);
+  check_scale(domain.data().box);
   const ThreadLimit thread_limit(options.threads);
   Stopwatch stopwatch;
   stopwatch.start();
   const TetDomainData& tets = domain.data();
   CarriedFrames start = carried_frames(grid.data(), tets.solid);
+  if (start.outside == tets.solid.mesh.vertices.size() - tets.solid.unused_vertices)
+    throw Error(ErrorKind::kInput,
+                "no vertex of the tets lies in the field's solid; give both in the same unit and place");
   monitor.check();
   auto field = std::make_shared<TetField>();
-  field->vertex_frames = finish_on_tets(tets.edges, tets.boundary, std::move(start.frames),
-                                        grid.data().degree, options.onto, monitor);
+  TetFrames finished = finish_on_tets(tets.edges, tets.boundary, std::move(start.frames), grid.data().degree,
+                                      options.onto, monitor);
+  field->vertex_frames = std::move(finished.frames);
   field->tet_frames = tet_frames_of(tets.solid.mesh, field->vertex_frames);
   monitor.check();
 
@@ -58,6 +64,8 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   report.onto->outside_vertices = start.outside;
   report.onto->seconds = stopwatch.restart();
   report.warnings.insert(report.warnings.end(), domain.warnings().begin(), domain.warnings().end());
+  if (!finished.settled)
+    report.warnings.push_back("the energy on the tets had not settled when the sweeps ran out");
   if (start.outside > 0) report.warnings.push_back(outside_warning(start.outside, report.onto->vertices));
   return {grid, domain, std::move(field), std::move(report)};
 }
@@ -68,6 +76,7 @@ TetFrameField solve_onto(const TetDomain& domain, const SolveOptions& options, c
 }
 
 SolveOptions sized_for(const TetDomain& domain, SolveOptions options) {
+  check_options(options);
   if (options.cell_size > 0 || options.resolution > 0) return options;
   const double wanted = options.onto.cell_size_edges * domain.typical_edge_length();
   options.cell_size = std::min(wanted, longest_side(domain.data().box) / options.onto.fewest_cells);

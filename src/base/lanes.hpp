@@ -114,7 +114,7 @@ struct Lanes {
     for (int lane = 0; lane < W; ++lane) result.native[lane] = std::sqrt(a.native[lane]);
     return result;
   }
-  friend Lanes abs(const Lanes& a) { return select(a < 0.0, -a, a); }
+  friend Lanes abs(const Lanes& a) { return select(a > 0.0, a, 0.0 - a); }
   friend Lanes copysign(const Lanes& magnitude, const Lanes& sign) {
     Lanes result;
     for (int lane = 0; lane < W; ++lane)

@@ -10,7 +10,8 @@ namespace crossgrain {
 
 Adjacency::Adjacency(std::size_t cell_count, std::span<const WeightedEdge> edges) {
   if (2 * edges.size() > std::numeric_limits<std::uint32_t>::max()) {
-    throw Error(ErrorKind::kLimit, "more than 2 billion cell faces: lower the resolution");
+    throw Error(ErrorKind::kLimit,
+                "more than 2 billion cell faces or edges of tets: lower the resolution or take fewer tets");
   }
   begin_.assign(cell_count + 1, 0);
   for (const WeightedEdge& edge : edges) {
@@ -55,7 +56,9 @@ Colouring greedy_colouring(const Adjacency& adjacency) {
     }
     const auto free =
         std::find_if(taken_by.begin(), taken_by.end(), [i](std::uint32_t by) { return by != i; });
-    if (free == taken_by.end()) throw Error(ErrorKind::kLimit, "a cell has neighbours of 256 colours");
+    if (free == taken_by.end())
+      throw Error(ErrorKind::kLimit,
+                  "a vertex has more neighbours than there are colours, 256: split the tets around it");
     colours[i] = static_cast<std::uint8_t>(free - taken_by.begin());
   }
   return colouring_of(colours);

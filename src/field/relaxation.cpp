@@ -2,7 +2,6 @@
 #include "field/relaxation.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "field/local_energy.hpp"
@@ -61,11 +60,13 @@ Coefficients<3, Real> minimising_coefficients(const LocalEnergy<3, W>& energy, c
 template <int D, class Real>
 void symmetrise(Coefficients<D, Real>& h, double strength) {
   constexpr double kCurvature = D == 3 ? 576.0 : 1600.0;  // bound 4 l^2 (l+1)^2
-  add_scaled(h, -strength / kCurvature, deviation_gradient<D>(h));
-  const Real norm = sqrt(squared_norm(h));
-  if (D == 3) h = scaled(h, select(norm > 0.0, 1 / norm, 1.0));
+  // Over-relaxation and negative weights take |h| beyond 1, where both steps must be shorter.
+  const Real before = squared_norm(h);
+  add_scaled(h, -strength / (kCurvature * select(before > 1.0, before, 1.0)), deviation_gradient<D>(h));
+  const Real after = squared_norm(h);
+  if (D == 3) h = scaled(h, select(after > 0.0, 1 / sqrt(after), 1.0));
   // (|h|^2 - 1)^2 has curvature 8 at |h| = 1.
-  if (D == 4) h = scaled(h, 1 - strength * 0.5 * (norm * norm - 1));
+  if (D == 4) h = scaled(h, 1 - strength * 0.5 * (after - 1) / select(after > 1.0, after, 1.0));
 }
 
 template <int D, class Real>
@@ -113,9 +114,8 @@ void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsIn
   Coefficients<D, Real> h = minimising_coefficients(energy, graph.forms, cells, before);
   if constexpr (D == 4) h = over_relaxed(before, h, over_relaxation);
   symmetrise_steps<D>(h, symmetrisation);
-  const HeldAxes<W> held(graph.forms, cells);
-  assert(D == 4 || !held.any);
   if constexpr (D == 4) {
+    const HeldAxes<W> held(graph.forms, cells);
     if (held.any)
       h = select(held.mask, relaxed_about(held.axes, energy, before, symmetrisation, over_relaxation), h);
   }

@@ -60,7 +60,7 @@ SettledFrames relaxed_and_settled(
   if (!relax) return settled(graph, std::move(frames), plan, after_sweep);
   const double energy_before = graph_energy(graph, state_of<D>(frames));
   SettledFrames result = settled(graph, relax(frames), plan, after_sweep);
-  if (result.energy > energy_before) result = settled(graph, std::move(frames), plan, after_sweep);
+  if (!(result.energy <= energy_before)) result = settled(graph, std::move(frames), plan, after_sweep);
   return result;
 }
 

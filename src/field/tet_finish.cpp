@@ -69,18 +69,23 @@ CellForms<D> vertex_forms(const Adjacency& adjacency, const BoundaryVertices& bo
 /// Turns the frames of held vertices so that they have the axis that is held.
 void align_held(const BoundaryVertices& boundary, std::vector<Quaternion>& frames) {
   parallel_for(boundary.size(), [&](std::size_t k) {
-    if (!is_held(boundary, k)) return;
     Quaternion& frame = frames[boundary.vertices[k]];
-    frame = with_axis_along(frame, boundary.normals[k]);
+    if (is_held(boundary, k)) frame = with_axis_along(frame, boundary.normals[k]);
   });
 }
 
-void align_held(const BoundaryVertices& boundary, Frames& frames) {
-  parallel_for(boundary.size(), [&](std::size_t k) {
-    if (!is_held(boundary, k)) return;
-    StoredQuaternion& frame = frames[boundary.vertices[k]];
-    frame = to_stored(with_axis_along(from_stored(frame), boundary.normals[k]));
-  });
+Frames stored(const std::vector<Quaternion>& frames) {
+  Frames result(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) result[i] = to_stored(frames[i]);
+  return result;
+}
+
+/// In double precision, and with the axes that are held in that precision too.
+std::vector<Quaternion> aligned(const BoundaryVertices& boundary, const Frames& frames) {
+  std::vector<Quaternion> result(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) result[i] = from_stored(frames[i]);
+  align_held(boundary, result);
+  return result;
 }
 
 template <int D>
@@ -91,8 +96,9 @@ FieldGraph<D> graph_of(const std::shared_ptr<const Connectivity>& connectivity,
 
 /// Relaxes in degree 4 for both degrees, as on the grid, and settles in the field's own.
 template <int D>
-Frames solved(const std::shared_ptr<const Connectivity>& connectivity, const BoundaryVertices& boundary,
-              Frames frames, const OntoOptions& options, const SweepMonitor& after_sweep) {
+SettledFrames solved(const std::shared_ptr<const Connectivity>& connectivity,
+                     const BoundaryVertices& boundary, Frames frames, const OntoOptions& options,
+                     const SweepMonitor& after_sweep) {
   const FieldGraph<D> graph = graph_of<D>(connectivity, boundary, options);
   std::function<Frames(Frames)> relax;
   if (options.relaxation_sweeps > 0) {
@@ -103,13 +109,12 @@ Frames solved(const std::shared_ptr<const Connectivity>& connectivity, const Bou
       } else {
         came = relaxed(graph_of<4>(connectivity, boundary, options), std::move(came), plan, after_sweep);
       }
-      align_held(boundary, came);
-      return came;
+      return stored(aligned(boundary, came));
     };
   }
   const SettlingPlan settling{options.most_sweeps, options.over_relaxation, options.sweep_tolerance,
                               rounding_noise(connectivity->adjacency)};
-  return relaxed_and_settled(graph, std::move(frames), relax, settling, after_sweep).frames;
+  return relaxed_and_settled(graph, std::move(frames), relax, settling, after_sweep);
 }
 
 }  // namespace
@@ -128,25 +133,20 @@ Quaternion with_axis_along(const Quaternion& frame, const Vector3& direction) {
   return normalised(from_rotation_vector((angle_rad / sine) * turn) * frame);
 }
 
-std::vector<Quaternion> finish_on_tets(const std::vector<StiffnessEdge>& edges,
-                                       const BoundaryVertices& boundary, std::vector<Quaternion> frames,
-                                       Degree degree, const OntoOptions& options, const Monitor& monitor) {
-  const auto connectivity = connectivity_of(frames.size(), edges);
+TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const BoundaryVertices& boundary,
+                         std::vector<Quaternion> start, Degree degree, const OntoOptions& options,
+                         const Monitor& monitor) {
+  const auto connectivity = connectivity_of(start.size(), edges);
   int sweeps = 0;
   const SweepMonitor after_sweep = [&](double energy) {
     monitor.check();
-    monitor.report({"tets", 0, frames.size(), ++sweeps, energy});
+    monitor.report({"tets", 0, start.size(), ++sweeps, energy});
   };
-  align_held(boundary, frames);
-  Frames stored(frames.size());
-  for (std::size_t i = 0; i < frames.size(); ++i) stored[i] = to_stored(frames[i]);
-  stored = degree == Degree::kThree
-               ? solved<3>(connectivity, boundary, std::move(stored), options, after_sweep)
-               : solved<4>(connectivity, boundary, std::move(stored), options, after_sweep);
-  for (std::size_t i = 0; i < frames.size(); ++i) frames[i] = from_stored(stored[i]);
-  // Sweeps are in single precision; the boundary is held in double.
-  align_held(boundary, frames);
-  return frames;
+  align_held(boundary, start);
+  const SettledFrames result = degree == Degree::kThree
+                                   ? solved<3>(connectivity, boundary, stored(start), options, after_sweep)
+                                   : solved<4>(connectivity, boundary, stored(start), options, after_sweep);
+  return {aligned(boundary, result.frames), result.settled};
 }
 
 }  // namespace crossgrain

@@ -14,13 +14,19 @@
 
 namespace crossgrain {
 
-/// Frames on the vertices of a tet mesh (unit quaternions, one a vertex) that lower the Dirichlet energy of
-/// the linear elements from `start`. Smooth boundary vertices have an axis along their area-weighted normal,
-/// to rounding: they turn about it only. Creases and corners follow the summed form of their faces, creases
-/// their tangent too. The same to the bit for any number of threads.
-std::vector<Quaternion> finish_on_tets(const std::vector<StiffnessEdge>& edges,
-                                       const BoundaryVertices& boundary, std::vector<Quaternion> start,
-                                       Degree degree, const OntoOptions& options, const Monitor& monitor);
+struct TetFrames {
+  std::vector<Quaternion> frames;  ///< unit, one per vertex
+  bool settled = false;            ///< false: the sweeps ran out
+};
+
+/// Frames on the vertices of a tet mesh that lower the Dirichlet energy of the linear elements from `start`.
+/// Smooth boundary vertices have an axis along their area-weighted normal, to rounding: they turn about it
+/// only. Creases and corners follow the summed form of their faces, creases their tangent too. The same to
+/// the bit for any number of threads. Throws Error(kLimit) for a graph beyond the limits of Adjacency and
+/// greedy_colouring.
+TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const BoundaryVertices& boundary,
+                         std::vector<Quaternion> start, Degree degree, const OntoOptions& options,
+                         const Monitor& monitor);
 
 /// The frame turned by the smallest angle that puts one of its axes along a unit vector.
 Quaternion with_axis_along(const Quaternion& frame, const Vector3& direction);

@@ -154,7 +154,9 @@ void write_field_and(const FrameField& field, SolveReport report, const std::fil
 
 void write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                  const Monitor& monitor) {
-  // Those of an earlier field would pass for this one's.
+  // A field that was read from a folder with tets tells of them, and files of an earlier field with tets
+  // would pass for this one's.
+  report.onto.reset();
   write_field_and(field, std::move(report), folder, monitor, [](OutputFolder& output) {
     for (const char* name : kOntoFiles) output.remove_at_commit(name);
   });

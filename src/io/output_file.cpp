@@ -198,8 +198,8 @@ OutputFile& OutputFolder::create(const std::string& name) {
 
 void OutputFolder::commit() {
   for (const auto& file : files_) file->finish();
-  for (const auto& path : outdated_) remove_file(path);
   for (const auto& file : files_) file->commit();
+  for (const auto& path : outdated_) remove_file(path);
   made_.keep();
 }
 

@@ -89,8 +89,7 @@ class OutputFolder {
   /// An earlier file of this name, or a link, goes when the new ones come. What else has the name stays.
   void remove_at_commit(const std::string& name) { outdated_.push_back(folder_ / name); }
 
-  /// Completes all files, and only then removes the outdated ones and renames the new ones. At no moment is
-  /// a new file beside an outdated one.
+  /// Completes all files, and only then renames the new ones and removes the outdated ones.
   void commit();
 
  private:

@@ -41,7 +41,7 @@ constexpr std::array kSignatures = {
     Signature{"NOFF", "an OFF file", ".off"},
     Signature{"STOFF", "an OFF file", ".off"},
     Signature{"ISO-10303-21", "a STEP file", ""},
-    Signature{"MeshVersionFormatted", "a Medit mesh", ""},
+    Signature{"MeshVersionFormatted", "a Medit mesh", ".mesh"},
     Signature{"$MeshFormat", "a Gmsh mesh", ""},
     Signature{"# vtk DataFile", "a VTK file", ""},
     Signature{"<?xml", "an XML file", ""},

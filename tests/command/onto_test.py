@@ -175,10 +175,24 @@ class Onto(OntoTest):
         report = self.solve("box.stl", "--onto", "tets.mesh", "--resolution", 40)
         outside = report["onto"]["outside_vertices"]
         self.assertGreater(outside, 50)
-        warnings = [warning for warning in report["warnings"] if f"{outside} of {len(vertices)} vertices" in warning]
+        warnings = [warning for warning in report["warnings"] if f"in no cell: {outside} of {len(vertices)}" in warning]
         self.assertEqual(len(warnings), 1, report["warnings"])
         self.assert_finite()
         np.testing.assert_allclose(np.abs(self.onto_frames()).max(axis=2), 1, atol=1e-3)
+
+    def test_a_surface_in_another_unit_is_refused(self):
+        self.write_box("tets.mesh")
+        self.write("inches.stl", stl_bytes(25.4 * box_triangles()))
+        result = self.run_here("solve", "inches.stl", "--onto", "tets.mesh", "-o", "out")
+        self.assert_fails(result, INPUT, "tets.mesh", "inches.stl", "same unit")
+
+    def test_tets_beside_the_surface_are_refused(self):
+        vertices, tets = tet_box(cells=(4, 4, 4))
+        self.write("tets.mesh", medit_text(vertices + 10, tets))
+        self.write("box.stl", stl_bytes(box_triangles()))
+        result = self.run_here("solve", "box.stl", "--onto", "tets.mesh", "-o", "out")
+        self.assert_fails(result, INPUT, "tets.mesh", "place")
+        self.assertFalse((self.folder / "out").exists())
 
     def test_creases_are_free_where_told(self):
         # A plate of one layer: only its creases know where its sides are.

@@ -329,5 +329,25 @@ TEST(RelaxationWithSymmetrisation, BringsCoefficientsNearerToFrames) {
   EXPECT_LT(mean_defect(1), 0.7 * mean_defect(0));
 }
 
+TEST(RelaxationWithSymmetrisation, StaysBoundedUnderOverRelaxationAndNegativeWeights) {
+  // As on tets with obtuse angles: a third of the weights is negative, while every sum of weights is
+  // positive.
+  constexpr std::uint32_t kCount = 60;
+  std::vector<WeightedEdge> edges;
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    edges.push_back({i, (i + 1) % kCount, 1.0f});
+    edges.push_back({i, (i + 7) % kCount, 1.0f});
+    edges.push_back({i, (i + 13) % kCount, -1.3f});
+  }
+  Connectivity connectivity;
+  connectivity.adjacency = Adjacency(kCount, edges);
+  connectivity.colouring = greedy_colouring(connectivity.adjacency);
+  const FieldGraph<4> graph{std::make_shared<const Connectivity>(std::move(connectivity)),
+                            CellForms<4>(kCount)};
+  FieldState<4> state = state_of<4>(random_frames(kCount, 9));
+  for (int sweep = 0; sweep < 100; ++sweep) relaxation_sweep(graph, state, 6, 1.95);
+  for (const auto& stored : state.coefficients) EXPECT_LT(squared_norm(from_stored<4>(stored)), 4);
+}
+
 }  // namespace
 }  // namespace crossgrain

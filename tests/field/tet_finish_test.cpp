@@ -34,7 +34,8 @@ class TetFinish : public ::testing::Test {
 
   std::vector<Quaternion> finished(const OntoOptions& options) const {
     return finish_on_tets(edges_, boundary_, start_, static_cast<crossgrain::Degree>(Degree::value), options,
-                          Monitor());
+                          Monitor())
+        .frames;
   }
 
   TetSolid solid_;
@@ -83,7 +84,8 @@ class FinishOfAPlate : public ::testing::Test {
     const TetSolid solid = solid_of(TetBox{{6, 5, 1}}.mesh());
     return finish_on_tets(stiffness_edges(solid.mesh), classify_boundary_vertices(solid),
                           std::vector<Quaternion>(solid.mesh.vertices.size(), turned_),
-                          static_cast<crossgrain::Degree>(Degree::value), options, Monitor());
+                          static_cast<crossgrain::Degree>(Degree::value), options, Monitor())
+        .frames;
   }
 
   Quaternion turned_ = from_rotation_vector({0, 0, 0.5});

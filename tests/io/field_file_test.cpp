@@ -12,6 +12,7 @@
 #include "crossgrain/io.hpp"
 #include "io/field_arrays.hpp"
 #include "io/leaf_corners.hpp"
+#include "io/onto_files.hpp"
 #include "io/sample_field.hpp"
 #include "io/temporary_folder.hpp"
 #include "io/vtu_reader.hpp"
@@ -143,7 +144,9 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
                                   .inverted_tets = 7,
                                   .left_out_tets = 8,
                                   .seconds = 0.7};
-  write_field(field_of(sample_data(Degree::kFour)), report, folder.path());
+  const TetMesh tet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}};
+  write_field_onto(field_of(sample_data(Degree::kFour)), report, tet,
+                   {std::vector<Quaternion>(4), {Quaternion{}}}, folder.path());
   const SolveReport read = read_field(folder.path()).report();
   ASSERT_TRUE(read.onto);
   EXPECT_EQ(read.onto->tets, 2u);
@@ -154,6 +157,10 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
   EXPECT_EQ(read.onto->crease_deg.p95, 1.5);
   EXPECT_EQ(read.onto->left_out_tets, 8u);
   EXPECT_EQ(read.onto->seconds, 0.7);
+
+  // Written again without its tets, it has nothing to say of them.
+  write_field(read_field(folder.path()), folder.path() / "again");
+  EXPECT_FALSE(read_field(folder.path() / "again").report().onto);
 }
 
 TEST(ReportFile, CountsTheTimeOfWritingAndTheMemoryOfTheProcess) {
