@@ -63,7 +63,7 @@ std::vector<Variant> variants() {
   add(list, "level_relaxation", &SolverOptions::level_relaxation, {0, 10, 20, 60, 120});
   add<std::size_t>(list, "relaxed_cells", &SolverOptions::relaxed_cells, {0, 1000, 1000000});
   add(list, "symmetrisation", &SolverOptions::symmetrisation, {0.0, 0.25, 0.5, 2.0, 4.0, 8.0});
-  add(list, "over_relaxation", &SolverOptions::over_relaxation, {1.0, 1.3, 1.8});
+  add(list, "over_relaxation", &SolverOptions::over_relaxation, {1.0, 1.2, 1.6, 1.8});
   add(list, "most_sweeps", &SolverOptions::most_sweeps, {10, 20, 200});
   add(list, "sweep_tolerance", &SolverOptions::sweep_tolerance, {1e-3, 3e-4, 1e-5});
   list.push_back({"shift_relaxed_forms", [](SolveOptions& o) { o.solver.shift_relaxed_forms = true; }});

@@ -62,7 +62,7 @@ struct SolverOptions {
   double symmetrisation = 1;
 
   /// How many times as far as to its own minimum a cell goes in a sweep, from 1 to below 2.
-  double over_relaxation = 1.6;
+  double over_relaxation = 1.4;
 
   /// Whether relaxed levels use forms shifted so that they penalise only what the constraints of a cell
   /// exclude (crossgrain/spectrum.hpp). It takes 15 % more time and has not lowered an energy:
