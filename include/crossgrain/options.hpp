@@ -39,6 +39,10 @@ struct SolverOptions {
   /// kappa: the boundary form counts kappa / (cell size) times (docs/design.md section 7).
   double boundary_weight = 10;
 
+  /// Share of a face's weight that smoothness moves to each diagonal across each of its edges, from 0 to 1/4:
+  /// so that a singular arc costs the same in all directions through the grid.
+  double diagonal_share = 0.2;
+
   /// Starts from random frames. Each is carried through all levels of up to `start_cells` active cells, then
   /// the one of lowest energy goes on alone.
   int starts = 3;

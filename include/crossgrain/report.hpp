@@ -27,9 +27,10 @@ struct SolveReport {
   std::vector<LevelStatistics> levels;
 
   struct Energy {
-    double smoothness = 0;     ///< degree 4: 1/2 sum over open faces of (area / distance) |h_i - h_j|^2
-    double boundary = 0;       ///< degree 4: sum over surface pieces of kappa / dx * area * E_n(h)
-    double total = 0;          ///< their sum
+    double smoothness = 0;  ///< degree 4: 1/2 sum over open faces of (area / distance) |h_i - h_j|^2
+    double boundary = 0;  ///< degree 4: sum over surface pieces of kappa / dx * area * E_n(h), less the next
+    double unavoidable = 0;    ///< what no turn of single frames would take off that: conflicts within cells
+    double total = 0;          ///< smoothness and boundary
     double deviation_max = 0;  ///< largest E_sym of the cells' coefficients
   } energy;
 

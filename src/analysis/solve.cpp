@@ -48,6 +48,7 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
   report.levels = field.levels;
   report.energy.smoothness = field.energy.smoothness;
   report.energy.boundary = field.energy.boundary;
+  report.energy.unavoidable = field.energy.unavoidable;
   report.energy.total = field.energy.total();
   report.energy.deviation_max = options.degree == Degree::kThree ? largest_deviation<3>(field.frames)
                                                                  : largest_deviation<4>(field.frames);
@@ -76,10 +77,10 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   monitor.report({"analysis", 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN()});
   auto data = std::make_shared<FieldData>();
   data->degree = options.degree;
-  std::vector<double> density = energy_density(solved.level, solved.adjacency, solved.frames);
+  std::vector<double> density = energy_density(solved.level, solved.connectivity->adjacency, solved.frames);
   data->energy_density.assign(density.begin(), density.end());
   density = {};
-  solved.adjacency = {};
+  solved.connectivity = {};
   monitor.check();
   {
     const Sampler sampler(solved.level.tree, solved.frames, solved.open_faces);

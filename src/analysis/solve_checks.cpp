@@ -104,6 +104,8 @@ void check_options(const SolveOptions& options) {
   demand(options.threads >= 0, "the number of threads must not be negative");
   demand(solver.boundary_weight > 0 && std::isfinite(solver.boundary_weight),
          "the boundary weight must be positive");
+  demand(solver.diagonal_share >= 0 && solver.diagonal_share <= 0.25,
+         "the share of diagonals must lie in [0, 1/4]");
   demand(solver.starts >= 1, "there must be at least one start");
   demand(solver.start_relaxation >= 0 && solver.level_relaxation >= 0,
          "numbers of sweeps must not be negative");

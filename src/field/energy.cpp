@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
+#include "constraint/minimising_frame.hpp"
 #include "constraint/normal_form.hpp"
+#include "grid/cell_constraints.hpp"
 #include "harmonics/frame.hpp"
 
 namespace crossgrain {
@@ -45,6 +47,24 @@ double edge_sum(const Adjacency& adjacency, const std::vector<StoredCoefficients
   return sum;
 }
 
+/// sum over the pieces of surface in a leaf of area * E_n(h).
+double boundary_value(const GridLevel& level, const Solid& solid, CellIndex leaf, const Coefficients<4>& h) {
+  double sum = 0;
+  for (const SurfacePiece& piece : level.pieces_of(leaf)) {
+    sum += piece.area *
+           std::max(0.0, normal_value<4>(normal_basis<4>(solid.surface.normals[piece.triangle]), h));
+  }
+  return sum;
+}
+
+/// The same at the minimum over frames near this one.
+double least_value_near(const GridLevel& level, const Solid& solid, CellIndex leaf, const Quaternion& frame) {
+  if (has_single_normal(level, solid, leaf)) return 0;
+  const QuadraticForm<4> form = cell_form<4>(level, solid, leaf);
+  const Quaternion best = refine_minimising_frame(form, frame);
+  return std::max(0.0, value(form, frame_coefficients<4>(best)));
+}
+
 }  // namespace
 
 template <int D>
@@ -65,18 +85,20 @@ EnergyParts degree_four_energy(const GridLevel& level, const Solid& solid, const
   EnergyParts parts;
   parts.smoothness = parallel_sum(
       frames.size(), [&](std::size_t i) { return edge_sum(adjacency, state.coefficients, i) / 4; });
-  parts.boundary = parallel_sum(frames.size(), [&](std::size_t i) {
-    const auto cell = static_cast<CellIndex>(i);
-    if (!level.holds_surface(cell)) return 0.0;
-    const Coefficients<4> h = frame_coefficients<4>(from_stored(frames[i]));
-    double sum = 0;
-    for (const SurfacePiece& piece : level.pieces_of(cell)) {
-      // Never negative but for rounding.
-      sum += piece.area *
-             std::max(0.0, normal_value<4>(normal_basis<4>(solid.surface.normals[piece.triangle]), h));
-    }
-    return boundary_weight / level.tree.cell_size(cell) * sum;
+  const auto sum_over_leaves = [&](const auto& term) {
+    return parallel_sum(frames.size(), [&](std::size_t i) {
+      const auto leaf = static_cast<CellIndex>(i);
+      if (!level.holds_surface(leaf)) return 0.0;
+      return boundary_weight / level.tree.cell_size(leaf) * term(leaf, from_stored(frames[i]));
+    });
+  };
+  parts.unavoidable = sum_over_leaves(
+      [&](CellIndex leaf, const Quaternion& frame) { return least_value_near(level, solid, leaf, frame); });
+  const double boundary = sum_over_leaves([&](CellIndex leaf, const Quaternion& frame) {
+    return boundary_value(level, solid, leaf, frame_coefficients<4>(frame));
   });
+  // Never negative but for rounding.
+  parts.boundary = std::max(0.0, boundary - parts.unavoidable);
   return parts;
 }
 

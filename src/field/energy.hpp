@@ -15,14 +15,26 @@ template <int D>
 double graph_energy(const FieldGraph<D>& graph, const FieldState<D>& state);
 
 /// Parts of the degree-4 energy of frames, whatever degree found them; lengths in model units.
+///
+/// Where no frame fits all of the surface in a cell, such as at a crease off the right angle, its form has a
+/// least value that no field can get below. It is a constant of surface and grid that does not shrink with
+/// the cells and jumps with how they cut the surface, so it is counted apart (docs/solver.md, "Rotated
+/// parts"; docs/design.md section 3 shifts forms for the same reason).
 struct EnergyParts {
   double smoothness = 0;  ///< 1/2 sum over edges of w |h_i - h_j|^2
-  double boundary = 0;    ///< kappa / dx * sum over surface pieces of area * E_n(h)
+
+  /// kappa / dx * sum over surface pieces of area * E_n(h), above `unavoidable`.
+  double boundary = 0;
+
+  /// What the boundary forms of cells with several normals have left once every frame is turned to the
+  /// nearest minimum of its own.
+  double unavoidable = 0;
+
   double total() const { return smoothness + boundary; }
 };
 
 /// The degree-4 energy of a level's frames, computed from the surface pieces themselves, not from summed
-/// forms.
+/// forms, but for `unavoidable`.
 EnergyParts degree_four_energy(const GridLevel& level, const Solid& solid, const Adjacency& adjacency,
                                std::span<const StoredQuaternion> frames, double boundary_weight);
 

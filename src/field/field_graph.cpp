@@ -3,30 +3,113 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
+#include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 
 namespace crossgrain {
 
-Adjacency::Adjacency(std::size_t cell_count, std::span<const WeightedEdge> edges) {
-  if (2 * edges.size() > std::numeric_limits<std::uint32_t>::max()) {
-    throw Error(ErrorKind::kLimit,
-                "more than 2 billion cell faces or edges of tets: lower the resolution or take fewer tets");
+namespace {
+
+void check_edge_count(std::size_t ends) {
+  if (ends > std::numeric_limits<std::uint32_t>::max())
+    throw Error(
+        ErrorKind::kLimit,
+        "more than 2 billion neighbours of cells or edges of tets: lower the resolution or take fewer "
+        "tets");
+}
+
+/// The weights of rows put one after the other, but for rows that have those of one of the last few.
+class WeightRows {
+ public:
+  /// Where the weights of the row begin, counted from the first ones put here. New ones go to `weights`,
+  /// unless that is null.
+  std::size_t put(const std::vector<Adjacency::Neighbour>& row, float* weights) {
+    for (const Stored& stored : last_) {
+      if (std::equal(stored.weights.begin(), stored.weights.end(), row.begin(), row.end(),
+                     [](float weight, const Adjacency::Neighbour& n) { return weight == n.weight; }))
+        return stored.begin;
+    }
+    Stored& oldest = last_[next_++ % last_.size()];
+    oldest.begin = size_;
+    oldest.weights.clear();
+    for (const Adjacency::Neighbour& neighbour : row) oldest.weights.push_back(neighbour.weight);
+    if (weights != nullptr) std::copy(oldest.weights.begin(), oldest.weights.end(), weights + size_);
+    size_ += row.size();
+    return oldest.begin;
   }
+
+  std::size_t size() const { return size_; }
+
+ private:
+  struct Stored {
+    std::size_t begin = 0;
+    std::vector<float> weights;
+  };
+  std::array<Stored, 4> last_;
+  std::size_t next_ = 0;
+  std::size_t size_ = 0;
+};
+
+}  // namespace
+
+Adjacency::Adjacency(std::size_t cell_count, std::span<const WeightedEdge> edges) {
+  check_edge_count(2 * edges.size());
   begin_.assign(cell_count + 1, 0);
   for (const WeightedEdge& edge : edges) {
     ++begin_[edge.first + 1];
     ++begin_[edge.second + 1];
   }
-  for (std::size_t i = 0; i < cell_count; ++i) begin_[i + 1] += begin_[i];
-  neighbours_.resize(2 * edges.size());
-  // begin_[i] serves as the cursor of row i and ends as the start of row i + 1; shift back afterwards.
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  weight_begin_.assign(begin_.begin(), begin_.end() - 1);
+  cells_.resize(2 * edges.size());
+  weights_.resize(2 * edges.size());
+  std::vector<std::uint32_t> cursor = weight_begin_;
+  const auto put = [&](std::uint32_t from, std::uint32_t to, float weight) {
+    const std::uint32_t place = cursor[from]++;
+    cells_[place] = to;
+    weights_[place] = weight;
+  };
   for (const WeightedEdge& edge : edges) {
-    neighbours_[begin_[edge.first]++] = {edge.second, edge.weight};
-    neighbours_[begin_[edge.second]++] = {edge.first, edge.weight};
+    put(edge.first, edge.second, edge.weight);
+    put(edge.second, edge.first, edge.weight);
   }
-  for (std::size_t i = cell_count; i > 0; --i) begin_[i] = begin_[i - 1];
-  begin_[0] = 0;
+}
+
+Adjacency::Adjacency(std::size_t cell_count, const RowOf& row_of) {
+  const std::size_t chunks = (cell_count + kParallelGrain - 1) / kParallelGrain;
+  std::vector<std::size_t> row_ends(chunks + 1), weight_ends(chunks + 1);
+  begin_.assign(cell_count + 1, 0);
+  weight_begin_.resize(cell_count);
+  const auto visit = [&](const auto& with_row) {
+    parallel_for_chunks(cell_count, kParallelGrain, [&](std::size_t begin, std::size_t end) {
+      WeightRows rows;
+      std::vector<Neighbour> row;
+      for (std::size_t i = begin; i < end; ++i) {
+        row.clear();
+        row_of(i, row);
+        with_row(begin / kParallelGrain, i, row, rows);
+      }
+    });
+  };
+  visit([&](std::size_t chunk, std::size_t i, const std::vector<Neighbour>& row, WeightRows& rows) {
+    rows.put(row, nullptr);
+    begin_[i + 1] = static_cast<std::uint32_t>(row.size());
+    row_ends[chunk + 1] += row.size();
+    weight_ends[chunk + 1] = rows.size();
+  });
+  std::partial_sum(row_ends.begin(), row_ends.end(), row_ends.begin());
+  std::partial_sum(weight_ends.begin(), weight_ends.end(), weight_ends.begin());
+  check_edge_count(row_ends.back());
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  cells_.resize(row_ends.back());
+  weights_.resize(weight_ends.back());
+  visit([&](std::size_t chunk, std::size_t i, const std::vector<Neighbour>& row, WeightRows& rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) cells_[begin_[i] + k] = row[k].cell;
+    const std::size_t place = rows.put(row, weights_.data() + weight_ends[chunk]);
+    weight_begin_[i] = static_cast<std::uint32_t>(weight_ends[chunk] + place);
+  });
 }
 
 Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell) {

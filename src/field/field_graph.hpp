@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -22,7 +23,8 @@ struct WeightedEdge {
   float weight;  ///< a length: open face area over the distance of the centres
 };
 
-/// Neighbour lists in compressed rows, each edge in both.
+/// Neighbour lists in compressed rows, each edge in both. Rows with the same weights one after the other, as
+/// those of cells inside have, may share them in memory.
 class Adjacency {
  public:
   struct Neighbour {
@@ -30,18 +32,62 @@ class Adjacency {
     float weight;
   };
 
+  /// The neighbours of one cell.
+  class Row {
+   public:
+    class Iterator {
+     public:
+      Iterator(const std::uint32_t* cell, const float* weight) : cell_(cell), weight_(weight) {}
+      Neighbour operator*() const { return {*cell_, *weight_}; }
+      Iterator& operator++() {
+        ++cell_;
+        ++weight_;
+        return *this;
+      }
+      bool operator==(const Iterator& other) const { return cell_ == other.cell_; }
+
+     private:
+      const std::uint32_t* cell_;
+      const float* weight_;
+    };
+
+    Row(const std::uint32_t* cells, const float* weights, std::size_t size)
+        : cells_(cells), weights_(weights), size_(size) {}
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    Neighbour operator[](std::size_t k) const { return {cells_[k], weights_[k]}; }
+    Iterator begin() const { return {cells_, weights_}; }
+    Iterator end() const { return {cells_ + size_, weights_ + size_}; }
+
+   private:
+    const std::uint32_t* cells_;
+    const float* weights_;
+    std::size_t size_;
+  };
+
+  /// Puts the neighbours of a cell into `row`, which comes empty.
+  using RowOf = std::function<void(std::size_t cell, std::vector<Neighbour>& row)>;
+
   Adjacency() = default;
-  /// The order of a cell's neighbours is that of `edges`.
+
+  /// The order of a cell's neighbours is that of `edges`. Throws Error(kLimit) beyond 2^31 edges.
   Adjacency(std::size_t cell_count, std::span<const WeightedEdge> edges);
 
+  /// From rows that name every edge in both its cells with the same weight. `row_of` is called twice for each
+  /// cell, from several threads. Throws Error(kLimit) beyond 2^31 edges.
+  Adjacency(std::size_t cell_count, const RowOf& row_of);
+
   std::size_t size() const { return begin_.empty() ? 0 : begin_.size() - 1; }
-  std::span<const Neighbour> operator[](std::size_t cell) const {
-    return {neighbours_.data() + begin_[cell], neighbours_.data() + begin_[cell + 1]};
+  Row operator[](std::size_t cell) const {
+    return {cells_.data() + begin_[cell], weights_.data() + weight_begin_[cell],
+            begin_[cell + 1] - begin_[cell]};
   }
 
  private:
   std::vector<std::uint32_t> begin_;
-  std::vector<Neighbour> neighbours_;
+  std::vector<std::uint32_t> cells_;
+  std::vector<std::uint32_t> weight_begin_;
+  std::vector<float> weights_;
 };
 
 /// Cells in an order of colours: no two neighbours have the same one, so cells of a colour can be updated in

@@ -82,7 +82,7 @@ class LocalEnergy {
       Coefficients<3, Real> h{};
       Real weight = 0;
       for (int lane = 0; lane < W; ++lane) {
-        const std::span<const Adjacency::Neighbour> neighbours = adjacency[cells[lane]];
+        const Adjacency::Row neighbours = adjacency[cells[lane]];
         if (k >= neighbours.size()) continue;
         weight.set(lane, neighbours[k].weight);
         for (int m = 0; m < kCoefficientCount<3>; ++m) h[m].set(lane, coefficients[neighbours[k].cell][m]);
@@ -93,7 +93,7 @@ class LocalEnergy {
   }
 
   /// Here the eight orders below the last stand side by side, since that is how they are stored.
-  void add_to_lane(int lane, std::span<const Adjacency::Neighbour> neighbours,
+  void add_to_lane(int lane, const Adjacency::Row& neighbours,
                    const std::vector<StoredCoefficients<4>>& coefficients) {
     Lanes<8> sum = 0;
     double last = 0, total_weight = 0;

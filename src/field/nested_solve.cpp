@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "crossgrain/error.hpp"
+#include "field/leaf_stencil.hpp"
 #include "field/stages.hpp"
 #include "grid/refinement.hpp"
 
@@ -23,10 +24,11 @@ using Candidate = SettledFrames;
 template <int D>
 class LevelSolver {
  public:
-  LevelSolver(const GridLevel& level, const Solid& solid, std::span<const WeightedEdge> edges,
+  LevelSolver(const GridLevel& level, const Solid& solid, std::vector<WeightedEdge> faces,
               const SolveOptions& options, const Monitor& monitor, int depth)
       : level_(level), solid_(solid), options_(options.solver), monitor_(monitor), depth_(depth) {
-    connectivity_ = std::make_shared<const Connectivity>(connectivity_of(level, edges));
+    connectivity_ = std::make_shared<const Connectivity>(
+        connectivity_of(level, std::move(faces), options_.diagonal_share));
     graph_ = {connectivity_, boundary_forms<D>(level, solid, options_.boundary_weight, Shift::kNone)};
   }
 
@@ -50,7 +52,7 @@ class LevelSolver {
     return degree_four_energy(level_, solid_, connectivity_->adjacency, frames, options_.boundary_weight);
   }
 
-  const Adjacency& adjacency() const { return connectivity_->adjacency; }
+  const std::shared_ptr<const Connectivity>& connectivity() const { return connectivity_; }
   int sweeps() const { return sweeps_; }
 
  private:
@@ -140,10 +142,9 @@ class NestedSolver {
     const GridLevel& level = result_.level;
     monitor_.report({"grid", depth, level.size(), 0, std::numeric_limits<double>::quiet_NaN()});
     LeafConnections connections = connect_leaves(level, solid_, monitor_);
-    LevelSolver<D> solver(level, solid_, connections.edges, options_, monitor_, depth);
+    LevelSolver<D> solver(level, solid_, std::move(connections.edges), options_, monitor_, depth);
     result_.open_faces = std::move(connections.open_faces);
     result_.tied_leaves = connections.tied_leaves;
-    connections = {};
     grid_watch_.stop();
 
     solve_watch_.start();
@@ -154,11 +155,11 @@ class NestedSolver {
     keep_best(solver, finest || level.size() > options_.solver.start_cells);
     density_ = finest || candidates_.size() > 1
                    ? std::vector<double>{}
-                   : energy_density(level, solver.adjacency(), candidates_.front().frames);
+                   : energy_density(level, solver.connectivity()->adjacency, candidates_.front().frames);
     solve_watch_.stop();
     result_.levels.push_back({depth, level.examined_leaves, level.size(), solver.sweeps(),
                               result_.energy.total(), level_watch_.restart()});
-    if (finest) result_.adjacency = solver.adjacency();
+    if (finest) result_.connectivity = solver.connectivity();
     grid_watch_.start();
   }
 
@@ -191,7 +192,8 @@ class NestedSolver {
     std::size_t best = 0;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
       const EnergyParts energy = solver.energy(candidates_[c].frames);
-      if (c == 0 || energy.total() < result_.energy.total()) {
+      if (c == 0 ||
+          energy.total() + energy.unavoidable < result_.energy.total() + result_.energy.unavoidable) {
         result_.energy = energy;
         result_.settled = candidates_[c].settled;
         best = c;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "base/vector3.hpp"
@@ -18,7 +19,7 @@ namespace crossgrain {
 /// The finest level with its frames, and how it was reached.
 struct SolvedField {
   GridLevel level;
-  Adjacency adjacency;
+  std::shared_ptr<const Connectivity> connectivity;
   std::vector<std::uint8_t> open_faces;  ///< as in LeafConnections
   std::size_t tied_leaves = 0;           ///< as in LeafConnections
   std::vector<StoredQuaternion> frames;

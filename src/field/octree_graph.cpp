@@ -166,12 +166,6 @@ void tie_specks(const GridLevel& level, const LeafConnector& connector, LeafConn
   }
 }
 
-std::uint8_t parity_colour(CellAddress cell) {
-  const GridPoint corner = cell.corner();
-  const int parity = (corner[0] / cell.width() + corner[1] / cell.width() + corner[2] / cell.width()) & 1;
-  return static_cast<std::uint8_t>(parity + 2 * (cell.depth() & 1));
-}
-
 }  // namespace
 
 LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const Monitor& monitor) {
@@ -195,12 +189,6 @@ LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const
   }
   tie_specks(level, connector, result);
   return result;
-}
-
-Connectivity connectivity_of(const GridLevel& level, std::span<const WeightedEdge> edges) {
-  std::vector<std::uint8_t> colours(level.size());
-  for (CellIndex i = 0; i < level.size(); ++i) colours[i] = parity_colour(level.tree[i]);
-  return {Adjacency(level.size(), edges), colouring_of(colours)};
 }
 
 template <int D>

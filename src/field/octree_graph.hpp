@@ -10,7 +10,7 @@ namespace crossgrain {
 
 /// How the leaves of a level hang together.
 struct LeafConnections {
-  std::vector<WeightedEdge> edges;
+  std::vector<WeightedEdge> edges;  ///< through faces; field/leaf_stencil.hpp makes diagonals of some
 
   /// Bit f of open_faces[i]: there is an edge from leaf i to Octree::neighbour(i, f). Every edge has this bit
   /// on one of its two leaves: the smaller, of two equal ones the lower, or the one that was tied. So who
@@ -31,9 +31,6 @@ struct LeafConnections {
 /// ..., so each of them gives up a third of its weight for every such face that its two leaves share. Linear
 /// fields then cost what the integral says.
 LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const Monitor& monitor = {});
-
-/// Adjacency, and a colouring by parity of position and depth.
-Connectivity connectivity_of(const GridLevel& level, std::span<const WeightedEdge> edges);
 
 /// Whether the forms of cells are shifted so that they penalise only what their constraints exclude
 /// (docs/design.md section 3). That changes relaxed coefficients; for frames it changes the energy by a

@@ -50,6 +50,7 @@ void describe_quality(File& file, Report& report) {
   file.object("energy", [&](auto& energy) {
     energy.member("smoothness", report.energy.smoothness);
     energy.member("boundary", report.energy.boundary);
+    energy.member("unavoidable", report.energy.unavoidable);
     energy.member("total", report.energy.total);
     energy.member("deviation_max", report.energy.deviation_max);
   });

@@ -32,6 +32,50 @@ def normal_energy(n, axes):
     return 1 - 5 / 48 * abs(fourfold) ** 2 - 2 / 3 * legendre(axes @ n).sum() + 7 / 12
 
 
+def boundary_form(normals, weights):
+    """A, b, c of sum weight E_n(h) = h.A h - 2 b.h + c, degree 4. The frames with an axis along n are
+    b_n + sqrt(5/12) (cos(4 t) C + sin(4 t) S), t their turn about n; C and S span P_n."""
+    matrix, linear = sum(weights) * np.eye(9), np.zeros(9)
+    for n, weight in zip(normals, weights):
+        u = np.cross(n, np.eye(3)[np.argmin(np.abs(n))])
+        u /= np.linalg.norm(u)
+        v = np.cross(n, u)
+        turns = np.pi / 8 * np.arange(4)
+        h = coefficients(4, np.array([(c * u + s * v, c * v - s * u, n) for c, s in zip(np.cos(turns), np.sin(turns))]))
+        linear += weight * (h[0] + h[2]) / 2
+        for harmonic in ((h[0] - h[2]) / 2, (h[1] - h[3]) / 2):
+            matrix -= 12 / 5 * weight * np.outer(harmonic, harmonic)
+    return matrix, linear, 19 / 12 * sum(weights) - sum(weights)
+
+
+def least_near(form, axes):
+    """The minimum over frames of a boundary_form that downhill Newton steps from these axes lead to."""
+    matrix, linear, constant = form
+    turns = generators(4)
+
+    def energy(h):
+        return h @ matrix @ h - 2 * linear @ h + constant
+
+    h = coefficients(4, axes[None])[0]
+    for _ in range(40):
+        turned, residual = turns @ h, matrix @ h - linear
+        slope = turned @ residual
+        curvature = turned @ matrix @ turned.T - 0.5 * (turned @ (turns @ residual).T + (turns @ residual) @ turned.T)
+        values, vectors = np.linalg.eigh(curvature)
+        step = -vectors @ ((vectors.T @ slope) / np.maximum(np.abs(values), 1e-8 * np.abs(values).max()))
+        step *= min(1, 0.3 / max(np.linalg.norm(step), 1e-300))
+        while True:
+            w, q = np.linalg.eigh(1j * np.einsum("a,aij->ij", step, turns))
+            next_h = (q * np.exp(-1j * w) @ q.conj().T).real @ h
+            if energy(next_h) <= energy(h) or np.linalg.norm(step) < 1e-9:
+                break
+            step = step / 2
+        h = next_h
+        if np.linalg.norm(step) < 1e-9:
+            break
+    return energy(h)
+
+
 def cubic_projection(n):
     """The two harmonics with |m| = 2 about n as symmetric cubic tensors of unit norm, shape (2, 27): degree 3."""
     helper = np.eye(3)[np.argmin(np.abs(n))]

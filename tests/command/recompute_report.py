@@ -15,12 +15,14 @@ from pathlib import Path
 
 import numpy as np
 from field_reader import FACES, Field
-from frame_math import coefficients, cubic_spectrum, deviation, frame_product, matching, normal_energy
+from frame_math import (boundary_form, coefficients, cubic_spectrum, deviation, frame_product, least_near, matching,
+                        normal_energy)
 from program import run
 from surface_pieces import Surface, pieces_by_cell
 
 # Constants of the program that the report's numbers depend on.
 BOUNDARY_WEIGHT = 10
+DIAGONAL_SHARE = 0.2
 SAME_NORMAL = 3e-12
 SAME_EIGENVALUE, FITS = 0.1, 0.15
 FACE_SAMPLES = 4
@@ -37,7 +39,8 @@ class Recomputation:
         self.inside = self.surface.inside(self.field.centre)
         self.boundary = [i for i in range(len(self.field)) if self.pieces[i]]
         self.classes = {i: self.constraint_class(i) for i in self.boundary}
-        self.edges, self.ties = self.connect()
+        faces, self.ties = self.connect()
+        self.edges = self.with_diagonals(faces)
 
     def normals_and_areas(self, i):
         triangles, areas, _ = zip(*self.pieces[i])
@@ -103,6 +106,26 @@ class Recomputation:
             weight *= 1 - sum(k is not None and field.depth[k] < field.depth[i] for k in beside) / 3
         return weight
 
+    def with_diagonals(self, edges):
+        """Takes weight off the faces around every edge where four cells of equal size are joined all around, and
+        gives it to the diagonals: DIAGONAL_SHARE of the smallest weight."""
+        field = self.field
+        at = {(int(field.depth[i]), tuple(int(x) for x in field.place[i])): i for i in range(len(field))}
+        faces = {frozenset(edge[:2]): (k, edge[2]) for k, edge in enumerate(edges)}
+        given = np.zeros(len(edges))
+        diagonals = []
+        for (depth, place), i in at.items():
+            for a, b in ((0, 1), (0, 2), (1, 2)):
+                step_a, step_b = np.eye(3, dtype=int)[[a, b]]
+                ring = [at.get((depth, tuple(place + step))) for step in (0 * step_a, step_a, step_a + step_b, step_b)]
+                sides = [faces.get(frozenset((ring[k], ring[k - 1]))) for k in range(4)]
+                if None in ring or None in sides:
+                    continue
+                share = DIAGONAL_SHARE * min(weight for _, weight in sides)
+                given[[k for k, _ in sides]] += share
+                diagonals += [(ring[0], ring[2], share), (ring[1], ring[3], share)]
+        return [(i, j, weight - less) for (i, j, weight), less in zip(edges, given)] + diagonals
+
     # Sections of the report; each gives {key: (value, tolerance)}.
 
     def model(self):
@@ -122,12 +145,21 @@ class Recomputation:
         boundary = sum(BOUNDARY_WEIGHT / field.size[i] * area * normal_energy(self.surface.normals[t], field.axes[i])
                        for i in self.boundary for t, area, _ in self.pieces[i])
         smoothness = change.sum()
+        unavoidable = sum(BOUNDARY_WEIGHT / field.size[i] * self.least_boundary_energy(i) for i in self.boundary)
+        boundary -= unavoidable
         # Where a frame fits, all of this is rounding of numbers about 1.
         rounding = 1e-12 * sum(BOUNDARY_WEIGHT / field.size[i] * self.normals_and_areas(i)[1].sum() for i in self.boundary)
         return {"smoothness": (smoothness, 1e-4 * smoothness + rounding),
-                "boundary": (boundary, 1e-4 * boundary + rounding),
-                "total": (smoothness + boundary, 1e-4 * (smoothness + boundary) + rounding),
+                "boundary": (boundary, 1e-4 * boundary + 1e-6 * unavoidable + rounding),
+                "unavoidable": (unavoidable, 1e-4 * unavoidable + rounding),
+                "total": (smoothness + boundary, 1e-4 * (smoothness + boundary) + 1e-6 * unavoidable + rounding),
                 "deviation_max": self.largest_deviation()}
+
+    def least_boundary_energy(self, i):
+        normals, areas = self.normals_and_areas(i)
+        if (np.cross(normals, normals[0]) ** 2).sum(axis=1).max() <= SAME_NORMAL:
+            return 0
+        return max(0, least_near(boundary_form(normals, areas), self.field.axes[i]))
 
     def largest_deviation(self):
         written = self.field.arrays["coefficients"].astype(float)

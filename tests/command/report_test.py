@@ -14,7 +14,7 @@ KEYS = {
     "": ["schema", "model", "degree", "resolution", "levels", "energy", "alignment_deg", "spectrum", "singularity",
          "seconds", "peak_memory_bytes", "version", "walls", "warnings"],
     "model": ["path", "triangles", "bounding_box", "watertight", "components"],
-    "energy": ["smoothness", "boundary", "total", "deviation_max"],
+    "energy": ["smoothness", "boundary", "unavoidable", "total", "deviation_max"],
     "alignment_deg": ["mean", "p95", "max", "excluded_share"],
     "spectrum": ["plane", "axis", "frame", "free", "conflicted"],
     "singularity": ["edges", "length", "arcs", "nodes", "boundary_ends"],
@@ -68,7 +68,7 @@ class Report(CommandTest):
         for level in report["levels"]:
             self.assertEqual(list(level), ["depth", "cells", "active_cells", "sweeps", "energy", "seconds"])
             self.assertGreater(level["sweeps"], 0)
-        self.assertEqual(report["schema"], 1)
+        self.assertEqual(report["schema"], 2)
 
     def test_times_and_memory_are_possible(self):
         report, elapsed = self.solve(torus_triangles(), "--resolution", "24")

@@ -49,8 +49,28 @@ TEST(Adjacency, KeepsTheOrderOfTheEdges) {
   EXPECT_EQ(adjacency[0][2].cell, 1u);
 }
 
+TEST(Adjacency, HoldsTheRowsItIsMadeOfWhetherTheyShareWeightsOrNot) {
+  constexpr std::uint32_t kCells = 1000;  // several chunks of the parallel loop
+  const auto row_of = [](std::size_t i, std::vector<Adjacency::Neighbour>& row) {
+    // A few kinds of rows, so that most share their weights, and some of their own in between.
+    for (std::uint32_t k = 0; k < i % 5; ++k)
+      row.push_back({static_cast<std::uint32_t>((i + k + 1) % kCells), i % 7 == 0 ? 0.5f + i : 0.25f + k});
+  };
+  const Adjacency adjacency(kCells, row_of);
+  ASSERT_EQ(adjacency.size(), kCells);
+  for (std::size_t i = 0; i < kCells; ++i) {
+    std::vector<Adjacency::Neighbour> expected;
+    row_of(i, expected);
+    ASSERT_EQ(adjacency[i].size(), expected.size());
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      EXPECT_EQ(adjacency[i][k].cell, expected[k].cell);
+      EXPECT_EQ(adjacency[i][k].weight, expected[k].weight);
+    }
+  }
+}
+
 TEST(Adjacency, OfCellsWithoutEdgesIsEmptyRows) {
-  const Adjacency adjacency(3, {});
+  const Adjacency adjacency(3, std::vector<WeightedEdge>{});
   for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(adjacency[i].empty());
   EXPECT_EQ(Adjacency().size(), 0u);
 }

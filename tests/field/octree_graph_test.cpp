@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/octree_graph.hpp"
+#include "field/leaf_stencil.hpp"
 
 #include <gtest/gtest.h>
 
@@ -98,22 +99,6 @@ TEST(OctreeGraph, WeighsAFaceBetweenEqualLeavesByAreaOverDistance) {
   for (const WeightedEdge& edge : connections.edges) EXPECT_EQ(edge.weight, 1);
 }
 
-TEST(OctreeGraph, ColoursNoTwoNeighboursAlike) {
-  RandomSamples random(2);
-  for (int trial = 0; trial < 3; ++trial) {
-    const GridLevel level = interior_level(random_complete_octree(random, 5));
-    const LeafConnections connections = connect_leaves(level, any_solid().solid());
-    const Connectivity connectivity = connectivity_of(level, connections.edges);
-    std::vector<std::size_t> colour(level.size());
-    const Colouring& colouring = connectivity.colouring;
-    ASSERT_EQ(colouring.cells.size(), level.size());
-    for (std::size_t c = 0; c < colouring.colour_count(); ++c)
-      for (std::size_t k = colouring.begin[c]; k < colouring.begin[c + 1]; ++k)
-        colour[colouring.cells[k]] = c;
-    for (const WeightedEdge& edge : connections.edges) ASSERT_NE(colour[edge.first], colour[edge.second]);
-  }
-}
-
 TEST(OctreeGraph, CostsALinearFunctionWhatTheIntegralSaysAcrossTwoToOneFaces) {
   RandomSamples random(3);
   for (int trial = 0; trial < 8; ++trial) {
@@ -156,7 +141,7 @@ TEST(OctreeGraph, CostsALinearTwistWhatTheIntegralSaysToThreePercent) {
       const double angle_rad = rate * dot(along, level.tree.centre(i));
       frames.push_back(to_stored(from_rotation_vector(angle_rad * about) * base));
     }
-    const Adjacency adjacency(level.size(), connections.edges);
+    const Adjacency adjacency = connectivity_of(level, connections.edges, 0.2).adjacency;
     const double cost = degree_four_energy(level, any_solid().solid(), adjacency, frames, 10).smoothness;
     double exact = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -180,7 +165,7 @@ TYPED_TEST(BoundaryFormsTest, AreTheSumsOverThePiecesTimesWeightOverCellSize) {
   for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = random.uniform(0, 1) < 0.5;
   level = refined(level, solid.solid(), marks);
   // A graph without edges has no energy but that of its forms.
-  FieldGraph<D> graph{std::make_shared<const Connectivity>(connectivity_of(level, {})),
+  FieldGraph<D> graph{std::make_shared<const Connectivity>(connectivity_of(level, {}, 0)),
                       boundary_forms<D>(level, solid.solid(), 10, Shift::kNone)};
   FieldState<D> state;
   state.frames.resize(level.size());

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "field/leaf_stencil.hpp"
 #include "field/octree_graph.hpp"
 #include "grid/test_solid.hpp"
 #include "harmonics/random_samples.hpp"
@@ -40,7 +41,7 @@ class Stages : public ::testing::Test {
     const TestSolid bracket(make_bracket(16));
     const GridLevel level = bracket.level(0.08);
     const LeafConnections connections = connect_leaves(level, bracket.solid());
-    graph_ = {std::make_shared<const Connectivity>(connectivity_of(level, connections.edges)),
+    graph_ = {std::make_shared<const Connectivity>(connectivity_of(level, connections.edges, 0.2)),
               boundary_forms<D>(level, bracket.solid(), 10, Shift::kNone)};
   }
 

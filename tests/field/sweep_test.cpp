@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "field/energy.hpp"
+#include "field/leaf_stencil.hpp"
 #include "field/local_energy.hpp"
 #include "field/manifold_sweep.hpp"
 #include "field/octree_graph.hpp"
@@ -26,7 +27,7 @@ constexpr double kStored = 2e-6;
 template <int D>
 FieldGraph<D> graph_of(const GridLevel& level, const Solid& solid, Shift shift = Shift::kNone) {
   const LeafConnections connections = connect_leaves(level, solid);
-  return {std::make_shared<const Connectivity>(connectivity_of(level, connections.edges)),
+  return {std::make_shared<const Connectivity>(connectivity_of(level, connections.edges, 0.2)),
           boundary_forms<D>(level, solid, 10, shift)};
 }
 
@@ -58,9 +59,10 @@ FieldGraph<D> small_graph(RandomSamples& random) {
 /// A graph of one cell with a form that a single frame meets.
 template <int D>
 FieldGraph<D> one_cell_graph(const Quaternion& wanted) {
-  FieldGraph<D> graph{std::make_shared<const Connectivity>(
-                          Connectivity{Adjacency(1, {}), colouring_of(std::vector<std::uint8_t>{0})}),
-                      CellForms<D>(1)};
+  FieldGraph<D> graph{
+      std::make_shared<const Connectivity>(Connectivity{Adjacency(1, std::vector<WeightedEdge>{}),
+                                                        colouring_of(std::vector<std::uint8_t>{0})}),
+      CellForms<D>(1)};
   QuadraticForm<D> form;
   add_frame(form, wanted, 2);
   graph.forms.reserve_general(std::vector<std::uint32_t>{0});

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which leaves of a level the smoothness term compares: those that share an open face, and those across an
+// edge.
+#pragma once
+
+#include <vector>
+
+#include "field/field_graph.hpp"
+#include "grid/grid_level.hpp"
+
+namespace crossgrain {
+
+/// Adjacency and colouring of a level from its open faces (LeafConnections::edges).
+///
+/// With faces alone a singular arc that runs along the grid costs less than a slanted one, by a tenth of the
+/// energy around it (docs/solver.md, "Diagonals"). So wherever four leaves of equal size meet at an edge and
+/// all four faces between them are open, each of the two diagonals takes `diagonal_share` of the smallest of
+/// the four weights, and each of the four faces gives that up. For a field linear across the edge the two
+/// diagonals cost what the four faces gave up, so linear fields cost what they did. `diagonal_share` from 0
+/// to 1/4, for a face takes part in up to four such edges.
+Connectivity connectivity_of(const GridLevel& level, std::vector<WeightedEdge> faces, double diagonal_share);
+
+}  // namespace crossgrain
