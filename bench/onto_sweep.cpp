@@ -11,43 +11,30 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "crossgrain/crossgrain.hpp"
+#include "variants.hpp"
 
 namespace {
 
 using namespace crossgrain;
-
-struct Variant {
-  std::string name;
-  std::function<void(SolveOptions&)> apply;
-};
-
-template <class Value>
-void add(std::vector<Variant>& variants, const char* name, Value OntoOptions::*member,
-         std::vector<Value> values) {
-  for (const Value value : values) {
-    char text[80];
-    std::snprintf(text, sizeof text, "%s = %g", name, static_cast<double>(value));
-    variants.push_back({text, [=](SolveOptions& options) { options.onto.*member = value; }});
-  }
-}
 
 std::vector<Variant> variants() {
   std::vector<Variant> list{
       {"defaults", [](SolveOptions&) {}},
       {"degree 3", [](SolveOptions& options) { options.degree = Degree::kThree; }},
       {"smooth-only", [](SolveOptions& options) { options.onto.boundary = TetBoundary::kSmoothOnly; }}};
-  add(list, "cell_size_edges", &OntoOptions::cell_size_edges, {0.7, 1.4, 2.0, 2.8});
-  add(list, "crease_weight", &OntoOptions::crease_weight, {0.1, 0.3, 3.0, 10.0, 100.0});
-  add(list, "relaxation_sweeps", &OntoOptions::relaxation_sweeps, {0, 10, 20, 60, 120});
-  add(list, "symmetrisation", &OntoOptions::symmetrisation, {0.0, 0.5, 1.0, 2.0, 8.0});
-  add(list, "over_relaxation", &OntoOptions::over_relaxation, {1.0, 1.3, 1.8});
-  add(list, "most_sweeps", &OntoOptions::most_sweeps, {10, 20, 40, 300});
-  add(list, "sweep_tolerance", &OntoOptions::sweep_tolerance, {1e-3, 1e-4, 1e-6});
+  add(list, "cell_size_edges", &SolveOptions::onto, &OntoOptions::cell_size_edges, {0.7, 1.0, 1.4, 2.8});
+  add(list, "crease_weight", &SolveOptions::onto, &OntoOptions::crease_weight,
+      {0.1, 0.2, 1.0, 3.0, 10.0, 100.0});
+  add(list, "relaxation_sweeps", &SolveOptions::onto, &OntoOptions::relaxation_sweeps,
+      {0, 10, 20, 30, 60, 120});
+  add(list, "symmetrisation", &SolveOptions::onto, &OntoOptions::symmetrisation, {0.0, 0.5, 1.0, 2.0, 8.0});
+  add(list, "over_relaxation", &SolveOptions::onto, &OntoOptions::over_relaxation, {1.0, 1.3, 1.6, 1.8});
+  add(list, "most_sweeps", &SolveOptions::onto, &OntoOptions::most_sweeps, {10, 20, 40, 300});
+  add(list, "sweep_tolerance", &SolveOptions::onto, &OntoOptions::sweep_tolerance, {1e-3, 1e-4, 1e-6});
   return list;
 }
 

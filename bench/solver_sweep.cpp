@@ -11,12 +11,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "field/nested_solve.hpp"
 #include "support/shapes.hpp"
+#include "variants.hpp"
 
 namespace {
 
@@ -28,11 +28,6 @@ struct Shape {
   double cell_size;
 };
 
-struct Variant {
-  std::string name;
-  std::function<void(SolveOptions&)> apply;
-};
-
 std::vector<Shape> shapes() {
   const Quaternion tilt = from_rotation_vector({0.3 / std::sqrt(2.0), 0.3 / std::sqrt(2.0), 0});
   return {{"sphere", make_sphere(0.8, 4), 1.0 / 16},
@@ -41,40 +36,27 @@ std::vector<Shape> shapes() {
           {"bracket", make_bracket(64), 1.0 / 32}};
 }
 
-template <class Value>
-void add(std::vector<Variant>& variants, const char* name, Value SolverOptions::*member,
-         std::vector<Value> values) {
-  for (const Value value : values) {
-    char text[80];
-    std::snprintf(text, sizeof text, "%s = %g", name, static_cast<double>(value));
-    variants.push_back({text, [=](SolveOptions& options) { options.solver.*member = value; }});
-  }
-}
-
 std::vector<Variant> variants() {
   std::vector<Variant> list{{"defaults", [](SolveOptions&) {}},
                             {"degree 3", [](SolveOptions& options) { options.degree = Degree::kThree; }}};
   list.push_back({"degree 3, relaxed in degree 3", [](SolveOptions& options) {
                     options.degree = options.solver.relaxation_degree = Degree::kThree;
                   }});
-  add(list, "starts", &SolverOptions::starts, {1, 2, 5});
-  add<std::size_t>(list, "start_cells", &SolverOptions::start_cells, {0, 100, 300, 5000});
-  add(list, "start_relaxation", &SolverOptions::start_relaxation, {1, 15, 50, 400});
-  add(list, "level_relaxation", &SolverOptions::level_relaxation, {0, 10, 20, 60, 120});
-  add<std::size_t>(list, "relaxed_cells", &SolverOptions::relaxed_cells, {0, 1000, 1000000});
-  add(list, "symmetrisation", &SolverOptions::symmetrisation, {0.0, 0.25, 0.5, 2.0, 4.0, 8.0});
-  add(list, "over_relaxation", &SolverOptions::over_relaxation, {1.0, 1.2, 1.6, 1.8});
-  add(list, "most_sweeps", &SolverOptions::most_sweeps, {10, 20, 200});
-  add(list, "sweep_tolerance", &SolverOptions::sweep_tolerance, {1e-3, 3e-4, 1e-5});
+  add(list, "starts", &SolveOptions::solver, &SolverOptions::starts, {1, 2, 5});
+  add(list, "start_cells", &SolveOptions::solver, &SolverOptions::start_cells, {0, 100, 300, 5000});
+  add(list, "start_relaxation", &SolveOptions::solver, &SolverOptions::start_relaxation, {1, 15, 50, 400});
+  add(list, "level_relaxation", &SolveOptions::solver, &SolverOptions::level_relaxation,
+      {0, 10, 20, 60, 120});
+  add(list, "relaxed_cells", &SolveOptions::solver, &SolverOptions::relaxed_cells, {0, 1000, 1000000});
+  add(list, "symmetrisation", &SolveOptions::solver, &SolverOptions::symmetrisation,
+      {0.0, 0.25, 0.5, 2.0, 4.0, 8.0});
+  add(list, "over_relaxation", &SolveOptions::solver, &SolverOptions::over_relaxation, {1.0, 1.2, 1.6, 1.8});
+  add(list, "most_sweeps", &SolveOptions::solver, &SolverOptions::most_sweeps, {10, 20, 200});
+  add(list, "sweep_tolerance", &SolveOptions::solver, &SolverOptions::sweep_tolerance, {1e-3, 3e-4, 1e-5});
   list.push_back({"shift_relaxed_forms", [](SolveOptions& o) { o.solver.shift_relaxed_forms = true; }});
-  for (const int cells : {3, 8}) {
-    list.push_back({"coarsest_cells = " + std::to_string(cells),
-                    [=](SolveOptions& o) { o.refinement.coarsest_cells = cells; }});
-  }
-  for (const double threshold : {0.05, 1.0}) {
-    list.push_back({"energy_density_threshold = " + std::to_string(threshold),
-                    [=](SolveOptions& o) { o.refinement.energy_density_threshold = threshold; }});
-  }
+  add(list, "coarsest_cells", &SolveOptions::refinement, &RefinementOptions::coarsest_cells, {3, 8});
+  add(list, "energy_density_threshold", &SolveOptions::refinement,
+      &RefinementOptions::energy_density_threshold, {0.05, 1.0});
   return list;
 }
 

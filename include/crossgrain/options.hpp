@@ -93,19 +93,19 @@ struct OntoOptions {
 
   /// Size of the finest octree cells in typical edge lengths of the tets (TetDomain::typical_edge_length),
   /// where no resolution and no cell size is given; but at least `fewest_cells` along the longest side.
-  double cell_size_edges = 1.05;
+  double cell_size_edges = 2;
   int fewest_cells = 8;
 
   /// Weight of the form of a crease or corner vertex, in units of the sum of its edge weights: the larger,
   /// the closer to the creases and the less smooth.
-  double crease_weight = 0.5;
+  double crease_weight = 0.4;
 
   /// Relaxation sweeps on the tets, and the penalty at their end, as in SolverOptions.
-  int relaxation_sweeps = 30;
+  int relaxation_sweeps = 45;
   double symmetrisation = 6;
 
   /// As in SolverOptions.
-  double over_relaxation = 1.6;
+  double over_relaxation = 1.5;
 
   /// Manifold sweeps at most, and the fraction of the energy by which a sweep must lower it for another to
   /// follow.

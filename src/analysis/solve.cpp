@@ -93,7 +93,9 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   for (CellIndex i = 0; i < solved.level.size(); ++i) data->on_boundary[i] = solved.level.holds_surface(i);
   data->report.singularity = singularity_graph(solved.level.tree, solved.frames, solved.open_faces).counts();
   data->report.model = describe(mesh, surface, topology);
-  data->report.warnings = warnings_of(data->report, surface, topology);
+  data->report.warnings = surface_warnings(surface, topology);
+  const std::vector<std::string> unresolved = resolution_warnings(data->report);
+  data->report.warnings.insert(data->report.warnings.end(), unresolved.begin(), unresolved.end());
   if (!solved.settled) data->report.warnings.push_back("the energy had not settled when the sweeps ran out");
   data->tree = std::move(solved.level.tree);
   data->frames = std::move(solved.frames);

@@ -164,8 +164,7 @@ void check_interior(const GridLevel& finest, const Surface& surface, const Surfa
   }
 }
 
-std::vector<std::string> warnings_of(const SolveReport& report, const Surface& surface,
-                                     const SurfaceTopology& topology) {
+std::vector<std::string> surface_warnings(const Surface& surface, const SurfaceTopology& topology) {
   std::vector<std::string> warnings;
   if (surface.degenerate_triangles > 0) {
     warnings.push_back(fmt::format("{} triangles without area were left out", surface.degenerate_triangles));
@@ -182,6 +181,11 @@ std::vector<std::string> warnings_of(const SolveReport& report, const Surface& s
                     "are told apart by the winding number",
                     topology.open_edges, topology.nonmanifold_edges));
   }
+  return warnings;
+}
+
+std::vector<std::string> resolution_warnings(const SolveReport& report) {
+  std::vector<std::string> warnings;
   if (report.walls.thin_share > kThinShareToWarnOf) {
     warnings.push_back(
         fmt::format("walls below {:g} cells under {:.0f} % of the surface: under-resolved there, raise the "

@@ -28,9 +28,10 @@ void check_size(const Surface& surface, double finest_cell_size);
 /// surface is open, or flat.
 void check_interior(const GridLevel& finest, const Surface& surface, const SurfaceTopology& topology);
 
-/// One sentence each, for SolveReport::warnings.
-std::vector<std::string> warnings_of(const SolveReport& report, const Surface& surface,
-                                     const SurfaceTopology& topology);
+/// One sentence each, for SolveReport::warnings: of faults of the surface, and of what the finest cells do
+/// not resolve of it.
+std::vector<std::string> surface_warnings(const Surface& surface, const SurfaceTopology& topology);
+std::vector<std::string> resolution_warnings(const SolveReport& report);
 
 /// A warning of vertices of a tet mesh outside every cell.
 std::string outside_warning(std::size_t outside, std::size_t vertices);

@@ -58,6 +58,8 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   monitor.check();
 
   SolveReport report = grid.report();
+  // Tets have cells of their own: the grid is only where they start (docs/solver.md, "On tets").
+  for (const std::string& warning : resolution_warnings(report)) std::erase(report.warnings, warning);
   report.onto =
       describe(tets, evaluate_vertex_field(tets.solid, tets.boundary, tets.edges, field->vertex_frames));
   report.onto->boundary = name_of(options.onto.boundary);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of a sweep: options changed one at a time.
+#pragma once
+
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "crossgrain/options.hpp"
+
+namespace crossgrain {
+
+struct Variant {
+  std::string name;
+  std::function<void(SolveOptions&)> apply;
+};
+
+/// One row for each value of a member of `section`, a part of SolveOptions.
+template <class Section, class Value>
+void add(std::vector<Variant>& variants, const char* name, Section SolveOptions::*section,
+         Value Section::*member, std::vector<Value> values) {
+  for (const Value value : values) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%s = %g", name, static_cast<double>(value));
+    variants.push_back({text, [=](SolveOptions& options) { options.*section.*member = value; }});
+  }
+}
+
+}  // namespace crossgrain
