@@ -12,7 +12,8 @@ namespace crossgrain {
 
 enum class VectorWidth : std::uint8_t { kTwo, kFour, kEight };  ///< in doubles
 
-/// What this processor has.
+/// What this processor has, or less where the environment variable CROSSGRAIN_VECTOR_DOUBLES is 2 or 4: so
+/// that results of all kinds of processors can be compared on one.
 VectorWidth vector_width();
 
 #if defined(__x86_64__) && defined(__GNUC__)

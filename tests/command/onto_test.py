@@ -92,6 +92,18 @@ class TetsAsModel(OntoTest):
         self.assertEqual(self.solve("box.mesh", "--resolution", 10)["resolution"], 10)
         self.assertEqual(self.solve("box.mesh", "--cell-size", 0.25)["resolution"], 8)
 
+    def test_the_result_does_not_depend_on_the_vectors_of_the_processor(self):
+        # Cells that are cut, inside and held to a normal, in lanes beside each other.
+        vertices, tets = tet_box(cells=(8, 6, 7))
+        self.write("box.mesh", medit_text(vertices @ tilt(), tets))
+        for degree in (3, 4):
+            results = set()
+            for doubles in ("2", "4", "8"):
+                environment = {**os.environ, "CROSSGRAIN_VECTOR_DOUBLES": doubles}
+                self.assert_succeeds(self.run_here("solve", "box.mesh", "-o", "out", "--degree", degree, env=environment))
+                results.add(tuple((self.folder / "out" / name).read_bytes() for name in ("field.vtu", "onto.frames")))
+            self.assertEqual(len(results), 1)
+
     def test_what_only_the_grid_does_not_resolve_is_no_warning(self):
         vertices, tets = tet_box(cells=(16, 16, 2))
         vertices[:, 2] *= 0.1
