@@ -13,7 +13,10 @@ struct Progress {
   int depth;          ///< octree depth of the level being worked on, 0 where there is none
   std::size_t cells;  ///< active cells of that level; in "tets" vertices of the mesh
   int sweep;          ///< sweeps done on that level
-  double energy;  ///< energy after that sweep in the degree of the solve; not finite where none is known yet
+
+  /// What the sweeps lower, after that sweep, in the degree of the solve; with what the report calls
+  /// unavoidable still in it. Not finite where none is known yet.
+  double energy;
 };
 
 /// Carries cancellation into a computation and progress out of it. The only object that may be shared between
