@@ -34,7 +34,7 @@ EnergyParts energy_of(const TriangleMesh& mesh, const SolveOptions& options) {
   const Surface surface = prepare_surface(mesh);
   const TriangleBvh bvh(surface);
   const WindingNumber winding(surface, bvh);
-  return nested_solve({surface, bvh, winding}, options, Monitor{}).energy;
+  return nested_solve({surface, bvh, winding, true}, options, Monitor{}).energy;
 }
 
 std::vector<Quaternion> rotations() {

@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
         options.cell_size = shape.cell_size;
         options.seed = static_cast<std::uint64_t>(seed);
         variant.apply(options);
-        const double energy = nested_solve({surface, bvh, winding}, options, Monitor{}).energy.total();
+        const double energy = nested_solve({surface, bvh, winding, true}, options, Monitor{}).energy.total();
         lowest = std::min(lowest, energy);
         highest = std::max(highest, energy);
       }

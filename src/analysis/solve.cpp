@@ -69,9 +69,9 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   check_size(surface, finest_cell_size(surface.box, options));
   const TriangleBvh bvh(surface);
   const WindingNumber winding(surface, bvh);
-  const Solid solid{surface, bvh, winding};
-  SolvedField solved = nested_solve(solid, options, monitor, initial_frame);
   const SurfaceTopology topology = analyse_topology(mesh);
+  const Solid solid{surface, bvh, winding, topology.watertight};
+  SolvedField solved = nested_solve(solid, options, monitor, initial_frame);
   check_interior(solved.level, surface, topology);
 
   monitor.report({"analysis", 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN()});

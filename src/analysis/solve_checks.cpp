@@ -154,7 +154,7 @@ void check_size(const Surface& surface, double finest_cell_size) {
 }
 
 void check_interior(const GridLevel& finest, const Surface& surface, const SurfaceTopology& topology) {
-  if (std::find(finest.centre_inside.begin(), finest.centre_inside.end(), 1) != finest.centre_inside.end())
+  if (std::any_of(finest.centre_winding.begin(), finest.centre_winding.end(), [](int w) { return w > 0; }))
     return;
   if (!topology.watertight) {
     refuse(ErrorKind::kInput, "the surface is open and encloses nothing; close it");

@@ -96,9 +96,10 @@ class LeafConnector {
 /// Sets of leaves that edges join (union by smaller index, path halving).
 class Components {
  public:
-  explicit Components(const std::vector<std::uint8_t>& centre_inside)
-      : root_(centre_inside.size()), size_(centre_inside.size(), 1), inside_(centre_inside) {
+  explicit Components(const GridLevel& level)
+      : root_(level.size()), size_(level.size(), 1), inside_(level.size()) {
     std::iota(root_.begin(), root_.end(), CellIndex{0});
+    for (CellIndex i = 0; i < level.size(); ++i) inside_[i] = level.centre_inside(i);
   }
 
   void join(CellIndex a, CellIndex b) {
@@ -135,7 +136,7 @@ class Components {
 /// Ties specks to the rest of the solid, inwards and from the rest outwards, so that none is tied to another
 /// speck only. Single leaves that this does not reach are tied to any neighbour.
 void tie_specks(const GridLevel& level, const LeafConnector& connector, LeafConnections& connections) {
-  Components components(level.centre_inside);
+  Components components(level);
   for (const WeightedEdge& edge : connections.edges) components.join(edge.first, edge.second);
   std::vector<CellIndex> specks;
   for (CellIndex i = 0; i < level.size(); ++i) {

@@ -8,11 +8,13 @@
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "surface/clipping.hpp"
+#include "surface/segment_crossing.hpp"
 
 namespace crossgrain {
 namespace {
 
-/// Pieces smaller than this share of a cell face are rounding noise of a triangle that only touches the cell.
+/// Pieces smaller than this share both of a cell face and of their triangle are rounding noise of a triangle
+/// that only touches the cell.
 constexpr double kSmallestPiece = 1e-9;
 
 /// Leaves that one task refines.
@@ -27,10 +29,19 @@ struct RefinedRun {
   std::vector<CellAddress> leaves;
   std::vector<std::uint32_t> piece_counts;
   std::vector<SurfacePiece> pieces;
-  std::vector<std::uint8_t> centre_inside;
+  std::vector<std::int8_t> centre_winding;
   std::vector<CellIndex> parent;
   std::size_t split = 0;
 };
+
+std::int8_t in_byte(int winding) {
+  return static_cast<std::int8_t>(std::clamp<int>(winding, INT8_MIN, INT8_MAX));
+}
+
+std::int8_t winding_at(const Solid& solid, const Vector3& point) {
+  if (!solid.closed) return solid.winding.inside(point) ? 1 : 0;
+  return in_byte(static_cast<int>(std::lround(solid.winding.at(point))));
+}
 
 class Refiner {
  public:
@@ -45,7 +56,7 @@ class Refiner {
       } else {
         const auto pieces = level_.pieces_of(i);
         run.pieces.insert(run.pieces.end(), pieces.begin(), pieces.end());
-        close_leaf(i, level_.tree[i], pieces.size(), level_.centre_inside[i], run);
+        close_leaf(i, level_.tree[i], pieces.size(), level_.centre_winding[i], run);
       }
     }
     return run;
@@ -59,21 +70,37 @@ class Refiner {
     const std::size_t before = run.pieces.size();
     for (const SurfacePiece& piece : level_.pieces_of(i)) {
       const double area = clip_triangle(solid_.surface.corners(piece.triangle), box).area;
-      if (area > kSmallestPiece * cell_size * cell_size) {
+      if (area > kSmallestPiece * std::min(cell_size * cell_size, solid_.surface.areas[piece.triangle])) {
         run.pieces.push_back({piece.triangle, static_cast<float>(area)});
       }
     }
     const std::size_t piece_count = run.pieces.size() - before;
-    // A leaf without surface is on one side of it, so its children are where it is.
-    const bool inside = level_.holds_surface(i) ? solid_.winding.inside(0.5 * (box.low + box.high)) : true;
-    if (piece_count > 0 || inside) close_leaf(i, child, piece_count, inside, run);
+    const std::int8_t winding = winding_within(i, 0.5 * (box.low + box.high));
+    if (piece_count > 0 || winding > 0) close_leaf(i, child, piece_count, winding, run);
   }
 
-  static void close_leaf(CellIndex parent, CellAddress leaf, std::size_t piece_count, bool inside,
+  /// How often the surface winds around a point in leaf i. From the leaf's centre it changes only where the
+  /// surface that the leaf holds is crossed; where rounding could count that wrong, or the surface is open,
+  /// it is computed anew.
+  std::int8_t winding_within(CellIndex i, const Vector3& point) const {
+    int winding = level_.centre_winding[i];
+    if (!level_.holds_surface(i)) return level_.centre_winding[i];
+    if (!solid_.closed) return winding_at(solid_, point);
+    const int orientation = solid_.winding.flipped() ? -1 : 1;
+    const Vector3 centre = level_.tree.centre(i);
+    for (const SurfacePiece& piece : level_.pieces_of(i)) {
+      const auto change = winding_change(solid_.surface.corners(piece.triangle), centre, point);
+      if (!change) return winding_at(solid_, point);
+      winding += orientation * *change;
+    }
+    return in_byte(winding);
+  }
+
+  static void close_leaf(CellIndex parent, CellAddress leaf, std::size_t piece_count, std::int8_t winding,
                          RefinedRun& run) {
     run.leaves.push_back(leaf);
     run.piece_counts.push_back(static_cast<std::uint32_t>(piece_count));
-    run.centre_inside.push_back(inside);
+    run.centre_winding.push_back(winding);
     run.parent.push_back(parent);
   }
 
@@ -97,14 +124,15 @@ GridLevel joined(const RootCube& root, const std::vector<RefinedRun>& runs, std:
   level.pieces.reserve(piece_count);
   level.piece_begin.reserve(leaf_count + 1);
   level.piece_begin.push_back(0);
-  level.centre_inside.reserve(leaf_count);
+  level.centre_winding.reserve(leaf_count);
   level.parent.reserve(leaf_count);
   for (const RefinedRun& run : runs) {
     leaves.insert(leaves.end(), run.leaves.begin(), run.leaves.end());
     level.pieces.insert(level.pieces.end(), run.pieces.begin(), run.pieces.end());
     for (const std::uint32_t count : run.piece_counts)
       level.piece_begin.push_back(level.piece_begin.back() + count);
-    level.centre_inside.insert(level.centre_inside.end(), run.centre_inside.begin(), run.centre_inside.end());
+    level.centre_winding.insert(level.centre_winding.end(), run.centre_winding.begin(),
+                                run.centre_winding.end());
     level.parent.insert(level.parent.end(), run.parent.begin(), run.parent.end());
   }
   level.tree = Octree(root, std::move(leaves));
@@ -122,7 +150,7 @@ GridLevel root_level(const Solid& solid, const RootCube& root) {
     level.pieces.push_back({static_cast<std::uint32_t>(t), static_cast<float>(solid.surface.areas[t])});
   }
   level.piece_begin = {0, static_cast<std::uint32_t>(triangle_count)};
-  level.centre_inside = {solid.winding.inside(root.centre(CellAddress::root()))};
+  level.centre_winding = {winding_at(solid, root.centre(CellAddress::root()))};
   level.examined_leaves = 1;
   return level;
 }

@@ -28,8 +28,9 @@ struct GridLevel {
   std::vector<std::uint32_t> piece_begin;
   std::vector<SurfacePiece> pieces;
 
-  /// Whether the centre of leaf i is inside the solid.
-  std::vector<std::uint8_t> centre_inside;
+  /// How often the surface winds around the centre of leaf i: a whole number, 0 or 1 where the surface is not
+  /// closed.
+  std::vector<std::int8_t> centre_winding;
 
   /// The leaf of the level before that is leaf i or its parent; empty on the coarsest level.
   std::vector<CellIndex> parent;
@@ -41,6 +42,7 @@ struct GridLevel {
   std::span<const SurfacePiece> pieces_of(CellIndex i) const {
     return {pieces.data() + piece_begin[i], pieces.data() + piece_begin[i + 1]};
   }
+  bool centre_inside(CellIndex i) const { return centre_winding[i] > 0; }
   bool holds_surface(CellIndex i) const { return piece_begin[i + 1] > piece_begin[i]; }
 };
 
@@ -49,6 +51,11 @@ struct Solid {
   const Surface& surface;
   const TriangleBvh& bvh;
   const WindingNumber& winding;
+
+  /// The surface has no boundary and no two sides of an edge contradict each other
+  /// (SurfaceTopology::watertight): winding numbers are whole, and change by one where a path crosses the
+  /// surface.
+  bool closed = false;
 
   /// The normal of a triangle that points out of the solid, also where the surface is inside out.
   Vector3 outward_normal(std::uint32_t triangle) const {

@@ -2,52 +2,51 @@
 #include "grid/open_faces.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "base/vector3.hpp"
+#include "surface/segment_crossing.hpp"
 
 namespace crossgrain {
 namespace {
 
-/// +1 where the segment from a to b enters the solid through the triangle, -1 where it leaves, 0 where it
-/// misses.
-int crossing(const std::array<Vector3, 3>& corners, const Vector3& a, const Vector3& b) {
-  const Vector3 direction = b - a;
-  const Vector3 edge1 = corners[1] - corners[0], edge2 = corners[2] - corners[0];
-  const Vector3 p = cross(direction, edge2);
-  const double determinant = dot(edge1, p);  // -direction . (edge1 x edge2)
-  if (determinant == 0) return 0;
-  const Vector3 s = a - corners[0];
-  const double u = dot(s, p) / determinant;
-  if (u < 0 || u > 1) return 0;
-  const Vector3 q = cross(s, edge1);
-  const double v = dot(direction, q) / determinant;
-  if (v < 0 || u + v > 1) return 0;
-  const double t = dot(edge2, q) / determinant;
-  if (t < 0 || t > 1) return 0;
-  return determinant > 0 ? 1 : -1;
+/// By how much the winding number changes from the centre of leaf i to a point of it; nothing where rounding
+/// could tell it wrong.
+std::optional<int> winding_change_to(const GridLevel& level, const Solid& solid, CellIndex i,
+                                     const Vector3& point) {
+  int sum = 0;
+  for (const SurfacePiece& piece : level.pieces_of(i)) {
+    const auto change = winding_change(solid.surface.corners(piece.triangle), level.tree.centre(i), point);
+    if (!change) return std::nullopt;
+    sum += *change;
+  }
+  return solid.winding.flipped() ? -sum : sum;
 }
+
+/// How far a sample moves, in cells, where the way there runs along an edge of the surface: faces of parts
+/// drawn in round numbers are cut along lines that lead through many samples.
+constexpr double kNudge1 = 0.0137, kNudge2 = 0.0071;
 
 }  // namespace
 
 double open_fraction(const GridLevel& level, const Solid& solid, CellIndex i, int face) {
-  const auto pieces = level.pieces_of(i);
-  if (pieces.empty()) return 1;
-  const int orientation = solid.winding.flipped() ? -1 : 1;
+  if (!level.holds_surface(i)) return 1;
   const double size = level.tree.cell_size(i);
-  const Vector3 centre = level.tree.centre(i);
   const int axis = face_axis(face), axis1 = (axis + 1) % 3, axis2 = (axis + 2) % 3;
   int open = 0;
   for (int a = 0; a < kOpenFaceSamples; ++a) {
     for (int b = 0; b < kOpenFaceSamples; ++b) {
-      Vector3 point = centre;
+      Vector3 point = level.tree.centre(i);
       point[axis] += 0.5 * face_sign(face) * size;
       point[axis1] += ((a + 0.5) / kOpenFaceSamples - 0.5) * size;
       point[axis2] += ((b + 0.5) / kOpenFaceSamples - 0.5) * size;
-      int winding = level.centre_inside[i];
-      for (const SurfacePiece& piece : pieces) {
-        winding += orientation * crossing(solid.surface.corners(piece.triangle), centre, point);
+      std::optional<int> change = winding_change_to(level, solid, i, point);
+      if (!change) {
+        point[axis1] += kNudge1 * size;
+        point[axis2] += kNudge2 * size;
+        change = winding_change_to(level, solid, i, point);
       }
-      open += winding > 0;
+      open += level.centre_winding[i] + change.value_or(0) > 0;
     }
   }
   return static_cast<double>(open) / (kOpenFaceSamples * kOpenFaceSamples);

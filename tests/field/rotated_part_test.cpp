@@ -65,7 +65,7 @@ Comparison compare(const SolvedField& a, const SolvedField& b, const Quaternion&
   std::vector<std::pair<double, double>> angles;  // degrees, volume
   double compared = 0, all = 0, within = 0;
   for (CellIndex i = 0; i < a.level.size(); ++i) {
-    if (!a.level.centre_inside[i]) continue;
+    if (!a.level.centre_inside(i)) continue;
     const Vector3 p = a.level.tree.centre(i);
     const double volume = std::pow(a.level.tree.cell_size(i), 3);
     all += volume;

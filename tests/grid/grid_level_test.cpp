@@ -119,7 +119,38 @@ TEST(GridLevel, FlagsACentreAsInsideWhereItIs) {
     const Vector3 p = rotate(conjugate(turn), level.tree.centre(i));
     bool inside = true;
     for (int axis = 0; axis < 3; ++axis) inside &= std::abs(p[axis]) < size[axis] / 2;
-    ASSERT_EQ(level.centre_inside[i] != 0, inside);
+    ASSERT_EQ(level.centre_inside(i), inside);
+  }
+}
+
+TEST(GridLevel, CountsHowOftenTheSurfaceWindsAroundACentre) {
+  // Two balls that overlap, so that some centres are inside twice; and an open one, where it is 0 or 1.
+  RandomSamples random(7);
+  const TriangleMesh ball = make_sphere(0.4, 3);
+  TriangleMesh open_ball = ball;
+  open_ball.triangles.resize(open_ball.triangles.size() - 3);
+  for (const TriangleMesh& mesh : {join_meshes(ball, translate_mesh(ball, {0.3, 0.05, 0.1})), open_ball}) {
+    const TestSolid solid(rotate_mesh(mesh, random.rotation()));
+    const GridLevel level = randomly_refined(solid, random, 0.03);
+    int twice = 0;
+    for (CellIndex i = 0; i < level.size(); ++i) {
+      const double winding = solid.winding().at(level.tree.centre(i));
+      ASSERT_EQ(level.centre_winding[i], solid.solid().closed ? std::lround(winding) : winding > 0.5);
+      twice += level.centre_winding[i] == 2;
+    }
+    EXPECT_EQ(twice > 100, solid.solid().closed) << twice;
+  }
+}
+
+TEST(GridLevel, KeepsTrianglesMuchSmallerThanItsCells) {
+  // A speck of a box inside nothing: its triangles are far below a billionth of a cell's face.
+  const TestSolid solid(
+      join_meshes(make_box({1, 1, 1}), translate_mesh(scale_mesh(make_box({1, 1, 1}), 1e-6), {0.8, 0, 0})));
+  for (const double cell_size : {0.3, 0.1}) {
+    const GridLevel level = solid.level(cell_size);
+    std::size_t tiny = 0;
+    for (const SurfacePiece& piece : level.pieces) tiny += piece.area < 1e-11;
+    EXPECT_GE(tiny, 12u);
   }
 }
 
@@ -127,7 +158,7 @@ TEST(GridLevel, OfASolidTurnedInsideOutIsTheSame) {
   const TestSolid solid(make_bracket(16)), inside_out(flip_mesh(make_bracket(16)));
   const GridLevel a = solid.level(0.06), b = inside_out.level(0.06);
   EXPECT_EQ(a.tree.leaves(), b.tree.leaves());
-  EXPECT_EQ(a.centre_inside, b.centre_inside);
+  EXPECT_EQ(a.centre_winding, b.centre_winding);
 }
 
 TEST(GridLevel, HoldsTheWholeAreaOfTheSurfaceOnEveryLevel) {

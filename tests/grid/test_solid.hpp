@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "grid/grid_level.hpp"
+#include "surface/topology.hpp"
 
 namespace crossgrain::testing {
 
@@ -13,11 +14,14 @@ namespace crossgrain::testing {
 class TestSolid {
  public:
   explicit TestSolid(TriangleMesh mesh)
-      : surface_(prepare_surface(std::move(mesh))), bvh_(surface_), winding_(surface_, bvh_) {}
+      : closed_(analyse_topology(weld(mesh)).watertight),
+        surface_(prepare_surface(std::move(mesh))),
+        bvh_(surface_),
+        winding_(surface_, bvh_) {}
   TestSolid(const TestSolid&) = delete;
   TestSolid& operator=(const TestSolid&) = delete;
 
-  Solid solid() const { return {surface_, bvh_, winding_}; }
+  Solid solid() const { return {surface_, bvh_, winding_, closed_}; }
   const Surface& surface() const { return surface_; }
   const WindingNumber& winding() const { return winding_; }
 
@@ -34,6 +38,7 @@ class TestSolid {
   }
 
  private:
+  bool closed_;
   Surface surface_;
   TriangleBvh bvh_;
   WindingNumber winding_;
@@ -67,7 +72,7 @@ inline Octree split(const Octree& tree, const std::vector<bool>& marked) {
 inline GridLevel interior_level(Octree tree) {
   GridLevel level;
   level.piece_begin.assign(tree.size() + 1, 0);
-  level.centre_inside.assign(tree.size(), 1);
+  level.centre_winding.assign(tree.size(), 1);
   level.tree = std::move(tree);
   return level;
 }

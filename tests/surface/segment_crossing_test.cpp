@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/segment_crossing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "harmonics/random_samples.hpp"
+#include "support/shapes.hpp"
+#include "surface/bvh.hpp"
+#include "surface/winding_number.hpp"
+
+namespace crossgrain {
+namespace {
+
+using testing::RandomSamples;
+
+const std::array<Vector3, 3> kTriangle{Vector3{0, 0, 0}, Vector3{1, 0, 0}, Vector3{0, 1, 0}};  // normal +z
+
+TEST(WindingChange, IsOneAgainstTheNormalAndMinusOneAlongIt) {
+  EXPECT_EQ(winding_change(kTriangle, {0.2, 0.3, 1}, {0.3, 0.2, -1}), 1);
+  EXPECT_EQ(winding_change(kTriangle, {0.3, 0.2, -1}, {0.2, 0.3, 1}), -1);
+}
+
+TEST(WindingChange, IsNoneBesideTheTriangleAndShortOfIt) {
+  EXPECT_EQ(winding_change(kTriangle, {0.8, 0.8, 1}, {0.8, 0.8, -1}), 0);
+  EXPECT_EQ(winding_change(kTriangle, {0.2, 0.3, 1}, {0.2, 0.3, 0.1}), 0);
+  EXPECT_EQ(winding_change(kTriangle, {-5, 0.2, 0.1}, {5, 0.2, 0.1}), 0);
+}
+
+TEST(WindingChange, IsLeftOpenAtEdgesCornersAndEndsInThePlane) {
+  EXPECT_FALSE(winding_change(kTriangle, {0.5, 0, 1}, {0.5, 0, -1}));
+  EXPECT_FALSE(winding_change(kTriangle, {0, 0, 1}, {0, 0, -1}));
+  EXPECT_FALSE(winding_change(kTriangle, {0.5, 0.5, 1}, {0.5, 0.5, -1}));
+  EXPECT_FALSE(winding_change(kTriangle, {0.2, 0.3, 0}, {0.2, 0.3, 1}));
+}
+
+TEST(WindingChange, IsCertainATrifleOffAnEdge) {
+  for (const double scale : {1e-6, 1.0, 1e6}) {
+    const auto scaled = [&](double x, double y, double z) { return scale * Vector3{x, y, z}; };
+    const std::array<Vector3, 3> triangle{scaled(0, 0, 0), scaled(1, 0, 0), scaled(0, 1, 0)};
+    EXPECT_EQ(winding_change(triangle, scaled(0.5, 1e-12, 1), scaled(0.5, 1e-12, -1)), 1);
+    EXPECT_EQ(winding_change(triangle, scaled(0.5, -1e-12, 1), scaled(0.5, -1e-12, -1)), 0);
+  }
+}
+
+TEST(WindingChange, SumsUpToTheDifferenceOfWindingNumbersOverAClosedSurface) {
+  RandomSamples random(1);
+  const TriangleMesh overlapping =
+      join_meshes(make_torus(0.6, 0.25, 24, 12), translate_mesh(make_sphere(0.4, 2), {0.5, 0.1, 0}));
+  for (const TriangleMesh& mesh : {make_bracket(16), make_torus(0.6, 0.25, 24, 12), overlapping}) {
+    const Surface surface = prepare_surface(rotate_mesh(mesh, random.rotation()));
+    const TriangleBvh bvh(surface);
+    const WindingNumber winding(surface, bvh);
+    int certain = 0, changed = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+      const Vector3 a = 0.4 * random.vector(), b = 0.4 * random.vector();
+      int sum = 0;
+      bool known = true;
+      for (std::uint32_t t = 0; t < surface.size() && known; ++t) {
+        const auto change = winding_change(surface.corners(t), a, b);
+        known = change.has_value();
+        sum += change.value_or(0);
+      }
+      if (!known) continue;
+      ++certain;
+      changed += sum != 0;
+      ASSERT_EQ(sum, std::lround(winding.at(b)) - std::lround(winding.at(a)));
+    }
+    EXPECT_EQ(certain, 2000);
+    EXPECT_GT(changed, 100);
+  }
+}
+
+}  // namespace
+}  // namespace crossgrain
