@@ -55,7 +55,7 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
           ->add_option(
               "--resolution", options.resolution,
               "Finest cells along the longest side of the bounding box (default 128; with tets, cells "
-              "of the size of their edges)")
+              "twice as large as their edges)")
           ->check(CLI::Range(4, kMany))
           ->type_name("N");
   command->add_option("--cell-size", options.cell_size, "Size of the finest cells in model units instead")

@@ -107,15 +107,16 @@ std::string summary_of(const SolveReport& report, const std::string& output) {
   const auto& alignment = report.alignment_deg;
   std::string text = fmt::format("{} triangles, {}\n", report.model.triangles,
                                  report.model.watertight ? "watertight" : "not watertight");
+  if (report.onto) text += tets_lines(*report.onto) + "grid       that the tets started from:\n";
   if (!report.levels.empty()) text += fmt::format("cells      {}\n", report.levels.back().active_cells);
-  text += fmt::format("energy     {:.6g} (smoothness {:.6g}, boundary {:.6g})\n", report.energy.total,
-                      report.energy.smoothness, report.energy.boundary);
+  text += fmt::format(
+      "energy     {:.6g} (smoothness {:.6g}, boundary {:.6g}), and {:.6g} that no frame avoids\n",
+      report.energy.total, report.energy.smoothness, report.energy.boundary, report.energy.unavoidable);
   text += fmt::format(
       "alignment  {:.3g} degrees off the surface in the mean, 95 % within {:.3g}, all within {:.3g}; {:.3g} "
       "% left out\n",
       alignment.mean, alignment.p95, alignment.max, 100 * alignment.excluded_share);
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
-  if (report.onto) text += tets_lines(*report.onto);
   for (const std::string& warning : report.warnings) text += fmt::format("warning    {}\n", warning);
   return text + fmt::format("result     {}\n", files_line(report, output));
 }

@@ -69,7 +69,7 @@ struct SolverOptions {
   double over_relaxation = 1.4;
 
   /// Whether relaxed levels use forms shifted so that they penalise only what the constraints of a cell
-  /// exclude (crossgrain/spectrum.hpp). It takes 15 % more time and has not lowered an energy:
+  /// exclude (crossgrain/spectrum.hpp). It takes more time and has not lowered an energy:
   /// docs/solver.md.
   bool shift_relaxed_forms = false;
 

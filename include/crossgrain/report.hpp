@@ -26,10 +26,11 @@ struct SolveReport {
   double resolution = 0;  ///< finest cells along the longest side of the bounding box
   std::vector<LevelStatistics> levels;
 
+  /// Of degree 4, whatever degree was solved.
   struct Energy {
-    double smoothness = 0;  ///< degree 4: 1/2 sum over open faces of (area / distance) |h_i - h_j|^2
-    double boundary = 0;  ///< degree 4: sum over surface pieces of kappa / dx * area * E_n(h), less the next
-    double unavoidable = 0;    ///< what no turn of single frames would take off that: conflicts within cells
+    double smoothness = 0;     ///< 1/2 sum over pairs of neighbours of w |h_i - h_j|^2
+    double boundary = 0;       ///< kappa / dx * area * E_n(h) over all pieces of surface, above `unavoidable`
+    double unavoidable = 0;    ///< the least of that which any frames would leave, cell by cell
     double total = 0;          ///< smoothness and boundary
     double deviation_max = 0;  ///< largest E_sym of the cells' coefficients
   } energy;

@@ -11,7 +11,7 @@ struct LevelStatistics {
   std::size_t cells;         ///< leaves of the complete octree, outside ones too
   std::size_t active_cells;  ///< leaves that hold surface or have their centre inside
   int sweeps;                ///< relaxation and manifold sweeps over all cells
-  double energy;             ///< degree-4 energy at the end; not comparable between levels
+  double energy;             ///< SolveReport::Energy::total at the end; not comparable between levels
   double seconds;            ///< wall time, grid construction included
 };
 

@@ -30,7 +30,8 @@ class TetFrameField {
   /// four vertices.
   Frame tet_frame(std::size_t index) const;
 
-  /// That of grid(), with `onto`, the domain's warnings and the time that the tets took.
+  /// That of grid(), with `onto`, the domain's warnings and the time that the tets took; without warnings of
+  /// what the grid's cells do not resolve.
   const SolveReport& report() const { return *report_; }
 
   /// The representation behind the field, for the library itself.

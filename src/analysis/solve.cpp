@@ -79,7 +79,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   data->degree = options.degree;
   std::vector<double> density = energy_density(solved.level, solved.connectivity->adjacency, solved.frames);
   data->energy_density.assign(density.begin(), density.end());
-  density = {};
+  std::vector<double>().swap(density);
   solved.connectivity = {};
   monitor.check();
   {

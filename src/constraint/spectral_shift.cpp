@@ -16,6 +16,8 @@
 #include "constraint/spectral_shift.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
+#include <optional>
 
 #include "constraint/dense.hpp"
 #include "constraint/log_det_shift.hpp"
@@ -77,6 +79,20 @@ bool is_positive_semidefinite(const QuadraticForm<4>& form, double tolerance) {
   return Eigen::LLT<DenseMatrix<4>>(matrix).info() == Eigen::Success;
 }
 
+/// W above for a minimum at `frame`; nothing where it is negative somewhere, as it is where another frame is
+/// lower.
+std::optional<QuadraticForm<4>> shifted_at(const QuadraticForm<4>& form, const Quaternion& frame) {
+  const Coefficients<4> h = frame_coefficients<4>(frame);
+  const Coefficients<4> r = half_gradient(form, h);
+  const double mu = -dot(r, h);
+  QuadraticForm<4> result = form;
+  add_identity(result, mu);
+  add_symmetrisation(result, symmetrisation_multiplier(frame, h, r));
+  result.constant -= value(form, h) + mu;
+  if (!is_positive_semidefinite(result, kNegligible * form.weight)) return std::nullopt;
+  return result;
+}
+
 }  // namespace
 
 template <>
@@ -89,16 +105,15 @@ QuadraticForm<3> shifted<3>(const QuadraticForm<3>& form) {
 template <>
 QuadraticForm<4> shifted<4>(const QuadraticForm<4>& form) {
   if (!(form.weight > 0)) return form;
-  const Quaternion frame = minimising_frame(form);
-  const Coefficients<4> h = frame_coefficients<4>(frame);
-  const Coefficients<4> r = half_gradient(form, h);
-  const double mu = -dot(r, h);
-  QuadraticForm<4> result = form;
-  add_identity(result, mu);
-  add_symmetrisation(result, symmetrisation_multiplier(frame, h, r));
-  result.constant -= value(form, h) + mu;
-  if (is_positive_semidefinite(result, kNegligible * form.weight)) return result;
-  return log_det_shifted(form);
+  const auto result = shifted_at(form, minimising_frame(form));
+  return result ? *result : log_det_shifted(form);
+}
+
+double least_value(const QuadraticForm<4>& form, const Quaternion& start) {
+  const auto value_at = [&](const Quaternion& frame) { return value(form, frame_coefficients<4>(frame)); };
+  const Quaternion near = refine_minimising_frame(form, start);
+  if (shifted_at(form, near)) return value_at(near);
+  return std::min(value_at(near), value_at(minimising_frame(form)));
 }
 
 }  // namespace crossgrain

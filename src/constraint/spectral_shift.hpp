@@ -3,6 +3,7 @@
 // 3).
 #pragma once
 
+#include "base/quaternion.hpp"
 #include "constraint/quadratic_form.hpp"
 
 namespace crossgrain {
@@ -14,5 +15,10 @@ namespace crossgrain {
 /// frames are added too.
 template <int D>
 QuadraticForm<D> shifted(const QuadraticForm<D>& form);
+
+/// The smallest value of the form over all frames. The search begins at `start`, on which only the time
+/// depends: wherever the minimum found from there is not shown to be the least by a shifted form that is
+/// nowhere negative (19 of 20 cells are), all frames are searched.
+double least_value(const QuadraticForm<4>& form, const Quaternion& start);
 
 }  // namespace crossgrain

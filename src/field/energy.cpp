@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
-#include "constraint/minimising_frame.hpp"
 #include "constraint/normal_form.hpp"
+#include "constraint/spectral_shift.hpp"
 #include "grid/cell_constraints.hpp"
 #include "harmonics/frame.hpp"
 
@@ -51,18 +51,18 @@ double edge_sum(const Adjacency& adjacency, const std::vector<StoredCoefficients
 double boundary_value(const GridLevel& level, const Solid& solid, CellIndex leaf, const Coefficients<4>& h) {
   double sum = 0;
   for (const SurfacePiece& piece : level.pieces_of(leaf)) {
+    // Never negative but for rounding.
     sum += piece.area *
            std::max(0.0, normal_value<4>(normal_basis<4>(solid.surface.normals[piece.triangle]), h));
   }
   return sum;
 }
 
-/// The same at the minimum over frames near this one.
-double least_value_near(const GridLevel& level, const Solid& solid, CellIndex leaf, const Quaternion& frame) {
+/// The least that any frame gives it.
+double least_boundary_value(const GridLevel& level, const Solid& solid, CellIndex leaf,
+                            const Quaternion& frame) {
   if (has_single_normal(level, solid, leaf)) return 0;
-  const QuadraticForm<4> form = cell_form<4>(level, solid, leaf);
-  const Quaternion best = refine_minimising_frame(form, frame);
-  return std::max(0.0, value(form, frame_coefficients<4>(best)));
+  return std::max(0.0, least_value(cell_form<4>(level, solid, leaf), frame));
 }
 
 }  // namespace
@@ -92,12 +92,12 @@ EnergyParts degree_four_energy(const GridLevel& level, const Solid& solid, const
       return boundary_weight / level.tree.cell_size(leaf) * term(leaf, from_stored(frames[i]));
     });
   };
-  parts.unavoidable = sum_over_leaves(
-      [&](CellIndex leaf, const Quaternion& frame) { return least_value_near(level, solid, leaf, frame); });
+  parts.unavoidable = sum_over_leaves([&](CellIndex leaf, const Quaternion& frame) {
+    return least_boundary_value(level, solid, leaf, frame);
+  });
   const double boundary = sum_over_leaves([&](CellIndex leaf, const Quaternion& frame) {
     return boundary_value(level, solid, leaf, frame_coefficients<4>(frame));
   });
-  // Never negative but for rounding.
   parts.boundary = std::max(0.0, boundary - parts.unavoidable);
   return parts;
 }

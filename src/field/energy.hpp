@@ -21,13 +21,12 @@ double graph_energy(const FieldGraph<D>& graph, const FieldState<D>& state);
 /// the cells and jumps with how they cut the surface, so it is counted apart (docs/solver.md, "Rotated
 /// parts"; docs/design.md section 3 shifts forms for the same reason).
 struct EnergyParts {
-  double smoothness = 0;  ///< 1/2 sum over edges of w |h_i - h_j|^2
+  double smoothness = 0;  ///< 1/2 sum over pairs of neighbours of w |h_i - h_j|^2
 
   /// kappa / dx * sum over surface pieces of area * E_n(h), above `unavoidable`.
   double boundary = 0;
 
-  /// What the boundary forms of cells with several normals have left once every frame is turned to the
-  /// nearest minimum of its own.
+  /// Sum over the cells with several normals of the least value that any frame gives their form.
   double unavoidable = 0;
 
   double total() const { return smoothness + boundary; }

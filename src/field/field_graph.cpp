@@ -14,10 +14,9 @@ namespace {
 
 void check_edge_count(std::size_t ends) {
   if (ends > std::numeric_limits<std::uint32_t>::max())
-    throw Error(
-        ErrorKind::kLimit,
-        "more than 2 billion neighbours of cells or edges of tets: lower the resolution or take fewer "
-        "tets");
+    throw Error(ErrorKind::kLimit,
+                "more than 2 billion pairs of neighbouring cells or edges of tets: lower the resolution or "
+                "take fewer tets");
 }
 
 /// The weights of rows put one after the other, but for rows that have those of one of the last few.

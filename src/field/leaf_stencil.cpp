@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+//
+// Notation: a and b are faces of a leaf that meet at an edge, as 2 * axis + side.
 #include "field/leaf_stencil.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <utility>
 
 namespace crossgrain {
 namespace {
@@ -21,7 +25,7 @@ class Stencil {
         others.push_back(edge);
       }
     }
-    faces = {};
+    std::vector<WeightedEdge>().swap(faces);
     others_ = Adjacency(level.size(), others);
   }
 
@@ -59,7 +63,8 @@ class Stencil {
     for (int axis = 0; axis < 3; ++axis) {
       if (a[axis] != b[axis]) return 2 * axis + (b[axis] > a[axis] ? 1 : 0);
     }
-    return -1;
+    assert(false);
+    return 0;
   }
 
   void put(const WeightedEdge& edge, int face) {

@@ -210,7 +210,7 @@ class NestedSolver {
     const Marks marks = candidates_.size() > 1 ? Marks(result_.level.size(), true)
                                                : refinement_marks(result_.level, solid_, density_,
                                                                   finest_depth, options_.refinement);
-    density_ = {};
+    std::vector<double>().swap(density_);
     result_.level = refined(result_.level, solid_, marks, monitor_);
   }
 

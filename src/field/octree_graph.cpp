@@ -186,7 +186,7 @@ LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const
   result.edges.reserve(edge_count);
   for (auto& run : runs) {
     result.edges.insert(result.edges.end(), run.begin(), run.end());
-    run = {};
+    std::vector<WeightedEdge>().swap(run);
   }
   tie_specks(level, connector, result);
   return result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/stages.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -33,7 +34,8 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
     const double decrease = manifold_sweep(graph, state, plan.over_relaxation);
     result.energy -= decrease;
     after_sweep(result.energy);
-    result.settled = decrease <= plan.fraction * result.energy + plan.noise;
+    // Where all frames agree, rounding of the forms takes the energy a little below nothing.
+    result.settled = decrease <= plan.fraction * std::max(0.0, result.energy) + plan.noise;
   }
   result.frames = std::move(state.frames);
   return result;

@@ -199,6 +199,34 @@ TEST_F(SolveOntoCylinder, StopsWhenInterrupted) {
   }
 }
 
+TEST(Solve, RefusesAShareOfDiagonalsOutOfRange) {
+  const TriangleMesh box = TetDomain(TetBox{{2, 2, 2}}.mesh()).boundary();
+  for (const double share : {-0.1, 0.26, double{NAN}}) {
+    SolveOptions options;
+    options.resolution = 4;
+    options.solver.diagonal_share = share;
+    EXPECT_THROW(solve(box, options), Error);
+  }
+}
+
+TEST(SolveOnto, OfABentPlateTwoTetsThickDoesNotDependOnTheGrid) {
+  TetMesh plate = TetBox{{60, 24, 2}}.mesh();
+  for (Vector3& p : plate.vertices) {
+    // Bent along one direction by 200 degrees, and wavy along the other.
+    const double angle_rad = p[0] / 17, wave = 3 * std::sin(p[1] / 8), radius = 17 + p[2] + wave;
+    p = {radius * std::cos(angle_rad), radius * std::sin(angle_rad), p[1]};
+  }
+  const TetDomain domain(std::move(plate));
+  std::vector<double> energies;
+  for (const double edges : {0.8, 2.0, 3.0}) {
+    SolveOptions options;
+    options.onto.cell_size_edges = edges;
+    energies.push_back(solve_onto(domain, options).report().onto->dirichlet);
+  }
+  EXPECT_GT(energies[0], 1);
+  for (const double energy : energies) EXPECT_NEAR(energy / energies[0], 1, 1e-3);
+}
+
 TEST(CarryOnto, RefusesOptionsOutOfRange) {
   const TetDomain domain(TetBox{{2, 2, 2}}.mesh());
   SolveOptions options;

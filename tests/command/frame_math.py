@@ -49,7 +49,7 @@ def boundary_form(normals, weights):
 
 
 def least_near(form, axes):
-    """The minimum over frames of a boundary_form that downhill Newton steps from these axes lead to."""
+    """The minimum of a boundary_form over frames that downhill Newton steps from these axes lead to."""
     matrix, linear, constant = form
     turns = generators(4)
 

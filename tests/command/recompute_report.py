@@ -27,6 +27,7 @@ SAME_NORMAL = 3e-12
 SAME_EIGENVALUE, FITS = 0.1, 0.15
 FACE_SAMPLES = 4
 TIE = 0.5 / FACE_SAMPLES**2
+STARTS = [np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0] for seed in range(4)]
 WALL_CELLS, WALL_COSINE, SHEET_AREA = 4, 0.5, 0.1
 
 
@@ -159,7 +160,8 @@ class Recomputation:
         normals, areas = self.normals_and_areas(i)
         if (np.cross(normals, normals[0]) ** 2).sum(axis=1).max() <= SAME_NORMAL:
             return 0
-        return max(0, least_near(boundary_form(normals, areas), self.field.axes[i]))
+        form = boundary_form(normals, areas)
+        return max(0, min(least_near(form, axes) for axes in (self.field.axes[i], *STARTS)))
 
     def largest_deviation(self):
         written = self.field.arrays["coefficients"].astype(float)

@@ -8,7 +8,6 @@
 
 #include "base/quaternion.hpp"
 #include "crossgrain/options.hpp"
-#include "field/field_state.hpp"
 #include "field/octree_graph.hpp"
 #include "field/tet_finish.hpp"
 #include "grid/refinement.hpp"
@@ -80,7 +79,7 @@ TEST(LeafStencil, WithoutDiagonalsIsTheFaces) {
   EXPECT_TRUE(expected.empty());
 }
 
-TEST(LeafStencil, HasTheSamePositiveWeightFromBothSidesOfEveryEdge) {
+TEST(LeafStencil, HasTheSameWeightFromBothSidesOfEveryEdgeAndNoneBelowZero) {
   const GridLevel level = cut_level(turned_bracket());
   const auto connectivity =
       connectivity_of(level, connect_leaves(level, turned_bracket().solid()).edges, 0.25);
@@ -88,7 +87,7 @@ TEST(LeafStencil, HasTheSamePositiveWeightFromBothSidesOfEveryEdge) {
   for (CellIndex i = 0; i < level.size(); ++i) {
     for (const auto& [j, weight] : connectivity.adjacency[i]) {
       ASSERT_TRUE(weights.insert({{i, j}, weight}).second) << "named twice";
-      ASSERT_GE(weight, 0);  // a fourth of the smallest from four sides leaves nothing
+      ASSERT_GE(weight, 0);
     }
   }
   for (const auto& [pair, weight] : weights) ASSERT_EQ(weights.at({pair.second, pair.first}), weight);
@@ -179,14 +178,20 @@ TEST(LeafStencil, CostsASingularArcTheSameInAllDirections) {
 }
 
 TEST(LeafStencil, ColoursNoTwoNeighboursAlike) {
-  const GridLevel level = cut_level(turned_bracket());
+  // Leaves of three sizes.
+  GridLevel level = cut_level(turned_bracket());
+  Marks marks(level.size());
+  for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = i % 37 == 0;
+  level = refined(level, turned_bracket().solid(), marks);
   const auto connectivity =
       connectivity_of(level, connect_leaves(level, turned_bracket().solid()).edges, 0.2);
-  std::vector<std::size_t> colour(level.size());
+  ASSERT_EQ(connectivity.colouring.cells.size(), level.size());
+  std::vector<std::size_t> colour(level.size(), SIZE_MAX);
   for (std::size_t c = 0; c < connectivity.colouring.colour_count(); ++c) {
     for (const CellIndex i : connectivity.colouring.cells_of(c)) colour[i] = c;
   }
   for (CellIndex i = 0; i < level.size(); ++i) {
+    ASSERT_NE(colour[i], SIZE_MAX);
     for (const auto& [j, weight] : connectivity.adjacency[i]) ASSERT_NE(colour[i], colour[j]);
   }
 }

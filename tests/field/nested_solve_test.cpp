@@ -6,11 +6,8 @@
 #include <map>
 
 #include "base/parallel.hpp"
-#include "constraint/minimising_frame.hpp"
 #include "crossgrain/error.hpp"
-#include "grid/cell_constraints.hpp"
 #include "grid/test_solid.hpp"
-#include "harmonics/frame.hpp"
 #include "harmonics/random_samples.hpp"
 #include "support/shapes.hpp"
 
@@ -148,22 +145,6 @@ TEST(NestedSolve, EndsWithTheEnergyOfItsFrames) {
   EXPECT_EQ(field.energy.smoothness, again.smoothness);
   EXPECT_EQ(field.energy.boundary, again.boundary);
   EXPECT_EQ(field.energy.unavoidable, again.unavoidable);
-}
-
-TEST(NestedSolve, EndsWhereEveryCellsFrameIsNextToTheBestOneForItsSurface) {
-  // So that what `unavoidable` finds near the frames is what no frame could avoid.
-  const TestSolid solid(rotate_mesh(make_bracket(24), RandomSamples(2).rotation()));
-  const SolveOptions options = options_of(32);
-  const SolvedField field = solved(solid, options);
-  double least = 0;
-  for (CellIndex i = 0; i < field.level.size(); ++i) {
-    if (!field.level.holds_surface(i) || has_single_normal(field.level, solid.solid(), i)) continue;
-    const QuadraticForm<4> form = cell_form<4>(field.level, solid.solid(), i);
-    least += options.solver.boundary_weight / field.level.tree.cell_size(i) *
-             value(form, frame_coefficients<4>(minimising_frame(form)));
-  }
-  EXPECT_GT(least, 0.1 * field.energy.smoothness);
-  EXPECT_NEAR(field.energy.unavoidable / least, 1, 1e-4);
 }
 
 TEST(NestedSolve, HasItsFinestCellsOfTheSizeThatTheResolutionSays) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/octree_graph.hpp"
-#include "field/leaf_stencil.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 
 #include "constraint/normal_form.hpp"
 #include "field/energy.hpp"
+#include "field/leaf_stencil.hpp"
 #include "grid/refinement.hpp"
 #include "grid/test_solid.hpp"
 #include "harmonics/random_samples.hpp"
