@@ -38,18 +38,21 @@ FieldGraph<4> box_of_cells(std::uint32_t across) {
                                                                 {1, 0, kBack},
                                                                 {0, 1, 1},
                                                                 {0, 1, kBack}}};
-  std::vector<WeightedEdge> edges;
   const std::uint32_t cells = across * across * across;
-  for (std::uint32_t cell = 0; cell < cells; ++cell) {
-    const std::array<std::uint32_t, 3> at{cell % across, cell / across % across, cell / across / across};
-    for (const auto& step : kSteps) {
+  const auto row_of = [&](std::size_t cell, std::vector<Adjacency::Neighbour>& row) {
+    const auto i = static_cast<std::uint32_t>(cell);
+    const std::array<std::uint32_t, 3> at{i % across, i / across % across, i / across / across};
+    const auto add = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
       // One back from 0 is far outside.
-      const std::uint32_t x = at[0] + step[0], y = at[1] + step[1], z = at[2] + step[2];
-      if (std::max({x, y, z}) < across) edges.push_back({cell, (z * across + y) * across + x, 0.2f});
+      if (std::max({x, y, z}) < across) row.push_back({(z * across + y) * across + x, 0.2f});
+    };
+    for (const auto& step : kSteps) {
+      add(at[0] + step[0], at[1] + step[1], at[2] + step[2]);
+      add(at[0] - step[0], at[1] - step[1], at[2] - step[2]);
     }
-  }
+  };
   Connectivity connectivity;
-  connectivity.adjacency = Adjacency(cells, edges);
+  connectivity.adjacency = Adjacency(cells, row_of);
   connectivity.colouring = greedy_colouring(connectivity.adjacency);
   return {std::make_shared<const Connectivity>(std::move(connectivity)), CellForms<4>(cells)};
 }

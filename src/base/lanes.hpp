@@ -138,10 +138,14 @@ struct Lanes {
   }
 };
 
-/// Eight numbers that stand one after the other. Spelled out, since for loops and for
-/// __builtin_convertvector GCC 12 finds no single instruction.
-inline Lanes<8> eight_lanes_of(const float* x) {
-  return Lanes<8>(NativeLanes<8>::Double{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]});
+/// W numbers that stand one after the other. Spelled out, since for loops and for __builtin_convertvector GCC
+/// 12 finds no single instruction.
+template <int W>
+Lanes<W> lanes_of(const float* x) {
+  using Double = typename NativeLanes<W>::Double;
+  if constexpr (W == 2) return Lanes<W>(Double{x[0], x[1]});
+  if constexpr (W == 4) return Lanes<W>(Double{x[0], x[1], x[2], x[3]});
+  if constexpr (W == 8) return Lanes<W>(Double{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]});
 }
 
 /// The numbers in one lane.

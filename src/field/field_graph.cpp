@@ -12,49 +12,27 @@ namespace crossgrain {
 
 namespace {
 
-void check_edge_count(std::size_t ends) {
-  if (ends > std::numeric_limits<std::uint32_t>::max())
-    throw Error(ErrorKind::kLimit,
-                "more than 2 billion pairs of neighbouring cells or edges of tets: lower the resolution or "
-                "take fewer tets");
+[[noreturn]] void throw_too_many_edges() {
+  throw Error(
+      ErrorKind::kLimit,
+      "more than 2 billion pairs of neighbouring cells or edges of tets: lower the resolution or take fewer "
+      "tets");
 }
 
-/// The weights of rows put one after the other, but for rows that have those of one of the last few.
-class WeightRows {
- public:
-  /// Where the weights of the row begin, counted from the first ones put here. New ones go to `weights`,
-  /// unless that is null.
-  std::size_t put(const std::vector<Adjacency::Neighbour>& row, float* weights) {
-    for (const Stored& stored : last_) {
-      if (std::equal(stored.weights.begin(), stored.weights.end(), row.begin(), row.end(),
-                     [](float weight, const Adjacency::Neighbour& n) { return weight == n.weight; }))
-        return stored.begin;
-    }
-    Stored& oldest = last_[next_++ % last_.size()];
-    oldest.begin = size_;
-    oldest.weights.clear();
-    for (const Adjacency::Neighbour& neighbour : row) oldest.weights.push_back(neighbour.weight);
-    if (weights != nullptr) std::copy(oldest.weights.begin(), oldest.weights.end(), weights + size_);
-    size_ += row.size();
-    return oldest.begin;
-  }
+void check_edge_count(std::size_t ends) {
+  if (ends > std::numeric_limits<std::uint32_t>::max()) throw_too_many_edges();
+}
 
-  std::size_t size() const { return size_; }
-
- private:
-  struct Stored {
-    std::size_t begin = 0;
-    std::vector<float> weights;
-  };
-  std::array<Stored, 4> last_;
-  std::size_t next_ = 0;
-  std::size_t size_ = 0;
-};
+bool have_one_weight(const std::vector<Adjacency::Neighbour>& row) {
+  return !row.empty() && std::all_of(row.begin(), row.end(), [&](const Adjacency::Neighbour& neighbour) {
+    return neighbour.weight == row[0].weight;
+  });
+}
 
 }  // namespace
 
 Adjacency::Adjacency(std::size_t cell_count, std::span<const WeightedEdge> edges) {
-  check_edge_count(2 * edges.size());
+  if (2 * edges.size() >= kEqual) throw_too_many_edges();
   begin_.assign(cell_count + 1, 0);
   for (const WeightedEdge& edge : edges) {
     ++begin_[edge.first + 1];
@@ -77,37 +55,39 @@ Adjacency::Adjacency(std::size_t cell_count, std::span<const WeightedEdge> edges
 }
 
 Adjacency::Adjacency(std::size_t cell_count, const RowOf& row_of) {
-  const std::size_t chunks = (cell_count + kParallelGrain - 1) / kParallelGrain;
-  std::vector<std::size_t> row_ends(chunks + 1), weight_ends(chunks + 1);
-  begin_.assign(cell_count + 1, 0);
-  weight_begin_.resize(cell_count);
-  const auto visit = [&](const auto& with_row) {
+  const auto for_each_row = [&](const auto& visit) {
     parallel_for_chunks(cell_count, kParallelGrain, [&](std::size_t begin, std::size_t end) {
-      WeightRows rows;
       std::vector<Neighbour> row;
       for (std::size_t i = begin; i < end; ++i) {
         row.clear();
         row_of(i, row);
-        with_row(begin / kParallelGrain, i, row, rows);
+        visit(i, row);
       }
     });
   };
-  visit([&](std::size_t chunk, std::size_t i, const std::vector<Neighbour>& row, WeightRows& rows) {
-    rows.put(row, nullptr);
+  // Sizes first, each at the place of the next row's begin.
+  begin_.assign(cell_count + 1, 0);
+  weight_begin_.assign(cell_count + 1, 0);
+  for_each_row([&](std::size_t i, const std::vector<Neighbour>& row) {
     begin_[i + 1] = static_cast<std::uint32_t>(row.size());
-    row_ends[chunk + 1] += row.size();
-    weight_ends[chunk + 1] = rows.size();
+    weight_begin_[i + 1] = have_one_weight(row) ? 1 : static_cast<std::uint32_t>(row.size());
   });
-  std::partial_sum(row_ends.begin(), row_ends.end(), row_ends.begin());
-  std::partial_sum(weight_ends.begin(), weight_ends.end(), weight_ends.begin());
-  check_edge_count(row_ends.back());
+  const auto total = [](const std::vector<std::uint32_t>& sizes) {
+    return std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+  };
+  check_edge_count(total(begin_));
+  if (total(weight_begin_) >= kEqual) throw_too_many_edges();
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  cells_.resize(row_ends.back());
-  weights_.resize(weight_ends.back());
-  visit([&](std::size_t chunk, std::size_t i, const std::vector<Neighbour>& row, WeightRows& rows) {
+  std::partial_sum(weight_begin_.begin(), weight_begin_.end(), weight_begin_.begin());
+  cells_.resize(begin_.back());
+  weights_.resize(weight_begin_.back());
+  weight_begin_.pop_back();
+  for_each_row([&](std::size_t i, const std::vector<Neighbour>& row) {
     for (std::size_t k = 0; k < row.size(); ++k) cells_[begin_[i] + k] = row[k].cell;
-    const std::size_t place = rows.put(row, weights_.data() + weight_ends[chunk]);
-    weight_begin_[i] = static_cast<std::uint32_t>(weight_ends[chunk] + place);
+    const bool one_weight = have_one_weight(row);
+    for (std::size_t k = 0; k < (one_weight ? 1 : row.size()); ++k)
+      weights_[weight_begin_[i] + k] = row[k].weight;
+    if (one_weight) weight_begin_[i] |= kEqual;
   });
 }
 

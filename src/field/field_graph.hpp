@@ -23,8 +23,8 @@ struct WeightedEdge {
   float weight;  ///< a length: open face area over the distance of the centres
 };
 
-/// Neighbour lists in compressed rows, each edge in both. Rows with the same weights one after the other, as
-/// those of cells inside have, may share them in memory.
+/// Neighbour lists in compressed rows, each edge in both. Where all neighbours have the same weight, as
+/// inside a solid, it is stored once.
 class Adjacency {
  public:
   struct Neighbour {
@@ -37,11 +37,12 @@ class Adjacency {
    public:
     class Iterator {
      public:
-      Iterator(const std::uint32_t* cell, const float* weight) : cell_(cell), weight_(weight) {}
+      Iterator(const std::uint32_t* cell, const float* weight, std::size_t stride)
+          : cell_(cell), weight_(weight), stride_(stride) {}
       Neighbour operator*() const { return {*cell_, *weight_}; }
       Iterator& operator++() {
         ++cell_;
-        ++weight_;
+        weight_ += stride_;
         return *this;
       }
       bool operator==(const Iterator& other) const { return cell_ == other.cell_; }
@@ -49,20 +50,23 @@ class Adjacency {
      private:
       const std::uint32_t* cell_;
       const float* weight_;
+      std::size_t stride_;
     };
 
-    Row(const std::uint32_t* cells, const float* weights, std::size_t size)
-        : cells_(cells), weights_(weights), size_(size) {}
-    std::size_t size() const { return size_; }
-    bool empty() const { return size_ == 0; }
-    Neighbour operator[](std::size_t k) const { return {cells_[k], weights_[k]}; }
-    Iterator begin() const { return {cells_, weights_}; }
-    Iterator end() const { return {cells_ + size_, weights_ + size_}; }
+    /// `stride` 0: one weight for all.
+    Row(std::span<const std::uint32_t> cells, const float* weights, std::size_t stride)
+        : cells_(cells), weights_(weights), stride_(stride) {}
+    std::size_t size() const { return cells_.size(); }
+    bool empty() const { return cells_.empty(); }
+    bool has_equal_weights() const { return stride_ == 0; }
+    Neighbour operator[](std::size_t k) const { return {cells_[k], weights_[k * stride_]}; }
+    Iterator begin() const { return {cells_.data(), weights_, stride_}; }
+    Iterator end() const { return {cells_.data() + cells_.size(), nullptr, stride_}; }
 
    private:
-    const std::uint32_t* cells_;
+    std::span<const std::uint32_t> cells_;
     const float* weights_;
-    std::size_t size_;
+    std::size_t stride_;
   };
 
   /// Puts the neighbours of a cell into `row`, which comes empty.
@@ -79,11 +83,16 @@ class Adjacency {
 
   std::size_t size() const { return begin_.empty() ? 0 : begin_.size() - 1; }
   Row operator[](std::size_t cell) const {
-    return {cells_.data() + begin_[cell], weights_.data() + weight_begin_[cell],
-            begin_[cell + 1] - begin_[cell]};
+    const std::uint32_t place = weight_begin_[cell];
+    return {{cells_.data() + begin_[cell], cells_.data() + begin_[cell + 1]},
+            weights_.data() + (place & ~kEqual),
+            (place & kEqual) == 0};
   }
 
  private:
+  /// In weight_begin_: the neighbours of this cell have one weight in common, stored once.
+  static constexpr std::uint32_t kEqual = std::uint32_t{1} << 31;
+
   std::vector<std::uint32_t> begin_;
   std::vector<std::uint32_t> cells_;
   std::vector<std::uint32_t> weight_begin_;

@@ -95,16 +95,31 @@ class LocalEnergy {
   /// Here the eight orders below the last stand side by side, since that is how they are stored.
   void add_to_lane(int lane, const Adjacency::Row& neighbours,
                    const std::vector<StoredCoefficients<4>>& coefficients) {
-    Lanes<8> sum = 0;
+    constexpr int kGroups = 8 / W;
+    std::array<Real, kGroups> sums;
+    sums.fill(0.0);
     double last = 0, total_weight = 0;
-    for (const auto& [neighbour, weight] : neighbours) {
-      const StoredCoefficients<4>& h = coefficients[neighbour];
-      const double half_weight = 0.5 * weight;
-      sum += half_weight * eight_lanes_of(h.data());
-      last += half_weight * h[8];
-      total_weight += weight;
+    if (neighbours.has_equal_weights()) {
+      // Inside the solid: one multiplication for all.
+      for (const auto& [neighbour, weight] : neighbours) {
+        const StoredCoefficients<4>& h = coefficients[neighbour];
+        for (int g = 0; g < kGroups; ++g) sums[g] += lanes_of<W>(h.data() + g * W);
+        last += h[8];
+      }
+      const double weight = neighbours.empty() ? 0 : neighbours[0].weight;
+      for (Real& sum : sums) sum = 0.5 * weight * sum;
+      last *= 0.5 * weight;
+      total_weight = weight * static_cast<double>(neighbours.size());
+    } else {
+      for (const auto& [neighbour, weight] : neighbours) {
+        const StoredCoefficients<4>& h = coefficients[neighbour];
+        const double half_weight = 0.5 * weight;
+        for (int g = 0; g < kGroups; ++g) sums[g] += half_weight * lanes_of<W>(h.data() + g * W);
+        last += half_weight * h[8];
+        total_weight += weight;
+      }
     }
-    for (int m = 0; m < 8; ++m) linear_[m].set(lane, sum[m]);
+    for (int m = 0; m < 8; ++m) linear_[m].set(lane, sums[m / W][m % W]);
     linear_[8].set(lane, last);
     neighbour_weight_.set(lane, total_weight);
   }
