@@ -53,7 +53,7 @@ FieldGraph<4> box_of_cells(std::uint32_t across) {
   };
   Connectivity connectivity;
   connectivity.adjacency = Adjacency(cells, row_of);
-  connectivity.colouring = greedy_colouring(connectivity.adjacency);
+  connectivity.order = greedy_colouring(connectivity.adjacency);
   return {std::make_shared<const Connectivity>(std::move(connectivity)), CellForms<4>(cells)};
 }
 
@@ -63,7 +63,7 @@ struct PlainState {
 };
 
 void plain_sweep(const FieldGraph<4>& graph, PlainState& state) {
-  for (const std::uint32_t cell : graph.colouring().cells) {
+  for (const std::uint32_t cell : graph.order().cells) {
     Coefficients<4> v{};
     for (const auto& [neighbour, weight] : graph.adjacency()[cell])
       add_scaled(v, weight, state.coefficients[neighbour]);

@@ -148,6 +148,17 @@ Lanes<W> lanes_of(const float* x) {
   if constexpr (W == 8) return Lanes<W>(Double{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]});
 }
 
+/// The number in lane `Lane` of `a`, in all lanes. Where the number is known as a double only, filling lanes
+/// with it takes one instruction per lane.
+template <int Lane, int W>
+Lanes<W> repeated(const Lanes<W>& a) {
+  using Index = typename NativeLanes<W>::Mask;
+  if constexpr (W == 2) return Lanes<W>(__builtin_shuffle(a.native, Index{Lane, Lane}));
+  if constexpr (W == 4) return Lanes<W>(__builtin_shuffle(a.native, Index{Lane, Lane, Lane, Lane}));
+  if constexpr (W == 8)
+    return Lanes<W>(__builtin_shuffle(a.native, Index{Lane, Lane, Lane, Lane, Lane, Lane, Lane, Lane}));
+}
+
 /// The numbers in one lane.
 template <int W, std::size_t N>
 std::array<double, N> in_lane(const std::array<Lanes<W>, N>& numbers, int lane) {

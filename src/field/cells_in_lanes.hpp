@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cells of one colour side by side in lanes (base/lanes.hpp).
+// Cells of one run side by side in lanes (base/lanes.hpp).
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include "base/lanes.hpp"
 #include "base/parallel.hpp"
 #include "field/field_state.hpp"
+#include "field/sweep_order.hpp"
 
 namespace crossgrain {
 
@@ -31,27 +32,34 @@ struct CellsInLanes {
   std::uint32_t operator[](int lane) const { return cells[lane]; }
 };
 
-/// Calls visit(CellsInLanes<W>) over all of `cells` from several threads, compiled for this processor.
+/// Calls visit(CellsInLanes<W>, block) over all cells in the order, compiled for this processor. Blocks of a
+/// phase are visited from several threads.
 template <class Visit>
-void visit_in_lanes(std::span<const std::uint32_t> cells, const Visit& visit) {
-  parallel_for_chunks(cells.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
-    run_in_lanes([&]<int W>() {
-      for (std::size_t k = begin; k < end; k += W) visit(CellsInLanes<W>(cells.first(end), k));
-    });
-  });
+void visit_in_lanes(const SweepOrder& order, const Visit& visit) {
+  for (std::size_t phase = 0; phase < order.phase_count(); ++phase) {
+    const std::size_t first = order.phase_begin[phase];
+    parallel_for(
+        order.phase_begin[phase + 1] - first,
+        [&](std::size_t k) {
+          const std::size_t block = first + k;
+          run_in_lanes([&]<int W>() {
+            for (std::size_t r = order.block_begin[block]; r < order.block_begin[block + 1]; ++r) {
+              const std::span<const std::uint32_t> run = order.run(r);
+              for (std::size_t i = 0; i < run.size(); i += W) visit(CellsInLanes<W>(run, i), block);
+            }
+          });
+        },
+        1);
+  }
 }
 
 /// The sum of what visit(CellsInLanes<W>, double& sum) adds, one number for each cell in their order: the
 /// same to the bit for any number of threads and lanes.
 template <class Visit>
-double sum_in_lanes(std::span<const std::uint32_t> cells, const Visit& visit) {
-  std::vector<double> partial((cells.size() + kParallelGrain - 1) / kParallelGrain, 0.0);
-  parallel_for_chunks(cells.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
-    run_in_lanes([&]<int W>() {
-      for (std::size_t k = begin; k < end; k += W)
-        visit(CellsInLanes<W>(cells.first(end), k), partial[begin / kParallelGrain]);
-    });
-  });
+double sum_in_lanes(const SweepOrder& order, const Visit& visit) {
+  std::vector<double> partial(order.block_begin.empty() ? 0 : order.block_begin.size() - 1, 0.0);
+  visit_in_lanes(
+      order, [&]<int W>(const CellsInLanes<W>& cells, std::size_t block) { visit(cells, partial[block]); });
   return std::accumulate(partial.begin(), partial.end(), 0.0);
 }
 

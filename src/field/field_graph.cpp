@@ -41,7 +41,7 @@ Adjacency::Adjacency(std::size_t cell_count, std::span<const WeightedEdge> edges
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   weight_begin_.assign(begin_.begin(), begin_.end() - 1);
   cells_.resize(2 * edges.size());
-  weights_.resize(2 * edges.size());
+  weights_.resize(2 * edges.size() + kReadBeyond);
   std::vector<std::uint32_t> cursor = weight_begin_;
   const auto put = [&](std::uint32_t from, std::uint32_t to, float weight) {
     const std::uint32_t place = cursor[from]++;
@@ -80,7 +80,7 @@ Adjacency::Adjacency(std::size_t cell_count, const RowOf& row_of) {
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   std::partial_sum(weight_begin_.begin(), weight_begin_.end(), weight_begin_.begin());
   cells_.resize(begin_.back());
-  weights_.resize(weight_begin_.back());
+  weights_.resize(weight_begin_.back() + kReadBeyond);
   weight_begin_.pop_back();
   for_each_row([&](std::size_t i, const std::vector<Neighbour>& row) {
     for (std::size_t k = 0; k < row.size(); ++k) cells_[begin_[i] + k] = row[k].cell;
@@ -91,20 +91,25 @@ Adjacency::Adjacency(std::size_t cell_count, const RowOf& row_of) {
   });
 }
 
-Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell) {
+Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell,
+                       std::span<const std::uint8_t> kind_of_cell) {
   const std::size_t colour_count =
       colour_of_cell.empty()
           ? 0
           : std::size_t{*std::max_element(colour_of_cell.begin(), colour_of_cell.end())} + 1;
+  const std::size_t kind_count =
+      kind_of_cell.empty() ? 1 : std::size_t{*std::max_element(kind_of_cell.begin(), kind_of_cell.end())} + 1;
+  const auto place_of = [&](std::size_t i) {
+    return colour_of_cell[i] * kind_count + (kind_of_cell.empty() ? 0 : kind_of_cell[i]);
+  };
+  std::vector<std::size_t> begin(colour_count * kind_count + 1);
+  for (std::size_t i = 0; i < colour_of_cell.size(); ++i) ++begin[place_of(i) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
   Colouring colouring;
-  colouring.begin.assign(colour_count + 1, 0);
-  for (const std::uint8_t colour : colour_of_cell) ++colouring.begin[colour + 1];
-  for (std::size_t c = 0; c < colour_count; ++c) colouring.begin[c + 1] += colouring.begin[c];
+  for (std::size_t c = 0; c <= colour_count; ++c) colouring.begin.push_back(begin[c * kind_count]);
   colouring.cells.resize(colour_of_cell.size());
-  std::vector<std::size_t> cursor(colouring.begin.begin(), colouring.begin.end() - 1);
-  for (std::size_t i = 0; i < colour_of_cell.size(); ++i) {
-    colouring.cells[cursor[colour_of_cell[i]]++] = static_cast<std::uint32_t>(i);
-  }
+  for (std::size_t i = 0; i < colour_of_cell.size(); ++i)
+    colouring.cells[begin[place_of(i)]++] = static_cast<std::uint32_t>(i);
   return colouring;
 }
 

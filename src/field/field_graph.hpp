@@ -13,6 +13,7 @@
 
 #include "base/vector3.hpp"
 #include "constraint/quadratic_form.hpp"
+#include "field/sweep_order.hpp"
 
 namespace crossgrain {
 
@@ -31,6 +32,8 @@ class Adjacency {
     std::uint32_t cell;
     float weight;
   };
+
+  static constexpr std::size_t kReadBeyond = 8;
 
   /// The neighbours of one cell.
   class Row {
@@ -59,6 +62,9 @@ class Adjacency {
     std::size_t size() const { return cells_.size(); }
     bool empty() const { return cells_.empty(); }
     bool has_equal_weights() const { return stride_ == 0; }
+
+    /// Where they are not equal: one after the other, and kReadBeyond numbers more may be read.
+    const float* weights() const { return weights_; }
     Neighbour operator[](std::size_t k) const { return {cells_[k], weights_[k * stride_]}; }
     Iterator begin() const { return {cells_.data(), weights_, stride_}; }
     Iterator end() const { return {cells_.data() + cells_.size(), nullptr, stride_}; }
@@ -111,8 +117,10 @@ struct Colouring {
   }
 };
 
-/// From a colour per cell, each below 256.
-Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell);
+/// From a colour per cell, each below 256. Cells of a colour are ordered by `kind_of_cell`, if given, then by
+/// index: cells of one kind, whose local energies look alike, then stand side by side in lanes.
+Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell,
+                       std::span<const std::uint8_t> kind_of_cell = {});
 
 /// Every cell takes the lowest colour that none of its neighbours of lower index has. Throws Error(kLimit)
 /// where that takes more than 256 colours.
@@ -177,7 +185,7 @@ extern template class CellForms<4>;
 /// Who neighbours whom, and in which order cells are visited.
 struct Connectivity {
   Adjacency adjacency;
-  Colouring colouring;
+  SweepOrder order;
 };
 
 /// What a sweep works on. Graphs of both degrees over the same cells share their connectivity.
@@ -187,7 +195,7 @@ struct FieldGraph {
   CellForms<D> forms;
 
   const Adjacency& adjacency() const { return connectivity->adjacency; }
-  const Colouring& colouring() const { return connectivity->colouring; }
+  const SweepOrder& order() const { return connectivity->order; }
   std::size_t size() const { return adjacency().size(); }
 };
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "constraint/normal_form.hpp"
 #include "field/cells_in_lanes.hpp"
@@ -111,12 +112,21 @@ class LocalEnergy {
       last *= 0.5 * weight;
       total_weight = weight * static_cast<double>(neighbours.size());
     } else {
-      for (const auto& [neighbour, weight] : neighbours) {
-        const StoredCoefficients<4>& h = coefficients[neighbour];
-        const double half_weight = 0.5 * weight;
-        for (int g = 0; g < kGroups; ++g) sums[g] += half_weight * lanes_of<W>(h.data() + g * W);
-        last += half_weight * h[8];
-        total_weight += weight;
+      const float* weights = neighbours.weights();
+      for (std::size_t k = 0; k < neighbours.size(); k += W) {
+        const Real half_weights = 0.5 * lanes_of<W>(weights + k);
+        const auto add = [&]<int J>() {
+          if (k + J >= neighbours.size()) return;
+          const StoredCoefficients<4>& h = coefficients[neighbours[k + J].cell];
+          const Real half_weight = repeated<J>(half_weights);
+          for (int g = 0; g < kGroups; ++g) sums[g] += half_weight * lanes_of<W>(h.data() + g * W);
+          last += 0.5 * static_cast<double>(weights[k + J]) * h[8];
+          total_weight += weights[k + J];
+        };
+        [&]<int... J>(std::integer_sequence<int, J...>) {
+          (add.template operator()<J>(), ...);
+        }
+        (std::make_integer_sequence<int, W>());
       }
     }
     for (int m = 0; m < 8; ++m) linear_[m].set(lane, sums[m / W][m % W]);

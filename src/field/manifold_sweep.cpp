@@ -105,14 +105,9 @@ void update_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsI
 
 template <int D>
 double manifold_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double over_relaxation) {
-  double decrease = 0;
-  for (std::size_t colour = 0; colour < graph.colouring().colour_count(); ++colour) {
-    decrease += sum_in_lanes(graph.colouring().cells_of(colour),
-                             [&]<int W>(const CellsInLanes<W>& cells, double& sum) {
-                               update_cells(graph, state, cells, over_relaxation, sum);
-                             });
-  }
-  return decrease;
+  return sum_in_lanes(graph.order(), [&]<int W>(const CellsInLanes<W>& cells, double& sum) {
+    update_cells(graph, state, cells, over_relaxation, sum);
+  });
 }
 
 template double manifold_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double);

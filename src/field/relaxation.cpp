@@ -130,11 +130,9 @@ void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsIn
 template <int D>
 void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation,
                       double over_relaxation) {
-  for (std::size_t colour = 0; colour < graph.colouring().colour_count(); ++colour) {
-    visit_in_lanes(graph.colouring().cells_of(colour), [&]<int W>(const CellsInLanes<W>& cells) {
-      relax_cells(graph, state, cells, symmetrisation, over_relaxation);
-    });
-  }
+  visit_in_lanes(graph.order(), [&]<int W>(const CellsInLanes<W>& cells, std::size_t) {
+    relax_cells(graph, state, cells, symmetrisation, over_relaxation);
+  });
 }
 
 template <int D>

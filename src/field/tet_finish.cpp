@@ -22,7 +22,7 @@ std::shared_ptr<const Connectivity> connectivity_of(std::size_t vertex_count,
   }
   Connectivity connectivity;
   connectivity.adjacency = Adjacency(vertex_count, weighted);
-  connectivity.colouring = greedy_colouring(connectivity.adjacency);
+  connectivity.order = greedy_colouring(connectivity.adjacency);
   return std::make_shared<const Connectivity>(std::move(connectivity));
 }
 

@@ -16,7 +16,7 @@ using testing::TestSolid;
 template <int D>
 FieldGraph<D> graph_of(const GridLevel& level, const Solid& solid) {
   const LeafConnections connections = connect_leaves(level, solid);
-  return {std::make_shared<const Connectivity>(connectivity_of(level, connections.edges, 0.2)),
+  return {std::make_shared<const Connectivity>(connectivity_of(level, solid, connections.edges, 0.2)),
           boundary_forms<D>(level, solid, 10, Shift::kNone)};
 }
 

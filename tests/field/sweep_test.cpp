@@ -27,7 +27,7 @@ constexpr double kStored = 2e-6;
 template <int D>
 FieldGraph<D> graph_of(const GridLevel& level, const Solid& solid, Shift shift = Shift::kNone) {
   const LeafConnections connections = connect_leaves(level, solid);
-  return {std::make_shared<const Connectivity>(connectivity_of(level, connections.edges, 0.2)),
+  return {std::make_shared<const Connectivity>(connectivity_of(level, solid, connections.edges, 0.2)),
           boundary_forms<D>(level, solid, 10, shift)};
 }
 
@@ -343,7 +343,7 @@ TEST(RelaxationWithSymmetrisation, StaysBoundedUnderOverRelaxationAndNegativeWei
   }
   Connectivity connectivity;
   connectivity.adjacency = Adjacency(kCount, edges);
-  connectivity.colouring = greedy_colouring(connectivity.adjacency);
+  connectivity.order = greedy_colouring(connectivity.adjacency);
   const FieldGraph<4> graph{std::make_shared<const Connectivity>(std::move(connectivity)),
                             CellForms<4>(kCount)};
   FieldState<4> state = state_of<4>(random_frames(kCount, 9));

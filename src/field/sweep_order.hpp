@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// In which order a sweep visits cells, and which of them at the same time.
+//
+//   phases   one after the other
+//     blocks   at the same time: no cell of one neighbours a cell of another
+//       runs     one after the other
+//         cells    in any order, or side by side in lanes: no two are neighbours
+//
+// So the result is the same to the bit for any number of threads and lanes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace crossgrain {
+
+class Adjacency;
+struct Colouring;
+
+struct SweepOrder {
+  std::vector<std::uint32_t> cells;      ///< as one thread visits them
+  std::vector<std::size_t> run_begin;    ///< run r: from cells[run_begin[r]] up to run_begin[r + 1]
+  std::vector<std::size_t> block_begin;  ///< block b: from run block_begin[b] up to block_begin[b + 1]
+  std::vector<std::size_t> phase_begin;  ///< phase p: from block phase_begin[p] up to phase_begin[p + 1]
+
+  SweepOrder() = default;
+
+  /// A phase for every colour, cut into blocks of one run.
+  SweepOrder(const Colouring& colouring);  // NOLINT: a colouring is an order
+
+  /// Blocks of `block_size` cells of successive indices, in each a run for every colour: where cells near
+  /// each other have indices near each other, a block is read into the processor's cache once a sweep and not
+  /// once a colour.
+  SweepOrder(const Adjacency& adjacency, const Colouring& colouring, std::size_t block_size);
+
+  std::size_t phase_count() const { return phase_begin.empty() ? 0 : phase_begin.size() - 1; }
+  std::span<const std::uint32_t> run(std::size_t r) const {
+    return {cells.data() + run_begin[r], cells.data() + run_begin[r + 1]};
+  }
+};
+
+}  // namespace crossgrain
