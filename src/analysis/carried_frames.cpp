@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "analysis/leaf_components.hpp"
-#include "analysis/leaf_finder.hpp"
 #include "analysis/nearest_leaf.hpp"
 #include "base/parallel.hpp"
+#include "grid/leaf_finder.hpp"
 
 namespace crossgrain {
 namespace {

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <span>
 
-#include "analysis/leaf_finder.hpp"
 #include "base/quaternion.hpp"
+#include "grid/leaf_finder.hpp"
 
 namespace crossgrain {
 

@@ -4,21 +4,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 namespace crossgrain {
 namespace {
 
-/// A multiple of a cube rotation's quaternion, by either sign, as it is to be written.
-CubeRotation reduced(std::array<int, 4> q) {
-  int divisor = 0;
-  for (const int entry : q) divisor = std::max(divisor, std::abs(entry));
+/// A multiple of a cube rotation's quaternion, by either sign, as it is to be written. Its entries are of one
+/// size or zero, so their signs say all.
+CubeRotation reduced(const std::array<int, 4>& q) {
   const int first = *std::find_if(q.begin(), q.end(), [](int entry) { return entry != 0; });
-  if (first < 0) divisor = -divisor;
-  for (int& entry : q) entry /= divisor;
-  return {static_cast<std::int8_t>(q[0]), static_cast<std::int8_t>(q[1]), static_cast<std::int8_t>(q[2]),
-          static_cast<std::int8_t>(q[3])};
+  const auto sign = [&](int entry) {
+    return static_cast<std::int8_t>(entry == 0 ? 0 : (entry < 0) == (first < 0) ? 1 : -1);
+  };
+  return {sign(q[0]), sign(q[1]), sign(q[2]), sign(q[3])};
 }
 
 }  // namespace

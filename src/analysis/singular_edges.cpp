@@ -6,6 +6,7 @@
 
 #include "analysis/matching.hpp"
 #include "base/parallel.hpp"
+#include "grid/leaf_finder.hpp"
 
 namespace crossgrain {
 namespace {
@@ -17,13 +18,13 @@ class SingularEdgeFinder {
  public:
   SingularEdgeFinder(const Octree& tree, std::span<const StoredQuaternion> frames,
                      std::span<const std::uint8_t> open_faces)
-      : tree_(tree), frames_(frames), open_faces_(open_faces) {}
+      : tree_(tree), finder_(tree), frames_(frames), open_faces_(open_faces) {}
 
   /// Adds the singular edges that leaf i owns: of the leaves around an edge the smallest, of several the
   /// first.
   void find(CellIndex i, std::vector<GridEdge>& found) const {
     std::array<CellIndex, kFaceCount> across;
-    for (int face = 0; face < kFaceCount; ++face) across[face] = tree_.neighbour(i, face);
+    for (int face = 0; face < kFaceCount; ++face) across[face] = finder_.neighbour(i, face);
     for (int axis = 0; axis < 3; ++axis) {
       for (int corner = 0; corner < 4; ++corner) {
         const int face_u = 2 * ((axis + 1) % 3) + (corner & 1);
@@ -49,7 +50,7 @@ class SingularEdgeFinder {
   CellIndex across_edge(CellIndex i, int face_u, int face_v) const {
     const auto beside = adjacent(tree_[i], face_u);
     const auto diagonal = beside ? adjacent(*beside, face_v) : std::nullopt;
-    return diagonal ? tree_.find_containing(*diagonal) : kNoCell;
+    return diagonal ? finder_.containing(*diagonal) : kNoCell;
   }
 
   /// How the way around over these leaves, leaving ring[s] through faces[s], turns frames; not at all where
@@ -88,6 +89,7 @@ class SingularEdgeFinder {
   }
 
   const Octree& tree_;
+  LeafFinder finder_;
   std::span<const StoredQuaternion> frames_;
   std::span<const std::uint8_t> open_faces_;
 };

@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "constraint/spectral_shift.hpp"
 #include "grid/cell_constraints.hpp"
+#include "grid/leaf_finder.hpp"
 #include "grid/open_faces.hpp"
 
 namespace crossgrain {
@@ -19,14 +20,14 @@ constexpr double kHangingShare = 1.0 / 3;
 class LeafConnector {
  public:
   LeafConnector(const GridLevel& level, const Solid& solid)
-      : level_(level), tree_(level.tree), solid_(solid) {}
+      : level_(level), tree_(level.tree), finder_(level.tree), solid_(solid) {}
 
   /// The edges that leaf i owns: to larger leaves, and to leaves of its size on its high side.
   /// Returns their faces, bit by bit.
   std::uint8_t connect(CellIndex i, std::vector<WeightedEdge>& edges) const {
     unsigned open_faces = 0;
     for (int face = 0; face < kFaceCount; ++face) {
-      const CellIndex j = tree_.neighbour(i, face);
+      const CellIndex j = finder_.neighbour(i, face);
       if (j == kNoCell) continue;
       const bool same_size = tree_[j].depth() == tree_[i].depth();
       if (same_size && face_sign(face) < 0) continue;
@@ -49,7 +50,7 @@ class LeafConnector {
     for (int face = 0; face < kFaceCount; ++face) {
       const double along = face_sign(face) * inward[face_axis(face)];
       if (along <= least) continue;
-      const CellIndex j = tree_.neighbour(i, face);
+      const CellIndex j = finder_.neighbour(i, face);
       if (j == kNoCell || !admissible(j)) continue;
       least = along;
       best_face = face;
@@ -59,7 +60,7 @@ class LeafConnector {
 
   /// The smallest edge there can be.
   WeightedEdge tie(CellIndex i, int face) const {
-    return edge(i, face, tree_.neighbour(i, face), 0.5 / (kOpenFaceSamples * kOpenFaceSamples));
+    return edge(i, face, finder_.neighbour(i, face), 0.5 / (kOpenFaceSamples * kOpenFaceSamples));
   }
 
  private:
@@ -82,7 +83,7 @@ class LeafConnector {
     int shared = 0;
     for (int other = 0; other < kFaceCount; ++other) {
       if (face_axis(other) == face_axis(face)) continue;
-      const CellIndex k = tree_.neighbour(i, other);
+      const CellIndex k = finder_.neighbour(i, other);
       shared += k != kNoCell && tree_[k].depth() < tree_[i].depth();
     }
     return shared;
@@ -90,6 +91,7 @@ class LeafConnector {
 
   const GridLevel& level_;
   const Octree& tree_;
+  LeafFinder finder_;
   const Solid& solid_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "grid/leaf_finder.hpp"
 #include "grid/test_solid.hpp"
 #include "harmonics/random_samples.hpp"
 
@@ -221,6 +222,24 @@ TEST(Balance, IsFoundMissingByTheCheck) {
   const Octree tree(kRoot, leaves);
   EXPECT_FALSE(is_balanced(tree));
   EXPECT_FALSE(balanced_by_brute_force(tree));
+}
+
+TEST(LeafFinder, FindsWhatTheOctreeFinds) {
+  RandomSamples random(21);
+  for (int trial = 0; trial < 4; ++trial) {
+    const Octree tree = random_octree(random, 6);
+    const LeafFinder finder(tree);
+    for (CellIndex i = 0; i < tree.size(); ++i) {
+      for (int face = 0; face < kFaceCount; ++face)
+        ASSERT_EQ(finder.neighbour(i, face), tree.neighbour(i, face));
+      for (const CellAddress cell : {tree[i], tree[i].parent(), tree[i].child(5)}) {
+        ASSERT_EQ(finder.containing(cell), tree.find_containing(cell));
+        if (finder.containing(cell) == kNoCell) {
+          ASSERT_EQ(finder.over(cell), tree.leaves_inside(cell));
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -21,6 +21,12 @@ class LeafFinder {
     return last - first == 1 && (*tree_)[first].contains(cell) ? first : kNoCell;
   }
 
+  /// As Octree::neighbour.
+  CellIndex neighbour(CellIndex i, int face) const {
+    const auto across = adjacent((*tree_)[i], face);
+    return across ? containing(*across) : kNoCell;
+  }
+
   /// The leaves [first, last) over `cell`: the one that is or contains it, or all that it contains.
   std::pair<CellIndex, CellIndex> over(CellAddress cell) const;
 

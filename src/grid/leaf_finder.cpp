@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "analysis/leaf_finder.hpp"
+#include "grid/leaf_finder.hpp"
 
 #include <algorithm>
 
