@@ -91,25 +91,20 @@ Adjacency::Adjacency(std::size_t cell_count, const RowOf& row_of) {
   });
 }
 
-Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell,
-                       std::span<const std::uint8_t> kind_of_cell) {
+Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell) {
   const std::size_t colour_count =
       colour_of_cell.empty()
           ? 0
           : std::size_t{*std::max_element(colour_of_cell.begin(), colour_of_cell.end())} + 1;
-  const std::size_t kind_count =
-      kind_of_cell.empty() ? 1 : std::size_t{*std::max_element(kind_of_cell.begin(), kind_of_cell.end())} + 1;
-  const auto place_of = [&](std::size_t i) {
-    return colour_of_cell[i] * kind_count + (kind_of_cell.empty() ? 0 : kind_of_cell[i]);
-  };
-  std::vector<std::size_t> begin(colour_count * kind_count + 1);
-  for (std::size_t i = 0; i < colour_of_cell.size(); ++i) ++begin[place_of(i) + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
   Colouring colouring;
-  for (std::size_t c = 0; c <= colour_count; ++c) colouring.begin.push_back(begin[c * kind_count]);
+  colouring.begin.assign(colour_count + 1, 0);
+  for (const std::uint8_t colour : colour_of_cell) ++colouring.begin[colour + 1];
+  for (std::size_t c = 0; c < colour_count; ++c) colouring.begin[c + 1] += colouring.begin[c];
   colouring.cells.resize(colour_of_cell.size());
-  for (std::size_t i = 0; i < colour_of_cell.size(); ++i)
-    colouring.cells[begin[place_of(i)]++] = static_cast<std::uint32_t>(i);
+  std::vector<std::size_t> cursor(colouring.begin.begin(), colouring.begin.end() - 1);
+  for (std::size_t i = 0; i < colour_of_cell.size(); ++i) {
+    colouring.cells[cursor[colour_of_cell[i]]++] = static_cast<std::uint32_t>(i);
+  }
   return colouring;
 }
 

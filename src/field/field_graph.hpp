@@ -33,6 +33,7 @@ class Adjacency {
     float weight;
   };
 
+  /// So that weights can be read as whole vectors.
   static constexpr std::size_t kReadBeyond = 8;
 
   /// The neighbours of one cell.
@@ -117,10 +118,8 @@ struct Colouring {
   }
 };
 
-/// From a colour per cell, each below 256. Cells of a colour are ordered by `kind_of_cell`, if given, then by
-/// index: cells of one kind, whose local energies look alike, then stand side by side in lanes.
-Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell,
-                       std::span<const std::uint8_t> kind_of_cell = {});
+/// From a colour per cell, each below 256.
+Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell);
 
 /// Every cell takes the lowest colour that none of its neighbours of lower index has. Throws Error(kLimit)
 /// where that takes more than 256 colours.

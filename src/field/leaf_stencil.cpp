@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "grid/cell_constraints.hpp"
 
 namespace crossgrain {
 namespace {
@@ -115,27 +114,17 @@ std::uint8_t parity_colour(CellAddress cell) {
   return static_cast<std::uint8_t>(((x ^ z) & 1) + 2 * ((y ^ z) & 1) + 4 * (cell.depth() & 1));
 }
 
-/// Which form boundary_forms gives a leaf: none, that of one normal, or a general one.
-std::uint8_t form_kind(const GridLevel& level, const Solid& solid, CellIndex i) {
-  if (!level.holds_surface(i)) return 0;
-  return has_single_normal(level, solid, i) ? 1 : 2;
-}
-
 }  // namespace
 
-Connectivity connectivity_of(const GridLevel& level, const Solid& solid, std::vector<WeightedEdge> faces,
-                             double diagonal_share) {
+Connectivity connectivity_of(const GridLevel& level, std::vector<WeightedEdge> faces, double diagonal_share) {
   const Stencil stencil(level, std::move(faces), diagonal_share);
-  std::vector<std::uint8_t> colours(level.size()), kinds(level.size());
-  parallel_for(level.size(), [&](std::size_t k) {
-    const auto i = static_cast<CellIndex>(k);
-    colours[i] = parity_colour(level.tree[i]);
-    kinds[i] = form_kind(level, solid, i);
-  });
+  std::vector<std::uint8_t> colours(level.size());
+  parallel_for(level.size(),
+               [&](std::size_t i) { colours[i] = parity_colour(level.tree[static_cast<CellIndex>(i)]); });
   Adjacency adjacency(level.size(), [&](std::size_t i, std::vector<Adjacency::Neighbour>& row) {
     stencil.row_of(static_cast<CellIndex>(i), row);
   });
-  const Colouring colouring = colouring_of(colours, kinds);
+  const Colouring colouring = colouring_of(colours);
   SweepOrder order =
       level.size() < kBlockedCells ? SweepOrder(colouring) : SweepOrder(adjacency, colouring, kBlockCells);
   return {std::move(adjacency), std::move(order)};

@@ -10,7 +10,8 @@
 
 namespace crossgrain {
 
-/// Adjacency of a level, and a colouring as its order, from its open faces (LeafConnections::edges).
+/// Adjacency of a level from its open faces (LeafConnections::edges), and the order of its sweeps: by colours
+/// of parity, on large levels block by block.
 ///
 /// With faces alone a singular arc that runs along the grid costs less than a slanted one, by a tenth of the
 /// energy around it (docs/solver.md, "Diagonals"). So wherever four leaves of equal size meet at an edge and
@@ -18,7 +19,6 @@ namespace crossgrain {
 /// the four weights, and each of the four faces gives that up. For a field linear across the edge the two
 /// diagonals cost what the four faces gave up, so linear fields cost what they did. `diagonal_share` from 0
 /// to 1/4, for a face takes part in up to four such edges.
-Connectivity connectivity_of(const GridLevel& level, const Solid& solid, std::vector<WeightedEdge> faces,
-                             double diagonal_share);
+Connectivity connectivity_of(const GridLevel& level, std::vector<WeightedEdge> faces, double diagonal_share);
 
 }  // namespace crossgrain

@@ -28,7 +28,7 @@ class LevelSolver {
               const SolveOptions& options, const Monitor& monitor, int depth)
       : level_(level), solid_(solid), options_(options.solver), monitor_(monitor), depth_(depth) {
     connectivity_ = std::make_shared<const Connectivity>(
-        connectivity_of(level, solid, std::move(faces), options_.diagonal_share));
+        connectivity_of(level, std::move(faces), options_.diagonal_share));
     graph_ = {connectivity_, boundary_forms<D>(level, solid, options_.boundary_weight, Shift::kNone)};
   }
 

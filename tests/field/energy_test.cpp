@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "crossgrain/options.hpp"
 #include "field/leaf_stencil.hpp"
 #include "field/octree_graph.hpp"
 #include "grid/test_solid.hpp"
@@ -16,7 +17,8 @@ using testing::TestSolid;
 template <int D>
 FieldGraph<D> graph_of(const GridLevel& level, const Solid& solid) {
   const LeafConnections connections = connect_leaves(level, solid);
-  return {std::make_shared<const Connectivity>(connectivity_of(level, solid, connections.edges, 0.2)),
+  return {std::make_shared<const Connectivity>(
+              connectivity_of(level, connections.edges, SolverOptions().diagonal_share)),
           boundary_forms<D>(level, solid, 10, Shift::kNone)};
 }
 

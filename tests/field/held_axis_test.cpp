@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "constraint/normal_form.hpp"
+#include "crossgrain/options.hpp"
 #include "field/energy.hpp"
 #include "field/leaf_stencil.hpp"
 #include "field/manifold_sweep.hpp"
@@ -200,9 +201,9 @@ TYPED_TEST(HeldAxis, ProjectionFromTheOwnFrameFindsTheNearestOfAll) {
   const TestSolid bracket(make_bracket(16));
   const GridLevel level = bracket.level(0.08);
   const LeafConnections connections = connect_leaves(level, bracket.solid());
-  const FieldGraph<D> graph{
-      std::make_shared<const Connectivity>(connectivity_of(level, bracket.solid(), connections.edges, 0.2)),
-      boundary_forms<D>(level, bracket.solid(), 10, Shift::kNone)};
+  const FieldGraph<D> graph{std::make_shared<const Connectivity>(
+                                connectivity_of(level, connections.edges, SolverOptions().diagonal_share)),
+                            boundary_forms<D>(level, bracket.solid(), 10, Shift::kNone)};
   for (const int sweeps : {1, 3, 10, 40}) {
     FieldState<D> state = state_of<D>(random_frames(level.size(), 3));
     for (int sweep = 0; sweep < sweeps; ++sweep) relaxation_sweep(graph, state, 0.5 * (sweep + 1) / sweeps);

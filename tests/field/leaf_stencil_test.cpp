@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -47,8 +46,8 @@ const TestSolid& turned_bracket() {
 
 TEST(LeafStencil, GivesALeafInsideEighteenNeighboursOfEqualWeightAtAFifth) {
   const GridLevel level = cubic_level(3);
-  const auto connectivity = connectivity_of(level, turned_bracket().solid(),
-                                            connect_leaves(level, turned_bracket().solid()).edges, 0.2);
+  const auto connectivity =
+      connectivity_of(level, connect_leaves(level, turned_bracket().solid()).edges, 0.2);
   int inside = 0;
   for (CellIndex i = 0; i < level.size(); ++i) {
     const Adjacency::Row row = connectivity.adjacency[i];
@@ -67,7 +66,7 @@ TEST(LeafStencil, GivesALeafInsideEighteenNeighboursOfEqualWeightAtAFifth) {
 TEST(LeafStencil, WithoutDiagonalsIsTheFaces) {
   const GridLevel level = cut_level(turned_bracket());
   const auto faces = connect_leaves(level, turned_bracket().solid()).edges;
-  const auto connectivity = connectivity_of(level, turned_bracket().solid(), faces, 0);
+  const auto connectivity = connectivity_of(level, faces, 0);
   std::map<std::pair<CellIndex, CellIndex>, float> expected;
   for (const WeightedEdge& face : faces)
     expected[{face.first, face.second}] = expected[{face.second, face.first}] = face.weight;
@@ -82,8 +81,8 @@ TEST(LeafStencil, WithoutDiagonalsIsTheFaces) {
 
 TEST(LeafStencil, HasTheSameWeightFromBothSidesOfEveryEdgeAndNoneBelowZero) {
   const GridLevel level = cut_level(turned_bracket());
-  const auto connectivity = connectivity_of(level, turned_bracket().solid(),
-                                            connect_leaves(level, turned_bracket().solid()).edges, 0.25);
+  const auto connectivity =
+      connectivity_of(level, connect_leaves(level, turned_bracket().solid()).edges, 0.25);
   std::map<std::pair<CellIndex, CellIndex>, float> weights;
   for (CellIndex i = 0; i < level.size(); ++i) {
     for (const auto& [j, weight] : connectivity.adjacency[i]) {
@@ -99,8 +98,7 @@ TEST(LeafStencil, JoinsNoCellsAcrossAnEdgeThatTheSurfaceSeparates) {
   const double cell = 0.1, gap = 0.3 * cell;
   const TestSolid plates(make_plates(gap));
   const GridLevel level = uniform_level(plates.solid(), {{-0.83, -0.81, -0.8}, 1.6}, 4);
-  const auto connectivity =
-      connectivity_of(level, plates.solid(), connect_leaves(level, plates.solid()).edges, 0.2);
+  const auto connectivity = connectivity_of(level, connect_leaves(level, plates.solid()).edges, 0.2);
   std::size_t diagonals = 0;
   for (CellIndex i = 0; i < level.size(); ++i) {
     for (const auto& [j, weight] : connectivity.adjacency[i]) {
@@ -118,7 +116,7 @@ TEST(LeafStencil, CostsALinearFunctionWhatTheFacesAloneCost) {
   for (int trial = 0; trial < 5; ++trial) {
     const Vector3 gradient = random.vector();
     const auto cost = [&](double share) {
-      const auto connectivity = connectivity_of(level, turned_bracket().solid(), faces, share);
+      const auto connectivity = connectivity_of(level, faces, share);
       double sum = 0;
       for (CellIndex i = 0; i < level.size(); ++i) {
         for (const auto& [j, weight] : connectivity.adjacency[i])
@@ -164,7 +162,7 @@ TEST(LeafStencil, CostsASingularArcTheSameInAllDirections) {
   const GridLevel level = cubic_level(5);
   const auto faces = connect_leaves(level, turned_bracket().solid()).edges;
   const auto spread = [&](double share) {
-    const Adjacency adjacency = connectivity_of(level, turned_bracket().solid(), faces, share).adjacency;
+    const Adjacency adjacency = connectivity_of(level, faces, share).adjacency;
     RandomSamples random(5);
     double least = INFINITY, most = 0;
     for (const Vector3& direction :
@@ -185,8 +183,8 @@ TEST(LeafStencil, ColoursNoTwoNeighboursAlike) {
   Marks marks(level.size());
   for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = i % 37 == 0;
   level = refined(level, turned_bracket().solid(), marks);
-  const auto connectivity = connectivity_of(level, turned_bracket().solid(),
-                                            connect_leaves(level, turned_bracket().solid()).edges, 0.2);
+  const auto connectivity =
+      connectivity_of(level, connect_leaves(level, turned_bracket().solid()).edges, 0.2);
   // Up to 200,000 cells every phase is a colour.
   const SweepOrder& order = connectivity.order;
   ASSERT_EQ(order.cells.size(), level.size());
@@ -198,20 +196,6 @@ TEST(LeafStencil, ColoursNoTwoNeighboursAlike) {
   for (CellIndex i = 0; i < level.size(); ++i) {
     ASSERT_NE(colour[i], SIZE_MAX);
     for (const auto& [j, weight] : connectivity.adjacency[i]) ASSERT_NE(colour[i], colour[j]);
-  }
-}
-
-TEST(LeafStencil, PutsLeavesWithFormsOfOneKindNextToEachOther) {
-  const GridLevel level = cut_level(turned_bracket());
-  const auto connectivity = connectivity_of(level, turned_bracket().solid(),
-                                            connect_leaves(level, turned_bracket().solid()).edges, 0.2);
-  const auto forms = boundary_forms<4>(level, turned_bracket().solid(), 10, Shift::kNone);
-  const auto kind = [&](CellIndex i) { return forms.empty(i) ? 0 : forms.plane(i) != nullptr ? 1 : 2; };
-  const SweepOrder& order = connectivity.order;
-  for (std::size_t r = 0; r + 1 < order.run_begin.size(); ++r) {
-    const auto run = order.run(r);
-    ASSERT_TRUE(
-        std::is_sorted(run.begin(), run.end(), [&](CellIndex a, CellIndex b) { return kind(a) < kind(b); }));
   }
 }
 

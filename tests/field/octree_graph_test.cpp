@@ -6,6 +6,7 @@
 #include <map>
 
 #include "constraint/normal_form.hpp"
+#include "crossgrain/options.hpp"
 #include "field/energy.hpp"
 #include "field/leaf_stencil.hpp"
 #include "grid/refinement.hpp"
@@ -141,7 +142,8 @@ TEST(OctreeGraph, CostsALinearTwistWhatTheIntegralSaysToThreePercent) {
       const double angle_rad = rate * dot(along, level.tree.centre(i));
       frames.push_back(to_stored(from_rotation_vector(angle_rad * about) * base));
     }
-    const Adjacency adjacency = connectivity_of(level, any_solid().solid(), connections.edges, 0.2).adjacency;
+    const Adjacency adjacency =
+        connectivity_of(level, connections.edges, SolverOptions().diagonal_share).adjacency;
     const double cost = degree_four_energy(level, any_solid().solid(), adjacency, frames, 10).smoothness;
     double exact = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -165,7 +167,7 @@ TYPED_TEST(BoundaryFormsTest, AreTheSumsOverThePiecesTimesWeightOverCellSize) {
   for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = random.uniform(0, 1) < 0.5;
   level = refined(level, solid.solid(), marks);
   // A graph without edges has no energy but that of its forms.
-  FieldGraph<D> graph{std::make_shared<const Connectivity>(connectivity_of(level, solid.solid(), {}, 0)),
+  FieldGraph<D> graph{std::make_shared<const Connectivity>(connectivity_of(level, {}, 0)),
                       boundary_forms<D>(level, solid.solid(), 10, Shift::kNone)};
   FieldState<D> state;
   state.frames.resize(level.size());

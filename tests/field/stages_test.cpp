@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "crossgrain/options.hpp"
 #include "field/leaf_stencil.hpp"
 #include "field/octree_graph.hpp"
 #include "grid/test_solid.hpp"
@@ -41,9 +42,9 @@ class Stages : public ::testing::Test {
     const TestSolid bracket(make_bracket(16));
     const GridLevel level = bracket.level(0.08);
     const LeafConnections connections = connect_leaves(level, bracket.solid());
-    graph_ = {
-        std::make_shared<const Connectivity>(connectivity_of(level, bracket.solid(), connections.edges, 0.2)),
-        boundary_forms<D>(level, bracket.solid(), 10, Shift::kNone)};
+    graph_ = {std::make_shared<const Connectivity>(
+                  connectivity_of(level, connections.edges, SolverOptions().diagonal_share)),
+              boundary_forms<D>(level, bracket.solid(), 10, Shift::kNone)};
   }
 
   double energy_of(const Frames& frames) const { return graph_energy(graph_, state_of<D>(frames)); }

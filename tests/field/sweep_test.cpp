@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/parallel.hpp"
+#include "crossgrain/options.hpp"
 #include "field/energy.hpp"
 #include "field/leaf_stencil.hpp"
 #include "field/local_energy.hpp"
@@ -27,7 +28,8 @@ constexpr double kStored = 2e-6;
 template <int D>
 FieldGraph<D> graph_of(const GridLevel& level, const Solid& solid, Shift shift = Shift::kNone) {
   const LeafConnections connections = connect_leaves(level, solid);
-  return {std::make_shared<const Connectivity>(connectivity_of(level, solid, connections.edges, 0.2)),
+  return {std::make_shared<const Connectivity>(
+              connectivity_of(level, connections.edges, SolverOptions().diagonal_share)),
           boundary_forms<D>(level, solid, 10, shift)};
 }
 
