@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reads what the pictures are made of: the field in field.vtu and the triangles of a binary STL file."""
 
+import sys
 import xml.etree.ElementTree as ElementTree
 import zlib
 from pathlib import Path
@@ -90,4 +91,6 @@ def read_stl(path):
     data = Path(path).read_bytes()
     triangle = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
     count = int.from_bytes(data[80:84], "little")
+    if len(data) != 84 + count * triangle.itemsize:
+        sys.exit(f"{path}: is no binary STL file; export it as one")
     return np.frombuffer(data, triangle, count, 84)["corners"].astype(float)
