@@ -1,52 +1,74 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several doubles side by side with the arithmetic of one: what is written for any Real then works on several
-// cells at once. Each lane gets the very bits that a double would get, whatever their number and whatever
-// instructions the processor has.
+// Several numbers side by side with the arithmetic of one: what is written for any Real then works on several
+// cells at once. Each lane gets the very bits that a single number would get, however many there are and
+// whatever instructions the processor has.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace crossgrain {
 
 /// The compiler's own vectors of W numbers. One by one, since GCC 12 takes no size that depends on W,
 /// and a loop that fills them remains one.
-template <int W>
+template <class Number, int W>
 struct NativeLanes;
 template <>
-struct NativeLanes<2> {
-  using Double = double __attribute__((vector_size(16)));
+struct NativeLanes<double, 2> {
+  using Vector = double __attribute__((vector_size(16)));
   using Single = float __attribute__((vector_size(8)));
   using Mask = std::int64_t __attribute__((vector_size(16)));
-  static void fill(Double& lanes, double x) { lanes = Double{x, x}; }
+  static void fill(Vector& lanes, double x) { lanes = Vector{x, x}; }
 };
 template <>
-struct NativeLanes<4> {
-  using Double = double __attribute__((vector_size(32)));
+struct NativeLanes<double, 4> {
+  using Vector = double __attribute__((vector_size(32)));
   using Single = float __attribute__((vector_size(16)));
   using Mask = std::int64_t __attribute__((vector_size(32)));
-  static void fill(Double& lanes, double x) { lanes = Double{x, x, x, x}; }
+  static void fill(Vector& lanes, double x) { lanes = Vector{x, x, x, x}; }
 };
 template <>
-struct NativeLanes<8> {
-  using Double = double __attribute__((vector_size(64)));
+struct NativeLanes<double, 8> {
+  using Vector = double __attribute__((vector_size(64)));
   using Single = float __attribute__((vector_size(32)));
   using Mask = std::int64_t __attribute__((vector_size(64)));
-  static void fill(Double& lanes, double x) { lanes = Double{x, x, x, x, x, x, x, x}; }
+  static void fill(Vector& lanes, double x) { lanes = Vector{x, x, x, x, x, x, x, x}; }
+};
+template <>
+struct NativeLanes<float, 4> {
+  using Vector = float __attribute__((vector_size(16)));
+  using Single = Vector;
+  using Mask = std::int32_t __attribute__((vector_size(16)));
+  static void fill(Vector& lanes, float x) { lanes = Vector{x, x, x, x}; }
+};
+template <>
+struct NativeLanes<float, 8> {
+  using Vector = float __attribute__((vector_size(32)));
+  using Single = Vector;
+  using Mask = std::int32_t __attribute__((vector_size(32)));
+  static void fill(Vector& lanes, float x) { lanes = Vector{x, x, x, x, x, x, x, x}; }
+};
+template <>
+struct NativeLanes<float, 16> {
+  using Vector = float __attribute__((vector_size(64)));
+  using Single = Vector;
+  using Mask = std::int32_t __attribute__((vector_size(64)));
+  static void fill(Vector& lanes, float x) { lanes = Vector{x, x, x, x, x, x, x, x, x, x, x, x, x, x, x, x}; }
 };
 
 /// True or false in each lane.
-template <int W>
+template <class Number, int W>
 struct LaneMask {
-  using Native = typename NativeLanes<W>::Mask;
+  using Native = typename NativeLanes<Number, W>::Mask;
 
   Native native{};  ///< -1 for true, 0 for false
 
   LaneMask() = default;
   explicit LaneMask(const Native& lanes) : native(lanes) {}
-  LaneMask(const LaneMask& other) : native(other.native) {}  // as in Lanes
+  LaneMask(const LaneMask& other) : native(other.native) {}  // as in BasicLanes
   LaneMask& operator=(const LaneMask& other) {
     native = other.native;
     return *this;
@@ -61,122 +83,141 @@ struct LaneMask {
     return all != 0;
   }
   friend LaneMask operator&(const LaneMask& a, const LaneMask& b) { return LaneMask(a.native & b.native); }
+  friend LaneMask operator|(const LaneMask& a, const LaneMask& b) { return LaneMask(a.native | b.native); }
 };
 
-template <int W>
-struct Lanes {
-  using Native = typename NativeLanes<W>::Double;
-  using Mask = LaneMask<W>;
-  using Single = typename NativeLanes<W>::Single;
+template <class Number, int W>
+struct BasicLanes {
+  using Native = typename NativeLanes<Number, W>::Vector;
+  using Mask = LaneMask<Number, W>;
+  using Single = typename NativeLanes<Number, W>::Single;
+  static constexpr int kCount = W;
 
   Native native{};
 
-  Lanes() = default;
+  BasicLanes() = default;
   /// The same number in every lane.
-  Lanes(double value) { NativeLanes<W>::fill(native, value); }  // NOLINT
-  Lanes(const Native& lanes) : native(lanes) {}                 // NOLINT
+  BasicLanes(double value) { NativeLanes<Number, W>::fill(native, static_cast<Number>(value)); }  // NOLINT
+  BasicLanes(const Native& lanes) : native(lanes) {}                                              // NOLINT
   // Not left to the compiler, since trivial ones would let it pass lanes in registers, which functions
   // compiled for different processors would look for in different ones.
-  Lanes(const Lanes& other) : native(other.native) {}
-  Lanes& operator=(const Lanes& other) {
+  BasicLanes(const BasicLanes& other) : native(other.native) {}
+  BasicLanes& operator=(const BasicLanes& other) {
     native = other.native;
     return *this;
   }
-  ~Lanes() = default;
+  ~BasicLanes() = default;
 
-  double operator[](int lane) const { return native[lane]; }
-  void set(int lane, double value) { native[lane] = value; }
+  Number operator[](int lane) const { return native[lane]; }
+  void set(int lane, double value) { native[lane] = static_cast<Number>(value); }
 
-  Lanes& operator+=(const Lanes& other) {
+  BasicLanes& operator+=(const BasicLanes& other) {
     native += other.native;
     return *this;
   }
-  Lanes& operator-=(const Lanes& other) {
+  BasicLanes& operator-=(const BasicLanes& other) {
     native -= other.native;
     return *this;
   }
-  Lanes& operator*=(const Lanes& other) {
+  BasicLanes& operator*=(const BasicLanes& other) {
     native *= other.native;
     return *this;
   }
-  Lanes& operator/=(const Lanes& other) {
+  BasicLanes& operator/=(const BasicLanes& other) {
     native /= other.native;
     return *this;
   }
-  friend Lanes operator+(Lanes a, const Lanes& b) { return a += b; }
-  friend Lanes operator-(Lanes a, const Lanes& b) { return a -= b; }
-  friend Lanes operator*(Lanes a, const Lanes& b) { return a *= b; }
-  friend Lanes operator/(Lanes a, const Lanes& b) { return a /= b; }
-  friend Lanes operator-(const Lanes& a) { return Lanes(-a.native); }
+  friend BasicLanes operator+(BasicLanes a, const BasicLanes& b) { return a += b; }
+  friend BasicLanes operator-(BasicLanes a, const BasicLanes& b) { return a -= b; }
+  friend BasicLanes operator*(BasicLanes a, const BasicLanes& b) { return a *= b; }
+  friend BasicLanes operator/(BasicLanes a, const BasicLanes& b) { return a /= b; }
+  friend BasicLanes operator-(const BasicLanes& a) { return BasicLanes(-a.native); }
 
-  friend Lanes sqrt(const Lanes& a) {
-    Lanes result;
+  friend BasicLanes sqrt(const BasicLanes& a) {
+    BasicLanes result;
     for (int lane = 0; lane < W; ++lane) result.native[lane] = std::sqrt(a.native[lane]);
     return result;
   }
-  friend Lanes abs(const Lanes& a) { return select(a > 0.0, a, 0.0 - a); }
-  friend Lanes copysign(const Lanes& magnitude, const Lanes& sign) {
-    Lanes result;
+  friend BasicLanes abs(const BasicLanes& a) { return select(a > 0.0, a, 0.0 - a); }
+  friend BasicLanes copysign(const BasicLanes& magnitude, const BasicLanes& sign) {
+    BasicLanes result;
     for (int lane = 0; lane < W; ++lane)
       result.native[lane] = std::copysign(magnitude.native[lane], sign.native[lane]);
     return result;
   }
 
-  friend Mask operator<(const Lanes& a, const Lanes& b) { return Mask(a.native < b.native); }
-  friend Mask operator>(const Lanes& a, const Lanes& b) { return Mask(a.native > b.native); }
-
-  friend Mask operator>=(const Lanes& a, const Lanes& b) { return Mask(a.native >= b.native); }
+  friend Mask operator<(const BasicLanes& a, const BasicLanes& b) { return Mask(a.native < b.native); }
+  friend Mask operator>(const BasicLanes& a, const BasicLanes& b) { return Mask(a.native > b.native); }
+  friend Mask operator>=(const BasicLanes& a, const BasicLanes& b) { return Mask(a.native >= b.native); }
 
   /// In each lane a where `mask` is true, else b.
-  friend Lanes select(const Mask& mask, const Lanes& a, const Lanes& b) {
-    return Lanes(mask.native ? a.native : b.native);
+  friend BasicLanes select(const Mask& mask, const BasicLanes& a, const BasicLanes& b) {
+    return BasicLanes(mask.native ? a.native : b.native);
   }
 
   /// Rounded to single precision.
-  friend Lanes to_single(const Lanes& a) {
-    return Lanes(__builtin_convertvector(__builtin_convertvector(a.native, Single), Native));
+  friend BasicLanes to_single(const BasicLanes& a) {
+    return BasicLanes(__builtin_convertvector(__builtin_convertvector(a.native, Single), Native));
   }
 };
 
-/// W numbers that stand one after the other. Spelled out, since for loops and for __builtin_convertvector GCC
-/// 12 finds no single instruction.
 template <int W>
-Lanes<W> lanes_of(const float* x) {
-  using Double = typename NativeLanes<W>::Double;
-  if constexpr (W == 2) return Lanes<W>(Double{x[0], x[1]});
-  if constexpr (W == 4) return Lanes<W>(Double{x[0], x[1], x[2], x[3]});
-  if constexpr (W == 8) return Lanes<W>(Double{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]});
+using Lanes = BasicLanes<double, W>;
+template <int W>
+using SingleLanes = BasicLanes<float, W>;
+
+/// W numbers that stand one after the other. Doubles are spelled out, since for loops and for
+/// __builtin_convertvector GCC 12 finds no single instruction.
+template <class Real>
+Real lanes_of(const float* x) {
+  constexpr int W = Real::kCount;
+  using Native = typename Real::Native;
+  Native native;
+  if constexpr (sizeof(Native) == W * sizeof(float)) {
+    std::memcpy(&native, x, sizeof native);
+  } else if constexpr (W == 2) {
+    native = Native{x[0], x[1]};
+  } else if constexpr (W == 4) {
+    native = Native{x[0], x[1], x[2], x[3]};
+  } else {
+    native = Native{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
+  }
+  return Real(native);
 }
 
-/// The number in lane `Lane` of `a`, in all lanes. Where the number is known as a double only, filling lanes
+/// The number in lane `Lane` of `a`, in all lanes. Where the number is known as a scalar only, filling lanes
 /// with it takes one instruction per lane.
-template <int Lane, int W>
-Lanes<W> repeated(const Lanes<W>& a) {
-  using Index = typename NativeLanes<W>::Mask;
-  if constexpr (W == 2) return Lanes<W>(__builtin_shuffle(a.native, Index{Lane, Lane}));
-  if constexpr (W == 4) return Lanes<W>(__builtin_shuffle(a.native, Index{Lane, Lane, Lane, Lane}));
-  if constexpr (W == 8)
-    return Lanes<W>(__builtin_shuffle(a.native, Index{Lane, Lane, Lane, Lane, Lane, Lane, Lane, Lane}));
+template <int Lane, class Number, int W>
+BasicLanes<Number, W> repeated(const BasicLanes<Number, W>& a) {
+  using Index = typename NativeLanes<Number, W>::Mask;
+  constexpr auto k = Lane;
+  Index all;
+  if constexpr (W == 2) all = Index{k, k};
+  if constexpr (W == 4) all = Index{k, k, k, k};
+  if constexpr (W == 8) all = Index{k, k, k, k, k, k, k, k};
+  if constexpr (W == 16) all = Index{k, k, k, k, k, k, k, k, k, k, k, k, k, k, k, k};
+  return BasicLanes<Number, W>(__builtin_shuffle(a.native, all));
 }
 
 /// The numbers in one lane.
-template <int W, std::size_t N>
-std::array<double, N> in_lane(const std::array<Lanes<W>, N>& numbers, int lane) {
+template <class Number, int W, std::size_t N>
+std::array<double, N> in_lane(const std::array<BasicLanes<Number, W>, N>& numbers, int lane) {
   std::array<double, N> result;
   for (std::size_t i = 0; i < N; ++i) result[i] = numbers[i][lane];
   return result;
 }
 
-template <int W, std::size_t N>
-void set_lane(std::array<Lanes<W>, N>& numbers, int lane, const std::array<double, N>& values) {
+template <class Number, int W, std::size_t N>
+void set_lane(std::array<BasicLanes<Number, W>, N>& numbers, int lane, const std::array<double, N>& values) {
   for (std::size_t i = 0; i < N; ++i) numbers[i].set(lane, values[i]);
 }
 
 /// In each lane the numbers of a where `mask` is true, else those of b.
-template <int W, std::size_t N>
-std::array<Lanes<W>, N> select(const LaneMask<W>& mask, const std::array<Lanes<W>, N>& a,
-                               const std::array<Lanes<W>, N>& b) {
-  std::array<Lanes<W>, N> result;
+template <class Number, int W, std::size_t N>
+std::array<BasicLanes<Number, W>, N> select(const LaneMask<Number, W>& mask,
+                                            const std::array<BasicLanes<Number, W>, N>& a,
+                                            const std::array<BasicLanes<Number, W>, N>& b) {
+  std::array<BasicLanes<Number, W>, N> result;
   for (std::size_t i = 0; i < N; ++i) result[i] = select(mask, a[i], b[i]);
   return result;
 }

@@ -33,15 +33,15 @@ BasicQuaternion<Real> select(const Mask& mask, const BasicQuaternion<Real>& a,
 }
 
 /// One quaternion in a lane, there and back.
-template <int W>
-void set_lane(BasicQuaternion<Lanes<W>>& q, int lane, const Quaternion& value) {
+template <class Number, int W>
+void set_lane(BasicQuaternion<BasicLanes<Number, W>>& q, int lane, const Quaternion& value) {
   q.w.set(lane, value.w);
   q.x.set(lane, value.x);
   q.y.set(lane, value.y);
   q.z.set(lane, value.z);
 }
-template <int W>
-Quaternion in_lane(const BasicQuaternion<Lanes<W>>& q, int lane) {
+template <class Number, int W>
+Quaternion in_lane(const BasicQuaternion<BasicLanes<Number, W>>& q, int lane) {
   return {q.w[lane], q.x[lane], q.y[lane], q.z[lane]};
 }
 

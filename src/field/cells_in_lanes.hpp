@@ -32,17 +32,22 @@ struct CellsInLanes {
   std::uint32_t operator[](int lane) const { return cells[lane]; }
 };
 
-/// Calls visit(CellsInLanes<W>, block) over all cells in the order, compiled for this processor. Blocks of a
-/// phase are visited from several threads.
-template <class Visit>
-void visit_in_lanes(const SweepOrder& order, const Visit& visit) {
+/// Calls visit(CellsInLanes<W>, block) over all cells in the order, compiled for this processor, with as many
+/// cells at a time as it has lanes of type Number. Blocks of a phase are visited from several threads. Blocks
+/// with a zero in `is_visited` are passed over; empty, it
+/// means all.
+template <class Number, class Visit>
+void visit_in_lanes(const SweepOrder& order, const Visit& visit,
+                    std::span<const std::uint8_t> is_visited = {}) {
   for (std::size_t phase = 0; phase < order.phase_count(); ++phase) {
     const std::size_t first = order.phase_begin[phase];
     parallel_for(
         order.phase_begin[phase + 1] - first,
         [&](std::size_t k) {
           const std::size_t block = first + k;
-          run_in_lanes([&]<int W>() {
+          if (!is_visited.empty() && !is_visited[block]) return;
+          run_in_lanes([&]<int Doubles>() {
+            constexpr int W = Doubles * static_cast<int>(sizeof(double) / sizeof(Number));
             for (std::size_t r = order.block_begin[block]; r < order.block_begin[block + 1]; ++r) {
               const std::span<const std::uint32_t> run = order.run(r);
               for (std::size_t i = 0; i < run.size(); i += W) visit(CellsInLanes<W>(run, i), block);
@@ -53,21 +58,25 @@ void visit_in_lanes(const SweepOrder& order, const Visit& visit) {
   }
 }
 
-/// The sum of what visit(CellsInLanes<W>, double& sum) adds, one number for each cell in their order: the
-/// same to the bit for any number of threads and lanes.
-template <class Visit>
-double sum_in_lanes(const SweepOrder& order, const Visit& visit) {
-  std::vector<double> partial(order.block_begin.empty() ? 0 : order.block_begin.size() - 1, 0.0);
-  visit_in_lanes(
-      order, [&]<int W>(const CellsInLanes<W>& cells, std::size_t block) { visit(cells, partial[block]); });
-  return std::accumulate(partial.begin(), partial.end(), 0.0);
+/// Per block the sum of what visit(CellsInLanes<W>, double& sum) adds, one number for each cell in their
+/// order: the same to the bit for any number of threads and lanes.
+template <class Number, class Visit>
+std::vector<double> block_sums_in_lanes(const SweepOrder& order, const Visit& visit,
+                                        std::span<const std::uint8_t> is_visited = {}) {
+  std::vector<double> sums(order.block_count(), 0.0);
+  visit_in_lanes<Number>(
+      order, [&]<int W>(const CellsInLanes<W>& cells, std::size_t block) { visit(cells, sums[block]); },
+      is_visited);
+  return sums;
 }
 
 /// The axes that cells are held along (CellForms::hold_axis), and which of them are.
-template <int W>
+template <class Real>
 struct HeldAxes {
-  BasicVector3<Lanes<W>> axes{0.0, 0.0, 1.0};
-  LaneMask<W> mask;
+  static constexpr int W = Real::kCount;
+
+  BasicVector3<Real> axes{0.0, 0.0, 1.0};
+  typename Real::Mask mask;
   bool any = false;
 
   template <class Forms>
@@ -83,10 +92,11 @@ struct HeldAxes {
 };
 
 /// As from_stored for one cell.
-template <int W>
-BasicQuaternion<Lanes<W>> from_stored(const std::vector<StoredQuaternion>& frames,
-                                      const CellsInLanes<W>& cells) {
-  BasicQuaternion<Lanes<W>> q;
+template <class Real>
+BasicQuaternion<Real> from_stored(const std::vector<StoredQuaternion>& frames,
+                                  const CellsInLanes<Real::kCount>& cells) {
+  constexpr int W = Real::kCount;
+  BasicQuaternion<Real> q;
   for (int lane = 0; lane < W; ++lane) {
     const StoredQuaternion& frame = frames[cells[lane]];
     set_lane(q, lane, {frame.w, frame.x, frame.y, frame.z});
@@ -94,8 +104,8 @@ BasicQuaternion<Lanes<W>> from_stored(const std::vector<StoredQuaternion>& frame
   return normalised(q);
 }
 
-template <int W>
-StoredQuaternion stored_in_lane(const BasicQuaternion<Lanes<W>>& q, int lane) {
+template <class Real>
+StoredQuaternion stored_in_lane(const BasicQuaternion<Real>& q, int lane) {
   return to_stored(in_lane(q, lane));
 }
 

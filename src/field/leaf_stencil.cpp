@@ -124,9 +124,8 @@ Connectivity connectivity_of(const GridLevel& level, std::vector<WeightedEdge> f
   Adjacency adjacency(level.size(), [&](std::size_t i, std::vector<Adjacency::Neighbour>& row) {
     stencil.row_of(static_cast<CellIndex>(i), row);
   });
-  const Colouring colouring = colouring_of(colours);
-  SweepOrder order =
-      level.size() < kBlockedCells ? SweepOrder(colouring) : SweepOrder(adjacency, colouring, kBlockCells);
+  SweepOrder order = level.size() < kBlockedCells ? SweepOrder(colouring_of(colours))
+                                                  : SweepOrder(adjacency, colours, kBlockCells);
   return {std::move(adjacency), std::move(order)};
 }
 

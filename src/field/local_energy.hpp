@@ -7,7 +7,9 @@
 //   degree 3: A = A_c - (5/6) sum w_j h_j h_j^T, b = 0.
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "constraint/normal_form.hpp"
@@ -17,10 +19,10 @@
 
 namespace crossgrain {
 
-template <int D, int W>
+template <int D, class Real>
 class LocalEnergy {
  public:
-  using Real = Lanes<W>;
+  static constexpr int W = Real::kCount;
   using Vector = Coefficients<D, Real>;
 
   LocalEnergy(const FieldGraph<D>& graph, const std::vector<StoredCoefficients<D>>& coefficients,
@@ -65,6 +67,8 @@ class LocalEnergy {
   const FormMatrix<D, Real>* matrix() const { return matrix_ ? &*matrix_ : nullptr; }
 
  private:
+  using Number = std::remove_cvref_t<decltype(std::declval<Real>()[0])>;
+
   void add_neighbours(const Adjacency& adjacency, const std::vector<StoredCoefficients<D>>& coefficients,
                       const CellsInLanes<W>& cells) {
     if constexpr (D == 3) {
@@ -96,40 +100,41 @@ class LocalEnergy {
   /// Here the eight orders below the last stand side by side, since that is how they are stored.
   void add_to_lane(int lane, const Adjacency::Row& neighbours,
                    const std::vector<StoredCoefficients<4>>& coefficients) {
-    constexpr int kGroups = 8 / W;
-    std::array<Real, kGroups> sums;
+    constexpr int kWidth = std::min(W, 8), kGroups = 8 / kWidth;
+    using Group = BasicLanes<Number, kWidth>;
+    std::array<Group, kGroups> sums;
     sums.fill(0.0);
-    double last = 0, total_weight = 0;
+    Number last = 0, total_weight = 0;
     if (neighbours.has_equal_weights()) {
       // Inside the solid: one multiplication for all.
       for (const auto& [neighbour, weight] : neighbours) {
         const StoredCoefficients<4>& h = coefficients[neighbour];
-        for (int g = 0; g < kGroups; ++g) sums[g] += lanes_of<W>(h.data() + g * W);
+        for (int g = 0; g < kGroups; ++g) sums[g] += lanes_of<Group>(h.data() + g * kWidth);
         last += h[8];
       }
-      const double weight = neighbours.empty() ? 0 : neighbours[0].weight;
-      for (Real& sum : sums) sum = 0.5 * weight * sum;
-      last *= 0.5 * weight;
-      total_weight = weight * static_cast<double>(neighbours.size());
+      const Number weight = neighbours.empty() ? 0 : neighbours[0].weight;
+      for (Group& sum : sums) sum = 0.5 * weight * sum;
+      last *= weight / 2;
+      total_weight = weight * static_cast<Number>(neighbours.size());
     } else {
       const float* weights = neighbours.weights();
-      for (std::size_t k = 0; k < neighbours.size(); k += W) {
-        const Real half_weights = 0.5 * lanes_of<W>(weights + k);
+      for (std::size_t k = 0; k < neighbours.size(); k += kWidth) {
+        const Group half_weights = 0.5 * lanes_of<Group>(weights + k);
         const auto add = [&]<int J>() {
           if (k + J >= neighbours.size()) return;
           const StoredCoefficients<4>& h = coefficients[neighbours[k + J].cell];
-          const Real half_weight = repeated<J>(half_weights);
-          for (int g = 0; g < kGroups; ++g) sums[g] += half_weight * lanes_of<W>(h.data() + g * W);
-          last += 0.5 * static_cast<double>(weights[k + J]) * h[8];
+          const Group half_weight = repeated<J>(half_weights);
+          for (int g = 0; g < kGroups; ++g) sums[g] += half_weight * lanes_of<Group>(h.data() + g * kWidth);
+          last += static_cast<Number>(weights[k + J]) / 2 * h[8];
           total_weight += weights[k + J];
         };
         [&]<int... J>(std::integer_sequence<int, J...>) {
           (add.template operator()<J>(), ...);
         }
-        (std::make_integer_sequence<int, W>());
+        (std::make_integer_sequence<int, kWidth>());
       }
     }
-    for (int m = 0; m < 8; ++m) linear_[m].set(lane, sums[m / W][m % W]);
+    for (int m = 0; m < 8; ++m) linear_[m].set(lane, sums[m / kWidth][m % kWidth]);
     linear_[8].set(lane, last);
     neighbour_weight_.set(lane, total_weight);
   }

@@ -21,7 +21,7 @@ constexpr double kSafeOverlap = 0.9;
 
 /// The minimisers of (W/2) |h|^2 + h^T A h - 2 b.h, A = s (I - C C^T - S S^T) + A_c.
 template <int W, class Real>
-Coefficients<4, Real> minimising_coefficients(const LocalEnergy<4, W>& energy, const CellForms<4>& forms,
+Coefficients<4, Real> minimising_coefficients(const LocalEnergy<4, Real>& energy, const CellForms<4>& forms,
                                               const CellsInLanes<W>& cells, const Coefficients<4, Real>&) {
   const Real half_weight = 0.5 * energy.neighbour_weight();
   const Real outside = 1 / (half_weight + energy.plane_weight());
@@ -33,7 +33,7 @@ Coefficients<4, Real> minimising_coefficients(const LocalEnergy<4, W>& energy, c
     add_scaled(h, inside * dot(plane.sine, energy.linear()), plane.sine);
   }
   if (energy.matrix() != nullptr) {
-    LaneMask<W> has_form;
+    typename Real::Mask has_form;
     for (int lane = 0; lane < W; ++lane) has_form.set(lane, forms.general(cells[lane]) != nullptr);
     h = select(has_form, solve_shifted<4>(*energy.matrix(), half_weight, energy.linear()), h);
   }
@@ -43,7 +43,7 @@ Coefficients<4, Real> minimising_coefficients(const LocalEnergy<4, W>& energy, c
 /// One step of inverse iteration for the smallest eigenvalues of the local matrices, which are no less than
 /// -(5/6) W.
 template <int W, class Real>
-Coefficients<3, Real> minimising_coefficients(const LocalEnergy<3, W>& energy, const CellForms<3>&,
+Coefficients<3, Real> minimising_coefficients(const LocalEnergy<3, Real>& energy, const CellForms<3>&,
                                               const CellsInLanes<W>&, const Coefficients<3, Real>& h) {
   FormMatrix<3, Real> matrix = *energy.matrix();
   if (energy.has_planes()) {
@@ -86,8 +86,8 @@ Coefficients<4, Real> over_relaxed(const Coefficients<4, Real>& before, const Co
 /// Among the degree-4 coefficients of frames with an axis along `axis`, h = b_n + x C + y S but for the
 /// radius x^2 + y^2 = 5/12 of frames: over-relaxed from `before` to the minimiser of the local energy, then a
 /// step back to that radius.
-template <int W, class Real>
-Coefficients<4, Real> relaxed_about(const BasicVector3<Real>& axis, const LocalEnergy<4, W>& energy,
+template <class Real>
+Coefficients<4, Real> relaxed_about(const BasicVector3<Real>& axis, const LocalEnergy<4, Real>& energy,
                                     const Coefficients<4, Real>& before, double symmetrisation,
                                     double over_relaxation) {
   const NormalBasis<4, Real> basis = normal_basis<4>(axis);
@@ -107,7 +107,7 @@ template <int D, int W>
 void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsInLanes<W>& cells,
                  double symmetrisation, double over_relaxation) {
   using Real = Lanes<W>;
-  const LocalEnergy<D, W> energy(graph, state.coefficients, cells);
+  const LocalEnergy<D, Real> energy(graph, state.coefficients, cells);
   Coefficients<D, Real> before;
   for (int lane = 0; lane < W; ++lane)
     set_lane(before, lane, from_stored<D>(state.coefficients[cells[lane]]));
@@ -115,7 +115,7 @@ void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsIn
   if constexpr (D == 4) h = over_relaxed(before, h, over_relaxation);
   symmetrise_steps<D>(h, symmetrisation);
   if constexpr (D == 4) {
-    const HeldAxes<W> held(graph.forms, cells);
+    const HeldAxes<Real> held(graph.forms, cells);
     if (held.any)
       h = select(held.mask, relaxed_about(held.axes, energy, before, symmetrisation, over_relaxation), h);
   }
@@ -130,7 +130,7 @@ void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsIn
 template <int D>
 void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation,
                       double over_relaxation) {
-  visit_in_lanes(graph.order(), [&]<int W>(const CellsInLanes<W>& cells, std::size_t) {
+  visit_in_lanes<double>(graph.order(), [&]<int W>(const CellsInLanes<W>& cells, std::size_t) {
     relax_cells(graph, state, cells, symmetrisation, over_relaxation);
   });
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/parallel.hpp"
 #include "field/energy.hpp"
@@ -24,18 +25,57 @@ std::vector<StoredQuaternion> relaxed(const FieldGraph<D>& graph, std::vector<St
   return std::move(state.frames);
 }
 
+namespace {
+
+/// Which blocks a sweep still visits: those that the last one lowered by more than their share of what may
+/// be left, and those beside a block that moved much more, such as one that an arc is about to leave.
+class BlocksAwake {
+ public:
+  explicit BlocksAwake(const SweepOrder& order) : order_(order) {
+    if (!order.blocks_beside.empty()) awake_.assign(order.block_count(), 1);
+  }
+
+  /// Empty where all are.
+  std::span<const std::uint8_t> awake() const { return awake_; }
+
+  /// `allowance` is what a sweep may lower the energy by and be the last.
+  void update(const std::vector<double>& decreases, double allowance) {
+    const double share = allowance / static_cast<double>(decreases.size());
+    for (std::size_t block = 0; block < awake_.size(); ++block) {
+      const auto& beside = order_.blocks_beside[block];
+      awake_[block] =
+          decreases[block] > share || std::any_of(beside.begin(), beside.end(), [&](std::uint32_t other) {
+            return decreases[other] > kWakesNeighbours * share;
+          });
+    }
+  }
+
+ private:
+  static constexpr double kWakesNeighbours = 10;
+
+  const SweepOrder& order_;
+  std::vector<std::uint8_t> awake_;
+};
+
+}  // namespace
+
 template <int D>
 SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
                       const SettlingPlan& plan, const SweepMonitor& after_sweep) {
   FieldState<D> state = state_of<D>(std::move(frames));
   SettledFrames result;
   result.energy = graph_energy(graph, state);
+  BlocksAwake blocks(graph.order());
   for (int sweep = 0; sweep < plan.most_sweeps && !result.settled; ++sweep) {
-    const double decrease = manifold_sweep(graph, state, plan.over_relaxation);
+    const std::vector<double> decreases =
+        manifold_sweep_over(graph, state, plan.over_relaxation, blocks.awake());
+    const double decrease = std::accumulate(decreases.begin(), decreases.end(), 0.0);
     result.energy -= decrease;
     after_sweep(result.energy);
     // Where all frames agree, rounding of the forms takes the energy a little below nothing.
-    result.settled = decrease <= plan.fraction * std::max(0.0, result.energy) + plan.noise;
+    const double allowance = plan.fraction * std::max(0.0, result.energy) + plan.noise;
+    result.settled = decrease <= allowance;
+    blocks.update(decreases, allowance);
   }
   result.frames = std::move(state.frames);
   return result;

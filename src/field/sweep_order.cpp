@@ -2,6 +2,8 @@
 #include "field/sweep_order.hpp"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 #include "base/parallel.hpp"
 #include "field/field_graph.hpp"
@@ -59,27 +61,38 @@ SweepOrder::SweepOrder(const Colouring& colouring) : cells(colouring.cells), run
   for (std::size_t b = 0; b < block_begin.size(); ++b) block_begin[b] = b;
 }
 
-SweepOrder::SweepOrder(const Adjacency& adjacency, const Colouring& colouring, std::size_t block_size)
-    : run_begin{0}, block_begin{0}, phase_begin{0} {
-  // The cells of every block, colour by colour and in the order of the colouring.
-  const std::size_t block_count = (adjacency.size() + block_size - 1) / block_size;
-  std::vector<Blocks> cells_of(block_count), colour_ends(block_count);
-  for (std::size_t colour = 0; colour < colouring.colour_count(); ++colour) {
-    for (const std::uint32_t cell : colouring.cells_of(colour)) cells_of[cell / block_size].push_back(cell);
-    for (std::size_t block = 0; block < block_count; ++block)
-      colour_ends[block].push_back(static_cast<std::uint32_t>(cells_of[block].size()));
-  }
-  cells.reserve(adjacency.size());
-  for (const Blocks& blocks : blocks_by_phase(neighbouring_blocks(adjacency, block_size))) {
-    for (const std::uint32_t block : blocks) {
-      const std::size_t begin = cells.size();
-      cells.insert(cells.end(), cells_of[block].begin(), cells_of[block].end());
-      for (const std::uint32_t end : colour_ends[block]) {
-        if (begin + end > run_begin.back()) run_begin.push_back(begin + end);
+SweepOrder::SweepOrder(const Adjacency& adjacency, std::span<const std::uint8_t> colour_of_cell,
+                       std::size_t block_size)
+    : cells(adjacency.size()), run_begin{0}, block_begin{0}, phase_begin{0} {
+  const std::vector<Blocks> beside = neighbouring_blocks(adjacency, block_size);
+  std::vector<std::uint32_t> place_of(beside.size());  // of a block among those of all phases
+  std::vector<std::size_t> cell_begin(beside.size());  // of a block in `cells`
+  const std::vector<Blocks> phases = blocks_by_phase(beside);
+  std::size_t cells_before = 0;
+  for (const Blocks& phase : phases) {
+    for (const std::uint32_t block : phase) {
+      place_of[block] = static_cast<std::uint32_t>(block_begin.size() - 1);
+      cell_begin[block] = cells_before;
+      const std::size_t first = block * block_size, last = std::min(first + block_size, adjacency.size());
+      std::array<std::size_t, 256> count{};
+      for (std::size_t i = first; i < last; ++i) ++count[colour_of_cell[i]];
+      for (const std::size_t cells_of_colour : count) {
+        cells_before += cells_of_colour;
+        if (cells_of_colour > 0) run_begin.push_back(cells_before);
       }
       block_begin.push_back(run_begin.size() - 1);
     }
     phase_begin.push_back(block_begin.size() - 1);
+  }
+  parallel_for_chunks(adjacency.size(), block_size, [&](std::size_t first, std::size_t last) {
+    const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(cell_begin[first / block_size]);
+    std::iota(begin, begin + static_cast<std::ptrdiff_t>(last - first), static_cast<std::uint32_t>(first));
+    std::stable_sort(begin, begin + static_cast<std::ptrdiff_t>(last - first),
+                     [&](std::uint32_t a, std::uint32_t b) { return colour_of_cell[a] < colour_of_cell[b]; });
+  });
+  blocks_beside.resize(beside.size());
+  for (std::size_t block = 0; block < beside.size(); ++block) {
+    for (const std::uint32_t other : beside[block]) blocks_beside[place_of[block]].push_back(place_of[other]);
   }
 }
 

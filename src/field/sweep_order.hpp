@@ -25,6 +25,9 @@ struct SweepOrder {
   std::vector<std::size_t> block_begin;  ///< block b: from run block_begin[b] up to block_begin[b + 1]
   std::vector<std::size_t> phase_begin;  ///< phase p: from block phase_begin[p] up to phase_begin[p + 1]
 
+  /// Per block the others that hold a neighbour of one of its cells. Not told (empty) of blocks of one run.
+  std::vector<std::vector<std::uint32_t>> blocks_beside;
+
   SweepOrder() = default;
 
   /// A phase for every colour, cut into blocks of one run.
@@ -32,9 +35,11 @@ struct SweepOrder {
 
   /// Blocks of `block_size` cells of successive indices, in each a run for every colour: where cells near
   /// each other have indices near each other, a block is read into the processor's cache once a sweep and not
-  /// once a colour.
-  SweepOrder(const Adjacency& adjacency, const Colouring& colouring, std::size_t block_size);
+  /// once a colour. Neighbours must differ in colour.
+  SweepOrder(const Adjacency& adjacency, std::span<const std::uint8_t> colour_of_cell,
+             std::size_t block_size);
 
+  std::size_t block_count() const { return block_begin.empty() ? 0 : block_begin.size() - 1; }
   std::size_t phase_count() const { return phase_begin.empty() ? 0 : phase_begin.size() - 1; }
   std::span<const std::uint32_t> run(std::size_t r) const {
     return {cells.data() + run_begin[r], cells.data() + run_begin[r + 1]};

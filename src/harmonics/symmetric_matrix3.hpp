@@ -73,11 +73,11 @@ inline Vector3 guarded_newton_step(const SymmetricMatrix3& hessian, const Vector
 }
 
 /// The same in every lane.
-template <int W>
-BasicVector3<Lanes<W>> guarded_newton_step(const BasicSymmetricMatrix3<Lanes<W>>& hessian,
-                                           const BasicVector3<Lanes<W>>& gradient, double max_angle_rad,
-                                           double floor = kHessianFloor) {
-  PlainNewtonStep<Lanes<W>> plain(hessian, gradient, max_angle_rad, floor);
+template <class Number, int W>
+BasicVector3<BasicLanes<Number, W>> guarded_newton_step(
+    const BasicSymmetricMatrix3<BasicLanes<Number, W>>& hessian,
+    const BasicVector3<BasicLanes<Number, W>>& gradient, double max_angle_rad, double floor = kHessianFloor) {
+  PlainNewtonStep<BasicLanes<Number, W>> plain(hessian, gradient, max_angle_rad, floor);
   for (int lane = 0; lane < W; ++lane) {
     if (plain.certain[lane]) continue;
     const Vector3 step =

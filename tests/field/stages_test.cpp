@@ -80,6 +80,28 @@ TYPED_TEST(Stages, SettledTellsTheEnergyAfterEverySweep) {
   EXPECT_EQ(energies.back(), result.energy);
 }
 
+TYPED_TEST(Stages, BlocksThatHaveSettledAreLeftAloneWithoutLosingEnergy) {
+  constexpr int D = TestFixture::D;
+  const Adjacency& adjacency = this->graph_.adjacency();
+  std::vector<std::uint8_t> colours(adjacency.size());
+  const Colouring colouring = greedy_colouring(adjacency);
+  for (std::size_t colour = 0; colour < colouring.colour_count(); ++colour)
+    for (const std::uint32_t cell : colouring.cells_of(colour))
+      colours[cell] = static_cast<std::uint8_t>(colour);
+  FieldGraph<D> blocked = this->graph_;
+  blocked.connectivity =
+      std::make_shared<const Connectivity>(Connectivity{adjacency, SweepOrder(adjacency, colours, 64)});
+  FieldGraph<D> unaware = blocked;
+  SweepOrder order = blocked.order();
+  order.blocks_beside.clear();  // so that all are visited in every sweep
+  unaware.connectivity = std::make_shared<const Connectivity>(Connectivity{adjacency, order});
+  const SettlingPlan plan{200, 1.4, 1e-4, 0};
+  const SettledFrames some = settled(blocked, this->good(), plan, ignore);
+  const SettledFrames all = settled(unaware, this->good(), plan, ignore);
+  EXPECT_TRUE(some.settled);
+  EXPECT_NEAR(some.energy / all.energy, 1, 1e-3);
+}
+
 TYPED_TEST(Stages, RelaxationThatDoesHarmIsUndone) {
   const Frames start = this->good();
   const auto harm = [this](Frames) { return this->random(9); };

@@ -25,6 +25,14 @@ Adjacency ribbon(std::uint32_t cells, std::uint32_t reach) {
   return {cells, edges};
 }
 
+std::vector<std::uint8_t> colours_of(const Colouring& colouring) {
+  std::vector<std::uint8_t> colours(colouring.cells.size());
+  for (std::size_t colour = 0; colour < colouring.colour_count(); ++colour)
+    for (const std::uint32_t cell : colouring.cells_of(colour))
+      colours[cell] = static_cast<std::uint8_t>(colour);
+  return colours;
+}
+
 std::vector<std::size_t> block_of_cells(const SweepOrder& order, std::size_t phase, std::size_t cells) {
   std::vector<std::size_t> block_of(cells, SIZE_MAX);
   for (std::size_t block = order.phase_begin[phase]; block < order.phase_begin[phase + 1]; ++block) {
@@ -39,10 +47,11 @@ class SweepOrderTest : public ::testing::TestWithParam<std::size_t> {
   static constexpr std::uint32_t kCells = 3000;
   const Adjacency adjacency_ = ribbon(kCells, 12);
   const Colouring colouring_ = greedy_colouring(adjacency_);
+  const std::vector<std::uint8_t> colours_ = colours_of(colouring_);
 
   /// By colours for a block size of 0.
   SweepOrder order() const {
-    return GetParam() == 0 ? SweepOrder(colouring_) : SweepOrder(adjacency_, colouring_, GetParam());
+    return GetParam() == 0 ? SweepOrder(colouring_) : SweepOrder(adjacency_, colours_, GetParam());
   }
 };
 

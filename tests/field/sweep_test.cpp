@@ -88,7 +88,7 @@ TYPED_TEST(SweepTest, LocalEnergyChangesAsTheEnergyOfTheGraphDoes) {
     FieldState<D> state = state_of<D>(random_frames(graph.size(), static_cast<std::uint64_t>(trial)));
     for (std::size_t cell = 0; cell < graph.size(); ++cell) {
       const std::array one{static_cast<std::uint32_t>(cell)};
-      const LocalEnergy<D, 2> local(graph, state.coefficients, {one, 0});
+      const LocalEnergy<D, Lanes<2>> local(graph, state.coefficients, {one, 0});
       const double before = graph_energy(graph, state);
       const Coefficients<D> h = from_stored<D>(state.coefficients[cell]);
       state.coefficients[cell] = to_stored<D>(frame_coefficients<D>(random.rotation()));
@@ -227,8 +227,23 @@ TYPED_TEST(SweepTest, ManifoldSweepKeepsCoefficientsThoseOfTheFrames) {
   manifold_sweep(graph, state);
   for (std::size_t i = 0; i < state.size(); ++i) {
     const auto h = frame_coefficients<D>(from_stored(state.frames[i]));
-    ASSERT_LT(testing::largest_difference(h, from_stored<D>(state.coefficients[i])), 1e-6);
+    // A dozen roundings in single precision.
+    ASSERT_LT(testing::largest_difference(h, from_stored<D>(state.coefficients[i])), 3e-6);
   }
+}
+
+TYPED_TEST(SweepTest, SweepsInSinglePrecisionSettleAtTheEnergyOfSweepsInDouble) {
+  constexpr int D = TypeParam::value;
+  const auto graph = graph_of<D>(this->level_, this->bracket_.solid());
+  FieldState<D> in_single = state_of<D>(random_frames(graph.size(), 6));
+  // From random frames any rounding decides which valley is found: they set out together.
+  for (int sweep = 0; sweep < 40; ++sweep) manifold_sweep_over<D, double>(graph, in_single, 1.4, {});
+  FieldState<D> in_double = in_single;
+  for (int sweep = 0; sweep < 200; ++sweep) {
+    manifold_sweep_over<D, float>(graph, in_single, 1.4, {});
+    manifold_sweep_over<D, double>(graph, in_double, 1.4, {});
+  }
+  EXPECT_NEAR(graph_energy(graph, in_single) / graph_energy(graph, in_double), 1, 1e-5);
 }
 
 TYPED_TEST(SweepTest, SweepsAreTheSameToTheBitForAnyNumberOfThreads) {
