@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is done with a solved field: frames nearest to any coefficients, sampling, writing.
+#include <benchmark/benchmark.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "crossgrain/io.hpp"
+#include "crossgrain/solve.hpp"
+#include "harmonics/frame.hpp"
+#include "harmonics/frame_cover.hpp"
+#include "kernels/item_cost.hpp"
+#include "kernels/update_flops.hpp"
+#include "support/shapes.hpp"
+
+namespace crossgrain::bench {
+namespace {
+
+const FrameField& solved_field() {
+  static const FrameField field = [] {
+    SolveOptions options;
+    options.resolution = 128;
+    options.threads = 1;
+    return solve(make_bracket(64), options);
+  }();
+  return field;
+}
+
+/// The search over all frames, of which eight starts are refined: what projection falls back to.
+template <int D>
+void nearest_frames(benchmark::State& state) {
+  constexpr int kStarts = 8;  // harmonics/nearest_frame.cpp
+  std::mt19937_64 random(1);
+  std::vector<Coefficients<D>> targets(1000);
+  for (Coefficients<D>& target : targets) {
+    for (double& value : target) value = 0x1p-63 * static_cast<double>(random()) - 1;
+  }
+  for (auto _ : state) {
+    for (const Coefficients<D>& target : targets) benchmark::DoNotOptimize(nearest_frame<D>(target));
+  }
+  const double flops = kStarts * refined_frame_flops<D>() + 2.0 * kCoverSize * kCoefficientCount<D>;
+  report(state, targets.size(), {flops, sizeof(Coefficients<D>) + sizeof(Quaternion)});
+}
+
+/// Points in cells, in no order. Bytes: the frames and turns of eight cells are read, the point, the answer.
+void sampling(benchmark::State& state) {
+  const FrameField& field = solved_field();
+  std::mt19937_64 random(1);
+  const auto deviate = [&] { return 0x1p-64 * static_cast<double>(random()) - 0.5; };
+  std::vector<Vector3> points;
+  for (int k = 0; k < 20000; ++k) {
+    const FrameField::Cell cell = field.cell(random() % field.size());
+    const Vector3& c = cell.centre;
+    points.push_back(
+        {c[0] + cell.size * deviate(), c[1] + cell.size * deviate(), c[2] + cell.size * deviate()});
+  }
+  benchmark::DoNotOptimize(field.sample(points[0]));  // finds the turns of all cells
+  for (auto _ : state) {
+    for (const Vector3& point : points) benchmark::DoNotOptimize(field.sample(point));
+  }
+  constexpr double kCellBytes = 16 + 40 + 8 + 1;  // frame, turn, address, open faces
+  report(state, points.size(),
+         {sample_flops(), 8 * kCellBytes + sizeof(Vector3) + sizeof(FrameField::Sample)});
+}
+
+/// field.vtu with all that belongs to a cell, compressed. Bytes: of the arrays before compression, which is
+/// nearly all of the time, and whose steps are no arithmetic of doubles.
+void writing(benchmark::State& state) {
+  const FrameField& field = solved_field();
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("crossgrain_kernels_" + std::to_string(getpid()));
+  for (auto _ : state) write_field(field, folder);
+  std::filesystem::remove_all(folder);
+  constexpr double kAxes = 36, kCoefficients = 36, kScalars = 14, kIndices = 64 + 8 + 1, kCorner = 24,
+                   kKept = 8 + 16 + 1;
+  report(state, field.size(), {0, kAxes + kCoefficients + kScalars + kIndices + kCorner + kKept});
+}
+
+BENCHMARK(nearest_frames<4>)
+    ->Name("nearest frame to any coefficients, degree 4")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(nearest_frames<3>)
+    ->Name("nearest frame to any coefficients, degree 3")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(sampling)->Name("sampling at a point")->Unit(benchmark::kMillisecond);
+BENCHMARK(writing)->Name("writing a cell to field.vtu")->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace crossgrain::bench

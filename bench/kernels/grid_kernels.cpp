@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The octree and the graph that is made of it: items are leaves of the finer level.
+#include <benchmark/benchmark.h>
+
+#include "crossgrain/options.hpp"
+#include "kernels/levels.hpp"
+#include "kernels/surface_flops.hpp"
+
+namespace crossgrain::bench {
+namespace {
+
+/// Bytes: the level before is read, the new one written. Flops: of clipping and of crossings.
+template <Part kPart>
+void refinement(benchmark::State& state) {
+  const PartLevel& part = part_level(kPart);
+  const Solid solid = part.solid.solid();
+  for (auto _ : state) benchmark::DoNotOptimize(refined(part.before, solid, part.marks));
+  const auto leaves = static_cast<double>(part.level.size());
+  const auto [tried, kept] = clipped_pieces(part);
+  const double flops = (tried - kept) * kRejectedClipFlops + kept * kClipFlops + tried * kCrossingFlops;
+  report(state, part.level.size(), {flops / leaves, (bytes_of(part.before) + bytes_of(part.level)) / leaves});
+}
+
+/// Bytes: the level is read, the faces are written. Flops: of the samples of open fractions.
+template <Part kPart>
+void connection(benchmark::State& state) {
+  const PartLevel& part = part_level(kPart);
+  const Solid solid = part.solid.solid();
+  for (auto _ : state) benchmark::DoNotOptimize(connect_leaves(part.level, solid));
+  const auto leaves = static_cast<double>(part.level.size());
+  report(state, part.level.size(),
+         {sampled_pieces(part) * kCrossingFlops / leaves,
+          (bytes_of(part.level) + bytes_of(part.connections.edges)) / leaves + 1});
+}
+
+/// Bytes: addresses and faces are read, lists and the order written. Flops: none but sums of weights.
+template <Part kPart>
+void adjacency(benchmark::State& state) {
+  const PartLevel& part = part_level(kPart);
+  const double share = SolverOptions{}.diagonal_share;
+  for (auto _ : state) {
+    state.PauseTiming();
+    std::vector<WeightedEdge> faces = part.connections.edges;
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(connectivity_of(part.level, std::move(faces), share));
+  }
+  const auto leaves = static_cast<double>(part.level.size());
+  const double lists = bytes_of(part_field<4>(kPart).graph.adjacency());
+  report(state, part.level.size(),
+         {0, (bytes_of(part.connections.edges) + lists) / leaves + sizeof(CellAddress) + sizeof(CellIndex)});
+}
+
+BENCHMARK(refinement<Part::kBracket>)->Name("octree refinement, bracket")->Unit(benchmark::kMillisecond);
+BENCHMARK(refinement<Part::kTorus>)->Name("octree refinement, torus")->Unit(benchmark::kMillisecond);
+BENCHMARK(connection<Part::kBracket>)->Name("leaf connections, bracket")->Unit(benchmark::kMillisecond);
+BENCHMARK(connection<Part::kTorus>)->Name("leaf connections, torus")->Unit(benchmark::kMillisecond);
+BENCHMARK(adjacency<Part::kBracket>)
+    ->Name("neighbour lists and order, bracket")
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace crossgrain::bench

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Geometry of the surface, and forms from it.
+#include <benchmark/benchmark.h>
+
+#include <utility>
+#include <vector>
+
+#include "grid/cell_constraints.hpp"
+#include "kernels/levels.hpp"
+#include "kernels/surface_flops.hpp"
+#include "surface/clipping.hpp"
+#include "surface/segment_crossing.hpp"
+
+namespace crossgrain::bench {
+namespace {
+
+/// Calls visit(leaf, piece) for the pieces of surface of all leaves that were split.
+template <class Visit>
+void for_each_split_piece(const PartLevel& part, const Visit& visit) {
+  for (CellIndex i = 0; i < part.before.size(); ++i) {
+    if (!part.marks[i]) continue;
+    for (const SurfacePiece& piece : part.before.pieces_of(i)) visit(i, piece);
+  }
+}
+
+/// Of a triangle: its place in the list, three indices and three corners, which eight children share.
+constexpr double kTriangleBytesPerChild =
+    (sizeof(SurfacePiece) + 3 * sizeof(std::uint32_t) + 3 * sizeof(Vector3)) / 8.0;
+
+/// Triangles in a leaf against each of its eight children; items are such pairs.
+void clipping(benchmark::State& state) {
+  const PartLevel& part = part_level(Part::kTorus);
+  const Octree& tree = part.before.tree;
+  for (auto _ : state) {
+    double area = 0;
+    for_each_split_piece(part, [&](CellIndex i, const SurfacePiece& piece) {
+      const std::array<Vector3, 3> corners = part.solid.surface().corners(piece.triangle);
+      for (int octant = 0; octant < 8; ++octant)
+        area += clip_triangle(corners, tree.root().box(tree[i].child(octant))).area;
+    });
+    benchmark::DoNotOptimize(area);
+  }
+  const auto [tried, kept] = clipped_pieces(part);
+  const double flops = kRejectedClipFlops + kept / tried * (kClipFlops - kRejectedClipFlops);
+  report(state, static_cast<std::size_t>(tried), {flops, kTriangleBytesPerChild});
+}
+
+/// Triangles in a leaf against the ways from its centre to those of its children; items are such pairs.
+void crossings(benchmark::State& state) {
+  const PartLevel& part = part_level(Part::kTorus);
+  const Octree& tree = part.before.tree;
+  for (auto _ : state) {
+    int changes = 0;
+    for_each_split_piece(part, [&](CellIndex i, const SurfacePiece& piece) {
+      const std::array<Vector3, 3> corners = part.solid.surface().corners(piece.triangle);
+      const Vector3 centre = tree.centre(i);
+      for (int octant = 0; octant < 8; ++octant) {
+        const Vector3 end = tree.root().centre(tree[i].child(octant));
+        changes += winding_change(corners, centre, end).value_or(0);
+      }
+    });
+    benchmark::DoNotOptimize(changes);
+  }
+  report(state, static_cast<std::size_t>(clipped_pieces(part).tried),
+         {kCrossingFlops, kTriangleBytesPerChild});
+}
+
+/// What a query visits: clusters of the tree of boxes stand for those of the winding number, each with half
+/// the diagonal of its box for a radius.
+struct Visits {
+  double clusters = 0, far_clusters = 0, near_triangles = 0;
+};
+
+void count_visits(const TriangleBvh& bvh, const Vector3& point, Visits& visits) {
+  const auto& nodes = bvh.nodes();
+  for (std::size_t i = 0; i < nodes.size();) {
+    const Vector3 half = 0.5 * (nodes[i].box.high - nodes[i].box.low);
+    const Vector3 way = nodes[i].box.low + half - point;
+    const bool is_far = norm(way) > WindingNumber::kDefaultBeta * norm(half);
+    visits.clusters += 1;
+    visits.far_clusters += is_far;
+    if (!is_far && nodes[i].skip == i + 1) visits.near_triangles += nodes[i].count;
+    i = is_far ? nodes[i].skip : i + 1;
+  }
+}
+
+/// Centres of leaves with surface, where most of a tree is looked into; items are points.
+void winding_numbers(benchmark::State& state) {
+  const PartLevel& part = part_level(Part::kTorus);
+  const Solid solid = part.solid.solid();
+  std::vector<Vector3> points;
+  Visits visits;
+  for (CellIndex i = 0; i < part.before.size(); i += 16) {
+    if (!part.before.holds_surface(i)) continue;
+    points.push_back(part.before.tree.centre(i));
+    count_visits(solid.bvh, points.back(), visits);
+  }
+  for (auto _ : state) {
+    double sum = 0;
+    for (const Vector3& point : points) sum += solid.winding.at(point);
+    benchmark::DoNotOptimize(sum);
+  }
+  const double flops = visits.clusters * kClusterFlops + visits.far_clusters * kFarClusterFlops +
+                       visits.near_triangles * kNearTriangleFlops;
+  // The tree stays in the cache from point to point: compulsory is the point alone.
+  report(state, points.size(), {flops / static_cast<double>(points.size()), sizeof(Vector3)});
+}
+
+/// The forms of all leaves with surface; items are pieces.
+template <int D>
+void cell_forms(benchmark::State& state) {
+  const PartLevel& part = part_level(Part::kTorus);
+  const Solid solid = part.solid.solid();
+  double forms = 0;
+  for (CellIndex i = 0; i < part.level.size(); ++i) forms += part.level.holds_surface(i);
+  for (auto _ : state) {
+    double weight = 0;
+    for (CellIndex i = 0; i < part.level.size(); ++i) {
+      if (part.level.holds_surface(i)) weight += cell_form<D>(part.level, solid, i).weight;
+    }
+    benchmark::DoNotOptimize(weight);
+  }
+  const std::size_t pieces = part.level.pieces.size();
+  const double written = forms * sizeof(QuadraticForm<D>) / static_cast<double>(pieces);
+  report(state, pieces, {add_normal_flops<D>(), sizeof(SurfacePiece) + sizeof(Vector3) + written});
+}
+
+BENCHMARK(clipping)->Name("clipping of a triangle to a cell")->Unit(benchmark::kMillisecond);
+BENCHMARK(crossings)->Name("crossing of a segment and a triangle")->Unit(benchmark::kMillisecond);
+BENCHMARK(winding_numbers)->Name("winding number at a point near the surface")->Unit(benchmark::kMillisecond);
+BENCHMARK(cell_forms<4>)->Name("normal added to a form, degree 4")->Unit(benchmark::kMillisecond);
+BENCHMARK(cell_forms<3>)->Name("normal added to a form, degree 3")->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace crossgrain::bench
