@@ -81,17 +81,16 @@ TYPED_TEST(Stages, SettledTellsTheEnergyAfterEverySweep) {
 }
 
 TYPED_TEST(Stages, BlocksThatHaveSettledAreLeftAloneWithoutLosingEnergy) {
-  constexpr int D = TestFixture::D;
   const Adjacency& adjacency = this->graph_.adjacency();
   std::vector<std::uint8_t> colours(adjacency.size());
   const Colouring colouring = greedy_colouring(adjacency);
   for (std::size_t colour = 0; colour < colouring.colour_count(); ++colour)
     for (const std::uint32_t cell : colouring.cells_of(colour))
       colours[cell] = static_cast<std::uint8_t>(colour);
-  FieldGraph<D> blocked = this->graph_;
+  auto blocked = this->graph_;
   blocked.connectivity =
       std::make_shared<const Connectivity>(Connectivity{adjacency, SweepOrder(adjacency, colours, 64)});
-  FieldGraph<D> unaware = blocked;
+  auto unaware = blocked;
   SweepOrder order = blocked.order();
   order.blocks_beside.clear();  // so that all are visited in every sweep
   unaware.connectivity = std::make_shared<const Connectivity>(Connectivity{adjacency, order});
