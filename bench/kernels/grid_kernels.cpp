@@ -30,7 +30,7 @@ void connection(benchmark::State& state) {
   const auto leaves = static_cast<double>(part.level.size());
   report(state, part.level.size(),
          {sampled_pieces(part) * kCrossingFlops / leaves,
-          (bytes_of(part.level) + bytes_of(part.connections.edges)) / leaves + 1});
+          (bytes_of(part.level) + bytes_of(part.connections)) / leaves});
 }
 
 /// Bytes: addresses and faces are read, lists and the order written. Flops: none but sums of weights.
@@ -38,16 +38,11 @@ template <Part kPart>
 void adjacency(benchmark::State& state) {
   const PartLevel& part = part_level(kPart);
   const double share = SolverOptions{}.diagonal_share;
-  for (auto _ : state) {
-    state.PauseTiming();
-    std::vector<WeightedEdge> faces = part.connections.edges;
-    state.ResumeTiming();
-    benchmark::DoNotOptimize(connectivity_of(part.level, std::move(faces), share));
-  }
+  for (auto _ : state) benchmark::DoNotOptimize(connectivity_of(part.level, part.connections, share));
   const auto leaves = static_cast<double>(part.level.size());
   const double lists = bytes_of(part_field<4>(kPart).graph.adjacency());
   report(state, part.level.size(),
-         {0, (bytes_of(part.connections.edges) + lists) / leaves + sizeof(CellAddress) + sizeof(CellIndex)});
+         {0, (bytes_of(part.connections) + lists) / leaves + sizeof(CellAddress) + sizeof(CellIndex)});
 }
 
 BENCHMARK(refinement<Part::kBracket>)->Name("octree refinement, bracket")->Unit(benchmark::kMillisecond);

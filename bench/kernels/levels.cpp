@@ -19,9 +19,7 @@ constexpr int kResolution = 256;
 constexpr int kCoarsestDepth = 4;
 constexpr int kBoxAcross = 96;
 
-/// Of cells so wide the weights of faces and of diagonals round to the same number, and a cell's neighbours
-/// have one weight; of most other widths they differ in the last place.
-constexpr double kBoxCellSize = 1.25;
+constexpr double kBoxCellSize = 1;
 constexpr double kStartTurn_rad = 0.1;
 
 template <int D>
@@ -36,9 +34,9 @@ SweptField<D> swept(std::shared_ptr<const Connectivity> connectivity, CellForms<
   return field;
 }
 
-std::shared_ptr<const Connectivity> connected(const GridLevel& level, std::vector<WeightedEdge> faces) {
+std::shared_ptr<const Connectivity> connected(const GridLevel& level, const LeafConnections& connections) {
   const double share = SolverOptions{}.diagonal_share;
-  return std::make_shared<const Connectivity>(connectivity_of(level, std::move(faces), share));
+  return std::make_shared<const Connectivity>(connectivity_of(level, connections, share));
 }
 
 std::shared_ptr<const Connectivity> box_connectivity() {
@@ -57,14 +55,14 @@ std::shared_ptr<const Connectivity> box_connectivity() {
       testing::interior_level({{{0, 0, 0}, kBoxCellSize * (1 << depth)}, std::move(leaves)});
   // No leaf holds surface, so none is looked at.
   const testing::TestSolid any(make_box({1, 1, 1}));
-  return connected(level, connect_leaves(level, any.solid()).edges);
+  return connected(level, connect_leaves(level, any.solid()));
 }
 
 std::shared_ptr<const Connectivity> part_connectivity(Part part) {
   static std::array<std::shared_ptr<const Connectivity>, 2> made;
   auto& connectivity = made[static_cast<std::size_t>(part)];
   const PartLevel& level = part_level(part);
-  if (!connectivity) connectivity = connected(level.level, level.connections.edges);
+  if (!connectivity) connectivity = connected(level.level, level.connections);
   return connectivity;
 }
 
@@ -147,12 +145,14 @@ ItemCost sweep_cost(const FieldGraph<D>& graph, double (*flops_of)(const CellKin
 
 double bytes_of(const GridLevel& level) {
   const auto leaves = static_cast<double>(level.size());
-  return leaves * (sizeof(CellAddress) + sizeof(std::uint32_t) + sizeof(std::int8_t) + sizeof(CellIndex)) +
+  return leaves * (sizeof(CellAddress) + sizeof(std::uint32_t) + sizeof(std::int8_t) + sizeof(CellIndex) +
+                   sizeof(FaceNeighbours)) +
          static_cast<double>(level.pieces.size()) * sizeof(SurfacePiece);
 }
 
-double bytes_of(const std::vector<WeightedEdge>& faces) {
-  return static_cast<double>(faces.size()) * sizeof(WeightedEdge);
+double bytes_of(const LeafConnections& connections) {
+  return static_cast<double>(connections.weights.size()) * sizeof(connections.weights[0]) +
+         static_cast<double>(connections.open_faces.size());
 }
 
 double bytes_of(const Adjacency& adjacency) {
@@ -169,11 +169,11 @@ double bytes_of(const Adjacency& adjacency) {
 double sampled_pieces(const PartLevel& part) {
   const GridLevel& level = part.level;
   double pieces = 0;
-  for (const WeightedEdge& edge : part.connections.edges) {
+  for (const WeightedEdge& edge : face_edges(level, part.connections)) {
     if (level.holds_surface(edge.first) && level.holds_surface(edge.second))
       pieces += static_cast<double>(level.pieces_of(edge.first).size());
   }
-  return pieces * kOpenFaceSamples * kOpenFaceSamples;
+  return pieces * kOpenFaceSamples;
 }
 
 ClippedPieces clipped_pieces(const PartLevel& part) {

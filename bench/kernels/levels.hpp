@@ -59,7 +59,7 @@ ItemCost sweep_cost(const FieldGraph<D>& graph, double (*flops_of)(const CellKin
 
 /// Bytes of the arrays of a level, of faces between leaves, and of the lists that a graph makes of them.
 double bytes_of(const GridLevel& level);
-double bytes_of(const std::vector<WeightedEdge>& faces);
+double bytes_of(const LeafConnections& connections);
 double bytes_of(const Adjacency& adjacency);
 
 /// Faces between two leaves of `level` that both hold surface, for which connect_leaves takes samples, times

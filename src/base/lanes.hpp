@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace crossgrain {
 
@@ -84,6 +85,8 @@ struct LaneMask {
   }
   friend LaneMask operator&(const LaneMask& a, const LaneMask& b) { return LaneMask(a.native & b.native); }
   friend LaneMask operator|(const LaneMask& a, const LaneMask& b) { return LaneMask(a.native | b.native); }
+  friend LaneMask operator!(const LaneMask& a) { return LaneMask(~a.native); }
+  friend bool all(const LaneMask& a) { return !any(!a); }
 };
 
 template <class Number, int W>
@@ -185,6 +188,14 @@ Real lanes_of(const float* x) {
   return Real(native);
 }
 
+/// W doubles that stand one after the other.
+template <class Real>
+Real lanes_at(const double* x) {
+  typename Real::Native native;
+  std::memcpy(&native, x, sizeof native);
+  return Real(native);
+}
+
 /// The number in lane `Lane` of `a`, in all lanes. Where the number is known as a scalar only, filling lanes
 /// with it takes one instruction per lane.
 template <int Lane, class Number, int W>
@@ -197,6 +208,16 @@ BasicLanes<Number, W> repeated(const BasicLanes<Number, W>& a) {
   if constexpr (W == 8) all = Index{k, k, k, k, k, k, k, k};
   if constexpr (W == 16) all = Index{k, k, k, k, k, k, k, k, k, k, k, k, k, k, k, k};
   return BasicLanes<Number, W>(__builtin_shuffle(a.native, all));
+}
+
+/// *x in all lanes. As many doubles as there are lanes may be read from x on.
+template <class Real>
+Real in_every_lane(const double* x) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return *x;
+  } else {
+    return repeated<0>(lanes_at<Real>(x));
+  }
 }
 
 /// The numbers in one lane.
@@ -222,11 +243,14 @@ std::array<BasicLanes<Number, W>, N> select(const LaneMask<Number, W>& mask,
   return result;
 }
 
-/// What select and any are for lanes.
+/// What select, any and all are for lanes.
 inline double select(bool mask, double a, double b) {
   return mask ? a : b;
 }
 inline bool any(bool mask) {
+  return mask;
+}
+inline bool all(bool mask) {
   return mask;
 }
 

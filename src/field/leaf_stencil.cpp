@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "grid/leaf_finder.hpp"
 
 namespace crossgrain {
 namespace {
@@ -19,92 +20,87 @@ constexpr std::size_t kBlockedCells = 200000;
 /// Cells of a block, whose frames, coefficients and neighbour lists fit into a core's own cache.
 constexpr std::size_t kBlockCells = 4096;
 
-/// Leaves of equal size by the faces that they share, and all other edges.
+/// Parts of a step of FaceWeight in which diagonals are counted: whole numbers make the weights of one edge
+/// the same from both its leaves, and those of all neighbours inside the very same.
+constexpr int kShareSteps = 320;
+
+/// The rows of neighbours of a level.
 class Stencil {
  public:
-  Stencil(const GridLevel& level, std::vector<WeightedEdge> faces, double diagonal_share)
-      : share_(diagonal_share), neighbours_(level.size(), kNone), weights_(level.size()) {
-    std::vector<WeightedEdge> others;
-    for (const WeightedEdge& edge : faces) {
-      const CellAddress first = level.tree[edge.first], second = level.tree[edge.second];
-      if (first.depth() == second.depth()) {
-        put(edge, face_towards(first, second));
-      } else {
-        others.push_back(edge);
-      }
-    }
-    std::vector<WeightedEdge>().swap(faces);
-    others_ = Adjacency(level.size(), others);
+  Stencil(const GridLevel& level, const LeafConnections& connections, double diagonal_share)
+      : level_(level),
+        weights_(connections.weights),
+        share_(static_cast<int>(std::lround(diagonal_share * kShareSteps))),
+        finder_(level.tree) {
+    for (const CellAddress leaf : level.tree.leaves()) deepest_ = std::max(deepest_, leaf.depth());
   }
 
-  /// The neighbours of leaf i: through faces, across edges, of other sizes.
+  /// The neighbours of leaf i: of its size through faces and across edges, then larger and smaller ones.
   void row_of(CellIndex i, std::vector<Adjacency::Neighbour>& row) const {
-    const std::array<CellIndex, kFaceCount>& beside = neighbours_[i];
-    // In double precision these sums are exact, so both leaves of a face get the same weight.
-    std::array<double, kFaceCount> face_weights;
-    for (int face = 0; face < kFaceCount; ++face) face_weights[face] = weight(i, face);
-    std::array<Adjacency::Neighbour, 12> diagonals;
+    const double step = level_.tree.cell_size(i) / (FaceWeight::kFullFace * kShareSteps);
+    const auto add = [&](CellIndex j, int steps) { row.push_back({j, static_cast<float>(step * steps)}); };
+    std::array<int, kFaceCount> face_steps;
+    for (int face = 0; face < kFaceCount; ++face) face_steps[face] = kShareSteps * weights_[i][face].steps();
+    std::array<std::pair<CellIndex, int>, 12> diagonals;
     int diagonal_count = 0;
     for (int a = 0; a < kFaceCount; ++a) {
       for (int b = 2 * (face_axis(a) + 1); b < kFaceCount; ++b) {
         const CellIndex across = share_ > 0 ? across_edge(i, a, b) : kNoCell;
         if (across == kNoCell) continue;
-        const float given = given_up(i, a, b);
-        face_weights[a] -= given;
-        face_weights[b] -= given;
+        const int given = given_up(i, a, b);
+        face_steps[a] -= given;
+        face_steps[b] -= given;
         diagonals[diagonal_count++] = {across, given};
       }
     }
     for (int face = 0; face < kFaceCount; ++face) {
-      if (beside[face] != kNoCell) row.push_back({beside[face], static_cast<float>(face_weights[face])});
+      if (weights_[i][face].joins_equal()) add(beside(i, face), face_steps[face]);
     }
-    row.insert(row.end(), diagonals.begin(), diagonals.begin() + diagonal_count);
-    for (const Adjacency::Neighbour& other : others_[i]) row.push_back(other);
+    for (int k = 0; k < diagonal_count; ++k) add(diagonals[k].first, diagonals[k].second);
+    for (int face = 0; face < kFaceCount; ++face) {
+      if (weights_[i][face].joins_larger()) add(beside(i, face), face_steps[face]);
+    }
+    if (level_.tree[i].depth() < deepest_) add_smaller(i, add);
   }
 
  private:
-  static constexpr std::array<CellIndex, kFaceCount> kNone{kNoCell, kNoCell, kNoCell,
-                                                           kNoCell, kNoCell, kNoCell};
+  CellIndex beside(CellIndex i, int face) const { return level_.neighbours[i][face]; }
 
-  static int face_towards(CellAddress from, CellAddress to) {
-    const GridPoint a = from.corner(), b = to.corner();
-    for (int axis = 0; axis < 3; ++axis) {
-      if (a[axis] != b[axis]) return 2 * axis + (b[axis] > a[axis] ? 1 : 0);
-    }
-    assert(false);
-    return 0;
-  }
-
-  void put(const WeightedEdge& edge, int face) {
-    neighbours_[edge.first][face] = edge.second;
-    neighbours_[edge.second][opposite_face(face)] = edge.first;
-    // A face belongs to the leaf on its low side.
-    weights_[face_sign(face) > 0 ? edge.first : edge.second][face_axis(face)] = edge.weight;
-  }
-
-  float weight(CellIndex i, int face) const {
-    const CellIndex low = face_sign(face) > 0 ? i : neighbours_[i][face];
-    return low == kNoCell ? 0 : weights_[low][face_axis(face)];
-  }
-
-  /// The leaf behind faces a and b both, if the four around their common edge are joined all around it.
+  /// The leaf behind faces a and b both, if the four around their common edge are of one size and joined all
+  /// around it.
   CellIndex across_edge(CellIndex i, int a, int b) const {
-    const CellIndex beside_a = neighbours_[i][a], beside_b = neighbours_[i][b];
-    if (beside_a == kNoCell || beside_b == kNoCell) return kNoCell;
-    const CellIndex across = neighbours_[beside_a][b];
-    return across == neighbours_[beside_b][a] ? across : kNoCell;
+    if (!weights_[i][a].joins_equal() || !weights_[i][b].joins_equal()) return kNoCell;
+    const CellIndex beside_a = beside(i, a), beside_b = beside(i, b);
+    if (!weights_[beside_a][b].joins_equal() || !weights_[beside_b][a].joins_equal()) return kNoCell;
+    return beside(beside_a, b);
   }
 
-  float given_up(CellIndex i, int a, int b) const {
-    const float smallest =
-        std::min({weight(i, a), weight(i, b), weight(neighbours_[i][a], b), weight(neighbours_[i][b], a)});
-    return static_cast<float>(share_ * smallest);
+  int given_up(CellIndex i, int a, int b) const {
+    return share_ * std::min({weights_[i][a].steps(), weights_[i][b].steps(),
+                              weights_[beside(i, a)][b].steps(), weights_[beside(i, b)][a].steps()});
   }
 
-  double share_;
-  std::vector<std::array<CellIndex, kFaceCount>> neighbours_;
-  std::vector<std::array<float, 3>> weights_;
-  Adjacency others_;
+  template <class Add>
+  void add_smaller(CellIndex i, const Add& add) const {
+    for (int face = 0; face < kFaceCount; ++face) {
+      if (beside(i, face) != kNoCell) continue;
+      const auto across = adjacent(level_.tree[i], face);
+      if (!across) continue;
+      const auto [first, last] = finder_.over(*across);
+      for (CellIndex j = first; j < last; ++j) {
+        if (beside(j, opposite_face(face)) != i) continue;
+        // Steps of a leaf half as large are half as large.
+        const int steps = weights_[j][opposite_face(face)].steps();
+        if (steps > 0) add(j, kShareSteps / 2 * steps);
+      }
+    }
+  }
+
+  const GridLevel& level_;
+  const std::vector<std::array<FaceWeight, kFaceCount>>& weights_;
+  int share_;
+  LeafFinder finder_;
+  int deepest_ = 0;
 };
 
 /// By parity of position and depth: neighbours differ in one or two coordinates, or in depth by one.
@@ -116,8 +112,9 @@ std::uint8_t parity_colour(CellAddress cell) {
 
 }  // namespace
 
-Connectivity connectivity_of(const GridLevel& level, std::vector<WeightedEdge> faces, double diagonal_share) {
-  const Stencil stencil(level, std::move(faces), diagonal_share);
+Connectivity connectivity_of(const GridLevel& level, const LeafConnections& connections,
+                             double diagonal_share) {
+  const Stencil stencil(level, connections, diagonal_share);
   std::vector<std::uint8_t> colours(level.size());
   parallel_for(level.size(),
                [&](std::size_t i) { colours[i] = parity_colour(level.tree[static_cast<CellIndex>(i)]); });

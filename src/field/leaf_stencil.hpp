@@ -3,22 +3,20 @@
 // edge.
 #pragma once
 
-#include <vector>
-
-#include "field/field_graph.hpp"
-#include "grid/grid_level.hpp"
+#include "field/octree_graph.hpp"
 
 namespace crossgrain {
 
-/// Adjacency of a level from its open faces (LeafConnections::edges), and the order of its sweeps: by colours
-/// of parity, on large levels block by block.
+/// Adjacency of a level from its open faces, and the order of its sweeps: by colours of parity, on large
+/// levels block by block. `level` must have its neighbours.
 ///
 /// With faces alone a singular arc that runs along the grid costs less than a slanted one, by a tenth of the
 /// energy around it (docs/solver.md, "Diagonals"). So wherever four leaves of equal size meet at an edge and
 /// all four faces between them are open, each of the two diagonals takes `diagonal_share` of the smallest of
 /// the four weights, and each of the four faces gives that up. For a field linear across the edge the two
 /// diagonals cost what the four faces gave up, so linear fields cost what they did. `diagonal_share` from 0
-/// to 1/4, for a face takes part in up to four such edges.
-Connectivity connectivity_of(const GridLevel& level, std::vector<WeightedEdge> faces, double diagonal_share);
+/// to 1/4, for a face takes part in up to four such edges; it is rounded to a multiple of 1/320.
+Connectivity connectivity_of(const GridLevel& level, const LeafConnections& connections,
+                             double diagonal_share);
 
 }  // namespace crossgrain

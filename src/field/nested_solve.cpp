@@ -24,11 +24,11 @@ using Candidate = SettledFrames;
 template <int D>
 class LevelSolver {
  public:
-  LevelSolver(const GridLevel& level, const Solid& solid, std::vector<WeightedEdge> faces,
+  LevelSolver(const GridLevel& level, const Solid& solid, const LeafConnections& faces,
               const SolveOptions& options, const Monitor& monitor, int depth)
       : level_(level), solid_(solid), options_(options.solver), monitor_(monitor), depth_(depth) {
-    connectivity_ = std::make_shared<const Connectivity>(
-        connectivity_of(level, std::move(faces), options_.diagonal_share));
+    connectivity_ =
+        std::make_shared<const Connectivity>(connectivity_of(level, faces, options_.diagonal_share));
     graph_ = {connectivity_, boundary_forms<D>(level, solid, options_.boundary_weight, Shift::kNone)};
   }
 
@@ -142,7 +142,7 @@ class NestedSolver {
     const GridLevel& level = result_.level;
     monitor_.report({"grid", depth, level.size(), 0, std::numeric_limits<double>::quiet_NaN()});
     LeafConnections connections = connect_leaves(level, solid_, monitor_);
-    LevelSolver<D> solver(level, solid_, std::move(connections.edges), options_, monitor_, depth);
+    LevelSolver<D> solver(level, solid_, connections, options_, monitor_, depth);
     result_.open_faces = std::move(connections.open_faces);
     result_.tied_leaves = connections.tied_leaves;
     grid_watch_.stop();

@@ -2,41 +2,37 @@
 #include "field/octree_graph.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <atomic>
+#include <cmath>
 #include <utility>
 
 #include "base/parallel.hpp"
 #include "constraint/spectral_shift.hpp"
 #include "grid/cell_constraints.hpp"
-#include "grid/leaf_finder.hpp"
 #include "grid/open_faces.hpp"
 
 namespace crossgrain {
 namespace {
 
-/// The share of an edge's weight that a shared 2:1 face takes away; see LeafConnections.
-constexpr double kHangingShare = 1.0 / 3;
+using FaceWeights = std::array<FaceWeight, kFaceCount>;
+
+/// Steps of weight for each sample of a face that is open.
+constexpr int kStepsOfSample = FaceWeight::kFullFace / kOpenFaceSamples;
 
 class LeafConnector {
  public:
   LeafConnector(const GridLevel& level, const Solid& solid)
-      : level_(level), tree_(level.tree), finder_(level.tree), solid_(solid) {}
+      : level_(level), tree_(level.tree), solid_(solid) {}
 
   /// The edges that leaf i owns: to larger leaves, and to leaves of its size on its high side.
-  /// Returns their faces, bit by bit.
-  std::uint8_t connect(CellIndex i, std::vector<WeightedEdge>& edges) const {
-    unsigned open_faces = 0;
+  FaceWeights owned(CellIndex i) const {
+    FaceWeights weights;
     for (int face = 0; face < kFaceCount; ++face) {
-      const CellIndex j = finder_.neighbour(i, face);
-      if (j == kNoCell) continue;
-      const bool same_size = tree_[j].depth() == tree_[i].depth();
-      if (same_size && face_sign(face) < 0) continue;
-      const double fraction = open_between(i, face, j);
-      if (fraction <= 0) continue;
-      edges.push_back(edge(i, face, j, fraction));
-      open_faces |= 1u << face;
+      const CellIndex j = level_.neighbours[i][face];
+      if (j == kNoCell || (is_equal(i, j) && face_sign(face) < 0)) continue;
+      weights[face] = weight(i, face, j, kStepsOfSample * samples_between(i, face, j));
     }
-    return static_cast<std::uint8_t>(open_faces);
+    return weights;
   }
 
   /// The face behind which the solid most likely goes on: the one that the inward normal of leaf i points at
@@ -50,7 +46,7 @@ class LeafConnector {
     for (int face = 0; face < kFaceCount; ++face) {
       const double along = face_sign(face) * inward[face_axis(face)];
       if (along <= least) continue;
-      const CellIndex j = finder_.neighbour(i, face);
+      const CellIndex j = level_.neighbours[i][face];
       if (j == kNoCell || !admissible(j)) continue;
       least = along;
       best_face = face;
@@ -58,32 +54,35 @@ class LeafConnector {
     return best_face;
   }
 
-  /// The smallest edge there can be.
-  WeightedEdge tie(CellIndex i, int face) const {
-    return edge(i, face, finder_.neighbour(i, face), 0.5 / (kOpenFaceSamples * kOpenFaceSamples));
+  /// The smallest edge there can be: of half a sample.
+  FaceWeight tie(CellIndex i, int face) const {
+    return weight(i, face, level_.neighbours[i][face], kStepsOfSample / 2);
   }
+
+  bool is_equal(CellIndex i, CellIndex j) const { return tree_[i].depth() == tree_[j].depth(); }
 
  private:
-  double open_between(CellIndex i, int face, CellIndex j) const {
+  int samples_between(CellIndex i, int face, CellIndex j) const {
     // A face of a leaf without surface is not crossed, so it is as open as that leaf is inside.
-    if (!level_.holds_surface(i) || !level_.holds_surface(j)) return 1;
-    return open_fraction(level_, solid_, i, face);
+    if (!level_.holds_surface(i) || !level_.holds_surface(j)) return kOpenFaceSamples;
+    return open_samples(level_, solid_, i, face);
   }
 
-  WeightedEdge edge(CellIndex i, int face, CellIndex j, double fraction) const {
-    const double size_i = tree_.cell_size(i), size_j = tree_.cell_size(j);
-    double weight = fraction * size_i * size_i / (0.5 * (size_i + size_j));
-    if (size_i == size_j) weight *= 1 - kHangingShare * shared_hanging_faces(i, face, j);
-    return {i, j, static_cast<float>(weight)};
+  /// `steps` is the open area in that many parts of the face.
+  FaceWeight weight(CellIndex i, int face, CellIndex j, int steps) const {
+    // Centres of leaves of two sizes are half as far again from each other.
+    if (!is_equal(i, j)) return {steps * 2 / 3, true};
+    return {steps * (3 - shared_hanging_faces(i, face, j)) / 3, false};
   }
 
-  /// How many leaves of twice the size touch both i and its neighbour j across `face`.
+  /// How many leaves of twice the size touch both i and its neighbour j across `face`. Each takes away a
+  /// third of the edge's weight; see connect_leaves.
   int shared_hanging_faces(CellIndex i, int face, CellIndex j) const {
     if (tree_[i].depth() == 0 || tree_[i].parent() != tree_[j].parent()) return 0;
     int shared = 0;
     for (int other = 0; other < kFaceCount; ++other) {
       if (face_axis(other) == face_axis(face)) continue;
-      const CellIndex k = finder_.neighbour(i, other);
+      const CellIndex k = level_.neighbours[i][other];
       shared += k != kNoCell && tree_[k].depth() < tree_[i].depth();
     }
     return shared;
@@ -91,107 +90,178 @@ class LeafConnector {
 
   const GridLevel& level_;
   const Octree& tree_;
-  LeafFinder finder_;
   const Solid& solid_;
 };
 
-/// Sets of leaves that edges join (union by smaller index, path halving).
-class Components {
+static_assert(FaceWeight::kFullFace % kOpenFaceSamples == 0 && kStepsOfSample / 2 * 2 % 3 == 0 &&
+                  kStepsOfSample / 2 * 2 == kStepsOfSample,
+              "weights of faces must be whole");
+
+/// Ties leaves that the surface barely cuts, mostly one or two together, to the rest of the solid.
+class SpeckTies {
  public:
-  explicit Components(const GridLevel& level)
-      : root_(level.size()), size_(level.size(), 1), inside_(level.size()) {
-    std::iota(root_.begin(), root_.end(), CellIndex{0});
-    for (CellIndex i = 0; i < level.size(); ++i) inside_[i] = level.centre_inside(i);
+  SpeckTies(const GridLevel& level, const LeafConnector& connector, LeafConnections& connections)
+      : level_(level), connector_(connector), connections_(connections) {
+    // Whoever is joined to a leaf with its centre inside is part of the solid; few leaves are not.
+    std::vector<std::uint8_t> inside(level.size());
+    parallel_for(level.size(),
+                 [&](std::size_t i) { inside[i] = level.centre_inside(static_cast<CellIndex>(i)); });
+    const std::vector<std::uint8_t> beside_inside = spread(inside);
+    const std::vector<std::uint8_t> near_inside = spread(beside_inside);
+    for (CellIndex i = 0; i < level.size(); ++i) {
+      if (!beside_inside[i]) loose_.push_back({i, i, 1, near_inside[i] != 0});
+    }
+    for (const Loose& leaf : loose_) {
+      for (int face = 0; face < kFaceCount; ++face) {
+        if (connections.weights[leaf.leaf][face].joined()) join(leaf.leaf, level.neighbours[leaf.leaf][face]);
+      }
+    }
+  }
+
+  /// Inwards and from the rest outwards, so that no speck is tied to another speck only. Single leaves that
+  /// this does not reach are tied to any neighbour.
+  void tie_all() {
+    std::vector<CellIndex> specks;
+    for (const Loose& leaf : loose_) {
+      if (is_speck(leaf.leaf)) specks.push_back(leaf.leaf);
+    }
+    bool inwards = true;
+    while (!specks.empty()) {
+      std::vector<CellIndex> waiting;
+      for (const CellIndex i : specks) {
+        if (inwards ? !is_speck(i) : !is_alone(i)) continue;
+        const int face = connector_.tie_face(i, inwards ? 0 : -INFINITY,
+                                             [&](CellIndex j) { return !inwards || !is_speck(j); });
+        if (face < 0) {
+          waiting.push_back(i);
+        } else {
+          tie(i, face);
+        }
+      }
+      if (waiting.size() == specks.size()) {
+        if (!inwards) break;  // leaves without any neighbour
+        inwards = false;
+      }
+      specks = std::move(waiting);
+    }
+  }
+
+ private:
+  /// Leaves of a component: many more than these are a thin plate of its own.
+  static constexpr std::uint32_t kLargestSpeck = 8;
+
+  /// A leaf that no leaf with its centre inside is joined to. Of the root of a component, size and whether it
+  /// is part of the solid are those of the component.
+  struct Loose {
+    CellIndex leaf, root;
+    std::uint32_t size;
+    bool part_of_solid;
+  };
+
+  /// Those of `marked`, and those that are joined to one of them.
+  std::vector<std::uint8_t> spread(const std::vector<std::uint8_t>& marked) const {
+    std::vector<std::uint8_t> result = marked;
+    const auto mark = [&](CellIndex i) { std::atomic_ref(result[i]).store(1, std::memory_order_relaxed); };
+    parallel_for(level_.size(), [&](std::size_t at) {
+      const auto i = static_cast<CellIndex>(at);
+      for (int face = 0; face < kFaceCount; ++face) {
+        if (!connections_.weights[i][face].joined()) continue;
+        const CellIndex j = level_.neighbours[i][face];
+        if (marked[i]) mark(j);
+        if (marked[j]) mark(i);
+      }
+    });
+    return result;
+  }
+
+  Loose* find(CellIndex i) {
+    const auto at = [&](CellIndex leaf) {
+      const auto found = std::lower_bound(loose_.begin(), loose_.end(), leaf,
+                                          [](const Loose& a, CellIndex b) { return a.leaf < b; });
+      return found != loose_.end() && found->leaf == leaf ? &*found : nullptr;
+    };
+    Loose* loose = at(i);
+    while (loose != nullptr && loose->root != loose->leaf) loose = at(loose->root);
+    return loose;
   }
 
   void join(CellIndex a, CellIndex b) {
-    a = find(a);
-    b = find(b);
-    if (a == b) return;
-    if (b < a) std::swap(a, b);
-    root_[b] = a;
-    size_[a] += size_[b];
-    inside_[a] |= inside_[b];
+    Loose *first = find(a), *second = find(b);
+    if (first == second) return;
+    if (first == nullptr) std::swap(first, second);
+    if (second == nullptr) {
+      first->part_of_solid = true;
+      return;
+    }
+    if (second->leaf < first->leaf) std::swap(first, second);
+    second->root = first->leaf;
+    first->size += second->size;
+    first->part_of_solid |= second->part_of_solid;
   }
 
-  /// Whether no centre of the leaf's component is inside and it is too small for a thin plate of its own:
-  /// leaves, mostly one or two, that the surface barely cuts.
   bool is_speck(CellIndex i) {
-    const CellIndex root = find(i);
-    return !inside_[root] && size_[root] <= kLargestSpeck;
+    const Loose* root = find(i);
+    return root != nullptr && !root->part_of_solid && root->size <= kLargestSpeck;
   }
-  bool is_alone(CellIndex i) { return size_[find(i)] == 1; }
-
- private:
-  static constexpr std::uint32_t kLargestSpeck = 8;
-
-  CellIndex find(CellIndex i) {
-    while (root_[i] != i) i = root_[i] = root_[root_[i]];
-    return i;
+  bool is_alone(CellIndex i) {
+    const Loose* root = find(i);
+    return root != nullptr && !root->part_of_solid && root->size == 1;
   }
 
-  std::vector<CellIndex> root_;
-  std::vector<std::uint32_t> size_;
-  std::vector<std::uint8_t> inside_;
+  void tie(CellIndex i, int face) {
+    const CellIndex j = level_.neighbours[i][face];
+    join(i, j);
+    const FaceWeight weight = connector_.tie(i, face);
+    connections_.weights[i][face] = weight;
+    if (weight.joins_equal()) connections_.weights[j][opposite_face(face)] = weight;
+    connections_.open_faces[i] |= static_cast<std::uint8_t>(1u << face);
+    ++connections_.tied_leaves;
+  }
+
+  const GridLevel& level_;
+  const LeafConnector& connector_;
+  LeafConnections& connections_;
+  std::vector<Loose> loose_;
 };
-
-/// Ties specks to the rest of the solid, inwards and from the rest outwards, so that none is tied to another
-/// speck only. Single leaves that this does not reach are tied to any neighbour.
-void tie_specks(const GridLevel& level, const LeafConnector& connector, LeafConnections& connections) {
-  Components components(level);
-  for (const WeightedEdge& edge : connections.edges) components.join(edge.first, edge.second);
-  std::vector<CellIndex> specks;
-  for (CellIndex i = 0; i < level.size(); ++i) {
-    if (components.is_speck(i)) specks.push_back(i);
-  }
-  bool inwards = true;
-  while (!specks.empty()) {
-    std::vector<CellIndex> waiting;
-    for (const CellIndex i : specks) {
-      if (inwards ? !components.is_speck(i) : !components.is_alone(i)) continue;
-      const int face = connector.tie_face(i, inwards ? 0 : -INFINITY,
-                                          [&](CellIndex j) { return !inwards || !components.is_speck(j); });
-      if (face < 0) {
-        waiting.push_back(i);
-        continue;
-      }
-      const WeightedEdge tie = connector.tie(i, face);
-      components.join(i, tie.second);
-      connections.edges.push_back(tie);
-      connections.open_faces[i] |= static_cast<std::uint8_t>(1u << face);
-      ++connections.tied_leaves;
-    }
-    if (waiting.size() == specks.size()) {
-      if (!inwards) break;  // leaves without any neighbour
-      inwards = false;
-    }
-    specks = std::move(waiting);
-  }
-}
 
 }  // namespace
 
 LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const Monitor& monitor) {
   const LeafConnector connector(level, solid);
-  const std::size_t count = level.size();
-  std::vector<std::vector<WeightedEdge>> runs((count + kParallelGrain - 1) / kParallelGrain);
   LeafConnections result;
-  result.open_faces.resize(count);
-  parallel_for_chunks(count, kParallelGrain, [&](std::size_t begin, std::size_t end) {
+  result.open_faces.resize(level.size());
+  result.weights.resize(level.size());
+  parallel_for_chunks(level.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
     monitor.check();
-    for (auto i = static_cast<CellIndex>(begin); i < end; ++i) {
-      result.open_faces[i] = connector.connect(i, runs[begin / kParallelGrain]);
+    for (std::size_t i = begin; i < end; ++i) {
+      result.weights[i] = connector.owned(static_cast<CellIndex>(i));
+      for (int face = 0; face < kFaceCount; ++face)
+        result.open_faces[i] |= static_cast<std::uint8_t>(result.weights[i][face].joined() << face);
     }
   });
-  std::size_t edge_count = 0;
-  for (const auto& run : runs) edge_count += run.size();
-  result.edges.reserve(edge_count);
-  for (auto& run : runs) {
-    result.edges.insert(result.edges.end(), run.begin(), run.end());
-    std::vector<WeightedEdge>().swap(run);
-  }
-  tie_specks(level, connector, result);
+  // Of a common face both leaves of a size know the weight.
+  parallel_for(level.size(), [&](std::size_t i) {
+    for (int face = 0; face < kFaceCount; face += 2) {
+      const CellIndex j = level.neighbours[i][face];
+      if (j != kNoCell && connector.is_equal(static_cast<CellIndex>(i), j))
+        result.weights[i][face] = result.weights[j][opposite_face(face)];
+    }
+  });
+  SpeckTies(level, connector, result).tie_all();
   return result;
+}
+
+std::vector<WeightedEdge> face_edges(const GridLevel& level, const LeafConnections& connections) {
+  std::vector<WeightedEdge> edges;
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    for (int face = 0; face < kFaceCount; ++face) {
+      if (!(connections.open_faces[i] >> face & 1)) continue;
+      const double steps = connections.weights[i][face].steps();
+      edges.push_back({i, level.neighbours[i][face],
+                       static_cast<float>(level.tree.cell_size(i) * steps / FaceWeight::kFullFace)});
+    }
+  }
+  return edges;
 }
 
 template <int D>

@@ -2,13 +2,14 @@
 #include "grid/grid_level.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
+#include "grid/winding_in_leaf.hpp"
 #include "surface/clipping.hpp"
-#include "surface/segment_crossing.hpp"
 
 namespace crossgrain {
 namespace {
@@ -51,8 +52,7 @@ class Refiner {
     RefinedRun run;
     for (CellIndex i = begin; i < end; ++i) {
       if (marked[i]) {
-        ++run.split;
-        for (int octant = 0; octant < 8; ++octant) add_child(i, octant, run);
+        split(i, run);
       } else {
         const auto pieces = level_.pieces_of(i);
         run.pieces.insert(run.pieces.end(), pieces.begin(), pieces.end());
@@ -63,37 +63,50 @@ class Refiner {
   }
 
  private:
-  void add_child(CellIndex i, int octant, RefinedRun& run) const {
-    const CellAddress child = level_.tree[i].child(octant);
-    const Box box = level_.tree.root().box(child);
-    const double cell_size = level_.tree.root().cell_size(child.depth());
-    const std::size_t before = run.pieces.size();
-    for (const SurfacePiece& piece : level_.pieces_of(i)) {
-      const double area = clip_triangle(solid_.surface.corners(piece.triangle), box).area;
-      if (area > kSmallestPiece * std::min(cell_size * cell_size, solid_.surface.areas[piece.triangle])) {
-        run.pieces.push_back({piece.triangle, static_cast<float>(area)});
-      }
+  void split(CellIndex i, RefinedRun& run) const {
+    ++run.split;
+    const std::array<std::int8_t, 8> windings = windings_of_children(i);
+    for (int octant = 0; octant < 8; ++octant) {
+      const CellAddress child = level_.tree[i].child(octant);
+      const std::size_t piece_count = clip_to(child, level_.pieces_of(i), run.pieces);
+      if (piece_count > 0 || windings[octant] > 0) close_leaf(i, child, piece_count, windings[octant], run);
     }
-    const std::size_t piece_count = run.pieces.size() - before;
-    const std::int8_t winding = winding_within(i, 0.5 * (box.low + box.high));
-    if (piece_count > 0 || winding > 0) close_leaf(i, child, piece_count, winding, run);
   }
 
-  /// How often the surface winds around a point in leaf i. From the leaf's centre it changes only where the
-  /// surface that the leaf holds is crossed; where rounding could count that wrong, or the surface is open,
-  /// it is computed anew.
-  std::int8_t winding_within(CellIndex i, const Vector3& point) const {
-    int winding = level_.centre_winding[i];
-    if (!level_.holds_surface(i)) return level_.centre_winding[i];
-    if (!solid_.closed) return winding_at(solid_, point);
-    const int orientation = solid_.winding.flipped() ? -1 : 1;
-    const Vector3 centre = level_.tree.centre(i);
-    for (const SurfacePiece& piece : level_.pieces_of(i)) {
-      const auto change = winding_change(solid_.surface.corners(piece.triangle), centre, point);
-      if (!change) return winding_at(solid_, point);
-      winding += orientation * *change;
+  /// Adds what is left of the pieces in `child`; returns how many there are.
+  std::size_t clip_to(CellAddress child, std::span<const SurfacePiece> pieces,
+                      std::vector<SurfacePiece>& clipped) const {
+    const std::size_t before = clipped.size();
+    const Box box = level_.tree.root().box(child);
+    const double cell_size = level_.tree.root().cell_size(child.depth());
+    for (const SurfacePiece& piece : pieces) {
+      const double area = clip_triangle(solid_.surface.corners(piece.triangle), box).area;
+      if (area > kSmallestPiece * std::min(cell_size * cell_size, solid_.surface.areas[piece.triangle]))
+        clipped.push_back({piece.triangle, static_cast<float>(area)});
     }
-    return in_byte(winding);
+    return clipped.size() - before;
+  }
+
+  /// How often the surface winds around the centres of the children of leaf i. From the leaf's centre it
+  /// changes only where the surface that the leaf holds is crossed; where rounding could count that wrong, or
+  /// the surface is open, it is computed anew.
+  std::array<std::int8_t, 8> windings_of_children(CellIndex i) const {
+    std::array<std::int8_t, 8> windings;
+    windings.fill(level_.centre_winding[i]);
+    if (!level_.holds_surface(i)) return windings;
+    PointsByAxis<8> centres;
+    for (int octant = 0; octant < 8; ++octant) {
+      const Vector3 centre = level_.tree.root().centre(level_.tree[i].child(octant));
+      for (int axis = 0; axis < 3; ++axis) centres[axis][octant] = centre[axis];
+    }
+    WindingChanges<8> found;
+    if (solid_.closed) found = winding_changes(level_, solid_, i, centres);
+    for (int octant = 0; octant < 8; ++octant) {
+      const Vector3 centre{centres[0][octant], centres[1][octant], centres[2][octant]};
+      windings[octant] = found.certain[octant] ? in_byte(level_.centre_winding[i] + found.change[octant])
+                                               : winding_at(solid_, centre);
+    }
+    return windings;
   }
 
   static void close_leaf(CellIndex parent, CellAddress leaf, std::size_t piece_count, std::int8_t winding,
@@ -108,33 +121,38 @@ class Refiner {
   const Solid& solid_;
 };
 
-GridLevel joined(const RootCube& root, const std::vector<RefinedRun>& runs, std::size_t leaves_before) {
-  GridLevel level;
-  std::size_t leaf_count = 0, piece_count = 0, split = 0;
+GridLevel joined(const RootCube& root, std::vector<RefinedRun> runs, std::size_t leaves_before) {
+  std::vector<std::size_t> leaf_begin{0}, piece_begin{0};
+  std::size_t split = 0;
   for (const RefinedRun& run : runs) {
-    leaf_count += run.leaves.size();
-    piece_count += run.pieces.size();
+    leaf_begin.push_back(leaf_begin.back() + run.leaves.size());
+    piece_begin.push_back(piece_begin.back() + run.pieces.size());
     split += run.split;
   }
-  if (std::max(leaf_count, piece_count) >= kNoCell) {
+  if (std::max(leaf_begin.back(), piece_begin.back()) >= kNoCell) {
     throw Error(ErrorKind::kLimit, "the grid needs more than 4 billion cells: lower the resolution");
   }
-  std::vector<CellAddress> leaves;
-  leaves.reserve(leaf_count);
-  level.pieces.reserve(piece_count);
-  level.piece_begin.reserve(leaf_count + 1);
-  level.piece_begin.push_back(0);
-  level.centre_winding.reserve(leaf_count);
-  level.parent.reserve(leaf_count);
-  for (const RefinedRun& run : runs) {
-    leaves.insert(leaves.end(), run.leaves.begin(), run.leaves.end());
-    level.pieces.insert(level.pieces.end(), run.pieces.begin(), run.pieces.end());
-    for (const std::uint32_t count : run.piece_counts)
-      level.piece_begin.push_back(level.piece_begin.back() + count);
-    level.centre_winding.insert(level.centre_winding.end(), run.centre_winding.begin(),
-                                run.centre_winding.end());
-    level.parent.insert(level.parent.end(), run.parent.begin(), run.parent.end());
-  }
+  GridLevel level;
+  std::vector<CellAddress> leaves(leaf_begin.back());
+  level.pieces.resize(piece_begin.back());
+  level.piece_begin.resize(leaf_begin.back() + 1);
+  level.centre_winding.resize(leaf_begin.back());
+  level.parent.resize(leaf_begin.back());
+  parallel_for(
+      runs.size(),
+      [&](std::size_t r) {
+        RefinedRun run = std::move(runs[r]);
+        const auto at = static_cast<std::ptrdiff_t>(leaf_begin[r]);
+        std::copy(run.leaves.begin(), run.leaves.end(), leaves.begin() + at);
+        std::copy(run.centre_winding.begin(), run.centre_winding.end(), level.centre_winding.begin() + at);
+        std::copy(run.parent.begin(), run.parent.end(), level.parent.begin() + at);
+        std::copy(run.pieces.begin(), run.pieces.end(),
+                  level.pieces.begin() + static_cast<std::ptrdiff_t>(piece_begin[r]));
+        auto pieces_before = static_cast<std::uint32_t>(piece_begin[r]);
+        for (std::size_t k = 0; k < run.leaves.size(); ++k)
+          level.piece_begin[leaf_begin[r] + k + 1] = pieces_before += run.piece_counts[k];
+      },
+      1);
   level.tree = Octree(root, std::move(leaves));
   level.examined_leaves = leaves_before + 7 * split;
   return level;
@@ -151,6 +169,7 @@ GridLevel root_level(const Solid& solid, const RootCube& root) {
   }
   level.piece_begin = {0, static_cast<std::uint32_t>(triangle_count)};
   level.centre_winding = {winding_at(solid, root.centre(CellAddress::root()))};
+  level.neighbours = face_neighbours(level.tree);
   level.examined_leaves = 1;
   return level;
 }
@@ -182,7 +201,7 @@ GridLevel uniform_level(const Solid& solid, const RootCube& root, int depth, con
 
 GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> marked,
                   const Monitor& monitor) {
-  balance_marks(level.tree, marked);
+  balance_marks(level.tree, level.neighbours, marked);
   const Refiner refiner(level, solid);
   std::vector<RefinedRun> runs((level.size() + kRefineGrain - 1) / kRefineGrain);
   parallel_for_chunks(level.size(), kRefineGrain, [&](std::size_t begin, std::size_t end) {
@@ -190,7 +209,9 @@ GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> 
     runs[begin / kRefineGrain] =
         refiner.refine(static_cast<CellIndex>(begin), static_cast<CellIndex>(end), marked);
   });
-  return joined(level.tree.root(), runs, level.examined_leaves);
+  GridLevel finer = joined(level.tree.root(), std::move(runs), level.examined_leaves);
+  finer.neighbours = face_neighbours({level.tree, level.neighbours, marked}, finer.tree, finer.parent);
+  return finer;
 }
 
 }  // namespace crossgrain

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "crossgrain/monitor.hpp"
+#include "grid/face_neighbours.hpp"
 #include "grid/octree.hpp"
 #include "surface/bvh.hpp"
 #include "surface/surface.hpp"
@@ -31,6 +32,9 @@ struct GridLevel {
   /// How often the surface winds around the centre of leaf i: a whole number, 0 or 1 where the surface is not
   /// closed.
   std::vector<std::int8_t> centre_winding;
+
+  /// Who lies behind the faces of the leaves. Whoever needs it no more may give it up.
+  std::vector<FaceNeighbours> neighbours;
 
   /// The leaf of the level before that is leaf i or its parent; empty on the coarsest level.
   std::vector<CellIndex> parent;
@@ -76,7 +80,8 @@ GridFrame frame_around(const Box& box, double cell_size);
 /// `refined`.
 GridLevel uniform_level(const Solid& solid, const RootCube& root, int depth, const Monitor& monitor = {});
 
-/// Splits the marked leaves of `level` (and those that balance demands) into eight.
+/// Splits the marked leaves of `level` (and those that balance demands) into eight. `level` must have its
+/// neighbours still.
 GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> marked,
                   const Monitor& monitor = {});
 

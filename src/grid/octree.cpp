@@ -2,8 +2,6 @@
 #include "grid/octree.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cassert>
 
 namespace crossgrain {
 
@@ -43,26 +41,6 @@ std::optional<CellAddress> adjacent(CellAddress cell, int face) {
   moved += face_sign(face) * cell.width();
   if (moved < 0 || moved >= std::int32_t{1} << kMaxDepth) return std::nullopt;
   return CellAddress(corner, cell.depth());
-}
-
-void balance_marks(const Octree& tree, std::vector<bool>& marked) {
-  assert(marked.size() == tree.size());
-  // A split leaf of depth d forces neighbours of depth d - 1 to split, and those force others of depth d - 2:
-  // from the deepest up, one pass is enough.
-  std::array<std::vector<CellIndex>, kMaxDepth + 1> by_depth;
-  for (CellIndex i = 0; i < tree.size(); ++i) {
-    if (marked[i]) by_depth[tree[i].depth()].push_back(i);
-  }
-  for (int depth = kMaxDepth; depth > 0; --depth) {
-    for (const CellIndex i : by_depth[depth]) {
-      for (int face = 0; face < kFaceCount; ++face) {
-        const CellIndex j = tree.neighbour(i, face);
-        if (j == kNoCell || marked[j] || tree[j].depth() >= depth) continue;
-        marked[j] = true;
-        by_depth[tree[j].depth()].push_back(j);
-      }
-    }
-  }
 }
 
 bool is_balanced(const Octree& tree) {

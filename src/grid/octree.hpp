@@ -75,10 +75,6 @@ class Octree {
 /// The address of the same size across a face; empty beyond the root cube.
 std::optional<CellAddress> adjacent(CellAddress cell, int face);
 
-/// Adds to `marked` what keeps face neighbours within a factor of two once all marked leaves are split into
-/// eight. `tree` itself must be balanced so.
-void balance_marks(const Octree& tree, std::vector<bool>& marked);
-
 /// Whether no two leaves that share a face differ by more than a factor of two.
 bool is_balanced(const Octree& tree);
 

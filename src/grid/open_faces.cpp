@@ -1,55 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grid/open_faces.hpp"
 
-#include <cmath>
-#include <optional>
+#include <algorithm>
 
 #include "base/vector3.hpp"
-#include "surface/segment_crossing.hpp"
+#include "grid/winding_in_leaf.hpp"
 
 namespace crossgrain {
 namespace {
-
-/// By how much the winding number changes from the centre of leaf i to a point of it; nothing where rounding
-/// could tell it wrong.
-std::optional<int> winding_change_to(const GridLevel& level, const Solid& solid, CellIndex i,
-                                     const Vector3& point) {
-  int sum = 0;
-  for (const SurfacePiece& piece : level.pieces_of(i)) {
-    const auto change = winding_change(solid.surface.corners(piece.triangle), level.tree.centre(i), point);
-    if (!change) return std::nullopt;
-    sum += *change;
-  }
-  return solid.winding.flipped() ? -sum : sum;
-}
 
 /// How far a sample moves, in cells, where the way there runs along an edge of the surface: faces of parts
 /// drawn in round numbers are cut along lines that lead through many samples.
 constexpr double kNudge1 = 0.0137, kNudge2 = 0.0071;
 
-}  // namespace
-
-double open_fraction(const GridLevel& level, const Solid& solid, CellIndex i, int face) {
-  if (!level.holds_surface(i)) return 1;
+/// The samples of a face, each `nudge` times off its place.
+PointsByAxis<kOpenFaceSamples> samples_of(const GridLevel& level, CellIndex i, int face, double nudge) {
   const double size = level.tree.cell_size(i);
   const int axis = face_axis(face), axis1 = (axis + 1) % 3, axis2 = (axis + 2) % 3;
-  int open = 0;
-  for (int a = 0; a < kOpenFaceSamples; ++a) {
-    for (int b = 0; b < kOpenFaceSamples; ++b) {
-      Vector3 point = level.tree.centre(i);
-      point[axis] += 0.5 * face_sign(face) * size;
-      point[axis1] += ((a + 0.5) / kOpenFaceSamples - 0.5) * size;
-      point[axis2] += ((b + 0.5) / kOpenFaceSamples - 0.5) * size;
-      std::optional<int> change = winding_change_to(level, solid, i, point);
-      if (!change) {
-        point[axis1] += kNudge1 * size;
-        point[axis2] += kNudge2 * size;
-        change = winding_change_to(level, solid, i, point);
-      }
-      open += level.centre_winding[i] + change.value_or(0) > 0;
+  const Vector3 centre = level.tree.centre(i);
+  const auto along = [](int sample) { return (sample + 0.5) / kOpenFaceSide - 0.5; };
+  PointsByAxis<kOpenFaceSamples> points;
+  std::size_t k = 0;
+  for (int a = 0; a < kOpenFaceSide; ++a) {
+    for (int b = 0; b < kOpenFaceSide; ++b, ++k) {
+      points[axis][k] = centre[axis] + 0.5 * face_sign(face) * size;
+      points[axis1][k] = centre[axis1] + (along(a) + nudge * kNudge1) * size;
+      points[axis2][k] = centre[axis2] + (along(b) + nudge * kNudge2) * size;
     }
   }
-  return static_cast<double>(open) / (kOpenFaceSamples * kOpenFaceSamples);
+  return points;
+}
+
+}  // namespace
+
+int open_samples(const GridLevel& level, const Solid& solid, CellIndex i, int face) {
+  if (!level.holds_surface(i)) return kOpenFaceSamples;
+  auto found = winding_changes(level, solid, i, samples_of(level, i, face, 0));
+  if (std::find(found.certain.begin(), found.certain.end(), false) != found.certain.end()) {
+    const auto nudged = winding_changes(level, solid, i, samples_of(level, i, face, 1));
+    for (std::size_t k = 0; k < kOpenFaceSamples; ++k) {
+      if (!found.certain[k]) found.change[k] = nudged.certain[k] ? nudged.change[k] : 0;
+    }
+  }
+  return static_cast<int>(std::count_if(found.change.begin(), found.change.end(),
+                                        [&](int change) { return level.centre_winding[i] + change > 0; }));
 }
 
 bool holds_two_sheets(const GridLevel& level, const Solid& solid, CellIndex i) {

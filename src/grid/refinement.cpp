@@ -25,8 +25,7 @@ void mark_spectral_conflict(const GridLevel& level, const Solid& solid, Marks& m
   for (CellIndex i = 0; i < level.size(); ++i) {
     if (!conflicted[i]) continue;
     marks[i] = true;
-    for (int face = 0; face < kFaceCount; ++face) {
-      const CellIndex j = level.tree.neighbour(i, face);
+    for (const CellIndex j : level.neighbours[i]) {
       if (j != kNoCell) marks[j] = true;
     }
   }

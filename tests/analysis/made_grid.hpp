@@ -9,6 +9,7 @@
 
 #include "base/quaternion.hpp"
 #include "grid/octree.hpp"
+#include "grid/test_solid.hpp"
 
 namespace crossgrain::testing {
 
@@ -20,7 +21,7 @@ inline Octree octree_of(std::vector<CellAddress> leaves) {
 inline Octree split_where(const Octree& tree, const std::function<bool(CellIndex)>& wanted) {
   std::vector<bool> marked(tree.size());
   for (CellIndex i = 0; i < tree.size(); ++i) marked[i] = wanted(i);
-  balance_marks(tree, marked);
+  testing::balance_marks(tree, marked);
   std::vector<CellAddress> leaves;
   for (CellIndex i = 0; i < tree.size(); ++i) {
     if (!marked[i]) leaves.push_back(tree[i]);

@@ -361,7 +361,8 @@ TEST(LeafTurn, IsJoinedToWhatTheGraphHasAnEdgeTo) {
   const std::vector<StoredQuaternion> frames(level.size());
   const LeafField field{level.tree, frames, connections.open_faces};
   std::vector<std::pair<CellIndex, CellIndex>> expected, found;
-  for (const WeightedEdge& edge : connections.edges) expected.push_back(std::minmax(edge.first, edge.second));
+  for (const WeightedEdge& edge : face_edges(level, connections))
+    expected.push_back(std::minmax(edge.first, edge.second));
   for (CellIndex i = 0; i < level.size(); ++i) {
     for (CellIndex j = i + 1; j < level.size(); ++j) {
       if (joined(placed(field, i), placed(field, j))) found.emplace_back(i, j);

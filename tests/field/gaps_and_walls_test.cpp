@@ -46,11 +46,11 @@ TEST_P(GapTest, JoinsNoCellsOfTheTwoPlatesWhereCellFacesLieInTheGap) {
         {-0.8 - random.uniform(-1, 1) * cell, -0.8 - random.uniform(-1, 1) * cell, plane - 0.8}, 1.6};
     const GridLevel level = uniform_level(plates.solid(), root, 4);
     const LeafConnections connections = connect_leaves(level, plates.solid());
-    for (const WeightedEdge& edge : connections.edges) {
+    for (const WeightedEdge& edge : face_edges(level, connections)) {
       const bool above = level.tree.centre(edge.first)[2] > plane;
       ASSERT_EQ(level.tree.centre(edge.second)[2] > plane, above);
     }
-    EXPECT_EQ(component_count(level.size(), connections.edges), 2u);
+    EXPECT_EQ(component_count(level.size(), face_edges(level, connections)), 2u);
   }
 }
 
@@ -63,7 +63,7 @@ TEST_P(GapTest, JoinsNoCellsOfTheTwoPlatesWhereLeavesDifferInSize) {
   Marks marks(level.size());
   for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = random.uniform(0, 1) < 0.5;
   level = refined(level, plates.solid(), marks);
-  for (const WeightedEdge& edge : connect_leaves(level, plates.solid()).edges) {
+  for (const WeightedEdge& edge : face_edges(level, connect_leaves(level, plates.solid()))) {
     const bool above = level.tree.centre(edge.first)[2] > plane;
     ASSERT_EQ(level.tree.centre(edge.second)[2] > plane, above);
   }
@@ -96,12 +96,13 @@ TEST_P(ThinWallTest, IsConnectedAndEveryCellHasAnOpenFace) {
     const TestSolid wall(rotate_mesh(make_wall(GetParam() * cell), random.rotation()));
     const GridLevel level = wall.level(cell);
     const LeafConnections connections = connect_leaves(level, wall.solid());
-    const Adjacency adjacency(level.size(), connections.edges);
+    const Adjacency adjacency(level.size(), face_edges(level, connections));
     for (CellIndex i = 0; i < level.size(); ++i) {
       ASSERT_FALSE(adjacency[i].empty());
       for (const auto& [neighbour, weight] : adjacency[i]) ASSERT_GT(weight, 0);
     }
-    EXPECT_EQ(component_count(level.size(), connections.edges), 1u) << "of " << level.size() << " cells";
+    EXPECT_EQ(component_count(level.size(), face_edges(level, connections)), 1u)
+        << "of " << level.size() << " cells";
   }
 }
 
@@ -112,7 +113,7 @@ TEST(OctreeGraph, OfASmoothSolidIsOneComponentWithFewTies) {
   const TestSolid torus(rotate_mesh(make_torus(0.6, 0.25, 48, 24), random.rotation()));
   const GridLevel level = torus.level(0.05);
   const LeafConnections connections = connect_leaves(level, torus.solid());
-  EXPECT_EQ(component_count(level.size(), connections.edges), 1u);
+  EXPECT_EQ(component_count(level.size(), face_edges(level, connections)), 1u);
   EXPECT_LT(connections.tied_leaves, level.size() / 10);
 }
 

@@ -202,7 +202,7 @@ TYPED_TEST(HeldAxis, ProjectionFromTheOwnFrameFindsTheNearestOfAll) {
   const GridLevel level = bracket.level(0.08);
   const LeafConnections connections = connect_leaves(level, bracket.solid());
   const FieldGraph<D> graph{std::make_shared<const Connectivity>(
-                                connectivity_of(level, connections.edges, SolverOptions().diagonal_share)),
+                                connectivity_of(level, connections, SolverOptions().diagonal_share)),
                             boundary_forms<D>(level, bracket.solid(), 10, Shift::kNone)};
   for (const int sweeps : {1, 3, 10, 40}) {
     FieldState<D> state = state_of<D>(random_frames(level.size(), 3));

@@ -45,19 +45,21 @@ const TestSolid& turned_bracket() {
 }
 
 TEST(LeafStencil, GivesALeafInsideEighteenNeighboursOfEqualWeightAtAFifth) {
-  const GridLevel level = cubic_level(3);
-  const auto connectivity =
-      connectivity_of(level, connect_leaves(level, turned_bracket().solid()).edges, 0.2);
+  // A width whose weights no binary fraction is.
+  GridLevel level = cubic_level(3);
+  level.tree = Octree({{0, 0, 0}, 8 * 0.7}, level.tree.leaves());
+  const auto connectivity = connectivity_of(level, connect_leaves(level, turned_bracket().solid()), 0.2);
   int inside = 0;
   for (CellIndex i = 0; i < level.size(); ++i) {
     const Adjacency::Row row = connectivity.adjacency[i];
     const Vector3 centre = level.tree.centre(i);
-    if (norm(centre - Vector3{4, 4, 4}) > 3) continue;
+    if (norm(centre - 0.7 * Vector3{4, 4, 4}) > 0.7 * 3) continue;
     ++inside;
     EXPECT_EQ(row.size(), 18u);
+    EXPECT_TRUE(row.has_equal_weights());
     for (const auto& [j, weight] : row) {
-      EXPECT_FLOAT_EQ(weight, 0.2f);
-      EXPECT_LT(norm(level.tree.centre(j) - centre), 1.5);
+      EXPECT_FLOAT_EQ(weight, 0.7f * 0.2f);
+      EXPECT_LT(norm(level.tree.centre(j) - centre), 0.7 * 1.5);
     }
   }
   EXPECT_GT(inside, 100);
@@ -65,14 +67,14 @@ TEST(LeafStencil, GivesALeafInsideEighteenNeighboursOfEqualWeightAtAFifth) {
 
 TEST(LeafStencil, WithoutDiagonalsIsTheFaces) {
   const GridLevel level = cut_level(turned_bracket());
-  const auto faces = connect_leaves(level, turned_bracket().solid()).edges;
+  const auto faces = connect_leaves(level, turned_bracket().solid());
   const auto connectivity = connectivity_of(level, faces, 0);
   std::map<std::pair<CellIndex, CellIndex>, float> expected;
-  for (const WeightedEdge& face : faces)
+  for (const WeightedEdge& face : face_edges(level, faces))
     expected[{face.first, face.second}] = expected[{face.second, face.first}] = face.weight;
   for (CellIndex i = 0; i < level.size(); ++i) {
     for (const auto& [j, weight] : connectivity.adjacency[i]) {
-      ASSERT_EQ(expected.at({i, j}), weight);
+      ASSERT_FLOAT_EQ(expected.at({i, j}), weight);
       expected.erase({i, j});
     }
   }
@@ -81,8 +83,7 @@ TEST(LeafStencil, WithoutDiagonalsIsTheFaces) {
 
 TEST(LeafStencil, HasTheSameWeightFromBothSidesOfEveryEdgeAndNoneBelowZero) {
   const GridLevel level = cut_level(turned_bracket());
-  const auto connectivity =
-      connectivity_of(level, connect_leaves(level, turned_bracket().solid()).edges, 0.25);
+  const auto connectivity = connectivity_of(level, connect_leaves(level, turned_bracket().solid()), 0.25);
   std::map<std::pair<CellIndex, CellIndex>, float> weights;
   for (CellIndex i = 0; i < level.size(); ++i) {
     for (const auto& [j, weight] : connectivity.adjacency[i]) {
@@ -98,7 +99,7 @@ TEST(LeafStencil, JoinsNoCellsAcrossAnEdgeThatTheSurfaceSeparates) {
   const double cell = 0.1, gap = 0.3 * cell;
   const TestSolid plates(make_plates(gap));
   const GridLevel level = uniform_level(plates.solid(), {{-0.83, -0.81, -0.8}, 1.6}, 4);
-  const auto connectivity = connectivity_of(level, connect_leaves(level, plates.solid()).edges, 0.2);
+  const auto connectivity = connectivity_of(level, connect_leaves(level, plates.solid()), 0.2);
   std::size_t diagonals = 0;
   for (CellIndex i = 0; i < level.size(); ++i) {
     for (const auto& [j, weight] : connectivity.adjacency[i]) {
@@ -112,7 +113,7 @@ TEST(LeafStencil, JoinsNoCellsAcrossAnEdgeThatTheSurfaceSeparates) {
 TEST(LeafStencil, CostsALinearFunctionWhatTheFacesAloneCost) {
   RandomSamples random(4);
   const GridLevel level = cut_level(turned_bracket());
-  const auto faces = connect_leaves(level, turned_bracket().solid()).edges;
+  const auto faces = connect_leaves(level, turned_bracket().solid());
   for (int trial = 0; trial < 5; ++trial) {
     const Vector3 gradient = random.vector();
     const auto cost = [&](double share) {
@@ -160,7 +161,7 @@ double energy_around_an_arc(const GridLevel& level, const Adjacency& adjacency, 
 
 TEST(LeafStencil, CostsASingularArcTheSameInAllDirections) {
   const GridLevel level = cubic_level(5);
-  const auto faces = connect_leaves(level, turned_bracket().solid()).edges;
+  const auto faces = connect_leaves(level, turned_bracket().solid());
   const auto spread = [&](double share) {
     const Adjacency adjacency = connectivity_of(level, faces, share).adjacency;
     RandomSamples random(5);
@@ -183,8 +184,7 @@ TEST(LeafStencil, ColoursNoTwoNeighboursAlike) {
   Marks marks(level.size());
   for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = i % 37 == 0;
   level = refined(level, turned_bracket().solid(), marks);
-  const auto connectivity =
-      connectivity_of(level, connect_leaves(level, turned_bracket().solid()).edges, 0.2);
+  const auto connectivity = connectivity_of(level, connect_leaves(level, turned_bracket().solid()), 0.2);
   // Up to 200,000 cells every phase is a colour.
   const SweepOrder& order = connectivity.order;
   ASSERT_EQ(order.cells.size(), level.size());

@@ -28,7 +28,7 @@ Octree random_complete_octree(RandomSamples& random, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     std::vector<bool> marks(tree.size());
     for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = round < 2 || random.uniform(0, 1) < 0.2;
-    balance_marks(tree, marks);
+    testing::balance_marks(tree, marks);
     tree = testing::split(tree, marks);
   }
   return tree;
@@ -57,7 +57,8 @@ TEST(OctreeGraph, HasOneEdgeForEveryPairOfLeavesThatShareAFace) {
     const GridLevel level = interior_level(random_complete_octree(random, 4));
     const LeafConnections connections = connect_leaves(level, any_solid().solid());
     std::map<std::pair<CellIndex, CellIndex>, int> found;
-    for (const WeightedEdge& edge : connections.edges) ++found[std::minmax(edge.first, edge.second)];
+    for (const WeightedEdge& edge : face_edges(level, connections))
+      ++found[std::minmax(edge.first, edge.second)];
     std::size_t pairs = 0;
     for (CellIndex i = 0; i < level.size(); ++i) {
       for (CellIndex j = i + 1; j < level.size(); ++j) {
@@ -69,7 +70,7 @@ TEST(OctreeGraph, HasOneEdgeForEveryPairOfLeavesThatShareAFace) {
         pairs += touch;
       }
     }
-    EXPECT_EQ(connections.edges.size(), pairs);
+    EXPECT_EQ(face_edges(level, connections).size(), pairs);
     EXPECT_EQ(connections.tied_leaves, 0u);
   }
 }
@@ -87,17 +88,18 @@ TEST(OctreeGraph, FlagsTheFaceOfEveryEdgeOnTheSmallerLeafOrTheLowerOfTwoEqualOne
       if (connections.open_faces[i] >> face & 1) ++flagged[std::minmax(i, level.tree.neighbour(i, face))];
     }
   }
-  EXPECT_EQ(flagged.size(), connections.edges.size());
-  for (const WeightedEdge& edge : connections.edges)
+  EXPECT_EQ(flagged.size(), face_edges(level, connections).size());
+  for (const WeightedEdge& edge : face_edges(level, connections))
     ASSERT_EQ(flagged.count(std::minmax(edge.first, edge.second)), 1u);
 }
 
 TEST(OctreeGraph, WeighsAFaceBetweenEqualLeavesByAreaOverDistance) {
   Octree tree({{0, 0, 0}, 2}, {CellAddress::root()});
   tree = testing::split(tree, {true});
-  const LeafConnections connections = connect_leaves(interior_level(tree), any_solid().solid());
-  EXPECT_EQ(connections.edges.size(), 12u);
-  for (const WeightedEdge& edge : connections.edges) EXPECT_EQ(edge.weight, 1);
+  const GridLevel level = interior_level(tree);
+  const LeafConnections connections = connect_leaves(level, any_solid().solid());
+  EXPECT_EQ(face_edges(level, connections).size(), 12u);
+  for (const WeightedEdge& edge : face_edges(level, connections)) EXPECT_EQ(edge.weight, 1);
 }
 
 TEST(OctreeGraph, CostsALinearFunctionWhatTheIntegralSaysAcrossTwoToOneFaces) {
@@ -108,14 +110,14 @@ TEST(OctreeGraph, CostsALinearFunctionWhatTheIntegralSaysAcrossTwoToOneFaces) {
     const Vector3 gradient = random.vector();
     double cost = 0, exact = 0;
     std::size_t hanging = 0;
-    for (const WeightedEdge& edge : connections.edges) {
+    for (const WeightedEdge& edge : face_edges(level, connections)) {
       const double step = dot(gradient, level.tree.centre(edge.first) - level.tree.centre(edge.second));
       cost += edge.weight / 2 * step * step;
       hanging += level.tree[edge.first].depth() != level.tree[edge.second].depth();
     }
     for (int axis = 0; axis < 3; ++axis)
       exact += gradient[axis] * gradient[axis] / 2 * measured_volume(level.tree, axis);
-    EXPECT_GT(hanging, connections.edges.size() / 5);
+    EXPECT_GT(hanging, face_edges(level, connections).size() / 5);
     // Weights are stored in single precision.
     EXPECT_NEAR(cost / exact, 1, 1e-6);
   }
@@ -142,8 +144,7 @@ TEST(OctreeGraph, CostsALinearTwistWhatTheIntegralSaysToThreePercent) {
       const double angle_rad = rate * dot(along, level.tree.centre(i));
       frames.push_back(to_stored(from_rotation_vector(angle_rad * about) * base));
     }
-    const Adjacency adjacency =
-        connectivity_of(level, connections.edges, SolverOptions().diagonal_share).adjacency;
+    const Adjacency adjacency = connectivity_of(level, connections, SolverOptions().diagonal_share).adjacency;
     const double cost = degree_four_energy(level, any_solid().solid(), adjacency, frames, 10).smoothness;
     double exact = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -167,7 +168,9 @@ TYPED_TEST(BoundaryFormsTest, AreTheSumsOverThePiecesTimesWeightOverCellSize) {
   for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = random.uniform(0, 1) < 0.5;
   level = refined(level, solid.solid(), marks);
   // A graph without edges has no energy but that of its forms.
-  FieldGraph<D> graph{std::make_shared<const Connectivity>(connectivity_of(level, {}, 0)),
+  LeafConnections none;
+  none.weights.resize(level.size());
+  FieldGraph<D> graph{std::make_shared<const Connectivity>(connectivity_of(level, none, 0)),
                       boundary_forms<D>(level, solid.solid(), 10, Shift::kNone)};
   FieldState<D> state;
   state.frames.resize(level.size());

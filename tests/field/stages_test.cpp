@@ -43,7 +43,7 @@ class Stages : public ::testing::Test {
     const GridLevel level = bracket.level(0.08);
     const LeafConnections connections = connect_leaves(level, bracket.solid());
     graph_ = {std::make_shared<const Connectivity>(
-                  connectivity_of(level, connections.edges, SolverOptions().diagonal_share)),
+                  connectivity_of(level, connections, SolverOptions().diagonal_share)),
               boundary_forms<D>(level, bracket.solid(), 10, Shift::kNone)};
   }
 

@@ -29,7 +29,7 @@ template <int D>
 FieldGraph<D> graph_of(const GridLevel& level, const Solid& solid, Shift shift = Shift::kNone) {
   const LeafConnections connections = connect_leaves(level, solid);
   return {std::make_shared<const Connectivity>(
-              connectivity_of(level, connections.edges, SolverOptions().diagonal_share)),
+              connectivity_of(level, connections, SolverOptions().diagonal_share)),
           boundary_forms<D>(level, solid, 10, shift)};
 }
 

@@ -270,5 +270,21 @@ TEST(Refined, LevelDoesNotDependOnTheThreads) {
   }
 }
 
+TEST(GridLevel, KnowsTheNeighboursThatTheTreeFinds) {
+  RandomSamples random(21);
+  const TestSolid solid(rotate_mesh(make_bracket(16), random.rotation()));
+  GridLevel level = solid.level(0.2);
+  for (int round = 0; round < 5; ++round) {
+    // Surface here and there, so that leaves of three sizes meet, some of them twice kept and once split.
+    std::vector<bool> marks(level.size());
+    for (CellIndex i = 0; i < level.size(); ++i)
+      marks[i] = random.uniform(0, 1) < (level.holds_surface(i) ? 0.5 : 0.05);
+    level = refined(level, solid.solid(), marks);
+    ASSERT_TRUE(is_balanced(level.tree));
+    ASSERT_EQ(level.neighbours, face_neighbours(level.tree)) << "in round " << round;
+  }
+  EXPECT_GT(level.size(), 20000u);
+}
+
 }  // namespace
 }  // namespace crossgrain

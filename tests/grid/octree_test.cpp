@@ -10,6 +10,7 @@
 namespace crossgrain {
 namespace {
 
+using testing::balance_marks;
 using testing::RandomSamples;
 using testing::split;
 using testing::touching_face;

@@ -13,7 +13,11 @@ namespace {
 using testing::RandomSamples;
 using testing::TestSolid;
 
-constexpr double kStep = 1.0 / (kOpenFaceSamples * kOpenFaceSamples);
+constexpr double kStep = 1.0 / kOpenFaceSamples;
+
+double open_fraction(const GridLevel& level, const Solid& solid, CellIndex i, int face) {
+  return kStep * open_samples(level, solid, i, face);
+}
 
 /// The share of the unit square centred at 0 where a x + b y < c, by clipping the square.
 double share_below(double a, double b, double c) {
@@ -62,7 +66,7 @@ TEST(OpenFraction, OfCellsAtAPlaneIsThePartOfTheFaceBehindIt) {
   }
   ASSERT_GT(cut, 2000);
   // A line along a row of samples is off by half a row; on average it is off by less than one sample.
-  EXPECT_LE(largest, 0.5 / kOpenFaceSamples + 1e-9);
+  EXPECT_LE(largest, 0.5 / kOpenFaceSide + 1e-9);
   EXPECT_LE(std::sqrt(squares / cut), kStep);
 }
 

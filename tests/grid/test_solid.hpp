@@ -58,6 +58,10 @@ inline int touching_face(CellAddress a, CellAddress b) {
   return overlapping == 2 ? found : -1;
 }
 
+inline void balance_marks(const Octree& tree, std::vector<bool>& marked) {
+  crossgrain::balance_marks(tree, face_neighbours(tree), marked);
+}
+
 /// The tree with marked leaves split into eight.
 inline Octree split(const Octree& tree, const std::vector<bool>& marked) {
   std::vector<CellAddress> leaves;
@@ -73,6 +77,7 @@ inline GridLevel interior_level(Octree tree) {
   GridLevel level;
   level.piece_begin.assign(tree.size() + 1, 0);
   level.centre_winding.assign(tree.size(), 1);
+  level.neighbours = face_neighbours(tree);
   level.tree = std::move(tree);
   return level;
 }

@@ -72,5 +72,35 @@ TEST(WindingChange, SumsUpToTheDifferenceOfWindingNumbersOverAClosedSurface) {
   }
 }
 
+template <int W>
+void expect_the_changes_of_single_segments() {
+  RandomSamples random(11);
+  for (int trial = 0; trial < 2000; ++trial) {
+    // On a coarse grid of points, so that many segments pass edges, end in the plane or have no triangle.
+    const auto point = [&] {
+      const auto coordinate = [&] { return std::floor(random.uniform(0, 5)); };
+      return Vector3{coordinate(), coordinate(), coordinate()};
+    };
+    const std::array<Vector3, 3> corners{point(), point(), point()};
+    const Vector3 begin = point();
+    BasicVector3<Lanes<W>> ends;
+    for (int lane = 0; lane < W; ++lane) set_lane(ends, lane, point());
+    const auto changes = CrossingsFrom(corners, begin).to(ends);
+    for (int lane = 0; lane < W; ++lane) {
+      const auto expected = winding_change(corners, begin, in_lane(ends, lane));
+      ASSERT_EQ(changes.certain[lane], expected.has_value());
+      if (expected.has_value()) {
+        ASSERT_EQ(changes.change[lane], *expected);
+      }
+    }
+  }
+}
+
+TEST(SegmentCrossing, OfSeveralSegmentsAtOnceIsThatOfEach) {
+  expect_the_changes_of_single_segments<2>();
+  expect_the_changes_of_single_segments<4>();
+  expect_the_changes_of_single_segments<8>();
+}
+
 }  // namespace
 }  // namespace crossgrain
