@@ -156,14 +156,7 @@ double bytes_of(const LeafConnections& connections) {
 }
 
 double bytes_of(const Adjacency& adjacency) {
-  double bytes = 0;
-  for (std::size_t i = 0; i < adjacency.size(); ++i) {
-    const auto row = adjacency[i];
-    const std::size_t weights = row.has_equal_weights() ? 1 : row.size();
-    // Where the row and its weights begin, the neighbours, the weights.
-    bytes += 2 * sizeof(std::uint32_t) + sizeof(std::uint32_t) * row.size() + sizeof(float) * weights;
-  }
-  return bytes;
+  return static_cast<double>(adjacency.bytes());
 }
 
 double sampled_pieces(const PartLevel& part) {

@@ -77,10 +77,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   monitor.report({"analysis", 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN()});
   auto data = std::make_shared<FieldData>();
   data->degree = options.degree;
-  std::vector<double> density = energy_density(solved.level, solved.connectivity->adjacency, solved.frames);
-  data->energy_density.assign(density.begin(), density.end());
-  std::vector<double>().swap(density);
-  solved.connectivity = {};
+  data->energy_density = std::move(solved.energy_density);
   monitor.check();
   {
     const Sampler sampler(solved.level.tree, solved.frames, solved.open_faces);

@@ -60,6 +60,25 @@ struct NativeLanes<float, 16> {
   static void fill(Vector& lanes, float x) { lanes = Vector{x, x, x, x, x, x, x, x, x, x, x, x, x, x, x, x}; }
 };
 
+/// 16-bit numbers, and the integers that they become on their way to lanes.
+template <int W>
+struct LaneWords;
+template <>
+struct LaneWords<2> {
+  using Words = std::uint16_t __attribute__((vector_size(4)));
+  using Integers = std::int32_t __attribute__((vector_size(8)));
+};
+template <>
+struct LaneWords<4> {
+  using Words = std::uint16_t __attribute__((vector_size(8)));
+  using Integers = std::int32_t __attribute__((vector_size(16)));
+};
+template <>
+struct LaneWords<8> {
+  using Words = std::uint16_t __attribute__((vector_size(16)));
+  using Integers = std::int32_t __attribute__((vector_size(32)));
+};
+
 /// True or false in each lane.
 template <class Number, int W>
 struct LaneMask {
@@ -186,6 +205,23 @@ Real lanes_of(const float* x) {
     native = Native{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
   }
   return Real(native);
+}
+
+/// The same of floats and of 16-bit numbers that stand among words, wherever those begin.
+template <class Real>
+Real lanes_of_floats(const std::uint16_t* words) {
+  std::array<float, Real::kCount> numbers;
+  std::memcpy(numbers.data(), words, sizeof numbers);
+  return lanes_of<Real>(numbers.data());
+}
+template <class Real>
+Real lanes_of_words(const std::uint16_t* words) {
+  constexpr int W = Real::kCount;
+  using Native = typename Real::Native;
+  typename LaneWords<W>::Words native;
+  std::memcpy(&native, words, sizeof native);
+  return Real(
+      __builtin_convertvector(__builtin_convertvector(native, typename LaneWords<W>::Integers), Native));
 }
 
 /// W doubles that stand one after the other.

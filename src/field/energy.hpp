@@ -32,15 +32,18 @@ struct EnergyParts {
   double total() const { return smoothness + boundary; }
 };
 
+struct LevelEnergy {
+  EnergyParts parts;
+
+  /// Smoothness energy per volume, cell by cell: half of every edge's energy to each of its cells, over the
+  /// cell's volume. In model units to the power of -2.
+  std::vector<float> density;
+};
+
 /// The degree-4 energy of a level's frames, computed from the surface pieces themselves, not from summed
 /// forms, but for `unavoidable`.
-EnergyParts degree_four_energy(const GridLevel& level, const Solid& solid, const Adjacency& adjacency,
-                               std::span<const StoredQuaternion> frames, double boundary_weight);
-
-/// Smoothness energy per volume, cell by cell: half of every edge's energy to each of its cells, over the
-/// cell's volume. In model units to the power of -2.
-std::vector<double> energy_density(const GridLevel& level, const Adjacency& adjacency,
-                                   std::span<const StoredQuaternion> frames);
+LevelEnergy level_energy(const GridLevel& level, const Solid& solid, const Adjacency& adjacency,
+                         std::span<const StoredQuaternion> frames, double boundary_weight);
 
 extern template double graph_energy<3>(const FieldGraph<3>&, const FieldState<3>&);
 extern template double graph_energy<4>(const FieldGraph<4>&, const FieldState<4>&);

@@ -6,105 +6,16 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "base/vector3.hpp"
 #include "constraint/quadratic_form.hpp"
+#include "field/adjacency.hpp"
 #include "field/sweep_order.hpp"
 
 namespace crossgrain {
-
-/// An edge of the graph: smoothness counts (weight / 2) |h_first - h_second|^2 over it.
-struct WeightedEdge {
-  std::uint32_t first;
-  std::uint32_t second;
-  float weight;  ///< a length: open face area over the distance of the centres
-};
-
-/// Neighbour lists in compressed rows, each edge in both. Where all neighbours have the same weight, as
-/// inside a solid, it is stored once.
-class Adjacency {
- public:
-  struct Neighbour {
-    std::uint32_t cell;
-    float weight;
-  };
-
-  /// So that weights can be read as whole vectors.
-  static constexpr std::size_t kReadBeyond = 8;
-
-  /// The neighbours of one cell.
-  class Row {
-   public:
-    class Iterator {
-     public:
-      Iterator(const std::uint32_t* cell, const float* weight, std::size_t stride)
-          : cell_(cell), weight_(weight), stride_(stride) {}
-      Neighbour operator*() const { return {*cell_, *weight_}; }
-      Iterator& operator++() {
-        ++cell_;
-        weight_ += stride_;
-        return *this;
-      }
-      bool operator==(const Iterator& other) const { return cell_ == other.cell_; }
-
-     private:
-      const std::uint32_t* cell_;
-      const float* weight_;
-      std::size_t stride_;
-    };
-
-    /// `stride` 0: one weight for all.
-    Row(std::span<const std::uint32_t> cells, const float* weights, std::size_t stride)
-        : cells_(cells), weights_(weights), stride_(stride) {}
-    std::size_t size() const { return cells_.size(); }
-    bool empty() const { return cells_.empty(); }
-    bool has_equal_weights() const { return stride_ == 0; }
-
-    /// Where they are not equal: one after the other, and kReadBeyond numbers more may be read.
-    const float* weights() const { return weights_; }
-    Neighbour operator[](std::size_t k) const { return {cells_[k], weights_[k * stride_]}; }
-    Iterator begin() const { return {cells_.data(), weights_, stride_}; }
-    Iterator end() const { return {cells_.data() + cells_.size(), nullptr, stride_}; }
-
-   private:
-    std::span<const std::uint32_t> cells_;
-    const float* weights_;
-    std::size_t stride_;
-  };
-
-  /// Puts the neighbours of a cell into `row`, which comes empty.
-  using RowOf = std::function<void(std::size_t cell, std::vector<Neighbour>& row)>;
-
-  Adjacency() = default;
-
-  /// The order of a cell's neighbours is that of `edges`. Throws Error(kLimit) beyond 2^31 edges.
-  Adjacency(std::size_t cell_count, std::span<const WeightedEdge> edges);
-
-  /// From rows that name every edge in both its cells with the same weight. `row_of` is called twice for each
-  /// cell, from several threads. Throws Error(kLimit) beyond 2^31 edges.
-  Adjacency(std::size_t cell_count, const RowOf& row_of);
-
-  std::size_t size() const { return begin_.empty() ? 0 : begin_.size() - 1; }
-  Row operator[](std::size_t cell) const {
-    const std::uint32_t place = weight_begin_[cell];
-    return {{cells_.data() + begin_[cell], cells_.data() + begin_[cell + 1]},
-            weights_.data() + (place & ~kEqual),
-            (place & kEqual) == 0};
-  }
-
- private:
-  /// In weight_begin_: the neighbours of this cell have one weight in common, stored once.
-  static constexpr std::uint32_t kEqual = std::uint32_t{1} << 31;
-
-  std::vector<std::uint32_t> begin_;
-  std::vector<std::uint32_t> cells_;
-  std::vector<std::uint32_t> weight_begin_;
-  std::vector<float> weights_;
-};
 
 /// Cells in an order of colours: no two neighbours have the same one, so cells of a colour can be updated in
 /// parallel with the same result as one after the other.

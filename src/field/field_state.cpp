@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/parallel.hpp"
+#include "base/instruction_set.hpp"
 #include "harmonics/frame.hpp"
 
 namespace crossgrain {
@@ -33,16 +33,31 @@ class SplitMix64 {
 }  // namespace
 
 template <int D>
+std::vector<StoredCoefficients<D>> coefficients_of(std::span<const StoredQuaternion> frames) {
+  std::vector<StoredCoefficients<D>> coefficients(frames.size());
+  parallel_for_lanes(frames.size(), [&]<int W>(std::size_t begin, int count) {
+    BasicQuaternion<Lanes<W>> q;
+    for (int lane = 0; lane < count; ++lane) {
+      const StoredQuaternion& frame = frames[begin + static_cast<std::size_t>(lane)];
+      set_lane(q, lane, {frame.w, frame.x, frame.y, frame.z});
+    }
+    const auto h = frame_coefficients<D>(normalised(q));
+    for (int lane = 0; lane < count; ++lane)
+      coefficients[begin + static_cast<std::size_t>(lane)] = to_stored<D>(in_lane(h, lane));
+  });
+  return coefficients;
+}
+
+template <int D>
 FieldState<D> state_of(std::vector<StoredQuaternion> frames) {
   FieldState<D> state;
-  state.coefficients.resize(frames.size());
-  parallel_for(frames.size(), [&](std::size_t i) {
-    state.coefficients[i] = to_stored<D>(frame_coefficients<D>(from_stored(frames[i])));
-  });
+  state.coefficients = coefficients_of<D>(frames);
   state.frames = std::move(frames);
   return state;
 }
 
+template std::vector<StoredCoefficients<3>> coefficients_of<3>(std::span<const StoredQuaternion>);
+template std::vector<StoredCoefficients<4>> coefficients_of<4>(std::span<const StoredQuaternion>);
 template FieldState<3> state_of<3>(std::vector<StoredQuaternion>);
 template FieldState<4> state_of<4>(std::vector<StoredQuaternion>);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/quaternion.hpp"
@@ -38,6 +39,10 @@ inline Coefficients<D> from_stored(const StoredCoefficients<D>& stored) {
   return h;
 }
 
+/// h(R) of every frame.
+template <int D>
+std::vector<StoredCoefficients<D>> coefficients_of(std::span<const StoredQuaternion> frames);
+
 /// The state of these frames.
 template <int D>
 FieldState<D> state_of(std::vector<StoredQuaternion> frames);
@@ -45,6 +50,8 @@ FieldState<D> state_of(std::vector<StoredQuaternion> frames);
 /// Frames drawn uniformly from SO(3), each from `seed` and its own index.
 std::vector<StoredQuaternion> random_frames(std::size_t count, std::uint64_t seed);
 
+extern template std::vector<StoredCoefficients<3>> coefficients_of<3>(std::span<const StoredQuaternion>);
+extern template std::vector<StoredCoefficients<4>> coefficients_of<4>(std::span<const StoredQuaternion>);
 extern template FieldState<3> state_of<3>(std::vector<StoredQuaternion>);
 extern template FieldState<4> state_of<4>(std::vector<StoredQuaternion>);
 

@@ -35,10 +35,21 @@ class Stencil {
     for (const CellAddress leaf : level.tree.leaves()) deepest_ = std::max(deepest_, leaf.depth());
   }
 
+  /// By depth: what one part of a step weighs.
+  std::vector<float> units() const {
+    std::vector<float> units;
+    for (int depth = 0; depth <= deepest_; ++depth)
+      units.push_back(
+          static_cast<float>(level_.tree.root().cell_size(depth) / (FaceWeight::kFullFace * kShareSteps)));
+    return units;
+  }
+
   /// The neighbours of leaf i: of its size through faces and across edges, then larger and smaller ones.
-  void row_of(CellIndex i, std::vector<Adjacency::Neighbour>& row) const {
-    const double step = level_.tree.cell_size(i) / (FaceWeight::kFullFace * kShareSteps);
-    const auto add = [&](CellIndex j, int steps) { row.push_back({j, static_cast<float>(step * steps)}); };
+  void row_of(CellIndex i, Adjacency::RowInUnits& row) const {
+    row.unit = static_cast<std::uint16_t>(level_.tree[i].depth());
+    const auto add = [&](CellIndex j, int steps) {
+      row.neighbours.push_back({j, static_cast<std::uint16_t>(steps)});
+    };
     std::array<int, kFaceCount> face_steps;
     for (int face = 0; face < kFaceCount; ++face) face_steps[face] = kShareSteps * weights_[i][face].steps();
     std::array<std::pair<CellIndex, int>, 12> diagonals;
@@ -118,7 +129,7 @@ Connectivity connectivity_of(const GridLevel& level, const LeafConnections& conn
   std::vector<std::uint8_t> colours(level.size());
   parallel_for(level.size(),
                [&](std::size_t i) { colours[i] = parity_colour(level.tree[static_cast<CellIndex>(i)]); });
-  Adjacency adjacency(level.size(), [&](std::size_t i, std::vector<Adjacency::Neighbour>& row) {
+  Adjacency adjacency(level.size(), stencil.units(), [&](std::size_t i, Adjacency::RowInUnits& row) {
     stencil.row_of(static_cast<CellIndex>(i), row);
   });
   SweepOrder order = level.size() < kBlockedCells ? SweepOrder(colouring_of(colours))

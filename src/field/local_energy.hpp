@@ -89,8 +89,9 @@ class LocalEnergy {
       for (int lane = 0; lane < W; ++lane) {
         const Adjacency::Row neighbours = adjacency[cells[lane]];
         if (k >= neighbours.size()) continue;
-        weight.set(lane, neighbours[k].weight);
-        for (int m = 0; m < kCoefficientCount<3>; ++m) h[m].set(lane, coefficients[neighbours[k].cell][m]);
+        weight.set(lane, neighbours.weight(k));
+        const StoredCoefficients<3>& stored = coefficients[neighbours.cell(k)];
+        for (int m = 0; m < kCoefficientCount<3>; ++m) h[m].set(lane, stored[m]);
       }
       neighbour_weight_ += weight;
       add_outer_product<3>(*matrix_, -5.0 / 6 * weight, h);
@@ -107,26 +108,26 @@ class LocalEnergy {
     Number last = 0, total_weight = 0;
     if (neighbours.has_equal_weights()) {
       // Inside the solid: one multiplication for all.
-      for (const auto& [neighbour, weight] : neighbours) {
-        const StoredCoefficients<4>& h = coefficients[neighbour];
+      for (std::size_t k = 0; k < neighbours.size(); ++k) {
+        const StoredCoefficients<4>& h = coefficients[neighbours.cell(k)];
         for (int g = 0; g < kGroups; ++g) sums[g] += lanes_of<Group>(h.data() + g * kWidth);
         last += h[8];
       }
-      const Number weight = neighbours.empty() ? 0 : neighbours[0].weight;
+      const Number weight = neighbours.weight(0);
       for (Group& sum : sums) sum = 0.5 * weight * sum;
       last *= weight / 2;
       total_weight = weight * static_cast<Number>(neighbours.size());
     } else {
-      const float* weights = neighbours.weights();
       for (std::size_t k = 0; k < neighbours.size(); k += kWidth) {
-        const Group half_weights = 0.5 * lanes_of<Group>(weights + k);
+        const Group weights = neighbours.template weights_from<Group>(k);
+        const Group half_weights = 0.5 * weights;
         const auto add = [&]<int J>() {
           if (k + J >= neighbours.size()) return;
-          const StoredCoefficients<4>& h = coefficients[neighbours[k + J].cell];
+          const StoredCoefficients<4>& h = coefficients[neighbours.cell(k + J)];
           const Group half_weight = repeated<J>(half_weights);
           for (int g = 0; g < kGroups; ++g) sums[g] += half_weight * lanes_of<Group>(h.data() + g * kWidth);
-          last += static_cast<Number>(weights[k + J]) / 2 * h[8];
-          total_weight += weights[k + J];
+          last += half_weights[J] * h[8];
+          total_weight += weights[J];
         };
         [&]<int... J>(std::integer_sequence<int, J...>) {
           (add.template operator()<J>(), ...);

@@ -48,11 +48,10 @@ class LevelSolver {
     return relaxed_and_settled(graph_, std::move(frames), relax, settling, [this](double e) { advance(e); });
   }
 
-  EnergyParts energy(const Frames& frames) const {
-    return degree_four_energy(level_, solid_, connectivity_->adjacency, frames, options_.boundary_weight);
+  LevelEnergy energy(const Frames& frames) const {
+    return level_energy(level_, solid_, connectivity_->adjacency, frames, options_.boundary_weight);
   }
 
-  const std::shared_ptr<const Connectivity>& connectivity() const { return connectivity_; }
   int sweeps() const { return sweeps_; }
 
  private:
@@ -86,7 +85,7 @@ class LevelSolver {
 /// Each leaf takes the frame of the leaf it came from.
 Frames inherited(const Frames& frames, const GridLevel& level) {
   Frames result(level.size());
-  for (CellIndex i = 0; i < level.size(); ++i) result[i] = frames[level.parent[i]];
+  parallel_for(level.size(), [&](std::size_t i) { result[i] = frames[level.parent[i]]; });
   return result;
 }
 
@@ -139,27 +138,26 @@ class NestedSolver {
   }
 
   void solve_level(int depth, bool coarsest, bool finest) {
-    const GridLevel& level = result_.level;
+    GridLevel& level = result_.level;
     monitor_.report({"grid", depth, level.size(), 0, std::numeric_limits<double>::quiet_NaN()});
     LeafConnections connections = connect_leaves(level, solid_, monitor_);
     LevelSolver<D> solver(level, solid_, connections, options_, monitor_, depth);
     result_.open_faces = std::move(connections.open_faces);
     result_.tied_leaves = connections.tied_leaves;
+    connections = {};
+    if (finest) std::vector<FaceNeighbours>().swap(level.neighbours);
     grid_watch_.stop();
 
     solve_watch_.start();
     start_candidates(coarsest);
+    std::vector<CellIndex>().swap(level.parent);
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
       candidates_[c] = solver.solved(std::move(candidates_[c].frames), relaxation_sweeps(c, coarsest));
     }
     keep_best(solver, finest || level.size() > options_.solver.start_cells);
-    density_ = finest || candidates_.size() > 1
-                   ? std::vector<double>{}
-                   : energy_density(level, solver.connectivity()->adjacency, candidates_.front().frames);
     solve_watch_.stop();
     result_.levels.push_back({depth, level.examined_leaves, level.size(), solver.sweeps(),
                               result_.energy.total(), level_watch_.restart()});
-    if (finest) result_.connectivity = solver.connectivity();
     grid_watch_.start();
   }
 
@@ -191,10 +189,11 @@ class NestedSolver {
   void keep_best(const LevelSolver<D>& solver, bool end_race) {
     std::size_t best = 0;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
-      const EnergyParts energy = solver.energy(candidates_[c].frames);
-      if (c == 0 ||
-          energy.total() + energy.unavoidable < result_.energy.total() + result_.energy.unavoidable) {
-        result_.energy = energy;
+      LevelEnergy energy = solver.energy(candidates_[c].frames);
+      if (c == 0 || energy.parts.total() + energy.parts.unavoidable <
+                        result_.energy.total() + result_.energy.unavoidable) {
+        result_.energy = energy.parts;
+        result_.energy_density = std::move(energy.density);
         result_.settled = candidates_[c].settled;
         best = c;
       }
@@ -207,10 +206,10 @@ class NestedSolver {
 
   void refine(int finest_depth) {
     // While several fields are in the race no single one says where to refine.
-    const Marks marks = candidates_.size() > 1 ? Marks(result_.level.size(), true)
-                                               : refinement_marks(result_.level, solid_, density_,
-                                                                  finest_depth, options_.refinement);
-    std::vector<double>().swap(density_);
+    const Marks marks = candidates_.size() > 1
+                            ? Marks(result_.level.size(), true)
+                            : refinement_marks(result_.level, solid_, result_.energy_density, finest_depth,
+                                               options_.refinement);
     result_.level = refined(result_.level, solid_, marks, monitor_);
   }
 
@@ -220,7 +219,6 @@ class NestedSolver {
   const InitialFrame& initial_frame_;
   SolvedField result_;
   std::vector<Candidate> candidates_;
-  std::vector<double> density_;
   Stopwatch grid_watch_, solve_watch_, level_watch_;
 };
 

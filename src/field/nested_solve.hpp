@@ -16,14 +16,15 @@
 
 namespace crossgrain {
 
-/// The finest level with its frames, and how it was reached.
+/// The finest level with its frames, and how it was reached. The level has given up its neighbours and
+/// parents.
 struct SolvedField {
   GridLevel level;
-  std::shared_ptr<const Connectivity> connectivity;
   std::vector<std::uint8_t> open_faces;  ///< as in LeafConnections
   std::size_t tied_leaves = 0;           ///< as in LeafConnections
   std::vector<StoredQuaternion> frames;
   EnergyParts energy;
+  std::vector<float> energy_density;  ///< as in LevelEnergy
   bool settled =
       true;  ///< false: the finest level was still falling by more than the tolerance when sweeps ran out
   std::vector<LevelStatistics> levels;  ///< from the coarsest on

@@ -54,7 +54,7 @@ void mark_thin_walls(const GridLevel& level, const Solid& solid, double thicknes
   }
 }
 
-void mark_energy_density(const GridLevel& level, std::span<const double> energy_density, double threshold,
+void mark_energy_density(const GridLevel& level, std::span<const float> energy_density, double threshold,
                          Marks& marks) {
   for (CellIndex i = 0; i < level.size(); ++i) {
     const double size = level.tree.cell_size(i);
@@ -62,7 +62,7 @@ void mark_energy_density(const GridLevel& level, std::span<const double> energy_
   }
 }
 
-Marks refinement_marks(const GridLevel& level, const Solid& solid, std::span<const double> energy_density,
+Marks refinement_marks(const GridLevel& level, const Solid& solid, std::span<const float> energy_density,
                        int finest_depth, const RefinementOptions& options) {
   Marks marks(level.size(), false);
   if (options.by_surface) mark_surface(level, marks);

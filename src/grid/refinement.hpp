@@ -23,12 +23,12 @@ void mark_spectral_conflict(const GridLevel& level, const Solid& solid, Marks& m
 void mark_thin_walls(const GridLevel& level, const Solid& solid, double thickness_cells, Marks& marks);
 
 /// Leaves with energy_density[i] * (cell size)^2 above `threshold` (the energy of RefinementOptions).
-void mark_energy_density(const GridLevel& level, std::span<const double> energy_density, double threshold,
+void mark_energy_density(const GridLevel& level, std::span<const float> energy_density, double threshold,
                          Marks& marks);
 
 /// All criteria that `options` names, less the leaves that are at `finest_depth` already. `energy_density`
 /// may be empty where no field is known yet.
-Marks refinement_marks(const GridLevel& level, const Solid& solid, std::span<const double> energy_density,
+Marks refinement_marks(const GridLevel& level, const Solid& solid, std::span<const float> energy_density,
                        int finest_depth, const RefinementOptions& options);
 
 }  // namespace crossgrain

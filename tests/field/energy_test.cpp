@@ -38,7 +38,7 @@ TEST_F(EnergyTest, OfThePiecesIsThatOfTheGraphInDegreeFour) {
   refine_some();
   const auto graph = graph_of<4>(level_, bracket_.solid());
   const auto frames = random_frames(level_.size(), 12);
-  const EnergyParts parts = degree_four_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10);
+  const EnergyParts parts = level_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10).parts;
   EXPECT_NEAR((parts.total() + parts.unavoidable) / graph_energy(graph, state_of<4>(frames)), 1, 1e-6);
 }
 
@@ -59,21 +59,41 @@ TEST_F(EnergyTest, DensityTimesVolumeSumsUpToTheSmoothness) {
   refine_some();
   const auto graph = graph_of<4>(level_, bracket_.solid());
   const auto frames = random_frames(level_.size(), 13);
-  const EnergyParts parts = degree_four_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10);
-  const std::vector<double> density = energy_density(level_, graph.adjacency(), frames);
+  const auto [parts, density] = level_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10);
   double sum = 0;
   for (CellIndex i = 0; i < level_.size(); ++i) sum += density[i] * std::pow(level_.tree.cell_size(i), 3);
-  EXPECT_NEAR(sum / parts.smoothness, 1, 1e-9);
+  // Densities are stored in single precision.
+  EXPECT_NEAR(sum / parts.smoothness, 1, 1e-6);
 }
 
 TEST_F(EnergyTest, OfTheBoundaryGrowsWithItsWeight) {
   const auto graph = graph_of<4>(level_, bracket_.solid());
   const auto frames = random_frames(level_.size(), 14);
-  const EnergyParts ten = degree_four_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10);
-  const EnergyParts twenty = degree_four_energy(level_, bracket_.solid(), graph.adjacency(), frames, 20);
+  const EnergyParts ten = level_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10).parts;
+  const EnergyParts twenty = level_energy(level_, bracket_.solid(), graph.adjacency(), frames, 20).parts;
   EXPECT_DOUBLE_EQ(twenty.boundary, 2 * ten.boundary);
   EXPECT_DOUBLE_EQ(twenty.unavoidable, 2 * ten.unavoidable);
   EXPECT_EQ(twenty.smoothness, ten.smoothness);
+}
+
+TEST_F(EnergyTest, OfEdgesIsTheSumOverNeighboursInDoublePrecision) {
+  refine_some();
+  const auto graph = graph_of<4>(level_, bracket_.solid());
+  // Nearly equal frames, so that rounding would show.
+  std::vector<StoredQuaternion> frames;
+  for (CellIndex i = 0; i < level_.size(); ++i)
+    frames.push_back(to_stored(from_rotation_vector(0.02 * level_.tree.centre(i))));
+  const FieldState<4> state = state_of<4>(frames);
+  double expected = 0;
+  for (CellIndex i = 0; i < level_.size(); ++i) {
+    for (const auto& [j, weight] : graph.adjacency()[i]) {
+      const auto a = from_stored<4>(state.coefficients[i]), b = from_stored<4>(state.coefficients[j]);
+      expected += weight / 4 * squared_norm(difference(a, b));
+    }
+  }
+  const double smoothness =
+      level_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10).parts.smoothness;
+  EXPECT_NEAR(smoothness / expected, 1, 1e-6);
 }
 
 }  // namespace

@@ -69,6 +69,44 @@ TEST(Adjacency, HoldsTheRowsItIsMadeOfWhetherTheyShareWeightsOrNot) {
   }
 }
 
+TEST(Adjacency, HoldsWeightsAsMultiplesOfUnitsToo) {
+  constexpr std::uint32_t kCells = 3000;  // several groups
+  const std::vector<float> units{0.5f, 0.3f};
+  const auto row_of = [](std::size_t i, Adjacency::RowInUnits& row) {
+    row.unit = i % 3 == 0;
+    for (std::uint32_t k = 0; k < i % 23; ++k)
+      row.neighbours.push_back({static_cast<std::uint32_t>((7 * i + 131 * k + 1) % kCells),
+                                static_cast<std::uint16_t>(i % 7 == 0 ? 30720 : 5 * k + 1)});
+  };
+  const Adjacency adjacency(kCells, units, row_of);
+  ASSERT_EQ(adjacency.size(), kCells);
+  for (std::size_t i = 0; i < kCells; ++i) {
+    Adjacency::RowInUnits expected;
+    row_of(i, expected);
+    const Adjacency::Row row = adjacency[i];
+    ASSERT_EQ(row.size(), expected.neighbours.size());
+    ASSERT_EQ(row.has_equal_weights(), row.size() == 1 || (i % 7 == 0 && !row.empty()));
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      EXPECT_EQ(row[k].cell, expected.neighbours[k].cell);
+      EXPECT_EQ(row[k].weight, units[expected.unit] * expected.neighbours[k].units);
+    }
+    if (row.has_equal_weights()) continue;
+    const auto first = row.weights_from<SingleLanes<4>>(0);
+    for (int lane = 0; lane < 4 && static_cast<std::size_t>(lane) < row.size(); ++lane)
+      EXPECT_EQ(first[lane], row.weight(static_cast<std::size_t>(lane)));
+  }
+}
+
+TEST(Adjacency, TakesFewBytesForALeafWithEighteenNeighboursOfOwnWeights) {
+  constexpr std::uint32_t kCells = 20000;
+  const Adjacency adjacency(kCells, {1.0f}, [](std::size_t i, Adjacency::RowInUnits& row) {
+    for (std::uint32_t k = 0; k < 18; ++k)
+      row.neighbours.push_back(
+          {static_cast<std::uint32_t>((i + 37 * k + 1) % kCells), static_cast<std::uint16_t>(k + 1)});
+  });
+  EXPECT_LT(adjacency.bytes(), 90 * kCells);
+}
+
 TEST(Adjacency, OfCellsWithoutEdgesIsEmptyRows) {
   const Adjacency adjacency(3, std::vector<WeightedEdge>{});
   for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(adjacency[i].empty());

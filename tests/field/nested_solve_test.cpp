@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
+#include "field/leaf_stencil.hpp"
 #include "grid/test_solid.hpp"
 #include "harmonics/random_samples.hpp"
 #include "support/shapes.hpp"
@@ -139,9 +140,15 @@ TEST(NestedSolve, DescribesEveryLevel) {
 TEST(NestedSolve, EndsWithTheEnergyOfItsFrames) {
   const TestSolid solid(make_bracket(24));
   const SolveOptions options = options_of(20);
-  const SolvedField field = solved(solid, options);
-  const EnergyParts again = degree_four_energy(field.level, solid.solid(), field.connectivity->adjacency,
-                                               field.frames, options.solver.boundary_weight);
+  SolvedField field = solved(solid, options);
+  field.level.neighbours = face_neighbours(field.level.tree);
+  const Adjacency adjacency =
+      connectivity_of(field.level, connect_leaves(field.level, solid.solid()), options.solver.diagonal_share)
+          .adjacency;
+  const LevelEnergy recomputed =
+      level_energy(field.level, solid.solid(), adjacency, field.frames, options.solver.boundary_weight);
+  const EnergyParts& again = recomputed.parts;
+  EXPECT_EQ(field.energy_density, recomputed.density);
   EXPECT_EQ(field.energy.smoothness, again.smoothness);
   EXPECT_EQ(field.energy.boundary, again.boundary);
   EXPECT_EQ(field.energy.unavoidable, again.unavoidable);

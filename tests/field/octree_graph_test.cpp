@@ -145,7 +145,7 @@ TEST(OctreeGraph, CostsALinearTwistWhatTheIntegralSaysToThreePercent) {
       frames.push_back(to_stored(from_rotation_vector(angle_rad * about) * base));
     }
     const Adjacency adjacency = connectivity_of(level, connections, SolverOptions().diagonal_share).adjacency;
-    const double cost = degree_four_energy(level, any_solid().solid(), adjacency, frames, 10).smoothness;
+    const double cost = level_energy(level, any_solid().solid(), adjacency, frames, 10).parts.smoothness;
     double exact = 0;
     for (int axis = 0; axis < 3; ++axis)
       exact += 10.0 / 3 * std::pow(rate * along[axis], 2) * measured_volume(level.tree, axis);

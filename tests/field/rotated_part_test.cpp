@@ -41,12 +41,10 @@ Quaternion interpolated(const SolvedField& field, const Vector3& p, double cell_
 
 /// Centres of the cells near singular arcs.
 std::vector<Vector3> singular_places(const SolvedField& field) {
-  const std::vector<double> density =
-      energy_density(field.level, field.connectivity->adjacency, field.frames);
   std::vector<Vector3> places;
   for (CellIndex i = 0; i < field.level.size(); ++i) {
     const double size = field.level.tree.cell_size(i);
-    if (density[i] * size * size > 0.2) places.push_back(field.level.tree.centre(i));
+    if (field.energy_density[i] * size * size > 0.2) places.push_back(field.level.tree.centre(i));
   }
   return places;
 }

@@ -229,8 +229,8 @@ TEST(EnergyCriterion, MarksWhatExceedsTheThresholdInItsOwnSize) {
   first[0] = first[level.size() - 1] = true;
   level = refined(level, solid.solid(), first);  // cells of two sizes
   RandomSamples random(8);
-  std::vector<double> density(level.size());
-  for (double& value : density) value = random.uniform(0, 40);
+  std::vector<float> density(level.size());
+  for (float& value : density) value = static_cast<float>(random.uniform(0, 40));
   Marks marks = no_marks(level);
   mark_energy_density(level, density, 0.2, marks);
   for (CellIndex i = 0; i < level.size(); ++i) {
