@@ -72,19 +72,25 @@ void add_cell_data(const FieldData& data, std::vector<VtuArray>& arrays) {
   arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kOnBoundary, data.on_boundary));
 }
 
+template <class Index>
+void add_cells(const LeafCorners& corners, std::size_t cells, std::vector<VtuArray>& arrays) {
+  arrays.push_back(vtu_array<Index>(VtuSection::kCells, "connectivity", 1, 8 * cells,
+                                    [&corners](std::size_t begin, std::size_t end, Index* out) {
+                                      corners.write_indices(begin, end, out);
+                                    }));
+  constexpr std::uint8_t kVtkVoxel = 11;
+  add_uniform_cells<Index>(cells, 8, kVtkVoxel, arrays);
+}
+
 void add_grid(const LeafCorners& corners, std::size_t cells, std::vector<VtuArray>& arrays) {
   arrays.push_back(vtu_array<double>(VtuSection::kPoints, "Points", 3, corners.size(),
                                      [&corners](std::size_t begin, std::size_t end, double* out) {
-                                       for (std::size_t i = begin; i < end; ++i, out += 3) {
-                                         std::ranges::copy(corners.position(i), out);
-                                       }
+                                       corners.write_positions(begin, end, out);
                                      }));
-  arrays.push_back(vtu_array<std::int64_t>(VtuSection::kCells, "connectivity", 1, 8 * cells,
-                                           [&corners](std::size_t begin, std::size_t end, std::int64_t* out) {
-                                             corners.write_indices(begin, end, out);
-                                           }));
-  constexpr std::uint8_t kVtkVoxel = 11;
-  add_uniform_cells<std::int64_t>(cells, 8, kVtkVoxel, arrays);
+  if (fits_32_bits(corners.size(), 8 * cells))
+    add_cells<std::int32_t>(corners, cells, arrays);
+  else
+    add_cells<std::int64_t>(corners, cells, arrays);
 }
 
 /// Numbers that belong to the field as a whole.

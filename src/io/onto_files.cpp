@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "analysis/orthonormal_frame.hpp"
@@ -55,9 +54,7 @@ void add_mesh(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
         for (std::size_t i = begin; i < end; ++i, out += 3) std::ranges::copy(mesh.vertices[i], out);
       },
       VtuPacking::kSingleBytes));
-  // In 32 bits the connectivity takes half the time, and 15 % less space.
-  constexpr std::size_t kMost32 = std::numeric_limits<std::int32_t>::max();
-  if (std::max(mesh.vertices.size(), 4 * mesh.tets.size()) <= kMost32)
+  if (fits_32_bits(mesh.vertices.size(), 4 * mesh.tets.size()))
     add_tets<std::int32_t>(mesh, arrays);
   else
     add_tets<std::int64_t>(mesh, arrays);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,12 @@ void add_axes(VtuSection section, std::size_t count, const FrameOf& frame_of, st
         section, names[k], 3, count, [frame_of, k](std::size_t i) { return axes_of(frame_of(i))[k]; },
         VtuPacking::kSingleBytes));
   }
+}
+
+/// Whether 32 bits do for a connectivity of `entries` numbers of `points` points, and for its offsets: it
+/// takes half the time then, and less space.
+inline bool fits_32_bits(std::size_t points, std::size_t entries) {
+  return std::max(points, entries) <= std::numeric_limits<std::int32_t>::max();
 }
 
 /// "offsets", of the same integer type as the connectivity, and "types" of `cells` cells that all have
