@@ -30,10 +30,8 @@ constexpr const char* kReportFile = "report.json";
 template <class ValueOf>
 VtuArray frame_array(const FieldData& data, const char* name, std::size_t components,
                      const ValueOf& value_of) {
-  return float_array(
-      VtuSection::kCellData, name, components, data.frames.size(),
-      [&data, value_of](std::size_t i) { return value_of(from_stored(data.frames[i])); },
-      VtuPacking::kSingleBytes);
+  return float_array(VtuSection::kCellData, name, components, data.frames.size(),
+                     [&data, value_of](std::size_t i) { return value_of(from_stored(data.frames[i])); });
 }
 
 /// The coefficients of a frame as the file has them, in single precision.
@@ -116,13 +114,15 @@ void add_field_data(const FieldData& data, std::vector<VtuArray>& arrays) {
                                [&leaves](std::size_t begin, std::size_t end, std::uint64_t* out) {
                                  for (std::size_t i = begin; i < end; ++i) *out++ = leaves[i].packed();
                                }));
-  arrays.push_back(vtu_array<float>(VtuSection::kFieldData, field_arrays::kFrame, 4, data.frames.size(),
-                                    [&data](std::size_t begin, std::size_t end, float* out) {
-                                      for (std::size_t i = begin; i < end; ++i) {
-                                        const StoredQuaternion& q = data.frames[i];
-                                        for (const float part : {q.w, q.x, q.y, q.z}) *out++ = part;
-                                      }
-                                    }));
+  arrays.push_back(vtu_array<float>(
+      VtuSection::kFieldData, field_arrays::kFrame, 4, data.frames.size(),
+      [&data](std::size_t begin, std::size_t end, float* out) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const StoredQuaternion& q = data.frames[i];
+          for (const float part : {q.w, q.x, q.y, q.z}) *out++ = part;
+        }
+      },
+      VtuPacking::kMeasured));
   arrays.push_back(stored_array(VtuSection::kFieldData, field_arrays::kOpenFaces, data.open_faces));
 }
 

@@ -53,7 +53,7 @@ void add_mesh(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
       [&mesh](std::size_t begin, std::size_t end, double* out) {
         for (std::size_t i = begin; i < end; ++i, out += 3) std::ranges::copy(mesh.vertices[i], out);
       },
-      VtuPacking::kSingleBytes));
+      VtuPacking::kMeasured));
   if (fits_32_bits(mesh.vertices.size(), 4 * mesh.tets.size()))
     add_tets<std::int32_t>(mesh, arrays);
   else
