@@ -76,22 +76,25 @@ void write_grid(OutputFile& file, const TetMesh& mesh, const TetField& onto, con
 
 }  // namespace
 
-void write_field_onto(const FrameField& field, SolveReport report, const TetMesh& mesh, const TetField& onto,
-                      const std::filesystem::path& folder, const Monitor& monitor) {
+SolveReport write_field_onto(const FrameField& field, SolveReport report, const TetMesh& mesh,
+                             const TetField& onto, const std::filesystem::path& folder,
+                             const Monitor& monitor, const OutputOptions& options) {
   assert(onto.vertex_frames.size() == mesh.vertices.size() && onto.tet_frames.size() == mesh.tets.size());
-  write_field_and(field, std::move(report), folder, monitor, [&](OutputFolder& output) {
+  return write_field_and(field, std::move(report), folder, monitor, options, [&](OutputFolder& output) {
     write_frames(output.create(kFramesFile), onto.vertex_frames, monitor);
     write_grid(output.create(kGridFile), mesh, onto, monitor);
   });
 }
 
-void write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
-                 const Monitor& monitor) {
-  write_field_onto(field.grid(), std::move(report), field.domain().mesh(), field.data(), folder, monitor);
+SolveReport write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
+                        const Monitor& monitor, const OutputOptions& options) {
+  return write_field_onto(field.grid(), std::move(report), field.domain().mesh(), field.data(), folder,
+                          monitor, options);
 }
 
-void write_field(const TetFrameField& field, const std::filesystem::path& folder, const Monitor& monitor) {
-  write_field(field, field.report(), folder, monitor);
+SolveReport write_field(const TetFrameField& field, const std::filesystem::path& folder,
+                        const Monitor& monitor, const OutputOptions& options) {
+  return write_field(field, field.report(), folder, monitor, options);
 }
 
 void check_onto_folder(const std::filesystem::path& folder) {
