@@ -21,7 +21,7 @@ constexpr std::size_t kGroupLeaves = 1 << 12;
 /// Groups whose numbering one task finds.
 constexpr std::size_t kGroupsAtOnce = 8;
 
-/// Groups whose shared corners one task gathers from all groups before.
+/// Groups whose shared corners one task gathers.
 constexpr std::size_t kGroupsGathered = 64;
 
 constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
@@ -168,37 +168,43 @@ std::uint64_t LeafCorners::first_key(std::size_t group) const {
   return group < groups() ? low_key(tree_.leaves()[group * kGroupLeaves]) : kNoKey;
 }
 
-/// The corners of a group's leaves that later groups number.
-std::vector<std::uint64_t> LeafCorners::keys_beyond(std::size_t group) const {
+/// Adds the corners of a group's leaves that later groups number, some more than once.
+void LeafCorners::add_keys_beyond(std::size_t group, std::vector<std::uint64_t>& keys) const {
   const std::uint64_t end_key = first_key(group + 1);
   const auto [begin, end] = leaves_of(group);
-  std::vector<std::uint64_t> beyond;
   for (std::size_t i = begin; i < end; ++i) {
     for (const std::uint64_t key : corner_keys(tree_.leaves()[i])) {
-      if (key >= end_key) beyond.push_back(key);
+      if (key >= end_key) keys.push_back(key);
     }
   }
-  sort_unique(beyond);
-  beyond.shrink_to_fit();
-  return beyond;
 }
 
 void LeafCorners::find_shared() {
-  std::vector<std::vector<std::uint64_t>> beyond(groups());
-  parallel_for(
-      groups(), [&](std::size_t group) { beyond[group] = keys_beyond(group); }, 1);
-
-  std::vector<std::vector<std::uint64_t>> gathered((groups() + kGroupsGathered - 1) / kGroupsGathered);
+  std::vector<std::vector<std::uint64_t>> beyond((groups() + kGroupsGathered - 1) / kGroupsGathered);
   parallel_for_chunks(groups(), kGroupsGathered, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint64_t>& keys = gathered[begin / kGroupsGathered];
-    for (std::size_t group = 0; group < end; ++group) {
-      const auto first = std::lower_bound(beyond[group].begin(), beyond[group].end(), first_key(begin));
-      keys.insert(keys.end(), first, std::lower_bound(first, beyond[group].end(), first_key(end)));
+    std::vector<std::uint64_t> keys;
+    for (std::size_t group = begin; group < end; ++group) add_keys_beyond(group, keys);
+    sort_unique(keys);
+    beyond[begin / kGroupsGathered].assign(keys.begin(), keys.end());
+  });
+
+  // Those that each as many groups number, from all groups before.
+  std::vector<std::vector<std::uint64_t>> gathered(beyond.size());
+  parallel_for_chunks(groups(), kGroupsGathered, [&](std::size_t begin, std::size_t end) {
+    const std::size_t own = begin / kGroupsGathered;
+    std::vector<std::uint64_t> keys;
+    for (std::size_t run = 0; run <= own; ++run) {
+      const auto first = std::lower_bound(beyond[run].begin(), beyond[run].end(), first_key(begin));
+      keys.insert(keys.end(), first, std::lower_bound(first, beyond[run].end(), first_key(end)));
     }
     sort_unique(keys);
+    gathered[own].assign(keys.begin(), keys.end());
   });
-  beyond.clear();
+  beyond = {};
 
+  std::size_t count = 0;
+  for (const auto& keys : gathered) count += keys.size();
+  shared_.reserve(count);
   for (std::vector<std::uint64_t>& keys : gathered) {
     shared_.insert(shared_.end(), keys.begin(), keys.end());
     keys = {};

@@ -44,7 +44,7 @@ class LeafCorners {
   std::size_t groups() const { return begins_.size() - 1; }
   std::pair<std::size_t, std::size_t> leaves_of(std::size_t group) const;
   std::uint64_t first_key(std::size_t group) const;
-  std::vector<std::uint64_t> keys_beyond(std::size_t group) const;
+  void add_keys_beyond(std::size_t group, std::vector<std::uint64_t>& keys) const;
   void find_shared();
   void find_own();
 
