@@ -4,9 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <optional>
+#include <sstream>
 
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
@@ -33,6 +36,64 @@ std::string fault_of_length(const std::string& text) {
   double value = 0;
   const bool is_number = CLI::detail::lexical_cast(text, value);
   return is_number && value > 0 && std::isfinite(value) ? "" : "'" + text + "' is no positive number";
+}
+
+/// The box of a text of six numbers with commas between them; empty where it is none.
+std::optional<Box> parse_box(const std::string& text) {
+  std::array<double, 6> bounds;
+  std::istringstream parts(text);
+  std::string part;
+  std::size_t count = 0;
+  while (std::getline(parts, part, ',')) {
+    if (count == bounds.size() || !CLI::detail::lexical_cast(part, bounds[count])) return std::nullopt;
+    if (std::isnan(bounds[count++])) return std::nullopt;
+  }
+  if (count != bounds.size() || text.back() == ',') return std::nullopt;
+  const auto [x_low, y_low, z_low, x_high, y_high, z_high] = bounds;
+  return Box{{x_low, y_low, z_low}, {x_high, y_high, z_high}};
+}
+
+std::string fault_of_box(const std::string& text) {
+  const std::optional<Box> box = parse_box(text);
+  if (!box) return "'" + text + "' is no six numbers with commas between them";
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (box->low[axis] > box->high[axis])
+      return "'" + text + "' has its " + "xyz"[axis] + " bounds the wrong way round";
+  }
+  return "";
+}
+
+void add_output_options(CLI::App& command, OutputOptions& options) {
+  constexpr int kDeepest = 19;  // OutputOptions::level
+  command
+      .add_option(
+          "--output-level", options.level,
+          "Depth of the smallest cells in field.vtu, as its array 'level' counts: deeper ones are merged")
+      ->check(CLI::Range(0, kDeepest))
+      ->type_name("N");
+  command
+      .add_option_function<std::string>(
+          "--clip", [&options](const std::string& text) { options.clip = parse_box(text); },
+          "Only cells that meet this box go to field.vtu; model units, inf and -inf too")
+      ->check(fault_of_box)
+      ->type_name("XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX");
+}
+
+void add_tets_options(CLI::App& command, SolveArguments& arguments) {
+  command
+      .add_option("--onto", arguments.onto,
+                  "Carry the field of a surface onto this tet mesh and finish it there")
+      ->type_name("TETS");
+  command
+      .add_option_function<std::string>(
+          "--boundary",
+          [&onto = arguments.options.onto](const std::string& name) {
+            onto.boundary = name == "all" ? TetBoundary::kAll : TetBoundary::kSmoothOnly;
+          },
+          "Boundary vertices of tets that are held to the surface: all (default), or smooth-only, which "
+          "leaves creases and corners free")
+      ->check(CLI::IsMember({"all", "smooth-only"}))
+      ->type_name("all|smooth-only");
 }
 
 CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
@@ -68,20 +129,8 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   command->add_option("--seed", options.seed, "Changes the initial frames of every start (default 0)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
-  command
-      ->add_option("--onto", arguments.onto,
-                   "Carry the field of a surface onto this tet mesh and finish it there")
-      ->type_name("TETS");
-  command
-      ->add_option_function<std::string>(
-          "--boundary",
-          [&options](const std::string& name) {
-            options.onto.boundary = name == "all" ? TetBoundary::kAll : TetBoundary::kSmoothOnly;
-          },
-          "Boundary vertices of tets that are held to the surface: all (default), or smooth-only, which "
-          "leaves creases and corners free")
-      ->check(CLI::IsMember({"all", "smooth-only"}))
-      ->type_name("all|smooth-only");
+  add_tets_options(*command, arguments);
+  add_output_options(*command, arguments.output_options);
   command->add_option("--from", arguments.from, "Start from the field in this folder")->type_name("DIR");
   command->add_flag("--quiet", arguments.quiet, "Print no summary and no progress");
   command->add_flag("--progress", arguments.progress,
@@ -101,7 +150,7 @@ CLI::App* add_sample(CLI::App& app, SampleArguments& arguments) {
       ->type_name("");
   command->add_option("-o,--output", arguments.output, "File for the frames (default: standard output)")
       ->type_name("FILE");
-  command->add_option("--outside", arguments.outside, "File for the points outside the solid")
+  command->add_option("--outside", arguments.outside, "File for the points outside the field")
       ->type_name("FILE");
   return command;
 }

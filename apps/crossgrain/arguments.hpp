@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "crossgrain/io.hpp"
 #include "crossgrain/options.hpp"
 
 namespace crossgrain::app {
@@ -15,6 +16,7 @@ struct SolveArguments {
   std::string from;    ///< the folder of an earlier field; empty for none
   std::string onto;    ///< the tet mesh to carry the field onto; empty for none
   SolveOptions options;
+  OutputOptions output_options;
   bool quiet = false;
   bool progress = false;
   bool no_report = false;  ///< nothing depends on it as long as there is no page

@@ -38,7 +38,7 @@ void run_sample(const SampleArguments& arguments) {
   Monitor monitor;
   const Interruption interruption(monitor);
   const std::size_t outside = write_samples(field, points, {arguments.output, arguments.outside}, monitor);
-  print_message(fmt::format("{} of {} points are outside the solid{}", outside, points.size(),
+  print_message(fmt::format("{} of {} points are outside the field{}", outside, points.size(),
                             outside > 0 ? "; they got the nearest cell's frame" : ""));
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -47,14 +48,35 @@ std::optional<TetDomain> read_domain(const SolveArguments& arguments) {
   return naming(file, arguments, [&] { return TetDomain(std::move(mesh)); });
 }
 
-double longest_side(const std::vector<Vector3>& points) {
-  double longest = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [low, high] = std::minmax_element(
-        points.begin(), points.end(), [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
-    if (low != points.end()) longest = std::max(longest, (*high)[axis] - (*low)[axis]);
+Box bounds_of(const std::vector<Vector3>& points) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (const Vector3& point : points) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.low[axis] = std::min(box.low[axis], point[axis]);
+      box.high[axis] = std::max(box.high[axis], point[axis]);
+    }
   }
-  return longest;
+  return box;
+}
+
+double longest_side(const std::vector<Vector3>& points) {
+  const auto [low, high] = bounds_of(points);
+  return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 0.0});
+}
+
+/// A box beside the model is found out before the solve, not after it.
+void check_clip(const SolveArguments& arguments, const TriangleMesh& mesh) {
+  if (!arguments.output_options.clip || mesh.vertices.empty()) return;
+  const Box &clip = *arguments.output_options.clip, model = bounds_of(mesh.vertices);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (clip.low[axis] <= model.high[axis] && model.low[axis] <= clip.high[axis]) continue;
+    throw Error(
+        ErrorKind::kUsage,
+        fmt::format("{}: reaches from {:.6g} to {:.6g} along {}, beside the box of --clip; give the box in "
+                    "the model's unit",
+                    arguments.model, model.low[axis], model.high[axis], "xyz"[axis]));
+  }
 }
 
 /// A surface in millimetres and tets in metres make a field that looks right and is not, or a grid beyond any
@@ -121,13 +143,23 @@ std::string summary_of(const SolveReport& report, const std::string& output) {
   return text + fmt::format("result     {}\n", files_line(report, output));
 }
 
+/// What is missing would start from the nearest cells that are there, and the field end worse for it.
+void check_start(const SolveArguments& arguments) {
+  if (arguments.from.empty() || !is_clipped_field(arguments.from)) return;
+  throw Error(
+      ErrorKind::kInput,
+      arguments.from + ": holds only part of a field; start from one that was written without --clip");
+}
+
 /// Solves, carries onto the tets where there are any, and writes all files.
 SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point start,
                             const Monitor& monitor) {
+  check_start(arguments);
   monitor.report({"read", 0, 0, 0, 0});
   const std::optional<TetDomain> domain = read_domain(arguments);
   const TriangleMesh mesh = is_tet_file(arguments.model) ? domain->boundary() : read_surface(arguments.model);
   if (!arguments.onto.empty()) check_same_unit(arguments, mesh, *domain);
+  check_clip(arguments, mesh);
   const double read_seconds = seconds_since(start);
   monitor.check();
   const SolveOptions options = domain ? sized_for(*domain, arguments.options) : arguments.options;
@@ -143,12 +175,8 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   report.model.path = arguments.model;
   report.seconds.read = read_seconds;
   report.seconds.total = seconds_since(start);
-  if (tet_field) {
-    write_field(*tet_field, report, arguments.output, monitor);
-  } else {
-    write_field(field, report, arguments.output, monitor);
-  }
-  return report;
+  if (tet_field) return write_field(*tet_field, report, arguments.output, monitor, arguments.output_options);
+  return write_field(field, report, arguments.output, monitor, arguments.output_options);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,28 +33,48 @@ TetMesh read_tets(const std::filesystem::path& path);
 /// Whether `read_tets`, and not `read_surface`, takes a file of this name, by its extension.
 bool is_tet_file(const std::filesystem::path& path);
 
+/// How much of a field `write_field` writes to field.vtu; by default all of it. The report, and what is
+/// written for tets, are of the whole field in any case.
+struct OutputOptions {
+  /// Depth of the smallest cells written, 0 (the root cube) to 19. Leaves that are deeper become one cell,
+  /// the ancestor of this depth, also where that reaches out of the solid (docs/field-file.md).
+  std::optional<int> level;
+
+  /// Only cells that have a point in common with this box are written. Model units; bounds may be infinite.
+  std::optional<Box> clip;
+};
+
 /// Writes FOLDER/field.vtu (docs/field-file.md), which ParaView opens, and FOLDER/report.json
 /// (docs/report.md), making the folder where it is missing. Both are written beside and then renamed: a
 /// failure leaves what was there before. Files of an earlier field on tets are removed, so that a folder
 /// never holds a mix of two solves. The report's seconds.write is what that took; it is added to
-/// seconds.total, and peak_memory_bytes is brought up to date. Throws Error(kOutput), and Error(kInterrupted)
-/// once the monitor is cancelled.
-void write_field(const FrameField& field, const std::filesystem::path& folder, const Monitor& monitor = {});
+/// seconds.total, and peak_memory_bytes is brought up to date. Where no cell meets the box of `options`, all
+/// are written, with a warning in the report: a solve is not lost for a box. Returns the report as written.
+/// Throws Error(kOutput), Error(kUsage) for options that make no sense, and Error(kInterrupted) once the
+/// monitor is cancelled.
+SolveReport write_field(const FrameField& field, const std::filesystem::path& folder,
+                        const Monitor& monitor = {}, const OutputOptions& options = {});
 
 /// The same with `report`, the field's own with the model's path and the time of reading it filled in, say.
-void write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
-                 const Monitor& monitor = {});
+SolveReport write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
+                        const Monitor& monitor = {}, const OutputOptions& options = {});
 
 /// The same with FOLDER/onto.frames and FOLDER/onto.vtu (docs/field-file.md): all four files or none. Without
 /// `report`, the field's own.
-void write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
-                 const Monitor& monitor = {});
-void write_field(const TetFrameField& field, const std::filesystem::path& folder,
-                 const Monitor& monitor = {});
+SolveReport write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
+                        const Monitor& monitor = {}, const OutputOptions& options = {});
+SolveReport write_field(const TetFrameField& field, const std::filesystem::path& folder,
+                        const Monitor& monitor = {}, const OutputOptions& options = {});
 
-/// What `write_field` has written to a folder, to the bit; of a field on tets, the one on the grid. Throws
+/// What `write_field` has written to a folder, to the bit; of a field on tets, the one on the grid. Of part
+/// of a field or of merged cells, those: a field like any other, to which the rest is outside. Throws
 /// Error(kInput).
 FrameField read_field(const std::filesystem::path& folder);
+
+/// Whether cells are missing from the field in a folder, for it was written with a box (OutputOptions::clip).
+/// Not to be started from: `solve_from` would take the frames of the nearest cells for those. Throws
+/// Error(kInput).
+bool is_clipped_field(const std::filesystem::path& folder);
 
 /// Throws Error(kOutput) where `write_field` could not write to a folder; leaves no trace. To be asked before
 /// a solve.

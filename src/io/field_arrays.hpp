@@ -10,7 +10,7 @@
 namespace crossgrain {
 
 /// Names in the file. The first six are field data: numbers of the field as a whole, then one row a cell; the
-/// others are cell data.
+/// next three are cell data.
 namespace field_arrays {
 inline constexpr const char* kSchema = "crossgrain_schema";      ///< 1 x UInt32
 inline constexpr const char* kDegree = "degree";                 ///< 1 x UInt32: 3 or 4
@@ -21,6 +21,10 @@ inline constexpr const char* kOpenFaces = "open_faces";          ///< UInt8, as 
 inline constexpr const char* kEnergyDensity = "energy_density";  ///< Float32
 inline constexpr const char* kAlignment = "alignment_deg";       ///< Float32
 inline constexpr const char* kOnBoundary = "is_boundary";        ///< UInt8
+
+/// Field data of files that hold part of a field, to tell what part; nothing is read back from the numbers.
+inline constexpr const char* kOutputLevel = "output_level";  ///< 1 x UInt32: OutputOptions::level
+inline constexpr const char* kClipBox = "clip_box";  ///< 6 x Float64: low and high of OutputOptions::clip
 
 /// Counts up when one of these arrays changes its meaning.
 inline constexpr std::uint32_t kSchemaNumber = 1;

@@ -15,9 +15,11 @@
 #include "io/field_arrays.hpp"
 #include "io/json_file.hpp"
 #include "io/leaf_corners.hpp"
+#include "io/output_cells.hpp"
 #include "io/output_file.hpp"
 #include "io/report_file.hpp"
 #include "io/vtu_arrays.hpp"
+#include "io/vtu_reader.hpp"
 #include "io/vtu_writer.hpp"
 
 namespace crossgrain {
@@ -30,10 +32,8 @@ constexpr const char* kReportFile = "report.json";
 template <class ValueOf>
 VtuArray frame_array(const FieldData& data, const char* name, std::size_t components,
                      const ValueOf& value_of) {
-  return float_array(
-      VtuSection::kCellData, name, components, data.frames.size(),
-      [&data, value_of](std::size_t i) { return value_of(from_stored(data.frames[i])); },
-      VtuPacking::kSingleBytes);
+  return float_array(VtuSection::kCellData, name, components, data.frames.size(),
+                     [&data, value_of](std::size_t i) { return value_of(from_stored(data.frames[i])); });
 }
 
 /// The coefficients of a frame as the file has them, in single precision.
@@ -72,19 +72,25 @@ void add_cell_data(const FieldData& data, std::vector<VtuArray>& arrays) {
   arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kOnBoundary, data.on_boundary));
 }
 
+template <class Index>
+void add_cells(const LeafCorners& corners, std::size_t cells, std::vector<VtuArray>& arrays) {
+  arrays.push_back(vtu_array<Index>(VtuSection::kCells, "connectivity", 1, 8 * cells,
+                                    [&corners](std::size_t begin, std::size_t end, Index* out) {
+                                      corners.write_indices(begin, end, out);
+                                    }));
+  constexpr std::uint8_t kVtkVoxel = 11;
+  add_uniform_cells<Index>(cells, 8, kVtkVoxel, arrays);
+}
+
 void add_grid(const LeafCorners& corners, std::size_t cells, std::vector<VtuArray>& arrays) {
   arrays.push_back(vtu_array<double>(VtuSection::kPoints, "Points", 3, corners.size(),
                                      [&corners](std::size_t begin, std::size_t end, double* out) {
-                                       for (std::size_t i = begin; i < end; ++i, out += 3) {
-                                         std::ranges::copy(corners.position(i), out);
-                                       }
+                                       corners.write_positions(begin, end, out);
                                      }));
-  arrays.push_back(vtu_array<std::int64_t>(VtuSection::kCells, "connectivity", 1, 8 * cells,
-                                           [&corners](std::size_t begin, std::size_t end, std::int64_t* out) {
-                                             corners.write_indices(begin, end, out);
-                                           }));
-  constexpr std::uint8_t kVtkVoxel = 11;
-  add_uniform_cells<std::int64_t>(cells, 8, kVtkVoxel, arrays);
+  if (fits_32_bits(corners.size(), 8 * cells))
+    add_cells<std::int32_t>(corners, cells, arrays);
+  else
+    add_cells<std::int64_t>(corners, cells, arrays);
 }
 
 /// Numbers that belong to the field as a whole.
@@ -110,25 +116,54 @@ void add_field_data(const FieldData& data, std::vector<VtuArray>& arrays) {
                                [&leaves](std::size_t begin, std::size_t end, std::uint64_t* out) {
                                  for (std::size_t i = begin; i < end; ++i) *out++ = leaves[i].packed();
                                }));
-  arrays.push_back(vtu_array<float>(VtuSection::kFieldData, field_arrays::kFrame, 4, data.frames.size(),
-                                    [&data](std::size_t begin, std::size_t end, float* out) {
-                                      for (std::size_t i = begin; i < end; ++i) {
-                                        const StoredQuaternion& q = data.frames[i];
-                                        for (const float part : {q.w, q.x, q.y, q.z}) *out++ = part;
-                                      }
-                                    }));
+  arrays.push_back(vtu_array<float>(
+      VtuSection::kFieldData, field_arrays::kFrame, 4, data.frames.size(),
+      [&data](std::size_t begin, std::size_t end, float* out) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const StoredQuaternion& q = data.frames[i];
+          for (const float part : {q.w, q.x, q.y, q.z}) *out++ = part;
+        }
+      },
+      VtuPacking::kMeasured));
   arrays.push_back(stored_array(VtuSection::kFieldData, field_arrays::kOpenFaces, data.open_faces));
 }
 
-void write_field_file(const FieldData& data, OutputFile& file, const Monitor& monitor) {
+/// What of the whole field is here, where that is not all of it.
+void add_extent(const OutputOptions& options, std::vector<VtuArray>& arrays) {
+  if (options.level)
+    arrays.push_back(constant_array<std::uint32_t>(field_arrays::kOutputLevel,
+                                                   {static_cast<std::uint32_t>(*options.level)}));
+  if (options.clip) {
+    const auto& [low, high] = *options.clip;
+    arrays.push_back(
+        constant_array<double>(field_arrays::kClipBox, {low[0], low[1], low[2], high[0], high[1], high[2]}));
+  }
+}
+
+void write_field_file(const FieldData& data, const OutputOptions& options, OutputFile& file,
+                      const Monitor& monitor) {
   const LeafCorners corners(data.tree);
   std::vector<VtuArray> arrays;
   add_field_data(data, arrays);
+  add_extent(options, arrays);
   add_cell_data(data, arrays);
   add_grid(corners, data.tree.size(), arrays);
   watch(arrays, monitor);
   write_vtu(file, corners.size(), data.tree.size(), arrays);
   file.finish();
+}
+
+/// Writes what the options ask for; without the box where nothing meets it, of which the report warns then.
+void write_chosen_cells(const FieldData& data, OutputOptions options, OutputFile& file, SolveReport& report,
+                        const Monitor& monitor) {
+  if (ask_for_all(options, data.tree)) return write_field_file(data, options, file, monitor);
+  FieldData part = output_cells(data, options, monitor);
+  if (part.tree.size() == 0) {
+    report.warnings.push_back("no cell meets the clip box; field.vtu holds the cells of the whole model");
+    options.clip.reset();
+    return write_chosen_cells(data, options, file, report, monitor);
+  }
+  write_field_file(part, options, file, monitor);
 }
 
 }  // namespace
@@ -137,12 +172,14 @@ void check_field_folder(const std::filesystem::path& folder) {
   check_writable(folder, {kFieldFile, kReportFile});
 }
 
-void write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
-                     const Monitor& monitor, const std::function<void(OutputFolder&)>& add_files) {
+SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
+                            const Monitor& monitor, const OutputOptions& options,
+                            const std::function<void(OutputFolder&)>& add_files) {
+  check_output_options(options);
   Stopwatch stopwatch;
   stopwatch.start();
   OutputFolder output(folder);
-  write_field_file(field.data(), output.create(kFieldFile), monitor);
+  write_chosen_cells(field.data(), options, output.create(kFieldFile), report, monitor);
   add_files(output);
   report.seconds.write = stopwatch.restart();
   report.seconds.total += report.seconds.write;
@@ -150,26 +187,32 @@ void write_field_and(const FrameField& field, SolveReport report, const std::fil
   write_json(output.create(kReportFile), report_json(report));
   monitor.check();
   output.commit();
+  return report;
 }
 
-void write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
-                 const Monitor& monitor) {
+SolveReport write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
+                        const Monitor& monitor, const OutputOptions& options) {
   // A field that was read from a folder with tets tells of them, and files of an earlier field with tets
   // would pass for this one's.
   report.onto.reset();
-  write_field_and(field, std::move(report), folder, monitor, [](OutputFolder& output) {
+  return write_field_and(field, std::move(report), folder, monitor, options, [](OutputFolder& output) {
     for (const char* name : kOntoFiles) output.remove_at_commit(name);
   });
 }
 
-void write_field(const FrameField& field, const std::filesystem::path& folder, const Monitor& monitor) {
-  write_field(field, field.report(), folder, monitor);
+SolveReport write_field(const FrameField& field, const std::filesystem::path& folder, const Monitor& monitor,
+                        const OutputOptions& options) {
+  return write_field(field, field.report(), folder, monitor, options);
 }
 
 FrameField read_field(const std::filesystem::path& folder) {
   auto data = std::make_shared<FieldData>(read_field_arrays(folder / kFieldFile));
   data->report = read_report(folder / kReportFile);
   return FrameField(std::move(data));
+}
+
+bool is_clipped_field(const std::filesystem::path& folder) {
+  return VtuFile(folder / kFieldFile).find(VtuSection::kFieldData, field_arrays::kClipBox) != nullptr;
 }
 
 }  // namespace crossgrain

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "crossgrain/frame_field.hpp"
+#include "crossgrain/io.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/report.hpp"
 #include "io/output_file.hpp"
@@ -18,7 +19,8 @@ inline constexpr std::array kOntoFiles = {"onto.frames", "onto.vtu"};
 
 /// `write_field` (crossgrain/io.hpp) with further files, which appear together with field.vtu and report.json
 /// or not at all. add_files creates and writes them; it counts in the report's seconds.write.
-void write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
-                     const Monitor& monitor, const std::function<void(OutputFolder&)>& add_files);
+SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
+                            const Monitor& monitor, const OutputOptions& options,
+                            const std::function<void(OutputFolder&)>& add_files);
 
 }  // namespace crossgrain

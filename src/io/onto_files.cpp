@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "analysis/orthonormal_frame.hpp"
@@ -54,10 +53,8 @@ void add_mesh(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
       [&mesh](std::size_t begin, std::size_t end, double* out) {
         for (std::size_t i = begin; i < end; ++i, out += 3) std::ranges::copy(mesh.vertices[i], out);
       },
-      VtuPacking::kSingleBytes));
-  // In 32 bits the connectivity takes half the time, and 15 % less space.
-  constexpr std::size_t kMost32 = std::numeric_limits<std::int32_t>::max();
-  if (std::max(mesh.vertices.size(), 4 * mesh.tets.size()) <= kMost32)
+      VtuPacking::kMeasured));
+  if (fits_32_bits(mesh.vertices.size(), 4 * mesh.tets.size()))
     add_tets<std::int32_t>(mesh, arrays);
   else
     add_tets<std::int64_t>(mesh, arrays);
@@ -79,22 +76,25 @@ void write_grid(OutputFile& file, const TetMesh& mesh, const TetField& onto, con
 
 }  // namespace
 
-void write_field_onto(const FrameField& field, SolveReport report, const TetMesh& mesh, const TetField& onto,
-                      const std::filesystem::path& folder, const Monitor& monitor) {
+SolveReport write_field_onto(const FrameField& field, SolveReport report, const TetMesh& mesh,
+                             const TetField& onto, const std::filesystem::path& folder,
+                             const Monitor& monitor, const OutputOptions& options) {
   assert(onto.vertex_frames.size() == mesh.vertices.size() && onto.tet_frames.size() == mesh.tets.size());
-  write_field_and(field, std::move(report), folder, monitor, [&](OutputFolder& output) {
+  return write_field_and(field, std::move(report), folder, monitor, options, [&](OutputFolder& output) {
     write_frames(output.create(kFramesFile), onto.vertex_frames, monitor);
     write_grid(output.create(kGridFile), mesh, onto, monitor);
   });
 }
 
-void write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
-                 const Monitor& monitor) {
-  write_field_onto(field.grid(), std::move(report), field.domain().mesh(), field.data(), folder, monitor);
+SolveReport write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
+                        const Monitor& monitor, const OutputOptions& options) {
+  return write_field_onto(field.grid(), std::move(report), field.domain().mesh(), field.data(), folder,
+                          monitor, options);
 }
 
-void write_field(const TetFrameField& field, const std::filesystem::path& folder, const Monitor& monitor) {
-  write_field(field, field.report(), folder, monitor);
+SolveReport write_field(const TetFrameField& field, const std::filesystem::path& folder,
+                        const Monitor& monitor, const OutputOptions& options) {
+  return write_field(field, field.report(), folder, monitor, options);
 }
 
 void check_onto_folder(const std::filesystem::path& folder) {

@@ -9,13 +9,15 @@
 
 #include "analysis/tet_field.hpp"
 #include "crossgrain/frame_field.hpp"
+#include "crossgrain/io.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/report.hpp"
 
 namespace crossgrain {
 
 /// `write_field` (crossgrain/io.hpp) with onto.frames and onto.vtu: all four files or none.
-void write_field_onto(const FrameField& field, SolveReport report, const TetMesh& mesh, const TetField& onto,
-                      const std::filesystem::path& folder, const Monitor& monitor = {});
+SolveReport write_field_onto(const FrameField& field, SolveReport report, const TetMesh& mesh,
+                             const TetField& onto, const std::filesystem::path& folder,
+                             const Monitor& monitor = {}, const OutputOptions& options = {});
 
 }  // namespace crossgrain

@@ -18,6 +18,10 @@ namespace {
 /// Small writes (lines of text) are gathered up to this size; larger ones go to the disk as they are.
 constexpr std::size_t kBufferBytes = 1 << 18;
 
+/// The disk is asked to begin with what is written, in steps of this size: left to itself it begins when all
+/// is written, and the end waits for all of it.
+[[maybe_unused]] constexpr std::uint64_t kSentBytes = 1 << 23;
+
 // Less what the user's umask takes away.
 constexpr mode_t kFileMode = 0666;
 constexpr mode_t kFolderMode = 0777;
@@ -111,6 +115,7 @@ void OutputFile::write(std::string_view bytes) {
   if (bytes.size() > kBufferBytes) {
     write_at(flushed_, bytes);
     flushed_ += bytes.size();
+    start_writing_back();
   } else {
     buffer_ += bytes;
   }
@@ -120,6 +125,17 @@ void OutputFile::flush() {
   write_at(flushed_, buffer_);
   flushed_ += buffer_.size();
   buffer_.clear();
+  start_writing_back();
+}
+
+void OutputFile::start_writing_back() {
+#ifdef SYNC_FILE_RANGE_WRITE
+  if (temporary_.empty() || flushed_ - sent_ < kSentBytes) return;
+  // Only a hint: what goes wrong shows when the file is finished.
+  ::sync_file_range(descriptor_, static_cast<off_t>(sent_), static_cast<off_t>(flushed_ - sent_),
+                    SYNC_FILE_RANGE_WRITE);
+  sent_ = flushed_;
+#endif
 }
 
 void OutputFile::write_at(std::uint64_t offset, std::string_view bytes) {

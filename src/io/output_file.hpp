@@ -49,6 +49,7 @@ class OutputFile {
   OutputFile(std::string name, int descriptor);
 
   void flush();
+  void start_writing_back();
   void write_at(std::uint64_t offset, std::string_view bytes);
   [[noreturn]] void fail(const char* doing, int code) const;
 
@@ -56,6 +57,7 @@ class OutputFile {
   std::string temporary_;  ///< empty where written to directly
   int descriptor_ = -1;
   std::uint64_t flushed_ = 0;
+  std::uint64_t sent_ = 0;  ///< of these, what the disk has been asked to begin with
   std::string buffer_;
 };
 

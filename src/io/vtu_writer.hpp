@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // VTK XML UnstructuredGrid files (.vtu): appended raw data in zlib blocks. See vtu_types.hpp for the layout.
 //
-// Data stream through: a few blocks at a time are filled by the caller, compressed in parallel and written,
-// so that memory does not grow with the field. Offsets and block sizes, which precede the data in the file,
-// are put into their reserved places afterwards; compressing into memory first would hold the whole file
-// there.
+// Data stream through: a few blocks at a time are filled by the caller and compressed in parallel, while
+// those before them are written, so that memory does not grow with the field. Offsets and block sizes, which
+// precede the data in the file, are put into their reserved places afterwards; compressing into memory first
+// would hold the whole file there.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +15,9 @@
 
 #include "io/output_file.hpp"
 #include "io/vtu_types.hpp"
+#include "io/zlib_packer.hpp"
 
 namespace crossgrain {
-
-/// How zlib packs an array. Numbers that do not repeat, such as directions, take a quarter of the time
-/// without the search for repetitions and come out no larger; where many cells have the same frame they do
-/// (13 % of a file of a cylinder).
-enum class VtuPacking { kRepetitions, kSingleBytes };
 
 /// An array to be written: `tuples` rows of `components` values.
 struct VtuArray {
@@ -53,7 +49,7 @@ VtuArray vtu_array(VtuSection section, std::string name, std::size_t components,
 
 struct VtuOptions {
   /// Of zlib, 1 to 9. On the points, indices and axes of a field 6 takes eight times as long as 1 and its
-  /// files are 2 % larger; axes alone shrink by 11 % with either.
+  /// files are 2 % larger.
   int compression_level = 1;
 };
 

@@ -31,7 +31,7 @@ class Sample(CommandTest):
             self.assertGreater(np.linalg.det(axes), 0)
             # The box's own frame: every axis along a coordinate axis.
             np.testing.assert_allclose(np.abs(axes).max(axis=1), 1, atol=1e-5)
-        self.assertEqual(result.stderr, "crossgrain: 0 of 3 points are outside the solid\n")
+        self.assertEqual(result.stderr, "crossgrain: 0 of 3 points are outside the field\n")
 
     def test_numbers_have_the_digits_that_read_back_as_the_same_bits(self):
         for word in self.sample("0.3 0.4 0.5\n").stdout.split():

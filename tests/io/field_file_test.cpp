@@ -11,7 +11,6 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "io/field_arrays.hpp"
-#include "io/leaf_corners.hpp"
 #include "io/onto_files.hpp"
 #include "io/sample_field.hpp"
 #include "io/temporary_folder.hpp"
@@ -68,7 +67,7 @@ TEST(FieldFile, HasEveryCellAsAVoxelOfSharedPoints) {
   write_field(field_of(data), folder.path());
   const VtuFile file(folder.path() / "field.vtu");
   const auto points = file.read<double>(VtuSection::kPoints, "Points", 3);
-  const auto connectivity = file.read<std::int64_t>(VtuSection::kCells, "connectivity", 1);
+  const auto connectivity = file.read<std::int32_t>(VtuSection::kCells, "connectivity", 1);
   // 5 corners along each side of 4 cells, and those of the cell that is split in two each way.
   EXPECT_EQ(file.points(), 5u * 5 * 5 + 27 - 8);
   ASSERT_EQ(connectivity.size(), 8 * data.tree.size());
@@ -80,19 +79,6 @@ TEST(FieldFile, HasEveryCellAsAVoxelOfSharedPoints) {
         EXPECT_EQ(points[3 * static_cast<std::size_t>(connectivity[8 * i + corner]) + axis], expected);
       }
     }
-  }
-}
-
-TEST(LeafCorners, AreFoundFromAnyEntryOn) {
-  const Octree tree = sample_tree(4);
-  const LeafCorners corners(tree);
-  std::vector<std::int64_t> whole(8 * tree.size());
-  corners.write_indices(0, whole.size(), whole.data());
-  EXPECT_EQ(static_cast<std::size_t>(*std::max_element(whole.begin(), whole.end())) + 1, corners.size());
-  for (std::size_t begin = 0; begin < whole.size(); begin += 1013) {
-    std::vector<std::int64_t> part(std::min<std::size_t>(501, whole.size() - begin));
-    corners.write_indices(begin, begin + part.size(), part.data());
-    EXPECT_TRUE(std::equal(part.begin(), part.end(), whole.begin() + static_cast<std::ptrdiff_t>(begin)));
   }
 }
 
