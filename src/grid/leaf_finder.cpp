@@ -33,13 +33,4 @@ std::pair<CellIndex, CellIndex> LeafFinder::over(CellAddress cell) const {
   return {index(after), index(last)};
 }
 
-std::optional<CellAddress> moved(CellAddress cell, const std::array<int, 3>& offset) {
-  GridPoint corner = cell.corner();
-  for (int axis = 0; axis < 3; ++axis) {
-    corner[axis] += offset[axis] * cell.width();
-    if (corner[axis] < 0 || corner[axis] >= std::int32_t{1} << kMaxDepth) return std::nullopt;
-  }
-  return CellAddress(corner, cell.depth());
-}
-
 }  // namespace crossgrain

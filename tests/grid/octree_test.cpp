@@ -225,6 +225,28 @@ TEST(Balance, IsFoundMissingByTheCheck) {
   EXPECT_FALSE(balanced_by_brute_force(tree));
 }
 
+TEST(Moved, IsTheCellThatManyWidthsAway) {
+  RandomSamples random(22);
+  constexpr std::int32_t kEnd = std::int32_t{1} << kMaxDepth;
+  for (int depth = 0; depth <= kMaxDepth; ++depth) {
+    for (int trial = 0; trial < 200; ++trial) {
+      CellAddress cell = CellAddress::root();
+      for (int d = 0; d < depth; ++d) cell = cell.child(random.integer(0, 7));
+      std::array<int, 3> step;
+      for (int& entry : step) entry = random.integer(-1, 1);
+      GridPoint corner = cell.corner();
+      bool outside = false;
+      for (int axis = 0; axis < 3; ++axis) {
+        corner[axis] += step[axis] * cell.width();
+        outside = outside || corner[axis] < 0 || corner[axis] >= kEnd;
+      }
+      const auto there = moved(cell, step);
+      ASSERT_EQ(there.has_value(), !outside);
+      ASSERT_TRUE(outside || *there == CellAddress(corner, depth));
+    }
+  }
+}
+
 TEST(LeafFinder, FindsWhatTheOctreeFinds) {
   RandomSamples random(21);
   for (int trial = 0; trial < 4; ++trial) {
