@@ -83,8 +83,8 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   solved.connectivity = {};
   monitor.check();
   {
-    const Sampler sampler(solved.level.tree, solved.frames, solved.open_faces);
-    AlignmentMeasurement alignment = measure_alignment(solved.level, solid, sampler);
+    AlignmentMeasurement alignment =
+        measure_alignment(solved.level, solid, {solved.level.tree, solved.frames, solved.open_faces});
     data->alignment_deg = std::move(alignment.leaf_mean_deg);
     data->report = report_of(solid, solved, alignment, options);
   }
