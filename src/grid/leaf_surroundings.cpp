@@ -86,6 +86,10 @@ void LeafSurroundings::move_to(CellIndex leaf) {
   if (cell.parent() != parent_) {
     parent_ = cell.parent();
     looked_up_ = 0;
+    if (parent_.depth() > 0 && parent_.parent() != grandparent_) {
+      grandparent_ = parent_.parent();
+      found_ = 0;
+    }
     larger_ = equal_ = occupied_ = 0;
   }
   own_slot_ = slot_of_octant(cell.octant());
@@ -99,12 +103,31 @@ bool LeafSurroundings::is_even() const {
   return ((occupied_ & ~equal_) & slots_around(own_slot_)) == 0;
 }
 
+/// The leaves over the cell at `step` from the parent, of its size.
+LeafRange LeafSurroundings::over_beside_parent(const Step& step) {
+  const auto find = [&]() -> LeafRange {
+    const auto cell = moved(parent_, step);
+    if (!cell) return {};
+    const auto [first, last] = finder_.over(*cell);
+    return {first, last};
+  };
+  if (parent_.depth() == 0) return find();
+  const int slot = slot_of_octant(parent_.octant()) + step[0] + 4 * step[1] + 16 * step[2];
+  LeafRange& range = parent_ranges_[static_cast<std::size_t>(slot)];
+  if (!(found_ >> slot & 1)) {
+    range = find();
+    found_ |= std::uint64_t{1} << slot;
+  }
+  return range;
+}
+
 void LeafSurroundings::look_up(int parent_number) {
   looked_up_ |= std::uint32_t{1} << parent_number;
   const SlottedChildren& slotted = kChildrenInSlots[static_cast<std::size_t>(parent_number)];
-  const auto cell = moved(parent_, {parent_number % 3 - 1, parent_number / 3 % 3 - 1, parent_number / 9 - 1});
-  const auto [first, last] = cell ? finder_.over(*cell) : std::pair<CellIndex, CellIndex>{0, 0};
+  const Step step{parent_number % 3 - 1, parent_number / 3 % 3 - 1, parent_number / 9 - 1};
+  const auto [first, last] = over_beside_parent(step);
   const bool one_leaf = first < last && tree_[first].depth() <= parent_.depth();
+  const auto cell = moved(parent_, step);
   for (int k = 0; k < slotted.count; ++k) {
     const auto [octant, slot] = slotted.children[static_cast<std::size_t>(k)];
     if (first == last || one_leaf) {

@@ -3,7 +3,8 @@
 //
 // The 4 x 4 x 4 cells of a leaf's size in and around its parent P hold all that touches the leaf or one of
 // its siblings. They lie in the 27 cells of P's size that touch P, so it takes 27 searches for all eight
-// siblings, and 8 for one of them alone:
+// siblings, and 8 for one of them alone. In the same way, those 27 cells are among the 64 of P's size in and
+// around P's own parent, which are searched for once for all the children of that:
 //
 //   +---+-------+---+
 //   |12 | 13  14|15 |   one layer of cells, by their slots, which are x + 4 y + 16 z
@@ -58,6 +59,7 @@ class LeafSurroundings {
     return static_cast<std::size_t>(own_slot_ + step[0] + 4 * step[1] + 16 * step[2]);
   }
   void look_up(int parent_number);
+  LeafRange over_beside_parent(const Step& step);
   void place(LeafRange leaves, CellAddress cell, int child_slot);
 
   const Octree& tree_;
@@ -68,6 +70,11 @@ class LeafSurroundings {
   std::uint32_t looked_up_ = 0;  ///< which of the 27 cells of the parent's size, bit by bit
   std::uint64_t larger_ = 0, equal_ = 0, occupied_ = 0;  ///< slot by slot
   std::array<LeafRange, 64> ranges_;
+
+  // The same around the parent's parent.
+  CellAddress grandparent_ = CellAddress::from_packed(~std::uint64_t{0});
+  std::uint64_t found_ = 0;  ///< which of these ranges are known
+  std::array<LeafRange, 64> parent_ranges_;
 };
 
 }  // namespace crossgrain
