@@ -61,14 +61,15 @@ class TurnFit {
 
   /// W, zero in directions that no d has a part in.
   std::array<Vector3, 3> solve() const {
+    const auto& [xx, xy, xz, yy, yz, zz] = normal_;
+    const SymmetricMatrix3 adjugate{yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy,
+                                    xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy};
+    const double determinant = xx * adjugate[0] + xy * adjugate[1] + xz * adjugate[2];
+    const double trace = xx + yy + zz;
     std::array<Vector3, 3> rows{};
-    if (normal_[1] == 0 && normal_[2] == 0 && normal_[4] == 0) {  // where all leaves are of one size
-      const Vector3 values{normal_[0], normal_[3], normal_[5]};
-      const double least = kSmallestSpread * std::max({values[0], values[1], values[2]});
-      for (int k = 0; k < 3; ++k) {
-        if (!(values[k] > least)) continue;
-        for (int row = 0; row < 3; ++row) rows[row][k] = right_[row][k] / values[k];
-      }
+    // No eigenvalue is below 4 determinant / trace^2: as a rule there are neighbours in all directions.
+    if (4 * determinant > kSmallestSpread * trace * trace * trace) {
+      for (int row = 0; row < 3; ++row) rows[row] = 1 / determinant * apply(adjugate, right_[row]);
       return rows;
     }
     const Eigensystem3 system = eigensystem(normal_);
