@@ -25,10 +25,11 @@ constexpr double kSmallestSpread = 0.02;
 /// degrees, no other names bring them nearer.
 constexpr double kSurelyAlike = 0.86;
 
-/// 2 atan(t) / t by its series, in t^2; good to 1e-10 for turns up to kLargestTurn_rad.
+/// 2 atan(t) / t by its series, in t^2; good to 1e-8 for turns up to kLargestTurn_rad, which are stored in
+/// single precision.
 double twice_arc_tangent_over(double tt) {
   double sum = 0;
-  for (int order = 19; order >= 1; order -= 2) sum = 2.0 / order - tt * sum;
+  for (int order = 13; order >= 1; order -= 2) sum = 2.0 / order - tt * sum;
   return sum;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 
 namespace crossgrain {
 namespace {
@@ -123,23 +124,20 @@ LeafRange LeafSurroundings::over_beside_parent(const Step& step) {
 
 void LeafSurroundings::look_up(int parent_number) {
   looked_up_ |= std::uint32_t{1} << parent_number;
+  const LeafRange leaves =
+      over_beside_parent({parent_number % 3 - 1, parent_number / 3 % 3 - 1, parent_number / 9 - 1});
   const SlottedChildren& slotted = kChildrenInSlots[static_cast<std::size_t>(parent_number)];
-  const Step step{parent_number % 3 - 1, parent_number / 3 % 3 - 1, parent_number / 9 - 1};
-  const auto [first, last] = over_beside_parent(step);
-  const bool one_leaf = first < last && tree_[first].depth() <= parent_.depth();
-  const auto cell = moved(parent_, step);
-  for (int k = 0; k < slotted.count; ++k) {
-    const auto [octant, slot] = slotted.children[static_cast<std::size_t>(k)];
-    if (first == last || one_leaf) {
-      ranges_[static_cast<std::size_t>(slot)] = {first, last};
-    } else {
-      place({first, last}, cell->child(octant), slot);
-    }
-  }
-  if (one_leaf) {
+  const std::span children(slotted.children.data(), static_cast<std::size_t>(slotted.count));
+  if (leaves.empty() || tree_[leaves.first].depth() <= parent_.depth()) {
+    for (const auto& [octant, slot] : children) ranges_[static_cast<std::size_t>(slot)] = leaves;
+    if (leaves.empty()) return;
     larger_ |= slotted.slots;
     occupied_ |= slotted.slots;
+    return;
   }
+  CellAddress cell = tree_[leaves.first].parent();
+  while (cell.depth() > parent_.depth()) cell = cell.parent();
+  for (const auto& [octant, slot] : children) place(leaves, cell.child(octant), slot);
 }
 
 /// Fills a slot with those of `leaves`, all in the parent of `cell`, that are in `cell`.
