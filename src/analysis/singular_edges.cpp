@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cassert>
-#include <cmath>
 
 #include "analysis/matching.hpp"
 #include "base/parallel.hpp"
@@ -15,10 +14,6 @@ namespace {
 /// Leaves that one task looks at.
 constexpr std::size_t kLeafGrain = 1024;
 
-/// Cosine of half the turn between two frames as they are named, above which no other names bring them
-/// nearer: that begins at a turn of 45 degrees, and so much more is out of doubt in single precision.
-constexpr float kSurelyAlike = 0.93f;
-
 class SingularEdgeFinder {
  public:
   SingularEdgeFinder(const Octree& tree, std::span<const StoredQuaternion> frames,
@@ -27,9 +22,11 @@ class SingularEdgeFinder {
 
   /// Adds the singular edges that leaves [begin, end) own: of the leaves around an edge the smallest, of
   /// several the first.
-  void find(CellIndex begin, CellIndex end, std::vector<GridEdge>& found) const {
+  void find(CellIndex begin, CellIndex end, std::span<const std::uint8_t> owners,
+            std::vector<GridEdge>& found) const {
     LeafSurroundings around(tree_, finder_);
     for (CellIndex i = begin; i < end; ++i) {
+      if (!owners.empty() && !owners[i]) continue;
       around.move_to(i);
       find(around, found);
     }
@@ -51,7 +48,7 @@ class SingularEdgeFinder {
           continue;
         const std::array ring{i, around.over(to_u).first, around.over(diagonal).first,
                               around.over(to_v).first};
-        if (are_surely_alike(ring)) continue;
+        if (are_all_surely_alike(ring)) continue;
         const CubeRotation turn =
             turn_around(ring, {face_u, face_v, opposite_face(face_u), opposite_face(face_v)});
         if (!turn.is_identity()) found.push_back(edge_of(i, axis, face_u, face_v, turn));
@@ -65,11 +62,9 @@ class SingularEdgeFinder {
     return around.is_larger(step) || (around.is_equal(step) && around.leaf() < around.over(step).first);
   }
 
-  /// Whether all matchings around the ring are certain to be the identity, as they are nearly everywhere.
-  bool are_surely_alike(const std::array<CellIndex, 4>& ring) const {
+  bool are_all_surely_alike(const std::array<CellIndex, 4>& ring) const {
     for (std::size_t step = 0; step < 4; ++step) {
-      const StoredQuaternion &p = frames_[ring[step]], &q = frames_[ring[(step + 1) % 4]];
-      if (!(std::abs(p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z) > kSurelyAlike)) return false;
+      if (!are_surely_alike(frames_[ring[step]], frames_[ring[(step + 1) % 4]])) return false;
     }
     return true;
   }
@@ -118,12 +113,13 @@ class SingularEdgeFinder {
 }  // namespace
 
 std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
-                                     std::span<const std::uint8_t> open_faces) {
+                                     std::span<const std::uint8_t> open_faces,
+                                     std::span<const std::uint8_t> owners) {
   assert(frames.size() == tree.size() && open_faces.size() == tree.size());
   const SingularEdgeFinder finder(tree, frames, open_faces);
   std::vector<std::vector<GridEdge>> runs((tree.size() + kLeafGrain - 1) / kLeafGrain);
   parallel_for_chunks(tree.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
-    finder.find(static_cast<CellIndex>(begin), static_cast<CellIndex>(end), runs[begin / kLeafGrain]);
+    finder.find(static_cast<CellIndex>(begin), static_cast<CellIndex>(end), owners, runs[begin / kLeafGrain]);
   });
   std::vector<GridEdge> edges;
   for (const auto& run : runs) edges.insert(edges.end(), run.begin(), run.end());
