@@ -94,6 +94,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   NeighbourComparison compared =
       compare_neighbours(solved.level.tree, solved.connectivity->adjacency, solved.frames);
   solved.connectivity = {};
+  std::vector<FaceNeighbours>().swap(solved.level.neighbours);
   data->energy_density = std::move(compared.energy_density);
   monitor.check();
   {
