@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analysis/alignment.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "analysis/angle_statistics.hpp"
+#include "analysis/frame_blend.hpp"
+#include "analysis/turn_cache.hpp"
 #include "base/parallel.hpp"
 #include "constraint/classification.hpp"
 #include "grid/cell_constraints.hpp"
@@ -13,27 +16,8 @@
 namespace crossgrain {
 namespace {
 
-/// One number per piece, in the order of GridLevel::pieces; kExcluded for those in leaves that no frame
-/// suits.
-using PieceAngles = std::vector<float>;
-constexpr float kExcluded = -1;
-
-/// The leaf's mean; writes its pieces' angles.
-double measure_leaf(const GridLevel& level, const Solid& solid, const Sampler& sampler, CellIndex i,
-                    bool included, PieceAngles& angles) {
-  const Box box = level.tree.root().box(level.tree[i]);
-  double weighted = 0, area = 0;
-  for (std::uint32_t k = level.piece_begin[i]; k < level.piece_begin[i + 1]; ++k) {
-    const SurfacePiece& piece = level.pieces[k];
-    const Vector3 centroid = clip_triangle(solid.surface.corners(piece.triangle), box).centroid;
-    const double angle =
-        angle_to_nearest_axis_deg(sampler.in_leaf(i, centroid), solid.surface.normals[piece.triangle]);
-    angles[k] = included ? static_cast<float>(angle) : kExcluded;
-    weighted += piece.area * angle;
-    area += piece.area;
-  }
-  return area > 0 ? weighted / area : 0;
-}
+/// Leaves that one task measures: enough that few turns are worked out by two tasks.
+constexpr std::size_t kLeafGrain = 4096;
 
 void count(ConstraintClass constraint_class, SolveReport::Spectrum& spectrum) {
   switch (constraint_class) {
@@ -56,37 +40,102 @@ void count(ConstraintClass constraint_class, SolveReport::Spectrum& spectrum) {
   }
 }
 
-/// The statistics of the angles that are not excluded, each weighted by its piece's area.
-SolveReport::Alignment summed_up(const std::vector<SurfacePiece>& pieces, const PieceAngles& angles) {
-  struct WeightedAngle {
-    float angle, area;
-    auto operator<=>(const WeightedAngle&) const = default;
-  };
-  std::vector<WeightedAngle> included;
-  double included_area = 0, excluded_area = 0, weighted = 0;
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    if (angles[k] == kExcluded) {
-      excluded_area += pieces[k].area;
-      continue;
-    }
-    included.push_back({angles[k], pieces[k].area});
-    included_area += pieces[k].area;
-    weighted += static_cast<double>(pieces[k].area) * angles[k];
-  }
-  SolveReport::Alignment alignment;
-  if (excluded_area > 0) alignment.excluded_share = excluded_area / (excluded_area + included_area);
-  if (included.empty()) return alignment;
-  std::sort(included.begin(), included.end());
-  alignment.mean = weighted / included_area;
-  alignment.max = included.back().angle;
-  alignment.p95 = alignment.max;
-  double above = 0;
-  for (auto it = included.rbegin(); it != included.rend() && above <= 0.05 * included_area; ++it) {
-    alignment.p95 = it->angle;
-    above += it->area;
-  }
-  return alignment;
+void add(const SolveReport::Spectrum& part, SolveReport::Spectrum& whole) {
+  whole.plane += part.plane;
+  whole.axis += part.axis;
+  whole.frame += part.frame;
+  whole.free += part.free;
+  whole.conflicted += part.conflicted;
 }
+
+/// Measures the pieces of a run of leaves, several side by side.
+class RunOfLeaves {
+ public:
+  RunOfLeaves(const GridLevel& level, const Solid& solid, const LeafField& field, CellIndex begin,
+              CellIndex end)
+      : level_(level),
+        solid_(solid),
+        field_(field),
+        begin_(begin),
+        end_(end),
+        around_(field.tree, field.finder),
+        turns_(field),
+        leaves_(end - begin),
+        terms_(kTermsAtOnce) {}
+
+  /// Writes the angles of all pieces and the means of all leaves.
+  SolveReport::Spectrum measure(std::vector<float>& angles, std::vector<float>& leaf_mean_deg) {
+    SolveReport::Spectrum spectrum;
+    for (CellIndex i = begin_; i < end_; ++i) {
+      if (!level_.holds_surface(i)) continue;
+      const ConstraintClass constraints = constraint_class(level_, solid_, i);
+      count(constraints, spectrum);
+      around_.move_to(i);
+      for (std::uint32_t k = level_.piece_begin[i]; k < level_.piece_begin[i + 1]; ++k) {
+        if (point_count_ == kPointsAtOnce || term_count_ + LeavesAround::kMost > kTermsAtOnce)
+          measure_points(angles);
+        add_point(k, compatible(constraints));
+      }
+    }
+    measure_points(angles);
+    for (CellIndex i = begin_; i < end_; ++i) {
+      const auto& [weighted, area] = leaves_[i - begin_];
+      leaf_mean_deg[i] = area > 0 ? static_cast<float>(weighted / area) : 0;
+    }
+    return spectrum;
+  }
+
+ private:
+  static constexpr std::size_t kPointsAtOnce = 64, kTermsAtOnce = 16 * kPointsAtOnce;
+
+  struct Point {
+    CellIndex leaf;
+    std::uint32_t piece;
+    bool included;
+  };
+  struct LeafSum {
+    double weighted = 0, area = 0;
+  };
+
+  void add_point(std::uint32_t k, bool included) {
+    const CellIndex leaf = around_.leaf();
+    const RootCube& root = field_.tree.root();
+    const Box box = root.box(field_.tree[leaf]);
+    const Vector3 centroid = clip_triangle(solid_.surface.corners(level_.pieces[k].triangle), box).centroid;
+    const LeavesAround around(field_, around_, 1 / root.unit() * (centroid - root.origin));
+    points_[point_count_] = {leaf, k, included};
+    const FrameBlend& blend = blends_[point_count_++] =
+        frame_blend(field_, around, turns_, &terms_[term_count_]);
+    term_count_ += blend.terms.size();
+  }
+
+  void measure_points(std::vector<float>& angles) {
+    blend_frames({blends_.data(), point_count_}, {frames_.data(), point_count_});
+    for (std::size_t p = 0; p < point_count_; ++p) {
+      const auto& [leaf, k, included] = points_[p];
+      const SurfacePiece& piece = level_.pieces[k];
+      const double angle = angle_to_nearest_axis_deg(frames_[p], solid_.surface.normals[piece.triangle]);
+      angles[k] = included ? static_cast<float>(angle) : kExcludedAngle;
+      LeafSum& sum = leaves_[leaf - begin_];
+      sum.weighted += piece.area * angle;
+      sum.area += piece.area;
+    }
+    point_count_ = term_count_ = 0;
+  }
+
+  const GridLevel& level_;
+  const Solid& solid_;
+  const LeafField& field_;
+  CellIndex begin_, end_;
+  LeafSurroundings around_;
+  TurnCache turns_;
+  std::vector<LeafSum> leaves_;
+  std::size_t point_count_ = 0, term_count_ = 0;
+  std::array<Point, kPointsAtOnce> points_;
+  std::array<FrameBlend, kPointsAtOnce> blends_;
+  std::array<Quaternion, kPointsAtOnce> frames_;
+  std::vector<BlendTerm> terms_;
+};
 
 }  // namespace
 
@@ -102,22 +151,17 @@ double angle_to_nearest_axis_deg(const Quaternion& frame, const Vector3& directi
   return std::atan2(sine, cosine) * 180 / std::numbers::pi;
 }
 
-AlignmentMeasurement measure_alignment(const GridLevel& level, const Solid& solid, const Sampler& sampler) {
+AlignmentMeasurement measure_alignment(const GridLevel& level, const Solid& solid, const LeafField& field) {
   AlignmentMeasurement result;
   result.leaf_mean_deg.resize(level.size());
-  PieceAngles angles(level.pieces.size());
-  std::vector<ConstraintClass> classes(level.size());
-  parallel_for(level.size(), [&](std::size_t index) {
-    const auto i = static_cast<CellIndex>(index);
-    if (!level.holds_surface(i)) return;
-    classes[i] = constraint_class(level, solid, i);
-    const double mean = measure_leaf(level, solid, sampler, i, compatible(classes[i]), angles);
-    result.leaf_mean_deg[i] = static_cast<float>(mean);
+  std::vector<float> angles(level.pieces.size());
+  std::vector<SolveReport::Spectrum> spectra((level.size() + kLeafGrain - 1) / kLeafGrain);
+  parallel_for_chunks(level.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
+    RunOfLeaves run(level, solid, field, static_cast<CellIndex>(begin), static_cast<CellIndex>(end));
+    spectra[begin / kLeafGrain] = run.measure(angles, result.leaf_mean_deg);
   });
-  for (CellIndex i = 0; i < level.size(); ++i) {
-    if (level.holds_surface(i)) count(classes[i], result.spectrum);
-  }
-  result.alignment_deg = summed_up(level.pieces, angles);
+  for (const SolveReport::Spectrum& of_run : spectra) add(of_run, result.spectrum);
+  result.alignment_deg = angle_statistics(level.pieces, angles);
   return result;
 }
 

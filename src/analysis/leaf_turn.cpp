@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "analysis/matching.hpp"
 #include "base/vector3.hpp"
@@ -20,15 +21,30 @@ constexpr double kLargestTurn_rad = 0.6;
 /// that face.
 constexpr double kSmallestSpread = 0.02;
 
-/// The smallest turn, as a rotation vector, that takes frame p to frame q.
-Vector3 turn_between(const Quaternion& p, const Quaternion& q) {
-  const Quaternion named = q * to_quaternion(nearest_cube_rotation(conjugate(q) * p));
-  const Quaternion turn = named * conjugate(p);
-  const Vector3 axis{turn.x, turn.y, turn.z};
-  const double sine = norm(axis);
-  if (sine == 0) return {0, 0, 0};
-  const double angle = 2 * std::atan2(sine, std::abs(turn.w));
-  return (std::copysign(angle, turn.w) / sine) * axis;
+/// The square of cos(22.5 deg), and a little. Where two frames as they are named turn by less than 45
+/// degrees, no other names bring them nearer.
+constexpr double kSurelyAlike = 0.86;
+
+/// 2 atan(t) / t by its series, in t^2; good to 1e-8 for turns up to kLargestTurn_rad, which are stored in
+/// single precision.
+double twice_arc_tangent_over(double tt) {
+  double sum = 0;
+  for (int order = 13; order >= 1; order -= 2) sum = 2.0 / order - tt * sum;
+  return sum;
+}
+
+/// The smallest turn that takes frame p to frame q, as a rotation vector in the axes of p; nothing where it
+/// is beyond kLargestTurn_rad. The norms of p and q do not matter.
+std::optional<Vector3> turn_in_axes(const Quaternion& p, const Quaternion& q) {
+  static const double kLargestSquaredTangent = std::pow(std::tan(kLargestTurn_rad / 2), 2);
+  Quaternion turn = conjugate(p) * q;
+  const double squared_norm = turn.w * turn.w + turn.x * turn.x + turn.y * turn.y + turn.z * turn.z;
+  if (turn.w * turn.w < kSurelyAlike * squared_norm)
+    turn = turn * to_quaternion(nearest_cube_rotation(conjugate(turn)));
+  const Vector3 tangent = 1 / turn.w * Vector3{turn.x, turn.y, turn.z};  // of half the angle, along the axis
+  const double tt = dot(tangent, tangent);
+  if (!(tt <= kLargestSquaredTangent)) return std::nullopt;
+  return twice_arc_tangent_over(tt) * tangent;
 }
 
 /// The sums of a least-squares fit of w = W d.
@@ -46,8 +62,18 @@ class TurnFit {
 
   /// W, zero in directions that no d has a part in.
   std::array<Vector3, 3> solve() const {
-    const Eigensystem3 system = eigensystem(normal_);
+    const auto& [xx, xy, xz, yy, yz, zz] = normal_;
+    const SymmetricMatrix3 adjugate{yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy,
+                                    xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy};
+    const double determinant = xx * adjugate[0] + xy * adjugate[1] + xz * adjugate[2];
+    const double trace = xx + yy + zz;
     std::array<Vector3, 3> rows{};
+    // No eigenvalue is below 4 determinant / trace^2: as a rule there are neighbours in all directions.
+    if (4 * determinant > kSmallestSpread * trace * trace * trace) {
+      for (int row = 0; row < 3; ++row) rows[row] = 1 / determinant * apply(adjugate, right_[row]);
+      return rows;
+    }
+    const Eigensystem3 system = eigensystem(normal_);
     for (int k = 0; k < 3; ++k) {
       const double value = system.values[k];
       if (!(value > kSmallestSpread * system.values[2])) continue;
@@ -60,6 +86,62 @@ class TurnFit {
  private:
   SymmetricMatrix3 normal_{};
   std::array<Vector3, 3> right_{};
+};
+
+/// Fits the turn of one leaf, in the axes of its own frame.
+class LeafTurnFit {
+ public:
+  LeafTurnFit(const LeafField& field, const LeafSurroundings& around)
+      : field_(field), around_(around), own_(placed(field, around.leaf())) {}
+
+  LeafTurn turn() {
+    for (int face = 0; face < kFaceCount; ++face) add_across(face);
+    const std::array<Vector3, 3> in_axes = fit_.solve();
+    const auto axes = axes_of(from_stored(field_.frames[own_.index]));
+    LeafTurn result;
+    for (int row = 0; row < 3; ++row) {
+      const Vector3 turned =
+          axes[0][row] * in_axes[0] + axes[1][row] * in_axes[1] + axes[2][row] * in_axes[2];
+      for (int column = 0; column < 3; ++column)
+        result.per_cell[3 * row + column] = static_cast<float>(turned[column]);
+    }
+    return result;
+  }
+
+ private:
+  /// Adds the leaves across a face that are joined to this one.
+  void add_across(int face) {
+    LeafSurroundings::Step step{};
+    step[face_axis(face)] = face_sign(face);
+    const LeafRange& across = around_.over(step);
+    if (around_.is_equal(step)) {
+      const CellIndex j = across.first;
+      if (!(own_.open_faces >> face & 1 || field_.open_faces[j] >> opposite_face(face) & 1)) return;
+      Vector3 d{0, 0, 0};
+      d[face_axis(face)] = face_sign(face);
+      add(j, d, 1);
+      return;
+    }
+    // Of several smaller leaves those away from the face are not joined.
+    for (CellIndex j = across.first; j < across.last; ++j) {
+      const PlacedLeaf other = placed(field_, j);
+      if (!joined(own_, other)) continue;
+      const Vector3 d = own_.offset_of(other.centre());
+      const double side = std::min(1.0, static_cast<double>(other.width) / own_.width);
+      add(j, d, side * side / norm(d));
+    }
+  }
+
+  void add(CellIndex j, const Vector3& d, double weight) {
+    const StoredQuaternion &p = field_.frames[own_.index], &q = field_.frames[j];
+    const auto turn = turn_in_axes({p.w, p.x, p.y, p.z}, {q.w, q.x, q.y, q.z});
+    if (turn) fit_.add(d, *turn, weight);
+  }
+
+  const LeafField& field_;
+  const LeafSurroundings& around_;
+  PlacedLeaf own_;
+  TurnFit fit_;
 };
 
 }  // namespace
@@ -78,40 +160,8 @@ bool joined(const PlacedLeaf& a, const PlacedLeaf& b) {
   return small.width == large.width && (large.open_faces >> opposite_face(face) & 1);
 }
 
-LeafTurn leaf_turn(const LeafField& field, CellIndex i) {
-  const PlacedLeaf leaf = placed(field, i);
-  const Quaternion frame = from_stored(field.frames[i]);
-  LeafTurn result;
-  TurnFit fit;
-  for (int number = 0; number < 27; ++number) {
-    const std::array<int, 3> offset{number % 3 - 1, number / 3 % 3 - 1, number / 9 - 1};
-    const int steps = std::abs(offset[0]) + std::abs(offset[1]) + std::abs(offset[2]);
-    // Leaves at edges and corners only matter for how even the surroundings are.
-    if (steps == 0 || (steps > 1 && !result.even_surroundings)) continue;
-    const auto across = moved(field.tree[i], offset);
-    const auto [first, last] = across ? field.finder.over(*across) : std::pair<CellIndex, CellIndex>{0, 0};
-    if (first < last && field.tree[first] != *across) result.even_surroundings = false;
-    if (steps > 1) continue;
-    if (first == last) result.open_all_around = false;
-    for (CellIndex j = first; j < last; ++j) {
-      const PlacedLeaf other = placed(field, j);
-      if (!joined(leaf, other)) {
-        // Of several smaller leaves those away from the face are not joined either: counting them errs on the
-        // safe side.
-        result.open_all_around = false;
-        continue;
-      }
-      const Vector3 turn = turn_between(frame, from_stored(field.frames[j]));
-      if (norm(turn) > kLargestTurn_rad) continue;
-      const Vector3 d = leaf.offset_of(other.centre());
-      const double side = std::min(1.0, static_cast<double>(other.width) / leaf.width);
-      fit.add(d, turn, side * side / norm(d));
-    }
-  }
-  const auto rows = fit.solve();
-  for (int entry = 0; entry < 9; ++entry)
-    result.per_cell[entry] = static_cast<float>(rows[entry / 3][entry % 3]);
-  return result;
+LeafTurn leaf_turn(const LeafField& field, const LeafSurroundings& around) {
+  return LeafTurnFit(field, around).turn();
 }
 
 }  // namespace crossgrain

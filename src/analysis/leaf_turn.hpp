@@ -10,7 +10,7 @@
 #include <span>
 
 #include "base/quaternion.hpp"
-#include "grid/leaf_finder.hpp"
+#include "grid/leaf_surroundings.hpp"
 
 namespace crossgrain {
 
@@ -52,27 +52,17 @@ struct LeafTurn {
   /// s_i W_i row by row: radians of turn about each axis for a move of one cell along each axis.
   std::array<float, 9> per_cell{};
 
-  /// All leaves that touch this one are of its size.
-  bool even_surroundings = true;
-
-  /// There is a leaf across each face, and all of those are joined to this one.
-  bool open_all_around = true;
+  /// The turn from the leaf's centre to the point at `offset` from it, in cells, as a rotation vector.
+  Vector3 towards(const Vector3& offset) const {
+    const auto& [x, y, z] = offset;
+    const auto& w = per_cell;
+    return {w[0] * x + w[1] * y + w[2] * z, w[3] * x + w[4] * y + w[5] * z, w[6] * x + w[7] * y + w[8] * z};
+  }
 };
-static_assert(sizeof(LeafTurn) <= 40);
 
-/// The least-squares turn of leaf `i`: over the leaves j it is joined to, the sum of (face area / distance)
-/// |W_i (c_j - c_i) - w_ij|^2 is least, w_ij the smallest turn that takes frame i to frame j. Along
-/// directions in which there is no neighbour W_i is 0.
-LeafTurn leaf_turn(const LeafField& field, CellIndex i);
-
-/// A leaf's frame extended to the point at `offset` from its centre, in its own cells: exp(W_i (x - c_i))
-/// q_i.
-inline Quaternion extended_frame(const StoredQuaternion& frame, const LeafTurn& turn, const Vector3& offset) {
-  const auto& [x, y, z] = offset;
-  const auto& w = turn.per_cell;
-  const Vector3 rotation{w[0] * x + w[1] * y + w[2] * z, w[3] * x + w[4] * y + w[5] * z,
-                         w[6] * x + w[7] * y + w[8] * z};
-  return from_rotation_vector(rotation) * from_stored(frame);
-}
+/// The least-squares turn of the leaf in the middle of `around`, i: over the leaves j it is joined to, the
+/// sum of (face area / distance) |W_i (c_j - c_i) - w_ij|^2 is least, w_ij the smallest turn that takes frame
+/// i to frame j. Along directions in which there is no neighbour W_i is 0.
+LeafTurn leaf_turn(const LeafField& field, const LeafSurroundings& around);
 
 }  // namespace crossgrain

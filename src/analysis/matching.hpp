@@ -2,6 +2,7 @@
 // How the axes of one cell's frame are to be named so that they agree with a neighbour's.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "base/quaternion.hpp"
@@ -41,5 +42,13 @@ CubeRotation nearest_cube_rotation(const Quaternion& q);
 /// 1). Renaming the axes, R_from -> R_from a and R_to -> R_to b, makes it inverse(b) g a: around a closed way
 /// the product only changes to a conjugate, so whether it is the identity does not depend on names.
 CubeRotation matching(const StoredQuaternion& from, const StoredQuaternion& to);
+
+/// Whether the matching of two frames is certain to be the identity, as it is between most neighbours: no
+/// other names bring frames nearer that turn by less than 45 degrees as they are named. Answers no a little
+/// before that, so that rounding does not matter.
+inline bool are_surely_alike(const StoredQuaternion& p, const StoredQuaternion& q) {
+  constexpr float kCosine = 0.93f;  // of half the angle
+  return std::abs(p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z) > kCosine;
+}
 
 }  // namespace crossgrain

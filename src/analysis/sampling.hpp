@@ -19,7 +19,7 @@ namespace crossgrain {
 /// linear fields, second order. The blend is continuous across faces, between leaves of different size too.
 /// Leaves across an outside gap take no part. Elsewhere: the frame of the nearest active leaf.
 ///
-/// Holds at most 42 bytes a leaf of its own and refers to the arrays given, which must outlive it. Queries
+/// Holds at most 38 bytes a leaf of its own and refers to the arrays given, which must outlive it. Queries
 /// allocate nothing and are safe from any number of threads. Which axes the cells' frames name x, y, z
 /// changes answers by rounding only.
 class Sampler {

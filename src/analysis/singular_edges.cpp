@@ -6,7 +6,7 @@
 
 #include "analysis/matching.hpp"
 #include "base/parallel.hpp"
-#include "grid/leaf_finder.hpp"
+#include "grid/leaf_surroundings.hpp"
 
 namespace crossgrain {
 namespace {
@@ -20,37 +20,53 @@ class SingularEdgeFinder {
                      std::span<const std::uint8_t> open_faces)
       : tree_(tree), finder_(tree), frames_(frames), open_faces_(open_faces) {}
 
-  /// Adds the singular edges that leaf i owns: of the leaves around an edge the smallest, of several the
-  /// first.
-  void find(CellIndex i, std::vector<GridEdge>& found) const {
-    std::array<CellIndex, kFaceCount> across;
-    for (int face = 0; face < kFaceCount; ++face) across[face] = finder_.neighbour(i, face);
+  /// Adds the singular edges that leaves [begin, end) own: of the leaves around an edge the smallest, of
+  /// several the first.
+  void find(CellIndex begin, CellIndex end, std::span<const std::uint8_t> owners,
+            std::vector<GridEdge>& found) const {
+    LeafSurroundings around(tree_, finder_);
+    for (CellIndex i = begin; i < end; ++i) {
+      if (!owners.empty() && !owners[i]) continue;
+      around.move_to(i);
+      find(around, found);
+    }
+  }
+
+ private:
+  using Step = LeafSurroundings::Step;
+
+  void find(const LeafSurroundings& around, std::vector<GridEdge>& found) const {
+    const CellIndex i = around.leaf();
     for (int axis = 0; axis < 3; ++axis) {
       for (int corner = 0; corner < 4; ++corner) {
         const int face_u = 2 * ((axis + 1) % 3) + (corner & 1);
         const int face_v = 2 * ((axis + 2) % 3) + (corner >> 1);
-        const CellIndex j = across[face_u], k = across[face_v];
-        if (!comes_before(i, j) || !comes_before(i, k)) continue;
-        const CellIndex diagonal = across_edge(i, face_u, face_v);
-        if (!comes_before(i, diagonal)) continue;
+        Step to_u{}, to_v{}, diagonal{};
+        to_u[face_axis(face_u)] = diagonal[face_axis(face_u)] = face_sign(face_u);
+        to_v[face_axis(face_v)] = diagonal[face_axis(face_v)] = face_sign(face_v);
+        if (!comes_before(around, to_u) || !comes_before(around, to_v) || !comes_before(around, diagonal))
+          continue;
+        const std::array ring{i, around.over(to_u).first, around.over(diagonal).first,
+                              around.over(to_v).first};
+        if (are_all_surely_alike(ring)) continue;
         const CubeRotation turn =
-            turn_around({i, j, diagonal, k}, {face_u, face_v, opposite_face(face_u), opposite_face(face_v)});
+            turn_around(ring, {face_u, face_v, opposite_face(face_u), opposite_face(face_v)});
         if (!turn.is_identity()) found.push_back(edge_of(i, axis, face_u, face_v, turn));
       }
     }
   }
 
- private:
-  /// Whether leaf i, of two leaves at an edge, is the one to own it. `j` is never smaller than i; kNoCell
-  /// stands for nothing there, or for smaller leaves, which then own what is left of the edge.
-  bool comes_before(CellIndex i, CellIndex j) const {
-    return j != kNoCell && (tree_[j].depth() < tree_[i].depth() || i < j);
+  /// Whether the leaf in the middle, of that and the one at `step`, is the one to own an edge of both.
+  /// Smaller leaves at `step` own what is left of the edge.
+  static bool comes_before(const LeafSurroundings& around, const Step& step) {
+    return around.is_larger(step) || (around.is_equal(step) && around.leaf() < around.over(step).first);
   }
 
-  CellIndex across_edge(CellIndex i, int face_u, int face_v) const {
-    const auto beside = adjacent(tree_[i], face_u);
-    const auto diagonal = beside ? adjacent(*beside, face_v) : std::nullopt;
-    return diagonal ? finder_.containing(*diagonal) : kNoCell;
+  bool are_all_surely_alike(const std::array<CellIndex, 4>& ring) const {
+    for (std::size_t step = 0; step < 4; ++step) {
+      if (!are_surely_alike(frames_[ring[step]], frames_[ring[(step + 1) % 4]])) return false;
+    }
+    return true;
   }
 
   /// How the way around over these leaves, leaving ring[s] through faces[s], turns frames; not at all where
@@ -97,12 +113,13 @@ class SingularEdgeFinder {
 }  // namespace
 
 std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
-                                     std::span<const std::uint8_t> open_faces) {
+                                     std::span<const std::uint8_t> open_faces,
+                                     std::span<const std::uint8_t> owners) {
   assert(frames.size() == tree.size() && open_faces.size() == tree.size());
   const SingularEdgeFinder finder(tree, frames, open_faces);
   std::vector<std::vector<GridEdge>> runs((tree.size() + kLeafGrain - 1) / kLeafGrain);
   parallel_for_chunks(tree.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
-    for (auto i = static_cast<CellIndex>(begin); i < end; ++i) finder.find(i, runs[begin / kLeafGrain]);
+    finder.find(static_cast<CellIndex>(begin), static_cast<CellIndex>(end), owners, runs[begin / kLeafGrain]);
   });
   std::vector<GridEdge> edges;
   for (const auto& run : runs) edges.insert(edges.end(), run.begin(), run.end());

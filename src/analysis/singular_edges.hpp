@@ -37,8 +37,11 @@ struct GridEdge {
 /// all edges that meet at an interior vertex is the identity, and the number of odd ones is even: where just
 /// one edge arrives, or an odd number of odd ones, the vertex is not surrounded by joined leaves.
 ///
-/// `frames` and `open_faces` (as in LeafConnections) have one entry per leaf.
+/// `frames` and `open_faces` (as in LeafConnections) have one entry per leaf. So has `owners`, if given: it
+/// spares looking at leaves that own no singular edge, as from near_sharp_turns
+/// (field/neighbour_comparison.hpp).
 std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
-                                     std::span<const std::uint8_t> open_faces);
+                                     std::span<const std::uint8_t> open_faces,
+                                     std::span<const std::uint8_t> owners = {});
 
 }  // namespace crossgrain

@@ -89,8 +89,9 @@ SingularityGraph joined(std::span<const GridEdge> edges, double unit) {
 }
 
 SingularityGraph singularity_graph(const Octree& tree, std::span<const StoredQuaternion> frames,
-                                   std::span<const std::uint8_t> open_faces) {
-  return joined(singular_edges(tree, frames, open_faces), tree.root().unit());
+                                   std::span<const std::uint8_t> open_faces,
+                                   std::span<const std::uint8_t> owners) {
+  return joined(singular_edges(tree, frames, open_faces, owners), tree.root().unit());
 }
 
 }  // namespace crossgrain

@@ -50,6 +50,7 @@ SingularityGraph joined(std::span<const GridEdge> edges, double unit);
 
 /// The singularity graph of a field; arguments as for singular_edges.
 SingularityGraph singularity_graph(const Octree& tree, std::span<const StoredQuaternion> frames,
-                                   std::span<const std::uint8_t> open_faces);
+                                   std::span<const std::uint8_t> open_faces,
+                                   std::span<const std::uint8_t> owners = {});
 
 }  // namespace crossgrain

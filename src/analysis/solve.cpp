@@ -7,10 +7,13 @@
 
 #include "analysis/alignment.hpp"
 #include "analysis/field_data.hpp"
+#include "analysis/frames_in_lanes.hpp"
 #include "analysis/sampling.hpp"
 #include "analysis/singularity_graph.hpp"
 #include "analysis/solve_checks.hpp"
 #include "analysis/walls.hpp"
+#include "base/instruction_set.hpp"
+#include "base/lanes.hpp"
 #include "base/parallel.hpp"
 #include "field/nested_solve.hpp"
 #include "harmonics/deviation.hpp"
@@ -20,14 +23,24 @@
 namespace crossgrain {
 namespace {
 
+/// Of the coefficients as they are written.
 template <int D>
 double largest_deviation(std::span<const StoredQuaternion> frames) {
-  double largest = 0;
-  for (const StoredQuaternion& frame : frames) {
-    const auto h = to_stored<D>(frame_coefficients<D>(from_stored(frame)));
-    largest = std::max(largest, deviation<D>(from_stored<D>(h)));
-  }
-  return largest;
+  std::vector<double> largest((frames.size() + kParallelGrain - 1) / kParallelGrain);
+  parallel_for_chunks(frames.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
+    run_in_lanes([&]<int W>() {
+      Lanes<W> most = 0.0;
+      for (std::size_t i = begin; i < end; i += W) {
+        Coefficients<D, Lanes<W>> h = frame_coefficients<D>(frames_in_lanes<W>(frames, i));
+        for (Lanes<W>& coefficient : h) coefficient = to_single(coefficient);
+        const Lanes<W> here = deviation<D>(h);
+        most = select(here > most, here, most);
+      }
+      for (int lane = 0; lane < W; ++lane)
+        largest[begin / kParallelGrain] = std::max(largest[begin / kParallelGrain], most[lane]);
+    });
+  });
+  return largest.empty() ? 0 : *std::max_element(largest.begin(), largest.end());
 }
 
 SolveReport::Model describe(const TriangleMesh& mesh, const Surface& surface,
@@ -80,15 +93,18 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   data->energy_density = std::move(solved.energy_density);
   monitor.check();
   {
-    const Sampler sampler(solved.level.tree, solved.frames, solved.open_faces);
-    AlignmentMeasurement alignment = measure_alignment(solved.level, solid, sampler);
+    AlignmentMeasurement alignment =
+        measure_alignment(solved.level, solid, {solved.level.tree, solved.frames, solved.open_faces});
     data->alignment_deg = std::move(alignment.leaf_mean_deg);
     data->report = report_of(solid, solved, alignment, options);
   }
   monitor.check();
   data->on_boundary.resize(solved.level.size());
-  for (CellIndex i = 0; i < solved.level.size(); ++i) data->on_boundary[i] = solved.level.holds_surface(i);
-  data->report.singularity = singularity_graph(solved.level.tree, solved.frames, solved.open_faces).counts();
+  parallel_for(solved.level.size(), [&](std::size_t i) {
+    data->on_boundary[i] = solved.level.holds_surface(static_cast<CellIndex>(i));
+  });
+  data->report.singularity =
+      singularity_graph(solved.level.tree, solved.frames, solved.open_faces, solved.near_sharp_turn).counts();
   data->report.model = describe(mesh, surface, topology);
   data->report.warnings = surface_warnings(surface, topology);
   const std::vector<std::string> unresolved = resolution_warnings(data->report);

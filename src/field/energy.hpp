@@ -6,6 +6,7 @@
 
 #include "field/field_graph.hpp"
 #include "field/field_state.hpp"
+#include "field/neighbour_comparison.hpp"
 #include "grid/grid_level.hpp"
 
 namespace crossgrain {
@@ -34,10 +35,7 @@ struct EnergyParts {
 
 struct LevelEnergy {
   EnergyParts parts;
-
-  /// Smoothness energy per volume, cell by cell: half of every edge's energy to each of its cells, over the
-  /// cell's volume. In model units to the power of -2.
-  std::vector<float> density;
+  NeighbourComparison neighbours;
 };
 
 /// The degree-4 energy of a level's frames, computed from the surface pieces themselves, not from summed

@@ -52,6 +52,7 @@ class LevelSolver {
     return level_energy(level_, solid_, connectivity_->adjacency, frames, options_.boundary_weight);
   }
 
+  const Adjacency& adjacency() const { return connectivity_->adjacency; }
   int sweeps() const { return sweeps_; }
 
  private:
@@ -154,7 +155,7 @@ class NestedSolver {
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
       candidates_[c] = solver.solved(std::move(candidates_[c].frames), relaxation_sweeps(c, coarsest));
     }
-    keep_best(solver, finest || level.size() > options_.solver.start_cells);
+    keep_best(solver, finest || level.size() > options_.solver.start_cells, finest);
     solve_watch_.stop();
     result_.levels.push_back({depth, level.examined_leaves, level.size(), solver.sweeps(),
                               result_.energy.total(), level_watch_.restart()});
@@ -186,18 +187,21 @@ class NestedSolver {
   }
 
   /// Brings the candidate of lowest energy to the front, and ends the race if told to.
-  void keep_best(const LevelSolver<D>& solver, bool end_race) {
+  void keep_best(const LevelSolver<D>& solver, bool end_race, bool finest) {
     std::size_t best = 0;
+    std::vector<std::uint8_t> turns_sharply;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
       LevelEnergy energy = solver.energy(candidates_[c].frames);
       if (c == 0 || energy.parts.total() + energy.parts.unavoidable <
                         result_.energy.total() + result_.energy.unavoidable) {
         result_.energy = energy.parts;
-        result_.energy_density = std::move(energy.density);
+        result_.energy_density = std::move(energy.neighbours.energy_density);
+        turns_sharply = std::move(energy.neighbours.turns_sharply);
         result_.settled = candidates_[c].settled;
         best = c;
       }
     }
+    if (finest) result_.near_sharp_turn = near_sharp_turns(solver.adjacency(), turns_sharply);
     if (end_race) {
       if (best > 0) candidates_[0] = std::move(candidates_[best]);
       candidates_.resize(1);

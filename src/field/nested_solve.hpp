@@ -24,7 +24,8 @@ struct SolvedField {
   std::size_t tied_leaves = 0;           ///< as in LeafConnections
   std::vector<StoredQuaternion> frames;
   EnergyParts energy;
-  std::vector<float> energy_density;  ///< as in LevelEnergy
+  std::vector<float> energy_density;          ///< as in NeighbourComparison
+  std::vector<std::uint8_t> near_sharp_turn;  ///< as from near_sharp_turns
   bool settled =
       true;  ///< false: the finest level was still falling by more than the tolerance when sweeps ran out
   std::vector<LevelStatistics> levels;  ///< from the coarsest on

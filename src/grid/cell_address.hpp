@@ -34,6 +34,9 @@ constexpr std::uint64_t spread(std::uint64_t x) {
   return x;
 }
 
+/// Where the bits of x stand in a code, of all kMaxDepth of them.
+inline constexpr std::uint64_t kEveryThirdBit = spread((std::uint64_t{1} << kMaxDepth) - 1);
+
 /// Inverse of `spread`.
 constexpr std::uint64_t gather(std::uint64_t x) {
   x &= 0x1249249249249249;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grid/cell_constraints.hpp"
 
+#include <algorithm>
+
 #include "base/vector3.hpp"
 #include "constraint/normal_form.hpp"
 
@@ -28,8 +30,31 @@ bool has_single_normal(const GridLevel& level, const Solid& solid, CellIndex i) 
   return !pieces.empty();
 }
 
+namespace {
+
+/// Whether normals are so close to one of them, n, that the class is kPlane by classify's default tolerances
+/// without a look at eigenvalues. On the two harmonics with |m| = 2 about n, the form of a normal at an angle
+/// t to n is at most 4 sin^2 t. Two eigenvalues are no larger than the mean q of that. No eigenvalue is above
+/// 1 and all seven add up to 5, so the third is at least 1 - 2 q: with q up to 0.1 far from the first two.
+bool is_surely_plane(const GridLevel& level, const Solid& solid, CellIndex i) {
+  constexpr ClassificationTolerances kTolerances{};
+  constexpr double kLargest = std::min(kTolerances.same_eigenvalue, kTolerances.fits);
+  static_assert(1 - 2 * kLargest > kLargest + kTolerances.same_eigenvalue);
+  const auto pieces = level.pieces_of(i);
+  double sum = 0, area = 0;
+  for (const SurfacePiece& piece : pieces) {
+    const Vector3 off =
+        cross(solid.surface.normals[piece.triangle], solid.surface.normals[pieces[0].triangle]);
+    sum += piece.area * 4 * dot(off, off);
+    area += piece.area;
+  }
+  return sum < kLargest * area;
+}
+
+}  // namespace
+
 ConstraintClass constraint_class(const GridLevel& level, const Solid& solid, CellIndex i) {
-  if (has_single_normal(level, solid, i)) return ConstraintClass::kPlane;
+  if (has_single_normal(level, solid, i) || is_surely_plane(level, solid, i)) return ConstraintClass::kPlane;
   return classify(cell_form<3>(level, solid, i));
 }
 

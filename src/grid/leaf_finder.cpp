@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grid/leaf_finder.hpp"
 
-#include <algorithm>
-
 namespace crossgrain {
 
 LeafFinder::LeafFinder(const Octree& tree) : tree_(&tree) {
@@ -22,24 +20,21 @@ LeafFinder::LeafFinder(const Octree& tree) : tree_(&tree) {
 }
 
 std::pair<CellIndex, CellIndex> LeafFinder::over(CellAddress cell) const {
-  const auto& leaves = tree_->leaves();
-  const auto index = [&](auto it) { return static_cast<CellIndex>(it - leaves.begin()); };
+  const CellAddress* const leaves = tree_->leaves().data();
+  const CellAddress* const end = leaves + tree_->size();
+  const auto index = [&](const CellAddress* leaf) { return static_cast<CellIndex>(leaf - leaves); };
   const std::size_t coarse = cell.packed() >> shift_;
-  const auto after =
-      std::upper_bound(leaves.begin() + begin_[coarse], leaves.begin() + begin_[coarse + 1], cell);
-  if (after != leaves.begin() && (after - 1)->contains(cell)) return {index(after - 1), index(after)};
-  auto last = after;
-  while (last != leaves.end() && cell.contains(*last)) ++last;
-  return {index(after), index(last)};
-}
-
-std::optional<CellAddress> moved(CellAddress cell, const std::array<int, 3>& offset) {
-  GridPoint corner = cell.corner();
-  for (int axis = 0; axis < 3; ++axis) {
-    corner[axis] += offset[axis] * cell.width();
-    if (corner[axis] < 0 || corner[axis] >= std::int32_t{1} << kMaxDepth) return std::nullopt;
+  // std::upper_bound, but without branches, which would be foreseen half of the time only.
+  const CellAddress* after = leaves + begin_[coarse];
+  for (std::size_t left = begin_[coarse + 1] - begin_[coarse]; left > 0;) {
+    const std::size_t half = (left + 1) / 2;
+    after += half * static_cast<std::size_t>(!(cell < after[half - 1]));
+    left -= half;
   }
-  return CellAddress(corner, cell.depth());
+  if (after != leaves && (after - 1)->contains(cell)) return {index(after - 1), index(after)};
+  const CellAddress* last = after;
+  while (last != end && cell.contains(*last)) ++last;
+  return {index(after), index(last)};
 }
 
 }  // namespace crossgrain

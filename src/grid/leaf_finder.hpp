@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -35,8 +34,5 @@ class LeafFinder {
   int shift_;                     ///< from an address to its cell on the coarse level
   std::vector<CellIndex> begin_;  ///< of each cell of the coarse level, and the end of the last
 };
-
-/// The address of the same size at `offset` times its width; empty beyond the root cube.
-std::optional<CellAddress> moved(CellAddress cell, const std::array<int, 3>& offset);
 
 }  // namespace crossgrain

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grid/local_thickness.hpp"
 
-#include <limits>
-
 #include "base/vector3.hpp"
 #include "surface/clipping.hpp"
 
 namespace crossgrain {
 
-std::optional<InwardRay> inward_ray(const GridLevel& level, const Solid& solid, CellIndex i) {
+std::optional<InwardRay> inward_ray(const GridLevel& level, const Solid& solid, CellIndex i, double longest) {
   const SurfacePiece* largest = nullptr;
   for (const SurfacePiece& piece : level.pieces_of(i)) {
     if (!largest || piece.area > largest->area) largest = &piece;
@@ -19,7 +17,7 @@ std::optional<InwardRay> inward_ray(const GridLevel& level, const Solid& solid, 
   const Vector3 direction = -solid.outward_normal(largest->triangle);
   // The start is off the surface by rounding only; a millionth of a cell clears it.
   const double start = 1e-6 * level.tree.cell_size(i);
-  const auto hit = solid.bvh.first_hit(origin, direction, start, std::numeric_limits<double>::infinity());
+  const auto hit = solid.bvh.first_hit(origin, direction, start, longest);
   return InwardRay{origin, direction, hit ? hit->t : std::numeric_limits<double>::infinity(),
                    hit ? hit->triangle : 0};
 }

@@ -35,14 +35,6 @@ std::pair<CellIndex, CellIndex> Octree::leaves_inside(CellAddress cell) const {
   return {static_cast<CellIndex>(first - leaves_.begin()), static_cast<CellIndex>(last - leaves_.begin())};
 }
 
-std::optional<CellAddress> adjacent(CellAddress cell, int face) {
-  GridPoint corner = cell.corner();
-  std::int32_t& moved = corner[face_axis(face)];
-  moved += face_sign(face) * cell.width();
-  if (moved < 0 || moved >= std::int32_t{1} << kMaxDepth) return std::nullopt;
-  return CellAddress(corner, cell.depth());
-}
-
 bool is_balanced(const Octree& tree) {
   for (CellIndex i = 0; i < tree.size(); ++i) {
     for (int face = 0; face < kFaceCount; ++face) {

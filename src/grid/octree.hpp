@@ -3,6 +3,7 @@
 // solid.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -73,7 +74,29 @@ class Octree {
 };
 
 /// The address of the same size across a face; empty beyond the root cube.
-std::optional<CellAddress> adjacent(CellAddress cell, int face);
+inline std::optional<CellAddress> adjacent(CellAddress cell, int face) {
+  if (cell.depth() == 0) return std::nullopt;
+  // Sums and differences of one coordinate where it stands, among the bits of the others: those are set for
+  // a sum, so that carries pass them by, and clear for a difference.
+  const std::uint64_t mask = morton::kEveryThirdBit << (5 + face_axis(face));
+  const std::uint64_t width = std::uint64_t{1} << (5 + face_axis(face) + 3 * (kMaxDepth - cell.depth()));
+  const std::uint64_t here = cell.packed() & mask;
+  if (face_sign(face) < 0 && here == 0) return std::nullopt;
+  const std::uint64_t there = (face_sign(face) < 0 ? here - width : (here | ~mask) + width) & mask;
+  if (face_sign(face) > 0 && there == 0) return std::nullopt;
+  return CellAddress::from_packed((cell.packed() & ~mask) | there);
+}
+
+/// The address of the same size at `step` times its width, entries -1, 0 or 1; empty beyond the root cube.
+inline std::optional<CellAddress> moved(CellAddress cell, const std::array<int, 3>& step) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (step[axis] == 0) continue;
+    const auto across = adjacent(cell, 2 * axis + (step[axis] > 0 ? 1 : 0));
+    if (!across) return std::nullopt;
+    cell = *across;
+  }
+  return cell;
+}
 
 /// Whether no two leaves that share a face differ by more than a factor of two.
 bool is_balanced(const Octree& tree);

@@ -29,7 +29,7 @@ struct Measured {
   }
 
   AlignmentMeasurement alignment() const {
-    return measure_alignment(level, solid, Sampler(level.tree, frames, open_faces));
+    return measure_alignment(level, solid, {level.tree, frames, open_faces});
   }
 
   Surface surface;

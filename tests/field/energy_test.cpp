@@ -59,9 +59,10 @@ TEST_F(EnergyTest, DensityTimesVolumeSumsUpToTheSmoothness) {
   refine_some();
   const auto graph = graph_of<4>(level_, bracket_.solid());
   const auto frames = random_frames(level_.size(), 13);
-  const auto [parts, density] = level_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10);
+  const auto [parts, neighbours] = level_energy(level_, bracket_.solid(), graph.adjacency(), frames, 10);
   double sum = 0;
-  for (CellIndex i = 0; i < level_.size(); ++i) sum += density[i] * std::pow(level_.tree.cell_size(i), 3);
+  for (CellIndex i = 0; i < level_.size(); ++i)
+    sum += neighbours.energy_density[i] * std::pow(level_.tree.cell_size(i), 3);
   // Densities are stored in single precision.
   EXPECT_NEAR(sum / parts.smoothness, 1, 1e-6);
 }

@@ -148,7 +148,7 @@ TEST(NestedSolve, EndsWithTheEnergyOfItsFrames) {
   const LevelEnergy recomputed =
       level_energy(field.level, solid.solid(), adjacency, field.frames, options.solver.boundary_weight);
   const EnergyParts& again = recomputed.parts;
-  EXPECT_EQ(field.energy_density, recomputed.density);
+  EXPECT_EQ(field.energy_density, recomputed.neighbours.energy_density);
   EXPECT_EQ(field.energy.smoothness, again.smoothness);
   EXPECT_EQ(field.energy.boundary, again.boundary);
   EXPECT_EQ(field.energy.unavoidable, again.unavoidable);

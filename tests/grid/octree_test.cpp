@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "grid/leaf_finder.hpp"
+#include "grid/leaf_surroundings.hpp"
 #include "grid/test_solid.hpp"
 #include "harmonics/random_samples.hpp"
 
@@ -225,6 +226,28 @@ TEST(Balance, IsFoundMissingByTheCheck) {
   EXPECT_FALSE(balanced_by_brute_force(tree));
 }
 
+TEST(Moved, IsTheCellThatManyWidthsAway) {
+  RandomSamples random(22);
+  constexpr std::int32_t kEnd = std::int32_t{1} << kMaxDepth;
+  for (int depth = 0; depth <= kMaxDepth; ++depth) {
+    for (int trial = 0; trial < 200; ++trial) {
+      CellAddress cell = CellAddress::root();
+      for (int d = 0; d < depth; ++d) cell = cell.child(random.integer(0, 7));
+      std::array<int, 3> step;
+      for (int& entry : step) entry = random.integer(-1, 1);
+      GridPoint corner = cell.corner();
+      bool outside = false;
+      for (int axis = 0; axis < 3; ++axis) {
+        corner[axis] += step[axis] * cell.width();
+        outside = outside || corner[axis] < 0 || corner[axis] >= kEnd;
+      }
+      const auto there = moved(cell, step);
+      ASSERT_EQ(there.has_value(), !outside);
+      ASSERT_TRUE(outside || *there == CellAddress(corner, depth));
+    }
+  }
+}
+
 TEST(LeafFinder, FindsWhatTheOctreeFinds) {
   RandomSamples random(21);
   for (int trial = 0; trial < 4; ++trial) {
@@ -239,6 +262,45 @@ TEST(LeafFinder, FindsWhatTheOctreeFinds) {
           ASSERT_EQ(finder.over(cell), tree.leaves_inside(cell));
         }
       }
+    }
+  }
+}
+
+/// Compares with LeafFinder all around leaf i.
+void expect_surroundings(const Octree& tree, const LeafFinder& finder, const LeafSurroundings& around,
+                         CellIndex i) {
+  bool even = true;
+  for (int number = 0; number < 27; ++number) {
+    const std::array<int, 3> step{number % 3 - 1, number / 3 % 3 - 1, number / 9 - 1};
+    const auto cell = moved(tree[i], step);
+    const auto [first, last] = cell ? finder.over(*cell) : std::pair<CellIndex, CellIndex>{0, 0};
+    const LeafRange& range = around.over(step);
+    ASSERT_EQ(range.empty(), first == last);
+    if (first == last) {
+      ASSERT_FALSE(around.is_larger(step) || around.is_equal(step));
+      continue;
+    }
+    ASSERT_EQ(range.first, first);
+    ASSERT_EQ(range.last, last);
+    ASSERT_EQ(around.is_equal(step), tree[first] == *cell);
+    ASSERT_EQ(around.is_larger(step), tree[first].depth() < tree[i].depth());
+    even = even && tree[first] == *cell;
+  }
+  ASSERT_EQ(around.is_even(), even);
+}
+
+TEST(LeafSurroundings, AreWhatTheFinderFindsInAnyOrderOfLeaves) {
+  RandomSamples random(23);
+  for (int trial = 0; trial < 4; ++trial) {
+    const Octree tree = random_octree(random, trial == 0 ? 0 : 6);
+    const LeafFinder finder(tree);
+    LeafSurroundings in_order(tree, finder), at_random(tree, finder);
+    for (CellIndex i = 0; i < tree.size(); ++i) {
+      in_order.move_to(i);
+      ASSERT_NO_FATAL_FAILURE(expect_surroundings(tree, finder, in_order, i));
+      const auto j = static_cast<CellIndex>(random.integer(0, static_cast<int>(tree.size()) - 1));
+      at_random.move_to(j);
+      ASSERT_NO_FATAL_FAILURE(expect_surroundings(tree, finder, at_random, j));
     }
   }
 }

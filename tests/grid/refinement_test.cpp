@@ -243,7 +243,7 @@ class RefinementMarksTest : public ::testing::Test {
  protected:
   RefinementMarksTest() { options_ = {false, false, false, false, 4, 0.2, 4}; }
 
-  Marks marks(const std::vector<double>& density = {}) const {
+  Marks marks(const std::vector<float>& density = {}) const {
     return refinement_marks(level_, solid_.solid(), density, depth_ + 1, options_);
   }
 
@@ -275,7 +275,7 @@ TEST_F(RefinementMarksTest, OfOneCriterionAreThatCriterion) {
   options_ = {false, true, false, false, 4, 0.2, 4};
   EXPECT_EQ(marks(), expected);
 
-  std::vector<double> density(level_.size(), 0);
+  std::vector<float> density(level_.size(), 0);
   density[5] = 1e6;
   expected = no_marks(level_);
   expected[5] = true;

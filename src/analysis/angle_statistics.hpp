@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "crossgrain/report.hpp"
+#include "grid/grid_level.hpp"
+
+namespace crossgrain {
+
+/// Stands for the angle of a piece that does not count.
+inline constexpr float kExcludedAngle = -1;
+
+/// The statistics of the angles of `pieces` in degrees, not negative or kExcludedAngle, each weighted by its
+/// piece's area: as AlignmentMeasurement::alignment_deg. The same to the bit for any number of threads.
+SolveReport::Alignment angle_statistics(std::span<const SurfacePiece> pieces, std::span<const float> angles);
+
+}  // namespace crossgrain
