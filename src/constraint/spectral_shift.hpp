@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/quaternion.hpp"
+#include "base/vector3.hpp"
 #include "constraint/quadratic_form.hpp"
 
 namespace crossgrain {
@@ -20,5 +21,10 @@ QuadraticForm<D> shifted(const QuadraticForm<D>& form);
 /// depends: wherever the minimum found from there is not shown to be the least by a shifted form that is
 /// nowhere negative (19 of 20 cells are), all frames are searched.
 double least_value(const QuadraticForm<4>& form, const Quaternion& start);
+
+/// The same for weight_a E_a + weight_b E_b with two unit vectors, by a formula. The best frames have both
+/// vectors in one of their coordinate planes: found by search over all angles and shares, not proven
+/// (tests/constraint/spectral_shift_test.cpp).
+double least_value_of_two(const Vector3& a, double weight_a, const Vector3& b, double weight_b);
 
 }  // namespace crossgrain

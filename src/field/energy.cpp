@@ -2,6 +2,7 @@
 #include "field/energy.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/parallel.hpp"
 #include "constraint/normal_form.hpp"
@@ -40,11 +41,33 @@ double boundary_value(const GridLevel& level, const Solid& solid, CellIndex leaf
   return sum;
 }
 
+/// Up to two directions that the surface in a leaf faces, either way, with their areas.
+struct FacedDirections {
+  std::array<Vector3, 2> normals;
+  std::array<double, 2> areas{};
+  std::size_t count = 0;
+  bool are_more = false;
+
+  FacedDirections(const GridLevel& level, const Solid& solid, CellIndex leaf) {
+    for (const SurfacePiece& piece : level.pieces_of(leaf)) {
+      const Vector3& normal = solid.surface.normals[piece.triangle];
+      std::size_t k = 0;
+      while (k < count && !is_same_normal(normals[k], normal)) ++k;
+      are_more = k == normals.size();
+      if (are_more) return;
+      if (k == count) normals[count++] = normal;
+      areas[k] += piece.area;
+    }
+  }
+};
+
 /// The least that any frame gives it.
 double least_boundary_value(const GridLevel& level, const Solid& solid, CellIndex leaf,
                             const Quaternion& frame) {
-  if (has_single_normal(level, solid, leaf)) return 0;
-  return std::max(0.0, least_value(cell_form<4>(level, solid, leaf), frame));
+  const FacedDirections faced(level, solid, leaf);
+  if (faced.are_more) return std::max(0.0, least_value(cell_form<4>(level, solid, leaf), frame));
+  if (faced.count < 2) return 0;
+  return least_value_of_two(faced.normals[0], faced.areas[0], faced.normals[1], faced.areas[1]);
 }
 
 double smoothness_energy(const Adjacency& adjacency, const FieldState<4>& state) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <algorithm>
+
 #include "base/vector3.hpp"
 #include "constraint/normal_form.hpp"
 
@@ -20,14 +22,16 @@ QuadraticForm<D> cell_form(const GridLevel& level, const Solid& solid, CellIndex
 template QuadraticForm<3> cell_form<3>(const GridLevel&, const Solid&, CellIndex);
 template QuadraticForm<4> cell_form<4>(const GridLevel&, const Solid&, CellIndex);
 
+bool is_same_normal(const Vector3& a, const Vector3& b) {
+  const Vector3 off = cross(a, b);
+  return dot(off, off) <= kSameNormal;
+}
+
 bool has_single_normal(const GridLevel& level, const Solid& solid, CellIndex i) {
   const auto pieces = level.pieces_of(i);
-  for (const SurfacePiece& piece : pieces) {
-    const Vector3 off =
-        cross(solid.surface.normals[piece.triangle], solid.surface.normals[pieces[0].triangle]);
-    if (dot(off, off) > kSameNormal) return false;
-  }
-  return !pieces.empty();
+  return !pieces.empty() && std::all_of(pieces.begin(), pieces.end(), [&](const SurfacePiece& piece) {
+    return is_same_normal(solid.surface.normals[piece.triangle], solid.surface.normals[pieces[0].triangle]);
+  });
 }
 
 namespace {

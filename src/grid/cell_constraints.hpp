@@ -19,6 +19,9 @@ extern template QuadraticForm<4> cell_form<4>(const GridLevel&, const Solid&, Ce
 /// Normals within kSameNormal of each other count as one.
 bool has_single_normal(const GridLevel& level, const Solid& solid, CellIndex i);
 
+/// Whether two unit normals count as one, either way round.
+bool is_same_normal(const Vector3& a, const Vector3& b);
+
 /// Squared sine up to which two normals are one: 1e-4 degrees, below what a frame in single precision
 /// resolves.
 inline constexpr double kSameNormal = 3e-12;

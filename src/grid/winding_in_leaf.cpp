@@ -7,6 +7,9 @@
 namespace crossgrain {
 namespace {
 
+/// By what part of its size points of a leaf may be outside it.
+constexpr double kRounding = 1e-9;
+
 template <int W, std::size_t N>
 WindingChanges<N> changes_in_lanes(const GridLevel& level, const Solid& solid, CellIndex i,
                                    const PointsByAxis<N>& points) {
@@ -20,8 +23,9 @@ WindingChanges<N> changes_in_lanes(const GridLevel& level, const Solid& solid, C
     certain[g] = sums[g] >= sums[g];
   }
   const Vector3 centre = level.tree.centre(i);
+  const double reach = 0.5 * (1 + kRounding) * level.tree.cell_size(i);
   for (const SurfacePiece& piece : level.pieces_of(i)) {
-    const CrossingsFrom crossings(solid.surface.corners(piece.triangle), centre);
+    const CrossingsFrom crossings(solid.surface.corners(piece.triangle), centre, reach);
     for (std::size_t g = 0; g < kGroups; ++g) {
       const auto change = crossings.to(ends[g]);
       sums[g] += change.change;

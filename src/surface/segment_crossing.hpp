@@ -18,7 +18,9 @@ namespace crossgrain {
 /// By how much the winding number changes through a triangle along segments that begin at one point.
 class CrossingsFrom {
  public:
-  CrossingsFrom(const std::array<Vector3, 3>& corners, const Vector3& begin);
+  /// Along no axis are the segments longer than `reach`. Where the triangle covers all of its plane that they
+  /// can meet, as a large one does in a small cell, a crossing of the plane is all there is to find.
+  CrossingsFrom(const std::array<Vector3, 3>& corners, const Vector3& begin, double reach = INFINITY);
 
   /// `change` is +1 where the segment to an end crosses the triangle against its normal (by the right-hand
   /// rule over its corners), so that it enters the solid, -1 along it, 0 where it misses. It is not `certain`
@@ -56,6 +58,7 @@ class CrossingsFrom {
   std::array<double, 3> edge_sizes_;        ///< |p - a| |q - a|, times the rounding
   double plane_size_ = 0;                   ///< of the normal, times the rounding
   double side_ = 0;                         ///< of `begin`: -1, 1, or 0 where rounding can't tell
+  bool covers_ = false;                     ///< no segment can pass the triangle's edges
   std::array<double, 8> read_beyond_ = {};  ///< so that lanes can be filled from any number above
 };
 
@@ -71,6 +74,10 @@ CrossingsFrom::Change<Real> CrossingsFrom::to(const BasicVector3<Real>& end) con
   const Mask begins_above = side > 0.0, begins_below = side < 0.0;
   const Mask same_side = Mask((begins_above & above) | (begins_below & below));
   if (all(same_side)) return {0.0, same_side};
+  if (covers_) {
+    const Mask crossed = Mask((begins_above & below) | (begins_below & above));
+    return {select(crossed, side, Real(0.0)), Mask(same_side | crossed)};
+  }
 
   const BasicVector3<Real> direction = end - in_all_lanes<Real>(begin_);
   const Real reach = length(direction);

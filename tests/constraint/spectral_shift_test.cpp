@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "constraint/spectral_shift.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "constraint/log_det_shift.hpp"
 #include "constraint/minimising_frame.hpp"
 #include "constraint/random_cells.hpp"
 #include "constraint/spectrum.hpp"
+#include "harmonics/frame.hpp"
+#include "harmonics/random_samples.hpp"
 #include "harmonics/sphere_quadrature.hpp"
 
 namespace crossgrain {
@@ -187,6 +192,23 @@ TEST(SpectralShift, ScalesWithTheForm) {
 TEST(SpectralShift, OfAnEmptyCellIsEmpty) {
   const auto result = shifted(QuadraticForm<4>{});
   EXPECT_EQ(testing::largest_difference(result, QuadraticForm<4>{}), 0);
+}
+
+TEST(LeastValueOfTwo, IsTheLeastOverAllFrames) {
+  testing::RandomSamples random(31);
+  for (int angle_deg = 0; angle_deg <= 180; angle_deg += 3) {
+    const double angle_rad = angle_deg * std::numbers::pi / 180;
+    for (const double share : {0.5, 0.499, 0.4, 0.2, 0.05, 0.001}) {
+      const Quaternion turn = random.rotation();
+      const Vector3 a = rotate(turn, {1, 0, 0});
+      const Vector3 b = rotate(turn, {std::cos(angle_rad), std::sin(angle_rad), 0});
+      QuadraticForm<4> form = normal_form<4>(a, 3 * (1 - share));
+      add_normal(form, b, 3 * share);
+      const double expected = value(form, frame_coefficients<4>(minimising_frame(form)));
+      EXPECT_NEAR(least_value_of_two(a, 3 * (1 - share), b, 3 * share), expected, 1e-9)
+          << angle_deg << " degrees, " << share;
+    }
+  }
 }
 
 }  // namespace

@@ -102,5 +102,23 @@ TEST(SegmentCrossing, OfSeveralSegmentsAtOnceIsThatOfEach) {
   expect_the_changes_of_single_segments<8>();
 }
 
+TEST(SegmentCrossing, ThatCannotReachTheEdgesIsTheSame) {
+  RandomSamples random(12);
+  int covered = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const std::array<Vector3, 3> corners{3 * random.vector(), 3 * random.vector(), 3 * random.vector()};
+    const Vector3 begin = random.vector();
+    const double reach = random.uniform(0.01, 1);
+    Vector3 end = begin;
+    for (double& x : end) x += random.uniform(-reach, reach);
+    const auto expected = CrossingsFrom(corners, begin).to(end);
+    const auto change = CrossingsFrom(corners, begin, reach).to(end);
+    ASSERT_EQ(change.certain, expected.certain);
+    ASSERT_EQ(change.change, expected.change);
+    covered += change.change != 0;
+  }
+  EXPECT_GT(covered, 100);
+}
+
 }  // namespace
 }  // namespace crossgrain
