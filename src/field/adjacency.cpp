@@ -101,7 +101,7 @@ class RowPacker {
 
 template <class Visit>
 void Adjacency::pack_groups(std::size_t cell_count, const Visit& pack_row) {
-  begin_.resize(cell_count);
+  begin_ = sized_vector<std::uint32_t>(cell_count);
   groups_.resize((cell_count + kGroupSize - 1) / kGroupSize);
   parallel_for_chunks(cell_count, kGroupSize, [&](std::size_t begin, std::size_t end) {
     // What is kept is allocated when its size is known.

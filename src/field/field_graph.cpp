@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 
 namespace crossgrain {
@@ -50,16 +51,26 @@ void CellForms<D>::hold_axis(std::size_t cell, const Vector3& unit_axis) {
 
 template <int D>
 void CellForms<D>::set_plane(std::size_t cell, const Vector3& unit_normal, double weight) {
-  slot_[cell] = static_cast<std::uint32_t>(planes_.size());
-  planes_.push_back({{static_cast<float>(unit_normal[0]), static_cast<float>(unit_normal[1]),
-                      static_cast<float>(unit_normal[2])},
-                     static_cast<float>(weight)});
+  if (empty(cell)) {
+    slot_[cell] = static_cast<std::uint32_t>(planes_.size());
+    planes_.emplace_back();
+  }
+  planes_[slot_[cell]] = {{static_cast<float>(unit_normal[0]), static_cast<float>(unit_normal[1]),
+                           static_cast<float>(unit_normal[2])},
+                          static_cast<float>(weight)};
+}
+
+template <int D>
+void CellForms<D>::reserve_planes(std::span<const std::uint32_t> cells) {
+  planes_ = sized_vector<PlaneForm>(cells.size());
+  parallel_for(cells.size(), [&](std::size_t k) { slot_[cells[k]] = static_cast<std::uint32_t>(k); });
 }
 
 template <int D>
 void CellForms<D>::reserve_general(std::span<const std::uint32_t> cells) {
-  generals_.resize(cells.size());
-  for (std::size_t k = 0; k < cells.size(); ++k) slot_[cells[k]] = kGeneral + static_cast<std::uint32_t>(k);
+  generals_ = sized_vector<PackedForm<D>>(cells.size());
+  parallel_for(cells.size(),
+               [&](std::size_t k) { slot_[cells[k]] = kGeneral + static_cast<std::uint32_t>(k); });
 }
 
 template <int D>

@@ -58,8 +58,8 @@ class CellForms {
 
   void set_plane(std::size_t cell, const Vector3& unit_normal, double weight);
 
-  /// Makes room for the general forms of these cells; each is then set once, in any order and from any
-  /// thread.
+  /// Makes room for the forms of these cells; each is then set once, in any order and from any thread.
+  void reserve_planes(std::span<const std::uint32_t> cells);
   void reserve_general(std::span<const std::uint32_t> cells);
   void set_general(std::size_t cell, const QuadraticForm<D>& form, double scale);
 

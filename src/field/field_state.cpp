@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/instruction_set.hpp"
+#include "base/parallel.hpp"
 #include "harmonics/frame.hpp"
 
 namespace crossgrain {
@@ -34,7 +35,7 @@ class SplitMix64 {
 
 template <int D>
 std::vector<StoredCoefficients<D>> coefficients_of(std::span<const StoredQuaternion> frames) {
-  std::vector<StoredCoefficients<D>> coefficients(frames.size());
+  auto coefficients = sized_vector<StoredCoefficients<D>>(frames.size());
   parallel_for_lanes(frames.size(), [&]<int W>(std::size_t begin, int count) {
     BasicQuaternion<Lanes<W>> q;
     for (int lane = 0; lane < count; ++lane) {

@@ -89,7 +89,7 @@ NeighbourComparison compare_neighbours(const Octree& tree, const Adjacency& adja
                                        std::span<const StoredQuaternion> frames) {
   const std::vector<StoredCoefficients<4>> coefficients = coefficients_of<4>(frames);
   NeighbourComparison result;
-  result.energy_density.resize(frames.size());
+  result.energy_density = sized_vector<float>(frames.size());
   result.turns_sharply.resize(frames.size());
   std::vector<double> partial((frames.size() + kParallelGrain - 1) / kParallelGrain, 0.0);
   for_each_edge_sum(adjacency, coefficients, [&](std::size_t i, double sum) {

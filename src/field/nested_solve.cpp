@@ -85,7 +85,7 @@ class LevelSolver {
 
 /// Each leaf takes the frame of the leaf it came from.
 Frames inherited(const Frames& frames, const GridLevel& level) {
-  Frames result(level.size());
+  auto result = sized_vector<StoredQuaternion>(level.size());
   parallel_for(level.size(), [&](std::size_t i) { result[i] = frames[level.parent[i]]; });
   return result;
 }

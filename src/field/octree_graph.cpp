@@ -230,7 +230,7 @@ LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const
   const LeafConnector connector(level, solid);
   LeafConnections result;
   result.open_faces.resize(level.size());
-  result.weights.resize(level.size());
+  result.weights = sized_vector<FaceWeights>(level.size());
   parallel_for_chunks(level.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
     monitor.check();
     for (std::size_t i = begin; i < end; ++i) {
@@ -268,24 +268,28 @@ template <int D>
 CellForms<D> boundary_forms(const GridLevel& level, const Solid& solid, double boundary_weight, Shift shift) {
   CellForms<D> forms(level.size());
   const double degree_factor = D == 3 ? 5.0 / 3 : 1.0;
-  std::vector<CellIndex> general;
+  const auto scale_of = [&](CellIndex i) {
+    return degree_factor * boundary_weight / level.tree.cell_size(i);
+  };
+  std::vector<std::uint8_t> is_plane(level.size());
+  parallel_for(level.size(), [&](std::size_t i) {
+    is_plane[i] = has_single_normal(level, solid, static_cast<CellIndex>(i));
+  });
+  std::vector<CellIndex> planes, generals;
   for (CellIndex i = 0; i < level.size(); ++i) {
-    if (!level.holds_surface(i)) continue;
-    if (!has_single_normal(level, solid, i)) {
-      general.push_back(i);
-      continue;
-    }
-    double area = 0;
-    for (const SurfacePiece& piece : level.pieces_of(i)) area += piece.area;
-    const Vector3& normal = solid.surface.normals[level.pieces_of(i)[0].triangle];
-    forms.set_plane(i, normal, degree_factor * boundary_weight / level.tree.cell_size(i) * area);
+    if (level.holds_surface(i)) (is_plane[i] ? planes : generals).push_back(i);
   }
-  forms.reserve_general(general);
-  parallel_for(general.size(), [&](std::size_t k) {
-    const CellIndex i = general[k];
-    const double scale = degree_factor * boundary_weight / level.tree.cell_size(i);
-    const QuadraticForm<D> form = cell_form<D>(level, solid, i);
-    forms.set_general(i, shift == Shift::kSpectral ? shifted(form) : form, scale);
+  forms.reserve_planes(planes);
+  parallel_for(planes.size(), [&](std::size_t k) {
+    double area = 0;
+    for (const SurfacePiece& piece : level.pieces_of(planes[k])) area += piece.area;
+    const Vector3& normal = solid.surface.normals[level.pieces_of(planes[k])[0].triangle];
+    forms.set_plane(planes[k], normal, scale_of(planes[k]) * area);
+  });
+  forms.reserve_general(generals);
+  parallel_for(generals.size(), [&](std::size_t k) {
+    const QuadraticForm<D> form = cell_form<D>(level, solid, generals[k]);
+    forms.set_general(generals[k], shift == Shift::kSpectral ? shifted(form) : form, scale_of(generals[k]));
   });
   return forms;
 }

@@ -63,7 +63,7 @@ SweepOrder::SweepOrder(const Colouring& colouring) : cells(colouring.cells), run
 
 SweepOrder::SweepOrder(const Adjacency& adjacency, std::span<const std::uint8_t> colour_of_cell,
                        std::size_t block_size)
-    : cells(adjacency.size()), run_begin{0}, block_begin{0}, phase_begin{0} {
+    : cells(sized_vector<std::uint32_t>(adjacency.size())), run_begin{0}, block_begin{0}, phase_begin{0} {
   const std::vector<Blocks> beside = neighbouring_blocks(adjacency, block_size);
   std::vector<std::uint32_t> place_of(beside.size());  // of a block among those of all phases
   std::vector<std::size_t> cell_begin(beside.size());  // of a block in `cells`

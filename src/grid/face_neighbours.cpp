@@ -16,7 +16,7 @@ namespace {
 class Descendants {
  public:
   Descendants(const SplitTree& before, const Octree& after, std::span<const CellIndex> parent)
-      : first_(before.tree.size(), kNoCell), octants_(before.tree.size()) {
+      : first_(sized_vector<CellIndex>(before.tree.size())), octants_(before.tree.size()) {
     parallel_for(after.size(), [&](std::size_t k) {
       const CellIndex p = parent[k];
       if (k > 0 && parent[k - 1] == p) return;
@@ -104,7 +104,7 @@ class NeighboursAfterSplit {
 
 template <class NeighbourOf>
 std::vector<FaceNeighbours> for_all_faces(std::size_t leaves, const NeighbourOf& neighbour_of) {
-  std::vector<FaceNeighbours> result(leaves);
+  auto result = sized_vector<FaceNeighbours>(leaves);
   parallel_for(leaves, [&](std::size_t i) {
     for (int face = 0; face < kFaceCount; ++face)
       result[i][face] = neighbour_of(static_cast<CellIndex>(i), face);

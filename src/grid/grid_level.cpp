@@ -133,11 +133,11 @@ GridLevel joined(const RootCube& root, std::vector<RefinedRun> runs, std::size_t
     throw Error(ErrorKind::kLimit, "the grid needs more than 4 billion cells: lower the resolution");
   }
   GridLevel level;
-  std::vector<CellAddress> leaves(leaf_begin.back());
-  level.pieces.resize(piece_begin.back());
-  level.piece_begin.resize(leaf_begin.back() + 1);
-  level.centre_winding.resize(leaf_begin.back());
-  level.parent.resize(leaf_begin.back());
+  auto leaves = sized_vector<CellAddress>(leaf_begin.back());
+  level.pieces = sized_vector<SurfacePiece>(piece_begin.back());
+  level.piece_begin = sized_vector<std::uint32_t>(leaf_begin.back() + 1);
+  level.centre_winding = sized_vector<std::int8_t>(leaf_begin.back());
+  level.parent = sized_vector<CellIndex>(leaf_begin.back());
   parallel_for(
       runs.size(),
       [&](std::size_t r) {

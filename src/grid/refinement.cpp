@@ -36,8 +36,8 @@ void mark_thin_walls(const GridLevel& level, const Solid& solid, double thicknes
   parallel_for_chunks(level.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
     std::vector<CellIndex>& found = thin[begin / kParallelGrain];
     for (auto i = static_cast<CellIndex>(begin); i < end; ++i) {
-      const auto ray = inward_ray(level, solid, i);
       const double size = level.tree.cell_size(i);
+      const auto ray = inward_ray(level, solid, i, thickness_cells * size);
       if (!ray || ray->thickness >= thickness_cells * size) continue;
       found.push_back(i);
       // Half a cell a step passes by no more than a corner of a cell.
