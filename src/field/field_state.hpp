@@ -11,9 +11,10 @@
 
 namespace crossgrain {
 
-/// Coefficients in single precision, as they are stored per cell.
+/// Coefficients in single precision, as they are stored per cell. In degree 3 a zero follows, so that they
+/// are read as one vector.
 template <int D>
-using StoredCoefficients = std::array<float, kCoefficientCount<D>>;
+using StoredCoefficients = std::array<float, D == 3 ? 8 : kCoefficientCount<D>>;
 
 template <int D>
 struct FieldState {
@@ -27,7 +28,7 @@ struct FieldState {
 
 template <int D>
 inline StoredCoefficients<D> to_stored(const Coefficients<D>& h) {
-  StoredCoefficients<D> stored;
+  StoredCoefficients<D> stored{};
   for (int m = 0; m < kCoefficientCount<D>; ++m) stored[m] = static_cast<float>(h[m]);
   return stored;
 }

@@ -71,38 +71,69 @@ class LocalEnergy {
 
   void add_neighbours(const Adjacency& adjacency, const std::vector<StoredCoefficients<D>>& coefficients,
                       const CellsInLanes<W>& cells) {
-    if constexpr (D == 3) {
-      add_side_by_side(adjacency, coefficients, cells);
-    } else {
-      for (int lane = 0; lane < W; ++lane) add_to_lane(lane, adjacency[cells[lane]], coefficients);
+    for (int lane = 0; lane < W; ++lane) add_to_lane(lane, adjacency[cells[lane]], coefficients);
+  }
+
+  /// Coefficients of one cell are summed side by side, as they are stored, eight at most.
+  static constexpr int kWidth = std::min(W, 8), kGroups = 8 / kWidth;
+  using Group = BasicLanes<Number, kWidth>;
+
+  /// add(its cell, its weight in all lanes) for each neighbour.
+  template <class Add>
+  static void for_each_weighted(const Adjacency::Row& neighbours, const Add& add) {
+    for (std::size_t k = 0; k < neighbours.size(); k += kWidth) {
+      const Group weights = neighbours.template weights_from<Group>(k);
+      const auto add_one = [&]<int J>() {
+        if (k + J < neighbours.size()) add(neighbours.cell(k + J), repeated<J>(weights));
+      };
+      [&]<int... J>(std::integer_sequence<int, J...>) {
+        (add_one.template operator()<J>(), ...);
+      }
+      (std::make_integer_sequence<int, kWidth>());
     }
   }
 
-  /// The k-th neighbour of every cell at once.
-  void add_side_by_side(const Adjacency& adjacency, const std::vector<StoredCoefficients<3>>& coefficients,
-                        const CellsInLanes<W>& cells) {
-    std::size_t most = 0;
-    for (const std::uint32_t cell : cells.cells) most = std::max(most, adjacency[cell].size());
-    for (std::size_t k = 0; k < most; ++k) {
-      Coefficients<3, Real> h{};
-      Real weight = 0;
-      for (int lane = 0; lane < W; ++lane) {
-        const Adjacency::Row neighbours = adjacency[cells[lane]];
-        if (k >= neighbours.size()) continue;
-        weight.set(lane, neighbours.weight(k));
-        const StoredCoefficients<3>& stored = coefficients[neighbours.cell(k)];
-        for (int m = 0; m < kCoefficientCount<3>; ++m) h[m].set(lane, stored[m]);
+  /// Row by row of the matrix, with columns side by side.
+  void add_to_lane(int lane, const Adjacency::Row& neighbours,
+                   const std::vector<StoredCoefficients<3>>& coefficients) {
+    constexpr int n = kCoefficientCount<3>;
+    std::array<std::array<Group, kGroups>, n> rows;
+    Number total_weight = 0;
+    const auto add = [&](const StoredCoefficients<3>& stored, const Group& weight) {
+      std::array<Group, kGroups> h, weighted;
+      for (int g = 0; g < kGroups; ++g) {
+        h[g] = lanes_of<Group>(stored.data() + g * kWidth);
+        weighted[g] = weight * h[g];
       }
-      neighbour_weight_ += weight;
-      add_outer_product<3>(*matrix_, -5.0 / 6 * weight, h);
+      const auto add_row = [&]<int Row>() {
+        const Group factor = repeated<Row % kWidth>(weighted[Row / kWidth]);
+        for (int g = Row / kWidth; g < kGroups; ++g) rows[Row][g] += factor * h[g];
+      };
+      [&]<int... Row>(std::integer_sequence<int, Row...>) {
+        (add_row.template operator()<Row>(), ...);
+      }
+      (std::make_integer_sequence<int, n>());
+      total_weight += weight[0];
+    };
+    if (neighbours.has_equal_weights()) {
+      const Group weight = neighbours.weight(0);
+      for (std::size_t k = 0; k < neighbours.size(); ++k) add(coefficients[neighbours.cell(k)], weight);
+    } else {
+      for_each_weighted(neighbours,
+                        [&](std::uint32_t cell, const Group& weight) { add(coefficients[cell], weight); });
     }
+    FormMatrix<3, Real>& matrix = *matrix_;
+    int entry = 0;
+    for (int row = 0; row < n; ++row) {
+      for (int column = row; column < n; ++column)
+        matrix[entry++].set(lane, -5.0 / 6 * rows[row][column / kWidth][column % kWidth]);
+    }
+    neighbour_weight_.set(lane, total_weight);
   }
 
   /// Here the eight orders below the last stand side by side, since that is how they are stored.
   void add_to_lane(int lane, const Adjacency::Row& neighbours,
                    const std::vector<StoredCoefficients<4>>& coefficients) {
-    constexpr int kWidth = std::min(W, 8), kGroups = 8 / kWidth;
-    using Group = BasicLanes<Number, kWidth>;
     std::array<Group, kGroups> sums;
     sums.fill(0.0);
     Number last = 0, total_weight = 0;
@@ -118,22 +149,13 @@ class LocalEnergy {
       last *= weight / 2;
       total_weight = weight * static_cast<Number>(neighbours.size());
     } else {
-      for (std::size_t k = 0; k < neighbours.size(); k += kWidth) {
-        const Group weights = neighbours.template weights_from<Group>(k);
-        const Group half_weights = 0.5 * weights;
-        const auto add = [&]<int J>() {
-          if (k + J >= neighbours.size()) return;
-          const StoredCoefficients<4>& h = coefficients[neighbours.cell(k + J)];
-          const Group half_weight = repeated<J>(half_weights);
-          for (int g = 0; g < kGroups; ++g) sums[g] += half_weight * lanes_of<Group>(h.data() + g * kWidth);
-          last += half_weights[J] * h[8];
-          total_weight += weights[J];
-        };
-        [&]<int... J>(std::integer_sequence<int, J...>) {
-          (add.template operator()<J>(), ...);
-        }
-        (std::make_integer_sequence<int, kWidth>());
-      }
+      for_each_weighted(neighbours, [&](std::uint32_t cell, const Group& weight) {
+        const StoredCoefficients<4>& h = coefficients[cell];
+        const Group half_weight = 0.5 * weight;
+        for (int g = 0; g < kGroups; ++g) sums[g] += half_weight * lanes_of<Group>(h.data() + g * kWidth);
+        last += half_weight[0] * h[8];
+        total_weight += weight[0];
+      });
     }
     for (int m = 0; m < 8; ++m) linear_[m].set(lane, sums[m / kWidth][m % kWidth]);
     linear_[8].set(lane, last);
