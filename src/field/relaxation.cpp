@@ -35,7 +35,11 @@ Coefficients<4, Real> minimising_coefficients(const LocalEnergy<4, Real>& energy
   if (energy.matrix() != nullptr) {
     typename Real::Mask has_form;
     for (int lane = 0; lane < W; ++lane) has_form.set(lane, forms.general(cells[lane]) != nullptr);
-    h = select(has_form, solve_shifted<4>(*energy.matrix(), half_weight, energy.linear()), h);
+    // In units of the weight, so that roots round alike for models of any size.
+    const Real unit = 1 / half_weight;
+    FormMatrix<4, Real> matrix = *energy.matrix();
+    for (Real& entry : matrix) entry *= unit;
+    h = select(has_form, solve_shifted<4>(matrix, 1.0, scaled(energy.linear(), unit)), h);
   }
   return h;
 }
@@ -51,8 +55,10 @@ Coefficients<3, Real> minimising_coefficients(const LocalEnergy<3, Real>& energy
     add_outer_product<3>(matrix, -energy.plane_weight(), energy.plane().cosine);
     add_outer_product<3>(matrix, -energy.plane_weight(), energy.plane().sine);
   }
-  const Real shift = (1 + kShiftMargin) * 5.0 / 6 * energy.neighbour_weight();
-  const Coefficients<3, Real> x = solve_shifted<3>(matrix, shift, h);
+  // In units of the weight, so that roots round alike for models of any size.
+  const Real unit = 1 / energy.neighbour_weight();
+  for (Real& entry : matrix) entry *= unit;
+  const Coefficients<3, Real> x = solve_shifted<3>(matrix, (1 + kShiftMargin) * 5.0 / 6, h);
   return scaled(x, 1 / sqrt(squared_norm(x)));
 }
 
@@ -106,11 +112,14 @@ Coefficients<4, Real> relaxed_about(const BasicVector3<Real>& axis, const LocalE
 template <int D, int W>
 void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsInLanes<W>& cells,
                  double symmetrisation, double over_relaxation) {
-  using Real = Lanes<W>;
+  using Real = SingleLanes<W>;
   const LocalEnergy<D, Real> energy(graph, state.coefficients, cells);
+  std::array<std::array<float, W>, kCoefficientCount<D>> stored;
+  for (int lane = 0; lane < W; ++lane) {
+    for (int m = 0; m < kCoefficientCount<D>; ++m) stored[m][lane] = state.coefficients[cells[lane]][m];
+  }
   Coefficients<D, Real> before;
-  for (int lane = 0; lane < W; ++lane)
-    set_lane(before, lane, from_stored<D>(state.coefficients[cells[lane]]));
+  for (int m = 0; m < kCoefficientCount<D>; ++m) before[m] = lanes_of<Real>(stored[m].data());
   Coefficients<D, Real> h = minimising_coefficients(energy, graph.forms, cells, before);
   if constexpr (D == 4) h = over_relaxed(before, h, over_relaxation);
   symmetrise_steps<D>(h, symmetrisation);
@@ -130,7 +139,7 @@ void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsIn
 template <int D>
 void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation,
                       double over_relaxation) {
-  visit_in_lanes<double>(graph.order(), [&]<int W>(const CellsInLanes<W>& cells, std::size_t) {
+  visit_in_lanes<float>(graph.order(), [&]<int W>(const CellsInLanes<W>& cells, std::size_t) {
     relax_cells(graph, state, cells, symmetrisation, over_relaxation);
   });
 }
