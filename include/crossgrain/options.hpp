@@ -40,7 +40,8 @@ struct SolverOptions {
   double boundary_weight = 10;
 
   /// Share of a face's weight that smoothness moves to each diagonal across each of its edges, from 0 to 1/4:
-  /// so that a singular arc costs the same in all directions through the grid.
+  /// so that a singular arc costs the same in all directions through the grid. Rounded to a multiple of
+  /// 1/320.
   double diagonal_share = 0.2;
 
   /// Starts from random frames. Each is carried through all levels of up to `start_cells` active cells, then
