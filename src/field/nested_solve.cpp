@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/nested_solve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
 #include "field/leaf_stencil.hpp"
+#include "field/solve_forecast.hpp"
 #include "field/stages.hpp"
 #include "grid/refinement.hpp"
 
@@ -104,8 +109,12 @@ template <int D>
 class NestedSolver {
  public:
   NestedSolver(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-               const InitialFrame& initial_frame)
-      : solid_(solid), options_(options), monitor_(monitor), initial_frame_(initial_frame) {}
+               const InitialFrame& initial_frame, double seconds_before)
+      : solid_(solid),
+        options_(options),
+        monitor_(monitor),
+        initial_frame_(initial_frame),
+        seconds_so_far_(seconds_before) {}
 
   SolvedField run() {
     level_watch_.start();
@@ -113,14 +122,18 @@ class NestedSolver {
     const auto [root, finest_depth] =
         frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
     const int coarsest_depth = std::max(0, finest_depth - levels_above_finest());
+    SolveForecast forecast(options_, finest_depth, current_memory_bytes());
     result_.level = uniform_level(solid_, root, coarsest_depth, monitor_);
     for (int depth = coarsest_depth;; ++depth) {
       if (result_.level.size() == 0)
         throw Error(ErrorKind::kInput,
                     "the parts of the surface are too small for the cells; raise the resolution");
-      const bool coarsest = depth == coarsest_depth, finest = depth == finest_depth;
-      solve_level(depth, coarsest, finest);
+      result_.levels_left_out = finest_depth - depth;
+      const LevelGrowth growth(result_.level, solid_, options_.refinement);
+      const bool finest = depth == finest_depth || !next_fits(forecast, growth);
+      solve_level(depth, depth == coarsest_depth, finest);
       if (finest) break;
+      foretell(forecast, growth);
       refine(finest_depth);
     }
     result_.frames = std::move(candidates_.front().frames);
@@ -131,11 +144,40 @@ class NestedSolver {
 
  private:
   int levels_above_finest() const {
-    const Box& box = solid_.surface.box;
-    const double ratio =
-        longest_side(box) / finest_cell_size(box, options_) / options_.refinement.coarsest_cells;
+    const double ratio = finest_resolution() / options_.refinement.coarsest_cells;
     // The margin keeps powers of two what they are.
     return std::max(0, static_cast<int>(std::floor(std::log2(ratio) + 1e-9)));
+  }
+
+  double finest_resolution() const {
+    const Box& box = solid_.surface.box;
+    return longest_side(box) / finest_cell_size(box, options_);
+  }
+
+  /// Throws Error(kLimit) where too many levels would be left out.
+  bool next_fits(const SolveForecast& forecast, const LevelGrowth& growth) {
+    const LevelCounts next = growth.after(1);
+    if (forecast.fits(next)) return true;
+    result_.memory_needed = static_cast<std::size_t>(forecast.peak_memory(next));
+    if (result_.levels_left_out > kMostLevelsLeftOut) {
+      throw Error(
+          ErrorKind::kLimit,
+          fmt::format("{:.3g} cells along the longest side would need {:.3g} GB, and {:.3g} GB are allowed; "
+                      "lower the resolution, take larger cells or allow more memory",
+                      std::ldexp(finest_resolution(), 1 - result_.levels_left_out),
+                      forecast.peak_memory(next) / 1e9,
+                      static_cast<double>(forecast.memory_limit_bytes()) / 1e9));
+    }
+    return false;
+  }
+
+  void foretell(SolveForecast& forecast, const LevelGrowth& growth) {
+    const LevelStatistics& level = result_.levels.back();
+    const std::optional<Expectation> expected = forecast.told_by(
+        level.depth, growth, level.sweeps, level.seconds, seconds_so_far_, finest_resolution());
+    if (!expected) return;
+    result_.expected = expected;
+    monitor_.expect(*expected);
   }
 
   void solve_level(int depth, bool coarsest, bool finest) {
@@ -159,6 +201,7 @@ class NestedSolver {
     solve_watch_.stop();
     result_.levels.push_back({depth, level.examined_leaves, level.size(), solver.sweeps(),
                               result_.energy.total(), level_watch_.restart()});
+    seconds_so_far_ += result_.levels.back().seconds;
     grid_watch_.start();
   }
 
@@ -224,14 +267,16 @@ class NestedSolver {
   SolvedField result_;
   std::vector<Candidate> candidates_;
   Stopwatch grid_watch_, solve_watch_, level_watch_;
+  double seconds_so_far_;
 };
 
 }  // namespace
 
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-                         const InitialFrame& initial_frame) {
-  return options.degree == Degree::kThree ? NestedSolver<3>(solid, options, monitor, initial_frame).run()
-                                          : NestedSolver<4>(solid, options, monitor, initial_frame).run();
+                         const InitialFrame& initial_frame, double seconds_before) {
+  return options.degree == Degree::kThree
+             ? NestedSolver<3>(solid, options, monitor, initial_frame, seconds_before).run()
+             : NestedSolver<4>(solid, options, monitor, initial_frame, seconds_before).run();
 }
 
 }  // namespace crossgrain
