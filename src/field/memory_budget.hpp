@@ -54,7 +54,7 @@ inline constexpr MemoryLine kFaceWeights{
     .structure = "face weights", .per_cell = 6, .held = kWhileConnecting};
 inline constexpr MemoryLine kOpenFaces{.structure = "open faces", .per_cell = 1, .held = kAlways};
 inline constexpr MemoryLine kAdjacency{
-    .structure = "adjacency", .per_cell = 54, .per_surface_cell = 20, .held = kAlways};
+    .structure = "adjacency", .per_cell = 55, .per_surface_cell = 22, .held = kAlways};
 inline constexpr MemoryLine kSweepOrder{.structure = "sweep order", .per_cell = 4, .held = kFromConnecting};
 inline constexpr MemoryLine kFormSlots{.structure = "slots of forms", .per_cell = 4, .held = kWhileSettling};
 inline constexpr MemoryLine kPlaneForms{.structure = "forms of planes",

@@ -29,11 +29,14 @@ using Candidate = SettledFrames;
 template <int D>
 class LevelSolver {
  public:
-  LevelSolver(const GridLevel& level, const Solid& solid, const LeafConnections& faces,
+  LevelSolver(const GridLevel& level, const Solid& solid, Connectivity connectivity,
               const SolveOptions& options, const Monitor& monitor, int depth)
-      : level_(level), solid_(solid), options_(options.solver), monitor_(monitor), depth_(depth) {
-    connectivity_ =
-        std::make_shared<const Connectivity>(connectivity_of(level, faces, options_.diagonal_share));
+      : level_(level),
+        solid_(solid),
+        options_(options.solver),
+        monitor_(monitor),
+        depth_(depth),
+        connectivity_(std::make_shared<Connectivity>(std::move(connectivity))) {
     graph_ = {connectivity_, boundary_forms<D>(level, solid, options_.boundary_weight, Shift::kNone)};
   }
 
@@ -51,6 +54,14 @@ class LevelSolver {
       };
     }
     return relaxed_and_settled(graph_, std::move(frames), relax, settling, [this](double e) { advance(e); });
+  }
+
+  /// Gives up what only `solved` needs: it is not called again.
+  void end_sweeps() {
+    graph_ = {};
+    relaxed_graph3_ = {};
+    relaxed_graph4_ = {};
+    connectivity_->order = {};
   }
 
   LevelEnergy energy(const Frames& frames) const {
@@ -81,7 +92,7 @@ class LevelSolver {
   const SolverOptions& options_;
   const Monitor& monitor_;
   int depth_;
-  std::shared_ptr<const Connectivity> connectivity_;
+  std::shared_ptr<Connectivity> connectivity_;
   FieldGraph<D> graph_;
   FieldGraph<3> relaxed_graph3_;
   FieldGraph<4> relaxed_graph4_;
@@ -173,6 +184,9 @@ class NestedSolver {
 
   void foretell(SolveForecast& forecast, const LevelGrowth& growth) {
     const LevelStatistics& level = result_.levels.back();
+    // A surface that encloses nothing is refused in the end: there is nothing to expect.
+    const auto& winding = result_.level.centre_winding;
+    if (std::none_of(winding.begin(), winding.end(), [](int w) { return w > 0; })) return;
     const std::optional<Expectation> expected = forecast.told_by(
         level.depth, growth, level.sweeps, level.seconds, seconds_so_far_, finest_resolution());
     if (!expected) return;
@@ -183,12 +197,7 @@ class NestedSolver {
   void solve_level(int depth, bool coarsest, bool finest) {
     GridLevel& level = result_.level;
     monitor_.report({"grid", depth, level.size(), 0, std::numeric_limits<double>::quiet_NaN()});
-    LeafConnections connections = connect_leaves(level, solid_, monitor_);
-    LevelSolver<D> solver(level, solid_, connections, options_, monitor_, depth);
-    result_.open_faces = std::move(connections.open_faces);
-    result_.tied_leaves = connections.tied_leaves;
-    connections = {};
-    if (finest) std::vector<FaceNeighbours>().swap(level.neighbours);
+    LevelSolver<D> solver(level, solid_, connect(level, finest), options_, monitor_, depth);
     grid_watch_.stop();
 
     solve_watch_.start();
@@ -197,12 +206,23 @@ class NestedSolver {
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
       candidates_[c] = solver.solved(std::move(candidates_[c].frames), relaxation_sweeps(c, coarsest));
     }
+    solver.end_sweeps();
     keep_best(solver, finest || level.size() > options_.solver.start_cells, finest);
     solve_watch_.stop();
     result_.levels.push_back({depth, level.examined_leaves, level.size(), solver.sweeps(),
                               result_.energy.total(), level_watch_.restart()});
     seconds_so_far_ += result_.levels.back().seconds;
     grid_watch_.start();
+  }
+
+  /// Who is compared with whom. The finest level gives up its neighbours, which no finer one will ask for.
+  Connectivity connect(GridLevel& level, bool finest) {
+    LeafConnections connections = connect_leaves(level, solid_, monitor_);
+    Connectivity connectivity = connectivity_of(level, connections, options_.solver.diagonal_share);
+    result_.open_faces = std::move(connections.open_faces);
+    result_.tied_leaves = connections.tied_leaves;
+    if (finest) std::vector<FaceNeighbours>().swap(level.neighbours);
+    return connectivity;
   }
 
   void start_candidates(bool coarsest) {
@@ -257,6 +277,7 @@ class NestedSolver {
                             ? Marks(result_.level.size(), true)
                             : refinement_marks(result_.level, solid_, result_.energy_density, finest_depth,
                                                options_.refinement);
+    std::vector<float>().swap(result_.energy_density);
     result_.level = refined(result_.level, solid_, marks, monitor_);
   }
 
