@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <string_view>
 
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
@@ -61,6 +62,31 @@ std::string fault_of_box(const std::string& text) {
       return "'" + text + "' has its " + "xyz"[axis] + " bounds the wrong way round";
   }
   return "";
+}
+
+/// The bytes of a number with a unit, of 1000 or 1024, or without; empty where it is none.
+std::optional<std::size_t> parse_bytes(const std::string& text) {
+  const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
+  double number = 0;
+  if (end == 0 || !CLI::detail::lexical_cast(text.substr(0, end), number)) return std::nullopt;
+  const std::string unit = text.substr(end);
+  constexpr std::string_view kPrefixes = "KMGT";
+  int power = 0;
+  double base = 1000;
+  if (!unit.empty() && unit != "B") {
+    const std::size_t prefix = kPrefixes.find(unit[0]);
+    const std::string rest = unit.substr(1);
+    if (prefix == kPrefixes.npos || (rest != "" && rest != "B" && rest != "iB")) return std::nullopt;
+    power = static_cast<int>(prefix) + 1;
+    if (rest == "iB") base = 1024;
+  }
+  const double bytes = number * std::pow(base, power);
+  if (!(bytes >= 1 && bytes < std::ldexp(1.0, 63))) return std::nullopt;
+  return static_cast<std::size_t>(bytes);
+}
+
+std::string fault_of_bytes(const std::string& text) {
+  return parse_bytes(text) ? "" : "'" + text + "' is no amount of memory such as 12GB, 800MB or 1.5GiB";
 }
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
@@ -126,6 +152,15 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   command->add_option("--threads", options.threads, "Threads; 0 (default) for all there are")
       ->check(CLI::Range(0, kMany))
       ->type_name("N");
+  command
+      ->add_option_function<std::string>(
+          "--max-memory",
+          [&options](const std::string& text) { options.max_memory_bytes = *parse_bytes(text); },
+          "Memory to take at most, such as 12GB, 800MB or bytes; cells get up to 8 times larger to stay "
+          "within "
+          "(default: nine tenths of what there is)")
+      ->check(fault_of_bytes)
+      ->type_name("SIZE");
   command->add_option("--seed", options.seed, "Changes the initial frames of every start (default 0)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");

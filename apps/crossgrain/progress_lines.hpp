@@ -21,9 +21,10 @@ class ProgressLines {
 
   void show(const Progress& progress);
 
- private:
+  /// Ends the line of what is going on, so that something else may be printed.
   void end_line();
 
+ private:
   using Clock = std::chrono::steady_clock;
   bool shown_;
   bool terminal_;

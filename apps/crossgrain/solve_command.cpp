@@ -117,6 +117,12 @@ std::string tets_lines(const SolveReport::Onto& onto) {
               : "");
 }
 
+std::string expected_line(const Expectation& expected) {
+  return fmt::format("expected   {:.3g} million cells, {:.3g} GB of memory, {:.3g} s in all\n",
+                     static_cast<double>(expected.active_cells) / 1e6,
+                     static_cast<double>(expected.peak_memory_bytes) / 1e9, expected.seconds);
+}
+
 std::string files_line(const SolveReport& report, const std::filesystem::path& output) {
   std::vector<std::string> names{"field.vtu"};
   if (report.onto) names.insert(names.end(), {"onto.frames", "onto.vtu"});
@@ -175,6 +181,11 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   report.model.path = arguments.model;
   report.seconds.read = read_seconds;
   report.seconds.total = seconds_since(start);
+  if (report.expected) {
+    // The library's clock began after reading.
+    report.expected->after_seconds += read_seconds;
+    report.expected->seconds += read_seconds;
+  }
   if (tet_field) return write_field(*tet_field, report, arguments.output, monitor, arguments.output_options);
   return write_field(field, report, arguments.output, monitor, arguments.output_options);
 }
@@ -192,10 +203,17 @@ void run_solve(const SolveArguments& arguments) {
   SolveReport report;
   {
     ProgressLines lines(!arguments.quiet && (arguments.progress || isatty(STDERR_FILENO)));
-    Monitor monitor([&lines](const Progress& progress) { lines.show(progress); });
+    const auto expect = [&](Expectation expected) {
+      if (arguments.quiet) return;
+      lines.end_line();
+      expected.seconds += seconds_since(start) - expected.after_seconds;
+      print_result(expected_line(expected));
+    };
+    Monitor monitor([&lines](const Progress& progress) { lines.show(progress); }, expect);
     const Interruption interruption(monitor);
     report = solve_and_write(arguments, start, monitor);
   }
+  if (report.limited) print_message("warning: " + report.warnings.front());
   if (!arguments.quiet) print_result(summary_of(report, arguments.output));
 }
 

@@ -4,6 +4,9 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <utility>
+
+#include "crossgrain/statistics.hpp"
 
 namespace crossgrain {
 
@@ -24,7 +27,9 @@ struct Progress {
 class Monitor {
  public:
   Monitor() = default;
-  explicit Monitor(std::function<void(const Progress&)> on_progress) : on_progress_(std::move(on_progress)) {}
+  explicit Monitor(std::function<void(const Progress&)> on_progress,
+                   std::function<void(const Expectation&)> on_expectation = {})
+      : on_progress_(std::move(on_progress)), on_expectation_(std::move(on_expectation)) {}
 
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
   bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
@@ -34,12 +39,19 @@ class Monitor {
     if (on_progress_) on_progress_(progress);
   }
 
+  /// Tells the listener, once in a solve and before its expensive levels, what to expect of it; not of small
+  /// ones. Its seconds are counted from the call of `solve`.
+  void expect(const Expectation& expectation) const {
+    if (on_expectation_) on_expectation_(expectation);
+  }
+
   /// Throws Error(kInterrupted) once cancelled.
   void check() const;
 
  private:
   std::atomic<bool> cancelled_{false};
   std::function<void(const Progress&)> on_progress_;
+  std::function<void(const Expectation&)> on_expectation_;
 };
 
 }  // namespace crossgrain

@@ -130,6 +130,11 @@ struct SolveOptions {
   /// Threads of the parallel loops; 0 for all there are. The result does not depend on it.
   int threads = 0;
 
+  /// Memory that the process may take, bytes; 0 for nine tenths of what the machine or the container has.
+  /// Where the finest cells would take more, refinement ends up to three levels above them
+  /// (SolveReport::limited); where that takes more too, solves throw Error(kLimit).
+  std::size_t max_memory_bytes = 0;
+
   /// Changes the initial frames of every start.
   std::uint64_t seed = 0;
 

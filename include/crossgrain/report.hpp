@@ -26,6 +26,17 @@ struct SolveReport {
   double resolution = 0;  ///< finest cells along the longest side of the bounding box
   std::vector<LevelStatistics> levels;
 
+  /// What was expected of the solve before its expensive levels; none for fields of fewer than 20,000 cells.
+  std::optional<Expectation> expected;
+
+  /// Only where memory did not allow the cells that were asked for.
+  struct Limited {
+    double resolution_asked = 0;          ///< finest cells along the longest side
+    std::size_t memory_bytes = 0;         ///< that was allowed
+    std::size_t memory_needed_bytes = 0;  ///< by the next finer level, about
+  };
+  std::optional<Limited> limited;
+
   /// Of degree 4, whatever degree was solved.
   struct Energy {
     double smoothness = 0;     ///< 1/2 sum over pairs of neighbours of w |h_i - h_j|^2

@@ -15,4 +15,14 @@ struct LevelStatistics {
   double seconds;            ///< wall time, grid construction included
 };
 
+/// What a whole solve is expected to come to, told by a coarse level.
+struct Expectation {
+  int depth;                      ///< octree depth of the level that told it
+  double after_seconds;           ///< wall time that had passed by then
+  double resolution;              ///< finest cells along the longest side that there will be
+  std::size_t active_cells;       ///< of the finest level
+  std::size_t peak_memory_bytes;  ///< of the whole process
+  double seconds;  ///< wall time of everything, analysis and writing of the whole field included
+};
+
 }  // namespace crossgrain

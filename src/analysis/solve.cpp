@@ -2,6 +2,7 @@
 #include "crossgrain/solve.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -15,7 +16,9 @@
 #include "base/instruction_set.hpp"
 #include "base/lanes.hpp"
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "field/nested_solve.hpp"
+#include "field/solve_forecast.hpp"
 #include "harmonics/deviation.hpp"
 #include "harmonics/frame.hpp"
 #include "surface/topology.hpp"
@@ -57,8 +60,14 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
                       const SolveOptions& options) {
   SolveReport report;
   report.degree = static_cast<int>(options.degree);
-  report.resolution = longest_side(solid.surface.box) / finest_cell_size(solid.surface.box, options);
+  const double resolution_asked =
+      longest_side(solid.surface.box) / finest_cell_size(solid.surface.box, options);
+  report.resolution = std::ldexp(resolution_asked, -field.levels_left_out);
   report.levels = field.levels;
+  report.expected = field.expected;
+  if (field.levels_left_out > 0)
+    report.limited =
+        SolveReport::Limited{resolution_asked, allowed_memory_bytes(options), field.memory_needed};
   report.energy.smoothness = field.energy.smoothness;
   report.energy.boundary = field.energy.boundary;
   report.energy.unavoidable = field.energy.unavoidable;
@@ -77,14 +86,16 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
 std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptions& options,
                                       const Monitor& monitor, const InitialFrame& initial_frame) {
   check_options(options);
+  Stopwatch watch;
+  watch.start();
   const ThreadLimit thread_limit(options.threads);
   const Surface surface = prepare_surface(mesh);
-  check_size(surface, finest_cell_size(surface.box, options));
+  check_size(surface, options);
   const TriangleBvh bvh(surface);
   const WindingNumber winding(surface, bvh);
   const SurfaceTopology topology = analyse_topology(mesh);
   const Solid solid{surface, bvh, winding, topology.watertight};
-  SolvedField solved = nested_solve(solid, options, monitor, initial_frame);
+  SolvedField solved = nested_solve(solid, options, monitor, initial_frame, watch.restart());
   check_interior(solved.level, surface, topology);
 
   monitor.report({"analysis", 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN()});
@@ -106,7 +117,9 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   data->report.singularity =
       singularity_graph(solved.level.tree, solved.frames, solved.open_faces, solved.near_sharp_turn).counts();
   data->report.model = describe(mesh, surface, topology);
-  data->report.warnings = surface_warnings(surface, topology);
+  if (data->report.limited) data->report.warnings = {memory_warning(data->report)};
+  const std::vector<std::string> faults = surface_warnings(surface, topology);
+  data->report.warnings.insert(data->report.warnings.end(), faults.begin(), faults.end());
   const std::vector<std::string> unresolved = resolution_warnings(data->report);
   data->report.warnings.insert(data->report.warnings.end(), unresolved.begin(), unresolved.end());
   if (!solved.settled) data->report.warnings.push_back("the energy had not settled when the sweeps ran out");

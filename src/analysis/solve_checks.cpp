@@ -10,6 +10,9 @@
 #include "base/system_memory.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
+#include "field/memory_budget.hpp"
+#include "field/nested_solve.hpp"
+#include "field/solve_forecast.hpp"
 
 namespace crossgrain {
 namespace {
@@ -25,10 +28,11 @@ constexpr double kLargestModel = 1e12;
 /// Coordinates this many times the model's size leave too few digits for its shape.
 constexpr double kFarthestModel = 1e9;
 
-/// Active cells per squared finest cell of surface, and bytes per active cell: about what the shipped models
-/// take.
-constexpr double kCellsPerFace = 3;
-constexpr double kBytesPerCell = 250;
+/// Active cells per squared finest cell of surface: about as few as there are where all walls are thick.
+constexpr double kCellsPerFace = 2;
+
+/// Cells with surface are half of all then, with a piece each.
+constexpr double kSurfaceShare = 0.5;
 
 /// Steps down the penalty after a relaxation sweep, beyond which they take longer than they can be worth.
 constexpr double kMostPenaltySteps = 100;
@@ -134,23 +138,26 @@ void check_scale(const Box& box) {
   }
 }
 
-void check_size(const Surface& surface, double finest_cell_size) {
+void check_size(const Surface& surface, const SolveOptions& options) {
   check_scale(surface.box);
-  const double size = longest_side(surface.box);
-  if (finest_cell_size > size / kSmallestResolution * (1 + 1e-9)) {
+  const double size = longest_side(surface.box), asked = finest_cell_size(surface.box, options);
+  if (asked > size / kSmallestResolution * (1 + 1e-9)) {
     refuse(ErrorKind::kUsage,
            fmt::format("cells of {:.3g} are too large for a model {:.3g} across; it takes {} along "
                        "the longest side at least",
-                       finest_cell_size, size, kSmallestResolution));
+                       asked, size, kSmallestResolution));
   }
-  const double cells = kCellsPerFace * total_area(surface) / (finest_cell_size * finest_cell_size);
-  const double available = static_cast<double>(physical_memory_bytes());
-  if (cells < kNoCell && (available == 0 || cells * kBytesPerCell < available)) return;
-  refuse(
-      ErrorKind::kLimit,
-      fmt::format("about {:.3g} million cells would need {:.3g} GB, and the machine has {:.3g} GB; lower the "
-                  "resolution or take larger cells",
-                  cells / 1e6, cells * kBytesPerCell / 1e9, available / 1e9));
+  const double largest = std::ldexp(asked, kMostLevelsLeftOut);
+  const double cells = kCellsPerFace * total_area(surface) / (largest * largest);
+  const LevelCounts counts{cells, kSurfaceShare * cells, 0, kSurfaceShare * cells};
+  const double needed = static_cast<double>(current_memory_bytes()) + peak_memory_bytes(counts);
+  const auto allowed = static_cast<double>(allowed_memory_bytes(options));
+  if (cells < kNoCell && (allowed == 0 || needed <= allowed)) return;
+  refuse(ErrorKind::kLimit,
+         fmt::format(
+             "even with cells {} times as large, about {:.3g} million of them, {:.3g} GB would be needed, "
+             "and {:.3g} GB are allowed; lower the resolution, take larger cells or allow more memory",
+             1 << kMostLevelsLeftOut, cells / 1e6, needed / 1e9, allowed / 1e9));
 }
 
 void check_interior(const GridLevel& finest, const Surface& surface, const SurfaceTopology& topology) {
@@ -199,6 +206,16 @@ std::vector<std::string> resolution_warnings(const SolveReport& report) {
                     100 * report.alignment_deg.excluded_share));
   }
   return warnings;
+}
+
+std::string memory_warning(const SolveReport& report) {
+  const SolveReport::Limited& limited = *report.limited;
+  return fmt::format(
+      "memory: {:.4g} cells along the longest side in place of {:.4g}; twice as many would need about {:.3g} "
+      "GB, "
+      "and {:.3g} GB are allowed (--max-memory)",
+      report.resolution, limited.resolution_asked, static_cast<double>(limited.memory_needed_bytes) / 1e9,
+      static_cast<double>(limited.memory_bytes) / 1e9);
 }
 
 std::string outside_warning(std::size_t outside, std::size_t vertices) {

@@ -20,9 +20,9 @@ void check_options(const SolveOptions& options);
 /// precision.
 void check_scale(const Box& box);
 
-/// `check_scale`; and throws Error(kUsage) for cells too large for it, Error(kLimit) where the field would
-/// not fit into the machine's memory.
-void check_size(const Surface& surface, double finest_cell_size);
+/// `check_scale`; and throws Error(kUsage) for cells too large for it, Error(kLimit) where even the largest
+/// cells that may be taken for want of memory (kMostLevelsLeftOut) would need more than is allowed.
+void check_size(const Surface& surface, const SolveOptions& options);
 
 /// Throws Error(kInput) where no cell has its centre inside and that is not for want of resolution: the
 /// surface is open, or flat.
@@ -32,6 +32,9 @@ void check_interior(const GridLevel& finest, const Surface& surface, const Surfa
 /// not resolve of it.
 std::vector<std::string> surface_warnings(const Surface& surface, const SurfaceTopology& topology);
 std::vector<std::string> resolution_warnings(const SolveReport& report);
+
+/// A warning that the cells are larger than was asked for; where report.limited.
+std::string memory_warning(const SolveReport& report);
 
 /// A warning of vertices of a tet mesh outside every cell.
 std::string outside_warning(std::size_t outside, std::size_t vertices);

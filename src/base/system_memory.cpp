@@ -3,11 +3,53 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <string>
+#include <iterator>
+#include <sstream>
 
 namespace crossgrain {
+namespace {
+
+/// A number of KiB in /proc/self/status, in bytes; 0 where there is none.
+std::size_t status_bytes(const std::string& key) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    std::size_t kib = 0;
+    if (line.starts_with(key) && std::sscanf(line.c_str() + key.size(), ": %zu kB", &kib) == 1)
+      return 1024 * kib;
+  }
+  return 0;
+}
+
+/// The number in a file; 0 where there is none, as in a file that says "max".
+std::size_t number_in(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::size_t number = 0;
+  return file >> number ? number : 0;
+}
+
+std::size_t smaller_of_known(std::size_t a, std::size_t b) {
+  return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
+}
+
+/// The least of the limits of a group and of those around it. In a container, which sees its own group as the
+/// root, the path may not exist: then those of the root count.
+std::size_t least_limit(const std::filesystem::path& root, std::filesystem::path group, const char* name) {
+  group = group.relative_path();
+  std::size_t limit = number_in(root / name);
+  for (; !group.empty(); group = group.parent_path())
+    limit = smaller_of_known(limit, number_in(root / group / name));
+  return limit;
+}
+
+/// Whether a list with commas between names has this one.
+bool is_listed(const std::string& names, const std::string& name) {
+  return ("," + names + ",").find("," + name + ",") != std::string::npos;
+}
+
+}  // namespace
 
 std::size_t physical_memory_bytes() {
   const long pages = sysconf(_SC_PHYS_PAGES), page_size = sysconf(_SC_PAGE_SIZE);
@@ -15,14 +57,36 @@ std::size_t physical_memory_bytes() {
                                     : 0;
 }
 
+std::size_t control_group_limit_bytes(const std::string& membership, const std::filesystem::path& root) {
+  std::size_t limit = 0;
+  std::istringstream lines(membership);
+  // HIERARCHY:CONTROLLERS:PATH; version 2 has no controllers there.
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+    if (first == std::string::npos || second == std::string::npos) continue;
+    const std::string controllers = line.substr(first + 1, second - first - 1),
+                      group = line.substr(second + 1);
+    if (controllers.empty())
+      limit = smaller_of_known(limit, least_limit(root, group, "memory.max"));
+    else if (is_listed(controllers, "memory"))
+      limit = smaller_of_known(limit, least_limit(root / "memory", group, "memory.limit_in_bytes"));
+  }
+  return limit;
+}
+
+std::size_t memory_limit_bytes() {
+  std::ifstream file("/proc/self/cgroup");
+  const std::string membership{std::istreambuf_iterator<char>(file), {}};
+  return smaller_of_known(physical_memory_bytes(), control_group_limit_bytes(membership, "/sys/fs/cgroup"));
+}
+
+std::size_t current_memory_bytes() {
+  return status_bytes("VmRSS");
+}
+
 std::size_t peak_memory_bytes() {
   // Not getrusage: its peak is no less than that of the program which started this one.
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    std::size_t kib = 0;
-    if (std::sscanf(line.c_str(), "VmHWM: %zu kB", &kib) == 1) return 1024 * kib;
-  }
-  return 0;
+  return status_bytes("VmHWM");
 }
 
 }  // namespace crossgrain

@@ -78,6 +78,11 @@ class CellForms {
   }
   bool empty(std::size_t cell) const { return slot_[cell] == kNone; }
 
+  /// Of slots, planes and general forms.
+  std::size_t slot_bytes() const { return slot_.capacity() * sizeof(std::uint32_t); }
+  std::size_t plane_bytes() const { return planes_.capacity() * sizeof(PlaneForm); }
+  std::size_t general_bytes() const { return generals_.capacity() * sizeof(PackedForm<D>); }
+
  private:
   // A slot is an index into one of three lists, told apart by its two highest bits.
   static constexpr std::uint32_t kGeneral = std::uint32_t{2} << 30;

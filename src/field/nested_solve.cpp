@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/nested_solve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
 #include "field/leaf_stencil.hpp"
+#include "field/solve_forecast.hpp"
 #include "field/stages.hpp"
 #include "grid/refinement.hpp"
 
@@ -24,11 +29,14 @@ using Candidate = SettledFrames;
 template <int D>
 class LevelSolver {
  public:
-  LevelSolver(const GridLevel& level, const Solid& solid, const LeafConnections& faces,
+  LevelSolver(const GridLevel& level, const Solid& solid, Connectivity connectivity,
               const SolveOptions& options, const Monitor& monitor, int depth)
-      : level_(level), solid_(solid), options_(options.solver), monitor_(monitor), depth_(depth) {
-    connectivity_ =
-        std::make_shared<const Connectivity>(connectivity_of(level, faces, options_.diagonal_share));
+      : level_(level),
+        solid_(solid),
+        options_(options.solver),
+        monitor_(monitor),
+        depth_(depth),
+        connectivity_(std::make_shared<Connectivity>(std::move(connectivity))) {
     graph_ = {connectivity_, boundary_forms<D>(level, solid, options_.boundary_weight, Shift::kNone)};
   }
 
@@ -46,6 +54,14 @@ class LevelSolver {
       };
     }
     return relaxed_and_settled(graph_, std::move(frames), relax, settling, [this](double e) { advance(e); });
+  }
+
+  /// Gives up what only `solved` needs: it is not called again.
+  void end_sweeps() {
+    graph_ = {};
+    relaxed_graph3_ = {};
+    relaxed_graph4_ = {};
+    connectivity_->order = {};
   }
 
   LevelEnergy energy(const Frames& frames) const {
@@ -76,7 +92,7 @@ class LevelSolver {
   const SolverOptions& options_;
   const Monitor& monitor_;
   int depth_;
-  std::shared_ptr<const Connectivity> connectivity_;
+  std::shared_ptr<Connectivity> connectivity_;
   FieldGraph<D> graph_;
   FieldGraph<3> relaxed_graph3_;
   FieldGraph<4> relaxed_graph4_;
@@ -104,8 +120,12 @@ template <int D>
 class NestedSolver {
  public:
   NestedSolver(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-               const InitialFrame& initial_frame)
-      : solid_(solid), options_(options), monitor_(monitor), initial_frame_(initial_frame) {}
+               const InitialFrame& initial_frame, double seconds_before)
+      : solid_(solid),
+        options_(options),
+        monitor_(monitor),
+        initial_frame_(initial_frame),
+        seconds_so_far_(seconds_before) {}
 
   SolvedField run() {
     level_watch_.start();
@@ -113,14 +133,18 @@ class NestedSolver {
     const auto [root, finest_depth] =
         frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
     const int coarsest_depth = std::max(0, finest_depth - levels_above_finest());
+    SolveForecast forecast(options_, finest_depth, current_memory_bytes());
     result_.level = uniform_level(solid_, root, coarsest_depth, monitor_);
     for (int depth = coarsest_depth;; ++depth) {
       if (result_.level.size() == 0)
         throw Error(ErrorKind::kInput,
                     "the parts of the surface are too small for the cells; raise the resolution");
-      const bool coarsest = depth == coarsest_depth, finest = depth == finest_depth;
-      solve_level(depth, coarsest, finest);
+      result_.levels_left_out = finest_depth - depth;
+      const LevelGrowth growth(result_.level, solid_, options_.refinement);
+      const bool finest = depth == finest_depth || !next_fits(forecast, growth);
+      solve_level(depth, depth == coarsest_depth, finest);
       if (finest) break;
+      foretell(forecast, growth);
       refine(finest_depth);
     }
     result_.frames = std::move(candidates_.front().frames);
@@ -131,22 +155,49 @@ class NestedSolver {
 
  private:
   int levels_above_finest() const {
-    const Box& box = solid_.surface.box;
-    const double ratio =
-        longest_side(box) / finest_cell_size(box, options_) / options_.refinement.coarsest_cells;
+    const double ratio = finest_resolution() / options_.refinement.coarsest_cells;
     // The margin keeps powers of two what they are.
     return std::max(0, static_cast<int>(std::floor(std::log2(ratio) + 1e-9)));
+  }
+
+  double finest_resolution() const {
+    const Box& box = solid_.surface.box;
+    return longest_side(box) / finest_cell_size(box, options_);
+  }
+
+  /// Throws Error(kLimit) where too many levels would be left out.
+  bool next_fits(const SolveForecast& forecast, const LevelGrowth& growth) {
+    const LevelCounts next = growth.after(1);
+    if (forecast.fits(next)) return true;
+    result_.memory_needed = static_cast<std::size_t>(forecast.peak_memory(next));
+    if (result_.levels_left_out > kMostLevelsLeftOut) {
+      throw Error(
+          ErrorKind::kLimit,
+          fmt::format("{:.3g} cells along the longest side would need {:.3g} GB, and {:.3g} GB are allowed; "
+                      "lower the resolution, take larger cells or allow more memory",
+                      std::ldexp(finest_resolution(), 1 - result_.levels_left_out),
+                      forecast.peak_memory(next) / 1e9,
+                      static_cast<double>(forecast.memory_limit_bytes()) / 1e9));
+    }
+    return false;
+  }
+
+  void foretell(SolveForecast& forecast, const LevelGrowth& growth) {
+    const LevelStatistics& level = result_.levels.back();
+    // A surface that encloses nothing is refused in the end: there is nothing to expect.
+    const auto& winding = result_.level.centre_winding;
+    if (std::none_of(winding.begin(), winding.end(), [](int w) { return w > 0; })) return;
+    const std::optional<Expectation> expected = forecast.told_by(
+        level.depth, growth, level.sweeps, level.seconds, seconds_so_far_, finest_resolution());
+    if (!expected) return;
+    result_.expected = expected;
+    monitor_.expect(*expected);
   }
 
   void solve_level(int depth, bool coarsest, bool finest) {
     GridLevel& level = result_.level;
     monitor_.report({"grid", depth, level.size(), 0, std::numeric_limits<double>::quiet_NaN()});
-    LeafConnections connections = connect_leaves(level, solid_, monitor_);
-    LevelSolver<D> solver(level, solid_, connections, options_, monitor_, depth);
-    result_.open_faces = std::move(connections.open_faces);
-    result_.tied_leaves = connections.tied_leaves;
-    connections = {};
-    if (finest) std::vector<FaceNeighbours>().swap(level.neighbours);
+    LevelSolver<D> solver(level, solid_, connect(level, finest), options_, monitor_, depth);
     grid_watch_.stop();
 
     solve_watch_.start();
@@ -155,11 +206,23 @@ class NestedSolver {
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
       candidates_[c] = solver.solved(std::move(candidates_[c].frames), relaxation_sweeps(c, coarsest));
     }
+    solver.end_sweeps();
     keep_best(solver, finest || level.size() > options_.solver.start_cells, finest);
     solve_watch_.stop();
     result_.levels.push_back({depth, level.examined_leaves, level.size(), solver.sweeps(),
                               result_.energy.total(), level_watch_.restart()});
+    seconds_so_far_ += result_.levels.back().seconds;
     grid_watch_.start();
+  }
+
+  /// Who is compared with whom. The finest level gives up its neighbours, which no finer one will ask for.
+  Connectivity connect(GridLevel& level, bool finest) {
+    LeafConnections connections = connect_leaves(level, solid_, monitor_);
+    Connectivity connectivity = connectivity_of(level, connections, options_.solver.diagonal_share);
+    result_.open_faces = std::move(connections.open_faces);
+    result_.tied_leaves = connections.tied_leaves;
+    if (finest) std::vector<FaceNeighbours>().swap(level.neighbours);
+    return connectivity;
   }
 
   void start_candidates(bool coarsest) {
@@ -214,6 +277,7 @@ class NestedSolver {
                             ? Marks(result_.level.size(), true)
                             : refinement_marks(result_.level, solid_, result_.energy_density, finest_depth,
                                                options_.refinement);
+    std::vector<float>().swap(result_.energy_density);
     result_.level = refined(result_.level, solid_, marks, monitor_);
   }
 
@@ -224,14 +288,16 @@ class NestedSolver {
   SolvedField result_;
   std::vector<Candidate> candidates_;
   Stopwatch grid_watch_, solve_watch_, level_watch_;
+  double seconds_so_far_;
 };
 
 }  // namespace
 
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-                         const InitialFrame& initial_frame) {
-  return options.degree == Degree::kThree ? NestedSolver<3>(solid, options, monitor, initial_frame).run()
-                                          : NestedSolver<4>(solid, options, monitor, initial_frame).run();
+                         const InitialFrame& initial_frame, double seconds_before) {
+  return options.degree == Degree::kThree
+             ? NestedSolver<3>(solid, options, monitor, initial_frame, seconds_before).run()
+             : NestedSolver<4>(solid, options, monitor, initial_frame, seconds_before).run();
 }
 
 }  // namespace crossgrain

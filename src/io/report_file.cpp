@@ -117,6 +117,23 @@ void describe_cost(File& file, Report& report) {
   file.member("peak_memory_bytes", report.peak_memory_bytes);
 }
 
+template <class File, class Expected>
+void describe_expected(File& file, Expected& expected) {
+  file.member("depth", expected.depth);
+  file.member("after_seconds", expected.after_seconds);
+  file.member("resolution", expected.resolution);
+  file.member("active_cells", expected.active_cells);
+  file.member("peak_memory_bytes", expected.peak_memory_bytes);
+  file.member("seconds", expected.seconds);
+}
+
+template <class File, class Limited>
+void describe_limited(File& file, Limited& limited) {
+  file.member("resolution_asked", limited.resolution_asked);
+  file.member("memory_bytes", limited.memory_bytes);
+  file.member("memory_needed_bytes", limited.memory_needed_bytes);
+}
+
 template <class File, class Report>
 void describe_doubts(File& file, Report& report) {
   file.object("walls", [&](auto& walls) {
@@ -126,6 +143,10 @@ void describe_doubts(File& file, Report& report) {
     walls.member("two_sheet_cells", report.walls.two_sheet_cells);
     walls.member("tied_cells", report.walls.tied_cells);
   });
+  file.optional_object("expected", report.expected,
+                       [](auto& inner, auto& expected) { describe_expected(inner, expected); });
+  file.optional_object("limited", report.limited,
+                       [](auto& inner, auto& limited) { describe_limited(inner, limited); });
   file.optional_object("onto", report.onto, [](auto& inner, auto& onto) { describe_onto(inner, onto); });
   file.member("warnings", report.warnings);
 }

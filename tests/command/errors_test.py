@@ -41,6 +41,8 @@ class WrongUsage(CommandTest):
         for option, value in [("--degree", "5"), ("--degree", "four"), ("--resolution", "3"), ("--resolution", "-1"),
                               ("--resolution", "1e99"), ("--cell-size", "0"), ("--cell-size", "-1"),
                               ("--cell-size", "x"), ("--cell-size", "nan"), ("--cell-size", "inf"),
+                              ("--max-memory", "0"), ("--max-memory", "-1GB"), ("--max-memory", "much"),
+                              ("--max-memory", "1XB"), ("--max-memory", "1e30"), ("--max-memory", ""),
                               ("--threads", "-2"), ("--seed", "-1"), ("--seed", "x")]:
             with self.subTest(option=option, value=value):
                 self.refuse(["solve", "a.stl", option, value], option)
@@ -65,6 +67,10 @@ class WrongSizes(CommandTest):
     def test_what_cannot_fit_into_memory_is_refused_at_once(self):
         for arguments in (["--resolution", "400000"], ["--cell-size", "1e-300"]):
             self.assert_fails(self.run_here("solve", "box.stl", *arguments), LIMIT, "lower the resolution")
+        self.assertEqual(self.names(), ["box.stl"])
+
+    def test_where_even_much_larger_cells_need_more_memory_than_allowed_it_is_refused(self):
+        self.assert_fails(self.run_here("solve", "box.stl", "--resolution", "512", "--max-memory", "5MB"), LIMIT, "memory")
         self.assertEqual(self.names(), ["box.stl"])
 
     def test_any_number_of_threads_will_do(self):

@@ -20,6 +20,9 @@ class Solve(CommandTest):
         super().setUp()
         self.write("torus.stl", stl_bytes(torus_triangles()))
 
+    def report(self, name):
+        return json.loads((self.folder / name / "report.json").read_text())
+
     def report_without_costs(self, folder):
         report = json.loads((self.folder / folder / "report.json").read_text())
         del report["seconds"], report["peak_memory_bytes"]
@@ -47,6 +50,45 @@ class Solve(CommandTest):
         self.assert_succeeds(result)
         self.assertEqual(result.stdout + result.stderr, "")
         self.assertTrue((self.folder / "torus.frames" / "report.json").is_file())
+
+    def test_cells_get_larger_where_memory_does_not_last_and_that_is_said(self):
+        self.assert_succeeds(self.run_here("solve", "torus.stl", "--resolution", "128", "-o", "whole"))
+        whole = self.report("whole")
+        self.assertNotIn("limited", whole)
+        cells_before = whole["levels"][-2]["active_cells"]
+        memory = int(0.8 * whole["peak_memory_bytes"])
+        result = self.run_here("solve", "torus.stl", "--resolution", "128", "-o", "out", "--max-memory", memory, "--quiet")
+        self.assert_succeeds(result)
+        self.assertEqual(result.stdout, "")
+        self.assertIn("memory", result.stderr)
+        report = self.report("out")
+        self.assertEqual(report["levels"][-1]["active_cells"], cells_before)
+        self.assertAlmostEqual(report["resolution"], 64)
+        self.assertAlmostEqual(report["limited"]["resolution_asked"], 128)
+        self.assertEqual(report["limited"]["memory_bytes"], memory)
+        self.assertIn("--max-memory", report["warnings"][0])
+        self.assertLess(report["peak_memory_bytes"], memory)
+
+    def test_memory_is_given_in_units_of_1000_or_1024_or_in_bytes(self):
+        for text, size in (("64MB", 64e6), ("64M", 64e6), ("64MiB", 64 * 2**20), ("0.064GB", 64e6), ("64000000", 64e6),
+                           ("64000000B", 64e6)):
+            result = self.run_here("solve", "torus.stl", "--resolution", "512", "-o", "out", "--max-memory", text)
+            self.assert_succeeds(result)
+            self.assertEqual(self.report("out")["limited"]["memory_bytes"], size)
+
+    def test_what_to_expect_of_a_large_solve_is_said_and_reported(self):
+        result = self.run_here("solve", "torus.stl", "--resolution", "96", "-o", "out")
+        self.assertIn("expected", result.stdout)
+        report = self.report("out")
+        expected = report["expected"]
+        for said, actual in ((expected["active_cells"], report["levels"][-1]["active_cells"]),
+                             (expected["peak_memory_bytes"], report["peak_memory_bytes"])):
+            self.assertLess(said, 1.5 * actual)
+            self.assertGreater(said, actual / 1.5)
+        self.assertLess(expected["after_seconds"], report["seconds"]["total"])
+        self.assertLess(expected["after_seconds"], expected["seconds"])
+        self.assertAlmostEqual(expected["resolution"], 96)
+        self.assertLess(expected["depth"], report["levels"][-1]["depth"])
 
     def test_shows_progress_on_a_terminal(self):
         master, terminal = pty.openpty()

@@ -109,6 +109,11 @@ TEST(ReportFile, GivesTheReportBack) {
   EXPECT_EQ(read.singularity.boundary_ends, written.singularity.boundary_ends);
   EXPECT_EQ(read.walls.tied_cells, written.walls.tied_cells);
   EXPECT_EQ(read.warnings, written.warnings);
+  ASSERT_TRUE(read.expected && read.limited);
+  EXPECT_EQ(read.expected->depth, written.expected->depth);
+  EXPECT_EQ(read.expected->active_cells, written.expected->active_cells);
+  EXPECT_EQ(read.expected->seconds, written.expected->seconds);
+  EXPECT_EQ(read.limited->memory_needed_bytes, written.limited->memory_needed_bytes);
 }
 
 TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {

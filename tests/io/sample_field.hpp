@@ -44,6 +44,8 @@ inline SolveReport sample_report() {
   report.walls = {4, 0.25, 1.5, 11, 12};
   report.seconds = {0.1, 0.2, 0.3, 0.4, 1.5};
   report.peak_memory_bytes = 1;
+  report.expected = Expectation{5, 0.125, 6.5, 100, 200, 1.75};
+  report.limited = SolveReport::Limited{14.6, 300, 400};
   report.warnings = {"one", "two"};
   return report;
 }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a solve holds at its peaks, structure by structure: the table in docs/performance.md, from which
+// --max-memory and what is expected of a solve are reckoned. tests/field/memory_budget_test.cpp holds it
+// against what is allocated.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "grid/level_growth.hpp"
+
+namespace crossgrain {
+
+/// The three moments of the finest level at which most is held.
+enum class MemoryMoment {
+  kConnecting,  ///< rows of neighbours are made
+  kSettling,    ///< frames turn
+  kComparing    ///< energies are measured
+};
+
+/// Bytes of one structure for everything that it grows with. Coefficients and forms are those of degree 4; in
+/// degree 3 they are smaller.
+struct MemoryLine {
+  const char* structure;
+  double per_cell = 0;
+  double per_surface_cell = 0;
+  double per_cell_of_several_normals = 0;
+  double per_piece = 0;
+  std::array<bool, 3> held{};  ///< by MemoryMoment
+
+  constexpr double bytes(const LevelCounts& counts) const {
+    return per_cell * counts.cells + per_surface_cell * counts.surface_cells +
+           per_cell_of_several_normals * counts.several_normals + per_piece * counts.pieces;
+  }
+};
+
+namespace memory_lines {
+
+inline constexpr std::array kAlways{true, true, true};
+inline constexpr std::array kWhileConnecting{true, false, false};
+inline constexpr std::array kFromConnecting{true, true, false};
+inline constexpr std::array kWhileSettling{false, true, false};
+inline constexpr std::array kFromSettling{false, true, true};
+inline constexpr std::array kWhileComparing{false, false, true};
+
+inline constexpr MemoryLine kTree{.structure = "tree", .per_cell = 8, .held = kAlways};
+inline constexpr MemoryLine kPieceBegin{.structure = "piece_begin", .per_cell = 4, .held = kAlways};
+inline constexpr MemoryLine kPieces{.structure = "pieces", .per_piece = 8, .held = kAlways};
+inline constexpr MemoryLine kWinding{.structure = "centre_winding", .per_cell = 1, .held = kAlways};
+inline constexpr MemoryLine kFaceNeighbours{
+    .structure = "face neighbours", .per_cell = 24, .held = kWhileConnecting};
+inline constexpr MemoryLine kParents{.structure = "parents", .per_cell = 4, .held = kWhileConnecting};
+inline constexpr MemoryLine kFaceWeights{
+    .structure = "face weights", .per_cell = 6, .held = kWhileConnecting};
+inline constexpr MemoryLine kOpenFaces{.structure = "open faces", .per_cell = 1, .held = kAlways};
+inline constexpr MemoryLine kAdjacency{
+    .structure = "adjacency", .per_cell = 55, .per_surface_cell = 22, .held = kAlways};
+inline constexpr MemoryLine kSweepOrder{.structure = "sweep order", .per_cell = 4, .held = kFromConnecting};
+inline constexpr MemoryLine kFormSlots{.structure = "slots of forms", .per_cell = 4, .held = kWhileSettling};
+inline constexpr MemoryLine kPlaneForms{.structure = "forms of planes",
+                                        .per_surface_cell = 16,
+                                        .per_cell_of_several_normals = -16,
+                                        .held = kWhileSettling};
+inline constexpr MemoryLine kGeneralForms{
+    .structure = "forms of several normals", .per_cell_of_several_normals = 220, .held = kWhileSettling};
+inline constexpr MemoryLine kCoarserFrames{
+    .structure = "frames of the level before", .per_cell = 6, .held = kWhileConnecting};
+inline constexpr MemoryLine kFrames{.structure = "frames", .per_cell = 16, .held = kFromSettling};
+inline constexpr MemoryLine kCoefficients{.structure = "coefficients", .per_cell = 36, .held = kFromSettling};
+inline constexpr MemoryLine kEnergyDensity{
+    .structure = "energy density", .per_cell = 4, .held = kWhileComparing};
+inline constexpr MemoryLine kSharpTurns{.structure = "sharp turns", .per_cell = 1, .held = kWhileComparing};
+
+inline constexpr std::array kAll{
+    kTree,         kPieceBegin,    kPieces,    kWinding,      kFaceNeighbours, kParents,
+    kFaceWeights,  kOpenFaces,     kAdjacency, kSweepOrder,   kFormSlots,      kPlaneForms,
+    kGeneralForms, kCoarserFrames, kFrames,    kCoefficients, kEnergyDensity,  kSharpTurns};
+
+}  // namespace memory_lines
+
+/// Of all structures that are held at one moment.
+constexpr double memory_bytes(MemoryMoment moment, const LevelCounts& counts) {
+  double bytes = 0;
+  for (const MemoryLine& line : memory_lines::kAll) {
+    if (line.held[static_cast<std::size_t>(moment)]) bytes += line.bytes(counts);
+  }
+  return bytes;
+}
+
+/// The most that is held while a level is made and solved.
+constexpr double peak_memory_bytes(const LevelCounts& counts) {
+  return std::max({memory_bytes(MemoryMoment::kConnecting, counts),
+                   memory_bytes(MemoryMoment::kSettling, counts),
+                   memory_bytes(MemoryMoment::kComparing, counts)});
+}
+
+/// Beside the level: what parallel loops, the analysis and writing take, whatever the size.
+inline constexpr double kMemoryOfOther = 5e6;
+
+}  // namespace crossgrain

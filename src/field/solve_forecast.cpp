@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/solve_forecast.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/system_memory.hpp"
+#include "field/memory_budget.hpp"
+#include "grid/octree.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// What is left to others where the options do not say how much may be taken.
+constexpr double kDefaultShare = 0.9;
+
+/// Three levels above the finest one a solve has taken a few per cent of its time.
+constexpr int kLevelsAhead = 3;
+
+/// Levels of fewer cells tell little of time.
+constexpr double kFewestCellsToTell = 4000;
+
+/// Fields of fewer cells are done in a moment.
+constexpr double kFewestCellsToForetell = 20000;
+
+/// Whole sweeps' worth until a level settles that is not relaxed; on large ones most blocks sleep early.
+constexpr int kUsualSweeps = 12, kSweepsOfLarge = 6;
+constexpr double kLargeCells = 200000;
+
+// Microseconds that steps take on a machine of two cores. Only their ratios count: how fast a machine is and
+// how hard a part, the levels that are solved tell.
+constexpr double kGridPerCell = 1.2;
+constexpr double kGridPerPiece = 1.2;
+constexpr double kFormPerCell = 4;  ///< of several normals
+constexpr double kSweepPerCell = 0.2;
+constexpr double kAnalysisPerCell = 0.5;
+constexpr double kAnalysisPerSurfaceCell = 2;
+constexpr double kWritingPerCell = 1.4;
+
+double level_cost(const LevelWork& level) {
+  const LevelCounts& counts = level.counts;
+  return counts.cells * (kGridPerCell + kSweepPerCell * level.sweeps) + kGridPerPiece * counts.pieces +
+         kFormPerCell * counts.several_normals;
+}
+
+double cost_of_result(const LevelCounts& counts) {
+  return counts.cells * (kAnalysisPerCell + kWritingPerCell) + kAnalysisPerSurfaceCell * counts.surface_cells;
+}
+
+}  // namespace
+
+std::size_t allowed_memory_bytes(const SolveOptions& options) {
+  if (options.max_memory_bytes > 0) return options.max_memory_bytes;
+  return static_cast<std::size_t>(kDefaultShare * static_cast<double>(memory_limit_bytes()));
+}
+
+SolveForecast::SolveForecast(const SolveOptions& options, int finest_depth, std::size_t memory_before_bytes)
+    : finest_depth_(finest_depth),
+      memory_before_(static_cast<double>(memory_before_bytes)),
+      memory_limit_(allowed_memory_bytes(options)) {}
+
+double SolveForecast::peak_memory(const LevelCounts& counts) const {
+  return memory_before_ + kMemoryOfOther + peak_memory_bytes(counts);
+}
+
+bool SolveForecast::fits(const LevelCounts& counts) const {
+  if (std::max(counts.cells, counts.pieces) >= kNoCell) return false;
+  return memory_limit_ == 0 || peak_memory(counts) <= static_cast<double>(memory_limit_);
+}
+
+std::optional<Expectation> SolveForecast::told_by(int depth, const LevelGrowth& growth, int sweeps,
+                                                  double level_seconds, double seconds_so_far,
+                                                  double finest_resolution) {
+  const LevelCounts now = growth.after(0);
+  const int levels_to_come = finest_depth_ - depth;
+  const bool last_chance = levels_to_come == 1 || !fits(growth.after(2));
+  if (told_ || levels_to_come > kLevelsAhead || (now.cells < kFewestCellsToTell && !last_chance)) return {};
+  const double seconds_per_cost = level_seconds / level_cost({now, sweeps});
+  LevelCounts finest = now;
+  double seconds = seconds_so_far;
+  int solved = 0;
+  for (int k = 1; k <= levels_to_come && fits(growth.after(k)); ++k) {
+    finest = growth.after(k);
+    seconds +=
+        seconds_per_cost * level_cost({finest, finest.cells < kLargeCells ? kUsualSweeps : kSweepsOfLarge});
+    solved = k;
+  }
+  seconds += seconds_per_cost * cost_of_result(finest);
+  if (solved == 0 || finest.cells < kFewestCellsToForetell) return {};
+  told_ = true;
+  return Expectation{depth,
+                     seconds_so_far,
+                     std::ldexp(finest_resolution, solved - levels_to_come),
+                     static_cast<std::size_t>(finest.cells),
+                     static_cast<std::size_t>(peak_memory(finest)),
+                     seconds};
+}
+
+}  // namespace crossgrain

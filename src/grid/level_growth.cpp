@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "grid/level_growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grid/cell_constraints.hpp"
+#include "grid/local_thickness.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Cells with surface that are looked at closely: shares of them are then known to two per cent.
+constexpr std::size_t kSampleSize = 2048;
+
+/// Layers of finest cells below the surface where walls are thick: the cells that held it on the level before
+/// reach one layer deep on average, and balance and creases add a third.
+constexpr double kFinestLayers = 4.0 / 3;
+
+/// The share of a cell with surface that is outside.
+constexpr double kOutsideShare = 0.5;
+
+/// Levels above the finest whose cells are counted: each holds an eighth of what the next would.
+constexpr int kLevelsCounted = 8;
+
+/// Below this share of cells with several normals, it tells how many edges a cell holds.
+constexpr double kSaturated = 0.9;
+
+double sum_of_components(const Vector3& v) {
+  return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
+}
+
+}  // namespace
+
+LevelGrowth::LevelGrowth(const GridLevel& level, const Solid& solid, const RefinementOptions& options)
+    : triangles_(static_cast<double>(solid.surface.size())),
+      thickness_cells_(options.by_thickness ? options.thickness_cells : 0) {
+  count(level);
+  for (std::size_t t = 0; t < solid.surface.size(); ++t)
+    flat_surface_cells_ += solid.surface.areas[t] * sum_of_components(solid.surface.normals[t]);
+  // The finest cells of a level are those that hold surface.
+  int deepest = 0;
+  for (const CellAddress leaf : level.tree.leaves()) deepest = std::max(deepest, leaf.depth());
+  const double cell_size = level.tree.root().cell_size(deepest);
+  flat_surface_cells_ /= cell_size * cell_size;
+
+  const auto step = std::max<std::size_t>(1, static_cast<std::size_t>(now_.surface_cells) / kSampleSize);
+  std::size_t met = 0;
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    if (level.holds_surface(i) && met++ % step == 0) look_around(level, solid, i);
+  }
+  if (!columns_.empty())
+    now_.several_normals = now_.surface_cells * static_cast<double>(several_normals_in_sample_) /
+                           static_cast<double>(columns_.size());
+}
+
+void LevelGrowth::count(const GridLevel& level) {
+  now_.cells = static_cast<double>(level.size());
+  now_.pieces = static_cast<double>(level.pieces.size());
+  for (CellIndex i = 0; i < level.size(); ++i) now_.surface_cells += level.holds_surface(i);
+}
+
+void LevelGrowth::look_around(const GridLevel& level, const Solid& solid, CellIndex leaf) {
+  several_normals_in_sample_ += !has_single_normal(level, solid, leaf);
+  const auto ray = inward_ray(level, solid, leaf);
+  const double thickness = ray->thickness / level.tree.cell_size(leaf);
+  columns_.push_back({thickness, thickness / 2 / sum_of_components(ray->direction)});
+}
+
+/// Cells of `cell_size` and above in a column as wide as such a cell.
+double LevelGrowth::cells_in(const Column& column, double cell_size) const {
+  const double half = column.half / cell_size;
+  double cells = kOutsideShare, filled_before = 0;
+  for (int level = 0; level < kLevelsCounted; ++level) {
+    const double size = std::ldexp(cell_size, level);
+    // Marked for splitting while its cells were twice as large.
+    const bool throughout = column.thickness < thickness_cells_ * 2 * size;
+    const double filled = throughout ? half : std::min(half, std::ldexp(kFinestLayers, level));
+    if (filled > filled_before) {
+      cells += std::ldexp(filled - filled_before, -3 * level);
+      filled_before = filled;
+    }
+  }
+  return cells;
+}
+
+LevelCounts LevelGrowth::after(int levels) const {
+  if (levels <= 0 || columns_.empty()) return now_;
+  const double cell_size = std::ldexp(1.0, -levels);  // in those of the given level
+  LevelCounts counts;
+  // Along creases there are as many more as there are cells along them.
+  const double at_creases = (now_.surface_cells - flat_surface_cells_) / cell_size;
+  counts.surface_cells = flat_surface_cells_ / (cell_size * cell_size) + at_creases;
+  counts.surface_cells = std::max(counts.surface_cells, now_.surface_cells);
+  double cells = 0;
+  for (const Column& column : columns_) cells += cells_in(column, cell_size);
+  counts.cells = std::max(counts.surface_cells * cells / static_cast<double>(columns_.size()), now_.cells);
+
+  // Beside one piece a cell has one for every edge that crosses it, which are fewer in proportion to its
+  // size, and for every vertex in it, fewer with its square.
+  const double vertices = triangles_ / now_.surface_cells;
+  const double more = std::max(0.0, now_.pieces / now_.surface_cells - 1);
+  const double more_pieces =
+      std::max(0.0, more - vertices) * cell_size + std::min(vertices, more) * cell_size * cell_size;
+  counts.pieces = counts.surface_cells * (1 + more_pieces);
+  const double share = now_.several_normals / now_.surface_cells;
+  const double rate = share < kSaturated && more > 0 ? -std::log1p(-share) / more : 1;
+  counts.several_normals = counts.surface_cells * -std::expm1(-rate * more_pieces);
+  return counts;
+}
+
+}  // namespace crossgrain
