@@ -24,7 +24,7 @@ constexpr double kFewestCellsToTell = 4000;
 constexpr double kFewestCellsToForetell = 20000;
 
 /// Whole sweeps' worth until a level settles that is not relaxed; on large ones most blocks sleep early.
-constexpr int kUsualSweeps = 12, kSweepsOfLarge = 6;
+constexpr int kUsualSweeps = 15, kSweepsOfLarge = 7;
 constexpr double kLargeCells = 200000;
 
 // Microseconds that steps take on a machine of two cores. Only their ratios count: how fast a machine is and
@@ -33,9 +33,9 @@ constexpr double kGridPerCell = 1.2;
 constexpr double kGridPerPiece = 1.2;
 constexpr double kFormPerCell = 4;  ///< of several normals
 constexpr double kSweepPerCell = 0.2;
-constexpr double kAnalysisPerCell = 0.5;
+constexpr double kAnalysisPerCell = 0.7;
 constexpr double kAnalysisPerSurfaceCell = 2;
-constexpr double kWritingPerCell = 1.4;
+constexpr double kWritingPerCell = 1.6;
 
 double level_cost(const LevelWork& level) {
   const LevelCounts& counts = level.counts;
