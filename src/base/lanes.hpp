@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace crossgrain {
 
@@ -244,6 +245,33 @@ BasicLanes<Number, W> repeated(const BasicLanes<Number, W>& a) {
   if constexpr (W == 8) all = Index{k, k, k, k, k, k, k, k};
   if constexpr (W == 16) all = Index{k, k, k, k, k, k, k, k, k, k, k, k, k, k, k, k};
   return BasicLanes<Number, W>(__builtin_shuffle(a.native, all));
+}
+
+/// In lanes whose number has the bit `Half` the sums b[l - Half] + b[l], in the others a[l] + a[l + Half].
+template <int Half, class Number, int W>
+BasicLanes<Number, W> folded(const BasicLanes<Number, W>& a, const BasicLanes<Number, W>& b) {
+  using Index = typename NativeLanes<Number, W>::Mask;
+  return [&]<int... L>(std::integer_sequence<int, L...>) {
+    const Index low{(L & Half ? W + L - Half : L)...}, high{(L & Half ? W + L : L + Half)...};
+    return BasicLanes<Number, W>(__builtin_shuffle(a.native, b.native, low) +
+                                 __builtin_shuffle(a.native, b.native, high));
+  }
+  (std::make_integer_sequence<int, W>());
+}
+
+/// In lane k the sum of all lanes of x[k], which are added pairwise: halves first.
+template <class Real, std::size_t W>
+Real sums_over_lanes(std::array<Real, W> x) {
+  static_assert(W == Real::kCount);
+  const auto fold = [&]<int Half>(const auto& self, std::integral_constant<int, Half>) {
+    [&]<int... K>(std::integer_sequence<int, K...>) {
+      ((x[K] = folded<Half>(x[K], x[K + Half])), ...);
+    }
+    (std::make_integer_sequence<int, Half>());
+    if constexpr (Half > 1) self(self, std::integral_constant<int, Half / 2>());
+  };
+  fold(fold, std::integral_constant<int, W / 2>());
+  return x[0];
 }
 
 /// *x in all lanes. As many doubles as there are lanes may be read from x on.

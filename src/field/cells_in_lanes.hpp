@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/instruction_set.hpp"
+#include "base/lane_rows.hpp"
 #include "base/lanes.hpp"
 #include "base/parallel.hpp"
 #include "field/field_state.hpp"
@@ -95,18 +96,50 @@ struct HeldAxes {
 template <class Real>
 BasicQuaternion<Real> from_stored(const std::vector<StoredQuaternion>& frames,
                                   const CellsInLanes<Real::kCount>& cells) {
-  constexpr int W = Real::kCount;
-  BasicQuaternion<Real> q;
-  for (int lane = 0; lane < W; ++lane) {
-    const StoredQuaternion& frame = frames[cells[lane]];
-    set_lane(q, lane, {frame.w, frame.x, frame.y, frame.z});
-  }
-  return normalised(q);
+  const auto [w, x, y, z] = four_from_rows<Real>([&](int lane) { return &frames[cells[lane]].w; });
+  return normalised(BasicQuaternion<Real>{w, x, y, z});
 }
 
-template <class Real>
-StoredQuaternion stored_in_lane(const BasicQuaternion<Real>& q, int lane) {
-  return to_stored(in_lane(q, lane));
+/// The coefficients of the cells as they are stored.
+template <int D, class Real>
+Coefficients<D, Real> from_stored(const std::vector<StoredCoefficients<D>>& coefficients,
+                                  const CellsInLanes<Real::kCount>& cells) {
+  const auto row_from = [&](int first) {
+    return [&, first](int lane) { return coefficients[cells[lane]].data() + first; };
+  };
+  const auto low = four_from_rows<Real>(row_from(0)), high = four_from_rows<Real>(row_from(4));
+  Coefficients<D, Real> h;
+  for (int m = 0; m < std::min(8, kCoefficientCount<D>); ++m) h[m] = m < 4 ? low[m] : high[m - 4];
+  if constexpr (D == 4) {
+    for (int lane = 0; lane < Real::kCount; ++lane) h[8].set(lane, coefficients[cells[lane]][8]);
+  }
+  return h;
+}
+
+/// Stores the coefficients of the cells whose lane `is_stored`.
+template <int D, class Real>
+void store_in(std::vector<StoredCoefficients<D>>& coefficients, const CellsInLanes<Real::kCount>& cells,
+              const std::array<bool, Real::kCount>& is_stored, const Coefficients<D, Real>& h) {
+  const auto row_from = [&](int first) {
+    return
+        [&, first](int lane) { return is_stored[lane] ? coefficients[cells[lane]].data() + first : nullptr; };
+  };
+  four_to_rows<Real>({h[0], h[1], h[2], h[3]}, row_from(0));
+  four_to_rows<Real>({h[4], h[5], h[6], D == 3 ? Real(0) : h[D == 3 ? 0 : 7]}, row_from(4));
+  if constexpr (D == 4) {
+    for (int lane = 0; lane < Real::kCount; ++lane)
+      if (is_stored[lane]) coefficients[cells[lane]][8] = static_cast<float>(h[8][lane]);
+  }
+}
+
+/// The same with their frames.
+template <int D, class Real>
+void store_in(FieldState<D>& state, const CellsInLanes<Real::kCount>& cells,
+              const std::array<bool, Real::kCount>& is_stored, const BasicQuaternion<Real>& frame,
+              const Coefficients<D, Real>& h) {
+  four_to_rows<Real>({frame.w, frame.x, frame.y, frame.z},
+                     [&](int lane) { return is_stored[lane] ? &state.frames[cells[lane]].w : nullptr; });
+  store_in<D>(state.coefficients, cells, is_stored, h);
 }
 
 }  // namespace crossgrain

@@ -12,9 +12,10 @@
 namespace crossgrain {
 
 /// Coefficients in single precision, as they are stored per cell. In degree 3 a zero follows, so that they
-/// are read as one vector.
+/// are read as one vector, which no cache line ends within.
 template <int D>
-using StoredCoefficients = std::array<float, D == 3 ? 8 : kCoefficientCount<D>>;
+struct alignas(D == 3 ? 32 : alignof(float)) StoredCoefficients
+    : std::array<float, D == 3 ? 8 : kCoefficientCount<D>> {};
 
 template <int D>
 struct FieldState {

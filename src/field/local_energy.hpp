@@ -3,11 +3,19 @@
 //
 // Notation: f(h) = h^T A h - 2 b.h, up to constants on |h| = 1. With neighbours h_j, weights w_j and the
 // cell's form h^T A_c h - 2 b_c.h (scaled as in CellForms), docs/design.md section 5 gives
-//   degree 4: A = A_c, b = b_c + v / 2, v = sum w_j h_j;
+//   degree 4: A = A_c, b = b_c + sum (w_j / 2) h_j;
 //   degree 3: A = A_c - (5/6) sum w_j h_j h_j^T, b = 0.
+// In degree 3 that is a matrix per neighbour. With the cell's present coefficients h_0 and s_j = h_j.h_0,
+//   (h_j.h)^2 = 2 s_j (h_j.h) - s_j^2 + (h_j.(h - h_0))^2,
+// and the last term is of fourth order in the turns where neighbours agree, since there h_j is across every
+// small turn of h_0. It is left out:
+//   degree 3: A = A_c, b = sum (5/6) w_j s_j h_j.
+// For positive weights f is then an upper bound of the energy that meets it at h_0, so that a step that
+// lowers f lowers the energy at least as much.
 #pragma once
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -25,16 +33,23 @@ class LocalEnergy {
   static constexpr int W = Real::kCount;
   using Vector = Coefficients<D, Real>;
 
+  /// `coefficients` of the cells and of their neighbours.
   LocalEnergy(const FieldGraph<D>& graph, const std::vector<StoredCoefficients<D>>& coefficients,
               const CellsInLanes<W>& cells) {
-    if constexpr (D == 3) matrix_.emplace();
-    add_neighbours(graph.adjacency(), coefficients, cells);
+    SumsOfLanes sums;
+    for (int lane = 0; lane < W; ++lane)
+      sums[lane] =
+          add_neighbours(lane, graph.adjacency()[cells[lane]], coefficients[cells[lane]], coefficients);
+    for (int first = 0; first < 8; first += 4) {
+      const auto four = four_from_rows<Real>([&](int lane) { return sums[lane].data() + first; });
+      for (int m = first; m < std::min(first + 4, kCoefficientCount<D>); ++m) linear_[m] = four[m - first];
+    }
     for (int lane = 0; lane < W; ++lane) {
       if (graph.forms.empty(cells[lane])) continue;
       if (const PlaneForm* plane = graph.forms.plane(cells[lane])) add_plane(lane, *plane);
       if (const PackedForm<D>* form = graph.forms.general(cells[lane])) add_form(lane, *form);
     }
-    if (has_planes_) finish_planes();
+    if (planes_) finish_planes();
   }
 
   /// f(h) for |h| = 1.
@@ -44,9 +59,10 @@ class LocalEnergy {
   Vector apply_matrix(const Vector& x) const {
     Vector result{};
     if (matrix_) result = matrix_times<D>(*matrix_, x);
-    if (has_planes_) {
-      add_scaled(result, -plane_weight_ * dot(plane_.cosine, x), plane_.cosine);
-      add_scaled(result, -plane_weight_ * dot(plane_.sine, x), plane_.sine);
+    if (planes_) {
+      const NormalBasis<D, Real>& basis = planes_->basis;
+      add_scaled(result, -planes_->weight * dot(basis.cosine, x), basis.cosine);
+      add_scaled(result, -planes_->weight * dot(basis.sine, x), basis.sine);
     }
     return result;
   }
@@ -54,14 +70,21 @@ class LocalEnergy {
   const Vector& linear() const { return linear_; }
 
   /// Whether A is zero for all cells, so that f is -2 b.h.
-  bool is_linear() const { return !matrix_ && !has_planes_; }
+  bool is_linear() const { return !matrix_ && !planes_; }
 
-  const Real& neighbour_weight() const { return neighbour_weight_; }
+  /// f(h) + stiffness |h|^2 is the energy of coefficients of any length: sum of w_j / 2, in degree 3 of
+  /// (5/6) w_j.
+  const Real& stiffness() const { return stiffness_; }
 
-  /// Whether any of the cells has a plane form, and what they are; of weight 0 for cells without.
-  bool has_planes() const { return has_planes_; }
-  const Real& plane_weight() const { return plane_weight_; }
-  const NormalBasis<D, Real>& plane() const { return plane_; }
+  /// The plane forms of the cells, of weight 0 for cells without one.
+  struct Planes {
+    BasicVector3<Real> normal{0.0, 0.0, 1.0};
+    Real weight = 0;
+    NormalBasis<D, Real> basis;
+  };
+
+  /// Null where none of the cells has one.
+  const Planes* planes() const { return planes_ ? &*planes_ : nullptr; }
 
   /// A without plane forms; null where it is zero for all cells.
   const FormMatrix<D, Real>* matrix() const { return matrix_ ? &*matrix_ : nullptr; }
@@ -69,72 +92,65 @@ class LocalEnergy {
  private:
   using Number = std::remove_cvref_t<decltype(std::declval<Real>()[0])>;
 
-  void add_neighbours(const Adjacency& adjacency, const std::vector<StoredCoefficients<D>>& coefficients,
-                      const CellsInLanes<W>& cells) {
-    for (int lane = 0; lane < W; ++lane) add_to_lane(lane, adjacency[cells[lane]], coefficients);
-  }
-
   /// Coefficients of one cell are summed side by side, as they are stored, eight at most.
   static constexpr int kWidth = std::min(W, 8), kGroups = 8 / kWidth;
   using Group = BasicLanes<Number, kWidth>;
 
-  /// add(its cell, its weight in all lanes) for each neighbour.
-  template <class Add>
-  static void for_each_weighted(const Adjacency::Row& neighbours, const Add& add) {
-    for (std::size_t k = 0; k < neighbours.size(); k += kWidth) {
-      const Group weights = neighbours.template weights_from<Group>(k);
-      const auto add_one = [&]<int J>() {
-        if (k + J < neighbours.size()) add(neighbours.cell(k + J), repeated<J>(weights));
-      };
-      [&]<int... J>(std::integer_sequence<int, J...>) {
-        (add_one.template operator()<J>(), ...);
-      }
-      (std::make_integer_sequence<int, kWidth>());
-    }
+  using Neighbours = std::array<Group, kGroups>;
+
+  static Neighbours loaded(const StoredCoefficients<D>& stored) {
+    Neighbours h;
+    for (int g = 0; g < kGroups; ++g) h[g] = lanes_of<Group>(stored.data() + g * kWidth);
+    return h;
   }
 
-  /// Row by row of the matrix, with columns side by side.
-  void add_to_lane(int lane, const Adjacency::Row& neighbours,
-                   const std::vector<StoredCoefficients<3>>& coefficients) {
-    constexpr int n = kCoefficientCount<3>;
-    std::array<std::array<Group, kGroups>, n> rows;
+  /// visit<J>() for the lanes J below `count`.
+  template <class Visit>
+  static void for_each_lane(std::size_t count, const Visit& visit) {
+    [&]<int... J>(std::integer_sequence<int, J...>) {
+      ((J < count ? visit.template operator()<J>() : void()), ...);
+    }
+    (std::make_integer_sequence<int, kWidth>());
+  }
+
+  /// Per lane b but for its ninth number, and a zero in degree 3.
+  using SumsOfLanes = std::array<std::array<Number, 8>, W>;
+
+  /// Degree 3: own overlaps s_j first, kWidth neighbours at a time.
+  std::array<Number, 8> add_neighbours(int lane, const Adjacency::Row& neighbours,
+                                       const StoredCoefficients<3>& own,
+                                       const std::vector<StoredCoefficients<3>>& coefficients) {
+    const Neighbours h0 = loaded(own);
+    Neighbours sums;
+    sums.fill(0.0);
     Number total_weight = 0;
-    const auto add = [&](const StoredCoefficients<3>& stored, const Group& weight) {
-      std::array<Group, kGroups> h, weighted;
-      for (int g = 0; g < kGroups; ++g) {
-        h[g] = lanes_of<Group>(stored.data() + g * kWidth);
-        weighted[g] = weight * h[g];
+    for (std::size_t k = 0; k < neighbours.size(); k += kWidth) {
+      std::array<Group, kWidth> products;
+      for_each_lane(neighbours.size() - k, [&]<int J>() {
+        const Neighbours h = loaded(coefficients[neighbours.cell(k + J)]);
+        products[J] = h0[0] * h[0];
+        for (int g = 1; g < kGroups; ++g) products[J] += h0[g] * h[g];
+      });
+      Group factors = sums_over_lanes(products);
+      if (!neighbours.has_equal_weights()) {
+        const Group weights = neighbours.template weights_from<Group>(k);
+        factors *= weights;
+        for_each_lane(neighbours.size() - k, [&]<int J>() { total_weight += weights[J]; });
       }
-      const auto add_row = [&]<int Row>() {
-        const Group factor = repeated<Row % kWidth>(weighted[Row / kWidth]);
-        for (int g = Row / kWidth; g < kGroups; ++g) rows[Row][g] += factor * h[g];
-      };
-      [&]<int... Row>(std::integer_sequence<int, Row...>) {
-        (add_row.template operator()<Row>(), ...);
-      }
-      (std::make_integer_sequence<int, n>());
-      total_weight += weight[0];
-    };
-    if (neighbours.has_equal_weights()) {
-      const Group weight = neighbours.weight(0);
-      for (std::size_t k = 0; k < neighbours.size(); ++k) add(coefficients[neighbours.cell(k)], weight);
-    } else {
-      for_each_weighted(neighbours,
-                        [&](std::uint32_t cell, const Group& weight) { add(coefficients[cell], weight); });
+      for_each_lane(neighbours.size() - k, [&]<int J>() {
+        const Neighbours h = loaded(coefficients[neighbours.cell(k + J)]);
+        const Group factor = repeated<J>(factors);
+        for (int g = 0; g < kGroups; ++g) sums[g] += factor * h[g];
+      });
     }
-    FormMatrix<3, Real>& matrix = *matrix_;
-    int entry = 0;
-    for (int row = 0; row < n; ++row) {
-      for (int column = row; column < n; ++column)
-        matrix[entry++].set(lane, -5.0 / 6 * rows[row][column / kWidth][column % kWidth]);
-    }
-    neighbour_weight_.set(lane, total_weight);
+    return finished(lane, neighbours, sums, total_weight);
   }
 
-  /// Here the eight orders below the last stand side by side, since that is how they are stored.
-  void add_to_lane(int lane, const Adjacency::Row& neighbours,
-                   const std::vector<StoredCoefficients<4>>& coefficients) {
-    std::array<Group, kGroups> sums;
+  /// Degree 4: eight orders side by side, as they are stored, and the last.
+  std::array<Number, 8> add_neighbours(int lane, const Adjacency::Row& neighbours,
+                                       const StoredCoefficients<4>&,
+                                       const std::vector<StoredCoefficients<4>>& coefficients) {
+    Neighbours sums;
     sums.fill(0.0);
     Number last = 0, total_weight = 0;
     if (neighbours.has_equal_weights()) {
@@ -144,35 +160,49 @@ class LocalEnergy {
         for (int g = 0; g < kGroups; ++g) sums[g] += lanes_of<Group>(h.data() + g * kWidth);
         last += h[8];
       }
-      const Number weight = neighbours.weight(0);
-      for (Group& sum : sums) sum = 0.5 * weight * sum;
-      last *= weight / 2;
-      total_weight = weight * static_cast<Number>(neighbours.size());
     } else {
-      for_each_weighted(neighbours, [&](std::uint32_t cell, const Group& weight) {
-        const StoredCoefficients<4>& h = coefficients[cell];
-        const Group half_weight = 0.5 * weight;
-        for (int g = 0; g < kGroups; ++g) sums[g] += half_weight * lanes_of<Group>(h.data() + g * kWidth);
-        last += half_weight[0] * h[8];
-        total_weight += weight[0];
-      });
+      for (std::size_t k = 0; k < neighbours.size(); k += kWidth) {
+        const Group weights = neighbours.template weights_from<Group>(k);
+        for_each_lane(neighbours.size() - k, [&]<int J>() {
+          const StoredCoefficients<4>& h = coefficients[neighbours.cell(k + J)];
+          const Group weight = repeated<J>(weights);
+          for (int g = 0; g < kGroups; ++g) sums[g] += weight * lanes_of<Group>(h.data() + g * kWidth);
+          last += weight[0] * h[8];
+          total_weight += weight[0];
+        });
+      }
     }
-    for (int m = 0; m < 8; ++m) linear_[m].set(lane, sums[m / kWidth][m % kWidth]);
-    linear_[8].set(lane, last);
-    neighbour_weight_.set(lane, total_weight);
+    linear_[8].set(lane, scale_of(neighbours) * last);
+    return finished(lane, neighbours, sums, total_weight);
+  }
+
+  /// Where all weights are equal, sums come without them.
+  static Number scale_of(const Adjacency::Row& neighbours) {
+    const auto factor = static_cast<Number>(D == 3 ? 5.0 / 6 : 0.5);
+    return neighbours.has_equal_weights() ? factor * neighbours.weight(0) : factor;
+  }
+
+  std::array<Number, 8> finished(int lane, const Adjacency::Row& neighbours, Neighbours sums,
+                                 Number total_weight) {
+    const Number scale = scale_of(neighbours);
+    if (neighbours.has_equal_weights()) total_weight = static_cast<Number>(neighbours.size());
+    stiffness_.set(lane, scale * total_weight);
+    for (Group& sum : sums) sum *= scale;
+    std::array<Number, 8> result;
+    std::memcpy(result.data(), sums.data(), sizeof result);
+    return result;
   }
 
   void add_plane(int lane, const PlaneForm& form) {
-    if (!has_planes_) normal_ = {0.0, 0.0, 1.0};
+    if (!planes_) planes_.emplace();
     const Vector3 normal = normalised(Vector3{form.normal[0], form.normal[1], form.normal[2]});
-    for (int axis = 0; axis < 3; ++axis) normal_[axis].set(lane, normal[axis]);
-    plane_weight_.set(lane, form.weight);
-    has_planes_ = true;
+    for (int axis = 0; axis < 3; ++axis) planes_->normal[axis].set(lane, normal[axis]);
+    planes_->weight.set(lane, form.weight);
   }
 
   void finish_planes() {
-    plane_ = normal_basis<D>(normal_);
-    if constexpr (D == 4) add_scaled(linear_, plane_weight_, plane_.zonal);
+    planes_->basis = normal_basis<D>(planes_->normal);
+    if constexpr (D == 4) add_scaled(linear_, planes_->weight, planes_->basis.zonal);
   }
 
   void add_form(int lane, const PackedForm<D>& form) {
@@ -185,13 +215,11 @@ class LocalEnergy {
     }
   }
 
-  std::optional<FormMatrix<D, Real>> matrix_;  // where it is zero, clearing it would take a while
-  bool has_planes_ = false;
-  BasicVector3<Real> normal_;
-  Real plane_weight_ = 0;
-  NormalBasis<D, Real> plane_;
+  // Where these are zero, clearing them would take a while.
+  std::optional<FormMatrix<D, Real>> matrix_;
+  std::optional<Planes> planes_;
   Vector linear_{};
-  Real neighbour_weight_ = 0;
+  Real stiffness_ = 0;
 };
 
 }  // namespace crossgrain

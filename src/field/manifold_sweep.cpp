@@ -117,17 +117,15 @@ void update_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsI
     // Of a small step single precision tells what it gains by the model only, of a large one by the values.
     const auto is_small = fraction * length < kSmallStep_rad;
     const Real gain = select(is_small, predicted.at(fraction), before - energy.value(after));
+    std::array<bool, W> gains{};
     for (int lane = 0; lane < cells.count; ++lane) {
       if (done[lane]) continue;
-      const bool gains = gain[lane] > 0;
-      if (gains) {
-        state.frames[cells[lane]] = stored_in_lane(turned, lane);
-        state.coefficients[cells[lane]] = to_stored<D>(in_lane(after, lane));
-        fell[lane] = gain[lane];
-      }
-      done[lane] = gains || !(fraction * length[lane] > kNoStep_rad);
+      gains[lane] = gain[lane] > 0;
+      if (gains[lane]) fell[lane] = gain[lane];
+      done[lane] = gains[lane] || !(fraction * length[lane] > kNoStep_rad);
       if (done[lane]) --waiting;
     }
+    store_in<D>(state, cells, gains, turned, after);
   }
   for (const double amount : fell) decrease += amount;
 }

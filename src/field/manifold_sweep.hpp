@@ -19,6 +19,9 @@ inline constexpr double kLargestStep_rad = 0.5;
 /// is halved, and given up after a few halvings. Returns by how much the energy fell (in the degree's own
 /// energy). The result does not depend on the number of threads.
 ///
+/// In degree 3 a cell's energy is replaced by an upper bound (local_energy.hpp): it falls by no less than
+/// what is returned, where no weights are negative.
+///
 /// `over_relaxation` in [1, 2) is how many times as long as the Newton step the step of a cell is (successive
 /// over-relaxation): errors that span many cells fade in far fewer sweeps.
 template <int D>

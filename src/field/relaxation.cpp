@@ -12,54 +12,36 @@
 namespace crossgrain {
 namespace {
 
-/// Relative distance of the shift of inverse iteration below the smallest eigenvalue there can be.
-constexpr double kShiftMargin = 1e-3;
-
 /// Coefficients that overlap this much with a frame they climbed to have no other maximum of the overlap that
 /// is higher: tested in tests/field against the global search.
 constexpr double kSafeOverlap = 0.9;
 
-/// The minimisers of (W/2) |h|^2 + h^T A h - 2 b.h, A = s (I - C C^T - S S^T) + A_c.
-template <int W, class Real>
-Coefficients<4, Real> minimising_coefficients(const LocalEnergy<4, Real>& energy, const CellForms<4>& forms,
-                                              const CellsInLanes<W>& cells, const Coefficients<4, Real>&) {
-  const Real half_weight = 0.5 * energy.neighbour_weight();
-  const Real outside = 1 / (half_weight + energy.plane_weight());
-  Coefficients<4, Real> h = scaled(energy.linear(), outside);
-  if (energy.has_planes()) {
-    const Real inside = 1 / half_weight - outside;
-    const NormalBasis<4, Real>& plane = energy.plane();
-    add_scaled(h, inside * dot(plane.cosine, energy.linear()), plane.cosine);
-    add_scaled(h, inside * dot(plane.sine, energy.linear()), plane.sine);
+/// The minimisers of k |h|^2 + h^T A h - 2 b.h, k the stiffness, A = s (I - C C^T - S S^T) + A_c.
+template <int D, int W, class Real>
+Coefficients<D, Real> minimising_coefficients(const LocalEnergy<D, Real>& energy, const CellForms<D>& forms,
+                                              const CellsInLanes<W>& cells) {
+  const Real& stiffness = energy.stiffness();
+  Coefficients<D, Real> h;
+  if (const auto* planes = energy.planes()) {
+    const Real outside = 1 / (stiffness + planes->weight);
+    const Real inside = 1 / stiffness - outside;
+    const NormalBasis<D, Real>& basis = planes->basis;
+    h = scaled(energy.linear(), outside);
+    add_scaled(h, inside * dot(basis.cosine, energy.linear()), basis.cosine);
+    add_scaled(h, inside * dot(basis.sine, energy.linear()), basis.sine);
+  } else {
+    h = scaled(energy.linear(), 1 / stiffness);
   }
   if (energy.matrix() != nullptr) {
     typename Real::Mask has_form;
     for (int lane = 0; lane < W; ++lane) has_form.set(lane, forms.general(cells[lane]) != nullptr);
-    // In units of the weight, so that roots round alike for models of any size.
-    const Real unit = 1 / half_weight;
-    FormMatrix<4, Real> matrix = *energy.matrix();
+    // In units of the stiffness, so that roots round alike for models of any size.
+    const Real unit = 1 / stiffness;
+    FormMatrix<D, Real> matrix = *energy.matrix();
     for (Real& entry : matrix) entry *= unit;
-    h = select(has_form, solve_shifted<4>(matrix, 1.0, scaled(energy.linear(), unit)), h);
+    h = select(has_form, solve_shifted<D>(matrix, 1.0, scaled(energy.linear(), unit)), h);
   }
   return h;
-}
-
-/// One step of inverse iteration for the smallest eigenvalues of the local matrices, which are no less than
-/// -(5/6) W.
-template <int W, class Real>
-Coefficients<3, Real> minimising_coefficients(const LocalEnergy<3, Real>& energy, const CellForms<3>&,
-                                              const CellsInLanes<W>&, const Coefficients<3, Real>& h) {
-  FormMatrix<3, Real> matrix = *energy.matrix();
-  if (energy.has_planes()) {
-    add_identity<3>(matrix, energy.plane_weight());
-    add_outer_product<3>(matrix, -energy.plane_weight(), energy.plane().cosine);
-    add_outer_product<3>(matrix, -energy.plane_weight(), energy.plane().sine);
-  }
-  // In units of the weight, so that roots round alike for models of any size.
-  const Real unit = 1 / energy.neighbour_weight();
-  for (Real& entry : matrix) entry *= unit;
-  const Coefficients<3, Real> x = solve_shifted<3>(matrix, (1 + kShiftMargin) * 5.0 / 6, h);
-  return scaled(x, 1 / sqrt(squared_norm(x)));
 }
 
 /// A step down the gradient of E_sym, whose curvature across the orbit is at most kCurvature |h|^2 there.
@@ -81,10 +63,10 @@ void symmetrise_steps(Coefficients<D, Real>& h, double strength) {
 }
 
 /// From `before` towards `minimum`, `over_relaxation` times as far.
-template <class Real>
-Coefficients<4, Real> over_relaxed(const Coefficients<4, Real>& before, const Coefficients<4, Real>& minimum,
+template <int D, class Real>
+Coefficients<D, Real> over_relaxed(const Coefficients<D, Real>& before, const Coefficients<D, Real>& minimum,
                                    double over_relaxation) {
-  Coefficients<4, Real> h = scaled(minimum, Real(over_relaxation));
+  Coefficients<D, Real> h = scaled(minimum, Real(over_relaxation));
   add_scaled(h, Real(1 - over_relaxation), before);
   return h;
 }
@@ -98,7 +80,7 @@ Coefficients<4, Real> relaxed_about(const BasicVector3<Real>& axis, const LocalE
                                     double over_relaxation) {
   const NormalBasis<4, Real> basis = normal_basis<4>(axis);
   const Coefficients<4, Real> h =
-      over_relaxed(before, scaled(energy.linear(), 2 / energy.neighbour_weight()), over_relaxation);
+      over_relaxed<4>(before, scaled(energy.linear(), 1 / energy.stiffness()), over_relaxation);
   const Real x = dot(basis.cosine, h), y = dot(basis.sine, h);
   const Real radius = sqrt(x * x + y * y);
   const double strength = std::min(symmetrisation, 1.0);
@@ -114,24 +96,18 @@ void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsIn
                  double symmetrisation, double over_relaxation) {
   using Real = SingleLanes<W>;
   const LocalEnergy<D, Real> energy(graph, state.coefficients, cells);
-  std::array<std::array<float, W>, kCoefficientCount<D>> stored;
-  for (int lane = 0; lane < W; ++lane) {
-    for (int m = 0; m < kCoefficientCount<D>; ++m) stored[m][lane] = state.coefficients[cells[lane]][m];
-  }
-  Coefficients<D, Real> before;
-  for (int m = 0; m < kCoefficientCount<D>; ++m) before[m] = lanes_of<Real>(stored[m].data());
-  Coefficients<D, Real> h = minimising_coefficients(energy, graph.forms, cells, before);
-  if constexpr (D == 4) h = over_relaxed(before, h, over_relaxation);
+  const Coefficients<D, Real> before = from_stored<D, Real>(state.coefficients, cells);
+  Coefficients<D, Real> h =
+      over_relaxed<D>(before, minimising_coefficients<D>(energy, graph.forms, cells), over_relaxation);
   symmetrise_steps<D>(h, symmetrisation);
   if constexpr (D == 4) {
     const HeldAxes<Real> held(graph.forms, cells);
     if (held.any)
       h = select(held.mask, relaxed_about(held.axes, energy, before, symmetrisation, over_relaxation), h);
   }
-  for (int lane = 0; lane < cells.count; ++lane) {
-    if (graph.adjacency()[cells[lane]].empty()) continue;
-    state.coefficients[cells[lane]] = to_stored<D>(in_lane(h, lane));
-  }
+  std::array<bool, W> is_stored{};
+  for (int lane = 0; lane < cells.count; ++lane) is_stored[lane] = !graph.adjacency()[cells[lane]].empty();
+  store_in<D>(state.coefficients, cells, is_stored, h);
 }
 
 }  // namespace

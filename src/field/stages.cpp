@@ -66,16 +66,18 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
   SettledFrames result;
   result.energy = graph_energy(graph, state);
   BlocksAwake blocks(graph.order());
+  // Where all frames agree, rounding of the forms takes the energy a little below nothing.
+  const auto allowance = [&] { return plan.fraction * std::max(0.0, result.energy) + plan.noise; };
   for (int sweep = 0; sweep < plan.most_sweeps && !result.settled; ++sweep) {
     const std::vector<double> decreases =
         manifold_sweep_over(graph, state, plan.over_relaxation, blocks.awake());
     const double decrease = std::accumulate(decreases.begin(), decreases.end(), 0.0);
     result.energy -= decrease;
     after_sweep(result.energy);
-    // Where all frames agree, rounding of the forms takes the energy a little below nothing.
-    const double allowance = plan.fraction * std::max(0.0, result.energy) + plan.noise;
-    result.settled = decrease <= allowance;
-    blocks.update(decreases, allowance);
+    const bool is_last = decrease <= allowance() || sweep + 1 == plan.most_sweeps;
+    if (D == 3 && is_last) result.energy = graph_energy(graph, state);
+    result.settled = decrease <= allowance();
+    blocks.update(decreases, allowance());
   }
   result.frames = std::move(state.frames);
   return result;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/instruction_set.hpp"
+#include "base/lane_rows.hpp"
 #include "base/quaternion.hpp"
 
 namespace crossgrain {
@@ -42,6 +43,59 @@ TEST(Lanes, GiveTheSameBitsWithTheInstructionsOfThisProcessor) {
     lanes = W;
   });
   EXPECT_GE(lanes, 2);
+}
+
+template <class Real>
+void expect_pairwise_sums() {
+  constexpr int W = Real::kCount;
+  std::array<Real, W> x;
+  for (int k = 0; k < W; ++k) {
+    for (int lane = 0; lane < W; ++lane) x[k].set(lane, 100 * k + lane);
+  }
+  const Real sums = sums_over_lanes(x);
+  for (int k = 0; k < W; ++k) EXPECT_EQ(sums[k], W * 100 * k + W * (W - 1) / 2) << W;
+}
+
+TEST(Lanes, AreSummedEachVectorInItsOwnLane) {
+  expect_pairwise_sums<Lanes<2>>();
+  expect_pairwise_sums<Lanes<4>>();
+  expect_pairwise_sums<Lanes<8>>();
+  expect_pairwise_sums<SingleLanes<4>>();
+  expect_pairwise_sums<SingleLanes<8>>();
+}
+
+/// Rows of six numbers, in an order of their own, of which the middle four are used.
+template <class Real>
+void expect_rows_there_and_back() {
+  constexpr int W = Real::kCount;
+  std::array<std::array<float, 6>, W> rows;
+  for (int row = 0; row < W; ++row) {
+    for (int k = 0; k < 6; ++k) rows[row][k] = static_cast<float>(10 * row + k);
+  }
+  const auto row_of = [](int lane) { return (lane * 7 + 3) % W; };
+  FourOfRows<Real> x = four_from_rows<Real>([&](int lane) { return rows[row_of(lane)].data() + 1; });
+  for (int lane = 0; lane < W; ++lane) {
+    for (int k = 0; k < 4; ++k) EXPECT_EQ(x[k][lane], 10 * row_of(lane) + k + 1) << W << ", " << lane;
+  }
+  for (Real& numbers : x) numbers *= -1.0;
+  // Every third lane stays behind.
+  four_to_rows<Real>(x, [&](int lane) { return lane % 3 == 0 ? nullptr : rows[row_of(lane)].data() + 1; });
+  for (int lane = 0; lane < W; ++lane) {
+    const int row = row_of(lane);
+    for (int k = 0; k < 6; ++k) {
+      const bool is_written = lane % 3 != 0 && k >= 1 && k <= 4;
+      EXPECT_EQ(rows[row][k], (is_written ? -1 : 1) * (10 * row + k)) << W << ", " << lane;
+    }
+  }
+}
+
+TEST(Rows, GoToLanesAndBack) {
+  expect_rows_there_and_back<Lanes<2>>();
+  expect_rows_there_and_back<Lanes<4>>();
+  expect_rows_there_and_back<Lanes<8>>();
+  expect_rows_there_and_back<SingleLanes<4>>();
+  expect_rows_there_and_back<SingleLanes<8>>();
+  expect_rows_there_and_back<SingleLanes<16>>();
 }
 
 }  // namespace
