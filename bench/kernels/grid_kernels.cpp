@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "crossgrain/options.hpp"
+#include "grid/open_faces.hpp"
 #include "kernels/levels.hpp"
 #include "kernels/surface_flops.hpp"
 
@@ -17,7 +18,7 @@ void refinement(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(refined(part.before, solid, part.marks));
   const auto leaves = static_cast<double>(part.level.size());
   const auto [tried, kept] = clipped_pieces(part);
-  const double flops = (tried - kept) * kRejectedClipFlops + kept * kClipFlops + tried * kCrossingFlops;
+  const double flops = (tried - kept) * kRejectedClipFlops + kept * kClipFlops + tried * crossing_flops(8);
   report(state, part.level.size(), {flops / leaves, (bytes_of(part.before) + bytes_of(part.level)) / leaves});
 }
 
@@ -29,7 +30,7 @@ void connection(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(connect_leaves(part.level, solid));
   const auto leaves = static_cast<double>(part.level.size());
   report(state, part.level.size(),
-         {sampled_pieces(part) * kCrossingFlops / leaves,
+         {sampled_pieces(part) * crossing_flops(kOpenFaceSamples) / leaves,
           (bytes_of(part.level) + bytes_of(part.connections)) / leaves});
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "crossgrain/options.hpp"
+#include "field/face_edges.hpp"
 #include "grid/open_faces.hpp"
 #include "support/shapes.hpp"
 
@@ -162,7 +163,7 @@ double bytes_of(const Adjacency& adjacency) {
 double sampled_pieces(const PartLevel& part) {
   const GridLevel& level = part.level;
   double pieces = 0;
-  for (const WeightedEdge& edge : face_edges(level, part.connections)) {
+  for (const WeightedEdge& edge : testing::face_edges(level, part.connections)) {
     if (level.holds_surface(edge.first) && level.holds_surface(edge.second))
       pieces += static_cast<double>(level.pieces_of(edge.first).size());
   }

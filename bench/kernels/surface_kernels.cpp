@@ -6,20 +6,19 @@
 #include <vector>
 
 #include "grid/cell_constraints.hpp"
+#include "grid/winding_in_leaf.hpp"
 #include "kernels/levels.hpp"
 #include "kernels/surface_flops.hpp"
 #include "surface/clipping.hpp"
-#include "surface/segment_crossing.hpp"
 
 namespace crossgrain::bench {
 namespace {
 
-/// Calls visit(leaf, piece) for the pieces of surface of all leaves that were split.
+/// Calls visit(leaf) for all leaves that were split and hold surface.
 template <class Visit>
-void for_each_split_piece(const PartLevel& part, const Visit& visit) {
+void for_each_split_leaf(const PartLevel& part, const Visit& visit) {
   for (CellIndex i = 0; i < part.before.size(); ++i) {
-    if (!part.marks[i]) continue;
-    for (const SurfacePiece& piece : part.before.pieces_of(i)) visit(i, piece);
+    if (part.marks[i] && part.before.holds_surface(i)) visit(i);
   }
 }
 
@@ -33,10 +32,12 @@ void clipping(benchmark::State& state) {
   const Octree& tree = part.before.tree;
   for (auto _ : state) {
     double area = 0;
-    for_each_split_piece(part, [&](CellIndex i, const SurfacePiece& piece) {
-      const std::array<Vector3, 3> corners = part.solid.surface().corners(piece.triangle);
-      for (int octant = 0; octant < 8; ++octant)
-        area += clip_triangle(corners, tree.root().box(tree[i].child(octant))).area;
+    for_each_split_leaf(part, [&](CellIndex i) {
+      for (int octant = 0; octant < 8; ++octant) {
+        const Box box = tree.root().box(tree[i].child(octant));
+        for (const SurfacePiece& piece : part.before.pieces_of(i))
+          area += clip_triangle(part.solid.surface().corners(piece.triangle), box).area;
+      }
     });
     benchmark::DoNotOptimize(area);
   }
@@ -45,24 +46,34 @@ void clipping(benchmark::State& state) {
   report(state, static_cast<std::size_t>(tried), {flops, kTriangleBytesPerChild});
 }
 
-/// Triangles in a leaf against the ways from its centre to those of its children; items are such pairs.
+PointsByAxis<8> centres_of_children(const Octree& tree, CellIndex i) {
+  PointsByAxis<8> centres;
+  for (int octant = 0; octant < 8; ++octant) {
+    const Vector3 centre = tree.root().centre(tree[i].child(octant));
+    for (int axis = 0; axis < 3; ++axis) centres[axis][octant] = centre[axis];
+  }
+  return centres;
+}
+
+/// Triangles in a leaf against the ways from its centre to those of its children, which are known before;
+/// items are such pairs.
 void crossings(benchmark::State& state) {
   const PartLevel& part = part_level(Part::kTorus);
-  const Octree& tree = part.before.tree;
+  const Solid solid = part.solid.solid();
+  std::vector<PointsByAxis<8>> ends;
+  for_each_split_leaf(part, [&](CellIndex i) { ends.push_back(centres_of_children(part.before.tree, i)); });
   for (auto _ : state) {
     int changes = 0;
-    for_each_split_piece(part, [&](CellIndex i, const SurfacePiece& piece) {
-      const std::array<Vector3, 3> corners = part.solid.surface().corners(piece.triangle);
-      const Vector3 centre = tree.centre(i);
-      for (int octant = 0; octant < 8; ++octant) {
-        const Vector3 end = tree.root().centre(tree[i].child(octant));
-        changes += winding_change(corners, centre, end).value_or(0);
-      }
+    std::size_t leaf = 0;
+    for_each_split_leaf(part, [&](CellIndex i) {
+      for (const int change : winding_changes(part.before, solid, i, ends[leaf++]).change) changes += change;
     });
     benchmark::DoNotOptimize(changes);
   }
-  report(state, static_cast<std::size_t>(clipped_pieces(part).tried),
-         {kCrossingFlops, kTriangleBytesPerChild});
+  const double items = clipped_pieces(part).tried;
+  const double bytes_of_ends = static_cast<double>(ends.size() * sizeof(ends[0]));
+  report(state, static_cast<std::size_t>(items),
+         {crossing_flops(8), kTriangleBytesPerChild + bytes_of_ends / items});
 }
 
 /// What a query visits: clusters of the tree of boxes stand for those of the winding number, each with half

@@ -8,11 +8,11 @@
 
 #include "analysis/alignment.hpp"
 #include "analysis/field_data.hpp"
-#include "analysis/frames_in_lanes.hpp"
 #include "analysis/sampling.hpp"
 #include "analysis/singularity_graph.hpp"
 #include "analysis/solve_checks.hpp"
 #include "analysis/walls.hpp"
+#include "base/frames_in_lanes.hpp"
 #include "base/instruction_set.hpp"
 #include "base/lanes.hpp"
 #include "base/parallel.hpp"

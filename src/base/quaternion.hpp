@@ -104,9 +104,6 @@ BasicQuaternion<Real> from_small_rotation_vector(const BasicVector3<Real>& v) {
   return {cosine, half_sinc * v[0], half_sinc * v[1], half_sinc * v[2]};
 }
 
-/// The quaternion of a right-handed orthonormal frame given by its axes (Shepperd's method).
-Quaternion quaternion_of(const std::array<Vector3, 3>& axes);
-
 inline StoredQuaternion to_stored(const Quaternion& q) {
   return {static_cast<float>(q.w), static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
 }

@@ -105,16 +105,6 @@ inline double normal_value(const NormalBasis<D>& basis, const Coefficients<D>& h
   return result;
 }
 
-/// Half the gradient of E_n: h - C (C.h) - S (S.h), in degree 4 minus b_n.
-template <int D>
-inline Coefficients<D> normal_half_gradient(const NormalBasis<D>& basis, const Coefficients<D>& h) {
-  Coefficients<D> result = h;
-  add_scaled(result, -dot(basis.cosine, h), basis.cosine);
-  add_scaled(result, -dot(basis.sine, h), basis.sine);
-  if constexpr (D == 4) add_scaled(result, -1.0, basis.zonal);
-  return result;
-}
-
 /// form += weight * E_n: the frame has an axis along the surface normal n.
 template <int D>
 void add_normal(QuadraticForm<D>& form, const Vector3& unit_normal, double weight) {

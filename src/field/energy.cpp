@@ -99,10 +99,11 @@ double graph_energy(const FieldGraph<D>& graph, const FieldState<D>& state) {
 }
 
 LevelEnergy level_energy(const GridLevel& level, const Solid& solid, const Adjacency& adjacency,
-                         std::span<const StoredQuaternion> frames, double boundary_weight) {
+                         std::span<const StoredQuaternion> frames, double boundary_weight,
+                         SharpTurns sharp_turns) {
   LevelEnergy energy;
   EnergyParts& parts = energy.parts;
-  energy.neighbours = compare_neighbours(level.tree, adjacency, frames);
+  energy.neighbours = compare_neighbours(level.tree, adjacency, frames, sharp_turns);
   parts.smoothness = energy.neighbours.smoothness;
   const auto sum_over_leaves = [&](const auto& term) {
     return parallel_sum(frames.size(), [&](std::size_t i) {

@@ -41,7 +41,8 @@ struct LevelEnergy {
 /// The degree-4 energy of a level's frames, computed from the surface pieces themselves, not from summed
 /// forms, but for `unavoidable`.
 LevelEnergy level_energy(const GridLevel& level, const Solid& solid, const Adjacency& adjacency,
-                         std::span<const StoredQuaternion> frames, double boundary_weight);
+                         std::span<const StoredQuaternion> frames, double boundary_weight,
+                         SharpTurns sharp_turns = SharpTurns::kLeftOut);
 
 extern template double graph_energy<3>(const FieldGraph<3>&, const FieldState<3>&);
 extern template double graph_energy<4>(const FieldGraph<4>&, const FieldState<4>&);

@@ -24,9 +24,6 @@ struct Colouring {
   std::vector<std::size_t> begin;  ///< colour c is cells[begin[c] .. begin[c + 1])
 
   std::size_t colour_count() const { return begin.size() - 1; }
-  std::span<const std::uint32_t> cells_of(std::size_t colour) const {
-    return {cells.data() + begin[colour], cells.data() + begin[colour + 1]};
-  }
 };
 
 /// From a colour per cell, each below 256.

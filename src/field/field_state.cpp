@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/frames_in_lanes.hpp"
 #include "base/instruction_set.hpp"
 #include "base/parallel.hpp"
 #include "harmonics/frame.hpp"
@@ -37,12 +38,7 @@ template <int D>
 std::vector<StoredCoefficients<D>> coefficients_of(std::span<const StoredQuaternion> frames) {
   auto coefficients = sized_vector<StoredCoefficients<D>>(frames.size());
   parallel_for_lanes(frames.size(), [&]<int W>(std::size_t begin, int count) {
-    BasicQuaternion<Lanes<W>> q;
-    for (int lane = 0; lane < count; ++lane) {
-      const StoredQuaternion& frame = frames[begin + static_cast<std::size_t>(lane)];
-      set_lane(q, lane, {frame.w, frame.x, frame.y, frame.z});
-    }
-    const auto h = frame_coefficients<D>(normalised(q));
+    const auto h = frame_coefficients<D>(frames_in_lanes<W>(frames, begin));
     for (int lane = 0; lane < count; ++lane)
       coefficients[begin + static_cast<std::size_t>(lane)] = to_stored<D>(in_lane(h, lane));
   });

@@ -86,16 +86,17 @@ double smoothness_energy(const Adjacency& adjacency, const std::vector<StoredCoe
 }
 
 NeighbourComparison compare_neighbours(const Octree& tree, const Adjacency& adjacency,
-                                       std::span<const StoredQuaternion> frames) {
+                                       std::span<const StoredQuaternion> frames, SharpTurns sharp_turns) {
   const std::vector<StoredCoefficients<4>> coefficients = coefficients_of<4>(frames);
   NeighbourComparison result;
   result.energy_density = sized_vector<float>(frames.size());
-  result.turns_sharply.resize(frames.size());
+  const bool looks_for_turns = sharp_turns == SharpTurns::kLookedFor;
+  if (looks_for_turns) result.turns_sharply.resize(frames.size());
   std::vector<double> partial((frames.size() + kParallelGrain - 1) / kParallelGrain, 0.0);
   for_each_edge_sum(adjacency, coefficients, [&](std::size_t i, double sum) {
     const double size = tree.cell_size(static_cast<CellIndex>(i));
     result.energy_density[i] = static_cast<float>(sum / (4 * size * size * size));
-    result.turns_sharply[i] = has_sharp_turn(adjacency[i], coefficients, i, sum);
+    if (looks_for_turns) result.turns_sharply[i] = has_sharp_turn(adjacency[i], coefficients, i, sum);
     partial[i / kParallelGrain] += sum;
   });
   result.smoothness = std::accumulate(partial.begin(), partial.end(), 0.0) / 4;

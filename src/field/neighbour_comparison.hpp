@@ -23,12 +23,16 @@ struct NeighbourComparison {
   std::vector<float> energy_density;
 
   /// Whether the frame of a leaf is about 22 degrees or more off that of a neighbour, however they are named.
+  /// Empty where sharp turns are not looked for.
   std::vector<std::uint8_t> turns_sharply;
 };
 
+/// Where singular arcs may run is asked of a finished field only.
+enum class SharpTurns : bool { kLeftOut, kLookedFor };
+
 /// `adjacency` is that of the leaves of `tree`, with a frame each.
 NeighbourComparison compare_neighbours(const Octree& tree, const Adjacency& adjacency,
-                                       std::span<const StoredQuaternion> frames);
+                                       std::span<const StoredQuaternion> frames, SharpTurns sharp_turns);
 
 /// Which leaves may own a singular edge (analysis/singular_edges.hpp): those that turn sharply, and their
 /// neighbours. Few do, along singular arcs.

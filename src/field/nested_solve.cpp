@@ -64,8 +64,9 @@ class LevelSolver {
     connectivity_->order = {};
   }
 
-  LevelEnergy energy(const Frames& frames) const {
-    return level_energy(level_, solid_, connectivity_->adjacency, frames, options_.boundary_weight);
+  LevelEnergy energy(const Frames& frames, SharpTurns sharp_turns) const {
+    return level_energy(level_, solid_, connectivity_->adjacency, frames, options_.boundary_weight,
+                        sharp_turns);
   }
 
   const Adjacency& adjacency() const { return connectivity_->adjacency; }
@@ -252,9 +253,10 @@ class NestedSolver {
   /// Brings the candidate of lowest energy to the front, and ends the race if told to.
   void keep_best(const LevelSolver<D>& solver, bool end_race, bool finest) {
     std::size_t best = 0;
+    const SharpTurns sharp_turns = finest ? SharpTurns::kLookedFor : SharpTurns::kLeftOut;
     std::vector<std::uint8_t> turns_sharply;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
-      LevelEnergy energy = solver.energy(candidates_[c].frames);
+      LevelEnergy energy = solver.energy(candidates_[c].frames, sharp_turns);
       if (c == 0 || energy.parts.total() + energy.parts.unavoidable <
                         result_.energy.total() + result_.energy.unavoidable) {
         result_.energy = energy.parts;

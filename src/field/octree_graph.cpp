@@ -251,19 +251,6 @@ LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const
   return result;
 }
 
-std::vector<WeightedEdge> face_edges(const GridLevel& level, const LeafConnections& connections) {
-  std::vector<WeightedEdge> edges;
-  for (CellIndex i = 0; i < level.size(); ++i) {
-    for (int face = 0; face < kFaceCount; ++face) {
-      if (!(connections.open_faces[i] >> face & 1)) continue;
-      const double steps = connections.weights[i][face].steps();
-      edges.push_back({i, level.neighbours[i][face],
-                       static_cast<float>(level.tree.cell_size(i) * steps / FaceWeight::kFullFace)});
-    }
-  }
-  return edges;
-}
-
 template <int D>
 CellForms<D> boundary_forms(const GridLevel& level, const Solid& solid, double boundary_weight, Shift shift) {
   CellForms<D> forms(level.size());

@@ -63,9 +63,6 @@ struct LeafConnections {
 /// fields then cost what the integral says.
 LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const Monitor& monitor = {});
 
-/// The same as a list, each edge once.
-std::vector<WeightedEdge> face_edges(const GridLevel& level, const LeafConnections& connections);
-
 /// Whether the forms of cells are shifted so that they penalise only what their constraints exclude
 /// (docs/design.md section 3). That changes relaxed coefficients; for frames it changes the energy by a
 /// constant.

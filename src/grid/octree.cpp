@@ -28,13 +28,6 @@ CellIndex Octree::neighbour(CellIndex i, int face) const {
   return across ? find_containing(*across) : kNoCell;
 }
 
-std::pair<CellIndex, CellIndex> Octree::leaves_inside(CellAddress cell) const {
-  const auto first = std::lower_bound(leaves_.begin(), leaves_.end(), cell);
-  const auto last =
-      std::partition_point(first, leaves_.end(), [&](CellAddress leaf) { return cell.contains(leaf); });
-  return {static_cast<CellIndex>(first - leaves_.begin()), static_cast<CellIndex>(last - leaves_.begin())};
-}
-
 bool is_balanced(const Octree& tree) {
   for (CellIndex i = 0; i < tree.size(); ++i) {
     for (int face = 0; face < kFaceCount; ++face) {

@@ -65,9 +65,6 @@ class Octree {
   /// (outside, or smaller leaves lie there).
   CellIndex neighbour(CellIndex i, int face) const;
 
-  /// Range of leaves inside `cell` (itself included).
-  std::pair<CellIndex, CellIndex> leaves_inside(CellAddress cell) const;
-
  private:
   RootCube root_{};
   std::vector<CellAddress> leaves_;

@@ -44,10 +44,4 @@ CrossingsFrom::CrossingsFrom(const std::array<Vector3, 3>& corners, const Vector
   }
 }
 
-std::optional<int> winding_change(const std::array<Vector3, 3>& corners, const Vector3& a, const Vector3& b) {
-  const auto [change, certain] = CrossingsFrom(corners, a).to(b);
-  if (!certain) return std::nullopt;
-  return static_cast<int>(change);
-}
-
 }  // namespace crossgrain

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "base/lanes.hpp"
 #include "base/vector3.hpp"
@@ -95,8 +94,5 @@ CrossingsFrom::Change<Real> CrossingsFrom::to(const BasicVector3<Real>& end) con
   const Mask crossed = Mask(inside & Mask(above | below) & Mask(begins_above | begins_below) & Mask(!missed));
   return {select(crossed, side, Real(0.0)), Mask(missed | crossed)};
 }
-
-/// The change along one segment from a to b; nothing where it is not certain.
-std::optional<int> winding_change(const std::array<Vector3, 3>& corners, const Vector3& a, const Vector3& b);
 
 }  // namespace crossgrain

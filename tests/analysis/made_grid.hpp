@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/quaternion.hpp"
+#include "field/tet_finish.hpp"
 #include "grid/octree.hpp"
 #include "grid/test_solid.hpp"
 
@@ -67,7 +68,7 @@ inline std::vector<StoredQuaternion> frames_of(const Octree& tree,
 }
 
 /// A straight line around which frames turn by a quarter: exp(phi / 4 about the line), phi the angle about
-/// it, applied to a frame with its third axis along the line. It is singular on the line and nowhere else.
+/// it, applied to a frame with an axis along the line. It is singular on the line and nowhere else.
 struct QuarterLine {
   Vector3 point;
   Vector3 direction;  ///< unit vector
@@ -77,9 +78,7 @@ struct QuarterLine {
     return std::atan2(dot(p - point, v), dot(p - point, u));
   }
   Quaternion operator()(const Vector3& p) const {
-    const Vector3 u = orthogonal_unit(direction);
-    return from_rotation_vector(angle_rad(p) / 4 * direction) *
-           quaternion_of({u, cross(direction, u), direction});
+    return from_rotation_vector(angle_rad(p) / 4 * direction) * with_axis_along({}, direction);
   }
 };
 

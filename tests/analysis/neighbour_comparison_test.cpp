@@ -27,7 +27,8 @@ struct Solved {
   }
 
   std::vector<std::uint8_t> near_sharp_turns_of(const std::vector<StoredQuaternion>& frames) const {
-    return near_sharp_turns(adjacency, compare_neighbours(field.level.tree, adjacency, frames).turns_sharply);
+    const auto comparison = compare_neighbours(field.level.tree, adjacency, frames, SharpTurns::kLookedFor);
+    return near_sharp_turns(adjacency, comparison.turns_sharply);
   }
 
   /// Those that leaves near sharp turns own.

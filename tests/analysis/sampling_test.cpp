@@ -16,6 +16,7 @@
 #include "analysis/nearest_leaf.hpp"
 #include "base/parallel.hpp"
 #include "crossgrain/frame_field.hpp"
+#include "field/face_edges.hpp"
 #include "field/octree_graph.hpp"
 #include "support/shapes.hpp"
 
@@ -361,7 +362,7 @@ TEST(LeafTurn, IsJoinedToWhatTheGraphHasAnEdgeTo) {
   const std::vector<StoredQuaternion> frames(level.size());
   const LeafField field{level.tree, frames, connections.open_faces};
   std::vector<std::pair<CellIndex, CellIndex>> expected, found;
-  for (const WeightedEdge& edge : face_edges(level, connections))
+  for (const WeightedEdge& edge : testing::face_edges(level, connections))
     expected.push_back(std::minmax(edge.first, edge.second));
   for (CellIndex i = 0; i < level.size(); ++i) {
     for (CellIndex j = i + 1; j < level.size(); ++j) {

@@ -82,22 +82,6 @@ TEST_F(QuaternionTest, AxesAreTheTurnedUnitVectorsAndRightHanded) {
   }
 }
 
-TEST_F(QuaternionTest, ComesBackFromItsAxes) {
-  for (int i = 0; i < 200; ++i) {
-    const Quaternion q = rotation();
-    EXPECT_LT(distance_up_to_sign(quaternion_of(axes_of(q)), q), kRounding);
-  }
-}
-
-TEST_F(QuaternionTest, ComesBackFromItsAxesForHalfTurns) {
-  // Half turns have w = 0, so that each of the four cases of Shepperd's method is met.
-  for (const Vector3& about :
-       {Vector3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {.6, .8, 0}, {0, -.6, .8}, {.8, 0, .6}}) {
-    const Quaternion q{0, about[0], about[1], about[2]};
-    EXPECT_LT(distance_up_to_sign(quaternion_of(axes_of(q)), q), kRounding);
-  }
-}
-
 TEST_F(QuaternionTest, OfARotationVectorTurnsByItsLengthAboutIt) {
   for (const double angle_rad : {1e-3, 0.5, 2.0, 3.1}) {
     const Vector3 about = normalised(vector());

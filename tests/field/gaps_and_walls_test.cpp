@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "field/face_edges.hpp"
 #include "field/octree_graph.hpp"
 #include "grid/open_faces.hpp"
 #include "grid/refinement.hpp"
@@ -14,6 +15,7 @@
 namespace crossgrain {
 namespace {
 
+using testing::face_edges;
 using testing::RandomSamples;
 using testing::TestSolid;
 

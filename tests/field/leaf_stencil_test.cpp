@@ -8,6 +8,7 @@
 
 #include "base/quaternion.hpp"
 #include "crossgrain/options.hpp"
+#include "field/face_edges.hpp"
 #include "field/octree_graph.hpp"
 #include "field/tet_finish.hpp"
 #include "grid/refinement.hpp"
@@ -19,6 +20,7 @@
 namespace crossgrain {
 namespace {
 
+using testing::face_edges;
 using testing::interior_level;
 using testing::RandomSamples;
 using testing::TestSolid;

@@ -8,6 +8,7 @@
 #include "constraint/normal_form.hpp"
 #include "crossgrain/options.hpp"
 #include "field/energy.hpp"
+#include "field/face_edges.hpp"
 #include "field/leaf_stencil.hpp"
 #include "grid/refinement.hpp"
 #include "grid/test_solid.hpp"
@@ -17,6 +18,7 @@
 namespace crossgrain {
 namespace {
 
+using testing::face_edges;
 using testing::interior_level;
 using testing::RandomSamples;
 using testing::TestSolid;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "crossgrain/options.hpp"
+#include "field/cell_colours.hpp"
 #include "field/leaf_stencil.hpp"
 #include "field/octree_graph.hpp"
 #include "grid/test_solid.hpp"
@@ -86,11 +87,7 @@ TYPED_TEST(Stages, SettledTellsTheEnergyAfterEverySweep) {
 
 TYPED_TEST(Stages, BlocksThatHaveSettledAreLeftAloneWithoutLosingEnergy) {
   const Adjacency& adjacency = this->graph_.adjacency();
-  std::vector<std::uint8_t> colours(adjacency.size());
-  const Colouring colouring = greedy_colouring(adjacency);
-  for (std::size_t colour = 0; colour < colouring.colour_count(); ++colour)
-    for (const std::uint32_t cell : colouring.cells_of(colour))
-      colours[cell] = static_cast<std::uint8_t>(colour);
+  const std::vector<std::uint8_t> colours = testing::colours_of(greedy_colouring(adjacency));
   auto blocked = this->graph_;
   blocked.connectivity =
       std::make_shared<const Connectivity>(Connectivity{adjacency, SweepOrder(adjacency, colours, 64)});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "field/cell_colours.hpp"
 #include "field/energy.hpp"
 #include "field/manifold_sweep.hpp"
 #include "harmonics/random_samples.hpp"
@@ -12,6 +13,7 @@
 namespace crossgrain {
 namespace {
 
+using testing::colours_of;
 using testing::RandomSamples;
 
 /// Cells on a line of cubes, each joined to those up to `reach` away with a chance of a half.
@@ -23,14 +25,6 @@ Adjacency ribbon(std::uint32_t cells, std::uint32_t reach) {
       if (random.uniform(0, 1) < 0.5) edges.push_back({i, j, 1});
   }
   return {cells, edges};
-}
-
-std::vector<std::uint8_t> colours_of(const Colouring& colouring) {
-  std::vector<std::uint8_t> colours(colouring.cells.size());
-  for (std::size_t colour = 0; colour < colouring.colour_count(); ++colour)
-    for (const std::uint32_t cell : colouring.cells_of(colour))
-      colours[cell] = static_cast<std::uint8_t>(colour);
-  return colours;
 }
 
 std::vector<std::size_t> block_of_cells(const SweepOrder& order, std::size_t phase, std::size_t cells) {

@@ -10,6 +10,7 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
+#include "grid/leaf_finder.hpp"
 #include "harmonics/frame.hpp"
 #include "io/field_arrays.hpp"
 #include "io/sample_field.hpp"
@@ -126,9 +127,10 @@ TEST(OutputCells, HaveTheMeanOfTheirLeavesFramesByVolume) {
 TEST(OutputCells, HaveTheNearestFrameAlsoWhereLeavesDisagree) {
   const FieldData data = sample_data(Degree::kFour, 3);
   const FieldData part = output_cells(data, {.level = 2, .clip = {}});
+  const LeafFinder finder(data.tree);
   for (CellIndex i = 0; i < part.tree.size(); ++i) {
     Coefficients<4> mean{};
-    const auto [first, last] = data.tree.leaves_inside(part.tree[i]);
+    const auto [first, last] = finder.over(part.tree[i]);
     for (CellIndex leaf = first; leaf < last; ++leaf)
       add_scaled(mean, std::pow(data.tree.cell_size(leaf), 3), coefficients_of(data.frames[leaf]));
     const double best = dot(mean, frame_coefficients<4>(nearest_frame<4>(mean)));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "harmonics/random_samples.hpp"
 #include "support/shapes.hpp"
@@ -16,6 +17,13 @@ namespace {
 using testing::RandomSamples;
 
 const std::array<Vector3, 3> kTriangle{Vector3{0, 0, 0}, Vector3{1, 0, 0}, Vector3{0, 1, 0}};  // normal +z
+
+/// Along the segment from a to b; nothing where it is not certain.
+std::optional<int> winding_change(const std::array<Vector3, 3>& corners, const Vector3& a, const Vector3& b) {
+  const auto [change, certain] = CrossingsFrom(corners, a).to(b);
+  if (!certain) return std::nullopt;
+  return static_cast<int>(change);
+}
 
 TEST(WindingChange, IsOneAgainstTheNormalAndMinusOneAlongIt) {
   EXPECT_EQ(winding_change(kTriangle, {0.2, 0.3, 1}, {0.3, 0.2, -1}), 1);
