@@ -27,6 +27,12 @@
 
 namespace crossgrain {
 
+/// How degree 3 sees neighbours: by the bound alone, or by the matrix where one of them disagrees.
+enum class NeighbourTerm { kBound, kExactWhereFar };
+
+/// Neighbours with a square (h_j.h_0)^2 below this disagree: 24 degrees apart, if about an axis.
+inline constexpr double kAgreeingSquare = 0.65;
+
 template <int D, class Real>
 class LocalEnergy {
  public:
@@ -35,11 +41,12 @@ class LocalEnergy {
 
   /// `coefficients` of the cells and of their neighbours.
   LocalEnergy(const FieldGraph<D>& graph, const std::vector<StoredCoefficients<D>>& coefficients,
-              const CellsInLanes<W>& cells) {
+              const CellsInLanes<W>& cells, NeighbourTerm term = NeighbourTerm::kExactWhereFar) {
     SumsOfLanes sums;
-    for (int lane = 0; lane < W; ++lane)
-      sums[lane] =
-          add_neighbours(lane, graph.adjacency()[cells[lane]], coefficients[cells[lane]], coefficients);
+    for (int lane = 0; lane < W; ++lane) {
+      const std::uint32_t cell = cells[lane];
+      sums[lane] = add_neighbours(lane, graph.adjacency()[cell], coefficients[cell], coefficients, term);
+    }
     for (int first = 0; first < 8; first += 4) {
       const auto four = four_from_rows<Real>([&](int lane) { return sums[lane].data() + first; });
       for (int m = first; m < std::min(first + 4, kCoefficientCount<D>); ++m) linear_[m] = four[m - first];
@@ -119,19 +126,23 @@ class LocalEnergy {
   /// Degree 3: own overlaps s_j first, kWidth neighbours at a time.
   std::array<Number, 8> add_neighbours(int lane, const Adjacency::Row& neighbours,
                                        const StoredCoefficients<3>& own,
-                                       const std::vector<StoredCoefficients<3>>& coefficients) {
+                                       const std::vector<StoredCoefficients<3>>& coefficients,
+                                       NeighbourTerm term) {
     const Neighbours h0 = loaded(own);
+    const Group own_square = product(h0, h0);
     Neighbours sums;
     sums.fill(0.0);
+    Group least_square = 1.0;
     Number total_weight = 0;
     for (std::size_t k = 0; k < neighbours.size(); k += kWidth) {
       std::array<Group, kWidth> products;
+      products.fill(own_square);
       for_each_lane(neighbours.size() - k, [&]<int J>() {
-        const Neighbours h = loaded(coefficients[neighbours.cell(k + J)]);
-        products[J] = h0[0] * h[0];
-        for (int g = 1; g < kGroups; ++g) products[J] += h0[g] * h[g];
+        products[J] = product(h0, loaded(coefficients[neighbours.cell(k + J)]));
       });
       Group factors = sums_over_lanes(products);
+      const Group squares = factors * factors;
+      least_square = select(squares < least_square, squares, least_square);
       if (!neighbours.has_equal_weights()) {
         const Group weights = neighbours.template weights_from<Group>(k);
         factors *= weights;
@@ -143,13 +154,46 @@ class LocalEnergy {
         for (int g = 0; g < kGroups; ++g) sums[g] += factor * h[g];
       });
     }
+    if (term == NeighbourTerm::kExactWhereFar && any(least_square < kAgreeingSquare)) {
+      add_products(lane, neighbours, coefficients);
+      sums.fill(0.0);
+    }
     return finished(lane, neighbours, sums, total_weight);
+  }
+
+  static Group product(const Neighbours& a, const Neighbours& b) {
+    Group result = a[0] * b[0];
+    for (int g = 1; g < kGroups; ++g) result += a[g] * b[g];
+    return result;
+  }
+
+  /// -(5/6) sum w_j h_j h_j^T to the matrix of a lane, row by row with columns side by side.
+  void add_products(int lane, const Adjacency::Row& neighbours,
+                    const std::vector<StoredCoefficients<3>>& coefficients) {
+    constexpr int n = kCoefficientCount<3>;
+    std::array<Neighbours, n> rows{};
+    for (std::size_t k = 0; k < neighbours.size(); ++k) {
+      const Neighbours h = loaded(coefficients[neighbours.cell(k)]);
+      Neighbours weighted = h;
+      for (Group& numbers : weighted) numbers *= -5.0 / 6 * neighbours.weight(k);
+      [&]<int... Row>(std::integer_sequence<int, Row...>) {
+        (add_scaled(rows[Row], repeated<Row % kWidth>(weighted[Row / kWidth]), h), ...);
+      }
+      (std::make_integer_sequence<int, n>());
+    }
+    if (!matrix_) matrix_.emplace();
+    int entry = 0;
+    for (int row = 0; row < n; ++row) {
+      for (int column = row; column < n; ++column)
+        (*matrix_)[entry++].set(lane, rows[row][column / kWidth][column % kWidth]);
+    }
   }
 
   /// Degree 4: eight orders side by side, as they are stored, and the last.
   std::array<Number, 8> add_neighbours(int lane, const Adjacency::Row& neighbours,
                                        const StoredCoefficients<4>&,
-                                       const std::vector<StoredCoefficients<4>>& coefficients) {
+                                       const std::vector<StoredCoefficients<4>>& coefficients,
+                                       NeighbourTerm) {
     Neighbours sums;
     sums.fill(0.0);
     Number last = 0, total_weight = 0;

@@ -95,7 +95,7 @@ template <int D, int W>
 void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsInLanes<W>& cells,
                  double symmetrisation, double over_relaxation) {
   using Real = SingleLanes<W>;
-  const LocalEnergy<D, Real> energy(graph, state.coefficients, cells);
+  const LocalEnergy<D, Real> energy(graph, state.coefficients, cells, NeighbourTerm::kBound);
   const Coefficients<D, Real> before = from_stored<D, Real>(state.coefficients, cells);
   Coefficients<D, Real> h =
       over_relaxed<D>(before, minimising_coefficients<D>(energy, graph.forms, cells), over_relaxation);

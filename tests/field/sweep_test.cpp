@@ -80,7 +80,7 @@ class SweepTest : public ::testing::Test {
 };
 TYPED_TEST_SUITE(SweepTest, BothDegrees);
 
-/// What the local energy of degree 3 leaves out when a cell goes from h0 to h: (5/6) sum w_j (h_j.(h -
+/// What the bound of degree 3 leaves out when a cell goes from h0 to h: (5/6) sum w_j (h_j.(h -
 /// h0))^2.
 double left_out(const FieldGraph<3>& graph, const FieldState<3>& state, std::size_t cell,
                 const Coefficients<3>& h0, const Coefficients<3>& h) {
@@ -96,7 +96,7 @@ double left_out(const FieldGraph<4>&, const FieldState<4>&, std::size_t, const C
   return 0;
 }
 
-TYPED_TEST(SweepTest, LocalEnergyChangesAsTheEnergyOfTheGraphDoes) {
+TYPED_TEST(SweepTest, BoundOfTheLocalEnergyChangesAsTheEnergyOfTheGraphDoesButForWhatItLeavesOut) {
   constexpr int D = TypeParam::value;
   RandomSamples random(1);
   for (int trial = 0; trial < 20; ++trial) {
@@ -104,7 +104,7 @@ TYPED_TEST(SweepTest, LocalEnergyChangesAsTheEnergyOfTheGraphDoes) {
     FieldState<D> state = state_of<D>(random_frames(graph.size(), static_cast<std::uint64_t>(trial)));
     for (std::size_t cell = 0; cell < graph.size(); ++cell) {
       const std::array one{static_cast<std::uint32_t>(cell)};
-      const LocalEnergy<D, Lanes<2>> local(graph, state.coefficients, {one, 0});
+      const LocalEnergy<D, Lanes<2>> local(graph, state.coefficients, {one, 0}, NeighbourTerm::kBound);
       const double before = graph_energy(graph, state);
       const Coefficients<D> h = from_stored<D>(state.coefficients[cell]);
       state.coefficients[cell] = to_stored<D>(frame_coefficients<D>(random.rotation()));
@@ -120,6 +120,23 @@ TYPED_TEST(SweepTest, LocalEnergyChangesAsTheEnergyOfTheGraphDoes) {
           << "cell " << cell;
     }
   }
+}
+
+TEST(LocalEnergyOfDegreeThree, IsThatOfTheGraphWhereNeighboursDisagree) {
+  RandomSamples random(15);
+  const FieldGraph<3> graph = small_graph<3>(random);
+  FieldState<3> state = state_of<3>(random_frames(graph.size(), 15));
+  const std::array<std::uint32_t, 1> one{0};
+  const LocalEnergy<3, Lanes<2>> local(graph, state.coefficients, {one, 0});
+  const double before = graph_energy(graph, state);
+  const auto value = [&] {
+    Coefficients<3, Lanes<2>> in_both;
+    for (int m = 0; m < kCoefficientCount<3>; ++m) in_both[m] = state.coefficients[0][m];
+    return local.value(in_both)[0];
+  };
+  const double value_before = value();
+  state.coefficients[0] = to_stored<3>(frame_coefficients<3>(random.rotation()));
+  EXPECT_NEAR(value() - value_before, graph_energy(graph, state) - before, kStored * before);
 }
 
 TEST(LocalEnergyOfDegreeThree, IsThatOfTheGraphToThirdOrderWhereNeighboursAgree) {
