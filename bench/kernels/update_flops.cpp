@@ -40,11 +40,12 @@ class LocalWork {
 
   /// Summing up neighbours, and forms for cells that have one.
   double gathering_flops() const {
-    // Degree 4: v += w h, without the product where all weights are equal; w = 1/2 weight and the sum of
-    // weights. Degree 3: A -= w h h^T, with the products of w and each entry of h.
+    // Sums of w h, without the product where all weights are equal, and of w; then times the factor of the
+    // degree. In degree 3 w is the weight times an overlap. No cell is counted as one far from a neighbour.
     constexpr int n = kCoefficientCount<D>, entries = kFormEntryCount<D>;
-    const double per_neighbour = D == 3 ? n + 2 * entries + 2 : kind_.equal_weights ? n : 2 * n + 2;
-    double flops = kind_.neighbours * per_neighbour + (D == 4 && kind_.equal_weights ? n + 2 : 0);
+    const double overlap = D == 3 ? 2 * n - 1 : 0;
+    const double weighing = kind_.equal_weights ? (D == 3 ? n : 0) : n + (D == 3 ? 2 : 1);
+    double flops = kind_.neighbours * (overlap + weighing + n) + n + 2;
     if (kind_.has_plane)
       flops += Real::operations_in([] {
                  normal_basis<D>(BasicVector3<Real>{0.0, 0.0, 1.0});
@@ -65,7 +66,7 @@ class LocalWork {
   }
 
   Real value(const Vector<D>& h) const { return dot(h, apply_matrix(h)) - 2 * dot(linear_, h); }
-  bool has_matrix() const { return D == 3 || kind_.has_general_form; }
+  bool has_matrix() const { return kind_.has_general_form; }
   bool is_linear() const { return !has_matrix() && !kind_.has_plane; }
   const CellKind& kind() const { return kind_; }
   const Vector<D>& linear() const { return linear_; }
@@ -107,13 +108,7 @@ void relaxation_update(const LocalWork<D>& energy) {
   Vector<D> h = plain_coefficients<D>();
   const Vector<D> before = h;
   if (energy.has_matrix()) {
-    FormMatrix<D, Real> matrix = energy.matrix();
-    if (D == 3 && energy.kind().has_plane) {
-      add_outer_product<D>(matrix, Real(-1.0), energy.plane().cosine);
-      add_outer_product<D>(matrix, Real(-1.0), energy.plane().sine);
-    }
-    h = solve_shifted<D>(matrix, Real(1.0), energy.linear());
-    if (D == 3) h = scaled(h, 1 / sqrt(squared_norm(h)));
+    h = solve_shifted<D>(energy.matrix(), Real(1.0), energy.linear());
   } else {
     h = scaled(energy.linear(), 1 / Real(9.0));
     if (energy.kind().has_plane) {
@@ -121,10 +116,8 @@ void relaxation_update(const LocalWork<D>& energy) {
       add_scaled(h, dot(energy.plane().sine, energy.linear()), energy.plane().sine);
     }
   }
-  if (D == 4) {
-    h = scaled(h, Real(1.4));
-    add_scaled(h, Real(-0.4), before);
-  }
+  h = scaled(h, Real(1.4));
+  add_scaled(h, Real(-0.4), before);
   // One step of symmetrisation.
   const Real norm_before = squared_norm(h);
   add_scaled(h, -1 / (1600 * norm_before), deviation_gradient<D>(h));
