@@ -92,6 +92,7 @@ class RunOfLeaves {
     CellIndex leaf;
     std::uint32_t piece;
     bool included;
+    Vector3 normal;  ///< of the surface there
   };
   struct LeafSum {
     double weighted = 0, area = 0;
@@ -103,7 +104,8 @@ class RunOfLeaves {
     const Box box = root.box(field_.tree[leaf]);
     const Vector3 centroid = clip_triangle(solid_.surface.corners(level_.pieces[k].triangle), box).centroid;
     const LeavesAround around(field_, around_, 1 / root.unit() * (centroid - root.origin));
-    points_[point_count_] = {leaf, k, included};
+    points_[point_count_] = {leaf, k, included,
+                             solid_.surface.normal_at(level_.pieces[k].triangle, centroid)};
     const FrameBlend& blend = blends_[point_count_++] =
         frame_blend(field_, around, turns_, &terms_[term_count_]);
     term_count_ += blend.terms.size();
@@ -112,9 +114,9 @@ class RunOfLeaves {
   void measure_points(std::vector<float>& angles) {
     blend_frames({blends_.data(), point_count_}, {frames_.data(), point_count_});
     for (std::size_t p = 0; p < point_count_; ++p) {
-      const auto& [leaf, k, included] = points_[p];
+      const auto& [leaf, k, included, normal] = points_[p];
       const SurfacePiece& piece = level_.pieces[k];
-      const double angle = angle_to_nearest_axis_deg(frames_[p], solid_.surface.normals[piece.triangle]);
+      const double angle = angle_to_nearest_axis_deg(frames_[p], normal);
       angles[k] = included ? static_cast<float>(angle) : kExcludedAngle;
       LeafSum& sum = leaves_[leaf - begin_];
       sum.weighted += piece.area * angle;

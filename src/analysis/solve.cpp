@@ -21,6 +21,7 @@
 #include "field/solve_forecast.hpp"
 #include "harmonics/deviation.hpp"
 #include "harmonics/frame.hpp"
+#include "surface/creases.hpp"
 #include "surface/topology.hpp"
 
 namespace crossgrain {
@@ -94,7 +95,11 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const TriangleBvh bvh(surface);
   const WindingNumber winding(surface, bvh);
   const SurfaceTopology topology = analyse_topology(mesh);
-  const Solid solid{surface, bvh, winding, topology.watertight};
+  const CreaseAngles angles;
+  const std::vector<CreaseCurve> curves = mesh.creases.empty() ? sharp_curves(surface, angles) : mesh.creases;
+  const std::vector<CreaseCorner> corners = corners_of(curves, angles);
+  const Guides guides = guides_along(curves, corners, options.solver.crease_weight);
+  const Solid solid{surface, bvh, winding, topology.watertight, &guides};
   SolvedField solved = nested_solve(solid, options, monitor, initial_frame, watch.restart());
   check_interior(solved.level, surface, topology);
 

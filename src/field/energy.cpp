@@ -30,14 +30,16 @@ double form_value(const CellForms<D>& forms, std::size_t cell, const Coefficient
   return value(form, h);
 }
 
-/// sum over the pieces of surface in a leaf of area * E_n(h).
+/// sum over the pieces of surface and the guides in a leaf of area * E_n(h).
 double boundary_value(const GridLevel& level, const Solid& solid, CellIndex leaf, const Coefficients<4>& h) {
   double sum = 0;
   for (const SurfacePiece& piece : level.pieces_of(leaf)) {
     // Never negative but for rounding.
     sum += piece.area *
-           std::max(0.0, normal_value<4>(normal_basis<4>(solid.surface.normals[piece.triangle]), h));
+           std::max(0.0, normal_value<4>(normal_basis<4>(normal_of(level, solid, leaf, piece)), h));
   }
+  for (const LeafGuide& guide : level.guides.of(leaf))
+    sum += guide.area * std::max(0.0, normal_value<4>(normal_basis<4>(guide.unit_direction()), h));
   return sum;
 }
 
@@ -46,11 +48,14 @@ struct FacedDirections {
   std::array<Vector3, 2> normals;
   std::array<double, 2> areas{};
   std::size_t count = 0;
+
+  /// There are further directions. A guide across all the normals is none, as the tangent of a crease: the
+  /// best frame for up to two normals has an axis along it anyway.
   bool are_more = false;
 
   FacedDirections(const GridLevel& level, const Solid& solid, CellIndex leaf) {
     for (const SurfacePiece& piece : level.pieces_of(leaf)) {
-      const Vector3& normal = solid.surface.normals[piece.triangle];
+      const Vector3 normal = normal_of(level, solid, leaf, piece);
       std::size_t k = 0;
       while (k < count && !is_same_normal(normals[k], normal)) ++k;
       are_more = k == normals.size();
@@ -58,6 +63,16 @@ struct FacedDirections {
       if (k == count) normals[count++] = normal;
       areas[k] += piece.area;
     }
+    for (const LeafGuide& guide : level.guides.of(leaf)) are_more |= !is_across_all(guide.unit_direction());
+  }
+
+ private:
+  /// A thousandth of a radian off it costs a few millionths.
+  static constexpr double kAcross = 1e-3;
+
+  bool is_across_all(const Vector3& direction) const {
+    return count > 0 && std::all_of(normals.begin(), normals.begin() + static_cast<std::ptrdiff_t>(count),
+                                    [&](const Vector3& n) { return std::abs(dot(n, direction)) < kAcross; });
   }
 };
 
@@ -108,7 +123,7 @@ LevelEnergy level_energy(const GridLevel& level, const Solid& solid, const Adjac
   const auto sum_over_leaves = [&](const auto& term) {
     return parallel_sum(frames.size(), [&](std::size_t i) {
       const auto leaf = static_cast<CellIndex>(i);
-      if (!level.holds_surface(leaf)) return 0.0;
+      if (!level.is_constrained(leaf)) return 0.0;
       return boundary_weight / level.tree.cell_size(leaf) * term(leaf, from_stored(frames[i]));
     });
   };

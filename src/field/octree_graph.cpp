@@ -264,13 +264,13 @@ CellForms<D> boundary_forms(const GridLevel& level, const Solid& solid, double b
   });
   std::vector<CellIndex> planes, generals;
   for (CellIndex i = 0; i < level.size(); ++i) {
-    if (level.holds_surface(i)) (is_plane[i] ? planes : generals).push_back(i);
+    if (level.is_constrained(i)) (is_plane[i] ? planes : generals).push_back(i);
   }
   forms.reserve_planes(planes);
   parallel_for(planes.size(), [&](std::size_t k) {
     double area = 0;
     for (const SurfacePiece& piece : level.pieces_of(planes[k])) area += piece.area;
-    const Vector3& normal = solid.surface.normals[level.pieces_of(planes[k])[0].triangle];
+    const Vector3 normal = normal_of(level, solid, planes[k], level.pieces_of(planes[k])[0]);
     forms.set_plane(planes[k], normal, scale_of(planes[k]) * area);
   });
   forms.reserve_general(generals);

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <algorithm>
-
 #include "base/vector3.hpp"
 #include "constraint/normal_form.hpp"
 
@@ -14,8 +12,9 @@ template <int D>
 QuadraticForm<D> cell_form(const GridLevel& level, const Solid& solid, CellIndex i) {
   QuadraticForm<D> form{};
   for (const SurfacePiece& piece : level.pieces_of(i)) {
-    add_normal(form, solid.surface.normals[piece.triangle], piece.area);
+    add_normal(form, normal_of(level, solid, i, piece), piece.area);
   }
+  for (const LeafGuide& guide : level.guides.of(i)) add_normal(form, guide.unit_direction(), guide.area);
   return form;
 }
 
@@ -29,8 +28,10 @@ bool is_same_normal(const Vector3& a, const Vector3& b) {
 
 bool has_single_normal(const GridLevel& level, const Solid& solid, CellIndex i) {
   const auto pieces = level.pieces_of(i);
-  return !pieces.empty() && std::all_of(pieces.begin(), pieces.end(), [&](const SurfacePiece& piece) {
-    return is_same_normal(solid.surface.normals[piece.triangle], solid.surface.normals[pieces[0].triangle]);
+  if (pieces.empty() || level.guides.has(i)) return false;
+  const Vector3 first = normal_of(level, solid, i, pieces[0]);
+  return std::all_of(pieces.begin(), pieces.end(), [&](const SurfacePiece& piece) {
+    return is_same_normal(normal_of(level, solid, i, piece), first);
   });
 }
 
@@ -44,11 +45,12 @@ bool is_surely_plane(const GridLevel& level, const Solid& solid, CellIndex i) {
   constexpr ClassificationTolerances kTolerances{};
   constexpr double kLargest = std::min(kTolerances.same_eigenvalue, kTolerances.fits);
   static_assert(1 - 2 * kLargest > kLargest + kTolerances.same_eigenvalue);
+  if (level.guides.has(i)) return false;
   const auto pieces = level.pieces_of(i);
+  const Vector3 first = normal_of(level, solid, i, pieces[0]);
   double sum = 0, area = 0;
   for (const SurfacePiece& piece : pieces) {
-    const Vector3 off =
-        cross(solid.surface.normals[piece.triangle], solid.surface.normals[pieces[0].triangle]);
+    const Vector3 off = cross(normal_of(level, solid, i, piece), first);
     sum += piece.area * 4 * dot(off, off);
     area += piece.area;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The constraints of the surface inside a leaf as one quadratic form (docs/design.md section 3).
+// The constraints of the surface and the guides inside a leaf as one quadratic form (docs/design.md section 3).
 #pragma once
 
 #include "constraint/classification.hpp"
@@ -8,14 +8,23 @@
 
 namespace crossgrain {
 
-/// The sum over the pieces in leaf `i` of area * E_n; its weight is their area in squared model units.
+/// The sum over the pieces and guides in leaf `i` of area * E_n, for guides with their direction for n; its
+/// weight is their area in squared model units.
 template <int D>
 QuadraticForm<D> cell_form(const GridLevel& level, const Solid& solid, CellIndex i);
 
 extern template QuadraticForm<3> cell_form<3>(const GridLevel&, const Solid&, CellIndex);
 extern template QuadraticForm<4> cell_form<4>(const GridLevel&, const Solid&, CellIndex);
 
-/// Where all pieces of leaf `i` lie in parallel planes: true. Such a leaf needs no matrix.
+/// The normal that a piece in leaf `i` constrains frames by: that of the true surface near the leaf's centre.
+inline Vector3 normal_of(const GridLevel& level, const Solid& solid, CellIndex i, const SurfacePiece& piece) {
+  return solid.surface.mesh.corner_normals.empty()
+             ? solid.surface.normals[piece.triangle]
+             : solid.surface.normal_at(piece.triangle, level.tree.centre(i));
+}
+
+/// Where all pieces of leaf `i` lie in parallel planes, and there are no guides: true. Such a leaf needs no
+/// matrix.
 /// Normals within kSameNormal of each other count as one.
 bool has_single_normal(const GridLevel& level, const Solid& solid, CellIndex i);
 
@@ -26,7 +35,7 @@ bool is_same_normal(const Vector3& a, const Vector3& b);
 /// resolves.
 inline constexpr double kSameNormal = 3e-12;
 
-/// The class of a leaf that holds surface, from its degree-3 form.
+/// The class of a leaf that is constrained, from its degree-3 form.
 ConstraintClass constraint_class(const GridLevel& level, const Solid& solid, CellIndex i);
 
 }  // namespace crossgrain

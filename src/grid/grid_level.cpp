@@ -170,6 +170,7 @@ GridLevel root_level(const Solid& solid, const RootCube& root) {
   level.piece_begin = {0, static_cast<std::uint32_t>(triangle_count)};
   level.centre_winding = {winding_at(solid, root.centre(CellAddress::root()))};
   level.neighbours = face_neighbours(level.tree);
+  if (solid.guides != nullptr) level.guides = LeafGuides(level.tree, *solid.guides);
   level.examined_leaves = 1;
   return level;
 }
@@ -211,6 +212,7 @@ GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> 
   });
   GridLevel finer = joined(level.tree.root(), std::move(runs), level.examined_leaves);
   finer.neighbours = face_neighbours({level.tree, level.neighbours, marked}, finer.tree, finer.parent);
+  if (solid.guides != nullptr) finer.guides = LeafGuides(finer.tree, *solid.guides);
   return finer;
 }
 

@@ -8,8 +8,10 @@
 
 #include "crossgrain/monitor.hpp"
 #include "grid/face_neighbours.hpp"
+#include "grid/leaf_guides.hpp"
 #include "grid/octree.hpp"
 #include "surface/bvh.hpp"
+#include "surface/guides.hpp"
 #include "surface/surface.hpp"
 #include "surface/winding_number.hpp"
 
@@ -28,6 +30,9 @@ struct GridLevel {
   /// Pieces of leaf i: pieces[piece_begin[i] .. piece_begin[i + 1]).
   std::vector<std::uint32_t> piece_begin;
   std::vector<SurfacePiece> pieces;
+
+  /// What the frames of leaves are to follow besides the surface in them.
+  LeafGuides guides;
 
   /// How often the surface winds around the centre of leaf i: a whole number, 0 or 1 where the surface is not
   /// closed.
@@ -48,6 +53,7 @@ struct GridLevel {
   }
   bool centre_inside(CellIndex i) const { return centre_winding[i] > 0; }
   bool holds_surface(CellIndex i) const { return piece_begin[i + 1] > piece_begin[i]; }
+  bool is_constrained(CellIndex i) const { return holds_surface(i) || guides.has(i); }
 };
 
 /// What the grid is built from; the referred objects must outlive it.
@@ -60,6 +66,9 @@ struct Solid {
   /// (SurfaceTopology::watertight): winding numbers are whole, and change by one where a path crosses the
   /// surface.
   bool closed = false;
+
+  /// Null for none.
+  const Guides* guides = nullptr;
 
   /// The normal of a triangle that points out of the solid, also where the surface is inside out.
   Vector3 outward_normal(std::uint32_t triangle) const {

@@ -12,7 +12,7 @@ namespace crossgrain {
 
 void mark_surface(const GridLevel& level, Marks& marks) {
   for (CellIndex i = 0; i < level.size(); ++i) {
-    if (level.holds_surface(i)) marks[i] = true;
+    if (level.is_constrained(i)) marks[i] = true;
   }
 }
 
@@ -20,7 +20,7 @@ void mark_spectral_conflict(const GridLevel& level, const Solid& solid, Marks& m
   std::vector<std::uint8_t> conflicted(level.size());
   parallel_for(level.size(), [&](std::size_t i) {
     const auto cell = static_cast<CellIndex>(i);
-    conflicted[i] = level.holds_surface(cell) && !compatible(constraint_class(level, solid, cell));
+    conflicted[i] = level.is_constrained(cell) && !compatible(constraint_class(level, solid, cell));
   });
   for (CellIndex i = 0; i < level.size(); ++i) {
     if (!conflicted[i]) continue;

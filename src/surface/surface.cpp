@@ -74,6 +74,18 @@ TriangleShape shape_of(const std::array<Vector3, 3>& corners) {
   return {over(normal, twice_area), area};
 }
 
+Vector3 Surface::blended_normal(std::size_t triangle, const Vector3& point) const {
+  const auto [a, b, c] = corners(triangle);
+  // Barycentric coordinates of the point's projection, none of them below zero.
+  const auto share = [&](const Vector3& from, const Vector3& to) {
+    return std::max(0.0, dot(cross(to - from, point - from), normals[triangle]));
+  };
+  const auto& at = mesh.corner_normals[triangle];
+  const Vector3 blended = share(b, c) * at[0] + share(c, a) * at[1] + share(a, b) * at[2];
+  const double length = norm(blended);
+  return length > 0 ? (1 / length) * blended : normals[triangle];
+}
+
 Surface prepare_surface(TriangleMesh mesh) {
   check_mesh(mesh);
   const std::size_t count = mesh.triangles.size();

@@ -25,6 +25,15 @@ struct Surface {
     const auto& [a, b, c] = mesh.triangles[triangle];
     return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
   }
+
+  /// The unit normal of the true surface at the point of the triangle nearest to `point`, about: blended from
+  /// those of the corners where the mesh has them (TriangleMesh::corner_normals), else the triangle's own.
+  Vector3 normal_at(std::size_t triangle, const Vector3& point) const {
+    return mesh.corner_normals.empty() ? normals[triangle] : blended_normal(triangle, point);
+  }
+
+ private:
+  Vector3 blended_normal(std::size_t triangle, const Vector3& point) const;
 };
 
 /// Throws Error(kInput) unless every coordinate is finite and below 1e100 (squares and cubes of lengths must

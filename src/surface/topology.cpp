@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
+#include "surface/edge_uses.hpp"
 #include "surface/surface.hpp"
 
 namespace crossgrain {
@@ -34,35 +35,6 @@ std::vector<std::uint32_t> first_equal_vertex(const std::vector<Vector3>& vertic
     first[order[i]] = again ? first[order[i - 1]] : order[i];
   }
   return first;
-}
-
-/// A triangle's use of an edge; `forward` if it runs from the lower vertex index to the higher one.
-struct EdgeUse {
-  std::uint64_t edge;
-  std::uint32_t triangle;
-  bool forward;
-};
-
-bool is_collapsed(const std::array<std::uint32_t, 3>& t) {
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
-std::vector<EdgeUse> sorted_edge_uses(const TriangleMesh& mesh) {
-  std::vector<EdgeUse> uses;
-  uses.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& triangle = mesh.triangles[t];
-    if (is_collapsed(triangle)) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint64_t from = triangle[k], to = triangle[(k + 1) % 3];
-      const std::uint64_t edge = std::min(from, to) << 32 | std::max(from, to);
-      uses.push_back({edge, static_cast<std::uint32_t>(t), from < to});
-    }
-  }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return std::tuple(a.edge, a.triangle) < std::tuple(b.edge, b.triangle);
-  });
-  return uses;
 }
 
 }  // namespace
@@ -91,15 +63,14 @@ TriangleMesh weld(const TriangleMesh& mesh) {
 
 SurfaceTopology analyse_topology(const TriangleMesh& mesh) {
   SurfaceTopology topology;
-  const std::vector<EdgeUse> uses = sorted_edge_uses(mesh);
+  const std::vector<EdgeUse> all_uses = sorted_edge_uses(mesh.triangles);
   DisjointSets sets(mesh.triangles.size());
-  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
-    while (end < uses.size() && uses[end].edge == uses[begin].edge)
-      sets.join(uses[begin].triangle, uses[end++].triangle);
-    if (end - begin == 1) ++topology.open_edges;
-    if (end - begin > 2) ++topology.nonmanifold_edges;
-    if (end - begin == 2 && uses[begin].forward == uses[begin + 1].forward) ++topology.misoriented_edges;
-  }
+  for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
+    for (const EdgeUse& use : uses) sets.join(uses[0].triangle, use.triangle);
+    if (uses.size() == 1) ++topology.open_edges;
+    if (uses.size() > 2) ++topology.nonmanifold_edges;
+    if (uses.size() == 2 && uses[0].forward == uses[1].forward) ++topology.misoriented_edges;
+  });
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& triangle = mesh.triangles[t];
     const auto& [a, b, c] = triangle;

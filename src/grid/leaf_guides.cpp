@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "grid/leaf_guides.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "grid/leaf_finder.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr std::size_t kLeavesPerBegin = 256;
+
+/// Segments that one task follows.
+constexpr std::size_t kGuideGrain = 64;
+
+/// Fraction of a finest cell that a walk goes past a face, so that it is surely behind it.
+constexpr double kPastFace = 1e-6;
+
+/// The part of a segment inside one leaf, as fractions of its length.
+struct Passage {
+  CellIndex leaf;
+  double from, to;
+};
+
+/// Follows segments from leaf to leaf.
+class SegmentWalker {
+ public:
+  explicit SegmentWalker(const Octree& tree) : tree_(tree), finder_(tree), finest_(tree.root().size) {
+    for (CellIndex i = 0; i < tree.size(); ++i) finest_ = std::min(finest_, tree.cell_size(i));
+  }
+
+  CellIndex leaf_at(const Vector3& point) const {
+    const auto address = tree_.root().locate(point);
+    return address ? finder_.containing(*address) : kNoCell;
+  }
+
+  /// A point passes through its leaf from 0 to 1.
+  void walk(const GuideSegment& segment, std::vector<Passage>& passages) const {
+    const auto& [a, b] = segment.ends;
+    const Vector3 along = b - a;
+    const double length = norm(along);
+    if (length == 0) {
+      const CellIndex leaf = leaf_at(a);
+      if (leaf != kNoCell) passages.push_back({leaf, 0, 1});
+      return;
+    }
+    const double past = kPastFace * finest_ / length;
+    for (double t = 0; t < 1;) {
+      const CellIndex leaf = leaf_at(a + std::min(1.0, t + past) * along);
+      // Where there is no leaf, to where the next might be.
+      const double end = leaf == kNoCell ? t + finest_ / length : leaving(tree_.root().box(tree_[leaf]), a, along);
+      const double to = std::min(1.0, std::max(end, t + 2 * past));
+      if (leaf != kNoCell) passages.push_back({leaf, t, to});
+      t = to;
+    }
+  }
+
+ private:
+  /// The fraction at which a + t along leaves the box.
+  static double leaving(const Box& box, const Vector3& a, const Vector3& along) {
+    double t = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k) {
+      if (along[k] > 0) t = std::min(t, (box.high[k] - a[k]) / along[k]);
+      if (along[k] < 0) t = std::min(t, (box.low[k] - a[k]) / along[k]);
+    }
+    return t;
+  }
+
+  const Octree& tree_;
+  LeafFinder finder_;
+  double finest_;
+};
+
+Vector3 direction_at(const GuideSegment& segment, double t) {
+  const auto& [first, last] = segment.directions;
+  const double sign = dot(first, last) < 0 ? -1 : 1;
+  const Vector3 direction = normalised((1 - t) * first + (sign * t) * last);
+  return direction == Vector3{0, 0, 0} ? first : direction;
+}
+
+LeafGuide guide_of(const Octree& tree, const GuideSegment& segment, const Passage& passage) {
+  const double length = norm(segment.ends[1] - segment.ends[0]);
+  const double cell = tree.cell_size(passage.leaf);
+  const Vector3 direction = direction_at(segment, 0.5 * (passage.from + passage.to));
+  const double within = length == 0 ? cell : (passage.to - passage.from) * length;
+  LeafGuide guide{passage.leaf, {}, static_cast<float>(segment.weight * within * cell)};
+  for (int k = 0; k < 3; ++k) guide.direction[k] = static_cast<float>(direction[k]);
+  return guide;
+}
+
+}  // namespace
+
+Vector3 LeafGuide::unit_direction() const {
+  return normalised(Vector3{direction[0], direction[1], direction[2]});
+}
+
+LeafGuides::LeafGuides(const Octree& tree, const Guides& guides) {
+  if (guides.segments.empty() || tree.size() == 0) return;
+  const SegmentWalker walker(tree);
+  std::vector<CellIndex> corners;
+  for (const Vector3& corner : guides.corners) corners.push_back(walker.leaf_at(corner));
+  std::sort(corners.begin(), corners.end());
+
+  std::vector<std::vector<LeafGuide>> runs((guides.segments.size() + kGuideGrain - 1) / kGuideGrain);
+  parallel_for_chunks(guides.segments.size(), kGuideGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Passage> passages;
+    for (std::size_t s = begin; s < end; ++s) {
+      passages.clear();
+      walker.walk(guides.segments[s], passages);
+      for (const Passage& passage : passages) {
+        if (!std::binary_search(corners.begin(), corners.end(), passage.leaf))
+          runs[begin / kGuideGrain].push_back(guide_of(tree, guides.segments[s], passage));
+      }
+    }
+  });
+  for (const auto& run : runs) guides_.insert(guides_.end(), run.begin(), run.end());
+  std::stable_sort(guides_.begin(), guides_.end(),
+                   [](const LeafGuide& a, const LeafGuide& b) { return a.leaf < b.leaf; });
+
+  begin_.resize(tree.size() / kLeavesPerBegin + 2);
+  for (const LeafGuide& guide : guides_) ++begin_[guide.leaf / kLeavesPerBegin + 1];
+  for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
+}
+
+std::span<const LeafGuide> LeafGuides::found(CellIndex leaf) const {
+  const std::size_t part = leaf / kLeavesPerBegin;
+  const auto first = guides_.begin() + begin_[part], last = guides_.begin() + begin_[part + 1];
+  const auto begin = std::partition_point(first, last, [&](const LeafGuide& g) { return g.leaf < leaf; });
+  const auto end = std::find_if(begin, last, [&](const LeafGuide& g) { return g.leaf != leaf; });
+  return {begin, end};
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/creases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "base/vector3.hpp"
+#include "surface/edge_uses.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// The cosine of the angle between the normals on one side of an edge, however its triangles run.
+double cosine_between(const Surface& surface, const EdgeUse& a, const EdgeUse& b) {
+  const double cosine = dot(surface.normals[a.triangle], surface.normals[b.triangle]);
+  return a.forward == b.forward ? -cosine : cosine;
+}
+
+bool is_sharp(const Surface& surface, std::span<const EdgeUse> uses, double least_cosine) {
+  for (std::size_t a = 0; a < uses.size(); ++a) {
+    for (std::size_t b = a + 1; b < uses.size(); ++b) {
+      if (cosine_between(surface, uses[a], uses[b]) < least_cosine) return true;
+    }
+  }
+  return false;
+}
+
+/// A sharp edge as one of its ends sees it.
+struct Spoke {
+  std::uint32_t from, to;
+
+  friend bool operator<(const Spoke& a, const Spoke& b) {
+    return std::pair(a.from, a.to) < std::pair(b.from, b.to);
+  }
+};
+
+/// Both spokes of every sharp edge, sorted.
+class SharpEdges {
+ public:
+  SharpEdges(const Surface& surface, const CreaseAngles& angles)
+      : vertices_(surface.mesh.vertices), straight_(std::cos(angles.corner_deg * kDegree)) {
+    const double least_cosine = std::cos(angles.least_deg * kDegree);
+    const std::vector<EdgeUse> all_uses = sorted_edge_uses(surface.mesh.triangles);
+    for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
+      if (!is_sharp(surface, uses, least_cosine)) return;
+      spokes_.push_back({uses[0].low(), uses[0].high()});
+      spokes_.push_back({uses[0].high(), uses[0].low()});
+    });
+    std::sort(spokes_.begin(), spokes_.end());
+    used_.assign(spokes_.size(), false);
+  }
+
+  /// Curves that begin where one cannot pass through, then closed ones.
+  std::vector<std::vector<std::uint32_t>> chains() {
+    std::vector<std::vector<std::uint32_t>> result;
+    for (const bool closed : {false, true}) {
+      for (std::size_t s = 0; s < spokes_.size(); ++s) {
+        if (used_[s] || (!closed && passes_through(spokes_[s].from))) continue;
+        result.push_back(chain_from(s));
+      }
+    }
+    return result;
+  }
+
+  bool passes_through(std::uint32_t vertex) const {
+    const auto at = spokes_at(vertex);
+    return at.size() == 2 && -dot(direction(at[0]), direction(at[1])) > straight_;
+  }
+
+ private:
+  std::span<const Spoke> spokes_at(std::uint32_t vertex) const {
+    const auto begin = std::lower_bound(spokes_.begin(), spokes_.end(), Spoke{vertex, 0});
+    auto end = begin;
+    while (end != spokes_.end() && end->from == vertex) ++end;
+    return {begin, end};
+  }
+
+  Vector3 direction(const Spoke& spoke) const {
+    return normalised(vertices_[spoke.to] - vertices_[spoke.from]);
+  }
+
+  void use(const Spoke& spoke) {
+    const auto at = std::lower_bound(spokes_.begin(), spokes_.end(), spoke);
+    used_[static_cast<std::size_t>(at - spokes_.begin())] = true;
+  }
+
+  std::vector<std::uint32_t> chain_from(std::size_t s) {
+    Spoke spoke = spokes_[s];
+    std::vector<std::uint32_t> chain{spoke.from};
+    for (;;) {
+      use(spoke);
+      use({spoke.to, spoke.from});
+      chain.push_back(spoke.to);
+      if (spoke.to == chain.front() || !passes_through(spoke.to)) return chain;
+      const auto at = spokes_at(spoke.to);
+      spoke = at[0].to == spoke.from ? at[1] : at[0];
+    }
+  }
+
+  const std::vector<Vector3>& vertices_;
+  double straight_;
+  std::vector<Spoke> spokes_;
+  std::vector<bool> used_;
+};
+
+/// The tangent at point k of a polyline: half-way between the directions before and after.
+Vector3 tangent_at(const std::vector<Vector3>& points, std::size_t k, bool smoothly_closed) {
+  const std::size_t last = points.size() - 1;
+  const auto direction_from = [&](std::size_t p) { return normalised(points[p + 1] - points[p]); };
+  const bool is_end = k == 0 || k == last;
+  if (is_end && !smoothly_closed) return direction_from(k == 0 ? 0 : last - 1);
+  const Vector3 before = direction_from(is_end ? last - 1 : k - 1), after = direction_from(is_end ? 0 : k);
+  return normalised(before + after);
+}
+
+/// One end of a curve: where, and the direction into the curve.
+struct CurveEnd {
+  Vector3 position, inwards;
+};
+
+}  // namespace
+
+std::vector<CreaseCurve> sharp_curves(const Surface& surface, const CreaseAngles& angles) {
+  SharpEdges edges(surface, angles);
+  std::vector<CreaseCurve> curves;
+  for (const std::vector<std::uint32_t>& chain : edges.chains()) {
+    CreaseCurve curve;
+    for (const std::uint32_t vertex : chain) curve.points.push_back(surface.mesh.vertices[vertex]);
+    const bool smoothly_closed = chain.front() == chain.back() && edges.passes_through(chain.front());
+    for (std::size_t k = 0; k < chain.size(); ++k)
+      curve.tangents.push_back(tangent_at(curve.points, k, smoothly_closed));
+    curve.tag = static_cast<std::int32_t>(curves.size());
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves, const CreaseAngles& angles) {
+  const double straight = std::cos(angles.corner_deg * kDegree);
+  std::vector<CurveEnd> ends;
+  for (const CreaseCurve& curve : curves) {
+    if (curve.points.size() < 2) continue;
+    ends.push_back({curve.points.front(), curve.tangents.front()});
+    ends.push_back({curve.points.back(), -curve.tangents.back()});
+  }
+  std::stable_sort(ends.begin(), ends.end(),
+                   [](const CurveEnd& a, const CurveEnd& b) { return a.position < b.position; });
+  std::vector<CreaseCorner> corners;
+  for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
+    while (end < ends.size() && ends[end].position == ends[begin].position) ++end;
+    const std::size_t count = end - begin;
+    const bool goes_on =
+        count == 2 && -dot(ends[begin].inwards, ends[begin + 1].inwards) > straight;
+    if (count > 1 && !goes_on) corners.push_back({ends[begin].position, count});
+  }
+  return corners;
+}
+
+KnifeEdges knife_edges(const Surface& surface, const CreaseAngles& angles, bool inside_out) {
+  // Normals are as far apart as the faces are near.
+  const double largest_cosine = -std::cos(angles.knife_deg * kDegree);
+  const auto& vertices = surface.mesh.vertices;
+  KnifeEdges knives;
+  const std::vector<EdgeUse> all_uses = sorted_edge_uses(surface.mesh.triangles);
+  for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
+    if (uses.size() != 2 || uses[0].forward == uses[1].forward) return;
+    if (cosine_between(surface, uses[0], uses[1]) >= largest_cosine) return;
+    // A slit in the solid looks the same, but its other side is behind the plane of the first.
+    const Vector3& on_edge = vertices[uses[0].low()];
+    double ahead = 0;
+    for (const std::uint32_t v : surface.mesh.triangles[uses[1].triangle])
+      ahead += dot(vertices[v] - on_edge, surface.normals[uses[0].triangle]);
+    if ((ahead > 0) != inside_out) return;
+    if (knives.count++ == 0) knives.first_place = 0.5 * (on_edge + vertices[uses[0].high()]);
+  });
+  return knives;
+}
+
+Guides guides_along(std::span<const CreaseCurve> curves, std::span<const CreaseCorner> corners,
+                    double weight) {
+  Guides guides;
+  if (weight <= 0) return guides;
+  for (const CreaseCurve& curve : curves) {
+    for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) {
+      guides.segments.push_back({{curve.points[k], curve.points[k + 1]},
+                                 {curve.tangents[k], curve.tangents[k + 1]},
+                                 weight});
+    }
+  }
+  for (const CreaseCorner& corner : corners) guides.corners.push_back(corner.position);
+  return guides;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sharp edges of a surface, chained into curves between corners.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "surface/guides.hpp"
+#include "surface/surface.hpp"
+
+namespace crossgrain {
+
+struct CreaseAngles {
+  /// An edge is sharp where the normals beside it are further apart.
+  double least_deg = 35;
+
+  /// Two sharp edges are one curve where its direction turns by less from one to the other.
+  double corner_deg = 45;
+
+  /// Below this angle between two faces, measured in the solid, no frame is near to both.
+  double knife_deg = 45;
+};
+
+/// The sharp edges of a surface as curves, in the order of their lowest vertices. A closed curve ends where it
+/// begins; it begins at its lowest vertex. Tangents bisect the directions of the edges before and after.
+/// Edges of one triangle are not sharp; one of three or more is where any two of them are apart. Vertices
+/// must be welded.
+std::vector<CreaseCurve> sharp_curves(const Surface& surface, const CreaseAngles& angles);
+
+/// Where curves meet, or where one bends.
+struct CreaseCorner {
+  Vector3 position;
+  std::size_t curves;  ///< that end there; a closed curve that bends at its beginning counts twice
+};
+
+/// Ends of three curves and more, and of two that are no continuation of each other, ordered by position.
+/// The end of one alone, where a crease fades away, is no corner.
+std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves, const CreaseAngles& angles);
+
+/// Edges of two triangles at which there is less than CreaseAngles::knife_deg of solid between them. Normals
+/// point out of the solid, or into it where the surface is `inside_out`.
+struct KnifeEdges {
+  std::size_t count = 0;
+  Vector3 first_place{};  ///< middle of the first
+};
+KnifeEdges knife_edges(const Surface& surface, const CreaseAngles& angles, bool inside_out = false);
+
+/// The curves as guides of this weight, which end at the corners.
+Guides guides_along(std::span<const CreaseCurve> curves, std::span<const CreaseCorner> corners,
+                    double weight);
+
+}  // namespace crossgrain

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What frames are to follow besides the surface itself: directions along curves and at points.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "crossgrain/types.hpp"
+
+namespace crossgrain {
+
+/// A straight piece of a curve, or a point where both ends are equal, at which frames are to have an axis
+/// along a direction.
+struct GuideSegment {
+  std::array<Vector3, 2> ends;
+
+  /// At the ends, unit vectors; between them the direction goes evenly from one to the other. Their signs
+  /// mean nothing.
+  std::array<Vector3, 2> directions;
+
+  /// A piece in a cell counts like so many times its length times the size of the cell of surface, a point
+  /// like a piece as long as the cell.
+  double weight = 1;
+};
+
+/// Plain data that nothing changes once it is made.
+struct Guides {
+  std::vector<GuideSegment> segments;
+
+  /// In the cells of these points no segment counts: where creases meet, the faces around say what there is
+  /// to say, and tangents would contradict each other.
+  std::vector<Vector3> corners;
+};
+
+}  // namespace crossgrain

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/creases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/vector3.hpp"
+#include "harmonics/random_samples.hpp"
+#include "support/extrusion.hpp"
+#include "support/shapes.hpp"
+
+namespace crossgrain {
+namespace {
+
+using testing::RandomSamples;
+
+constexpr CreaseAngles kAngles;
+
+double length_of(const CreaseCurve& curve) {
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) sum += norm(curve.points[k + 1] - curve.points[k]);
+  return sum;
+}
+
+double length_of(const std::vector<CreaseCurve>& curves) {
+  double sum = 0;
+  for (const CreaseCurve& curve : curves) sum += length_of(curve);
+  return sum;
+}
+
+TEST(Creases, OfABoxAreItsTwelveEdgesBetweenEightCornersOfThree) {
+  RandomSamples random(1);
+  for (int trial = 0; trial < 5; ++trial) {
+    const Surface box = prepare_surface(rotate_mesh(make_box({1, 0.7, 0.4}), random.rotation()));
+    const std::vector<CreaseCurve> curves = sharp_curves(box, kAngles);
+    ASSERT_EQ(curves.size(), 12u);
+    EXPECT_NEAR(length_of(curves), 4 * 2.1, 1e-12);
+    for (const CreaseCurve& curve : curves) {
+      for (const Vector3& tangent : curve.tangents)
+        EXPECT_NEAR(norm(cross(tangent, normalised(curve.points.back() - curve.points.front()))), 0, 1e-12);
+    }
+    const std::vector<CreaseCorner> corners = corners_of(curves, kAngles);
+    EXPECT_EQ(corners.size(), 8u);
+    for (const CreaseCorner& corner : corners) EXPECT_EQ(corner.curves, 3u);
+  }
+}
+
+TEST(Creases, OfACylinderAreItsTwoRimsWithTangentsOfTheCircle) {
+  const Surface cylinder = prepare_surface(make_cylinder(0.3, 0.5, 48, 3));
+  const std::vector<CreaseCurve> curves = sharp_curves(cylinder, kAngles);
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_TRUE(corners_of(curves, kAngles).empty());
+  for (const CreaseCurve& curve : curves) {
+    ASSERT_EQ(curve.points.size(), 49u);
+    EXPECT_EQ(curve.points.front(), curve.points.back());
+    for (std::size_t k = 0; k < curve.points.size(); ++k) {
+      const Vector3 radial = normalised({curve.points[k][0], curve.points[k][1], 0});
+      EXPECT_NEAR(dot(curve.tangents[k], radial), 0, 1e-12);
+      EXPECT_NEAR(norm(curve.tangents[k]), 1, 1e-12);
+    }
+  }
+}
+
+TEST(Creases, OfSmoothSurfacesAreNone) {
+  EXPECT_TRUE(sharp_curves(prepare_surface(make_sphere(0.5, 3)), kAngles).empty());
+  EXPECT_TRUE(sharp_curves(prepare_surface(make_torus(0.6, 0.25, 48, 24)), kAngles).empty());
+}
+
+TEST(Creases, DoNotDependOnWhichSideIsOutNorOnHowTrianglesRun) {
+  TriangleMesh box = make_box({1, 1, 1});
+  const double length = length_of(sharp_curves(prepare_surface(box), kAngles));
+  EXPECT_EQ(length_of(sharp_curves(prepare_surface(flip_mesh(box)), kAngles)), length);
+  std::swap(box.triangles[3][0], box.triangles[3][1]);
+  EXPECT_EQ(length_of(sharp_curves(prepare_surface(box), kAngles)), length);
+}
+
+TEST(Creases, EndWhereTheBoundaryOfAnOpenSheetBegins) {
+  // Two squares at a right angle: one crease, and open edges around.
+  const TriangleMesh sheet{{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 1}, {0, 1, 1}},
+                           {{0, 2, 3}, {0, 3, 1}, {0, 1, 5}, {0, 5, 4}}};
+  const std::vector<CreaseCurve> curves = sharp_curves(prepare_surface(sheet), kAngles);
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves[0].points.size(), 2u);
+  EXPECT_TRUE(corners_of(curves, kAngles).empty());
+}
+
+/// A prism over an isosceles triangle with this angle at its tip, 2 long.
+Surface wedge(double tip_deg) {
+  const double half = tip_deg / 2 * std::numbers::pi / 180;
+  return prepare_surface(extrude({{0, 0}, {std::cos(half), -std::sin(half)}, {std::cos(half), std::sin(half)}}, {},
+                                 -1, {1}));
+}
+
+TEST(KnifeEdges, AreCountedInTheSolidOnly) {
+  EXPECT_EQ(knife_edges(wedge(30), kAngles).count, 1u);
+  EXPECT_EQ(knife_edges(wedge(50), kAngles).count, 0u);
+  const KnifeEdges knives = knife_edges(wedge(20), kAngles);
+  EXPECT_NEAR(norm(knives.first_place), 0, 1e-12);
+  // A slit of 20 degrees cut into a block leaves 340 degrees of solid.
+  const double half = 10 * std::numbers::pi / 180;
+  const Surface slit = prepare_surface(
+      extrude({{0, 0}, {1, std::tan(half)}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, -std::tan(half)}}, {}, -1, {1}));
+  EXPECT_EQ(knife_edges(slit, kAngles).count, 0u);
+  Surface turned = prepare_surface(flip_mesh(wedge(30).mesh));
+  EXPECT_EQ(knife_edges(turned, kAngles, true).count, 1u);
+}
+
+TEST(CreaseCorners, AreWhereOneCurveBendsOrThreeMeet) {
+  const auto straight = [](const Vector3& a, const Vector3& b) {
+    const Vector3 t = normalised(b - a);
+    return CreaseCurve{{a, b}, {t, t}};
+  };
+  const std::vector<CreaseCurve> smooth{straight({0, 0, 0}, {1, 0, 0}), straight({2, 0.2, 0}, {1, 0, 0})};
+  EXPECT_TRUE(corners_of(smooth, kAngles).empty());
+  const std::vector<CreaseCurve> bent{straight({0, 0, 0}, {1, 0, 0}), straight({1, 1, 0}, {1, 0, 0})};
+  ASSERT_EQ(corners_of(bent, kAngles).size(), 1u);
+  EXPECT_EQ(corners_of(bent, kAngles)[0].position, (Vector3{1, 0, 0}));
+}
+
+}  // namespace
+}  // namespace crossgrain
