@@ -16,8 +16,8 @@ struct Box {
   Vector3 high;
 };
 
-/// A curve on a surface that frames are to run along: a polyline with the tangent of the true curve at each of
-/// its points.
+/// A curve on a surface that frames are to run along: a polyline with the tangent of the true curve at each
+/// of its points.
 struct CreaseCurve {
   std::vector<Vector3> points;
   std::vector<Vector3> tangents;  ///< unit vectors, one a point

@@ -35,8 +35,8 @@ double boundary_value(const GridLevel& level, const Solid& solid, CellIndex leaf
   double sum = 0;
   for (const SurfacePiece& piece : level.pieces_of(leaf)) {
     // Never negative but for rounding.
-    sum += piece.area *
-           std::max(0.0, normal_value<4>(normal_basis<4>(normal_of(level, solid, leaf, piece)), h));
+    sum +=
+        piece.area * std::max(0.0, normal_value<4>(normal_basis<4>(normal_of(level, solid, leaf, piece)), h));
   }
   for (const LeafGuide& guide : level.guides.of(leaf))
     sum += guide.area * std::max(0.0, normal_value<4>(normal_basis<4>(guide.unit_direction()), h));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The constraints of the surface and the guides inside a leaf as one quadratic form (docs/design.md section 3).
+// The constraints of the surface and the guides inside a leaf as one quadratic form (docs/design.md section
+// 3).
 #pragma once
 
 #include "constraint/classification.hpp"

@@ -49,9 +49,10 @@ class SegmentWalker {
     }
     const double past = kPastFace * finest_ / length;
     for (double t = 0; t < 1;) {
-      const CellIndex leaf = leaf_at(a + std::min(1.0, t + past) * along);
-      // Where there is no leaf, to where the next might be.
-      const double end = leaf == kNoCell ? t + finest_ / length : leaving(tree_.root().box(tree_[leaf]), a, along);
+      const Vector3 here = a + std::min(1.0, t + past) * along;
+      const CellIndex leaf = leaf_at(here);
+      const double end =
+          leaving(leaf == kNoCell ? finest_cell_around(here) : tree_.root().box(tree_[leaf]), a, along);
       const double to = std::min(1.0, std::max(end, t + 2 * past));
       if (leaf != kNoCell) passages.push_back({leaf, t, to});
       t = to;
@@ -59,6 +60,17 @@ class SegmentWalker {
   }
 
  private:
+  /// Where a leaf might be that is none.
+  Box finest_cell_around(const Vector3& point) const {
+    Box box;
+    for (int k = 0; k < 3; ++k) {
+      const double origin = tree_.root().origin[k];
+      box.low[k] = origin + std::floor((point[k] - origin) / finest_) * finest_;
+      box.high[k] = box.low[k] + finest_;
+    }
+    return box;
+  }
+
   /// The fraction at which a + t along leaves the box.
   static double leaving(const Box& box, const Vector3& a, const Vector3& along) {
     double t = std::numeric_limits<double>::infinity();

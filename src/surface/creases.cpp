@@ -153,8 +153,7 @@ std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves, const 
   for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
     while (end < ends.size() && ends[end].position == ends[begin].position) ++end;
     const std::size_t count = end - begin;
-    const bool goes_on =
-        count == 2 && -dot(ends[begin].inwards, ends[begin + 1].inwards) > straight;
+    const bool goes_on = count == 2 && -dot(ends[begin].inwards, ends[begin + 1].inwards) > straight;
     if (count > 1 && !goes_on) corners.push_back({ends[begin].position, count});
   }
   return corners;
@@ -186,9 +185,8 @@ Guides guides_along(std::span<const CreaseCurve> curves, std::span<const CreaseC
   if (weight <= 0) return guides;
   for (const CreaseCurve& curve : curves) {
     for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) {
-      guides.segments.push_back({{curve.points[k], curve.points[k + 1]},
-                                 {curve.tangents[k], curve.tangents[k + 1]},
-                                 weight});
+      guides.segments.push_back(
+          {{curve.points[k], curve.points[k + 1]}, {curve.tangents[k], curve.tangents[k + 1]}, weight});
     }
   }
   for (const CreaseCorner& corner : corners) guides.corners.push_back(corner.position);

@@ -22,8 +22,8 @@ struct CreaseAngles {
   double knife_deg = 45;
 };
 
-/// The sharp edges of a surface as curves, in the order of their lowest vertices. A closed curve ends where it
-/// begins; it begins at its lowest vertex. Tangents bisect the directions of the edges before and after.
+/// The sharp edges of a surface as curves, in the order of their lowest vertices. A closed curve ends where
+/// it begins; it begins at its lowest vertex. Tangents bisect the directions of the edges before and after.
 /// Edges of one triangle are not sharp; one of three or more is where any two of them are apart. Vertices
 /// must be welded.
 std::vector<CreaseCurve> sharp_curves(const Surface& surface, const CreaseAngles& angles);

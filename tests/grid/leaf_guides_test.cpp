@@ -48,15 +48,15 @@ TEST(LeafGuides, WeighTheLengthOfEverySegmentInEveryLeaf) {
   const GridLevel level = mixed_level(solid);
   RandomSamples random(1);
   for (int trial = 0; trial < 20; ++trial) {
-    const GuideSegment segment{{0.7 * random.direction(), 1.2 * random.direction()},
-                               {random.direction(), random.direction()},
-                               3};
+    const GuideSegment segment{
+        {0.7 * random.direction(), 1.2 * random.direction()}, {random.direction(), random.direction()}, 3};
     const LeafGuides guides(level.tree, {{segment}, {}});
     for (CellIndex i = 0; i < level.size(); ++i) {
       const double cell = level.tree.cell_size(i);
       double area = 0;
       for (const LeafGuide& guide : guides.of(i)) area += guide.area;
-      ASSERT_NEAR(area, 3 * cell * length_within(segment, level.tree.root().box(level.tree[i])), kStored * cell);
+      ASSERT_NEAR(area, 3 * cell * length_within(segment, level.tree.root().box(level.tree[i])),
+                  kStored * cell);
     }
   }
 }
@@ -107,7 +107,8 @@ TEST(LeafGuides, ArePartOfTheFormsOfCells) {
   Solid solid = box.solid();
   const GridLevel plain = box.level(0.1);
   solid.guides = &guides;
-  const GridLevel guided = uniform_level(solid, plain.tree.root(), frame_around(box.surface().box, 0.1).finest_depth);
+  const GridLevel guided =
+      uniform_level(solid, plain.tree.root(), frame_around(box.surface().box, 0.1).finest_depth);
   ASSERT_EQ(guided.size(), plain.size());
   double weight = 0;
   for (CellIndex i = 0; i < plain.size(); ++i)

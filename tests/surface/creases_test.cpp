@@ -21,7 +21,8 @@ constexpr CreaseAngles kAngles;
 
 double length_of(const CreaseCurve& curve) {
   double sum = 0;
-  for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) sum += norm(curve.points[k + 1] - curve.points[k]);
+  for (std::size_t k = 0; k + 1 < curve.points.size(); ++k)
+    sum += norm(curve.points[k + 1] - curve.points[k]);
   return sum;
 }
 
@@ -90,8 +91,8 @@ TEST(Creases, EndWhereTheBoundaryOfAnOpenSheetBegins) {
 /// A prism over an isosceles triangle with this angle at its tip, 2 long.
 Surface wedge(double tip_deg) {
   const double half = tip_deg / 2 * std::numbers::pi / 180;
-  return prepare_surface(extrude({{0, 0}, {std::cos(half), -std::sin(half)}, {std::cos(half), std::sin(half)}}, {},
-                                 -1, {1}));
+  return prepare_surface(
+      extrude({{0, 0}, {std::cos(half), -std::sin(half)}, {std::cos(half), std::sin(half)}}, {}, -1, {1}));
 }
 
 TEST(KnifeEdges, AreCountedInTheSolidOnly) {
@@ -101,8 +102,8 @@ TEST(KnifeEdges, AreCountedInTheSolidOnly) {
   EXPECT_NEAR(norm(knives.first_place), 0, 1e-12);
   // A slit of 20 degrees cut into a block leaves 340 degrees of solid.
   const double half = 10 * std::numbers::pi / 180;
-  const Surface slit = prepare_surface(
-      extrude({{0, 0}, {1, std::tan(half)}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, -std::tan(half)}}, {}, -1, {1}));
+  const Surface slit = prepare_surface(extrude(
+      {{0, 0}, {1, std::tan(half)}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, -std::tan(half)}}, {}, -1, {1}));
   EXPECT_EQ(knife_edges(slit, kAngles).count, 0u);
   Surface turned = prepare_surface(flip_mesh(wedge(30).mesh));
   EXPECT_EQ(knife_edges(turned, kAngles, true).count, 1u);
