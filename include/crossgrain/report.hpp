@@ -83,6 +83,16 @@ struct SolveReport {
     std::optional<double> mean, p95, max;
   };
 
+  /// Sharp edges, chained into curves.
+  struct Creases {
+    std::size_t curves = 0;
+    double length = 0;
+    std::size_t corners = 0;          ///< where curves meet, or where one bends
+    std::size_t crowded_corners = 0;  ///< of more than three curves
+    std::size_t knife_edges = 0;      ///< with less than 45 degrees of solid between their faces
+    AngleSummary tangent_deg;         ///< from the tangent to the nearest axis, along all curves
+  } creases;
+
   /// The field on a tet mesh. Energies are those of degree 4.
   struct Onto {
     std::size_t vertices = 0;  ///< of the file, unused ones too

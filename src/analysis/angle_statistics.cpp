@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -96,6 +98,17 @@ float angle_below_area(std::span<const SurfacePiece> pieces, std::span<const flo
 }
 
 }  // namespace
+
+SolveReport::AngleSummary summary_of(std::vector<double> angles) {
+  if (angles.empty()) return {};
+  std::sort(angles.begin(), angles.end());
+  const auto count = static_cast<double>(angles.size());
+  const double rank = 0.95 * (count - 1);
+  const auto below = static_cast<std::size_t>(rank);
+  const std::size_t above = std::min(below + 1, angles.size() - 1);
+  return {std::accumulate(angles.begin(), angles.end(), 0.0) / count,
+          std::lerp(angles[below], angles[above], rank - std::floor(rank)), angles.back()};
+}
 
 SolveReport::Alignment angle_statistics(std::span<const SurfacePiece> pieces, std::span<const float> angles) {
   const AngleSums sums = sums_of(pieces, angles);

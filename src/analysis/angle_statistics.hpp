@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "crossgrain/report.hpp"
 #include "grid/grid_level.hpp"
@@ -10,6 +11,9 @@ namespace crossgrain {
 
 /// Stands for the angle of a piece that does not count.
 inline constexpr float kExcludedAngle = -1;
+
+/// Mean, 95th percentile and largest of angles that count alike; none where there are none.
+SolveReport::AngleSummary summary_of(std::vector<double> angles);
 
 /// The statistics of the angles of `pieces` in degrees, not negative or kExcludedAngle, each weighted by its
 /// piece's area: as AlignmentMeasurement::alignment_deg. The same to the bit for any number of threads.

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "analysis/alignment.hpp"
+#include "analysis/crease_report.hpp"
 #include "analysis/field_data.hpp"
 #include "analysis/sampling.hpp"
 #include "analysis/singularity_graph.hpp"
@@ -21,7 +22,6 @@
 #include "field/solve_forecast.hpp"
 #include "harmonics/deviation.hpp"
 #include "harmonics/frame.hpp"
-#include "surface/creases.hpp"
 #include "surface/topology.hpp"
 
 namespace crossgrain {
@@ -95,10 +95,8 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const TriangleBvh bvh(surface);
   const WindingNumber winding(surface, bvh);
   const SurfaceTopology topology = analyse_topology(mesh);
-  const CreaseAngles angles;
-  const std::vector<CreaseCurve> curves = mesh.creases.empty() ? sharp_curves(surface, angles) : mesh.creases;
-  const std::vector<CreaseCorner> corners = corners_of(curves, angles);
-  const Guides guides = guides_along(curves, corners, options.solver.crease_weight);
+  const CreaseNetwork creases(surface, CreaseAngles{}, winding.flipped());
+  const Guides guides = guides_along(creases.curves, creases.corners, options.solver.crease_weight);
   const Solid solid{surface, bvh, winding, topology.watertight, &guides};
   SolvedField solved = nested_solve(solid, options, monitor, initial_frame, watch.restart());
   check_interior(solved.level, surface, topology);
@@ -131,6 +129,10 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   data->tree = std::move(solved.level.tree);
   data->frames = std::move(solved.frames);
   data->open_faces = std::move(solved.open_faces);
+  const Sampler sampler(data->tree, data->frames, data->open_faces);
+  data->report.creases = crease_report(creases, sampler, finest_cell_size(surface.box, options));
+  const std::vector<std::string> impossible = crease_warnings(creases);
+  data->report.warnings.insert(data->report.warnings.end(), impossible.begin(), impossible.end());
   return data;
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "analysis/angle_statistics.hpp"
 #include "analysis/matching.hpp"
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
@@ -31,17 +32,6 @@ double angle_deg(const Quaternion& frame, const Vector3& unit_normal) {
   for (const Vector3& axis : axes_of(frame))
     cosine = std::max(cosine, std::abs(dot(axis, unit_normal)) / norm(axis));
   return std::acos(std::min(cosine, 1.0)) * (180 / std::numbers::pi);
-}
-
-SolveReport::AngleSummary summary_of(std::vector<double> angles) {
-  if (angles.empty()) return {};
-  std::sort(angles.begin(), angles.end());
-  const auto count = static_cast<double>(angles.size());
-  const double rank = 0.95 * (count - 1);
-  const auto below = static_cast<std::size_t>(rank);
-  const std::size_t above = std::min(below + 1, angles.size() - 1);
-  return {std::accumulate(angles.begin(), angles.end(), 0.0) / count,
-          std::lerp(angles[below], angles[above], rank - std::floor(rank)), angles.back()};
 }
 
 CubeRotation matching_of(const Quaternion& from, const Quaternion& to) {

@@ -135,7 +135,20 @@ void describe_limited(File& file, Limited& limited) {
 }
 
 template <class File, class Report>
+void describe_creases(File& file, Report& report) {
+  file.object("creases", [&](auto& creases) {
+    creases.member("curves", report.creases.curves);
+    creases.member("length", report.creases.length);
+    creases.member("corners", report.creases.corners);
+    creases.member("crowded_corners", report.creases.crowded_corners);
+    creases.member("knife_edges", report.creases.knife_edges);
+    describe_angles(creases, "tangent_deg", report.creases.tangent_deg);
+  });
+}
+
+template <class File, class Report>
 void describe_doubts(File& file, Report& report) {
+  describe_creases(file, report);
   file.object("walls", [&](auto& walls) {
     walls.member("cells_wanted", report.walls.cells_wanted);
     walls.member("thin_share", report.walls.thin_share);

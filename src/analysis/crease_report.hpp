@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The creases of a surface, and how well a field runs along them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/sampling.hpp"
+#include "crossgrain/report.hpp"
+#include "surface/creases.hpp"
+
+namespace crossgrain {
+
+/// All that is known of the creases of a surface before the solve.
+struct CreaseNetwork {
+  std::vector<CreaseCurve> curves;
+  std::vector<CreaseCorner> corners;
+  KnifeEdges knives;
+
+  /// Those that the mesh brings along; where it brings none, its sharp edges.
+  CreaseNetwork(const Surface& surface, const CreaseAngles& angles, bool inside_out);
+};
+
+/// Angles are taken at the middles of pieces of curves no longer than `step`, model units.
+SolveReport::Creases crease_report(const CreaseNetwork& creases, const Sampler& sampler, double step);
+
+/// One sentence each, for SolveReport::warnings: of places where no frame is near to all faces.
+std::vector<std::string> crease_warnings(const CreaseNetwork& creases);
+
+}  // namespace crossgrain
