@@ -16,17 +16,56 @@ struct Box {
   Vector3 high;
 };
 
+/// A curve on a surface that frames are to run along: a polyline with the tangent of the true curve at each of
+/// its points.
+struct CreaseCurve {
+  std::vector<Vector3> points;
+  std::vector<Vector3> tangents;  ///< unit vectors, one a point
+  std::int32_t tag = 0;           ///< the number of the edge in the file that it comes from
+};
+
 /// A surface: triangles that index vertices. Nothing is required of it but that indices are in range and
 /// coordinates are finite; it may be open, flipped, non-manifold or a soup.
+///
+/// The other members say what the file knew besides. Each is empty, or has an entry for every triangle.
 struct TriangleMesh {
   std::vector<Vector3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+
+  /// The number of the face of the CAD model, or the tag, that a triangle belongs to.
+  std::vector<std::int32_t> faces = {};
+
+  /// The solid that a triangle bounds, counted from 0, seen from inside against the right-hand rule. A face
+  /// between two solids is there twice, once for each, in opposite orientation.
+  std::vector<std::int32_t> solids = {};
+
+  /// Unit normals of the true surface at a triangle's corners, on the side of the right-hand rule.
+  std::vector<std::array<Vector3, 3>> corner_normals = {};
+
+  /// Sharp edges that the file knows. Not one a triangle: any number.
+  std::vector<CreaseCurve> creases = {};
 };
 
 /// A solid cut into tets that index vertices, of either orientation.
+///
+/// What a file tags are features: frames are to run along tagged edges, and to have an axis across tagged
+/// faces.
 struct TetMesh {
+  struct Edge {
+    std::array<std::uint32_t, 2> vertices;
+    std::int32_t tag = 0;
+  };
+  struct Face {
+    std::array<std::uint32_t, 3> vertices;
+    std::int32_t tag = 0;
+  };
+
   std::vector<Vector3> vertices;
   std::vector<std::array<std::uint32_t, 4>> tets;
+
+  std::vector<std::int32_t> regions = {};  ///< the number of each tet's region; empty where the file has none
+  std::vector<Edge> feature_edges = {};
+  std::vector<Face> feature_faces = {};
 };
 
 /// Three orthonormal axes, right-handed. As an octahedral frame it stands for itself and the 23 other
