@@ -314,6 +314,18 @@ TEST(ReadCad, RefusesFilesThatAreCutShortOrDamaged) {
   }
 }
 
+TEST(ReadCad, NamesAPieceOfGeometryThatDidNotLoad) {
+  // OpenCASCADE by itself would crash on it.
+  std::string content = content_of(cad_files() / "cylinder.step");
+  const std::string vector = "VECTOR('',#";
+  const std::size_t place = content.find(vector);
+  ASSERT_NE(place, std::string::npos);
+  content.insert(place + vector.size(), "9999");
+  const TemporaryFolder folder;
+  const std::string message = input_error_of(folder.write("a.step", content));
+  EXPECT_NE(message.find("entity #"), std::string::npos) << message;
+}
+
 TEST(ReadCad, SaysNothingOnTheStreams) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();

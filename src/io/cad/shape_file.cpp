@@ -18,6 +18,7 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <string_view>
 #include <utility>
 
 #include "io/cad/fault.hpp"
@@ -47,6 +48,21 @@ std::string short_unit(std::string name) {
   return name;
 }
 
+/// Where a piece of geometry did not load, OpenCASCADE goes on with null pointers in it and ends the process.
+void refuse_damaged_geometry(const Handle(Interface_InterfaceModel) & model) {
+  constexpr std::array<std::string_view, 4> kGeometry = {"StepGeom_", "StepShape_", "IGESGeom_",
+                                                         "IGESSolid_"};
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    if (!model->IsErrorEntity(i)) continue;
+    const Handle(Standard_Transient) entity = model->Value(i);
+    const std::string_view type = entity->DynamicType()->Name();
+    const auto begins = [type](std::string_view beginning) { return type.starts_with(beginning); };
+    if (std::none_of(kGeometry.begin(), kGeometry.end(), begins)) continue;
+    throw Fault(fmt::format("entity {} is damaged; repair it or export it again",
+                            model->StringLabel(entity)->ToCString()));
+  }
+}
+
 void warn_without_unit(CadShape& result) {
   if (result.file_unit.empty())
     result.warnings.push_back("the file names no unit of length: its numbers are taken for millimetres");
@@ -57,6 +73,7 @@ CadShape read_step_shape(const std::string& path) {
   ask_for_millimetres();
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw Fault("is damaged, or no STEP file that OpenCASCADE can read; export it again");
+  refuse_damaged_geometry(reader.Model());
   CadShape result;
   result.unit = kUnit;
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
@@ -87,6 +104,7 @@ CadShape read_iges_shape(const std::string& path) {
   ask_for_millimetres();
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw Fault("is damaged, or no IGES file that OpenCASCADE can read; export it again");
+  refuse_damaged_geometry(reader.Model());
   CadShape result;
   result.unit = kUnit;
   result.file_unit = iges_unit(reader.IGESModel()->GlobalSection());
