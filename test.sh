@@ -7,7 +7,7 @@ set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 build="$root/build/test"
 
-"$root/cmake/install_packages.sh" build test
+"$root/cmake/install_packages.sh" build test cad
 
 launcher=""
 if command -v ccache >/dev/null; then launcher=ccache; fi

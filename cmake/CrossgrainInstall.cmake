@@ -11,6 +11,14 @@ if(TARGET crossgrain_app)
   set_target_properties(crossgrain_app PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
   install(TARGETS crossgrain_app)
 endif()
+if(TARGET crossgrain_cad)
+  install(TARGETS crossgrain_cad LIBRARY DESTINATION "${CROSSGRAIN_MODULE_FOLDER}")
+  # A program with the static library in it may stand anywhere; its linker remembers where the module is.
+  if(NOT BUILD_SHARED_LIBS)
+    target_link_options(crossgrain INTERFACE
+                        "$<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${CROSSGRAIN_MODULE_FOLDER}>")
+  endif()
+endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/crossgrain" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(FILES "${PROJECT_BINARY_DIR}/include/crossgrain/version.hpp"
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/crossgrain")

@@ -7,6 +7,8 @@ Usage: check_layers.py [ROOT]
   src/LAYER/            includes itself, the layers before it, and public headers
   include/crossgrain/   includes public headers and the standard library
   apps/ python/ examples/   include public headers and what stands in their own folder
+
+OpenCASCADE (*.hxx) stands in src/io/cad/ only, which is built as a module apart; only that folder includes its headers.
 """
 
 import re
@@ -18,6 +20,9 @@ LAYERS = ["base", "harmonics", "constraint", "surface", "tets", "grid", "field",
 
 # A layer that stands beside one below it, not above: its only exceptions.
 EXTRA_LAYERS = {"distributed": [layer for layer in LAYERS if layer != "io"] + ["distributed"]}
+
+# The folder of src/ with OpenCASCADE in it.
+CAD_MODULE = "io/cad/"
 
 OUTER_FOLDERS = ["apps", "python", "examples"]
 SUFFIXES = {".hpp", ".cpp", ".h", ".cc", ".in"}
@@ -43,8 +48,12 @@ def sources_below(folder):
     return sorted(path for path in folder.rglob("*") if path.is_file() and path.suffix in SUFFIXES)
 
 
-def fault_in_layer(layer, quote, included):
+def fault_in_layer(layer, inside_module, quote, included):
     first = included.split("/")[0]
+    if included.endswith(".hxx") and not inside_module:
+        return f"OpenCASCADE stands in the module src/{CAD_MODULE} only"
+    if included.startswith(CAD_MODULE) and not inside_module:
+        return "the library sees no more of the module for CAD files than io/cad_module.hpp"
     if first in ("tbb", "oneapi") and layer != "base":
         return "oneTBB stands behind base/parallel.hpp; use parallel_for"
     if quote == "<" and first != "crossgrain" and first not in LAYERS and first not in EXTRA_LAYERS:
@@ -87,7 +96,8 @@ def faults(root):
             continue
         for path in sources_below(folder):
             for number, quote, included in includes_of(path):
-                fault = fault_in_layer(layer, quote, included)
+                inside_module = path.relative_to(source_root).as_posix().startswith(CAD_MODULE)
+                fault = fault_in_layer(layer, inside_module, quote, included)
                 if fault:
                     yield f"{path.relative_to(root)}:{number}: includes {included}: {fault}"
     for path in sources_below(root / "include"):

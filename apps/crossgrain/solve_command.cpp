@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -157,18 +158,23 @@ void check_start(const SolveArguments& arguments) {
       arguments.from + ": holds only part of a field; start from one that was written without --clip");
 }
 
-/// Solves, carries onto the tets where there are any, and writes all files.
-SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point start,
-                            const Monitor& monitor) {
+/// Solves, carries onto the tets where there are any, and writes all files. `warn` is told what reading has
+/// found, before the solve.
+SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point start, const Monitor& monitor,
+                            const std::function<void(const std::string&)>& warn) {
   check_start(arguments);
   monitor.report({"read", 0, 0, 0, 0});
   const std::optional<TetDomain> domain = read_domain(arguments);
-  const TriangleMesh mesh = is_tet_file(arguments.model) ? domain->boundary() : read_surface(arguments.model);
+  const SolveOptions options = domain ? sized_for(*domain, arguments.options) : arguments.options;
+  const TriangleMesh mesh =
+      is_tet_file(arguments.model)
+          ? domain->boundary()
+          : read_surface(arguments.model, {.resolution = options.resolution, .cell_size = options.cell_size});
+  for (const std::string& warning : mesh.warnings) warn(warning);
   if (!arguments.onto.empty()) check_same_unit(arguments, mesh, *domain);
   check_clip(arguments, mesh);
   const double read_seconds = seconds_since(start);
   monitor.check();
-  const SolveOptions options = domain ? sized_for(*domain, arguments.options) : arguments.options;
   const FrameField field = solve_model(arguments, options, mesh, monitor);
   std::optional<TetFrameField> tet_field;
   if (domain) {
@@ -211,7 +217,11 @@ void run_solve(const SolveArguments& arguments) {
     };
     Monitor monitor([&lines](const Progress& progress) { lines.show(progress); }, expect);
     const Interruption interruption(monitor);
-    report = solve_and_write(arguments, start, monitor);
+    const auto warn = [&](const std::string& warning) {
+      lines.end_line();
+      print_message("warning: " + warning);
+    };
+    report = solve_and_write(arguments, start, monitor, warn);
   }
   if (report.limited) print_message("warning: " + report.warnings.front());
   if (!arguments.quiet) print_result(summary_of(report, arguments.output));

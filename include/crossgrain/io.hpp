@@ -10,19 +10,49 @@
 
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/monitor.hpp"
+#include "crossgrain/options.hpp"
 #include "crossgrain/spectrum.hpp"
 #include "crossgrain/tet_frame_field.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
 
+/// How surfaces of CAD files are cut into triangles. Files of triangles take no notice.
+struct ReadOptions {
+  /// The finest cells that the surface is for, as in SolveOptions: along the longest side of the bounding
+  /// box, 0 for kDefaultResolution; or their size in the unit of the mesh, which counts where positive.
+  int resolution = 0;
+  double cell_size = 0;
+
+  /// How far triangles may be from the true surface, in cells. Normals come from the true surface, not from
+  /// the triangles, so that a tenth is less than the grid can tell; but at most 1/40 and at least a millionth
+  /// of the longest side, below which no octree reaches.
+  double chord_error_cells = 0.1;
+
+  /// The most that the normal may turn along an edge of a triangle: fillets much smaller than a cell keep
+  /// their directions.
+  double facet_angle_deg = 15;
+
+  /// Edges where the true surface turns by more than this somewhere are creases.
+  double crease_angle_deg = 35;
+};
+
 /// The surface in a file. The extension names the format, in either case: STL (ASCII or binary), OBJ, PLY
-/// (ASCII or binary) or OFF. Polygons are cut into triangles in their own plane; whatever else a file holds
-/// (colours, normals, materials, groups) is passed over. Vertices of equal coordinates become one vertex and
-/// vertices that no triangle uses are dropped, so that neighbouring triangles share indices whatever the
-/// format; triangles without area stay in. Throws Error(kInput) naming the file, the place in it and the
-/// mend.
-TriangleMesh read_surface(const std::filesystem::path& path);
+/// (ASCII or binary) or OFF; STEP (.step, .stp), IGES (.iges, .igs) or OpenCASCADE's BREP (.brep, .brp).
+/// Vertices of equal coordinates become one vertex and vertices that no triangle uses are dropped, so that
+/// neighbouring triangles share indices whatever the format. Throws Error(kInput) naming the file, the place
+/// in it and the mend.
+///
+/// Files of polygons: these are cut into triangles in their own plane; whatever else there is (colours,
+/// normals, materials, groups) is passed over; triangles without area stay in.
+///
+/// CAD files: the mesh has faces, solids, corner normals and creases, in millimetres where the format has
+/// units. Faces look out of their solid; faces and shells of no solid are sewn together where they meet, and
+/// each shell counts as a solid of its own. The first such file loads the module with OpenCASCADE in it,
+/// where Crossgrain was built with one. One file is read at a time, and what the process writes to std::cout,
+/// std::cerr and std::clog meanwhile is lost, since OpenCASCADE talks there. The result depends on nothing
+/// but the file and the options; of these Error(kUsage) for angles and errors out of range.
+TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// The solid in a tet mesh file: Medit in text (.mesh). Vertices and tets stand in the order of the file,
 /// those that are unused, inverted or without volume too; tags and elements of fewer dimensions are passed

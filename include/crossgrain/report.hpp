@@ -20,6 +20,8 @@ struct SolveReport {
     Box bounding_box{};
     bool watertight = false;     ///< every edge has two triangles, running along it in opposite directions
     std::size_t components = 0;  ///< of triangles connected through edges
+    std::string unit = {};       ///< TriangleMesh::unit and file_unit; empty where the file does not say
+    std::string file_unit = {};
   } model;
 
   int degree = 4;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace crossgrain {
@@ -27,7 +28,7 @@ struct CreaseCurve {
 /// A surface: triangles that index vertices. Nothing is required of it but that indices are in range and
 /// coordinates are finite; it may be open, flipped, non-manifold or a soup.
 ///
-/// The other members say what the file knew besides. Each is empty, or has an entry for every triangle.
+/// The other members say what the file knew besides. Those of triangles are empty, or have an entry for each.
 struct TriangleMesh {
   std::vector<Vector3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -44,6 +45,15 @@ struct TriangleMesh {
 
   /// Sharp edges that the file knows. Not one a triangle: any number.
   std::vector<CreaseCurve> creases = {};
+
+  /// The unit of the coordinates, such as "mm", and the one that the file itself is in, from which they were
+  /// converted. Empty where the file does not say.
+  std::string unit = {};
+  std::string file_unit = {};
+
+  /// What reading found: one sentence each for what to know before trusting the surface. A solve passes them
+  /// on to its report.
+  std::vector<std::string> warnings = {};
 };
 
 /// A solid cut into tets that index vertices, of either orientation.

@@ -54,6 +54,8 @@ SolveReport::Model describe(const TriangleMesh& mesh, const Surface& surface,
   model.bounding_box = surface.box;
   model.watertight = topology.watertight;
   model.components = topology.components;
+  model.unit = mesh.unit;
+  model.file_unit = mesh.file_unit;
   return model;
 }
 
@@ -121,6 +123,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
       singularity_graph(solved.level.tree, solved.frames, solved.open_faces, solved.near_sharp_turn).counts();
   data->report.model = describe(mesh, surface, topology);
   if (data->report.limited) data->report.warnings = {memory_warning(data->report)};
+  data->report.warnings.insert(data->report.warnings.end(), mesh.warnings.begin(), mesh.warnings.end());
   const std::vector<std::string> faults = surface_warnings(surface, topology);
   data->report.warnings.insert(data->report.warnings.end(), faults.begin(), faults.end());
   const std::vector<std::string> unresolved = resolution_warnings(data->report);

@@ -40,6 +40,8 @@ void describe_input(File& file, Report& report) {
     });
     model.member("watertight", report.model.watertight);
     model.member("components", report.model.components);
+    model.text("unit", report.model.unit);
+    model.text("file_unit", report.model.file_unit);
   });
   file.member("degree", report.degree);
   file.member("resolution", report.resolution);
@@ -178,6 +180,11 @@ class JsonWriter {
     json_[key] = value ? Json(*value) : Json(nullptr);
   }
 
+  /// A text that may be empty: then no such key.
+  void text(const char* key, const std::string& value) {
+    if (!value.empty()) json_[key] = value;
+  }
+
   template <class Members>
   void object(const char* key, const Members& members) {
     JsonWriter inner(json_[key] = Json::object());
@@ -225,6 +232,11 @@ class JsonReader {
   void member(const char* key, std::optional<double>& value) {
     value.reset();
     if (!require(key).is_null()) member(key, value.emplace());
+  }
+
+  void text(const char* key, std::string& value) {
+    value.clear();
+    if (json_.is_object() && json_.contains(key)) member(key, value);
   }
 
   template <class T, class Describe>

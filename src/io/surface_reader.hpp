@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The readers of surface files. Each takes a whole file and gives its surface as it stands there, polygons
-// cut, vertices not welded; all throw Error(kInput) with the file, the place and the mend. A new format is a
-// file with such a function and a row of the table in surface_reader.cpp.
+// and CAD faces cut, vertices not welded; all throw Error(kInput) with the file, the place and the mend. A
+// new format is a file with such a function and a row of the table in surface_reader.cpp.
 #pragma once
 
 #include "crossgrain/io.hpp"
@@ -21,5 +21,11 @@ TriangleMesh read_ply(const InputFile& file);
 
 /// Geomview OFF in text, with whatever colours, normals and texture coordinates (COFF, NOFF, STOFF).
 TriangleMesh read_off(const InputFile& file);
+
+/// STEP (AP203, AP214, AP242), IGES 5 and OpenCASCADE's own BREP, in text or binary, through the module
+/// (io/cad_module.hpp).
+TriangleMesh read_step(const InputFile& file, const ReadOptions& options);
+TriangleMesh read_iges(const InputFile& file, const ReadOptions& options);
+TriangleMesh read_brep(const InputFile& file, const ReadOptions& options);
 
 }  // namespace crossgrain

@@ -26,6 +26,26 @@ double largest_component(const Vector3& a, const Vector3& b) {
   return largest;
 }
 
+/// Whether a member with an entry a triangle has as many as it should.
+template <class T>
+void check_count(const std::vector<T>& entries, std::size_t triangles, const char* name) {
+  if (entries.empty() || entries.size() == triangles) return;
+  throw Error(ErrorKind::kInput, std::string(name) + " has " + std::to_string(entries.size()) +
+                                     " entries for " + std::to_string(triangles) +
+                                     " triangles; give one for each, or none");
+}
+
+/// Moves the entry of triangle `from` to `to`, where there are entries.
+template <class T>
+void move_entry(std::vector<T>& entries, std::size_t from, std::size_t to) {
+  if (!entries.empty()) entries[to] = entries[from];
+}
+
+template <class T>
+void shorten(std::vector<T>& entries, std::size_t size) {
+  if (!entries.empty()) entries.resize(size);
+}
+
 Box box_of_triangles(const TriangleMesh& mesh) {
   std::vector<Vector3> used;
   used.reserve(3 * mesh.triangles.size());
@@ -59,6 +79,9 @@ void check_mesh(const TriangleMesh& mesh) {
                                          " vertices; export the mesh again or remove that triangle");
     }
   }
+  check_count(mesh.faces, mesh.triangles.size(), "faces");
+  check_count(mesh.solids, mesh.triangles.size(), "solids");
+  check_count(mesh.corner_normals, mesh.triangles.size(), "corner_normals");
 }
 
 TriangleShape shape_of(const std::array<Vector3, 3>& corners) {
@@ -95,15 +118,25 @@ Surface prepare_surface(TriangleMesh mesh) {
   parallel_for(count, [&](std::size_t t) { shapes[t] = shape_of(surface.corners(t)); });
 
   auto& triangles = surface.mesh.triangles;
+  auto& faces = surface.mesh.faces;
+  auto& solids = surface.mesh.solids;
+  auto& corner_normals = surface.mesh.corner_normals;
   surface.normals.reserve(count);
   surface.areas.reserve(count);
   for (std::size_t t = 0; t < count; ++t) {
     if (shapes[t].area == 0) continue;
-    triangles[surface.areas.size()] = triangles[t];
+    const std::size_t kept = surface.areas.size();
+    triangles[kept] = triangles[t];
+    move_entry(faces, t, kept);
+    move_entry(solids, t, kept);
+    move_entry(corner_normals, t, kept);
     surface.normals.push_back(shapes[t].normal);
     surface.areas.push_back(shapes[t].area);
   }
   triangles.resize(surface.areas.size());
+  shorten(faces, triangles.size());
+  shorten(solids, triangles.size());
+  shorten(corner_normals, triangles.size());
   surface.degenerate_triangles = count - triangles.size();
   if (triangles.empty()) {
     throw Error(ErrorKind::kInput, count == 0

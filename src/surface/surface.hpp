@@ -13,7 +13,7 @@ namespace crossgrain {
 /// Triangles of positive area, each with its unit normal. Plain data that nothing changes after
 /// `prepare_surface`; safe to read from any number of threads.
 struct Surface {
-  TriangleMesh mesh;             ///< vertices as given; only triangles of positive area, in the order given
+  TriangleMesh mesh;             ///< as given, but only triangles of positive area, in the order given
   std::vector<Vector3> normals;  ///< per triangle, by the right-hand rule over its corners
   std::vector<double> areas;     ///< per triangle, in squared model units, > 0
   Box box;                       ///< of the corners of `mesh.triangles`; vertices nobody uses do not count
@@ -40,7 +40,8 @@ struct Surface {
 /// not overflow). The message names the vertex, counted from 0.
 void check_vertices(const std::vector<Vector3>& vertices);
 
-/// The same, and that every index is in range; that message names the triangle.
+/// The same, and that every index is in range, where the message names the triangle, and that what has an
+/// entry a triangle has as many.
 void check_mesh(const TriangleMesh& mesh);
 
 /// Normal and area of a triangle; the area is 0 (and the normal {0, 0, 0}) where the corners are collinear to

@@ -58,6 +58,13 @@ TriangleMesh weld(const TriangleMesh& mesh) {
   welded.triangles.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles)
     welded.triangles.push_back({new_index[first[a]], new_index[first[b]], new_index[first[c]]});
+  welded.faces = mesh.faces;
+  welded.solids = mesh.solids;
+  welded.corner_normals = mesh.corner_normals;
+  welded.creases = mesh.creases;
+  welded.unit = mesh.unit;
+  welded.file_unit = mesh.file_unit;
+  welded.warnings = mesh.warnings;
   return welded;
 }
 

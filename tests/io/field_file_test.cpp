@@ -100,6 +100,8 @@ TEST(ReportFile, GivesTheReportBack) {
   EXPECT_EQ(read.model.path, written.model.path);
   EXPECT_EQ(read.model.bounding_box.high, written.model.bounding_box.high);
   EXPECT_TRUE(read.model.watertight);
+  EXPECT_EQ(read.model.unit, written.model.unit);
+  EXPECT_EQ(read.model.file_unit, written.model.file_unit);
   EXPECT_EQ(read.resolution, written.resolution);
   ASSERT_EQ(read.levels.size(), 2u);
   EXPECT_EQ(read.levels[1].energy, written.levels[1].energy);

@@ -43,9 +43,9 @@ TEST(ReadSurface, NamesAFileItMayNotRead) {
 }
 
 TEST(ReadSurface, RefusesAnExtensionItDoesNotKnow) {
-  EXPECT_NE(input_error_as("a.xyz", "1 2 3").find(".stl, .obj, .ply or .off"), std::string::npos);
+  EXPECT_NE(input_error_as("a.xyz", "1 2 3").find(".stl, .obj, .ply, .off, .step"), std::string::npos);
   EXPECT_NE(input_error_as("a", kObj).find("no extension"), std::string::npos);
-  EXPECT_NE(input_error_as("a.step", "ISO-10303-21;\n").find("STEP"), std::string::npos);
+  EXPECT_NE(input_error_as("a.sat", "ISO-10303-21;\n").find("STEP"), std::string::npos);
 }
 
 TEST(ReadSurface, SaysWhatAFileUnderAWrongNameIs) {

@@ -70,6 +70,12 @@ class LayerCheck(unittest.TestCase):
         self.assert_no_fault("src/base/parallel.cpp", "<oneapi/tbb/parallel_for.h>")
         self.assert_one_fault("src/field/sweep.cpp", "<oneapi/tbb/parallel_for.h>")
 
+    def test_opencascade_stays_in_its_module(self):
+        self.assert_no_fault("src/io/cad/bodies.cpp", "<TopoDS_Shape.hxx>")
+        self.assert_no_fault("src/io/cad/bodies.cpp", '"io/cad/bodies.hpp"')
+        self.assert_one_fault("src/io/stl_reader.cpp", "<TopoDS_Shape.hxx>")
+        self.assert_one_fault("src/io/cad_reader.cpp", '"io/cad/bodies.hpp"')
+
 
 if __name__ == "__main__":
     unittest.main()

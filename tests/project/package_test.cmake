@@ -27,3 +27,14 @@ if(PROGRAM)
     message(FATAL_ERROR "the program was not installed below ${prefix}/bin")
   endif()
 endif()
+
+# The module is found from wherever the consumer was built, and says of what it cannot read. Not so under a
+# sanitizer, which looks for modules in its own name.
+if(CAD AND NOT CXX_FLAGS MATCHES "-fsanitize")
+  file(WRITE "${WORK_DIR}/damaged.brep" "DBRep_DrawableShape\n\nCASCADE Topology V1\nnonsense\n")
+  execute_process(COMMAND "${WORK_DIR}/build/consumer" "${WORK_DIR}/damaged.brep" OUTPUT_VARIABLE output
+                  COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT output MATCHES "damaged, or no BREP file")
+    message(FATAL_ERROR "the consumer did not find the module that reads CAD files: ${output}")
+  endif()
+endif()

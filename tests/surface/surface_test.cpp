@@ -53,6 +53,31 @@ TEST(Surface, DropsTrianglesWithoutAreaIntoACount) {
   EXPECT_EQ(surface.normals.size(), 1u);
 }
 
+TEST(Surface, KeepsInStepWhatAFileKnowsOfTriangles) {
+  TriangleMesh mesh = one_triangle();
+  mesh.vertices.push_back({1, 0, 0});
+  mesh.triangles = {{0, 3, 1}, {0, 1, 2}, {1, 1, 2}, {3, 1, 2}};
+  mesh.faces = {1, 2, 3, 4};
+  mesh.solids = {5, 6, 7, 8};
+  for (const double z : {1.0, 2.0, 3.0, 4.0})
+    mesh.corner_normals.push_back({Vector3{0, 0, z}, {0, 0, z}, {0, 0, z}});
+  mesh.creases = {{{{0, 0, 0}, {2, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}, 9}};
+  const Surface surface = prepare_surface(mesh);
+  EXPECT_EQ(surface.mesh.faces, (std::vector<std::int32_t>{2, 4}));
+  EXPECT_EQ(surface.mesh.solids, (std::vector<std::int32_t>{6, 8}));
+  ASSERT_EQ(surface.mesh.corner_normals.size(), 2u);
+  EXPECT_EQ(surface.mesh.corner_normals[0][2][2], 2);
+  EXPECT_EQ(surface.mesh.corner_normals[1][0][2], 4);
+  ASSERT_EQ(surface.mesh.creases.size(), 1u);
+  EXPECT_EQ(surface.mesh.creases[0].tag, 9);
+}
+
+TEST(Surface, RefusesEntriesThatAreNotOneATriangle) {
+  TriangleMesh mesh = one_triangle();
+  mesh.faces = {1, 2};
+  EXPECT_NE(complaint(mesh).find("faces has 2 entries for 1 triangles"), std::string::npos);
+}
+
 TEST(Surface, KeepsANeedleThatHasADirection) {
   TriangleMesh mesh = one_triangle();
   mesh.vertices[2] = {1, 1e-9, 0};

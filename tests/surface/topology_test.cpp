@@ -42,6 +42,30 @@ TEST(Weld, KeepsATriangleWhoseCornersFallTogether) {
   EXPECT_EQ(weld(mesh).triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 0, 1}}));
 }
 
+TEST(Weld, KeepsWhatAFileKnowsOfTriangles) {
+  TriangleMesh mesh = to_soup(make_box({1, 1, 1}));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto number = static_cast<std::int32_t>(t);
+    mesh.faces.push_back(number);
+    mesh.solids.push_back(-number);
+    mesh.corner_normals.push_back({Vector3{1, 0, 0}, {0, 1, 0}, {0, 0, 1.0 * number}});
+  }
+  mesh.creases = {{{{0, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}, 7}};
+  mesh.unit = "mm";
+  mesh.file_unit = "inch";
+  mesh.warnings = {"a face is missing"};
+  const TriangleMesh welded = weld(mesh);
+  EXPECT_EQ(welded.faces, mesh.faces);
+  EXPECT_EQ(welded.solids, mesh.solids);
+  EXPECT_EQ(welded.corner_normals, mesh.corner_normals);
+  ASSERT_EQ(welded.creases.size(), 1u);
+  EXPECT_EQ(welded.creases[0].points, mesh.creases[0].points);
+  EXPECT_EQ(welded.creases[0].tag, 7);
+  EXPECT_EQ(welded.unit, "mm");
+  EXPECT_EQ(welded.file_unit, "inch");
+  EXPECT_EQ(welded.warnings, mesh.warnings);
+}
+
 TEST(Topology, OfATetrahedronIsWatertight) {
   const SurfaceTopology topology = analyse_topology(
       {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});

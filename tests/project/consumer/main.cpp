@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solves for a cube with an installed Crossgrain: the headers, the library and all that it links must be
-// there.
+// there. With a FILE it says what reading that gives.
 #include <cmath>
 #include <crossgrain/crossgrain.hpp>
 #include <cstdio>
@@ -25,7 +25,15 @@ crossgrain::TriangleMesh cube() {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  if (argc > 1) {
+    try {
+      std::printf("%zu triangles\n", crossgrain::read_surface(argv[1]).triangles.size());
+    } catch (const crossgrain::Error& error) {
+      std::printf("%s\n", error.what());
+    }
+    return 0;
+  }
   crossgrain::SolveOptions options;
   options.resolution = 8;
   const crossgrain::FrameField field = crossgrain::solve(cube(), options);

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes small CAD files, whose measures are known, to a folder: make_cad_files FOLDER
+#include <BOPAlgo_Builder.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+#include <IGESControl_Writer.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <gp_Pln.hxx>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace {
+
+TopoDS_Shape box(const gp_Pnt& low, const gp_Pnt& high) {
+  return BRepPrimAPI_MakeBox(low, high).Shape();
+}
+
+/// 40 by 30 by 10 with a hole of radius 5 through it.
+TopoDS_Shape plate() {
+  const gp_Ax2 axis(gp_Pnt(20, 15, -1), gp_Dir(0, 0, 1));
+  return BRepAlgoAPI_Cut(box({0, 0, 0}, {40, 30, 10}), BRepPrimAPI_MakeCylinder(axis, 5, 12).Shape()).Shape();
+}
+
+/// 20 by 20 by 20, all edges rounded with radius 3.
+TopoDS_Shape rounded_box() {
+  const TopoDS_Shape sharp = box({0, 0, 0}, {20, 20, 20});
+  BRepFilletAPI_MakeFillet fillet(sharp);
+  for (TopExp_Explorer edges(sharp, TopAbs_EDGE); edges.More(); edges.Next())
+    fillet.Add(3, TopoDS::Edge(edges.Current()));
+  return fillet.Shape();
+}
+
+/// Boxes of 10 by 10 by 10 and 5 by 10 by 10 with one face in common, which both of them have.
+TopoDS_Shape glued_boxes() {
+  BOPAlgo_Builder builder;
+  builder.AddArgument(box({0, 0, 0}, {10, 10, 10}));
+  builder.AddArgument(box({10, 0, 0}, {15, 10, 10}));
+  builder.Perform();
+  return builder.Shape();
+}
+
+/// The same box twice, once as it is and once turned by a right angle about z and moved by 100 along x: from
+/// 90 to 100 along x.
+TopoDS_Shape assembly() {
+  const TopoDS_Shape part = box({0, 0, 0}, {20, 10, 5});
+  gp_Trsf turn, move;
+  turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), M_PI / 2);
+  move.SetTranslation(gp_Vec(100, 0, 0));
+  const BRep_Builder builder;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  builder.Add(compound, part);
+  builder.Add(compound, part.Moved(TopLoc_Location(move * turn)));
+  return compound;
+}
+
+/// A solid whose faces look inwards.
+TopoDS_Shape inside_out() {
+  const BRep_Builder builder;
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  for (TopExp_Explorer shells(box({0, 0, 0}, {1, 2, 3}), TopAbs_SHELL); shells.More(); shells.Next())
+    builder.Add(solid, shells.Current().Reversed());
+  return solid;
+}
+
+/// The faces of a box, all but the first `missing`, as a shell or each by itself.
+TopoDS_Shape faces_of_box(int missing, bool as_shell) {
+  const BRep_Builder builder;
+  TopoDS_Shell shell;
+  TopoDS_Compound compound;
+  builder.MakeShell(shell);
+  builder.MakeCompound(compound);
+  for (TopExp_Explorer faces(box({0, 0, 0}, {1, 2, 3}), TopAbs_FACE); faces.More(); faces.Next()) {
+    if (missing-- > 0) continue;
+    builder.Add(as_shell ? static_cast<TopoDS_Shape&>(shell) : compound, faces.Current());
+  }
+  return as_shell ? static_cast<TopoDS_Shape>(shell) : compound;
+}
+
+class Folder {
+ public:
+  explicit Folder(std::string path) : path_(std::move(path)) {}
+
+  void brep(const TopoDS_Shape& shape, const char* name) const {
+    check(BRepTools::Write(shape, (path_ + name).c_str()), name);
+  }
+  void binary_brep(const TopoDS_Shape& shape, const char* name) const {
+    check(BinTools::Write(shape, (path_ + name).c_str()), name);
+  }
+  void step(const TopoDS_Shape& shape, const char* name, const char* unit) const {
+    // The writer looks at its settings when it is made, and there are none before that.
+    STEPControl_Controller::Init();
+    Interface_Static::SetCVal("write.step.unit", unit);
+    STEPControl_Writer writer;
+    check(writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone, name);
+    check(writer.Write((path_ + name).c_str()) == IFSelect_RetDone, name);
+  }
+  void iges(const TopoDS_Shape& shape, const char* name, const char* unit, bool as_solids) const {
+    IGESControl_Writer writer(unit, as_solids ? 1 : 0);
+    check(writer.AddShape(shape), name);
+    check(writer.Write((path_ + name).c_str()), name);
+  }
+
+ private:
+  static void check(bool done, const char* name) {
+    if (!done) throw std::runtime_error(std::string(name) + " could not be written");
+  }
+  std::string path_;
+};
+
+void write_all(const Folder& folder) {
+  folder.step(plate(), "plate.step", "MM");
+  folder.step(plate(), "inch.stp", "INCH");
+  folder.iges(plate(), "plate.iges", "MM", true);
+  folder.iges(plate(), "inch.igs", "IN", true);
+  folder.iges(plate(), "faces.iges", "MM", false);
+  folder.brep(plate(), "plate.brep");
+  folder.binary_brep(plate(), "plate.brp");
+  const gp_Ax2 axis(gp_Pnt(3, 4, 5), gp_Dir(0, 0, 1));
+  folder.brep(box({0, 0, 0}, {1, 2, 3}), "box.brep");
+  folder.brep(BRepPrimAPI_MakeCylinder(axis, 5, 20).Shape(), "cylinder.brep");
+  folder.step(BRepPrimAPI_MakeCylinder(axis, 5, 20).Shape(), "cylinder.step", "MM");
+  folder.brep(BRepPrimAPI_MakeCone(axis, 5, 0, 10).Shape(), "cone.brep");
+  folder.brep(BRepPrimAPI_MakeSphere(axis, 5).Shape(), "sphere.brep");
+  folder.brep(rounded_box(), "rounded.brep");
+  folder.brep(glued_boxes(), "glued.brep");
+  folder.brep(assembly(), "assembly.brep");
+  folder.step(assembly(), "assembly.step", "MM");
+  folder.brep(inside_out(), "inside_out.brep");
+  folder.brep(faces_of_box(0, true), "shell.brep");
+  folder.brep(faces_of_box(0, false), "loose.brep");
+  folder.brep(faces_of_box(1, true), "open.brep");
+  folder.brep(BRepBuilderAPI_MakeFace(gp_Pln()).Shape(), "endless.brep");
+  folder.brep(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Shape(), "curve.brep");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  write_all(Folder(std::string(argv[1]) + "/"));
+  return 0;
+}
