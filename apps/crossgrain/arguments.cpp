@@ -130,8 +130,8 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   command
       ->add_option(
           "MODEL", arguments.model,
-          "The surface, an STL, OBJ, PLY or OFF file; or a tet mesh, a Medit .mesh file, whose boundary "
-          "is the surface")
+          "The surface, an STL, OBJ, PLY or OFF file; or a tet mesh (Medit .mesh or .meshb, Gmsh .msh, VTK "
+          ".vtk or .vtu), whose boundary is the surface")
       ->required()
       ->type_name("");
   command->add_option("-o,--output", arguments.output, "Folder to write (default: MODEL-stem.frames here)")

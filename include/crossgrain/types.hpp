@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace crossgrain {
@@ -16,8 +17,8 @@ struct Box {
   Vector3 high;
 };
 
-/// A curve on a surface that frames are to run along: a polyline with the tangent of the true curve at each of
-/// its points.
+/// A curve on a surface that frames are to run along: a polyline with the tangent of the true curve at each
+/// of its points.
 struct CreaseCurve {
   std::vector<Vector3> points;
   std::vector<Vector3> tangents;  ///< unit vectors, one a point
@@ -66,6 +67,9 @@ struct TetMesh {
   std::vector<std::int32_t> regions = {};  ///< the number of each tet's region; empty where the file has none
   std::vector<Edge> feature_edges = {};
   std::vector<Face> feature_faces = {};
+
+  /// One sentence each for what a reader did not take as it stands in the file.
+  std::vector<std::string> warnings = {};
 };
 
 /// Three orthonormal axes, right-handed. As an octahedral frame it stands for itself and the 23 other
