@@ -46,6 +46,7 @@ std::optional<TetDomain> read_domain(const SolveArguments& arguments) {
   const std::string& file = arguments.onto.empty() ? arguments.model : arguments.onto;
   if (!is_tet_file(file) && arguments.onto.empty()) return std::nullopt;
   TetMesh mesh = read_tets(file);
+  for (const std::string& warning : mesh.warnings) print_message("warning: " + file + ": " + warning);
   return naming(file, arguments, [&] { return TetDomain(std::move(mesh)); });
 }
 

@@ -54,10 +54,14 @@ struct ReadOptions {
 /// but the file and the options; of these Error(kUsage) for angles and errors out of range.
 TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// The solid in a tet mesh file: Medit in text (.mesh). Vertices and tets stand in the order of the file,
-/// those that are unused, inverted or without volume too; tags and elements of fewer dimensions are passed
-/// over. Throws Error(kInput) naming the file, the place in it and the mend, also where there are no tets or
-/// solid elements of other shapes.
+/// The solid in a tet mesh file. The extension names the format, in either case: Medit (.mesh in text, .meshb
+/// in binary), Gmsh (.msh, version 2 or 4.1), VTK (.vtk, .vtu); text or binary, whatever these formats allow.
+/// Vertices and tets stand in the order of the file, those that are unused, inverted or without volume too.
+/// Tets of higher order count as straight, with a warning. Regions and the tags of edges and triangles are
+/// reference numbers (Medit), physical groups or else entities (Gmsh), or an array of cell data (VTK:
+/// CellEntityIds or the like, docs/command-line.md); all edges and triangles that a file has are features,
+/// unless its Ridges (Medit) choose among the edges. Throws Error(kInput) naming the file, the place in it
+/// and the mend, also where there are no tets or solid elements of other shapes.
 TetMesh read_tets(const std::filesystem::path& path);
 
 /// Whether `read_tets`, and not `read_surface`, takes a file of this name, by its extension.

@@ -32,7 +32,7 @@ class TetDomain {
   /// make it tiny.
   double typical_edge_length() const;
 
-  /// One sentence each for what was mended or is odd, ready for a reader.
+  /// One sentence each for what was mended or is odd, ready for a reader; those of the mesh first.
   const std::vector<std::string>& warnings() const;
 
   /// The representation behind it, for the library itself.

@@ -76,6 +76,9 @@ struct TetMesh {
   std::vector<std::int32_t> regions = {};  ///< the number of each tet's region; empty where the file has none
   std::vector<Edge> feature_edges = {};
   std::vector<Face> feature_faces = {};
+
+  /// One sentence each for what a reader did not take as it stands in the file.
+  std::vector<std::string> warnings = {};
 };
 
 /// Three orthonormal axes, right-handed. As an octahedral frame it stands for itself and the 23 other

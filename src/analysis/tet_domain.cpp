@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "analysis/tet_domain_data.hpp"
 #include "base/vector3.hpp"
@@ -24,6 +25,7 @@ double edge_of_mean_tet(const TetMesh& mesh) {
 
 TetDomain::TetDomain(TetMesh mesh) {
   auto data = std::make_shared<TetDomainData>();
+  data->warnings = std::move(mesh.warnings);
   data->solid = prepare_tets(std::move(mesh), data->warnings);
   data->edges = stiffness_edges(data->solid.mesh);
   data->boundary = classify_boundary_vertices(data->solid);

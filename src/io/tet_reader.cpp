@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "crossgrain/error.hpp"
+#include "io/file_signature.hpp"
 #include "io/text_scanner.hpp"
 
 namespace crossgrain {
@@ -18,7 +20,8 @@ struct TetFormat {
 };
 
 constexpr std::array kTetFormats = {
-    TetFormat{".mesh", read_medit},
+    TetFormat{".mesh", read_medit}, TetFormat{".meshb", read_medit_binary}, TetFormat{".msh", read_gmsh},
+    TetFormat{".vtk", read_vtk},    TetFormat{".vtu", read_vtu_tets},
 };
 
 const TetFormat* format_of(const std::filesystem::path& path) {
@@ -31,6 +34,15 @@ const TetFormat* format_of(const std::filesystem::path& path) {
 
 }  // namespace
 
+std::string tet_extensions() {
+  std::string list;
+  for (std::size_t i = 0; i < kTetFormats.size(); ++i) {
+    const char* const between = i == 0 ? "" : i + 1 < kTetFormats.size() ? ", " : " or ";
+    list += fmt::format("{}{}", between, kTetFormats[i].extension);
+  }
+  return list;
+}
+
 bool is_tet_file(const std::filesystem::path& path) {
   return format_of(path) != nullptr;
 }
@@ -40,9 +52,14 @@ TetMesh read_tets(const std::filesystem::path& path) {
   const TetFormat* format = format_of(path);
   if (format == nullptr)
     fail_input(file, {},
-               fmt::format("no reader for tets in {} files; give a Medit mesh in text, *.mesh",
-                           in_quotes(path.extension().string())));
-  return format->read(file);
+               fmt::format("no reader for tets in {} files; give them as {}",
+                           in_quotes(path.extension().string()), tet_extensions()));
+  try {
+    return format->read(file);
+  } catch (const Error&) {
+    fail_if_misnamed(file, format->extension);
+    throw;
+  }
 }
 
 }  // namespace crossgrain

@@ -30,8 +30,9 @@ double out_of_range_value(std::string_view word) {
 
 }  // namespace
 
-TextScanner::TextScanner(const InputFile& file, Syntax syntax, std::size_t begin, std::size_t line)
-    : file_(&file), text_(file.bytes()), syntax_(syntax), position_(begin), line_(line) {
+TextScanner::TextScanner(const InputFile& file, Syntax syntax, std::size_t begin, std::size_t line,
+                         std::size_t end)
+    : file_(&file), text_(file.bytes().substr(0, end)), syntax_(syntax), position_(begin), line_(line) {
   // Some editors put a byte order mark before UTF-8 text.
   if (begin == 0 && text_.starts_with("\xEF\xBB\xBF")) position_ = 3;
 }

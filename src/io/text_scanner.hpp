@@ -17,8 +17,10 @@ class TextScanner {
     bool continuations = false;  ///< a backslash at the end of a line joins it with the next one
   };
 
-  /// Starts at byte `begin`, which lies on line `line`. The file must outlive the scanner.
-  TextScanner(const InputFile& file, Syntax syntax, std::size_t begin = 0, std::size_t line = 1);
+  /// Starts at byte `begin`, which lies on line `line`, and takes `end` for the end of the file where that
+  /// comes earlier. The file must outlive the scanner.
+  TextScanner(const InputFile& file, Syntax syntax, std::size_t begin = 0, std::size_t line = 1,
+              std::size_t end = std::string_view::npos);
 
   /// The next word of this line; empty at its end.
   std::string_view word();
@@ -39,6 +41,7 @@ class TextScanner {
   std::size_t position() const { return position_; }
   std::size_t bytes_left() const { return text_.size() - position_; }
   Place place() const { return at_line(line_); }
+  const InputFile& file() const { return *file_; }
 
   /// Throws Error(kInput) that names this line.
   [[noreturn]] void fail(const std::string& message) const { fail_input(*file_, place(), message); }

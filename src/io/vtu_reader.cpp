@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <atomic>
@@ -13,6 +12,7 @@
 #include <charconv>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
@@ -24,10 +24,6 @@ namespace {
 /// More than any header needs that lists some dozens of arrays.
 constexpr std::size_t kLongestHeader = 1 << 20;
 
-/// Deflate cannot shrink data further than about 1032:1, so what claims to is damaged; asked before memory is
-/// taken for it.
-constexpr std::uint64_t kLargestRatio = 1040;
-
 constexpr std::string_view kDataTag = "<AppendedData";
 
 std::optional<std::uint64_t> parse_count(std::string_view text) {
@@ -35,19 +31,6 @@ std::optional<std::uint64_t> parse_count(std::string_view text) {
   const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code != std::errc() || stop != text.data() + text.size()) return std::nullopt;
   return value;
-}
-
-std::optional<VtuType> parse_type(std::string_view name) {
-  for (const VtuTypeInfo& info : kVtuTypes) {
-    if (info.name == name) return info.type;
-  }
-  return std::nullopt;
-}
-
-std::optional<VtuSection> parse_section(std::string_view name) {
-  const auto found = std::find(kVtuSectionNames.begin(), kVtuSectionNames.end(), name);
-  if (found == kVtuSectionNames.end()) return std::nullopt;
-  return static_cast<VtuSection>(found - kVtuSectionNames.begin());
 }
 
 }  // namespace
@@ -123,7 +106,7 @@ void VtuFile::parse_header(const std::string& header) {
     } else if (tag->name == "AppendedData") {
       is_raw = tag->attribute("encoding") == "raw";
     } else if (tag->name == "DataArray") {
-      const auto type = parse_type(tag->attribute("type"));
+      const auto type = vtu_type_named(tag->attribute("type"));
       const auto offset = parse_count(tag->attribute("offset"));
       // One component is what VTK takes where none is stated.
       const std::string_view stated = tag->attribute("NumberOfComponents");
@@ -131,7 +114,7 @@ void VtuFile::parse_header(const std::string& header) {
       if (!section || !type || !offset || !components || *components == 0 || *components > file_bytes_)
         fail(kForeign);
       arrays_.push_back({*section, std::string(tag->attribute("Name")), *type, *components, *offset});
-    } else if (const auto opened = parse_section(tag->name)) {
+    } else if (const auto opened = vtu_section_named(tag->name)) {
       section = opened;
     }
   }
@@ -157,7 +140,7 @@ const VtuFile::Array& VtuFile::require(VtuSection section, std::string_view name
   return *array;
 }
 
-VtuFile::Blocks VtuFile::locate(const Array& array) const {
+ZlibBlocks VtuFile::locate(const Array& array) const {
   const auto check = [&](bool sound) {
     if (!sound)
       fail(
@@ -168,47 +151,30 @@ VtuFile::Blocks VtuFile::locate(const Array& array) const {
   check(array.offset <= data_bytes && data_bytes - array.offset >= 3 * kWord);
   std::array<std::uint64_t, 3> head;  // blocks, bytes of a block, bytes of a shorter last block
   read_at(data_begin_ + array.offset, head.data(), sizeof head);
-  const auto [count, block_bytes, last_bytes] = head;
+  const std::uint64_t count = head[0];
   check(count <= (data_bytes - array.offset - 3 * kWord) / kWord);
-  check(last_bytes <= block_bytes && (count == 0 || block_bytes > 0));
-
-  Blocks blocks;
-  blocks.block_bytes = block_bytes;
-  blocks.begins.resize(count + 1);
   std::vector<std::uint64_t> sizes(count);
   const std::uint64_t sizes_begin = data_begin_ + array.offset + 3 * kWord;
   read_at(sizes_begin, sizes.data(), count * kWord);
-  blocks.begins[0] = sizes_begin + count * kWord;
-  const std::uint64_t last_block_bytes = last_bytes > 0 ? last_bytes : block_bytes;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint64_t raw_bytes = i + 1 < count ? block_bytes : last_block_bytes;
-    check(sizes[i] <= file_bytes_ - blocks.begins[i] && raw_bytes / kLargestRatio <= sizes[i]);
-    blocks.begins[i + 1] = blocks.begins[i] + sizes[i];
-  }
-  if (count > 0) blocks.raw_bytes = (count - 1) * block_bytes + last_block_bytes;
+  std::optional<ZlibBlocks> blocks = zlib_blocks(head, sizes, sizes_begin + count * kWord, file_bytes_);
+  check(blocks.has_value());
 
   const std::uint64_t row_bytes = array.components * info_of(array.type).bytes;
-  check(blocks.raw_bytes % row_bytes == 0);
-  const std::uint64_t rows = blocks.raw_bytes / row_bytes;
+  check(blocks->raw_bytes % row_bytes == 0);
+  const std::uint64_t rows = blocks->raw_bytes / row_bytes;
   if (array.section == VtuSection::kPoints || array.section == VtuSection::kPointData) check(rows == points_);
   if (array.section == VtuSection::kCellData) check(rows == cells_);
-  return blocks;
+  return std::move(*blocks);
 }
 
-void VtuFile::inflate(const Array& array, const Blocks& blocks, char* out) const {
+void VtuFile::inflate(const Array& array, const ZlibBlocks& blocks, char* out) const {
   std::atomic<bool> sound{true};
-  const std::size_t count = blocks.begins.size() - 1;
   parallel_for(
-      count,
+      blocks.count(),
       [&](std::size_t i) {
         std::vector<unsigned char> compressed(blocks.begins[i + 1] - blocks.begins[i]);
         read_at(blocks.begins[i], compressed.data(), compressed.size());
-        const std::uint64_t begin = i * blocks.block_bytes;
-        const std::uint64_t expected = std::min(blocks.block_bytes, blocks.raw_bytes - begin);
-        uLongf got = expected;
-        const int code = uncompress(reinterpret_cast<unsigned char*>(out + begin), &got, compressed.data(),
-                                    compressed.size());
-        if (code != Z_OK || got != expected) sound = false;
+        if (!inflate_block(compressed, out + blocks.raw_begin(i), blocks.raw_size(i))) sound = false;
       },
       1);
   if (!sound)

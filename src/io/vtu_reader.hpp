@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/vtu_types.hpp"
+#include "io/zlib_blocks.hpp"
 
 namespace crossgrain {
 
@@ -43,24 +44,18 @@ class VtuFile {
   template <class T>
   std::vector<T> read(VtuSection section, std::string_view name, std::size_t components) const {
     const Array& array = require(section, name, vtu_type_of<T>(), components);
-    const Blocks blocks = locate(array);
+    const ZlibBlocks blocks = locate(array);
     std::vector<T> values(blocks.raw_bytes / sizeof(T));
     inflate(array, blocks, reinterpret_cast<char*>(values.data()));
     return values;
   }
 
  private:
-  struct Blocks {
-    std::uint64_t raw_bytes = 0;
-    std::uint64_t block_bytes = 0;
-    std::vector<std::uint64_t> begins;  ///< in the file; one more than there are blocks
-  };
-
   void parse_header(const std::string& header);
   std::string read_header() const;
   const Array& require(VtuSection section, std::string_view name, VtuType type, std::size_t components) const;
-  Blocks locate(const Array& array) const;
-  void inflate(const Array& array, const Blocks& blocks, char* out) const;
+  ZlibBlocks locate(const Array& array) const;
+  void inflate(const Array& array, const ZlibBlocks& blocks, char* out) const;
   void read_at(std::uint64_t offset, void* out, std::size_t bytes) const;
   [[noreturn]] void fail(const std::string& message) const;
 

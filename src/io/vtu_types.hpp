@@ -17,11 +17,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
+
+#include "io/number_type.hpp"
 
 namespace crossgrain {
 
-enum class VtuType { kFloat32, kFloat64, kInt32, kInt64, kUint8, kUint32, kUint64 };
+using VtuType = NumberType;
 
 struct VtuTypeInfo {
   VtuType type;
@@ -33,8 +36,16 @@ inline constexpr std::array kVtuTypes = {
     VtuTypeInfo{VtuType::kFloat32, "Float32", 4}, VtuTypeInfo{VtuType::kFloat64, "Float64", 8},
     VtuTypeInfo{VtuType::kInt32, "Int32", 4},     VtuTypeInfo{VtuType::kInt64, "Int64", 8},
     VtuTypeInfo{VtuType::kUint8, "UInt8", 1},     VtuTypeInfo{VtuType::kUint32, "UInt32", 4},
-    VtuTypeInfo{VtuType::kUint64, "UInt64", 8},
+    VtuTypeInfo{VtuType::kUint64, "UInt64", 8},   VtuTypeInfo{VtuType::kInt8, "Int8", 1},
+    VtuTypeInfo{VtuType::kInt16, "Int16", 2},     VtuTypeInfo{VtuType::kUint16, "UInt16", 2},
 };
+
+constexpr std::optional<VtuType> vtu_type_named(std::string_view name) {
+  for (const VtuTypeInfo& info : kVtuTypes) {
+    if (info.name == name) return info.type;
+  }
+  return std::nullopt;
+}
 
 constexpr const VtuTypeInfo& info_of(VtuType type) {
   return kVtuTypes[static_cast<std::size_t>(type)];
@@ -81,6 +92,13 @@ inline constexpr std::array<std::string_view, 5> kVtuSectionNames = {"FieldData"
 
 constexpr std::string_view name_of(VtuSection section) {
   return kVtuSectionNames[static_cast<std::size_t>(section)];
+}
+
+constexpr std::optional<VtuSection> vtu_section_named(std::string_view name) {
+  for (std::size_t i = 0; i < kVtuSectionNames.size(); ++i) {
+    if (kVtuSectionNames[i] == name) return static_cast<VtuSection>(i);
+  }
+  return std::nullopt;
 }
 
 }  // namespace crossgrain

@@ -179,16 +179,19 @@ void number_components(DisjointSets& connected, const std::vector<std::uint32_t>
 }
 
 /// Moves tets that are kept to the front; returns their new indices, kNoTet for the others.
-std::vector<std::uint32_t> keep_tets(Tets& tets, const std::vector<TetShape>& shapes,
+std::vector<std::uint32_t> keep_tets(TetMesh& mesh, const std::vector<TetShape>& shapes,
                                      const std::vector<std::uint8_t>& take) {
+  Tets& tets = mesh.tets;
   std::vector<std::uint32_t> new_index(tets.size(), kNoTet);
   std::uint32_t count = 0;
   for (std::size_t t = 0; t < tets.size(); ++t) {
     if (!take[t] || shapes[t] == TetShape::kFlat) continue;
     tets[count] = tets[t];
+    if (!mesh.regions.empty()) mesh.regions[count] = mesh.regions[t];
     new_index[t] = count++;
   }
   tets.resize(count);
+  if (!mesh.regions.empty()) mesh.regions.resize(count);
   return new_index;
 }
 
@@ -234,7 +237,7 @@ TetSolid prepare_tets(TetMesh mesh, std::vector<std::string>& warnings) {
   const TetFaces faces = faces_of_solid(mesh, take, warnings);
   TetSolid solid;
   solid.inverted_tets = inverted.count;
-  const std::vector<std::uint32_t> new_index = keep_tets(mesh.tets, shapes, take);
+  const std::vector<std::uint32_t> new_index = keep_tets(mesh, shapes, take);
   solid.left_out_tets = given - mesh.tets.size();
   solid.mesh = std::move(mesh);
   DisjointSets connected(given);

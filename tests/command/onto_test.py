@@ -21,7 +21,7 @@ from pathlib import Path
 import numpy as np
 
 from field_reader import read_arrays
-from program import PROGRAM, CommandTest, box_triangles, medit_text, stl_bytes, tet_box, tilt, torus_triangles
+from program import PROGRAM, CommandTest, box_triangles, medit_text, stl_bytes, tet_box, tilt, torus_triangles, vtk_text
 from recompute_onto import OntoRecomputation
 
 USAGE, INPUT, OUTPUT, INTERRUPTED = 2, 3, 4, 130
@@ -71,6 +71,26 @@ class TetsAsModel(OntoTest):
         self.assertEqual(sorted(onto), ONTO_KEYS)
         self.assertEqual((onto["vertices"], onto["tets"]), (len(vertices), len(tets)))
         self.assert_finite("box.frames")
+
+    def test_a_vtk_file_does_as_well(self):
+        vertices, tets = self.write_box()
+        self.write("box.vtk", vtk_text(vertices, tets))
+        self.solve("box.mesh", "--resolution", 16, folder="medit")
+        self.solve("box.vtk", "--resolution", 16, folder="vtk")
+        for name in ("field.vtu", "onto.frames", "onto.vtu"):
+            self.assertEqual((self.folder / "medit" / name).read_bytes(), (self.folder / "vtk" / name).read_bytes())
+
+    def test_warnings_of_a_reader_are_in_the_report_and_on_standard_error(self):
+        vertices, tets = tet_box()
+        # Of curved tets; whose nodes beyond the corners do not matter here.
+        curved = np.hstack([tets, tets, tets[:, :2]])
+        self.write("box.mesh", medit_text(vertices, curved).replace("Tetrahedra", "TetrahedraP2"))
+        result = self.run_here("solve", "box.mesh", "--resolution", 16, "--quiet", "-o", "out")
+        self.assert_succeeds(result)
+        warning = f"tets of higher order: {len(tets)};"
+        self.assertIn("warning: box.mesh: " + warning, result.stderr)
+        report = json.loads((self.folder / "out" / "report.json").read_text())
+        self.assertTrue(any(text.startswith(warning) for text in report["warnings"]), report["warnings"])
 
     def test_a_box_has_its_own_frame_at_every_vertex(self):
         vertices, tets = tet_box()
@@ -326,7 +346,7 @@ class Faults(OntoTest):
     def test_elements_of_other_shapes(self):
         vertices, tets = tet_box()
         hexahedra = "Hexahedra\n1\n1 2 3 4 5 6 7 8 0\nEnd\n"
-        self.refuse(medit_text(vertices, tets).replace("End\n", hexahedra), "1 Hexahedra")
+        self.refuse(medit_text(vertices, tets).replace("End\n", hexahedra), "1 hexahedra")
 
     def test_a_file_cut_short(self):
         text = medit_text(*tet_box())

@@ -137,6 +137,15 @@ def medit_text(vertices, tets):
                       str(len(elements)), *elements, "End", ""])
 
 
+def vtk_text(vertices, tets):
+    """A legacy VTK file."""
+    rows = [" ".join(repr(float(x)) for x in vertex) for vertex in vertices]
+    cells = [" ".join(str(i) for i in (4, *tet)) for tet in tets]
+    return "\n".join(["# vtk DataFile Version 3.0", "tets", "ASCII", "DATASET UNSTRUCTURED_GRID",
+                      f"POINTS {len(rows)} double", *rows, f"CELLS {len(cells)} {5 * len(cells)}", *cells,
+                      f"CELL_TYPES {len(cells)}", *["10"] * len(cells), ""])
+
+
 def tilt():
     """A rotation that has nothing to do with the coordinate axes."""
     quaternion = np.array([0.9, 0.3, -0.2, 0.25])

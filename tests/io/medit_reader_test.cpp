@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "io/temporary_folder.hpp"
@@ -90,6 +85,41 @@ TEST(MeditReader, IgnoresWhatFollowsEnd) {
   expect_corner_tet(read_text(kVertices + kTets + "End\n1 2 3 Vertices"));
 }
 
+TEST(MeditReader, TakesReferenceNumbersForTags) {
+  const TetMesh mesh =
+      read_text(kHeader + "Triangles 1 1 2 3 5\nEdges 1 3 4 -6\n" + kVertices + kTets + "End\n");
+  EXPECT_EQ(mesh.regions, std::vector<std::int32_t>{7});
+  ASSERT_EQ(mesh.feature_edges.size(), 1u);
+  EXPECT_EQ(mesh.feature_edges[0].vertices, (std::array<std::uint32_t, 2>{2, 3}));
+  EXPECT_EQ(mesh.feature_edges[0].tag, -6);
+  ASSERT_EQ(mesh.feature_faces.size(), 1u);
+  EXPECT_EQ(mesh.feature_faces[0].vertices, (std::array<std::uint32_t, 3>{0, 1, 2}));
+  EXPECT_EQ(mesh.feature_faces[0].tag, 5);
+}
+
+TEST(MeditReader, TakesOnlyEdgesThatAreRidges) {
+  const std::string edges = kVertices + kTets + "Edges 3\n1 2 5\n2 3 6\n3 4 7\n";
+  const TetMesh mesh = read_text("Ridges 2 3 1\n" + edges);
+  ASSERT_EQ(mesh.feature_edges.size(), 2u);
+  EXPECT_EQ(mesh.feature_edges[0].tag, 7);
+  EXPECT_EQ(mesh.feature_edges[1].tag, 5);
+  EXPECT_EQ(read_text(edges + "Ridges 0\n").feature_edges.size(), 3u);
+  for (const char* number : {"0", "4"})
+    expect_error(edges + "Ridges\n1\n" + number + "\n",
+                 fmt::format("a.mesh:15: Ridges name edge {}", number));
+}
+
+TEST(MeditReader, TakesTheCornersOfCurvedTetsAndWarns) {
+  const TetMesh mesh = read_text(kVertices + "TetrahedraP2 1\n1 2 3 4 1 1 1 1 1 1 7\n");
+  expect_corner_tet(mesh);
+  ASSERT_EQ(mesh.warnings.size(), 1u);
+  EXPECT_NE(mesh.warnings[0].find("tets of higher order: 1;"), std::string::npos);
+}
+
+TEST(MeditReader, RefusesTagsBeyond32Bits) {
+  expect_error(kVertices + "Tetrahedra 1\n1 2 3 4 2147483648\n", "a.mesh:8: the tag 2147483648 does not fit");
+}
+
 TEST(MeditReader, RefusesMoreRowsThanTheFileCanHold) {
   for (const char* count : {"353535235358", "99999999999999999999", "9", "-1", "4.5", "many"}) {
     expect_error(fmt::format("Vertices\n{}\n0 0 0 1\n1 0 0 1\n", count), "a.mesh:2: ");
@@ -125,8 +155,8 @@ TEST(MeditReader, RefusesRowsOfAnotherLength) {
 
 TEST(MeditReader, RefusesOtherSolidElements) {
   const std::string hexahedra = "Hexahedra\n1\n1 2 3 4 1 2 3 4 0\n";
-  expect_error(kHeader + kVertices + hexahedra + "End\n", "a.mesh:10: 1 Hexahedra, where only Tetrahedra");
-  expect_error(kHeader + kVertices + kTets + hexahedra + "End\n", "1 Hexahedra");
+  expect_error(kHeader + kVertices + hexahedra + "End\n", "a.mesh:10: 1 hexahedra, where only tets");
+  expect_error(kHeader + kVertices + kTets + hexahedra + "End\n", "1 hexahedra");
 }
 
 TEST(MeditReader, SaysWhatItMissesInASurfaceMesh) {
@@ -142,42 +172,9 @@ TEST(MeditReader, RefusesASecondSectionOfTheSameKind) {
 
 TEST(MeditReader, RefusesPlaneMeshesAndOtherFiles) {
   expect_error("MeshVersionFormatted 1\nDimension 2\n" + kVertices, "a.mesh:2: ");
-  expect_error("solid cube\n", "no Medit mesh");
-  expect_error(std::string_view("\x01\0\0\0\x03\0\0\0", 8), "no Medit mesh");
+  expect_error("cube\n", "no Medit mesh");
+  expect_error(std::string_view("\x01\0\0\0\x03\0\0\0", 8), "name it *.meshb");
   expect_error(" \n", "no Medit mesh");
-}
-
-TEST(ReadTets, GoesByTheExtension) {
-  EXPECT_TRUE(is_tet_file("folder/part.mesh"));
-  EXPECT_TRUE(is_tet_file("PART.MESH"));
-  for (const char* name : {"part.stl", "part", "mesh", "part.meshb", "part.mesh.xz"})
-    EXPECT_FALSE(is_tet_file(name));
-  const TemporaryFolder folder;
-  EXPECT_THROW(read_tets(folder.write("a.stl", kVertices + kTets)), Error);
-  EXPECT_THROW(read_tets(folder.path() / "missing.mesh"), Error);
-}
-
-// The models of the shared folder.
-
-TEST(SharedModels, MeditFilesHaveTheCountsOfTheManifest) {
-  const char* set = std::getenv("CROSSGRAIN_SHARED");
-  const auto models = std::filesystem::path(set != nullptr ? set : CROSSGRAIN_DEFAULT_SHARED) / "models";
-  std::size_t read = 0;
-  for (const char* folder : {"good", "bad"}) {
-    std::ifstream manifest(models / folder / "MANIFEST.tsv");
-    for (std::string line; std::getline(manifest, line);) {
-      std::istringstream row(line);
-      std::vector<std::string> fields;
-      for (std::string field; std::getline(row, field, '\t');) fields.push_back(field);
-      if (!is_tet_file(fields.at(0))) continue;
-      SCOPED_TRACE(fields[0]);
-      const TetMesh mesh = read_tets(models / folder / fields[0]);
-      EXPECT_EQ(std::to_string(mesh.vertices.size()), fields.at(3));
-      EXPECT_EQ(std::to_string(mesh.tets.size()), fields.at(5));
-      ++read;
-    }
-  }
-  if (read == 0) GTEST_SKIP() << "no tet meshes in " << models;
 }
 
 }  // namespace

@@ -155,6 +155,14 @@ TEST(TetSolid, LeavesOutRepeatedTets) {
   EXPECT_NEAR(enclosed_volume(boundary_surface(solid)), 2, 1e-14);
 }
 
+TEST(TetSolid, KeepsTheRegionsOfTheTetsThatStay) {
+  TetMesh mesh = octahedron_with_a_flat_tet();
+  mesh.tets.push_back(mesh.tets[2]);
+  mesh.regions = {1, 2, 3, 4, 5, 6};
+  std::vector<std::string> warnings;
+  EXPECT_EQ(prepare_tets(mesh, warnings).mesh.regions, (std::vector<std::int32_t>{2, 3, 4, 5}));
+}
+
 TEST(TetSolid, KeepsTheNumberingOfUnusedVertices) {
   TetMesh mesh = corner_tet();
   mesh.vertices.insert(mesh.vertices.begin() + 1, Vector3{9, 9, 9});
