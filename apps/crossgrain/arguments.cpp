@@ -128,10 +128,10 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   SolveOptions& options = arguments.options;
   constexpr int kMany = std::numeric_limits<int>::max();
   command
-      ->add_option(
-          "MODEL", arguments.model,
-          "The surface, an STL, OBJ, PLY, OFF, STEP, IGES or BREP file; or a tet mesh (Medit .mesh or .meshb, "
-          "Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface")
+      ->add_option("MODEL", arguments.model,
+                   "The surface, an STL, OBJ, PLY, OFF, STEP, IGES or BREP file; or a tet mesh (Medit .mesh "
+                   "or .meshb, "
+                   "Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface")
       ->required()
       ->type_name("");
   command->add_option("-o,--output", arguments.output, "Folder to write (default: MODEL-stem.frames here)")
