@@ -158,7 +158,7 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
           [&options](const std::string& text) { options.max_memory_bytes = *parse_bytes(text); },
           "Memory to take at most, such as 12GB, 800MB or bytes; cells get up to 8 times larger to stay "
           "within "
-          "(default: nine tenths of what there is)")
+          "it (default: nine tenths of what there is)")
       ->check(fault_of_bytes)
       ->type_name("SIZE");
   command->add_option("--seed", options.seed, "Changes the initial frames of every start (default 0)")

@@ -18,7 +18,7 @@ struct Progress {
   int sweep;          ///< sweeps done on that level
 
   /// What the sweeps lower, after that sweep, in the degree of the solve; with what the report calls
-  /// unavoidable still in it. In degree 3 it may be less. Not finite where none is known yet.
+  /// unavoidable still in it. In degree 3 an upper bound of that. Not finite where none is known yet.
   double energy;
 };
 

@@ -8,10 +8,11 @@
 // In degree 3 that is a matrix per neighbour. With the cell's present coefficients h_0 and s_j = h_j.h_0,
 //   (h_j.h)^2 = 2 s_j (h_j.h) - s_j^2 + (h_j.(h - h_0))^2,
 // and the last term is of fourth order in the turns where neighbours agree, since there h_j is across every
-// small turn of h_0. It is left out:
+// small turn of h_0. There it is left out:
 //   degree 3: A = A_c, b = sum (5/6) w_j s_j h_j.
 // For positive weights f is then an upper bound of the energy that meets it at h_0, so that a step that
-// lowers f lowers the energy at least as much.
+// lowers f lowers the energy at least as much. Where a neighbour disagrees, around singular arcs, sweeps keep
+// the matrix: by the bound alone arcs come to rest early.
 #pragma once
 
 #include <algorithm>
@@ -102,11 +103,10 @@ class LocalEnergy {
   /// Coefficients of one cell are summed side by side, as they are stored, eight at most.
   static constexpr int kWidth = std::min(W, 8), kGroups = 8 / kWidth;
   using Group = BasicLanes<Number, kWidth>;
+  using StoredRow = std::array<Group, kGroups>;
 
-  using Neighbours = std::array<Group, kGroups>;
-
-  static Neighbours loaded(const StoredCoefficients<D>& stored) {
-    Neighbours h;
+  static StoredRow loaded(const StoredCoefficients<D>& stored) {
+    StoredRow h;
     for (int g = 0; g < kGroups; ++g) h[g] = lanes_of<Group>(stored.data() + g * kWidth);
     return h;
   }
@@ -128,15 +128,15 @@ class LocalEnergy {
                                        const StoredCoefficients<3>& own,
                                        const std::vector<StoredCoefficients<3>>& coefficients,
                                        NeighbourTerm term) {
-    const Neighbours h0 = loaded(own);
+    const StoredRow h0 = loaded(own);
     const Group own_square = product(h0, h0);
-    Neighbours sums;
+    StoredRow sums;
     sums.fill(0.0);
     Group least_square = 1.0;
     Number total_weight = 0;
     for (std::size_t k = 0; k < neighbours.size(); k += kWidth) {
       std::array<Group, kWidth> products;
-      products.fill(own_square);
+      products.fill(own_square);  // beyond the last neighbour, since a cell agrees with itself
       for_each_lane(neighbours.size() - k, [&]<int J>() {
         products[J] = product(h0, loaded(coefficients[neighbours.cell(k + J)]));
       });
@@ -149,7 +149,7 @@ class LocalEnergy {
         for_each_lane(neighbours.size() - k, [&]<int J>() { total_weight += weights[J]; });
       }
       for_each_lane(neighbours.size() - k, [&]<int J>() {
-        const Neighbours h = loaded(coefficients[neighbours.cell(k + J)]);
+        const StoredRow h = loaded(coefficients[neighbours.cell(k + J)]);
         const Group factor = repeated<J>(factors);
         for (int g = 0; g < kGroups; ++g) sums[g] += factor * h[g];
       });
@@ -161,7 +161,7 @@ class LocalEnergy {
     return finished(lane, neighbours, sums, total_weight);
   }
 
-  static Group product(const Neighbours& a, const Neighbours& b) {
+  static Group product(const StoredRow& a, const StoredRow& b) {
     Group result = a[0] * b[0];
     for (int g = 1; g < kGroups; ++g) result += a[g] * b[g];
     return result;
@@ -171,10 +171,10 @@ class LocalEnergy {
   void add_products(int lane, const Adjacency::Row& neighbours,
                     const std::vector<StoredCoefficients<3>>& coefficients) {
     constexpr int n = kCoefficientCount<3>;
-    std::array<Neighbours, n> rows{};
+    std::array<StoredRow, n> rows{};
     for (std::size_t k = 0; k < neighbours.size(); ++k) {
-      const Neighbours h = loaded(coefficients[neighbours.cell(k)]);
-      Neighbours weighted = h;
+      const StoredRow h = loaded(coefficients[neighbours.cell(k)]);
+      StoredRow weighted = h;
       for (Group& numbers : weighted) numbers *= -5.0 / 6 * neighbours.weight(k);
       [&]<int... Row>(std::integer_sequence<int, Row...>) {
         (add_scaled(rows[Row], repeated<Row % kWidth>(weighted[Row / kWidth]), h), ...);
@@ -194,7 +194,7 @@ class LocalEnergy {
                                        const StoredCoefficients<4>&,
                                        const std::vector<StoredCoefficients<4>>& coefficients,
                                        NeighbourTerm) {
-    Neighbours sums;
+    StoredRow sums;
     sums.fill(0.0);
     Number last = 0, total_weight = 0;
     if (neighbours.has_equal_weights()) {
@@ -226,7 +226,7 @@ class LocalEnergy {
     return neighbours.has_equal_weights() ? factor * neighbours.weight(0) : factor;
   }
 
-  std::array<Number, 8> finished(int lane, const Adjacency::Row& neighbours, Neighbours sums,
+  std::array<Number, 8> finished(int lane, const Adjacency::Row& neighbours, StoredRow sums,
                                  Number total_weight) {
     const Number scale = scale_of(neighbours);
     if (neighbours.has_equal_weights()) total_weight = static_cast<Number>(neighbours.size());

@@ -74,6 +74,7 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
     const double decrease = std::accumulate(decreases.begin(), decreases.end(), 0.0);
     result.energy -= decrease;
     after_sweep(result.energy);
+    // In degree 3 sweeps tell the least that it may have fallen by.
     const bool is_last = decrease <= allowance() || sweep + 1 == plan.most_sweeps;
     if (D == 3 && is_last) result.energy = graph_energy(graph, state);
     result.settled = decrease <= allowance();

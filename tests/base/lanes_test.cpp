@@ -56,14 +56,6 @@ void expect_pairwise_sums() {
   for (int k = 0; k < W; ++k) EXPECT_EQ(sums[k], W * 100 * k + W * (W - 1) / 2) << W;
 }
 
-TEST(Lanes, AreSummedEachVectorInItsOwnLane) {
-  expect_pairwise_sums<Lanes<2>>();
-  expect_pairwise_sums<Lanes<4>>();
-  expect_pairwise_sums<Lanes<8>>();
-  expect_pairwise_sums<SingleLanes<4>>();
-  expect_pairwise_sums<SingleLanes<8>>();
-}
-
 /// Rows of six numbers, in an order of their own, of which the middle four are used.
 template <class Real>
 void expect_rows_there_and_back() {
@@ -89,13 +81,18 @@ void expect_rows_there_and_back() {
   }
 }
 
-TEST(Rows, GoToLanesAndBack) {
-  expect_rows_there_and_back<Lanes<2>>();
-  expect_rows_there_and_back<Lanes<4>>();
-  expect_rows_there_and_back<Lanes<8>>();
-  expect_rows_there_and_back<SingleLanes<4>>();
-  expect_rows_there_and_back<SingleLanes<8>>();
-  expect_rows_there_and_back<SingleLanes<16>>();
+template <class Real>
+class LanesOfAKind : public ::testing::Test {};
+using AllLanes =
+    ::testing::Types<Lanes<2>, Lanes<4>, Lanes<8>, SingleLanes<4>, SingleLanes<8>, SingleLanes<16>>;
+TYPED_TEST_SUITE(LanesOfAKind, AllLanes);
+
+TYPED_TEST(LanesOfAKind, AreSummedEachVectorInItsOwnLane) {
+  expect_pairwise_sums<TypeParam>();
+}
+
+TYPED_TEST(LanesOfAKind, TakeRowsAndGiveThemBack) {
+  expect_rows_there_and_back<TypeParam>();
 }
 
 }  // namespace

@@ -61,11 +61,12 @@ TEST(SystemMemory, LimitsTheProcessToNoMoreThanTheMachineHas) {
 }
 
 TEST(SystemMemory, HeldNowIsNoMoreThanAtThePeakAndGrowsWithUse) {
-  constexpr std::size_t kMuch = std::size_t{64} << 20;
+  constexpr std::size_t kMuch = std::size_t{64} << 20, kBatch = std::size_t{1} << 20;
   const std::size_t before = current_memory_bytes();
   const std::vector<char> used(kMuch, 1);
   EXPECT_GE(current_memory_bytes(), before + kMuch / 2);
-  EXPECT_LE(current_memory_bytes(), peak_memory_bytes());
+  // The system counts pages in batches, so that what is held now may be known better than the peak.
+  EXPECT_LE(current_memory_bytes(), peak_memory_bytes() + kBatch);
 }
 
 }  // namespace
