@@ -49,7 +49,7 @@ struct FacedDirections {
   std::array<double, 2> areas{};
   std::size_t count = 0;
 
-  /// There are further directions. A guide across all the normals is none, as the tangent of a crease: the
+  /// There are further directions. One guide across all the normals is none, as the tangent of a crease: the
   /// best frame for up to two normals has an axis along it anyway.
   bool are_more = false;
 
@@ -63,7 +63,11 @@ struct FacedDirections {
       if (k == count) normals[count++] = normal;
       areas[k] += piece.area;
     }
-    for (const LeafGuide& guide : level.guides.of(leaf)) are_more |= !is_across_all(guide.unit_direction());
+    const auto guides = level.guides.of(leaf);
+    for (const LeafGuide& guide : guides) {
+      are_more |= !is_across_all(guide.unit_direction()) ||
+                  !is_same_normal(guide.unit_direction(), guides[0].unit_direction());
+    }
   }
 
  private:

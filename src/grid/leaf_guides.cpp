@@ -7,13 +7,14 @@
 
 #include "base/parallel.hpp"
 #include "grid/leaf_finder.hpp"
+#include "surface/clipping.hpp"
 
 namespace crossgrain {
 namespace {
 
 constexpr std::size_t kLeavesPerBegin = 256;
 
-/// Segments that one task follows.
+/// Segments or faces that one task follows.
 constexpr std::size_t kGuideGrain = 64;
 
 /// Fraction of a finest cell that a walk goes past a face, so that it is surely behind it.
@@ -93,14 +94,96 @@ Vector3 direction_at(const GuideSegment& segment, double t) {
   return direction == Vector3{0, 0, 0} ? first : direction;
 }
 
+LeafGuide guide_of(CellIndex leaf, const Vector3& direction, double area) {
+  LeafGuide guide{leaf, {}, static_cast<float>(area)};
+  for (int k = 0; k < 3; ++k) guide.direction[k] = static_cast<float>(direction[k]);
+  return guide;
+}
+
 LeafGuide guide_of(const Octree& tree, const GuideSegment& segment, const Passage& passage) {
   const double length = norm(segment.ends[1] - segment.ends[0]);
   const double cell = tree.cell_size(passage.leaf);
-  const Vector3 direction = direction_at(segment, 0.5 * (passage.from + passage.to));
   const double within = length == 0 ? cell : (passage.to - passage.from) * length;
-  LeafGuide guide{passage.leaf, {}, static_cast<float>(segment.weight * within * cell)};
-  for (int k = 0; k < 3; ++k) guide.direction[k] = static_cast<float>(direction[k]);
-  return guide;
+  return guide_of(passage.leaf, direction_at(segment, 0.5 * (passage.from + passage.to)),
+                  segment.weight * within * cell);
+}
+
+/// The pieces that `add_pieces(k, pieces)` gives for each k below `count`, in the order of k.
+template <class AddPieces>
+std::vector<std::vector<LeafGuide>> in_runs(std::size_t count, const AddPieces& add_pieces) {
+  std::vector<std::vector<LeafGuide>> runs((count + kGuideGrain - 1) / kGuideGrain);
+  parallel_for_chunks(count, kGuideGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) add_pieces(k, runs[begin / kGuideGrain]);
+  });
+  return runs;
+}
+
+void append(std::vector<LeafGuide>& guides, const std::vector<std::vector<LeafGuide>>& runs) {
+  for (const auto& run : runs) guides.insert(guides.end(), run.begin(), run.end());
+}
+
+/// `left_out`: leaves in which they do not count, sorted.
+std::vector<std::vector<LeafGuide>> along_segments(const Octree& tree, const SegmentWalker& walker,
+                                                   const std::vector<GuideSegment>& segments,
+                                                   const std::vector<CellIndex>& left_out) {
+  return in_runs(segments.size(), [&](std::size_t s, std::vector<LeafGuide>& pieces) {
+    std::vector<Passage> passages;
+    walker.walk(segments[s], passages);
+    for (const Passage& passage : passages) {
+      if (!std::binary_search(left_out.begin(), left_out.end(), passage.leaf))
+        pieces.push_back(guide_of(tree, segments[s], passage));
+    }
+  });
+}
+
+/// At the point of the face nearest to `point`, about: blended by barycentric coordinates.
+Vector3 direction_at(const GuideFace& face, const Vector3& point) {
+  const auto& [a, b, c] = face.corners;
+  const Vector3 normal = cross(b - a, c - a);
+  const auto share = [&](const Vector3& from, const Vector3& to) {
+    return std::max(0.0, dot(cross(to - from, point - from), normal));
+  };
+  const std::array<double, 3> shares{share(b, c), share(c, a), share(a, b)};
+  Vector3 blended{0, 0, 0};
+  for (int k = 0; k < 3; ++k) {
+    const double sign = dot(face.directions[0], face.directions[k]) < 0 ? -1 : 1;
+    blended += sign * shares[k] * face.directions[k];
+  }
+  const Vector3 direction = normalised(blended);
+  return direction == Vector3{0, 0, 0} ? face.directions[0] : direction;
+}
+
+/// Cuts faces into pieces, a leaf each, from the root cube down.
+class FaceCutter {
+ public:
+  explicit FaceCutter(const Octree& tree) : tree_(tree), finder_(tree) {}
+
+  void cut(const GuideFace& face, std::vector<LeafGuide>& pieces) const {
+    cut(face, CellAddress::root(), pieces);
+  }
+
+ private:
+  void cut(const GuideFace& face, CellAddress cell, std::vector<LeafGuide>& pieces) const {
+    if (!may_overlap(face.corners, tree_.root().box(cell))) return;
+    const auto [first, last] = finder_.over(cell);
+    if (first == last) return;
+    if (tree_[first] == cell) {
+      const ClippedTriangle piece = clip_triangle(face.corners, tree_.root().box(cell));
+      if (piece.area > 0)
+        pieces.push_back(guide_of(first, direction_at(face, piece.centroid), face.weight * piece.area));
+      return;
+    }
+    for (int octant = 0; octant < 8; ++octant) cut(face, cell.child(octant), pieces);
+  }
+
+  const Octree& tree_;
+  LeafFinder finder_;
+};
+
+std::vector<std::vector<LeafGuide>> on_faces(const Octree& tree, const std::vector<GuideFace>& faces) {
+  const FaceCutter cutter(tree);
+  return in_runs(faces.size(),
+                 [&](std::size_t f, std::vector<LeafGuide>& pieces) { cutter.cut(faces[f], pieces); });
 }
 
 }  // namespace
@@ -110,25 +193,16 @@ Vector3 LeafGuide::unit_direction() const {
 }
 
 LeafGuides::LeafGuides(const Octree& tree, const Guides& guides) {
-  if (guides.segments.empty() || tree.size() == 0) return;
+  if (tree.size() == 0) return;
+  if (guides.creases.empty() && guides.segments.empty() && guides.faces.empty()) return;
   const SegmentWalker walker(tree);
   std::vector<CellIndex> corners;
   for (const Vector3& corner : guides.corners) corners.push_back(walker.leaf_at(corner));
   std::sort(corners.begin(), corners.end());
 
-  std::vector<std::vector<LeafGuide>> runs((guides.segments.size() + kGuideGrain - 1) / kGuideGrain);
-  parallel_for_chunks(guides.segments.size(), kGuideGrain, [&](std::size_t begin, std::size_t end) {
-    std::vector<Passage> passages;
-    for (std::size_t s = begin; s < end; ++s) {
-      passages.clear();
-      walker.walk(guides.segments[s], passages);
-      for (const Passage& passage : passages) {
-        if (!std::binary_search(corners.begin(), corners.end(), passage.leaf))
-          runs[begin / kGuideGrain].push_back(guide_of(tree, guides.segments[s], passage));
-      }
-    }
-  });
-  for (const auto& run : runs) guides_.insert(guides_.end(), run.begin(), run.end());
+  append(guides_, along_segments(tree, walker, guides.creases, corners));
+  append(guides_, along_segments(tree, walker, guides.segments, {}));
+  append(guides_, on_faces(tree, guides.faces));
   std::stable_sort(guides_.begin(), guides_.end(),
                    [](const LeafGuide& a, const LeafGuide& b) { return a.leaf < b.leaf; });
 

@@ -185,7 +185,7 @@ Guides guides_along(std::span<const CreaseCurve> curves, std::span<const CreaseC
   if (weight <= 0) return guides;
   for (const CreaseCurve& curve : curves) {
     for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) {
-      guides.segments.push_back(
+      guides.creases.push_back(
           {{curve.points[k], curve.points[k + 1]}, {curve.tangents[k], curve.tangents[k + 1]}, weight});
     }
   }

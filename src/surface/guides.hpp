@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What frames are to follow besides the surface itself: directions along curves and at points.
+// What frames are to follow besides the surface itself: directions along curves, at points and on faces.
 #pragma once
 
 #include <array>
@@ -23,13 +23,27 @@ struct GuideSegment {
   double weight = 1;
 };
 
+/// A triangle on which frames are to have an axis along a direction: across it, for a face inside the solid.
+struct GuideFace {
+  std::array<Vector3, 3> corners;
+
+  /// At the corners, unit vectors; between them blended. Their signs mean nothing.
+  std::array<Vector3, 3> directions;
+
+  /// A piece in a cell counts like so many times its area of surface.
+  double weight = 1;
+};
+
 /// Plain data that nothing changes once it is made.
 struct Guides {
-  std::vector<GuideSegment> segments;
+  /// Of the surface's own creases. In the cells of `corners`, where creases meet, they do not count: the
+  /// faces around say what there is to say, and tangents would contradict each other.
+  std::vector<GuideSegment> creases = {};
+  std::vector<Vector3> corners = {};
 
-  /// In the cells of these points no segment counts: where creases meet, the faces around say what there is
-  /// to say, and tangents would contradict each other.
-  std::vector<Vector3> corners;
+  /// These count everywhere.
+  std::vector<GuideSegment> segments = {};
+  std::vector<GuideFace> faces = {};
 };
 
 }  // namespace crossgrain

@@ -9,6 +9,7 @@
 #include "grid/test_solid.hpp"
 #include "harmonics/random_samples.hpp"
 #include "support/shapes.hpp"
+#include "surface/clipping.hpp"
 #include "surface/creases.hpp"
 
 namespace crossgrain {
@@ -50,7 +51,7 @@ TEST(LeafGuides, WeighTheLengthOfEverySegmentInEveryLeaf) {
   for (int trial = 0; trial < 20; ++trial) {
     const GuideSegment segment{
         {0.7 * random.direction(), 1.2 * random.direction()}, {random.direction(), random.direction()}, 3};
-    const LeafGuides guides(level.tree, {{segment}, {}});
+    const LeafGuides guides(level.tree, {.segments = {segment}});
     for (CellIndex i = 0; i < level.size(); ++i) {
       const double cell = level.tree.cell_size(i);
       double area = 0;
@@ -65,7 +66,7 @@ TEST(LeafGuides, TurnFromOneEndToTheOther) {
   const TestSolid solid(make_sphere(0.8, 3));
   const GridLevel level = solid.level(0.1);
   const GuideSegment segment{{Vector3{-0.6, 0, 0}, {0.6, 0, 0}}, {Vector3{0, 1, 0}, {0, 0, -1}}, 1};
-  const LeafGuides guides(level.tree, {{segment}, {}});
+  const LeafGuides guides(level.tree, {.segments = {segment}});
   EXPECT_GE(guides.all().size(), 12u);
   for (const LeafGuide& guide : guides.all()) {
     const double x = level.tree.centre(guide.leaf)[0];
@@ -80,10 +81,55 @@ TEST(LeafGuides, OfAPointCountLikeAPieceAsLongAsItsCell) {
   const GridLevel level = mixed_level(solid);
   const Vector3 point{0.3, 0.21, -0.17};
   const GuideSegment at_point{{point, point}, {Vector3{1, 0, 0}, {1, 0, 0}}, 2};
-  const LeafGuides guides(level.tree, {{at_point}, {}});
+  const LeafGuides guides(level.tree, {.segments = {at_point}});
   ASSERT_EQ(guides.all().size(), 1u);
   const double cell = level.tree.cell_size(guides.all()[0].leaf);
   EXPECT_NEAR(guides.all()[0].area, 2 * cell * cell, kStored);
+}
+
+TEST(LeafGuides, WeighTheAreaOfEveryFaceInEveryLeaf) {
+  const TestSolid solid(make_sphere(0.8, 3));
+  const GridLevel level = mixed_level(solid);
+  RandomSamples random(2);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Vector3 normal = random.direction();
+    const GuideFace face{{0.7 * random.direction(), 1.2 * random.direction(), 0.9 * random.direction()},
+                         {normal, -normal, normal},
+                         3};
+    const LeafGuides guides(level.tree, {.faces = {face}});
+    for (CellIndex i = 0; i < level.size(); ++i) {
+      double area = 0;
+      for (const LeafGuide& guide : guides.of(i)) {
+        area += guide.area;
+        EXPECT_NEAR(std::abs(dot(guide.unit_direction(), normal)), 1, kStored);
+      }
+      const Box box = level.tree.root().box(level.tree[i]);
+      ASSERT_NEAR(area, 3 * clip_triangle(face.corners, box).area, kStored * level.tree.cell_size(i));
+    }
+  }
+}
+
+TEST(LeafGuides, OfAFaceBlendTheDirectionsOfItsCorners) {
+  const TestSolid solid(make_sphere(0.8, 3));
+  const GridLevel level = solid.level(0.05);
+  const std::array<Vector3, 3> axes{Vector3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const GuideFace face{{0.6 * axes[0], 0.6 * axes[1], 0.6 * axes[2]}, axes, 1};
+  const LeafGuides guides(level.tree, {.faces = {face}});
+  EXPECT_GE(guides.all().size(), 50u);
+  for (const LeafGuide& guide : guides.all()) {
+    const Vector3 place = normalised(level.tree.centre(guide.leaf));
+    EXPECT_GT(dot(guide.unit_direction(), place), 0.99);
+  }
+}
+
+TEST(LeafGuides, OfSegmentsCountInCellsOfCornersToo) {
+  const TestSolid solid(make_box({1, 1, 1}));
+  const GridLevel level = solid.level(0.1);
+  const GuideSegment edge{{Vector3{-0.5, -0.5, -0.5}, {0.5, -0.5, -0.5}}, {Vector3{1, 0, 0}, {1, 0, 0}}, 1};
+  const std::vector<Vector3> corners{edge.ends[0], edge.ends[1]};
+  const LeafGuides as_crease(level.tree, {.creases = {edge}, .corners = corners});
+  const LeafGuides as_segment(level.tree, {.corners = corners, .segments = {edge}});
+  EXPECT_EQ(as_segment.all().size(), as_crease.all().size() + 2);
 }
 
 TEST(LeafGuides, LeaveOutCellsOfCornersAndWhatIsOutside) {
@@ -97,7 +143,7 @@ TEST(LeafGuides, LeaveOutCellsOfCornersAndWhatIsOutside) {
   for (CellIndex i = 0; i < level.size(); ++i) left_out += all.has(i) && !between.has(i);
   EXPECT_EQ(left_out, 8);
   const GuideSegment outside{{Vector3{2, 2, 2}, {3, 2, 2}}, {Vector3{1, 0, 0}, {1, 0, 0}}, 1};
-  EXPECT_TRUE(LeafGuides(level.tree, {{outside}, {}}).all().empty());
+  EXPECT_TRUE(LeafGuides(level.tree, {.segments = {outside}}).all().empty());
 }
 
 TEST(LeafGuides, ArePartOfTheFormsOfCells) {
