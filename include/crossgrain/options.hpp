@@ -41,7 +41,7 @@ struct SolverOptions {
 
   /// A crease in a cell counts like so many times its length times the size of the cell of surface whose
   /// normal is the crease's tangent.
-  double crease_weight = 1;
+  double crease_weight = 0.25;
 
   /// Share of a face's weight that smoothness moves to each diagonal across each of its edges, from 0 to 1/4:
   /// so that a singular arc costs the same in all directions through the grid. Rounded to a multiple of

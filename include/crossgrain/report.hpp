@@ -79,8 +79,8 @@ struct SolveReport {
     std::size_t tied_cells = 0;       ///< cells, alone or a few together, that no open face joins to the rest
   } walls;
 
-  /// A mean, the 95th percentile (interpolated between ranks) and the largest; none where nothing was
-  /// measured.
+  /// A mean, the 95th percentile (between ranks interpolated where all count alike) and the largest; none
+  /// where nothing was measured.
   struct AngleSummary {
     std::optional<double> mean, p95, max;
   };
@@ -92,7 +92,7 @@ struct SolveReport {
     std::size_t corners = 0;          ///< where curves meet, or where one bends
     std::size_t crowded_corners = 0;  ///< of more than three curves
     std::size_t knife_edges = 0;      ///< with less than 45 degrees of solid between their faces
-    AngleSummary tangent_deg;         ///< from the tangent to the nearest axis, along all curves
+    AngleSummary tangent_deg;         ///< from the tangent to the nearest axis, along all curves, by length
   } creases;
 
   /// The field on a tet mesh. Energies are those of degree 4.

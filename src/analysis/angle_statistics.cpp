@@ -110,6 +110,21 @@ SolveReport::AngleSummary summary_of(std::vector<double> angles) {
           std::lerp(angles[below], angles[above], rank - std::floor(rank)), angles.back()};
 }
 
+SolveReport::AngleSummary summary_of(std::vector<WeightedAngle> angles) {
+  if (angles.empty()) return {};
+  std::sort(angles.begin(), angles.end(),
+            [](const WeightedAngle& a, const WeightedAngle& b) { return a.angle < b.angle; });
+  double weight = 0, weighted = 0;
+  for (const WeightedAngle& a : angles) {
+    weight += a.weight;
+    weighted += a.weight * a.angle;
+  }
+  double above = 0;
+  std::size_t rank = angles.size() - 1;
+  while (rank > 0 && !(above + angles[rank].weight > kShareAbove * weight)) above += angles[rank--].weight;
+  return {weighted / weight, angles[rank].angle, angles.back().angle};
+}
+
 SolveReport::Alignment angle_statistics(std::span<const SurfacePiece> pieces, std::span<const float> angles) {
   const AngleSums sums = sums_of(pieces, angles);
   SolveReport::Alignment alignment;

@@ -23,17 +23,19 @@ bool is_crowded(const CreaseCorner& corner) {
 
 struct Place {
   Vector3 position, tangent;
+  double length;  ///< of its part of the curve, above 0
 };
 
 /// The middles of equal parts of all pieces of a curve.
 void add_places(const CreaseCurve& curve, double step, std::vector<Place>& places) {
   for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) {
     const Vector3 along = curve.points[k + 1] - curve.points[k];
+    if (norm(along) == 0) continue;
     const int parts = std::max(1, static_cast<int>(std::ceil(norm(along) / step)));
     for (int part = 0; part < parts; ++part) {
       const double t = (part + 0.5) / parts;
       const Vector3 tangent = (1 - t) * curve.tangents[k] + t * curve.tangents[k + 1];
-      places.push_back({curve.points[k] + t * along, normalised(tangent)});
+      places.push_back({curve.points[k] + t * along, normalised(tangent), norm(along) / parts});
     }
   }
 }
@@ -64,9 +66,11 @@ SolveReport::Creases crease_report(const CreaseNetwork& creases, const Sampler& 
     report.length += length_of(curve);
     add_places(curve, step, places);
   }
-  std::vector<double> angles_deg(places.size());
+  std::vector<WeightedAngle> angles_deg(places.size());
   parallel_for(places.size(), [&](std::size_t k) {
-    angles_deg[k] = angle_to_nearest_axis_deg(sampler.at(places[k].position).frame, places[k].tangent);
+    const Place& place = places[k];
+    angles_deg[k] = {angle_to_nearest_axis_deg(sampler.at(place.position).frame, place.tangent),
+                     place.length};
   });
   report.tangent_deg = summary_of(std::move(angles_deg));
   return report;

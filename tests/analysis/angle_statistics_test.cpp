@@ -92,6 +92,18 @@ TEST(AngleStatistics, OfNothingAreZero) {
   EXPECT_EQ(excluded.statistics().excluded_share, 1);
 }
 
+TEST(AngleStatistics, OfWeightedAnglesDoNotDependOnHowTheyAreCut) {
+  const SolveReport::AngleSummary whole = summary_of({{3, 94}, {1, 2}, {7, 6}});
+  const SolveReport::AngleSummary cut = summary_of({{7, 2}, {3, 47}, {7, 4}, {1, 2}, {3, 47}});
+  EXPECT_DOUBLE_EQ(*whole.mean, (3 * 94 + 1 * 2 + 7 * 6) / 102.0);
+  EXPECT_DOUBLE_EQ(*cut.mean, *whole.mean);
+  EXPECT_EQ(*whole.p95, 7);
+  EXPECT_EQ(*cut.p95, 7);
+  EXPECT_EQ(*whole.max, 7);
+  EXPECT_EQ(*summary_of({{3, 96}, {7, 4}}).p95, 3);
+  EXPECT_FALSE(summary_of(std::vector<WeightedAngle>{}).mean);
+}
+
 TEST(AngleStatistics, AreTheSameForAnyNumberOfThreads) {
   const Weighed weighed = many_pieces(9, [](double u) { return static_cast<float>(u); });
   const auto with_threads = [&](int threads) {

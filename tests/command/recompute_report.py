@@ -14,6 +14,7 @@ from collections import Counter
 from pathlib import Path
 
 import numpy as np
+from creases import Creases
 from field_reader import FACES, Field
 from frame_math import (boundary_form, coefficients, cubic_spectrum, deviation, frame_product, least_near, matching,
                         normal_energy)
@@ -22,6 +23,7 @@ from surface_pieces import Surface, pieces_by_cell
 
 # Constants of the program that the report's numbers depend on.
 BOUNDARY_WEIGHT = 10
+CREASE_WEIGHT = 0.25
 DIAGONAL_SHARE = 0.2
 SAME_NORMAL = 3e-12
 SAME_EIGENVALUE, FITS = 0.1, 0.15
@@ -38,6 +40,8 @@ class Recomputation:
         self.surface = Surface(model)
         self.pieces = pieces_by_cell(self.surface, self.field.low, self.field.size)
         self.inside = self.surface.inside(self.field.centre)
+        self.creases = Creases(self.surface)
+        self.tangents = self.creases.by_cell(self.field.low, self.field.size)
         self.boundary = [i for i in range(len(self.field)) if self.pieces[i]]
         self.classes = {i: self.constraint_class(i) for i in self.boundary}
         faces, self.ties = self.connect()
@@ -47,14 +51,23 @@ class Recomputation:
         triangles, areas, _ = zip(*self.pieces[i])
         return self.surface.normals[list(triangles)], np.array(areas)
 
+    def directions_and_areas(self, i):
+        """What frames are to have an axis along: normals of surface and tangents of creases."""
+        normals, areas = self.normals_and_areas(i)
+        tangents = [tangent for tangent, _ in self.tangents[i]]
+        return np.vstack([normals, *tangents]), np.append(areas, [CREASE_WEIGHT * area for _, area in self.tangents[i]])
+
+    def has_single_normal(self, i):
+        normals, _ = self.normals_and_areas(i)
+        return not self.tangents[i] and (np.cross(normals, normals[0]) ** 2).sum(axis=1).max() <= SAME_NORMAL
+
     def largest(self, i):
         return max(self.pieces[i], key=lambda piece: piece[1])
 
     def constraint_class(self, i):
-        normals, areas = self.normals_and_areas(i)
-        if (np.cross(normals, normals[0]) ** 2).sum(axis=1).max() <= SAME_NORMAL:
+        if self.has_single_normal(i):
             return "plane"
-        eigenvalues = cubic_spectrum(normals, areas)
+        eigenvalues = cubic_spectrum(*self.directions_and_areas(i))
         multiplicity = int((eigenvalues <= eigenvalues[0] + SAME_EIGENVALUE).sum())
         fits = eigenvalues[0] <= FITS
         return {(7, True): "free", (7, False): "free", (2, True): "plane", (2, False): "axis",
@@ -143,13 +156,14 @@ class Recomputation:
         density = (np.bincount(i, change, len(field)) + np.bincount(j, change, len(field))) / (2 * field.size**3)
         np.testing.assert_allclose(field.arrays["energy_density"], density, rtol=2e-4,
                                    atol=1e-5 * density.max() + 1e-12 / field.size.min() ** 2)
-        boundary = sum(BOUNDARY_WEIGHT / field.size[i] * area * normal_energy(self.surface.normals[t], field.axes[i])
-                       for i in self.boundary for t, area, _ in self.pieces[i])
+        constraints = {i: self.directions_and_areas(i) for i in self.boundary}
+        boundary = sum(BOUNDARY_WEIGHT / field.size[i] * area * normal_energy(direction, field.axes[i])
+                       for i in self.boundary for direction, area in zip(*constraints[i]))
         smoothness = change.sum()
         unavoidable = sum(BOUNDARY_WEIGHT / field.size[i] * self.least_boundary_energy(i) for i in self.boundary)
         boundary -= unavoidable
         # Where a frame fits, all of this is rounding of numbers about 1.
-        rounding = 1e-12 * sum(BOUNDARY_WEIGHT / field.size[i] * self.normals_and_areas(i)[1].sum() for i in self.boundary)
+        rounding = 1e-12 * sum(BOUNDARY_WEIGHT / field.size[i] * constraints[i][1].sum() for i in self.boundary)
         return {"smoothness": (smoothness, 1e-4 * smoothness + rounding),
                 "boundary": (boundary, 1e-4 * boundary + 1e-6 * unavoidable + rounding),
                 "unavoidable": (unavoidable, 1e-4 * unavoidable + rounding),
@@ -157,10 +171,9 @@ class Recomputation:
                 "deviation_max": self.largest_deviation()}
 
     def least_boundary_energy(self, i):
-        normals, areas = self.normals_and_areas(i)
-        if (np.cross(normals, normals[0]) ** 2).sum(axis=1).max() <= SAME_NORMAL:
+        if self.has_single_normal(i):
             return 0
-        form = boundary_form(normals, areas)
+        form = boundary_form(*self.directions_and_areas(i))
         return max(0, min(least_near(form, axes) for axes in (self.field.axes[i], *STARTS)))
 
     def largest_deviation(self):
@@ -175,25 +188,24 @@ class Recomputation:
         np.testing.assert_allclose(self.field.arrays["deviation"], of_cells, rtol=1e-5, atol=1e-18)
         return of_cells.max(), 1e-5 * of_cells.max()
 
+    def sampled(self, points):
+        """The axes of the frames there, of which none is outside."""
+        text = "\n".join(" ".join(map(repr, map(float, point))) for point in points)
+        result = run("sample", self.folder, "-", stdin=text.encode())
+        assert result.stderr.startswith(f"crossgrain: 0 of {len(points)} "), result.stderr
+        return np.array(result.stdout.split(), float).reshape(-1, 3, 3)
+
     def alignment_deg(self):
         pieces = [(i, *piece) for i in self.boundary for piece in self.pieces[i]]
         owner, triangle, area, centroid = (np.array(column) for column in zip(*pieces))
-        text = "\n".join(" ".join(map(repr, map(float, point))) for point in centroid)
-        result = run("sample", self.folder, "-", stdin=text.encode())
-        assert result.stderr.startswith(f"crossgrain: 0 of {len(pieces)} "), result.stderr
-        axes = np.array(result.stdout.split(), float).reshape(-1, 3, 3)
-        cosine = np.abs(np.einsum("pak,pk->pa", axes, self.surface.normals[triangle])).max(axis=1)
-        angle = np.degrees(np.arccos(np.minimum(cosine, 1)))
+        angle = nearest_axis_deg(self.sampled(centroid), self.surface.normals[triangle])
         cell_area = np.bincount(owner, area, len(self.field))
         mean = np.bincount(owner, area * angle, len(self.field)) / np.where(cell_area > 0, cell_area, 1)
         np.testing.assert_allclose(self.field.arrays["alignment_deg"], mean, rtol=0, atol=2e-3)
         kept = np.array([self.classes[i] in ("plane", "frame") for i in owner])
-        angle, kept_area = angle[kept], area[kept]
-        order = np.argsort(angle)
-        share = np.cumsum(kept_area[order]) / kept_area.sum()
-        return {"mean": ((angle * kept_area).sum() / kept_area.sum(), 1e-3),
-                "p95": (angle[order][np.searchsorted(share, 0.95)], 2e-3), "max": (angle.max(), 2e-3),
-                "excluded_share": (1 - kept_area.sum() / area.sum(), 1e-5)}
+        mean, p95, most = weighted_statistics(angle[kept], area[kept])
+        return {"mean": (mean, 1e-3), "p95": (p95, 2e-3), "max": (most, 2e-3),
+                "excluded_share": (1 - area[kept].sum() / area.sum(), 1e-5)}
 
     def spectrum(self):
         count = Counter(self.classes.values())
@@ -297,6 +309,19 @@ class Recomputation:
                 "thinnest_cells": (thinnest, 1e-6 * thinnest), "two_sheet_cells": (two_sheets, 0),
                 "tied_cells": (self.ties, 0)}
 
+    def crease_section(self):
+        creases = self.creases
+        crowded = sum(edges > 3 for edges in creases.corners.values())
+        section = {"curves": (creases.curves, 0), "length": (creases.length(), 1e-9 * creases.length()),
+                   "corners": (len(creases.corners), 0), "crowded_corners": (crowded, 0),
+                   "knife_edges": (creases.knives, 0)}
+        places = list(creases.places(self.field.size.min()))
+        if places:
+            points, tangents, lengths = (np.array(column) for column in zip(*places))
+            mean, p95, most = weighted_statistics(nearest_axis_deg(self.sampled(points), tangents), lengths)
+            section |= {"tangent_deg.mean": (mean, 1e-3), "tangent_deg.p95": (p95, 2e-3), "tangent_deg.max": (most, 2e-3)}
+        return section
+
     def active_at(self, depth):
         """The active cells of the uniform level of a depth no finer than any cell of the field."""
         field = self.field
@@ -305,6 +330,18 @@ class Recomputation:
         others = [place for place in np.ndindex(*[2**depth] * 3) if place not in held]
         centres = root[:3] + root[3] / 2.0**depth * (np.array(others).reshape(-1, 3) + 0.5)
         return held | {place for place, inside in zip(others, self.surface.inside(centres)) if inside}
+
+
+def nearest_axis_deg(axes, directions):
+    cosine = np.abs(np.einsum("pak,pk->pa", axes, directions)).max(axis=1)
+    return np.degrees(np.arccos(np.minimum(cosine, 1)))
+
+
+def weighted_statistics(angle, weight):
+    """Mean, 95th percentile and largest."""
+    order = np.argsort(angle)
+    share = np.cumsum(weight[order]) / weight.sum()
+    return (angle * weight).sum() / weight.sum(), angle[order][np.searchsorted(share, 0.95)], angle.max()
 
 
 def complete_leaves(cells):
@@ -335,11 +372,13 @@ def disagreements(model, folder):
         if not np.all(np.abs(np.asarray(reported, float) - np.asarray(expected, float)) <= tolerance):
             faults.append(f"{name}: {reported} in the report, {expected} recomputed")
 
+    sections = {"creases": recomputation.crease_section()}
     for name in ("model", "energy", "alignment_deg", "spectrum", "singularity", "walls"):
-        expected = getattr(recomputation, name)()
+        sections[name] = getattr(recomputation, name)()
+    for name, expected in sections.items():
         for path, (value, tolerance) in expected.items():
             compare(f"{name}.{path}", value_at(report[name], path), value, tolerance)
-        known = {path.split(".")[0] for path in expected} | ({"path"} if name == "model" else set())
+        known = {path.split(".")[0] for path in expected} | {"model": {"path"}, "creases": {"tangent_deg"}}.get(name, set())
         if set(report[name]) != known:
             faults.append(f"{name}: keys {sorted(set(report[name]) ^ known)}")
 

@@ -12,7 +12,7 @@ from recompute_report import disagreements
 
 KEYS = {
     "": ["schema", "model", "degree", "resolution", "levels", "energy", "alignment_deg", "spectrum", "singularity",
-         "seconds", "peak_memory_bytes", "version", "walls", "warnings"],
+         "seconds", "peak_memory_bytes", "version", "creases", "walls", "warnings"],
     "model": ["path", "triangles", "bounding_box", "watertight", "components"],
     "energy": ["smoothness", "boundary", "unavoidable", "total", "deviation_max"],
     "alignment_deg": ["mean", "p95", "max", "excluded_share"],
