@@ -39,6 +39,12 @@ std::string fault_of_length(const std::string& text) {
   return is_number && value > 0 && std::isfinite(value) ? "" : "'" + text + "' is no positive number";
 }
 
+std::string fault_of_angle(const std::string& text) {
+  double value = 0;
+  const bool is_number = CLI::detail::lexical_cast(text, value);
+  return is_number && value > 0 && value <= 180 ? "" : "'" + text + "' is no angle above 0 and up to 180";
+}
+
 /// The box of a text of six numbers with commas between them; empty where it is none.
 std::optional<Box> parse_box(const std::string& text) {
   std::array<double, 6> bounds;
@@ -130,8 +136,7 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   command
       ->add_option("MODEL", arguments.model,
                    "The surface, an STL, OBJ, PLY, OFF, STEP, IGES or BREP file; or a tet mesh (Medit .mesh "
-                   "or .meshb, "
-                   "Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface")
+                   "or .meshb, Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface")
       ->required()
       ->type_name("");
   command->add_option("-o,--output", arguments.output, "Folder to write (default: MODEL-stem.frames here)")
@@ -149,6 +154,13 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
       ->check(fault_of_length)
       ->excludes(resolution)
       ->type_name("X");
+  command
+      ->add_option(
+          "--crease-angle", options.creases.least_deg,
+          "Edges where the normal turns by more degrees are creases, which frames run along (default "
+          "35; 180 for none)")
+      ->check(fault_of_angle)
+      ->type_name("DEG");
   command->add_option("--threads", options.threads, "Threads; 0 (default) for all there are")
       ->check(CLI::Range(0, kMany))
       ->type_name("N");
@@ -157,8 +169,7 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
           "--max-memory",
           [&options](const std::string& text) { options.max_memory_bytes = *parse_bytes(text); },
           "Memory to take at most, such as 12GB, 800MB or bytes; cells get up to 8 times larger to stay "
-          "within "
-          "it (default: nine tenths of what there is)")
+          "within it (default: nine tenths of what there is)")
       ->check(fault_of_bytes)
       ->type_name("SIZE");
   command->add_option("--seed", options.seed, "Changes the initial frames of every start (default 0)")

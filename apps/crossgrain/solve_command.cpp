@@ -170,7 +170,9 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   const TriangleMesh mesh =
       is_tet_file(arguments.model)
           ? domain->boundary()
-          : read_surface(arguments.model, {.resolution = options.resolution, .cell_size = options.cell_size});
+          : read_surface(arguments.model, {.resolution = options.resolution,
+                                           .cell_size = options.cell_size,
+                                           .crease_angle_deg = options.creases.least_deg});
   for (const std::string& warning : mesh.warnings) warn(warning);
   if (!arguments.onto.empty()) check_same_unit(arguments, mesh, *domain);
   check_clip(arguments, mesh);

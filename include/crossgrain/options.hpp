@@ -34,6 +34,19 @@ struct RefinementOptions {
   int coarsest_cells = 4;
 };
 
+/// Which edges of a surface count as creases, in degrees from above 0 to 180.
+struct CreaseAngles {
+  /// An edge is sharp where the normals beside it are further apart; with 180 none is. CAD files and other
+  /// meshes that bring their creases along (TriangleMesh::creases) are taken at their word.
+  double least_deg = 35;
+
+  /// Two sharp edges are one curve where its direction turns by less from one to the other.
+  double corner_deg = 45;
+
+  /// Below this angle between two faces, measured in the solid, no frame is near to both.
+  double knife_deg = 45;
+};
+
 /// The coarse-to-fine solve. The defaults are those of the sweeps in docs/solver.md.
 struct SolverOptions {
   /// kappa: the boundary form counts kappa / (cell size) times (docs/design.md section 7).
@@ -143,6 +156,7 @@ struct SolveOptions {
   std::uint64_t seed = 0;
 
   RefinementOptions refinement;
+  CreaseAngles creases;
   SolverOptions solver;
   OntoOptions onto;
 };

@@ -97,7 +97,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const TriangleBvh bvh(surface);
   const WindingNumber winding(surface, bvh);
   const SurfaceTopology topology = analyse_topology(mesh);
-  const CreaseNetwork creases(surface, CreaseAngles{}, winding.flipped());
+  const CreaseNetwork creases(surface, options.creases, winding.flipped());
   const Guides guides = guides_along(creases.curves, creases.corners, options.solver.crease_weight);
   const Solid solid{surface, bvh, winding, topology.watertight, &guides};
   SolvedField solved = nested_solve(solid, options, monitor, initial_frame, watch.restart());

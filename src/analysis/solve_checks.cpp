@@ -114,6 +114,11 @@ void check_options(const SolveOptions& options) {
   demand(solver.start_relaxation >= 0 && solver.level_relaxation >= 0,
          "numbers of sweeps must not be negative");
   check_sweeps(solver);
+  demand(solver.crease_weight >= 0 && std::isfinite(solver.crease_weight),
+         "the crease weight must not be negative");
+  for (const double angle :
+       {options.creases.least_deg, options.creases.corner_deg, options.creases.knife_deg})
+    demand(angle > 0 && angle <= 180, "angles of creases must lie above 0 and be at most 180 degrees");
   demand(options.refinement.coarsest_cells >= 1, "the coarsest level needs a cell");
   demand(options.refinement.thickness_cells >= 0, "the cells wanted across a wall must not be negative");
   demand(!std::isnan(options.refinement.energy_density_threshold),

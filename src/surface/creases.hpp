@@ -6,21 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "crossgrain/options.hpp"
 #include "surface/guides.hpp"
 #include "surface/surface.hpp"
 
 namespace crossgrain {
-
-struct CreaseAngles {
-  /// An edge is sharp where the normals beside it are further apart.
-  double least_deg = 35;
-
-  /// Two sharp edges are one curve where its direction turns by less from one to the other.
-  double corner_deg = 45;
-
-  /// Below this angle between two faces, measured in the solid, no frame is near to both.
-  double knife_deg = 45;
-};
 
 /// The sharp edges of a surface as curves, in the order of their lowest vertices. A closed curve ends where
 /// it begins; it begins at its lowest vertex. Tangents bisect the directions of the edges before and after.

@@ -43,6 +43,7 @@ class WrongUsage(CommandTest):
                               ("--cell-size", "x"), ("--cell-size", "nan"), ("--cell-size", "inf"),
                               ("--max-memory", "0"), ("--max-memory", "-1GB"), ("--max-memory", "much"),
                               ("--max-memory", "1XB"), ("--max-memory", "1e30"), ("--max-memory", ""),
+                              ("--crease-angle", "0"), ("--crease-angle", "181"), ("--crease-angle", "nan"),
                               ("--threads", "-2"), ("--seed", "-1"), ("--seed", "x")]:
             with self.subTest(option=option, value=value):
                 self.refuse(["solve", "a.stl", option, value], option)

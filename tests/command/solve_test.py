@@ -130,6 +130,14 @@ class Solve(CommandTest):
         self.assert_succeeds(self.run_here("solve", "box.stl", "--cell-size", "0.25"))
         self.assertEqual(self.report_without_costs("box.frames")["resolution"], 8)
 
+    def test_edges_above_the_crease_angle_are_creases(self):
+        self.write("box.stl", stl_bytes(box_triangles()))
+        for angle, curves in ((None, 12), ("89", 12), ("91", 0), ("180", 0)):
+            with self.subTest(angle=angle):
+                option = ["--crease-angle", angle] if angle else []
+                self.assert_succeeds(self.run_here("solve", "box.stl", "-o", "out", "--resolution", "8", *option))
+                self.assertEqual(self.report("out")["creases"]["curves"], curves)
+
     def test_interrupting_leaves_nothing(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(signal=number.name):
