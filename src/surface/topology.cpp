@@ -69,8 +69,11 @@ TriangleMesh weld(const TriangleMesh& mesh) {
 }
 
 SurfaceTopology analyse_topology(const TriangleMesh& mesh) {
+  return analyse_topology(mesh, sorted_edge_uses(mesh.triangles));
+}
+
+SurfaceTopology analyse_topology(const TriangleMesh& mesh, std::span<const EdgeUse> all_uses) {
   SurfaceTopology topology;
-  const std::vector<EdgeUse> all_uses = sorted_edge_uses(mesh.triangles);
   DisjointSets sets(mesh.triangles.size());
   for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
     for (const EdgeUse& use : uses) sets.join(uses[0].triangle, use.triangle);

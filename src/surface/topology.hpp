@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "crossgrain/types.hpp"
+#include "surface/edge_uses.hpp"
 
 namespace crossgrain {
 
@@ -28,5 +30,8 @@ struct SurfaceTopology {
 /// Triangles that name a vertex twice have no part in edges and components; those that are merely flat have.
 /// Indices must be in range (`check_mesh`).
 SurfaceTopology analyse_topology(const TriangleMesh& mesh);
+
+/// The same, where the uses of its edges are known already (`sorted_edge_uses`).
+SurfaceTopology analyse_topology(const TriangleMesh& mesh, std::span<const EdgeUse> all_uses);
 
 }  // namespace crossgrain
