@@ -2,7 +2,7 @@
 #include "surface/mending.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 #include <span>
 #include <string>
 #include <utility>
@@ -56,22 +56,32 @@ Parts parts_of(std::size_t triangles, std::span<const EdgeUse> uses) {
   return parts;
 }
 
-/// Whether the volumes of all parts of a closed mesh have the same sign; -1, 1 or 0 for "no".
+/// Mean thickness relative to the square root of the area, below which a part is a sheet with two sides
+/// drawn.
+constexpr double kFlat = 1e-9;
+
+/// Whether the volumes of all parts of a closed mesh have the same sign, and none of them is flat; -1, 1 or 0
+/// for "no".
 int common_orientation(const TriangleMesh& mesh, const Parts& parts) {
-  std::vector<double> volumes(parts.count);
+  std::vector<double> volumes(parts.count), areas(parts.count);
   std::vector<Vector3> origins(parts.count);
-  std::vector<bool> seen(parts.count);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::uint32_t part = parts.of[t];
     if (part == kNoPart) continue;
     const auto& [a, b, c] = mesh.triangles[t];
-    if (!seen[part]) origins[part] = mesh.vertices[a];
-    seen[part] = true;
+    if (areas[part] == 0) origins[part] = mesh.vertices[a];
     const Vector3& o = origins[part];
-    volumes[part] += dot(mesh.vertices[a] - o, cross(mesh.vertices[b] - o, mesh.vertices[c] - o));
+    const Vector3 to_a = mesh.vertices[a] - o, to_b = mesh.vertices[b] - o, to_c = mesh.vertices[c] - o;
+    volumes[part] += dot(to_a, cross(to_b, to_c)) / 6;
+    areas[part] += norm(cross(to_b - to_a, to_c - to_a)) / 2;
   }
-  if (std::all_of(volumes.begin(), volumes.end(), [](double v) { return v >= 0; })) return 1;
-  return std::all_of(volumes.begin(), volumes.end(), [](double v) { return v <= 0; }) ? -1 : 0;
+  bool outward = true, inward = true;
+  for (std::size_t p = 0; p < parts.count; ++p) {
+    const double flat = 0.5 * kFlat * areas[p] * std::sqrt(areas[p]);
+    outward &= volumes[p] > flat;
+    inward &= volumes[p] < -flat;
+  }
+  return outward ? 1 : inward ? -1 : 0;
 }
 
 /// The mesh in the course of being mended. Triangles keep their numbers until the end.
@@ -111,9 +121,9 @@ class Mender {
 
   void orient_within_patches() {
     const std::vector<EdgeUse> uses = edge_uses();
-    const OpenEdges open = find_open_edges(mesh_.vertices, uses, longest_side(box_of_solid_triangles(mesh_)));
-    report_edges(uses, open);
-    Patches found = find_patches(mesh_.vertices, uses, open, areas_);
+    open_ = find_open_edges(mesh_.vertices, uses, longest_side(box_of_solid_triangles(mesh_)));
+    report_shared_edges(uses);
+    Patches found = find_patches(mesh_.vertices, uses, open_, areas_);
     patches_ = std::move(found.patches);
     patch_of_.assign(mesh_.triangles.size(), kNoPatch);
     Tally flipped;
@@ -128,8 +138,7 @@ class Mender {
     flipped.report(result_.findings, FindingKind::kFlippedFacet);
   }
 
-  void report_edges(const std::vector<EdgeUse>& uses, const OpenEdges& open) {
-    report_open_edges(mesh_.vertices, open, result_.findings);
+  void report_shared_edges(const std::vector<EdgeUse>& uses) {
     Tally soup, nonmanifold;
     bool any_shared = false;
     for_each_edge(std::span(uses), [&](std::span<const EdgeUse> edge) {
@@ -162,6 +171,10 @@ class Mender {
       }
     }
     report_patches(sides);
+    // The rim of a sheet that is left out is no hole.
+    std::erase_if(open_.edges, [&](const EdgeUse& use) { return left_out_[use.triangle]; });
+    std::erase_if(open_.cracks, [&](const CrackSide& side) { return left_out_[side.edge.triangle]; });
+    report_open_edges(mesh_.vertices, open_, result_.findings);
     for (const std::uint32_t t : kept)
       if (!left_out_[t]) rest_.push_back(t);
     if (rest_.empty()) fail_without_inside(kept.size());
@@ -173,7 +186,7 @@ class Mender {
       const Patch& patch = patches_[p];
       const Vector3 place = centroid_of(mesh_, patch.triangles[0]);
       const bool is_turned = !sides.stray[p] && sides.flipped[p] != sides.inside_out;
-      if (is_turned && !patch.one_sided) inside_out.add(place);
+      if (is_turned && !patch.one_sided && patch.turned_share <= kUndecided) inside_out.add(place);
       if (patch.one_sided) {
         one_sided.add(patch.one_sided_place);
       } else if (sides.stray[p] && (patch.nonmanifold_edges > 0 || patch.triangles.size() == 1)) {
@@ -202,7 +215,9 @@ class Mender {
     };
     const std::string all = std::to_string(triangles) + (triangles == 1 ? " triangle" : " triangles");
     std::string what;
-    if (count(FindingKind::kTriangleSoup) > 0) {
+    if (result_.topology.watertight) {
+      what = "it is flat";
+    } else if (count(FindingKind::kTriangleSoup) > 0) {
       what = "it is a soup of " + all + ", no two of which share an edge";
     } else if (count(FindingKind::kOneSidedSheet) > 0) {
       what = "it is a one-sided sheet of " + all + ", such as a Moebius band";
@@ -247,6 +262,7 @@ class Mender {
   std::vector<double> areas_;
   std::vector<TriangleRole> roles_;
   std::vector<bool> left_out_;
+  OpenEdges open_;
   std::vector<Patch> patches_;
   std::vector<std::uint32_t> patch_of_, rest_;
   MendedSurface result_;
@@ -276,20 +292,27 @@ MendedSurface as_it_is(const TriangleMesh& mesh, const SurfaceTopology& topology
   return result;
 }
 
+/// The mesh as it is if it is closed and all its parts are the same way round. Parts that have no vertex in
+/// common may still lie on each other: for that they must be welded.
+std::optional<MendedSurface> if_sound(const TriangleMesh& mesh, bool is_welded) {
+  const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
+  const SurfaceTopology topology = analyse_topology(mesh, uses);
+  if (!topology.watertight) return std::nullopt;
+  const Parts parts = parts_of(mesh.triangles.size(), uses);
+  if (parts.count > 1 && !is_welded && has_equal_vertices(mesh)) return std::nullopt;
+  const int orientation = common_orientation(mesh, parts);
+  if (orientation == 0) return std::nullopt;
+  return as_it_is(mesh, topology, parts, orientation);
+}
+
 }  // namespace
 
 MendedSurface mend_surface(const TriangleMesh& mesh) {
   check_mesh(mesh);
-  {
-    const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
-    const SurfaceTopology topology = analyse_topology(mesh, uses);
-    if (topology.watertight) {
-      const Parts parts = parts_of(mesh.triangles.size(), uses);
-      if (const int orientation = common_orientation(mesh, parts); orientation != 0)
-        return as_it_is(mesh, topology, parts, orientation);
-    }
-  }
+  if (auto whole = if_sound(mesh, false)) return std::move(*whole);
   TriangleMesh welded = weld(mesh);
+  if (welded.vertices.size() < mesh.vertices.size())
+    if (auto whole = if_sound(welded, true)) return std::move(*whole);
   const SurfaceTopology topology = analyse_topology(welded);
   return Mender(std::move(welded)).mend(topology);
 }

@@ -21,6 +21,9 @@ constexpr double kAlong = 0.94;
 /// Of the length of an edge: that far beyond the end of another one its middle still counts as beside it.
 constexpr double kBeyond = 1e-6;
 
+/// Gaps below this, relative to the edge, are rounding: corners on an edge.
+constexpr double kNoGap = 1e-12;
+
 /// Edges that one edge is compared with before the search for a partner ends. Only where more than that
 /// crowd within the gap is one missed.
 constexpr std::size_t kMostCompared = 1000;
@@ -87,6 +90,7 @@ class CrackFinder {
     const EdgeUse &a = edges_[e], &b = edges_[*best];
     const Segment other = segment_of(vertices_, b);
     const bool same = (dot(edge.to - edge.from, other.to - other.from) > 0) == (a.forward == b.forward);
+    if (best_gap < kNoGap * norm(edge.to - edge.from)) best_gap = 0;
     return CrackSide{a, b, best_gap, same};
   }
 

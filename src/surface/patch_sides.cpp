@@ -21,15 +21,12 @@ constexpr double kCurvesRound = 0.25;
 /// A sheet bounds something where its two sides have winding numbers within so much of 0 and 1.
 constexpr double kBounds = 0.25;
 
-/// Share of a patch that is turned against the rest, above which the majority says nothing.
-constexpr double kUndecided = 0.4;
-
 /// Triangles of a patch that are looked at; their median decides.
 constexpr std::size_t kLooks = 7;
 
 /// Distance of the points that are looked from, in units of the square root of the triangle's area: far above
-/// rounding, far below the distance of other triangles.
-constexpr double kStepOff = 1e-4;
+/// rounding, and below the thickness of any wall: what is thinner is flat.
+constexpr double kStepOff = 1e-6;
 
 /// Each look costs a few microseconds.
 constexpr std::size_t kMostPatches = 100000;
@@ -181,9 +178,7 @@ class PatchJudge {
   bool leave_out_strays(const std::vector<View>& views) {
     bool any = false;
     for (std::size_t p = 0; p < patches_.size(); ++p) {
-      const Patch& patch = patches_[p];
-      const bool closed = patch.open_edges + patch.nonmanifold_edges == 0 && !patch.one_sided;
-      if (!views[p].any || closed || std::abs(views[p].own) >= kCurvesRound) continue;
+      if (!views[p].any || std::abs(views[p].own) >= kCurvesRound) continue;
       if (std::abs(views[p].own + views[p].others - 0.5) <= kBounds) continue;
       any = sides_.stray[p] = true;
       for (const std::uint32_t member : members_[p]) sides_.left_out[rest_[member]] = true;

@@ -12,6 +12,9 @@ namespace crossgrain {
 /// The patch of a triangle that is half of an internal sheet.
 inline constexpr std::uint32_t kNoPatch = UINT32_MAX;
 
+/// Share of a patch that is turned against the rest, above which the majority says nothing.
+inline constexpr double kUndecided = 0.4;
+
 struct PatchSides {
   std::vector<bool> flipped;   ///< patch by patch: looks the other way than its triangles as given
   std::vector<bool> stray;     ///< patch by patch: bounds nothing

@@ -24,17 +24,17 @@ using PartPair = std::pair<std::uint32_t, std::uint32_t>;
 constexpr double kTolerance = 2.5e-7;
 
 /// Pairs of triangles that are looked at, per triangle and besides, before counting ends early. A smooth
-/// surface needs about 30 a triangle.
-constexpr std::size_t kPairsPerTriangle = 300, kPairsBesides = 4000000;
+/// surface needs about 50 a triangle.
+constexpr std::size_t kPairsPerTriangle = 150, kPairsBesides = 4000000;
 
 /// Pairs that one leaf may look at.
-constexpr std::size_t kPairsPerLeaf = 65536;
+constexpr std::size_t kPairsPerLeaf = 8192;
 
 /// Triangles in a leaf of the tree, at most.
 constexpr std::size_t kMostInLeaf = 4;
 
 /// Nodes of the tree that one task, and all tasks between two looks at how much has been done, go through.
-constexpr std::size_t kNodesPerTask = 256, kNodesPerRound = 16384;
+constexpr std::size_t kNodesPerTask = 64, kNodesPerRound = 1024;
 
 /// Parts beyond this many are not asked which of them lie inside others.
 constexpr std::size_t kMostParts = 10000;

@@ -68,6 +68,13 @@ TriangleMesh weld(const TriangleMesh& mesh) {
   return welded;
 }
 
+bool has_equal_vertices(const TriangleMesh& mesh) {
+  const std::vector<std::uint32_t> first = first_equal_vertex(mesh.vertices);
+  for (std::uint32_t v = 0; v < first.size(); ++v)
+    if (first[v] != v) return true;
+  return false;
+}
+
 SurfaceTopology analyse_topology(const TriangleMesh& mesh) {
   return analyse_topology(mesh, sorted_edge_uses(mesh.triangles));
 }

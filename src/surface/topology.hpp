@@ -15,6 +15,9 @@ namespace crossgrain {
 /// fallen together, and so does whatever else the mesh knows. Indices must be in range (`check_mesh`).
 TriangleMesh weld(const TriangleMesh& mesh);
 
+/// Whether two vertices have equal coordinates, so that `weld` would merge them.
+bool has_equal_vertices(const TriangleMesh& mesh);
+
 /// Counts over the edges of a mesh. An edge is a pair of vertex indices, so meshes from soups want `weld`
 /// first.
 struct SurfaceTopology {

@@ -12,9 +12,6 @@ namespace {
 
 using Corners = std::array<Vector3, 3>;
 
-/// Of a triple product of differences, in units of the product of their lengths.
-constexpr double kRounding = 4e-15;
-
 std::array<double, 3> heights_of(const Corners& corners, const Corners& over, const Vector3& normal) {
   return {dot(normal, corners[0] - over[0]), dot(normal, corners[1] - over[0]),
           dot(normal, corners[2] - over[0])};
@@ -25,29 +22,41 @@ bool are_on_both_sides(const std::array<double, 3>& heights, double tolerance) {
          std::min({heights[0], heights[1], heights[2]}) < -tolerance;
 }
 
-/// Whether the line through p and q misses the triangle clear of rounding: it passes one edge on the left and
-/// another one on the right.
-bool misses(const Vector3& p, const Vector3& q, const Corners& corners) {
-  const Vector3 d = q - p;
-  bool left = false, right = false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vector3 a = corners[k] - p, b = corners[(k + 1) % 3] - p;
-    const double volume = dot(d, cross(a, b)), noise = kRounding * norm(d) * norm(a) * norm(b);
-    left |= volume > noise;
-    right |= volume < -noise;
-  }
-  return left && right;
-}
+/// The part of a line that lies in a triangle, as distances along it.
+struct Interval {
+  double low = INFINITY, high = -INFINITY;
 
-std::optional<Vector3> edge_through(const Corners& a, const std::array<double, 3>& heights, const Corners& b,
-                                    double tolerance) {
+  void add(double t) {
+    low = std::min(low, t);
+    high = std::max(high, t);
+  }
+};
+
+/// Where a triangle meets a plane over which its corners have these heights.
+Interval interval_of(const Corners& corners, const std::array<double, 3>& heights, const Vector3& direction,
+                     const Vector3& origin) {
+  Interval interval;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
-    const double low = std::min(heights[k], heights[next]), high = std::max(heights[k], heights[next]);
-    if (!(high > tolerance && low < -tolerance) || misses(a[k], a[next], b)) continue;
-    return a[k] + (heights[k] / (heights[k] - heights[next])) * (a[next] - a[k]);
+    if ((heights[k] > 0) == (heights[next] > 0)) continue;
+    const double t = heights[k] / (heights[k] - heights[next]);
+    interval.add(dot(direction, corners[k] + t * (corners[next] - corners[k]) - origin));
   }
-  return std::nullopt;
+  return interval;
+}
+
+/// The point of the triangle in that plane at distance t along the line from its first corner.
+Vector3 point_at(const Corners& corners, const std::array<double, 3>& heights, const Vector3& direction,
+                 double t) {
+  std::array<Vector3, 2> ends{};
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < 3 && count < 2; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    if ((heights[k] > 0) == (heights[next] > 0)) continue;
+    ends[count++] = corners[k] + (heights[k] / (heights[k] - heights[next])) * (corners[next] - corners[k]);
+  }
+  const double from = dot(direction, ends[0] - corners[0]), to = dot(direction, ends[1] - corners[0]);
+  return ends[0] + (to == from ? 0.0 : (t - from) / (to - from)) * (ends[1] - ends[0]);
 }
 
 /// The point of the segment from p to q nearest to that from r to s (Ericson, Real-Time Collision Detection,
@@ -76,8 +85,13 @@ std::optional<Vector3> crossing_of(const Corners& a, const Vector3& a_normal, co
   if (!are_on_both_sides(a_heights, tolerance)) return std::nullopt;
   const std::array<double, 3> b_heights = heights_of(b, a, a_normal);
   if (!are_on_both_sides(b_heights, tolerance)) return std::nullopt;
-  if (const auto point = edge_through(a, a_heights, b, tolerance)) return point;
-  return edge_through(b, b_heights, a, tolerance);
+  const Vector3 direction = normalised(cross(a_normal, b_normal));
+  const Interval in_a = interval_of(a, a_heights, direction, a[0]);
+  const Interval in_b = interval_of(b, b_heights, direction, a[0]);
+  const double low = std::max(in_a.low, in_b.low), high = std::min(in_a.high, in_b.high);
+  if (!(high - low > tolerance)) return std::nullopt;
+  // Back from the distance along the line to a point of a: between the ends of its own interval.
+  return point_at(a, a_heights, direction, 0.5 * (low + high));
 }
 
 std::optional<Vector3> near_point(const Corners& a, const Corners& b, double distance) {

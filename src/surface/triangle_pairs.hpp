@@ -9,10 +9,10 @@
 
 namespace crossgrain {
 
-/// Where an edge of one triangle passes through the other, if one does. Both need an area; normals are of
-/// unit length. An edge passes through where its ends are farther than `tolerance` on either side of the
-/// plane and it does not miss the triangle clear of rounding. So triangles that share an edge or a vertex do
-/// not cross there, nor do those that only touch, and triangles in one plane never do.
+/// The middle of the segment that two triangles have in common, if they cross: both have corners farther than
+/// `tolerance` on either side of the other's plane, and the segment is longer than that (Moeller, JGT 2(2),
+/// 1997). So triangles that share an edge or a vertex do not cross there, nor do those that only touch, and
+/// triangles in one plane never do. Both need an area; normals are of unit length.
 std::optional<Vector3> crossing_of(const std::array<Vector3, 3>& a, const Vector3& a_normal,
                                    const std::array<Vector3, 3>& b, const Vector3& b_normal,
                                    double tolerance);
