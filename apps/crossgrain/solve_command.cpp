@@ -227,6 +227,8 @@ void run_solve(const SolveArguments& arguments) {
     report = solve_and_write(arguments, start, monitor, warn);
   }
   if (report.limited) print_message("warning: " + report.warnings.front());
+  for (const SolveReport::Finding& finding : report.input.findings)
+    print_message("warning: " + arguments.model + ": " + sentence_of(finding));
   if (!arguments.quiet) print_result(summary_of(report, arguments.output));
 }
 

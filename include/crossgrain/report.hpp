@@ -24,6 +24,21 @@ struct SolveReport {
     std::string file_unit = {};
   } model;
 
+  /// What was found wrong with the surface, at most one entry of a kind (docs/report.md).
+  struct Finding {
+    std::string kind;
+    std::size_t count = 0;
+    bool at_least = false;         ///< counting ended early
+    Vector3 place{};               ///< of the first, or of the largest
+    std::optional<double> length;  ///< around the largest hole, across the widest crack
+    std::string done;              ///< what became of them
+  };
+  struct Input {
+    std::size_t triangles_solved = 0;  ///< that are left to solve with
+    bool closed = false;               ///< and whether these leave no gap
+    std::vector<Finding> findings;
+  } input;
+
   int degree = 4;
   double resolution = 0;  ///< finest cells along the longest side of the bounding box
   std::vector<LevelStatistics> levels;
@@ -128,5 +143,8 @@ struct SolveReport {
   /// One sentence each for what the user should know before trusting the field.
   std::vector<std::string> warnings;
 };
+
+/// A finding as one of SolveReport::warnings: what, how many, where, and what became of them.
+std::string sentence_of(const SolveReport::Finding& finding);
 
 }  // namespace crossgrain

@@ -9,6 +9,7 @@
 #include "analysis/alignment.hpp"
 #include "analysis/crease_report.hpp"
 #include "analysis/field_data.hpp"
+#include "analysis/input_report.hpp"
 #include "analysis/sampling.hpp"
 #include "analysis/singularity_graph.hpp"
 #include "analysis/solve_checks.hpp"
@@ -22,7 +23,8 @@
 #include "field/solve_forecast.hpp"
 #include "harmonics/deviation.hpp"
 #include "harmonics/frame.hpp"
-#include "surface/topology.hpp"
+#include "surface/mending.hpp"
+#include "surface/self_intersections.hpp"
 
 namespace crossgrain {
 namespace {
@@ -47,13 +49,12 @@ double largest_deviation(std::span<const StoredQuaternion> frames) {
   return largest.empty() ? 0 : *std::max_element(largest.begin(), largest.end());
 }
 
-SolveReport::Model describe(const TriangleMesh& mesh, const Surface& surface,
-                            const SurfaceTopology& topology) {
+SolveReport::Model describe(const TriangleMesh& mesh, const MendedSurface& mended) {
   SolveReport::Model model;
   model.triangles = mesh.triangles.size();
-  model.bounding_box = surface.box;
-  model.watertight = topology.watertight;
-  model.components = topology.components;
+  model.bounding_box = mended.surface.box;
+  model.watertight = mended.topology.watertight;
+  model.components = mended.topology.components;
   model.unit = mesh.unit;
   model.file_unit = mesh.file_unit;
   return model;
@@ -92,16 +93,20 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   Stopwatch watch;
   watch.start();
   const ThreadLimit thread_limit(options.threads);
-  const Surface surface = prepare_surface(mesh);
+  check_mesh(mesh);
+  if (const Box box = box_of_solid_triangles(mesh); box.low[0] <= box.high[0]) check_scale(box);
+  const MendedSurface mended = mend_surface(mesh);
+  const Surface& surface = mended.surface;
   check_size(surface, options);
   const TriangleBvh bvh(surface);
   const WindingNumber winding(surface, bvh);
-  const SurfaceTopology topology = analyse_topology(mesh);
+  SurfaceFindings findings = mended.findings;
+  find_self_intersections(mended, bvh, winding, findings);
   const CreaseNetwork creases(surface, options.creases, winding.flipped());
   const Guides guides = guides_along(creases.curves, creases.corners, options.solver.crease_weight);
-  const Solid solid{surface, bvh, winding, topology.watertight, &guides};
+  const Solid solid{surface, bvh, winding, mended.closed, &guides};
   SolvedField solved = nested_solve(solid, options, monitor, initial_frame, watch.restart());
-  check_interior(solved.level, surface, topology);
+  check_interior(solved.level, mended);
 
   monitor.report({"analysis", 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN()});
   auto data = std::make_shared<FieldData>();
@@ -121,11 +126,12 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   });
   data->report.singularity =
       singularity_graph(solved.level.tree, solved.frames, solved.open_faces, solved.near_sharp_turn).counts();
-  data->report.model = describe(mesh, surface, topology);
+  data->report.model = describe(mesh, mended);
+  data->report.input = input_report(mended, findings);
   if (data->report.limited) data->report.warnings = {memory_warning(data->report)};
   data->report.warnings.insert(data->report.warnings.end(), mesh.warnings.begin(), mesh.warnings.end());
-  const std::vector<std::string> faults = surface_warnings(surface, topology);
-  data->report.warnings.insert(data->report.warnings.end(), faults.begin(), faults.end());
+  for (const SolveReport::Finding& finding : data->report.input.findings)
+    data->report.warnings.push_back(sentence_of(finding));
   const std::vector<std::string> unresolved = resolution_warnings(data->report);
   data->report.warnings.insert(data->report.warnings.end(), unresolved.begin(), unresolved.end());
   if (!solved.settled) data->report.warnings.push_back("the energy had not settled when the sweeps ran out");

@@ -165,35 +165,22 @@ void check_size(const Surface& surface, const SolveOptions& options) {
              1 << kMostLevelsLeftOut, cells / 1e6, needed / 1e9, allowed / 1e9));
 }
 
-void check_interior(const GridLevel& finest, const Surface& surface, const SurfaceTopology& topology) {
+void check_interior(const GridLevel& finest, const MendedSurface& mended) {
   if (std::any_of(finest.centre_winding.begin(), finest.centre_winding.end(), [](int w) { return w > 0; }))
     return;
-  if (!topology.watertight) {
-    refuse(ErrorKind::kInput, "the surface is open and encloses nothing; close it");
+  const Surface& surface = mended.surface;
+  if (!mended.closed) {
+    const Finding* hole = find(mended.findings, FindingKind::kHole);
+    const std::string where =
+        hole == nullptr
+            ? ""
+            : fmt::format(", with an opening {:.3g} around at {:.6g} {:.6g} {:.6g}", hole->length.value_or(0),
+                          hole->place[0], hole->place[1], hole->place[2]);
+    refuse(ErrorKind::kInput, "the surface is open" + where + ", and encloses nothing; close it");
   }
   if (2 * enclosed_volume(surface) < kFlat * total_area(surface) * longest_side(surface.box)) {
     refuse(ErrorKind::kInput, "the surface is flat and encloses nothing; give it thickness");
   }
-}
-
-std::vector<std::string> surface_warnings(const Surface& surface, const SurfaceTopology& topology) {
-  std::vector<std::string> warnings;
-  if (surface.degenerate_triangles > 0) {
-    warnings.push_back(fmt::format("{} triangles without area were left out", surface.degenerate_triangles));
-  }
-  if (topology.misoriented_edges > 0) {
-    warnings.push_back(
-        fmt::format("at {} edges neighbouring triangles face opposite ways: what is inside is not reliable "
-                    "there, orient the surface",
-                    topology.misoriented_edges));
-  }
-  if (topology.open_edges + topology.nonmanifold_edges > 0) {
-    warnings.push_back(
-        fmt::format("the surface has {} open edges and {} with more than two triangles: inside and outside "
-                    "are told apart by the winding number",
-                    topology.open_edges, topology.nonmanifold_edges));
-  }
-  return warnings;
 }
 
 std::vector<std::string> resolution_warnings(const SolveReport& report) {

@@ -8,8 +8,7 @@
 #include "crossgrain/options.hpp"
 #include "crossgrain/report.hpp"
 #include "grid/grid_level.hpp"
-#include "surface/surface.hpp"
-#include "surface/topology.hpp"
+#include "surface/mending.hpp"
 
 namespace crossgrain {
 
@@ -26,11 +25,9 @@ void check_size(const Surface& surface, const SolveOptions& options);
 
 /// Throws Error(kInput) where no cell has its centre inside and that is not for want of resolution: the
 /// surface is open, or flat.
-void check_interior(const GridLevel& finest, const Surface& surface, const SurfaceTopology& topology);
+void check_interior(const GridLevel& finest, const MendedSurface& mended);
 
-/// One sentence each, for SolveReport::warnings: of faults of the surface, and of what the finest cells do
-/// not resolve of it.
-std::vector<std::string> surface_warnings(const Surface& surface, const SurfaceTopology& topology);
+/// One sentence each, for SolveReport::warnings, of what the finest cells do not resolve of the surface.
 std::vector<std::string> resolution_warnings(const SolveReport& report);
 
 /// A warning that the cells are larger than was asked for; where report.limited.

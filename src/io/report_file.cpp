@@ -148,8 +148,24 @@ void describe_creases(File& file, Report& report) {
   });
 }
 
+template <class File, class Finding>
+void describe_finding(File& file, Finding& finding) {
+  file.member("kind", finding.kind);
+  file.member("count", finding.count);
+  file.member("at_least", finding.at_least);
+  file.member("place", finding.place);
+  file.member("length", finding.length);
+  file.member("done", finding.done);
+}
+
 template <class File, class Report>
 void describe_doubts(File& file, Report& report) {
+  file.object("input", [&](auto& input) {
+    input.member("triangles_solved", report.input.triangles_solved);
+    input.member("closed", report.input.closed);
+    input.list("findings", report.input.findings,
+               [](auto& inner, auto& finding) { describe_finding(inner, finding); });
+  });
   describe_creases(file, report);
   file.object("walls", [&](auto& walls) {
     walls.member("cells_wanted", report.walls.cells_wanted);
@@ -197,11 +213,12 @@ class JsonWriter {
     if (value) object(key, [&](auto& inner) { describe(inner, *value); });
   }
 
-  void levels(const char* key, const std::vector<LevelStatistics>& levels) {
+  template <class T, class Describe>
+  void list(const char* key, const std::vector<T>& values, const Describe& describe) {
     Json& list = json_[key] = Json::array();
-    for (const LevelStatistics& level : levels) {
+    for (const T& value : values) {
       JsonWriter inner(list.emplace_back(Json::object()));
-      describe_level(inner, level);
+      describe(inner, value);
     }
   }
 
@@ -252,12 +269,13 @@ class JsonReader {
     members(inner);
   }
 
-  void levels(const char* key, std::vector<LevelStatistics>& levels) {
+  template <class T, class Describe>
+  void list(const char* key, std::vector<T>& values, const Describe& describe) {
     const Json& list = require(key);
     if (!list.is_array()) fail(key);
     for (const Json& json : list) {
       JsonReader inner(json, file_);
-      describe_level(inner, levels.emplace_back());
+      describe(inner, values.emplace_back());
     }
   }
 
@@ -277,7 +295,7 @@ class JsonReader {
 template <class File, class Report>
 void describe(File& file, Report& report) {
   describe_input(file, report);
-  file.levels("levels", report.levels);
+  file.list("levels", report.levels, [](auto& inner, auto& level) { describe_level(inner, level); });
   describe_quality(file, report);
   describe_cost(file, report);
 }

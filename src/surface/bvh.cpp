@@ -104,6 +104,8 @@ double squared_distance(const Box& box, const Vector3& p) {
   return sum;
 }
 
+}  // namespace
+
 /// Ericson, Real-Time Collision Detection (2005), section 5.1.5: which of the seven Voronoi regions holds p.
 Vector3 nearest_on_triangle(const std::array<Vector3, 3>& corners, const Vector3& p) {
   const auto& [a, b, c] = corners;
@@ -123,8 +125,6 @@ Vector3 nearest_on_triangle(const std::array<Vector3, 3>& corners, const Vector3
   const double scale = 1 / (va + vb + vc);
   return a + (vb * scale) * ab + (vc * scale) * ac;
 }
-
-}  // namespace
 
 std::optional<RayHit> TriangleBvh::first_hit(const Vector3& origin, const Vector3& direction, double t_min,
                                              double t_max) const {

@@ -11,6 +11,7 @@
 //   skip
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -68,5 +69,30 @@ class TriangleBvh {
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> triangle_order_;
 };
+
+/// The point of a triangle nearest to p.
+Vector3 nearest_on_triangle(const std::array<Vector3, 3>& corners, const Vector3& p);
+
+inline bool boxes_meet(const Box& a, const Box& b) {
+  return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] && b.low[1] <= a.high[1] &&
+         a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
+}
+
+/// Calls visit(triangle) for every triangle in leaves of the tree that meet the box, until it returns false.
+template <class Visit>
+void for_each_triangle_near(const TriangleBvh& bvh, const Box& box, const Visit& visit) {
+  const auto& nodes = bvh.nodes();
+  for (std::uint32_t i = 0; i < nodes.size();) {
+    const TriangleBvh::Node& node = nodes[i];
+    if (!boxes_meet(node.box, box)) {
+      i = node.skip;
+      continue;
+    }
+    const bool is_leaf = node.skip == ++i;
+    for (std::uint32_t k = node.first; is_leaf && k < node.first + node.count; ++k) {
+      if (!visit(bvh.triangle_order()[k])) return;
+    }
+  }
+}
 
 }  // namespace crossgrain

@@ -97,6 +97,21 @@ TriangleShape shape_of(const std::array<Vector3, 3>& corners) {
   return {over(normal, twice_area), area};
 }
 
+Box box_of_solid_triangles(const TriangleMesh& mesh) {
+  Box box = box_of({});
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const std::array<Vector3, 3> corners{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+    if (shape_of(corners).area == 0) continue;
+    for (const Vector3& corner : corners) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.low[axis] = std::min(box.low[axis], corner[axis]);
+        box.high[axis] = std::max(box.high[axis], corner[axis]);
+      }
+    }
+  }
+  return box;
+}
+
 Vector3 Surface::blended_normal(std::size_t triangle, const Vector3& point) const {
   const auto [a, b, c] = corners(triangle);
   // Barycentric coordinates of the point's projection, none of them below zero.

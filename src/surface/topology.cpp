@@ -68,9 +68,19 @@ TriangleMesh weld(const TriangleMesh& mesh) {
   return welded;
 }
 
+bool has_equal_vertices(const TriangleMesh& mesh) {
+  const std::vector<std::uint32_t> first = first_equal_vertex(mesh.vertices);
+  for (std::uint32_t v = 0; v < first.size(); ++v)
+    if (first[v] != v) return true;
+  return false;
+}
+
 SurfaceTopology analyse_topology(const TriangleMesh& mesh) {
+  return analyse_topology(mesh, sorted_edge_uses(mesh.triangles));
+}
+
+SurfaceTopology analyse_topology(const TriangleMesh& mesh, std::span<const EdgeUse> all_uses) {
   SurfaceTopology topology;
-  const std::vector<EdgeUse> all_uses = sorted_edge_uses(mesh.triangles);
   DisjointSets sets(mesh.triangles.size());
   for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
     for (const EdgeUse& use : uses) sets.join(uses[0].triangle, use.triangle);

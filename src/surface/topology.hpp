@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "crossgrain/types.hpp"
+#include "surface/edge_uses.hpp"
 
 namespace crossgrain {
 
@@ -12,6 +14,9 @@ namespace crossgrain {
 /// Vertices keep the order of their first occurrence; every triangle stays, also one whose corners have
 /// fallen together, and so does whatever else the mesh knows. Indices must be in range (`check_mesh`).
 TriangleMesh weld(const TriangleMesh& mesh);
+
+/// Whether two vertices have equal coordinates, so that `weld` would merge them.
+bool has_equal_vertices(const TriangleMesh& mesh);
 
 /// Counts over the edges of a mesh. An edge is a pair of vertex indices, so meshes from soups want `weld`
 /// first.
@@ -28,5 +33,8 @@ struct SurfaceTopology {
 /// Triangles that name a vertex twice have no part in edges and components; those that are merely flat have.
 /// Indices must be in range (`check_mesh`).
 SurfaceTopology analyse_topology(const TriangleMesh& mesh);
+
+/// The same, where the uses of its edges are known already (`sorted_edge_uses`).
+SurfaceTopology analyse_topology(const TriangleMesh& mesh, std::span<const EdgeUse> all_uses);
 
 }  // namespace crossgrain

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is wrong with a surface, kind by kind: how often, where, and how much.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "crossgrain/types.hpp"
+
+namespace crossgrain {
+
+enum class FindingKind {
+  kTriangleSoup,           ///< no two triangles share an edge; counts triangles
+  kHole,                   ///< open edges that hang together and are no crack; length: around the largest
+  kCrack,                  ///< open edges along others within a small gap; length: the widest gap
+  kNonmanifoldEdge,        ///< edges of more than two triangles
+  kDegenerateTriangle,     ///< triangles without area
+  kDuplicatedTriangle,     ///< more triangles on the same three vertices
+  kInternalSheet,          ///< triangles drawn from both sides, as between two parts that touch
+  kFlippedFacet,           ///< triangles turned against the larger part of their patch
+  kInsideOutPart,          ///< patches turned as a whole
+  kOneSidedSheet,          ///< patches that cannot be oriented, such as a Moebius band
+  kOpenSheet,              ///< patches that bound nothing
+  kStrayFacet,             ///< triangles that bound nothing and hang on others, or lie there alone
+  kSelfIntersection,       ///< pairs of triangles that cross, but for those of kOverlappingComponents
+  kOverlappingComponents,  ///< pairs of closed parts that cross, or of which one lies inside the other
+  kTouchingComponents,     ///< pairs of closed parts that meet without crossing
+};
+
+/// The field's word for a kind, in the plural: "holes".
+const char* name_of(FindingKind kind);
+
+struct Finding {
+  FindingKind kind;
+  std::size_t count;
+  Vector3 place;                 ///< of the first, or of the largest, in model units
+  std::optional<double> length;  ///< in model units, where the kind has one
+  bool at_least = false;         ///< counting ended early
+};
+
+/// In the order of FindingKind, at most one of each kind.
+using SurfaceFindings = std::vector<Finding>;
+
+/// The finding of a kind; null where there is none.
+const Finding* find(const SurfaceFindings& findings, FindingKind kind);
+
+/// Counts things of one kind and keeps where the first one is.
+class Tally {
+ public:
+  void add(const Vector3& place, std::size_t count = 1) {
+    if (count_ == 0) place_ = place;
+    count_ += count;
+  }
+  std::size_t count() const { return count_; }
+
+  /// Appends a finding if anything was counted.
+  void report(SurfaceFindings& findings, FindingKind kind, std::optional<double> length = {}) const {
+    if (count_ > 0) findings.push_back({kind, count_, place_, length});
+  }
+
+ private:
+  std::size_t count_ = 0;
+  Vector3 place_{};
+};
+
+}  // namespace crossgrain

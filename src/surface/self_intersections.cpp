@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/self_intersections.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "base/vector3.hpp"
+#include "surface/triangle_pairs.hpp"
+
+namespace crossgrain {
+namespace {
+
+using Corners = std::array<Vector3, 3>;
+using PartPair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Relative to the largest coordinate, which files in single precision round by 6e-8.
+constexpr double kTolerance = 2.5e-7;
+
+/// Pairs of triangles that are looked at, per triangle and besides, before counting ends early. A smooth
+/// surface needs about 50 a triangle.
+constexpr std::size_t kPairsPerTriangle = 150, kPairsBesides = 4000000;
+
+/// Pairs that one leaf may look at.
+constexpr std::size_t kPairsPerLeaf = 8192;
+
+/// Triangles in a leaf of the tree, at most.
+constexpr std::size_t kMostInLeaf = 4;
+
+/// Nodes of the tree that one task, and all tasks between two looks at how much has been done, go through.
+constexpr std::size_t kNodesPerTask = 64, kNodesPerRound = 1024;
+
+/// Parts beyond this many are not asked which of them lie inside others.
+constexpr std::size_t kMostParts = 10000;
+
+struct PartMeeting {
+  PartPair parts;
+  bool crosses;
+  Vector3 place;
+};
+
+/// What a run of leaves found.
+struct Found {
+  std::size_t crossings = 0, pairs = 0;
+  Vector3 first_crossing{};
+  bool cut_short = false;
+  std::vector<PartMeeting> meetings;
+
+  void add_crossing(const Vector3& place) {
+    if (crossings++ == 0) first_crossing = place;
+  }
+  /// One of a kind for each pair of parts is enough.
+  void add_meeting(const PartMeeting& meeting) {
+    for (const PartMeeting& m : meetings)
+      if (m.parts == meeting.parts && m.crosses == meeting.crosses) return;
+    meetings.push_back(meeting);
+  }
+  void add(const Found& other) {
+    if (crossings == 0) first_crossing = other.first_crossing;
+    crossings += other.crossings;
+    pairs += other.pairs;
+    cut_short |= other.cut_short;
+    meetings.insert(meetings.end(), other.meetings.begin(), other.meetings.end());
+  }
+};
+
+Box box_of_corners(const Corners& c, double margin) {
+  Box box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = std::min({c[0][k], c[1][k], c[2][k]}) - margin;
+    box.high[k] = std::max({c[0][k], c[1][k], c[2][k]}) + margin;
+  }
+  return box;
+}
+
+double largest_coordinate(const Box& box) {
+  double largest = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    largest = std::max({largest, std::abs(box.low[k]), std::abs(box.high[k])});
+  return largest;
+}
+
+class PairFinder {
+ public:
+  PairFinder(const MendedSurface& mended, const TriangleBvh& bvh)
+      : mended_(mended),
+        surface_(mended.surface),
+        nodes_(bvh.nodes()),
+        order_(bvh.triangle_order()),
+        tolerance_(kTolerance * largest_coordinate(mended.surface.box)) {}
+
+  Found find() const {
+    Found all;
+    const std::size_t most_pairs = kPairsPerTriangle * surface_.size() + kPairsBesides;
+    for (std::size_t begin = 0; begin < nodes_.size(); begin += kNodesPerRound) {
+      const std::size_t count = std::min(kNodesPerRound, nodes_.size() - begin);
+      std::vector<Found> found((count + kNodesPerTask - 1) / kNodesPerTask);
+      parallel_for_chunks(count, kNodesPerTask, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+          look_from(static_cast<std::uint32_t>(begin + i), found[first / kNodesPerTask]);
+      });
+      for (const Found& part : found) all.add(part);
+      if (all.crossings < kMostCrossings && all.pairs < most_pairs) continue;
+      all.cut_short |= begin + count < nodes_.size();
+      break;
+    }
+    return all;
+  }
+
+ private:
+  struct Side {
+    std::uint32_t triangle;
+    Corners corners;
+    Box box;
+  };
+
+  Side side_of(std::uint32_t place, double margin) const {
+    const std::uint32_t triangle = order_[place];
+    const Corners corners = surface_.corners(triangle);
+    return {triangle, corners, box_of_corners(corners, margin)};
+  }
+
+  /// Pairs of the triangles of a leaf with each other and with those of the leaves behind it.
+  void look_from(std::uint32_t leaf, Found& found) const {
+    const TriangleBvh::Node& node = nodes_[leaf];
+    if (node.skip != leaf + 1) return;
+    std::array<Side, kMostInLeaf> sides;
+    assert(node.count <= sides.size());
+    for (std::uint32_t k = 0; k < node.count; ++k) sides[k] = side_of(node.first + k, tolerance_);
+    const std::span<const Side> own(sides.data(), node.count);
+    for (std::size_t k = 0; k < own.size(); ++k)
+      for (std::size_t m = 0; m < k; ++m) look_at_pair(own[m], own[k], found);
+
+    std::size_t pairs = 0;
+    const Vector3 margin{tolerance_, tolerance_, tolerance_};
+    const Box box{node.box.low - margin, node.box.high + margin};
+    for (std::uint32_t i = leaf + 1; i < nodes_.size() && pairs < kPairsPerLeaf;) {
+      const TriangleBvh::Node& other = nodes_[i];
+      if (!boxes_meet(box, other.box)) {
+        i = other.skip;
+      } else if (other.skip == ++i) {
+        look_at_leaf(own, other, found);
+        pairs += own.size() * other.count;
+      }
+    }
+    found.pairs += pairs;
+    found.cut_short |= pairs >= kPairsPerLeaf;
+  }
+
+  void look_at_leaf(std::span<const Side> own, const TriangleBvh::Node& leaf, Found& found) const {
+    for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place) {
+      const Side other = side_of(place, 0);
+      for (const Side& side : own)
+        if (boxes_meet(side.box, other.box)) look_at_pair(side, other, found);
+    }
+  }
+
+  void look_at_pair(const Side& a, const Side& b, Found& found) const {
+    const auto crossing = crossing_of(a.corners, surface_.normals[a.triangle], b.corners,
+                                      surface_.normals[b.triangle], tolerance_);
+    const std::uint32_t a_part = part_of(a.triangle), b_part = part_of(b.triangle);
+    if (a_part == b_part || a_part == kNoPart || b_part == kNoPart) {
+      if (crossing) found.add_crossing(*crossing);
+      return;
+    }
+    const PartPair parts = std::minmax(a_part, b_part);
+    if (crossing) {
+      found.add_meeting({parts, true, *crossing});
+    } else if (const auto place = near_point(a.corners, b.corners, tolerance_)) {
+      found.add_meeting({parts, false, *place});
+    }
+  }
+
+  std::uint32_t part_of(std::uint32_t triangle) const {
+    return mended_.part_of.empty() ? kNoPart : mended_.part_of[triangle];
+  }
+
+  const MendedSurface& mended_;
+  const Surface& surface_;
+  const std::vector<TriangleBvh::Node>& nodes_;
+  const std::vector<std::uint32_t>& order_;
+  double tolerance_;
+};
+
+/// One meeting a pair of parts, a crossing where there is one.
+std::vector<PartMeeting> distinct_meetings(std::vector<PartMeeting> meetings) {
+  std::stable_sort(meetings.begin(), meetings.end(), [](const PartMeeting& a, const PartMeeting& b) {
+    return std::pair(a.parts, !a.crosses) < std::pair(b.parts, !b.crosses);
+  });
+  const auto end = std::unique(meetings.begin(), meetings.end(),
+                               [](const PartMeeting& a, const PartMeeting& b) { return a.parts == b.parts; });
+  meetings.erase(end, meetings.end());
+  return meetings;
+}
+
+/// Parts that lie inside the solid without crossing another part, though they are no voids: around their
+/// triangles the surface winds more than once.
+void add_buried_parts(const MendedSurface& mended, const WindingNumber& winding,
+                      const std::vector<PartMeeting>& meetings, Tally& overlapping) {
+  if (mended.part_of.empty() || mended.parts > kMostParts) return;
+  std::vector<bool> asked(mended.parts);
+  for (const PartMeeting& meeting : meetings)
+    if (meeting.crosses) asked[meeting.parts.first] = asked[meeting.parts.second] = true;
+  const Surface& surface = mended.surface;
+  for (std::uint32_t t = 0; t < surface.size(); ++t) {
+    const std::uint32_t part = mended.part_of[t];
+    if (part == kNoPart || asked[part]) continue;
+    asked[part] = true;
+    const auto [a, b, c] = surface.corners(t);
+    const Vector3 centre = (1.0 / 3) * (a + b + c);
+    const Vector3 off = 1e-4 * std::sqrt(surface.areas[t]) * surface.normals[t];
+    if (winding.at(centre + off) + winding.at(centre - off) > 2.5) overlapping.add(centre);
+  }
+}
+
+}  // namespace
+
+void find_self_intersections(const MendedSurface& mended, const TriangleBvh& bvh,
+                             const WindingNumber& winding, SurfaceFindings& findings) {
+  const Found found = PairFinder(mended, bvh).find();
+  if (found.crossings > 0) {
+    findings.push_back(
+        {FindingKind::kSelfIntersection, found.crossings, found.first_crossing, {}, found.cut_short});
+  }
+  const std::vector<PartMeeting> meetings = distinct_meetings(found.meetings);
+  Tally overlapping, touching;
+  for (const PartMeeting& meeting : meetings) (meeting.crosses ? overlapping : touching).add(meeting.place);
+  add_buried_parts(mended, winding, meetings, overlapping);
+  overlapping.report(findings, FindingKind::kOverlappingComponents);
+  touching.report(findings, FindingKind::kTouchingComponents);
+}
+
+}  // namespace crossgrain
