@@ -110,6 +110,21 @@ SolveReport::AngleSummary summary_of(std::vector<double> angles) {
           std::lerp(angles[below], angles[above], rank - std::floor(rank)), angles.back()};
 }
 
+SolveReport::AngleSummary summary_of(std::vector<WeightedAngle> angles) {
+  if (angles.empty()) return {};
+  std::stable_sort(angles.begin(), angles.end(),
+                   [](const WeightedAngle& a, const WeightedAngle& b) { return a.angle_deg < b.angle_deg; });
+  double weighted = 0, weight = 0;
+  for (const WeightedAngle& angle : angles) {
+    weighted += angle.weight * angle.angle_deg;
+    weight += angle.weight;
+  }
+  double above = 0;
+  std::size_t k = angles.size() - 1;
+  while (k > 0 && above + angles[k].weight <= kShareAbove * weight) above += angles[k--].weight;
+  return {weighted / weight, angles[k].angle_deg, angles.back().angle_deg};
+}
+
 SolveReport::Alignment angle_statistics(std::span<const SurfacePiece> pieces, std::span<const float> angles) {
   const AngleSums sums = sums_of(pieces, angles);
   SolveReport::Alignment alignment;
