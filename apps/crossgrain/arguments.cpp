@@ -177,6 +177,11 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
       ->type_name("N");
   add_tets_options(*command, arguments);
   add_output_options(*command, arguments.output_options);
+  command
+      ->add_option("--constraints", arguments.constraints,
+                   "What frames are to follow besides the surface, as JSON: axes and frames at points, along "
+                   "polylines and on faces, and stress tensors (docs/constraints.md)")
+      ->type_name("FILE");
   command->add_option("--from", arguments.from, "Start from the field in this folder")->type_name("DIR");
   command->add_flag("--quiet", arguments.quiet, "Print no summary and no progress");
   command->add_flag("--progress", arguments.progress,
@@ -230,6 +235,8 @@ void check_arguments(SolveArguments& arguments, const CLI::App* command) {
   if (command->count("--output") > 0 && arguments.output.empty())
     refuse("the folder of -o is empty", command);
   if (command->count("--onto") > 0 && arguments.onto.empty()) refuse("the file of --onto is empty", command);
+  if (command->count("--constraints") > 0 && arguments.constraints.empty())
+    refuse("the file of --constraints is empty", command);
   const bool is_tets = is_tet_file(arguments.model);
   if (is_tets && !arguments.onto.empty())
     refuse("MODEL is a tet mesh, which --onto is not for; give a surface or leave out --onto", command);

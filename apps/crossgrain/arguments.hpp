@@ -12,9 +12,10 @@ namespace crossgrain::app {
 
 struct SolveArguments {
   std::string model;
-  std::string output;  ///< the folder to write; never empty
-  std::string from;    ///< the folder of an earlier field; empty for none
-  std::string onto;    ///< the tet mesh to carry the field onto; empty for none
+  std::string output;       ///< the folder to write; never empty
+  std::string from;         ///< the folder of an earlier field; empty for none
+  std::string onto;         ///< the tet mesh to carry the field onto; empty for none
+  std::string constraints;  ///< a file of them; empty for none
   SolveOptions options;
   OutputOptions output_options;
   bool quiet = false;

@@ -36,7 +36,8 @@ auto naming(const std::string& file, const SolveArguments& arguments, const Comp
   } catch (const Error& error) {
     const bool of_model = error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit;
     const std::string message = error.what();
-    if (!of_model || (!arguments.from.empty() && message.starts_with(arguments.from))) throw;
+    const auto is_of = [&](const std::string& other) { return !other.empty() && message.starts_with(other); };
+    if (!of_model || is_of(arguments.from) || is_of(arguments.constraints)) throw;
     throw Error(error.kind(), file + ": " + message);
   }
 }
@@ -119,6 +120,20 @@ std::string tets_lines(const SolveReport::Onto& onto) {
               : "");
 }
 
+std::string angles_line(const char* what, const SolveReport::AngleSummary& angles) {
+  if (!angles.mean) return "";
+  return fmt::format(
+      "{:<10} {:.3g} degrees off their constraints in the mean, 95 % within {:.3g}, all within {:.3g}\n",
+      what, *angles.mean, *angles.p95, *angles.max);
+}
+
+std::string constraints_lines(const SolveReport::Constraints& constraints) {
+  return angles_line("points", constraints.points.angle_deg) +
+         angles_line("polylines", constraints.polylines.angle_deg) +
+         angles_line("faces", constraints.faces.angle_deg) +
+         angles_line("stresses", constraints.stresses.angle_deg);
+}
+
 std::string expected_line(const Expectation& expected) {
   return fmt::format("expected   {:.3g} million cells, {:.3g} GB of memory, {:.3g} s in all\n",
                      static_cast<double>(expected.active_cells) / 1e6,
@@ -146,6 +161,7 @@ std::string summary_of(const SolveReport& report, const std::string& output) {
       "alignment  {:.3g} degrees off the surface in the mean, 95 % within {:.3g}, all within {:.3g}; {:.3g} "
       "% left out\n",
       alignment.mean, alignment.p95, alignment.max, 100 * alignment.excluded_share);
+  if (report.constraints) text += constraints_lines(*report.constraints);
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
   for (const std::string& warning : report.warnings) text += fmt::format("warning    {}\n", warning);
   return text + fmt::format("result     {}\n", files_line(report, output));
@@ -165,8 +181,10 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
                             const std::function<void(const std::string&)>& warn) {
   check_start(arguments);
   monitor.report({"read", 0, 0, 0, 0});
+  SolveOptions options = arguments.options;
+  if (!arguments.constraints.empty()) options.constraints = read_constraints(arguments.constraints);
   const std::optional<TetDomain> domain = read_domain(arguments);
-  const SolveOptions options = domain ? sized_for(*domain, arguments.options) : arguments.options;
+  if (domain) options = sized_for(*domain, std::move(options));
   const TriangleMesh mesh =
       is_tet_file(arguments.model)
           ? domain->boundary()
@@ -229,6 +247,11 @@ void run_solve(const SolveArguments& arguments) {
   if (report.limited) print_message("warning: " + report.warnings.front());
   for (const SolveReport::Finding& finding : report.input.findings)
     print_message("warning: " + arguments.model + ": " + sentence_of(finding));
+  for (const std::string& warning : report.warnings) {
+    // What was asked for and does nothing is told even where nothing else is.
+    if (warning.starts_with("constraints outside"))
+      print_message("warning: " + arguments.constraints + ": " + warning);
+  }
   if (!arguments.quiet) print_result(summary_of(report, arguments.output));
 }
 

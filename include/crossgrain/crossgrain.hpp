@@ -2,6 +2,7 @@
 // Everything that the library offers.
 #pragma once
 
+#include "crossgrain/constraints.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/io.hpp"

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/constraints.hpp"
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
@@ -66,6 +67,10 @@ TetMesh read_tets(const std::filesystem::path& path);
 
 /// Whether `read_tets`, and not `read_surface`, takes a file of this name, by its extension.
 bool is_tet_file(const std::filesystem::path& path);
+
+/// The constraints in a JSON file (docs/constraints.md), checked; `source` and lines are those of the file.
+/// Throws Error(kInput) naming the line that is wrong, and where there are none at all.
+Constraints read_constraints(const std::filesystem::path& path);
 
 /// How much of a field `write_field` writes to field.vtu; by default all of it. The report, and what is
 /// written for tets, are of the whole field in any case.

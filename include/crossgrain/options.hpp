@@ -4,13 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "crossgrain/constraints.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
 
 /// Which cells a level refines into the next, finer one. Lengths are in cells, energies per unit as stated.
 struct RefinementOptions {
-  /// Cells that hold surface.
+  /// Cells that hold surface or constraints.
   bool by_surface = true;
 
   /// Cells whose constraints no frame meets (docs/design.md section 3, class *conflicted* or *compromised*)
@@ -154,6 +155,9 @@ struct SolveOptions {
 
   /// Changes the initial frames of every start.
   std::uint64_t seed = 0;
+
+  /// What frames are to follow besides the surface.
+  Constraints constraints;
 
   RefinementOptions refinement;
   CreaseAngles creases;

@@ -110,6 +110,32 @@ struct SolveReport {
     AngleSummary tangent_deg;         ///< from the tangent to the nearest axis, along all curves, by length
   } creases;
 
+  /// What SolveOptions::constraints asked for and how well the interpolated frames meet it.
+  struct Constraints {
+    struct Points {
+      std::size_t count = 0, outside = 0;  ///< outside: in no active cell, without any effect
+      AngleSummary angle_deg;              ///< from the axes asked for to the nearest of the frame
+    };
+    struct Polylines {
+      std::size_t count = 0;
+      std::size_t outside = 0;    ///< of which some part is in no active cell
+      double length = 0;          ///< of all of them
+      double outside_length = 0;  ///< of that, in no active cell
+      AngleSummary angle_deg;     ///< by length
+    };
+    struct Faces {
+      std::size_t count = 0;
+      double area = 0;
+      AngleSummary angle_deg;  ///< by area
+    };
+    Points points;
+    Polylines polylines;
+    Faces faces;
+    Points stresses;                     ///< angles of axes with a gap of at least 0.1
+    std::size_t isotropic_stresses = 0;  ///< that say nothing
+  };
+  std::optional<Constraints> constraints;  ///< only where there are any
+
   /// The field on a tet mesh. Energies are those of degree 4.
   struct Onto {
     std::size_t vertices = 0;  ///< of the file, unused ones too

@@ -15,7 +15,8 @@ namespace crossgrain {
 /// input and options give the same bits, whatever `options.threads` is.
 ///
 /// Errors: kUsage for options out of range; kInput for a mesh without triangles, with NaN or an index out of
-/// range, or one that encloses nothing; kLimit where memory or the depth of the octree does not suffice;
+/// range, or one that encloses nothing, and for constraints that make no sense, are all beside the model or
+/// on faces that it has not; kLimit where memory or the depth of the octree does not suffice;
 /// kInterrupted.
 FrameField solve(const TriangleMesh& mesh, const SolveOptions& options = {}, const Monitor& monitor = {});
 

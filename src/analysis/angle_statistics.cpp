@@ -112,17 +112,17 @@ SolveReport::AngleSummary summary_of(std::vector<double> angles) {
 
 SolveReport::AngleSummary summary_of(std::vector<WeightedAngle> angles) {
   if (angles.empty()) return {};
-  std::sort(angles.begin(), angles.end(),
-            [](const WeightedAngle& a, const WeightedAngle& b) { return a.angle < b.angle; });
-  double weight = 0, weighted = 0;
-  for (const WeightedAngle& a : angles) {
-    weight += a.weight;
-    weighted += a.weight * a.angle;
+  std::stable_sort(angles.begin(), angles.end(),
+                   [](const WeightedAngle& a, const WeightedAngle& b) { return a.angle_deg < b.angle_deg; });
+  double weighted = 0, weight = 0;
+  for (const WeightedAngle& angle : angles) {
+    weighted += angle.weight * angle.angle_deg;
+    weight += angle.weight;
   }
   double above = 0;
-  std::size_t rank = angles.size() - 1;
-  while (rank > 0 && !(above + angles[rank].weight > kShareAbove * weight)) above += angles[rank--].weight;
-  return {weighted / weight, angles[rank].angle, angles.back().angle};
+  std::size_t k = angles.size() - 1;
+  while (k > 0 && above + angles[k].weight <= kShareAbove * weight) above += angles[k--].weight;
+  return {weighted / weight, angles[k].angle_deg, angles.back().angle_deg};
 }
 
 SolveReport::Alignment angle_statistics(std::span<const SurfacePiece> pieces, std::span<const float> angles) {

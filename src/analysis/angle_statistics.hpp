@@ -15,10 +15,11 @@ inline constexpr float kExcludedAngle = -1;
 /// Mean, 95th percentile and largest of angles that count alike; none where there are none.
 SolveReport::AngleSummary summary_of(std::vector<double> angles);
 
-/// The same of angles that count by weights above 0; the 95th percentile as AlignmentMeasurement has it.
 struct WeightedAngle {
-  double angle, weight;
+  double angle_deg, weight;
 };
+
+/// The same by weight, which is positive; p95 is the smallest angle that 95 % of the weight does not exceed.
 SolveReport::AngleSummary summary_of(std::vector<WeightedAngle> angles);
 
 /// The statistics of the angles of `pieces` in degrees, not negative or kExcludedAngle, each weighted by its

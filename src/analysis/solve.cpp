@@ -7,6 +7,7 @@
 #include <string>
 
 #include "analysis/alignment.hpp"
+#include "analysis/constraint_report.hpp"
 #include "analysis/crease_report.hpp"
 #include "analysis/field_data.hpp"
 #include "analysis/input_report.hpp"
@@ -23,6 +24,7 @@
 #include "field/solve_forecast.hpp"
 #include "harmonics/deviation.hpp"
 #include "harmonics/frame.hpp"
+#include "surface/constraint_guides.hpp"
 #include "surface/mending.hpp"
 #include "surface/self_intersections.hpp"
 
@@ -90,6 +92,7 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
 std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptions& options,
                                       const Monitor& monitor, const InitialFrame& initial_frame) {
   check_options(options);
+  check_constraints(options.constraints);
   Stopwatch watch;
   watch.start();
   const ThreadLimit thread_limit(options.threads);
@@ -98,12 +101,14 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const MendedSurface mended = mend_surface(mesh);
   const Surface& surface = mended.surface;
   check_size(surface, options);
+  check_places(options.constraints, surface.box);
   const TriangleBvh bvh(surface);
   const WindingNumber winding(surface, bvh);
   SurfaceFindings findings = mended.findings;
   find_self_intersections(mended, bvh, winding, findings);
   const CreaseNetwork creases(surface, options.creases, winding.flipped());
-  const Guides guides = guides_along(creases.curves, creases.corners, options.solver.crease_weight);
+  Guides guides = guides_along(creases.curves, creases.corners, options.solver.crease_weight);
+  add_constraints(options.constraints, surface, guides);
   const Solid solid{surface, bvh, winding, mended.closed, &guides};
   SolvedField solved = nested_solve(solid, options, monitor, initial_frame, watch.restart());
   check_interior(solved.level, mended);
@@ -135,11 +140,16 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const std::vector<std::string> unresolved = resolution_warnings(data->report);
   data->report.warnings.insert(data->report.warnings.end(), unresolved.begin(), unresolved.end());
   if (!solved.settled) data->report.warnings.push_back("the energy had not settled when the sweeps ran out");
+  const double finest = finest_cell_size(surface.box, options);
+  const AskedAxes asked = asked_axes(options.constraints, solid, solved.level, finest);
   data->tree = std::move(solved.level.tree);
   data->frames = std::move(solved.frames);
   data->open_faces = std::move(solved.open_faces);
   const Sampler sampler(data->tree, data->frames, data->open_faces);
-  data->report.creases = crease_report(creases, sampler, finest_cell_size(surface.box, options));
+  data->report.creases = crease_report(creases, sampler, finest);
+  if (!options.constraints.empty()) data->report.constraints = constraint_report(asked, sampler);
+  const std::string outside = outside_constraints_warning(asked);
+  if (!outside.empty()) data->report.warnings.push_back(outside);
   const std::vector<std::string> impossible = crease_warnings(creases);
   data->report.warnings.insert(data->report.warnings.end(), impossible.begin(), impossible.end());
   return data;

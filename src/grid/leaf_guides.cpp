@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "grid/leaf_finder.hpp"
+#include "grid/point_guides.hpp"
 #include "surface/clipping.hpp"
 
 namespace crossgrain {
@@ -48,13 +49,16 @@ class SegmentWalker {
       if (leaf != kNoCell) passages.push_back({leaf, 0, 1});
       return;
     }
+    // There may be much more of it beside the root cube.
+    const ClippedSegment part = clip_segment(segment.ends, tree_.root().box(CellAddress::root()));
+    if (part.empty()) return;
     const double past = kPastFace * finest_ / length;
-    for (double t = 0; t < 1;) {
+    for (double t = part.from; t < part.to;) {
       const Vector3 here = a + std::min(1.0, t + past) * along;
       const CellIndex leaf = leaf_at(here);
       const double end =
           leaving(leaf == kNoCell ? finest_cell_around(here) : tree_.root().box(tree_[leaf]), a, along);
-      const double to = std::min(1.0, std::max(end, t + 2 * past));
+      const double to = std::min(part.to, std::max(end, t + 2 * past));
       if (leaf != kNoCell) passages.push_back({leaf, t, to});
       t = to;
     }
@@ -193,8 +197,7 @@ Vector3 LeafGuide::unit_direction() const {
 }
 
 LeafGuides::LeafGuides(const Octree& tree, const Guides& guides) {
-  if (tree.size() == 0) return;
-  if (guides.creases.empty() && guides.segments.empty() && guides.faces.empty()) return;
+  if (tree.size() == 0 || guides.empty()) return;
   const SegmentWalker walker(tree);
   std::vector<CellIndex> corners;
   for (const Vector3& corner : guides.corners) corners.push_back(walker.leaf_at(corner));
@@ -203,6 +206,7 @@ LeafGuides::LeafGuides(const Octree& tree, const Guides& guides) {
   append(guides_, along_segments(tree, walker, guides.creases, corners));
   append(guides_, along_segments(tree, walker, guides.segments, {}));
   append(guides_, on_faces(tree, guides.faces));
+  append(guides_, {guides_at_points(tree, guides.points)});
   std::stable_sort(guides_.begin(), guides_.end(),
                    [](const LeafGuide& a, const LeafGuide& b) { return a.leaf < b.leaf; });
 

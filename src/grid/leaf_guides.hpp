@@ -29,7 +29,7 @@ class LeafGuides {
   /// What lies outside all leaves is passed over.
   LeafGuides(const Octree& tree, const Guides& guides);
 
-  /// Creases first, then segments, then faces, each in their order.
+  /// Creases first, then segments, faces and points, each in their order.
   std::span<const LeafGuide> of(CellIndex leaf) const {
     if (guides_.empty()) return {};
     return found(leaf);

@@ -158,6 +158,34 @@ void describe_finding(File& file, Finding& finding) {
   file.member("done", finding.done);
 }
 
+template <class File, class Points>
+void describe_points(File& file, const char* key, Points& points) {
+  file.object(key, [&](auto& inner) {
+    inner.member("count", points.count);
+    inner.member("outside", points.outside);
+    describe_angles(inner, "angle_deg", points.angle_deg);
+  });
+}
+
+template <class File, class Constraints>
+void describe_constraints(File& file, Constraints& constraints) {
+  describe_points(file, "points", constraints.points);
+  file.object("polylines", [&](auto& polylines) {
+    polylines.member("count", constraints.polylines.count);
+    polylines.member("outside", constraints.polylines.outside);
+    polylines.member("length", constraints.polylines.length);
+    polylines.member("outside_length", constraints.polylines.outside_length);
+    describe_angles(polylines, "angle_deg", constraints.polylines.angle_deg);
+  });
+  file.object("faces", [&](auto& faces) {
+    faces.member("count", constraints.faces.count);
+    faces.member("area", constraints.faces.area);
+    describe_angles(faces, "angle_deg", constraints.faces.angle_deg);
+  });
+  describe_points(file, "stresses", constraints.stresses);
+  file.member("isotropic_stresses", constraints.isotropic_stresses);
+}
+
 template <class File, class Report>
 void describe_doubts(File& file, Report& report) {
   file.object("input", [&](auto& input) {
@@ -167,6 +195,8 @@ void describe_doubts(File& file, Report& report) {
                [](auto& inner, auto& finding) { describe_finding(inner, finding); });
   });
   describe_creases(file, report);
+  file.optional_object("constraints", report.constraints,
+                       [](auto& inner, auto& constraints) { describe_constraints(inner, constraints); });
   file.object("walls", [&](auto& walls) {
     walls.member("cells_wanted", report.walls.cells_wanted);
     walls.member("thin_share", report.walls.thin_share);

@@ -134,4 +134,19 @@ ClippedTriangle clip_triangle(const std::array<Vector3, 3>& corners, const Box& 
   return clipped;
 }
 
+ClippedSegment clip_segment(const std::array<Vector3, 2>& ends, const Box& box) {
+  const Vector3 along = ends[1] - ends[0];
+  ClippedSegment part{0, 1};
+  for (int k = 0; k < 3; ++k) {
+    const double low = box.low[k] - ends[0][k], high = box.high[k] - ends[0][k];
+    if (along[k] == 0) {
+      if (low > 0 || high < 0) return {1, 0};
+      continue;
+    }
+    part.from = std::max(part.from, std::min(low / along[k], high / along[k]));
+    part.to = std::min(part.to, std::max(low / along[k], high / along[k]));
+  }
+  return part;
+}
+
 }  // namespace crossgrain

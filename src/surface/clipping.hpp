@@ -24,4 +24,13 @@ ClippedTriangle clip_triangle(const std::array<Vector3, 3>& corners, const Box& 
 /// with the box. True for some triangles that merely come near. A fifth of the price of clipping.
 bool may_overlap(const std::array<Vector3, 3>& corners, const Box& box);
 
+/// The part of a segment inside a closed box, as fractions of the way from its first end to its second; empty
+/// where `from` exceeds `to`.
+struct ClippedSegment {
+  double from, to;
+
+  bool empty() const { return !(from <= to); }
+};
+ClippedSegment clip_segment(const std::array<Vector3, 2>& ends, const Box& box);
+
 }  // namespace crossgrain

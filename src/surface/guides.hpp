@@ -34,6 +34,19 @@ struct GuideFace {
   double weight = 1;
 };
 
+/// A point at which frames are to have axes along up to three directions.
+struct GuidePoint {
+  Vector3 place;
+  std::array<Vector3, 3> directions;  ///< unit vectors where their weight is positive; signs mean nothing
+
+  /// In the cell whose centre is nearest a direction counts like so many times the squared size of the cell
+  /// of surface; in the others around, between whose centres frames are interpolated there, as much less as
+  /// their weights are then. All points in a cell together count as much as the weightiest of them would
+  /// alone, each in proportion to its own weight, so that neither what is sampled densely nor coarse cells
+  /// drown the surface.
+  std::array<double, 3> weights{};
+};
+
 /// Plain data that nothing changes once it is made.
 struct Guides {
   /// Of the surface's own creases. In the cells of `corners`, where creases meet, they do not count: the
@@ -44,6 +57,9 @@ struct Guides {
   /// These count everywhere.
   std::vector<GuideSegment> segments = {};
   std::vector<GuideFace> faces = {};
+  std::vector<GuidePoint> points = {};
+
+  bool empty() const { return creases.empty() && segments.empty() && faces.empty() && points.empty(); }
 };
 
 }  // namespace crossgrain

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "grid/point_guides.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "grid/leaf_finder.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Shares of a point below this go to no leaf: they would cost as much as large ones.
+constexpr double kSmallestShare = 0.1;
+
+/// A point in one of the leaves around it.
+struct PlacedPoint {
+  CellIndex leaf;
+  std::uint32_t point;
+  double share;  ///< 1 for the leaf whose centre is nearest
+};
+
+double largest_weight(const GuidePoint& point) {
+  return *std::max_element(point.weights.begin(), point.weights.end());
+}
+
+/// Adds the leaves among the eight cells around `place` that are as large as the leaf that holds it, with the
+/// weights of trilinear interpolation between their centres over the largest of them.
+void place_point(const Octree& tree, const LeafFinder& finder, const Vector3& place, std::uint32_t point,
+                 std::vector<PlacedPoint>& placed) {
+  const auto address = tree.root().locate(place);
+  const CellIndex own = address ? finder.containing(*address) : kNoCell;
+  if (own == kNoCell) return;
+  const Vector3 centre = tree.centre(own);
+  const double size = tree.cell_size(own);
+  Vector3 off;  // from the centre of the leaf, in its sizes: from -1/2 to 1/2
+  for (int k = 0; k < 3; ++k) off[k] = std::clamp((place[k] - centre[k]) / size, -0.5, 0.5);
+  for (int corner = 0; corner < 8; ++corner) {
+    double share = 1;
+    Vector3 beside = centre;
+    for (int k = 0; k < 3; ++k) {
+      if ((corner >> k & 1) == 0) continue;
+      share *= std::abs(off[k]) / (1 - std::abs(off[k]));
+      beside[k] += std::copysign(size, off[k]);
+    }
+    if (share < kSmallestShare) continue;
+    const auto beside_address = tree.root().locate(beside);
+    const CellIndex leaf = corner == 0 ? own : beside_address ? finder.containing(*beside_address) : kNoCell;
+    if (leaf != kNoCell) placed.push_back({leaf, point, share});
+  }
+}
+
+/// In the order of leaves, in one leaf in that of points.
+std::vector<PlacedPoint> placed_points(const Octree& tree, const std::vector<GuidePoint>& points) {
+  const LeafFinder finder(tree);
+  std::vector<std::vector<PlacedPoint>> runs((points.size() + kParallelGrain - 1) / kParallelGrain);
+  parallel_for_chunks(points.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      place_point(tree, finder, points[k].place, static_cast<std::uint32_t>(k), runs[begin / kParallelGrain]);
+    }
+  });
+  std::vector<PlacedPoint> placed;
+  for (const auto& run : runs) placed.insert(placed.end(), run.begin(), run.end());
+  std::stable_sort(placed.begin(), placed.end(),
+                   [](const PlacedPoint& a, const PlacedPoint& b) { return a.leaf < b.leaf; });
+  return placed;
+}
+
+LeafGuide guide_of(CellIndex leaf, const Vector3& direction, double area) {
+  LeafGuide guide{leaf, {}, static_cast<float>(area)};
+  for (int k = 0; k < 3; ++k) guide.direction[k] = static_cast<float>(direction[k]);
+  return guide;
+}
+
+}  // namespace
+
+std::vector<LeafGuide> guides_at_points(const Octree& tree, const std::vector<GuidePoint>& points) {
+  std::vector<LeafGuide> guides;
+  const std::vector<PlacedPoint> placed = placed_points(tree, points);
+  for (auto first = placed.begin(); first != placed.end();) {
+    const CellIndex leaf = first->leaf;
+    const auto last = std::find_if(first, placed.end(), [&](const PlacedPoint& p) { return p.leaf != leaf; });
+    double largest = 0, sum = 0;
+    for (auto p = first; p != last; ++p) {
+      const double weight = p->share * largest_weight(points[p->point]);
+      largest = std::max(largest, weight);
+      sum += weight;
+    }
+    const double cell = tree.cell_size(leaf), area = largest / sum * cell * cell;
+    for (auto p = first; p != last; ++p) {
+      const GuidePoint& point = points[p->point];
+      for (int k = 0; k < 3; ++k) {
+        if (point.weights[k] > 0)
+          guides.push_back(guide_of(leaf, point.directions[k], p->share * point.weights[k] * area));
+      }
+    }
+    first = last;
+  }
+  return guides;
+}
+
+}  // namespace crossgrain
