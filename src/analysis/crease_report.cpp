@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kCurvesOfAFrame = 3;
 
 bool is_crowded(const CreaseCorner& corner) {
-  return corner.curves > kCurvesOfAFrame;
+  return corner.directions > kCurvesOfAFrame;
 }
 
 struct Place {
@@ -45,10 +45,20 @@ double length_of(const CreaseCurve& curve) {
   return sum;
 }
 
+/// `inner` has the same vertices as the surface.
+std::vector<CreaseCurve> curves_of(const Surface& surface, const TriangleMesh& inner,
+                                   const CreaseAngles& angles) {
+  if (inner.triangles.empty()) return sharp_curves(surface, angles);
+  TriangleMesh both{inner.vertices, surface.mesh.triangles};
+  both.triangles.insert(both.triangles.end(), inner.triangles.begin(), inner.triangles.end());
+  return sharp_curves(prepare_surface(std::move(both)), angles);
+}
+
 }  // namespace
 
-CreaseNetwork::CreaseNetwork(const Surface& surface, const CreaseAngles& angles, bool inside_out)
-    : curves(surface.mesh.creases.empty() ? sharp_curves(surface, angles) : surface.mesh.creases),
+CreaseNetwork::CreaseNetwork(const Surface& surface, const TriangleMesh& inner, const CreaseAngles& angles,
+                             bool inside_out)
+    : curves(surface.mesh.creases.empty() ? curves_of(surface, inner, angles) : surface.mesh.creases),
       corners(corners_of(curves, angles)),
       knives(knife_edges(surface, angles, inside_out)) {}
 

@@ -9,6 +9,8 @@
 #include "analysis/alignment.hpp"
 #include "analysis/crease_report.hpp"
 #include "analysis/field_data.hpp"
+#include "analysis/interface_report.hpp"
+#include "analysis/regions.hpp"
 #include "analysis/sampling.hpp"
 #include "analysis/singularity_graph.hpp"
 #include "analysis/solve_checks.hpp"
@@ -22,6 +24,7 @@
 #include "field/solve_forecast.hpp"
 #include "harmonics/deviation.hpp"
 #include "harmonics/frame.hpp"
+#include "surface/solid_split.hpp"
 #include "surface/topology.hpp"
 
 namespace crossgrain {
@@ -86,19 +89,29 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
   return report;
 }
 
+void add_regions(const TriangleMesh& mesh, const Surface& outer, const GridLevel& level, FieldData& data) {
+  CellRegions found = find_regions(mesh, outer, level);
+  data.regions = std::move(found.of_leaf);
+  data.report.regions = std::move(found.regions);
+  data.report.warnings.insert(data.report.warnings.end(), found.warnings.begin(), found.warnings.end());
+}
+
 std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptions& options,
                                       const Monitor& monitor, const InitialFrame& initial_frame) {
   check_options(options);
   Stopwatch watch;
   watch.start();
   const ThreadLimit thread_limit(options.threads);
-  const Surface surface = prepare_surface(mesh);
+  const SolidSplit split = split_solids(mesh, options.unite_solids);
+  const TriangleMesh& outer = split.outer ? *split.outer : mesh;
+  const Surface surface = prepare_surface(outer);
   check_size(surface, options);
   const TriangleBvh bvh(surface);
   const WindingNumber winding(surface, bvh);
-  const SurfaceTopology topology = analyse_topology(mesh);
-  const CreaseNetwork creases(surface, CreaseAngles{}, winding.flipped());
-  const Guides guides = guides_along(creases.curves, creases.corners, options.solver.crease_weight);
+  const SurfaceTopology topology = analyse_topology(outer);
+  const CreaseNetwork creases(surface, split.inner, CreaseAngles{}, winding.flipped());
+  Guides guides = guides_along(creases.curves, creases.corners, options.solver.crease_weight);
+  guides.faces = guides_across(split.inner);
   const Solid solid{surface, bvh, winding, topology.watertight, &guides};
   SolvedField solved = nested_solve(solid, options, monitor, initial_frame, watch.restart());
   check_interior(solved.level, surface, topology);
@@ -129,11 +142,13 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const std::vector<std::string> unresolved = resolution_warnings(data->report);
   data->report.warnings.insert(data->report.warnings.end(), unresolved.begin(), unresolved.end());
   if (!solved.settled) data->report.warnings.push_back("the energy had not settled when the sweeps ran out");
+  add_regions(mesh, surface, solved.level, *data);
   data->tree = std::move(solved.level.tree);
   data->frames = std::move(solved.frames);
   data->open_faces = std::move(solved.open_faces);
   const Sampler sampler(data->tree, data->frames, data->open_faces);
   data->report.creases = crease_report(creases, sampler, finest_cell_size(surface.box, options));
+  data->report.interfaces = interface_report(split.inner, sampler, finest_cell_size(surface.box, options));
   const std::vector<std::string> impossible = crease_warnings(creases);
   data->report.warnings.insert(data->report.warnings.end(), impossible.begin(), impossible.end());
   return data;

@@ -12,7 +12,7 @@ namespace crossgrain {
 
 using Marks = std::vector<bool>;
 
-/// Leaves that hold surface.
+/// Leaves that hold surface or guides.
 void mark_surface(const GridLevel& level, Marks& marks);
 
 /// Leaves with constraints that no frame meets, and the leaves across their faces.

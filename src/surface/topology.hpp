@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "crossgrain/types.hpp"
 
@@ -12,6 +14,9 @@ namespace crossgrain {
 /// Vertices keep the order of their first occurrence; every triangle stays, also one whose corners have
 /// fallen together, and so does whatever else the mesh knows. Indices must be in range (`check_mesh`).
 TriangleMesh weld(const TriangleMesh& mesh);
+
+/// For each vertex the first one of bit-equal coordinates (0 and -0 are equal).
+std::vector<std::uint32_t> first_equal_vertices(const std::vector<Vector3>& vertices);
 
 /// Counts over the edges of a mesh. An edge is a pair of vertex indices, so meshes from soups want `weld`
 /// first.

@@ -142,6 +142,7 @@ void write_all(const Folder& folder) {
   folder.brep(BRepPrimAPI_MakeSphere(axis, 5).Shape(), "sphere.brep");
   folder.brep(rounded_box(), "rounded.brep");
   folder.brep(glued_boxes(), "glued.brep");
+  folder.step(glued_boxes(), "glued.step", "MM");
   folder.brep(assembly(), "assembly.brep");
   folder.step(assembly(), "assembly.step", "MM");
   folder.brep(inside_out(), "inside_out.brep");
