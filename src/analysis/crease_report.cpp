@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "analysis/alignment.hpp"
 #include "analysis/angle_statistics.hpp"
@@ -54,11 +55,24 @@ std::vector<CreaseCurve> curves_of(const Surface& surface, const TriangleMesh& i
   return sharp_curves(prepare_surface(std::move(both)), angles);
 }
 
+/// Solids that share a face in space but not in the file have its edges both.
+std::vector<CreaseCurve> without_repeats(const std::vector<CreaseCurve>& curves) {
+  std::set<std::vector<Vector3>> seen;
+  std::vector<CreaseCurve> result;
+  for (const CreaseCurve& curve : curves) {
+    std::vector<Vector3> points = curve.points;
+    if (!points.empty() && points.back() < points.front()) std::reverse(points.begin(), points.end());
+    if (seen.insert(std::move(points)).second) result.push_back(curve);
+  }
+  return result;
+}
+
 }  // namespace
 
 CreaseNetwork::CreaseNetwork(const Surface& surface, const TriangleMesh& inner, const CreaseAngles& angles,
                              bool inside_out)
-    : curves(surface.mesh.creases.empty() ? curves_of(surface, inner, angles) : surface.mesh.creases),
+    : curves(surface.mesh.creases.empty() ? curves_of(surface, inner, angles)
+                                          : without_repeats(surface.mesh.creases)),
       corners(corners_of(curves, angles)),
       knives(knife_edges(surface, angles, inside_out)) {}
 

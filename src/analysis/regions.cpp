@@ -96,6 +96,28 @@ class RegionFinder {
 
   const std::vector<std::unique_ptr<SolidBody>>& bodies() const { return bodies_; }
 
+  /// Outer triangles whose other side is another solid too: the first of them, and how many.
+  struct Contacts {
+    std::size_t count = 0;
+    Vector3 first{};
+  };
+  Contacts contacts() const {
+    const double step = kBeside * longest_side(outer_.box);
+    std::vector<std::uint8_t> found(outer_.size());
+    parallel_for(outer_.size(), [&](std::size_t t) {
+      const std::size_t own = body_of(outer_.mesh.solids[t]);
+      const double outward = bodies_[own]->winding.flipped() ? -step : step;
+      const Vector3 beside = centroid(t) + outward * outer_.normals[t];
+      for (std::size_t b = 0; b < bodies_.size() && !found[t]; ++b)
+        found[t] = b != own && holds(bodies_[b]->surface.box, beside) && bodies_[b]->winding.inside(beside);
+    });
+    Contacts result;
+    for (std::size_t t = 0; t < found.size(); ++t) {
+      if (found[t] && result.count++ == 0) result.first = centroid(t);
+    }
+    return result;
+  }
+
   Claim claim(CellIndex leaf) const {
     const Claim around =
         level_.centre_inside(leaf) ? around_centre(level_.tree.centre(leaf)) : Claim{kNone, false};
@@ -103,6 +125,14 @@ class RegionFinder {
   }
 
  private:
+  /// Of the longest side: above the rounding of coordinates, below all cells.
+  static constexpr double kBeside = 1e-7;
+
+  Vector3 centroid(std::size_t triangle) const {
+    const auto [a, b, c] = outer_.corners(triangle);
+    return (1.0 / 3) * (a + b + c);
+  }
+
   Claim around_centre(const Vector3& centre) const {
     Claim claim{kNone, false};
     double closest = -INFINITY;
@@ -165,6 +195,14 @@ CellRegions find_regions(const TriangleMesh& mesh, const Surface& outer, const G
                     "the smallest of them, and the surfaces of all constrain frames there: cut one from the "
                     "other",
                     std::count(contested.begin(), contested.end(), 1), x, y, z));
+  } else if (const auto [count, place] = finder.contacts(); count > 0) {
+    const auto& [x, y, z] = place;
+    result.warnings.push_back(
+        fmt::format("solids touch by faces that are not the same triangles: {} triangles lie against another "
+                    "solid, the first around {:.6g} {:.6g} {:.6g}; both surfaces constrain frames there, "
+                    "with --union too: "
+                    "glue the solids",
+                    count, x, y, z));
   }
   const auto empty = [](const SolveReport::Region& region) { return region.cells == 0; };
   const auto none = std::find_if(result.regions.begin(), result.regions.end(), empty);

@@ -231,6 +231,36 @@ class OfCad(RegionsTest):
                 self.assertNotIn("interfaces", union)
                 self.assertEqual(union["creases"]["curves"], 16)
 
+    def test_a_core_in_a_sleeve_constrains_both_sides_of_the_face_between(self):
+        for name in ("sleeve.brep", "sleeve.step"):
+            with self.subTest(name):
+                report = self.solve(name, "--resolution", 48)
+                self.assertTrue(report["model"]["watertight"])
+                self.assertEqual(report["warnings"], [])
+                volumes = sorted(entry["volume"] for entry in report["regions"])
+                for volume, exact in zip(volumes, (90 * np.pi, 270 * np.pi)):
+                    self.assertAlmostEqual(volume / exact, 1, 2)
+                self.assertAlmostEqual(report["interfaces"]["area"] / (60 * np.pi), 1, 2)
+                self.assertLess(report["interfaces"]["alignment_deg"]["mean"], 1)
+                # Just inside and just outside of the face between, a third of a cell away.
+                axis = np.array([1, 2, 2]) / 3
+                across = np.linalg.svd(axis[None])[2][1:]
+                angles = 2 * np.pi * (np.arange(40) + 0.4) / 40
+                radial = np.cos(angles)[:, None] * across[0] + np.sin(angles)[:, None] * across[1]
+                for radius in (2.91, 3.09):
+                    points = np.array([1, 2, 3]) + 5 * axis + radius * radial
+                    text = "\n".join(" ".join(map(repr, map(float, point))) for point in points)
+                    result = self.run_here("sample", "out", "-", stdin=text.encode())
+                    frames = np.loadtxt(result.stdout.splitlines()).reshape(-1, 3, 3)
+                    cosines = np.abs(np.einsum("pij,pj->pi", frames, radial)).max(axis=1)
+                    self.assertLess(np.degrees(np.arccos(np.clip(cosines, 0, 1))).mean(), 1)
+
+    def test_solids_that_are_not_glued_are_told_of(self):
+        report = self.solve("stacked.brep", "--resolution", 24)
+        self.assertEqual([r["region"] for r in report["regions"]], [0, 1])
+        self.assertEqual(len(report["warnings"]), 1, report["warnings"])
+        self.assertIn("solids touch by faces that are not the same triangles", report["warnings"][0])
+
 
 if __name__ == "__main__":
     unittest.main()
