@@ -175,6 +175,8 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   command->add_option("--seed", options.seed, "Changes the initial frames of every start (default 0)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
+  command->add_flag("--union", options.unite_solids,
+                    "Take several solids as one: pass over the faces between them");
   add_tets_options(*command, arguments);
   add_output_options(*command, arguments.output_options);
   command

@@ -153,6 +153,10 @@ struct SolveOptions {
   /// (SolveReport::limited); where that takes more too, solves throw Error(kLimit).
   std::size_t max_memory_bytes = 0;
 
+  /// Of a model of several solids, or regions of tets: whether the faces between them are passed over, as if
+  /// all were one solid. Cells have their regions all the same.
+  bool unite_solids = false;
+
   /// Changes the initial frames of every start.
   std::uint64_t seed = 0;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -100,6 +101,23 @@ struct SolveReport {
     std::optional<double> mean, p95, max;
   };
 
+  /// One of several solids of a CAD model, or regions of tets.
+  struct Region {
+    std::int64_t region = 0;  ///< as in TriangleMesh::solids
+    std::size_t cells = 0;    ///< active cells that belong to it
+    double volume = 0;        ///< that its triangles enclose, model units cubed
+  };
+  std::vector<Region> regions;  ///< ascending; only where there are several
+
+  /// Faces inside, between solids or tagged ones, that frames follow; none where there are none.
+  struct Interfaces {
+    double area = 0;  ///< of one side
+    double mean = 0;  ///< degrees from the normal to the nearest axis, by area
+    double p95 = 0;   ///< 95 % of the area have no larger angle
+    double max = 0;
+  };
+  std::optional<Interfaces> interfaces;
+
   /// Sharp edges, chained into curves.
   struct Creases {
     std::size_t curves = 0;
@@ -151,6 +169,9 @@ struct SolveReport {
 
     AngleSummary normal_deg;  ///< area-weighted normal to nearest axis, over smooth boundary vertices
     AngleSummary crease_deg;  ///< normal of each face to nearest axis, at the other ones
+
+    /// Tagged edge to nearest axis, at both of its ends; none where there are none.
+    std::optional<AngleSummary> feature_edge_deg;
     std::size_t outside_vertices =
         0;  ///< in no active cell; they start from the frame of the nearest cell of their component
     std::size_t unused_vertices = 0;  ///< of no tet

@@ -25,7 +25,9 @@ class TetDomain {
   /// Vertices as given; the tets that carry frames, in the order given, of positive volume.
   const TetMesh& mesh() const;
 
-  /// The boundary as a surface of its own, outward, with only the vertices that it uses.
+  /// The boundary as a surface of its own, outward, with only the vertices that it uses, and what is tagged:
+  /// regions are its solids (TriangleMesh::solids), where there are several; tagged faces within a region its
+  /// inner faces. Where edges are tagged, its creases are these and all sharp edges.
   TriangleMesh boundary() const;
 
   /// Edge of a regular tet with the mean volume of the tets, model units. Many tiny tets in a corner do not

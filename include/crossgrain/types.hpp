@@ -38,6 +38,7 @@ struct TriangleMesh {
 
   /// The solid that a triangle bounds, counted from 0, seen from inside against the right-hand rule. A face
   /// between two solids is there twice, once for each, in opposite orientation.
+  /// Numbers need not follow one another.
   std::vector<std::int32_t> solids = {};
 
   /// Unit normals of the true surface at a triangle's corners, on the side of the right-hand rule.
@@ -45,6 +46,9 @@ struct TriangleMesh {
 
   /// Sharp edges that the file knows. Not one a triangle: any number.
   std::vector<CreaseCurve> creases = {};
+
+  /// Triangles inside a solid, either way round, that frames are to have an axis across. They bound nothing.
+  std::vector<std::array<std::uint32_t, 3>> inner_faces = {};
 
   /// The unit of the coordinates, such as "mm", and the one that the file itself is in, from which they were
   /// converted. Empty where the file does not say.

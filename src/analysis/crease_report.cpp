@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "analysis/alignment.hpp"
 #include "analysis/angle_statistics.hpp"
@@ -18,7 +19,7 @@ namespace {
 constexpr std::size_t kCurvesOfAFrame = 3;
 
 bool is_crowded(const CreaseCorner& corner) {
-  return corner.curves > kCurvesOfAFrame;
+  return corner.directions > kCurvesOfAFrame;
 }
 
 struct Place {
@@ -47,10 +48,33 @@ double length_of(const CreaseCurve& curve) {
   return sum;
 }
 
+/// `inner` has the same vertices as the surface.
+std::vector<CreaseCurve> curves_of(const Surface& surface, const TriangleMesh& inner,
+                                   const CreaseAngles& angles) {
+  if (inner.triangles.empty()) return sharp_curves(surface, angles);
+  TriangleMesh both{inner.vertices, surface.mesh.triangles};
+  both.triangles.insert(both.triangles.end(), inner.triangles.begin(), inner.triangles.end());
+  return sharp_curves(prepare_surface(std::move(both)), angles);
+}
+
+/// Solids that share a face in space but not in the file have its edges both.
+std::vector<CreaseCurve> without_repeats(const std::vector<CreaseCurve>& curves) {
+  std::set<std::vector<Vector3>> seen;
+  std::vector<CreaseCurve> result;
+  for (const CreaseCurve& curve : curves) {
+    std::vector<Vector3> points = curve.points;
+    if (!points.empty() && points.back() < points.front()) std::reverse(points.begin(), points.end());
+    if (seen.insert(std::move(points)).second) result.push_back(curve);
+  }
+  return result;
+}
+
 }  // namespace
 
-CreaseNetwork::CreaseNetwork(const Surface& surface, const CreaseAngles& angles, bool inside_out)
-    : curves(surface.mesh.creases.empty() ? sharp_curves(surface, angles) : surface.mesh.creases),
+CreaseNetwork::CreaseNetwork(const Surface& surface, const TriangleMesh& inner, const CreaseAngles& angles,
+                             bool inside_out)
+    : curves(surface.mesh.creases.empty() ? curves_of(surface, inner, angles)
+                                          : without_repeats(surface.mesh.creases)),
       corners(corners_of(curves, angles)),
       knives(knife_edges(surface, angles, inside_out)) {}
 

@@ -18,8 +18,10 @@ struct CreaseNetwork {
   std::vector<CreaseCorner> corners;
   KnifeEdges knives;
 
-  /// Those that the mesh brings along; where it brings none, its sharp edges.
-  CreaseNetwork(const Surface& surface, const CreaseAngles& angles, bool inside_out);
+  /// Those that the mesh brings along; where it brings none, its sharp edges, those of `inner` faces and
+  /// those where they meet the surface.
+  CreaseNetwork(const Surface& surface, const TriangleMesh& inner, const CreaseAngles& angles,
+                bool inside_out);
 };
 
 /// Angles are taken at the middles of pieces of curves no longer than `step`, model units.

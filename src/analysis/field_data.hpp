@@ -21,6 +21,7 @@ struct FieldData {
   std::vector<std::uint8_t> on_boundary;  ///< 1 where the leaf holds surface
   std::vector<float> energy_density;      ///< smoothness energy per volume, model units to the power of -2
   std::vector<float> alignment_deg;       ///< mean angle between normal and nearest axis, by area; 0 inside
+  std::vector<std::int32_t> regions;      ///< as CellRegions::of_leaf; empty where there are not several
   SolveReport report;
 };
 

@@ -11,6 +11,8 @@
 #include "analysis/crease_report.hpp"
 #include "analysis/field_data.hpp"
 #include "analysis/input_report.hpp"
+#include "analysis/interface_report.hpp"
+#include "analysis/regions.hpp"
 #include "analysis/sampling.hpp"
 #include "analysis/singularity_graph.hpp"
 #include "analysis/solve_checks.hpp"
@@ -27,6 +29,7 @@
 #include "surface/constraint_guides.hpp"
 #include "surface/mending.hpp"
 #include "surface/self_intersections.hpp"
+#include "surface/solid_split.hpp"
 
 namespace crossgrain {
 namespace {
@@ -89,6 +92,13 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
   return report;
 }
 
+void add_regions(const TriangleMesh& mesh, const Surface& outer, const GridLevel& level, FieldData& data) {
+  CellRegions found = find_regions(mesh, outer, level);
+  data.regions = std::move(found.of_leaf);
+  data.report.regions = std::move(found.regions);
+  data.report.warnings.insert(data.report.warnings.end(), found.warnings.begin(), found.warnings.end());
+}
+
 std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptions& options,
                                       const Monitor& monitor, const InitialFrame& initial_frame) {
   check_options(options);
@@ -98,7 +108,8 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const ThreadLimit thread_limit(options.threads);
   check_mesh(mesh);
   if (const Box box = box_of_solid_triangles(mesh); box.low[0] <= box.high[0]) check_scale(box);
-  const MendedSurface mended = mend_surface(mesh);
+  const SolidSplit split = split_solids(mesh, options.unite_solids);
+  const MendedSurface mended = mend_surface(split.outer ? *split.outer : mesh);
   const Surface& surface = mended.surface;
   check_size(surface, options);
   check_places(options.constraints, surface.box);
@@ -106,8 +117,9 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const WindingNumber winding(surface, bvh);
   SurfaceFindings findings = mended.findings;
   find_self_intersections(mended, bvh, winding, findings);
-  const CreaseNetwork creases(surface, options.creases, winding.flipped());
+  const CreaseNetwork creases(surface, split.inner, options.creases, winding.flipped());
   Guides guides = guides_along(creases.curves, creases.corners, options.solver.crease_weight);
+  guides.faces = guides_across(split.inner);
   add_constraints(options.constraints, surface, guides);
   const Solid solid{surface, bvh, winding, mended.closed, &guides};
   SolvedField solved = nested_solve(solid, options, monitor, initial_frame, watch.restart());
@@ -140,6 +152,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const std::vector<std::string> unresolved = resolution_warnings(data->report);
   data->report.warnings.insert(data->report.warnings.end(), unresolved.begin(), unresolved.end());
   if (!solved.settled) data->report.warnings.push_back("the energy had not settled when the sweeps ran out");
+  add_regions(mesh, surface, solved.level, *data);
   const double finest = finest_cell_size(surface.box, options);
   const AskedAxes asked = asked_axes(options.constraints, solid, solved.level, finest);
   data->tree = std::move(solved.level.tree);
@@ -147,6 +160,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   data->open_faces = std::move(solved.open_faces);
   const Sampler sampler(data->tree, data->frames, data->open_faces);
   data->report.creases = crease_report(creases, sampler, finest);
+  data->report.interfaces = interface_report(split.inner, sampler, finest);
   if (!options.constraints.empty()) data->report.constraints = constraint_report(asked, sampler);
   const std::string outside = outside_constraints_warning(asked);
   if (!outside.empty()) data->report.warnings.push_back(outside);

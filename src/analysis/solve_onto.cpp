@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 
 #include "analysis/carried_frames.hpp"
 #include "analysis/field_data.hpp"
@@ -51,7 +52,16 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
                 "no vertex of the tets lies in the field's solid; give both in the same unit and place");
   monitor.check();
   auto field = std::make_shared<TetField>();
-  TetFrames finished = finish_on_tets(tets.edges, tets.boundary, std::move(start.frames), grid.data().degree,
+  // The domain's own, unless it knows of walls that are to be passed over.
+  std::optional<InnerFeatures> united_features;
+  std::optional<BoundaryVertices> united_boundary;
+  if (options.unite_solids && has_several_regions(tets.solid.mesh)) {
+    united_features = features_of(tets.solid, tets.walls, /*unite=*/true);
+    united_boundary = classify_boundary_vertices(tets.solid, {}, *united_features);
+  }
+  const InnerFeatures& features = united_features ? *united_features : tets.features;
+  const BoundaryVertices& boundary = united_boundary ? *united_boundary : tets.boundary;
+  TetFrames finished = finish_on_tets(tets.edges, boundary, std::move(start.frames), grid.data().degree,
                                       options.onto, monitor);
   field->vertex_frames = std::move(finished.frames);
   field->tet_frames = tet_frames_of(tets.solid.mesh, field->vertex_frames);
@@ -60,8 +70,8 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   SolveReport report = grid.report();
   // Tets have cells of their own: the grid is only where they start (docs/solver.md, "On tets").
   for (const std::string& warning : resolution_warnings(report)) std::erase(report.warnings, warning);
-  report.onto =
-      describe(tets, evaluate_vertex_field(tets.solid, tets.boundary, tets.edges, field->vertex_frames));
+  report.onto = describe(tets, evaluate_vertex_field(tets.solid, boundary, tets.edges, field->vertex_frames));
+  report.onto->feature_edge_deg = angles_along(tets.solid, features.edges, field->vertex_frames);
   report.onto->boundary = name_of(options.onto.boundary);
   report.onto->outside_vertices = start.outside;
   report.onto->seconds = stopwatch.restart();

@@ -28,7 +28,9 @@ TetDomain::TetDomain(TetMesh mesh) {
   data->warnings = std::move(mesh.warnings);
   data->solid = prepare_tets(std::move(mesh), data->warnings);
   data->edges = stiffness_edges(data->solid.mesh);
-  data->boundary = classify_boundary_vertices(data->solid);
+  data->walls = find_inner_walls(data->solid, data->warnings);
+  data->features = features_of(data->solid, data->walls, /*unite=*/false);
+  data->boundary = classify_boundary_vertices(data->solid, {}, data->features);
   data->box = box_of(boundary_surface(data->solid).vertices);
   data->typical_edge_length = edge_of_mean_tet(data->solid.mesh);
   data_ = std::move(data);
@@ -39,7 +41,7 @@ const TetMesh& TetDomain::mesh() const {
 }
 
 TriangleMesh TetDomain::boundary() const {
-  return boundary_surface(data_->solid);
+  return model_surface(data_->solid, data_->walls);
 }
 
 double TetDomain::typical_edge_length() const {

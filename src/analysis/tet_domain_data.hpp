@@ -6,6 +6,7 @@
 
 #include "crossgrain/tet_domain.hpp"
 #include "tets/boundary_vertices.hpp"
+#include "tets/inner_walls.hpp"
 #include "tets/stiffness.hpp"
 #include "tets/tet_solid.hpp"
 
@@ -15,6 +16,8 @@ namespace crossgrain {
 struct TetDomainData {
   TetSolid solid;
   std::vector<StiffnessEdge> edges;
+  std::vector<InnerWall> walls;
+  InnerFeatures features;  ///< walls and tagged edges; none of it left out
   BoundaryVertices boundary;
   Box box{};  ///< of the boundary
   double typical_edge_length = 0;

@@ -107,6 +107,19 @@ VertexFieldEvaluation evaluate_vertex_field(const TetSolid& solid, const Boundar
   return result;
 }
 
+std::optional<SolveReport::AngleSummary> angles_along(const TetSolid& solid,
+                                                      std::span<const std::array<std::uint32_t, 2>> edges,
+                                                      std::span<const Quaternion> frames) {
+  std::vector<double> angles;
+  for (const auto& [a, b] : edges) {
+    const Vector3 direction = normalised(solid.mesh.vertices[b] - solid.mesh.vertices[a]);
+    if (direction == Vector3{0, 0, 0}) continue;
+    for (const std::uint32_t v : {a, b}) angles.push_back(angle_deg(frames[v], direction));
+  }
+  if (angles.empty()) return std::nullopt;
+  return summary_of(std::move(angles));
+}
+
 CellFieldEvaluation evaluate_cell_field(const TetSolid& solid, std::span<const Quaternion> frames) {
   assert(frames.size() == solid.mesh.tets.size());
   const TetMesh& mesh = solid.mesh;

@@ -2,6 +2,9 @@
 // Numbers by which frame fields on tet meshes are compared, whatever program computed them.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <span>
 
 #include "base/quaternion.hpp"
@@ -38,6 +41,12 @@ struct CellFieldEvaluation {
 VertexFieldEvaluation evaluate_vertex_field(const TetSolid& solid, const BoundaryVertices& boundary,
                                             std::span<const StiffnessEdge> edges,
                                             std::span<const Quaternion> frames);
+
+/// Between the directions of edges, as pairs of vertices, and the nearest axis at both of their ends; none
+/// where there are no edges.
+std::optional<SolveReport::AngleSummary> angles_along(const TetSolid& solid,
+                                                      std::span<const std::array<std::uint32_t, 2>> edges,
+                                                      std::span<const Quaternion> frames);
 
 /// Frames one per tet of `solid`. Faces of tets that are left out do not count.
 CellFieldEvaluation evaluate_cell_field(const TetSolid& solid, std::span<const Quaternion> frames);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "base/parallel.hpp"
 #include "constraint/normal_form.hpp"
@@ -56,23 +57,36 @@ struct FacedDirections {
   FacedDirections(const GridLevel& level, const Solid& solid, CellIndex leaf) {
     for (const SurfacePiece& piece : level.pieces_of(leaf)) {
       const Vector3 normal = normal_of(level, solid, leaf, piece);
-      std::size_t k = 0;
-      while (k < count && !is_same_normal(normals[k], normal)) ++k;
+      const std::size_t k = place_of(normal);
       are_more = k == normals.size();
       if (are_more) return;
       if (k == count) normals[count++] = normal;
       areas[k] += piece.area;
     }
-    const auto guides = level.guides.of(leaf);
-    for (const LeafGuide& guide : guides) {
-      are_more |= !is_across_all(guide.unit_direction()) ||
-                  !is_same_normal(guide.unit_direction(), guides[0].unit_direction());
+    std::optional<Vector3> across;
+    for (const LeafGuide& guide : level.guides.of(leaf)) {
+      const Vector3 direction = guide.unit_direction();
+      const std::size_t k = place_of(direction);
+      if (k < count || count == 0) {
+        if (k == count) normals[count++] = direction;
+        areas[k] += guide.area;
+        continue;
+      }
+      are_more |= !is_across_all(direction) || (across && !is_same_normal(direction, *across));
+      across = direction;
     }
   }
 
  private:
   /// A thousandth of a radian off it costs a few millionths.
   static constexpr double kAcross = 1e-3;
+
+  /// The first of the directions so far that is the same; their number where none is.
+  std::size_t place_of(const Vector3& direction) const {
+    std::size_t k = 0;
+    while (k < count && !is_same_normal(normals[k], direction)) ++k;
+    return k;
+  }
 
   bool is_across_all(const Vector3& direction) const {
     return count > 0 && std::all_of(normals.begin(), normals.begin() + static_cast<std::ptrdiff_t>(count),

@@ -268,10 +268,8 @@ CellForms<D> boundary_forms(const GridLevel& level, const Solid& solid, double b
   }
   forms.reserve_planes(planes);
   parallel_for(planes.size(), [&](std::size_t k) {
-    double area = 0;
-    for (const SurfacePiece& piece : level.pieces_of(planes[k])) area += piece.area;
-    const Vector3 normal = normal_of(level, solid, planes[k], level.pieces_of(planes[k])[0]);
-    forms.set_plane(planes[k], normal, scale_of(planes[k]) * area);
+    forms.set_plane(planes[k], first_normal(level, solid, planes[k]),
+                    scale_of(planes[k]) * constrained_area(level, planes[k]));
   });
   forms.reserve_general(generals);
   parallel_for(generals.size(), [&](std::size_t k) {

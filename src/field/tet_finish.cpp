@@ -26,32 +26,75 @@ std::shared_ptr<const Connectivity> connectivity_of(std::size_t vertex_count,
   return std::make_shared<const Connectivity>(std::move(connectivity));
 }
 
+bool is_zero(const Vector3& v) {
+  return v == Vector3{0, 0, 0};
+}
+
+/// How frames at the vertices of a boundary are held.
+class Holds {
+ public:
+  Holds(const BoundaryVertices& boundary, TetBoundary which)
+      : boundary_(boundary), all_(which == TetBoundary::kAll) {}
+
+  /// The axis that the frame of vertex k turns about: the normal of a smooth one, the tangent of an edge
+  /// inside. {0, 0, 0} where it may turn otherwise.
+  Vector3 axis(std::size_t k) const {
+    if (boundary_.classes[k] == BoundaryClass::kSmooth) return boundary_.normals[k];
+    return all_ && boundary_.faces_at(k).empty() ? boundary_.tangents[k] : Vector3{0, 0, 0};
+  }
+
+  /// Normal and tagged edge leave such a vertex nothing to turn about.
+  bool is_pinned(std::size_t k) const {
+    return all_ && boundary_.classes[k] == BoundaryClass::kSmooth && !is_zero(boundary_.tangents[k]);
+  }
+
+  /// Whether vertex k follows a form instead.
+  bool has_form(std::size_t k) const {
+    return all_ && (is_pinned(k) || (is_zero(axis(k)) && !boundary_.faces_at(k).empty()));
+  }
+
+  /// Turns the frames of held vertices so that they have the axis that is held, of pinned ones both.
+  void align(std::vector<Quaternion>& frames) const {
+    parallel_for(boundary_.size(), [&](std::size_t k) {
+      Quaternion& frame = frames[boundary_.vertices[k]];
+      if (!is_zero(axis(k))) frame = with_axis_along(frame, axis(k));
+      if (is_pinned(k)) frame = with_axis_along(frame, boundary_.tangents[k]);
+    });
+  }
+
+  const BoundaryVertices& boundary() const { return boundary_; }
+
+ private:
+  const BoundaryVertices& boundary_;
+  bool all_;
+};
+
+/// The weight of the form of a pinned vertex in units of the sum of its edge weights: the frame stays within
+/// a degree of it, and is turned onto it in the end.
+constexpr double kPinnedWeight = 100;
+
 /// The form of a crease or corner: its faces by area, and a crease's tangent with half the weight of them
-/// all.
+/// all; that of a pinned vertex.
 template <int D>
 QuadraticForm<D> crease_form(const BoundaryVertices& boundary, std::size_t k) {
   QuadraticForm<D> form;
   for (const FaceAtVertex& face : boundary.faces_at(k)) add_normal(form, face.normal, face.area_third);
-  if (boundary.classes[k] == BoundaryClass::kCrease) add_axis(form, boundary.tangents[k], 0.5 * form.weight);
+  if (!is_zero(boundary.tangents[k])) add_axis(form, boundary.tangents[k], 0.5 * form.weight);
   return form;
 }
 
-bool is_held(const BoundaryVertices& boundary, std::size_t k) {
-  return boundary.classes[k] == BoundaryClass::kSmooth && dot(boundary.normals[k], boundary.normals[k]) > 0;
-}
-
 template <int D>
-CellForms<D> vertex_forms(const Adjacency& adjacency, const BoundaryVertices& boundary,
-                          const OntoOptions& options) {
+CellForms<D> vertex_forms(const Adjacency& adjacency, const Holds& holds, const OntoOptions& options) {
+  const BoundaryVertices& boundary = holds.boundary();
   CellForms<D> forms(adjacency.size());
   std::vector<std::uint32_t> creases;
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < boundary.size(); ++k) {
-    if (is_held(boundary, k)) {
-      forms.hold_axis(boundary.vertices[k], boundary.normals[k]);
-    } else if (options.boundary == TetBoundary::kAll && !boundary.faces_at(k).empty()) {
+    if (holds.has_form(k)) {
       creases.push_back(boundary.vertices[k]);
       places.push_back(k);
+    } else if (!is_zero(holds.axis(k))) {
+      forms.hold_axis(boundary.vertices[k], holds.axis(k));
     }
   }
   forms.reserve_general(creases);
@@ -61,17 +104,10 @@ CellForms<D> vertex_forms(const Adjacency& adjacency, const BoundaryVertices& bo
     for (const Adjacency::Neighbour& neighbour : adjacency[creases[c]])
       edge_weight += std::abs(neighbour.weight);
     const QuadraticForm<D> form = crease_form<D>(boundary, places[c]);
-    forms.set_general(creases[c], form, degree_factor * options.crease_weight * edge_weight / form.weight);
+    const double weight = holds.is_pinned(places[c]) ? kPinnedWeight : options.crease_weight;
+    forms.set_general(creases[c], form, degree_factor * weight * edge_weight / form.weight);
   }
   return forms;
-}
-
-/// Turns the frames of held vertices so that they have the axis that is held.
-void align_held(const BoundaryVertices& boundary, std::vector<Quaternion>& frames) {
-  parallel_for(boundary.size(), [&](std::size_t k) {
-    Quaternion& frame = frames[boundary.vertices[k]];
-    if (is_held(boundary, k)) frame = with_axis_along(frame, boundary.normals[k]);
-  });
 }
 
 Frames stored(const std::vector<Quaternion>& frames) {
@@ -81,25 +117,24 @@ Frames stored(const std::vector<Quaternion>& frames) {
 }
 
 /// In double precision, and with the axes that are held in that precision too.
-std::vector<Quaternion> aligned(const BoundaryVertices& boundary, const Frames& frames) {
+std::vector<Quaternion> aligned(const Holds& holds, const Frames& frames) {
   std::vector<Quaternion> result(frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) result[i] = from_stored(frames[i]);
-  align_held(boundary, result);
+  holds.align(result);
   return result;
 }
 
 template <int D>
-FieldGraph<D> graph_of(const std::shared_ptr<const Connectivity>& connectivity,
-                       const BoundaryVertices& boundary, const OntoOptions& options) {
-  return {connectivity, vertex_forms<D>(connectivity->adjacency, boundary, options)};
+FieldGraph<D> graph_of(const std::shared_ptr<const Connectivity>& connectivity, const Holds& holds,
+                       const OntoOptions& options) {
+  return {connectivity, vertex_forms<D>(connectivity->adjacency, holds, options)};
 }
 
 /// Relaxes in degree 4 for both degrees, as on the grid, and settles in the field's own.
 template <int D>
-SettledFrames solved(const std::shared_ptr<const Connectivity>& connectivity,
-                     const BoundaryVertices& boundary, Frames frames, const OntoOptions& options,
-                     const SweepMonitor& after_sweep) {
-  const FieldGraph<D> graph = graph_of<D>(connectivity, boundary, options);
+SettledFrames solved(const std::shared_ptr<const Connectivity>& connectivity, const Holds& holds,
+                     Frames frames, const OntoOptions& options, const SweepMonitor& after_sweep) {
+  const FieldGraph<D> graph = graph_of<D>(connectivity, holds, options);
   std::function<Frames(Frames)> relax;
   if (options.relaxation_sweeps > 0) {
     relax = [&](Frames came) {
@@ -107,9 +142,9 @@ SettledFrames solved(const std::shared_ptr<const Connectivity>& connectivity,
       if constexpr (D == 4) {
         came = relaxed(graph, std::move(came), plan, after_sweep);
       } else {
-        came = relaxed(graph_of<4>(connectivity, boundary, options), std::move(came), plan, after_sweep);
+        came = relaxed(graph_of<4>(connectivity, holds, options), std::move(came), plan, after_sweep);
       }
-      return stored(aligned(boundary, came));
+      return stored(aligned(holds, came));
     };
   }
   const SettlingPlan settling{options.most_sweeps, options.over_relaxation, options.sweep_tolerance,
@@ -137,16 +172,17 @@ TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const Boundary
                          std::vector<Quaternion> start, Degree degree, const OntoOptions& options,
                          const Monitor& monitor) {
   const auto connectivity = connectivity_of(start.size(), edges);
+  const Holds holds(boundary, options.boundary);
   int sweeps = 0;
   const SweepMonitor after_sweep = [&](double energy) {
     monitor.check();
     monitor.report({"tets", 0, start.size(), ++sweeps, energy});
   };
-  align_held(boundary, start);
+  holds.align(start);
   const SettledFrames result = degree == Degree::kThree
-                                   ? solved<3>(connectivity, boundary, stored(start), options, after_sweep)
-                                   : solved<4>(connectivity, boundary, stored(start), options, after_sweep);
-  return {aligned(boundary, result.frames), result.settled};
+                                   ? solved<3>(connectivity, holds, stored(start), options, after_sweep)
+                                   : solved<4>(connectivity, holds, stored(start), options, after_sweep);
+  return {aligned(holds, result.frames), result.settled};
 }
 
 }  // namespace crossgrain

@@ -21,9 +21,10 @@ struct TetFrames {
 
 /// Frames on the vertices of a tet mesh that lower the Dirichlet energy of the linear elements from `start`.
 /// Smooth boundary vertices have an axis along their area-weighted normal, to rounding: they turn about it
-/// only. Creases and corners follow the summed form of their faces, creases their tangent too. The same to
-/// the bit for any number of threads. Throws Error(kLimit) for a graph beyond the limits of Adjacency and
-/// greedy_colouring.
+/// only; where a tagged edge runs through them, they do not turn. Vertices of tagged edges inside have an
+/// axis along these, and turn about it. Creases and corners follow the summed form of their faces, creases
+/// their tangent too. The same to the bit for any number of threads. Throws Error(kLimit) for a graph beyond
+/// the limits of Adjacency and greedy_colouring.
 TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const BoundaryVertices& boundary,
                          std::vector<Quaternion> start, Degree degree, const OntoOptions& options,
                          const Monitor& monitor);

@@ -27,12 +27,27 @@ bool is_same_normal(const Vector3& a, const Vector3& b) {
 }
 
 bool has_single_normal(const GridLevel& level, const Solid& solid, CellIndex i) {
+  if (!level.is_constrained(i)) return false;
+  const Vector3 first = first_normal(level, solid, i);
   const auto pieces = level.pieces_of(i);
-  if (pieces.empty() || level.guides.has(i)) return false;
-  const Vector3 first = normal_of(level, solid, i, pieces[0]);
-  return std::all_of(pieces.begin(), pieces.end(), [&](const SurfacePiece& piece) {
-    return is_same_normal(normal_of(level, solid, i, piece), first);
-  });
+  const auto guides = level.guides.of(i);
+  return std::all_of(guides.begin(), guides.end(),
+                     [&](const LeafGuide& guide) { return is_same_normal(guide.unit_direction(), first); }) &&
+         std::all_of(pieces.begin(), pieces.end(), [&](const SurfacePiece& piece) {
+           return is_same_normal(normal_of(level, solid, i, piece), first);
+         });
+}
+
+Vector3 first_normal(const GridLevel& level, const Solid& solid, CellIndex i) {
+  const auto pieces = level.pieces_of(i);
+  return pieces.empty() ? level.guides.of(i)[0].unit_direction() : normal_of(level, solid, i, pieces[0]);
+}
+
+double constrained_area(const GridLevel& level, CellIndex i) {
+  double area = 0;
+  for (const SurfacePiece& piece : level.pieces_of(i)) area += piece.area;
+  for (const LeafGuide& guide : level.guides.of(i)) area += guide.area;
+  return area;
 }
 
 namespace {

@@ -24,10 +24,16 @@ inline Vector3 normal_of(const GridLevel& level, const Solid& solid, CellIndex i
              : solid.surface.normal_at(piece.triangle, level.tree.centre(i));
 }
 
-/// Where all pieces of leaf `i` lie in parallel planes, and there are no guides: true. Such a leaf needs no
-/// matrix.
-/// Normals within kSameNormal of each other count as one.
+/// Where there is one direction only that the pieces of leaf `i` have for a normal and the guides in it for
+/// their direction: true. Such a leaf needs no matrix. Normals within kSameNormal of each other count as one.
 bool has_single_normal(const GridLevel& level, const Solid& solid, CellIndex i);
+
+/// That of the first piece of a leaf that is constrained, or where it has none the direction of its first
+/// guide.
+Vector3 first_normal(const GridLevel& level, const Solid& solid, CellIndex i);
+
+/// Of the pieces and guides in leaf `i`: the weight of its form.
+double constrained_area(const GridLevel& level, CellIndex i);
 
 /// Whether two unit normals count as one, either way round.
 bool is_same_normal(const Vector3& a, const Vector3& b);

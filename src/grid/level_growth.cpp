@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "grid/cell_constraints.hpp"
 #include "grid/local_thickness.hpp"
@@ -26,6 +27,9 @@ constexpr int kLevelsCounted = 8;
 /// Below this share of cells with several normals, it tells how many edges a cell holds.
 constexpr double kSaturated = 0.9;
 
+/// A guide in a cell takes as much memory as this many pieces of surface.
+constexpr double kPiecesOfAGuide = 2.5;
+
 double sum_of_components(const Vector3& v) {
   return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }
@@ -43,6 +47,12 @@ LevelGrowth::LevelGrowth(const GridLevel& level, const Solid& solid, const Refin
   for (const CellAddress leaf : level.tree.leaves()) deepest = std::max(deepest, leaf.depth());
   const double cell_size = level.tree.root().cell_size(deepest);
   flat_surface_cells_ /= cell_size * cell_size;
+  if (solid.guides != nullptr) {
+    for (const auto& [corners, directions, weight] : solid.guides->faces) {
+      const Vector3 twice_area = cross(corners[1] - corners[0], corners[2] - corners[0]);
+      guide_face_cells_ += 0.5 * sum_of_components(twice_area) / (cell_size * cell_size);
+    }
+  }
 
   const auto step = std::max<std::size_t>(1, static_cast<std::size_t>(now_.surface_cells) / kSampleSize);
   std::size_t met = 0;
@@ -106,7 +116,18 @@ LevelCounts LevelGrowth::after(int levels) const {
   const double share = now_.several_normals / now_.surface_cells;
   const double rate = share < kSaturated && more > 0 ? -std::log1p(-share) / more : 1;
   counts.several_normals = counts.surface_cells * -std::expm1(-rate * more_pieces);
+  add_guide_faces(cell_size, counts);
   return counts;
+}
+
+/// Finest cells lie on both of their sides.
+void LevelGrowth::add_guide_faces(double cell_size, LevelCounts& counts) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double cells = guide_face_cells_ / (cell_size * cell_size);
+  const double below_each = cells_in({kInfinity, kInfinity}, cell_size) - kOutsideShare;
+  counts.cells += 2 * cells * below_each;
+  counts.surface_cells += cells;
+  counts.pieces += kPiecesOfAGuide * cells;
 }
 
 }  // namespace crossgrain

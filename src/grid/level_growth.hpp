@@ -39,10 +39,12 @@ class LevelGrowth {
 
   void count(const GridLevel& level);
   void look_around(const GridLevel& level, const Solid& solid, CellIndex leaf);
+  void add_guide_faces(double cell_size, LevelCounts& counts) const;
   double cells_in(const Column& column, double cell_size) const;
 
   LevelCounts now_;
   double flat_surface_cells_ = 0;  ///< what there would be of them without creases
+  double guide_face_cells_ = 0;    ///< that hold a guide face, such as one between two solids
   double triangles_;
   double thickness_cells_;  ///< walls of fewer cells are refined throughout
   std::vector<Column> columns_;

@@ -36,6 +36,8 @@ class FieldArraysReader {
     data.on_boundary = values<std::uint8_t>(VtuSection::kCellData, kOnBoundary);
     data.energy_density = values<float>(VtuSection::kCellData, kEnergyDensity);
     data.alignment_deg = values<float>(VtuSection::kCellData, kAlignment);
+    if (file_.find(VtuSection::kCellData, kRegion))
+      data.regions = values<std::int32_t>(VtuSection::kCellData, kRegion);
     check(data);
     return data;
   }
@@ -97,6 +99,7 @@ class FieldArraysReader {
                                    data.energy_density.size(), data.alignment_deg.size()}) {
       if (size != count) fail_damaged();
     }
+    if (!data.regions.empty() && data.regions.size() != count) fail_damaged();
     if (!is_balanced(data.tree)) fail_damaged();
     std::atomic<bool> sound = true;
     parallel_for(count, [&](std::size_t i) {

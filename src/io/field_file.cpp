@@ -70,6 +70,8 @@ void add_cell_data(const FieldData& data, std::vector<VtuArray>& arrays) {
                                                *out++ = static_cast<std::uint8_t>(leaves[i].depth());
                                            }));
   arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kOnBoundary, data.on_boundary));
+  if (!data.regions.empty())
+    arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kRegion, data.regions));
 }
 
 template <class Index>

@@ -9,10 +9,12 @@
 #include "analysis/orthonormal_frame.hpp"
 #include "base/parallel.hpp"
 #include "crossgrain/io.hpp"
+#include "io/field_arrays.hpp"
 #include "io/field_file.hpp"
 #include "io/frame_lines.hpp"
 #include "io/vtu_arrays.hpp"
 #include "io/vtu_writer.hpp"
+#include "tets/inner_walls.hpp"
 
 namespace crossgrain {
 namespace {
@@ -68,6 +70,8 @@ void write_grid(OutputFile& file, const TetMesh& mesh, const TetField& onto, con
   add_axes(
       VtuSection::kCellData, onto.tet_frames.size(), [&onto](std::size_t i) { return onto.tet_frames[i]; },
       arrays);
+  if (has_several_regions(mesh))
+    arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kRegion, mesh.regions));
   add_mesh(mesh, arrays);
   watch(arrays, monitor);
   write_vtu(file, mesh.vertices.size(), mesh.tets.size(), arrays);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
@@ -115,6 +116,18 @@ class MergedLeaves {
                        [](std::uint8_t holds_surface) { return holds_surface != 0; });
   }
 
+  /// That of most of its volume; of equals the lowest.
+  std::int32_t region() const {
+    std::map<std::int32_t, double> volumes;
+    for (CellIndex i = first_; i < last_; ++i) {
+      const double width = field_.tree[i].width();
+      volumes[field_.regions[i]] += width * width * width;
+    }
+    return std::max_element(volumes.begin(), volumes.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
+  }
+
   std::uint8_t open_faces() const {
     unsigned open = 0;
     for (CellIndex i = first_; i < last_; ++i) {
@@ -201,6 +214,7 @@ FieldData output_cells(const FieldData& field, const OutputOptions& options, con
   part.on_boundary.resize(count);
   part.energy_density.resize(count);
   part.alignment_deg.resize(count);
+  if (!field.regions.empty()) part.regions.resize(count);
   parallel_for_chunks(count, kParallelGrain, [&](std::size_t begin, std::size_t end) {
     monitor.check();
     for (std::size_t i = begin; i < end; ++i) {
@@ -210,6 +224,7 @@ FieldData output_cells(const FieldData& field, const OutputOptions& options, con
       part.on_boundary[i] = leaves.on_boundary();
       part.energy_density[i] = leaves.energy_density();
       part.alignment_deg[i] = leaves.alignment_deg();
+      if (!field.regions.empty()) part.regions[i] = leaves.region();
     }
   });
   part.tree = Octree(field.tree.root(), std::move(cells.addresses));

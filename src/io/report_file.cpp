@@ -100,6 +100,11 @@ void describe_onto(File& file, Onto& onto) {
   });
   describe_angles(file, "normal_deg", onto.normal_deg);
   describe_angles(file, "crease_deg", onto.crease_deg);
+  file.optional_object("feature_edge_deg", onto.feature_edge_deg, [](auto& inner, auto& angles) {
+    inner.member("mean", angles.mean);
+    inner.member("p95", angles.p95);
+    inner.member("max", angles.max);
+  });
   file.member("outside_vertices", onto.outside_vertices);
   file.member("unused_vertices", onto.unused_vertices);
   file.member("inverted_tets", onto.inverted_tets);
@@ -186,6 +191,31 @@ void describe_constraints(File& file, Constraints& constraints) {
   file.member("isotropic_stresses", constraints.isotropic_stresses);
 }
 
+template <class File, class Region>
+void describe_region(File& file, Region& region) {
+  file.member("region", region.region);
+  file.member("cells", region.cells);
+  file.member("volume", region.volume);
+}
+
+template <class File, class Interfaces>
+void describe_interfaces(File& file, Interfaces& interfaces) {
+  file.member("area", interfaces.area);
+  file.object("alignment_deg", [&](auto& alignment) {
+    alignment.member("mean", interfaces.mean);
+    alignment.member("p95", interfaces.p95);
+    alignment.member("max", interfaces.max);
+  });
+}
+
+template <class File, class Report>
+void describe_solids(File& file, Report& report) {
+  file.optional_list("regions", report.regions,
+                     [](auto& inner, auto& region) { describe_region(inner, region); });
+  file.optional_object("interfaces", report.interfaces,
+                       [](auto& inner, auto& interfaces) { describe_interfaces(inner, interfaces); });
+}
+
 template <class File, class Report>
 void describe_doubts(File& file, Report& report) {
   file.object("input", [&](auto& input) {
@@ -195,6 +225,7 @@ void describe_doubts(File& file, Report& report) {
                [](auto& inner, auto& finding) { describe_finding(inner, finding); });
   });
   describe_creases(file, report);
+  describe_solids(file, report);
   file.optional_object("constraints", report.constraints,
                        [](auto& inner, auto& constraints) { describe_constraints(inner, constraints); });
   file.object("walls", [&](auto& walls) {
@@ -243,6 +274,12 @@ class JsonWriter {
     if (value) object(key, [&](auto& inner) { describe(inner, *value); });
   }
 
+  /// A list that may be empty: then no such key.
+  template <class T, class Describe>
+  void optional_list(const char* key, const std::vector<T>& values, const Describe& describe) {
+    if (!values.empty()) list(key, values, describe);
+  }
+
   template <class T, class Describe>
   void list(const char* key, const std::vector<T>& values, const Describe& describe) {
     Json& list = json_[key] = Json::array();
@@ -266,6 +303,8 @@ class JsonReader {
     bool fits = true;
     if constexpr (std::is_same_v<T, bool>)
       fits = json.is_boolean();
+    else if constexpr (std::is_same_v<T, std::int64_t>)
+      fits = json.is_number_integer();  // negative too
     else if constexpr (std::is_integral_v<T>)
       fits = json.is_number_unsigned() && json.get<std::uint64_t>() <= std::numeric_limits<T>::max();
     if (!fits) fail(key);
@@ -297,6 +336,12 @@ class JsonReader {
   void object(const char* key, const Members& members) {
     JsonReader inner(require(key), file_);
     members(inner);
+  }
+
+  template <class T, class Describe>
+  void optional_list(const char* key, std::vector<T>& values, const Describe& describe) {
+    values.clear();
+    if (json_.is_object() && json_.contains(key)) list(key, values, describe);
   }
 
   template <class T, class Describe>

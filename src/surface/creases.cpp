@@ -41,16 +41,20 @@ struct Spoke {
 /// Both spokes of every sharp edge, sorted.
 class SharpEdges {
  public:
-  SharpEdges(const Surface& surface, const CreaseAngles& angles)
+  SharpEdges(const Surface& surface, const CreaseAngles& angles,
+             std::span<const std::array<std::uint32_t, 2>> tagged)
       : vertices_(surface.mesh.vertices), straight_(std::cos(angles.corner_deg * kDegree)) {
     const double least_cosine = std::cos(angles.least_deg * kDegree);
     const std::vector<EdgeUse> all_uses = sorted_edge_uses(surface.mesh.triangles);
     for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
-      if (!is_sharp(surface, uses, least_cosine)) return;
-      spokes_.push_back({uses[0].low(), uses[0].high()});
-      spokes_.push_back({uses[0].high(), uses[0].low()});
+      if (is_sharp(surface, uses, least_cosine)) add(uses[0].low(), uses[0].high());
     });
+    for (const auto& [a, b] : tagged) {
+      if (vertices_[a] != vertices_[b]) add(a, b);
+    }
     std::sort(spokes_.begin(), spokes_.end());
+    const auto same = [](const Spoke& a, const Spoke& b) { return a.from == b.from && a.to == b.to; };
+    spokes_.erase(std::unique(spokes_.begin(), spokes_.end(), same), spokes_.end());
     used_.assign(spokes_.size(), false);
   }
 
@@ -72,6 +76,11 @@ class SharpEdges {
   }
 
  private:
+  void add(std::uint32_t a, std::uint32_t b) {
+    spokes_.push_back({a, b});
+    spokes_.push_back({b, a});
+  }
+
   std::span<const Spoke> spokes_at(std::uint32_t vertex) const {
     const auto begin = std::lower_bound(spokes_.begin(), spokes_.end(), Spoke{vertex, 0});
     auto end = begin;
@@ -117,15 +126,32 @@ Vector3 tangent_at(const std::vector<Vector3>& points, std::size_t k, bool smoot
   return normalised(before + after);
 }
 
+/// Two ends go straight on in each other within 5 degrees: as an edge does at which a face between two solids
+/// meets it, and far below what two edges of a pyramid's apex do.
+constexpr double kStraightOn = -0.9962;
+
 /// One end of a curve: where, and the direction into the curve.
 struct CurveEnd {
   Vector3 position, inwards;
 };
 
+/// How many there are with those that go straight on in each other counted as one.
+std::size_t directions_of(std::span<const CurveEnd> ends) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const auto before = ends.first(k);
+    count += std::none_of(before.begin(), before.end(), [&](const CurveEnd& other) {
+      return dot(other.inwards, ends[k].inwards) < kStraightOn;
+    });
+  }
+  return count;
+}
+
 }  // namespace
 
-std::vector<CreaseCurve> sharp_curves(const Surface& surface, const CreaseAngles& angles) {
-  SharpEdges edges(surface, angles);
+std::vector<CreaseCurve> sharp_curves(const Surface& surface, const CreaseAngles& angles,
+                                      std::span<const std::array<std::uint32_t, 2>> tagged) {
+  SharpEdges edges(surface, angles, tagged);
   std::vector<CreaseCurve> curves;
   for (const std::vector<std::uint32_t>& chain : edges.chains()) {
     CreaseCurve curve;
@@ -154,7 +180,8 @@ std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves, const 
     while (end < ends.size() && ends[end].position == ends[begin].position) ++end;
     const std::size_t count = end - begin;
     const bool goes_on = count == 2 && -dot(ends[begin].inwards, ends[begin + 1].inwards) > straight;
-    if (count > 1 && !goes_on) corners.push_back({ends[begin].position, count});
+    if (count > 1 && !goes_on)
+      corners.push_back({ends[begin].position, count, directions_of({&ends[begin], count})});
   }
   return corners;
 }

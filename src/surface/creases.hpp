@@ -2,7 +2,9 @@
 // Sharp edges of a surface, chained into curves between corners.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -15,13 +17,15 @@ namespace crossgrain {
 /// The sharp edges of a surface as curves, in the order of their lowest vertices. A closed curve ends where
 /// it begins; it begins at its lowest vertex. Tangents bisect the directions of the edges before and after.
 /// Edges of one triangle are not sharp; one of three or more is where any two of them are apart. Vertices
-/// must be welded.
-std::vector<CreaseCurve> sharp_curves(const Surface& surface, const CreaseAngles& angles);
+/// must be welded. Edges in `tagged`, pairs of vertices, count as sharp whatever the surface does there.
+std::vector<CreaseCurve> sharp_curves(const Surface& surface, const CreaseAngles& angles,
+                                      std::span<const std::array<std::uint32_t, 2>> tagged = {});
 
 /// Where curves meet, or where one bends.
 struct CreaseCorner {
   Vector3 position;
-  std::size_t curves;  ///< that end there; a closed curve that bends at its beginning counts twice
+  std::size_t curves;      ///< that end there; a closed curve that bends at its beginning counts twice
+  std::size_t directions;  ///< the same with two that go straight on in each other counted as one
 };
 
 /// Ends of three curves and more, and of two that are no continuation of each other, ordered by position.

@@ -79,6 +79,13 @@ void check_mesh(const TriangleMesh& mesh) {
                                          " vertices; export the mesh again or remove that triangle");
     }
   }
+  for (std::size_t t = 0; t < mesh.inner_faces.size(); ++t) {
+    for (const std::uint32_t vertex : mesh.inner_faces[t]) {
+      if (vertex < mesh.vertices.size()) continue;
+      throw Error(ErrorKind::kInput, "inner face " + std::to_string(t) + " (counted from 0): vertex index " +
+                                         std::to_string(vertex) + " is out of range; remove that face");
+    }
+  }
   check_count(mesh.faces, mesh.triangles.size(), "faces");
   check_count(mesh.solids, mesh.triangles.size(), "solids");
   check_count(mesh.corner_normals, mesh.triangles.size(), "corner_normals");

@@ -23,8 +23,9 @@ std::array<std::uint64_t, 3> bits_of(const Vector3& p) {
           std::bit_cast<std::uint64_t>(p[2] + 0.0)};
 }
 
-/// For each vertex the first one with the same coordinates.
-std::vector<std::uint32_t> first_equal_vertex(const std::vector<Vector3>& vertices) {
+}  // namespace
+
+std::vector<std::uint32_t> first_equal_vertices(const std::vector<Vector3>& vertices) {
   std::vector<std::uint32_t> order(vertices.size()), first(vertices.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -37,11 +38,9 @@ std::vector<std::uint32_t> first_equal_vertex(const std::vector<Vector3>& vertic
   return first;
 }
 
-}  // namespace
-
 TriangleMesh weld(const TriangleMesh& mesh) {
   constexpr std::uint32_t kUnused = UINT32_MAX;
-  const std::vector<std::uint32_t> first = first_equal_vertex(mesh.vertices);
+  const std::vector<std::uint32_t> first = first_equal_vertices(mesh.vertices);
   std::vector<std::uint32_t> new_index(mesh.vertices.size(), kUnused);
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t v : triangle) {
@@ -49,6 +48,8 @@ TriangleMesh weld(const TriangleMesh& mesh) {
       new_index[first[v]] = 0;
     }
   }
+  for (const auto& face : mesh.inner_faces)
+    for (const std::uint32_t v : face) new_index[first[v]] = 0;
   TriangleMesh welded;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (new_index[v] == kUnused) continue;
@@ -61,6 +62,8 @@ TriangleMesh weld(const TriangleMesh& mesh) {
   welded.faces = mesh.faces;
   welded.solids = mesh.solids;
   welded.corner_normals = mesh.corner_normals;
+  for (const auto& [a, b, c] : mesh.inner_faces)
+    welded.inner_faces.push_back({new_index[first[a]], new_index[first[b]], new_index[first[c]]});
   welded.creases = mesh.creases;
   welded.unit = mesh.unit;
   welded.file_unit = mesh.file_unit;

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <span>
+#include <cstdint>
+#include <vector>
 
 #include "crossgrain/types.hpp"
 #include "surface/edge_uses.hpp"
@@ -17,6 +19,8 @@ TriangleMesh weld(const TriangleMesh& mesh);
 
 /// Whether two vertices have equal coordinates, so that `weld` would merge them.
 bool has_equal_vertices(const TriangleMesh& mesh);
+/// For each vertex the first one of bit-equal coordinates (0 and -0 are equal).
+std::vector<std::uint32_t> first_equal_vertices(const std::vector<Vector3>& vertices);
 
 /// Counts over the edges of a mesh. An edge is a pair of vertex indices, so meshes from soups want `weld`
 /// first.

@@ -26,95 +26,188 @@ struct SharpEdges {
   }
 };
 
-std::vector<TriangleShape> shapes_of_faces(const TetSolid& solid) {
-  const std::vector<Vector3>& vertices = solid.mesh.vertices;
+/// The faces of the boundary, and then those of walls inside.
+struct AllFaces {
+  BoundaryFaces faces;
   std::vector<TriangleShape> shapes;
-  shapes.reserve(solid.boundary.size());
-  for (const auto& [a, b, c] : solid.boundary)
-    shapes.push_back(shape_of({vertices[a], vertices[b], vertices[c]}));
-  return shapes;
-}
+  std::size_t on_boundary;
+
+  AllFaces(const TetSolid& solid, const InnerFeatures& features)
+      : faces(solid.boundary), on_boundary(solid.boundary.size()) {
+    faces.insert(faces.end(), features.faces.begin(), features.faces.end());
+    const std::vector<Vector3>& vertices = solid.mesh.vertices;
+    shapes.reserve(faces.size());
+    for (const auto& [a, b, c] : faces) shapes.push_back(shape_of({vertices[a], vertices[b], vertices[c]}));
+  }
+
+  bool is_inner(std::size_t face) const { return face >= on_boundary; }
+
+  /// Whether the face runs from one vertex of an edge of it to the other.
+  bool runs(std::uint32_t face, std::uint32_t from, std::uint32_t to) const {
+    const auto& [a, b, c] = faces[face];
+    return (a == from && b == to) || (b == from && c == to) || (c == from && a == to);
+  }
+
+  /// Of the angle between the normals of two faces on one side of their common edge. All boundary faces look
+  /// outward.
+  double cosine(const BoundaryEdgeUse& a, const BoundaryEdgeUse& b) const {
+    const double between = dot(shapes[a.face].normal, shapes[b.face].normal);
+    if (!is_inner(a.face) && !is_inner(b.face)) return between;
+    return runs(a.face, a.low, a.high) == runs(b.face, a.low, a.high) ? -between : between;
+  }
+};
 
 /// Lists the vertices, and at each its faces. Returns the place of each vertex of the solid in that list.
-std::vector<std::uint32_t> gather_faces(const TetSolid& solid, const std::vector<TriangleShape>& shapes,
-                                        BoundaryVertices& out) {
-  std::vector<std::uint32_t> faces_at(solid.mesh.vertices.size(), 0), place(solid.mesh.vertices.size(), 0);
-  for (std::size_t f = 0; f < shapes.size(); ++f) {
-    if (shapes[f].area == 0) continue;
-    for (const std::uint32_t v : solid.boundary[f]) ++faces_at[v];
+std::vector<std::uint32_t> gather_faces(std::size_t vertex_count, const AllFaces& all,
+                                        const InnerFeatures& features, BoundaryVertices& out) {
+  std::vector<std::uint32_t> faces_at(vertex_count, 0), place(vertex_count, 0);
+  std::vector<std::uint8_t> on_edge(vertex_count, 0), has_inner(vertex_count, 0);
+  for (std::size_t f = 0; f < all.faces.size(); ++f) {
+    if (all.shapes[f].area == 0) continue;
+    for (const std::uint32_t v : all.faces[f]) {
+      ++faces_at[v];
+      if (all.is_inner(f)) has_inner[v] = 1;
+    }
   }
+  for (const auto& edge : features.edges)
+    for (const std::uint32_t v : edge) on_edge[v] = 1;
   out.face_begin.push_back(0);
   for (std::uint32_t v = 0; v < faces_at.size(); ++v) {
-    if (faces_at[v] == 0) continue;
+    if (faces_at[v] == 0 && !on_edge[v]) continue;
     place[v] = static_cast<std::uint32_t>(out.vertices.size());
     out.vertices.push_back(v);
     out.face_begin.push_back(out.face_begin.back() + faces_at[v]);
   }
   out.faces.resize(out.face_begin.back());
   std::vector<std::uint32_t> next(out.face_begin.begin(), out.face_begin.end() - 1);
-  for (std::size_t f = 0; f < shapes.size(); ++f) {
-    if (shapes[f].area == 0) continue;
-    for (const std::uint32_t v : solid.boundary[f])
-      out.faces[next[place[v]]++] = {shapes[f].normal, shapes[f].area / 3};
+  for (std::size_t f = 0; f < all.faces.size(); ++f) {
+    if (all.shapes[f].area == 0) continue;
+    for (const std::uint32_t v : all.faces[f]) {
+      const std::uint32_t first = out.face_begin[place[v]];
+      Vector3 normal = all.shapes[f].normal;
+      if (has_inner[v] && next[place[v]] > first && dot(normal, out.faces[first].normal) < 0)
+        normal = -normal;
+      out.faces[next[place[v]]++] = {normal, all.shapes[f].area / 3};
+    }
   }
   return place;
 }
 
-/// Edges of two faces with an angle between them, and those of more faces, at the vertices of `out`.
-std::vector<SharpEdges> find_sharp_edges(const TetSolid& solid, const std::vector<TriangleShape>& shapes,
-                                         const std::vector<std::uint32_t>& place, double sharp_dihedral_deg,
-                                         std::size_t vertex_count) {
-  std::vector<SharpEdges> sharp(vertex_count);
+using VertexPair = std::array<std::uint32_t, 2>;
+
+/// Edges of two faces with an angle between them, and those of more faces; then the tagged ones. Ascending.
+std::vector<VertexPair> sharp_and_tagged(const AllFaces& all, const InnerFeatures& features,
+                                         double sharp_dihedral_deg) {
+  std::vector<VertexPair> edges;
   const double flattest_cosine = std::cos(sharp_dihedral_deg * kDegree);
-  std::vector<BoundaryEdgeUse> uses = boundary_edge_uses(solid.boundary);
-  std::erase_if(uses, [&](const BoundaryEdgeUse& use) { return shapes[use.face].area == 0; });
+  std::vector<BoundaryEdgeUse> uses = boundary_edge_uses(all.faces);
+  std::erase_if(uses, [&](const BoundaryEdgeUse& use) { return all.shapes[use.face].area == 0; });
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
     const BoundaryEdgeUse& edge = uses[begin];
     while (end < uses.size() && uses[end].same_edge(edge)) ++end;
-    // An edge of one face lies beside a face without area, which hides how the boundary goes on.
+    // An edge of one face lies beside a face without area, which hides how the boundary goes on, or is where
+    // a wall ends.
     if (end - begin == 1) continue;
-    if (end - begin == 2 &&
-        dot(shapes[edge.face].normal, shapes[uses[begin + 1].face].normal) >= flattest_cosine)
-      continue;
-    sharp[place[edge.low]].add(edge.high);
-    sharp[place[edge.high]].add(edge.low);
+    if (end - begin == 2 && all.cosine(edge, uses[begin + 1]) >= flattest_cosine) continue;
+    edges.push_back({edge.low, edge.high});
+  }
+  for (const auto& [a, b] : features.edges) {
+    if (a != b) edges.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+/// Those at the vertices of `out`.
+std::vector<SharpEdges> sharp_edges_at(const std::vector<VertexPair>& edges,
+                                       const std::vector<std::uint32_t>& place, std::size_t vertex_count) {
+  std::vector<SharpEdges> sharp(vertex_count);
+  for (const auto& [low, high] : edges) {
+    sharp[place[low]].add(high);
+    sharp[place[high]].add(low);
   }
   return sharp;
 }
 
 double spread_deg_of(const Vector3& mean, std::span<const FaceAtVertex> faces) {
+  if (faces.empty()) return 180;
   double least_cosine = 1;
   for (const FaceAtVertex& face : faces) least_cosine = std::min(least_cosine, dot(face.normal, mean));
   return std::acos(std::max(least_cosine, -1.0)) / kDegree;
 }
 
-/// Along a crease through `vertex`; {0, 0, 0} where its sharp edges are none.
+/// Along a crease through `vertex`, or along the one that ends there where `ends_count`; {0, 0, 0} where its
+/// sharp edges are none.
 Vector3 crease_tangent(const std::vector<Vector3>& vertices, std::uint32_t vertex, const SharpEdges& sharp,
-                       double crease_turn_deg) {
-  if (sharp.count != 2) return {0, 0, 0};
+                       double crease_turn_deg, bool ends_count) {
+  if (sharp.count == 0 || sharp.count > 2 || (sharp.count == 1 && !ends_count)) return {0, 0, 0};
   const Vector3 to_first = normalised(vertices[sharp.far_ends[0]] - vertices[vertex]);
+  if (sharp.count == 1) return to_first;
   const Vector3 to_second = normalised(vertices[sharp.far_ends[1]] - vertices[vertex]);
   if (-dot(to_first, to_second) <= std::cos(crease_turn_deg * kDegree)) return {0, 0, 0};
   return normalised(to_first - to_second);
 }
 
+/// Half of a tangent along the normal of a smooth vertex, and it says nothing beside the normal.
+constexpr double kLeastAcross = 0.5;
+
+/// What is left of it across a unit normal.
+Vector3 across(const Vector3& tangent, const Vector3& normal) {
+  const Vector3 part = tangent - dot(tangent, normal) * normal;
+  return norm(part) < kLeastAcross ? Vector3{0, 0, 0} : normalised(part);
+}
+
+/// The edges of walls between regions, ascending.
+std::vector<VertexPair> edges_between_regions(const std::vector<InnerWall>& walls) {
+  std::vector<VertexPair> edges;
+  for (const InnerWall& wall : walls) {
+    for (std::size_t k = 0; k < 3 && wall.separates_regions; ++k) {
+      const auto [low, high] = std::minmax(wall.vertices[k], wall.vertices[(k + 1) % 3]);
+      edges.push_back({low, high});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
 }  // namespace
 
-BoundaryVertices classify_boundary_vertices(const TetSolid& solid, const BoundaryVertexOptions& options) {
+InnerFeatures features_of(const TetSolid& solid, const std::vector<InnerWall>& walls, bool unite) {
+  InnerFeatures features;
+  for (const InnerWall& wall : walls) {
+    if (!unite || !wall.separates_regions) features.faces.push_back(wall.vertices);
+  }
+  const std::vector<VertexPair> left_out = unite ? edges_between_regions(walls) : std::vector<VertexPair>{};
+  for (const TetMesh::Edge& edge : solid.mesh.feature_edges) {
+    const auto [low, high] = std::minmax(edge.vertices[0], edge.vertices[1]);
+    if (!std::binary_search(left_out.begin(), left_out.end(), VertexPair{low, high}))
+      features.edges.push_back(edge.vertices);
+  }
+  return features;
+}
+
+BoundaryVertices classify_boundary_vertices(const TetSolid& solid, const BoundaryVertexOptions& options,
+                                            const InnerFeatures& features) {
   BoundaryVertices out;
-  const std::vector<TriangleShape> shapes = shapes_of_faces(solid);
-  const std::vector<std::uint32_t> place = gather_faces(solid, shapes, out);
+  const AllFaces all(solid, features);
+  const std::vector<std::uint32_t> place = gather_faces(solid.mesh.vertices.size(), all, features, out);
   const std::vector<SharpEdges> sharp =
-      find_sharp_edges(solid, shapes, place, options.sharp_dihedral_deg, out.size());
+      sharp_edges_at(sharp_and_tagged(all, features, options.sharp_dihedral_deg), place, out.size());
+  std::vector<std::uint8_t> tagged(out.size(), 0);
+  for (const auto& edge : features.edges)
+    for (const std::uint32_t v : edge) tagged[place[v]] = 1;
   for (std::size_t k = 0; k < out.size(); ++k) {
     Vector3 sum{0, 0, 0};
     for (const FaceAtVertex& face : out.faces_at(k)) sum += face.area_third * face.normal;
     out.normals.push_back(normalised(sum));
     out.spread_deg.push_back(spread_deg_of(out.normals[k], out.faces_at(k)));
     const bool smooth = out.spread_deg[k] < options.smooth_spread_deg;
-    out.tangents.push_back(
-        smooth ? Vector3{0, 0, 0}
-               : crease_tangent(solid.mesh.vertices, out.vertices[k], sharp[k], options.crease_turn_deg));
+    Vector3 tangent{0, 0, 0};
+    if (!smooth || tagged[k])
+      tangent = crease_tangent(solid.mesh.vertices, out.vertices[k], sharp[k], options.crease_turn_deg,
+                               tagged[k] != 0);
+    out.tangents.push_back(smooth ? across(tangent, out.normals[k]) : tangent);
     out.classes.push_back(smooth                                ? BoundaryClass::kSmooth
                           : out.tangents[k] == Vector3{0, 0, 0} ? BoundaryClass::kCorner
                                                                 : BoundaryClass::kCrease);

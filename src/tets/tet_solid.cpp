@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "surface/surface.hpp"
+#include "surface/topology.hpp"
 #include "tets/boundary_edges.hpp"
 #include "tets/tet_faces.hpp"
 #include "tets/tet_shape.hpp"
@@ -51,6 +52,20 @@ void check_indices(const TetMesh& mesh) {
                                          std::to_string(vertex) + " is out of range, there are " +
                                          std::to_string(mesh.vertices.size()) +
                                          " vertices; export the mesh again or remove that tet");
+    }
+  }
+}
+
+/// Of what is tagged.
+template <class Features>
+void check_features(const Features& features, std::size_t vertex_count, const char* kind) {
+  for (std::size_t k = 0; k < features.size(); ++k) {
+    for (const std::uint32_t vertex : features[k].vertices) {
+      if (vertex < vertex_count) continue;
+      throw Error(ErrorKind::kInput, std::string(kind) + " " + std::to_string(k) +
+                                         " (counted from 0): vertex index " + std::to_string(vertex) +
+                                         " is out of range, there are " + std::to_string(vertex_count) +
+                                         " vertices; remove it");
     }
   }
 }
@@ -214,11 +229,38 @@ void warn_of_boundary_faults(const TetSolid& solid, std::vector<std::string>& wa
        "vertices at which the solid touches itself");
 }
 
+/// Warns of boundary faces of the same place, of vertices that are not the same: the file has those between
+/// two parts twice, so that the field knows nothing of one side on the other.
+void warn_of_unmerged_vertices(const TetSolid& solid, std::vector<std::string>& warnings) {
+  const TriangleMesh surface = boundary_surface(solid);
+  const std::vector<std::uint32_t> first = first_equal_vertices(surface.vertices);
+  std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t>> faces;
+  for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
+    const auto& [a, b, c] = surface.triangles[f];
+    std::array corners{first[a], first[b], first[c]};
+    std::sort(corners.begin(), corners.end());
+    faces.emplace_back(corners, f);
+  }
+  std::sort(faces.begin(), faces.end());
+  std::size_t count = 0, example = 0;
+  for (std::size_t k = 1; k < faces.size(); ++k) {
+    if (faces[k].first == faces[k - 1].first && count++ == 0) example = k;
+  }
+  if (count == 0) return;
+  warnings.push_back(
+      "places where two tets lie face to face without sharing vertices: " + std::to_string(count) +
+      "; the first has vertices " + numbers(solid.boundary[faces[example - 1].second]) + " and again " +
+      numbers(solid.boundary[faces[example].second]) +
+      " (counted from 0); the parts are solved apart: merge equal vertices to join them");
+}
+
 }  // namespace
 
 TetSolid prepare_tets(TetMesh mesh, std::vector<std::string>& warnings) {
   check_vertices(mesh.vertices);
   check_indices(mesh);
+  check_features(mesh.feature_edges, mesh.vertices.size(), "tagged edge");
+  check_features(mesh.feature_faces, mesh.vertices.size(), "tagged triangle");
   const std::size_t given = mesh.tets.size();
   const std::vector<TetShape> shapes = turn_tets(mesh);
   Tally inverted, flat;
@@ -252,6 +294,7 @@ TetSolid prepare_tets(TetMesh mesh, std::vector<std::string>& warnings) {
   number_components(connected, new_index, solid);
   warn_of_unused_vertices(solid, warnings);
   warn_of_boundary_faults(solid, warnings);
+  warn_of_unmerged_vertices(solid, warnings);
   return solid;
 }
 

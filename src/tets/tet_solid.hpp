@@ -47,8 +47,8 @@ struct TetSolid {
 
 /// Makes a mesh ready, adding one sentence to `warnings` for each kind of fault that it mends: tets that are
 /// inverted or without volume, tets named twice, vertices that no tet uses, tets on the same side of their
-/// common face, edges and vertices where the boundary is no surface. Each names the first one, counted from
-/// 0.
+/// common face, edges and vertices where the boundary is no surface, neighbours that do not share vertices.
+/// Each names the first one, counted from 0.
 ///
 /// Throws Error(kInput) naming the vertex, tet or face: coordinates that are not finite or beyond 1e100,
 /// indices out of range, no tet with a volume, a face of three tets or more.

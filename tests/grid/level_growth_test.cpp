@@ -78,5 +78,23 @@ TEST(LevelGrowth, CountsWhatThereIs) {
   EXPECT_EQ(counts.surface_cells, surface_cells);
 }
 
+TEST(LevelGrowth, CountsTheCellsOfGuideFacesInside) {
+  const TestSolid box(make_box({1, 1, 1}));
+  Solid solid = box.solid();
+  Guides guides;
+  const Vector3 across{0.6, 0, 0.8};
+  guides.faces = {
+      {{Vector3{0, -0.4, 0}, {0.24, 0.4, -0.18}, {-0.24, 0.4, 0.18}}, {across, across, across}, 1}};
+  for (Vector3& corner : guides.faces[0].corners) corner[0] *= 1.2;
+  solid.guides = &guides;
+  const GridFrame frame = frame_around(solid.surface.box, 1.0 / 48);
+  GridLevel level = uniform_level(solid, frame.root, frame.finest_depth - 2);
+  const LevelGrowth growth(level, solid, {});
+  for (int ahead = 1; ahead <= 2; ++ahead) {
+    level = refined(level, solid, refinement_marks(level, solid, {}, frame.finest_depth, {}));
+    expect_near(growth.after(ahead).cells, static_cast<double>(level.size()), kMostOff, "cells", ahead);
+  }
+}
+
 }  // namespace
 }  // namespace crossgrain

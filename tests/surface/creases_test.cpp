@@ -32,6 +32,34 @@ double length_of(const std::vector<CreaseCurve>& curves) {
   return sum;
 }
 
+TEST(Creases, OfEdgesThatGoStraightOnInEachOtherCountAsOneAtACorner) {
+  const auto line = [](const Vector3& to) {
+    return CreaseCurve{{Vector3{0, 0, 0}, to}, {normalised(to), normalised(to)}};
+  };
+  // Where a face between two boxes meets an edge of both.
+  const std::vector<CreaseCurve> at_edge{line({1, 0, 0}), line({-1, 0, 0}), line({0, 1, 0}), line({0, 0, 1})};
+  const std::vector<CreaseCorner> corners = corners_of(at_edge, kAngles);
+  ASSERT_EQ(corners.size(), 1u);
+  EXPECT_EQ(corners[0].curves, 4u);
+  EXPECT_EQ(corners[0].directions, 3u);
+  // A pyramid's apex.
+  const std::vector<CreaseCurve> at_apex{line({1, 0, -1}), line({-1, 0, -1}), line({0, 1, -1}),
+                                         line({0, -1, -1})};
+  EXPECT_EQ(corners_of(at_apex, kAngles)[0].directions, 4u);
+}
+
+TEST(Creases, OfTaggedEdgesAreCurvesWhateverTheSurfaceDoes) {
+  const Surface sphere = prepare_surface(make_sphere(0.5, 1));
+  const auto& [a, b, c] = sphere.mesh.triangles[0];
+  EXPECT_TRUE(sharp_curves(sphere, kAngles).empty());
+  const std::vector<std::array<std::uint32_t, 2>> tagged{{a, b}, {b, c}, {b, a}};
+  const std::vector<CreaseCurve> curves = sharp_curves(sphere, kAngles, tagged);
+  EXPECT_NEAR(
+      length_of(curves),
+      norm(sphere.corners(0)[0] - sphere.corners(0)[1]) + norm(sphere.corners(0)[1] - sphere.corners(0)[2]),
+      1e-12);
+}
+
 TEST(Creases, OfABoxAreItsTwelveEdgesBetweenEightCornersOfThree) {
   RandomSamples random(1);
   for (int trial = 0; trial < 5; ++trial) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -136,6 +137,70 @@ TEST(BoundaryVertices, FacesWithoutAreaCountNowhere) {
   double area = 0;
   for (const FaceAtVertex& face : boundary.faces) area += face.area_third;
   EXPECT_NEAR(area, 1.5 + std::sqrt(3.0) / 2, 1e-14);
+}
+
+class BoundaryOfTwoRegions : public ::testing::Test {
+ protected:
+  const TetBox box{{4, 4, 4}};
+  const TetSolid solid =
+      solid_of(with_regions(box.mesh(), [](const Vector3& p) { return p[0] < 2 ? 1 : 2; }));
+  std::vector<std::string> warnings;
+  const std::vector<InnerWall> walls = find_inner_walls(solid, warnings);
+
+  /// The place of a vertex in the lists.
+  static std::size_t place(const BoundaryVertices& boundary, std::uint32_t vertex) {
+    const auto at = std::find(boundary.vertices.begin(), boundary.vertices.end(), vertex);
+    EXPECT_NE(at, boundary.vertices.end());
+    return static_cast<std::size_t>(at - boundary.vertices.begin());
+  }
+};
+
+TEST_F(BoundaryOfTwoRegions, IsSmoothInsideTheFaceBetweenAndCreasedAtItsRim) {
+  const BoundaryVertices boundary = classify_boundary_vertices(solid, {}, features_of(solid, walls, false));
+  EXPECT_EQ(boundary.size(), 5u * 5 * 5 - 3 * 3 * 3 + 3 * 3);
+  for (std::uint32_t y = 1; y < 4; ++y) {
+    const std::size_t inside = place(boundary, box.at(2, y, 2)), rim = place(boundary, box.at(2, y, 4));
+    EXPECT_EQ(boundary.classes[inside], BoundaryClass::kSmooth);
+    EXPECT_NEAR(std::abs(boundary.normals[inside][0]), 1, 1e-15);
+    EXPECT_EQ(boundary.classes[rim], BoundaryClass::kCrease);
+    EXPECT_NEAR(std::abs(boundary.tangents[rim][1]), 1, 1e-15);
+  }
+  EXPECT_EQ(boundary.classes[place(boundary, box.at(2, 4, 4))], BoundaryClass::kCorner);
+}
+
+TEST_F(BoundaryOfTwoRegions, UnitedIsThatOfOne) {
+  const BoundaryVertices united = classify_boundary_vertices(solid, {}, features_of(solid, walls, true));
+  const BoundaryVertices plain = classify_boundary_vertices(solid_of(box.mesh()));
+  EXPECT_EQ(united.vertices, plain.vertices);
+  EXPECT_EQ(united.classes, plain.classes);
+  EXPECT_EQ(united.normals, plain.normals);
+}
+
+TEST_F(BoundaryOfTwoRegions, UnitedLosesEdgesTaggedAlongTheFaceBetweenOnly) {
+  TetSolid tagged = solid;
+  tagged.mesh.feature_edges = {{{box.at(2, 1, 2), box.at(2, 2, 2)}, 1},
+                               {{box.at(1, 1, 1), box.at(1, 2, 1)}, 2}};
+  EXPECT_EQ(features_of(tagged, walls, false).edges.size(), 2u);
+  const InnerFeatures united = features_of(tagged, walls, true);
+  ASSERT_EQ(united.edges.size(), 1u);
+  EXPECT_EQ(united.edges[0], tagged.mesh.feature_edges[1].vertices);
+}
+
+TEST_F(BoundaryOfTwoRegions, HasTangentsOfTaggedEdgesInsideAndOnFaces) {
+  InnerFeatures features;
+  features.edges = {{box.at(1, 1, 1), box.at(1, 2, 1)},
+                    {box.at(1, 2, 1), box.at(1, 3, 1)},
+                    {box.at(1, 1, 4), box.at(2, 2, 4)}};
+  const BoundaryVertices boundary = classify_boundary_vertices(solid, {}, features);
+  const std::size_t middle = place(boundary, box.at(1, 2, 1)), end = place(boundary, box.at(1, 3, 1)),
+                    on_face = place(boundary, box.at(1, 1, 4));
+  for (const std::size_t k : {middle, end}) {
+    EXPECT_EQ(boundary.classes[k], BoundaryClass::kCrease);
+    EXPECT_TRUE(boundary.faces_at(k).empty());
+    EXPECT_NEAR(std::abs(boundary.tangents[k][1]), 1, 1e-15);
+  }
+  EXPECT_EQ(boundary.classes[on_face], BoundaryClass::kSmooth);
+  EXPECT_NEAR(std::abs(dot(boundary.tangents[on_face], normalised(Vector3{1, 1, 0}))), 1, 1e-15);
 }
 
 }  // namespace

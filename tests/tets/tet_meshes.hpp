@@ -89,6 +89,17 @@ inline TetSolid solid_of(TetMesh mesh) {
   return prepare_tets(std::move(mesh), warnings);
 }
 
+/// Tets get the region that `region_of` tells of their centroid.
+template <class RegionOf>
+TetMesh with_regions(TetMesh mesh, const RegionOf& region_of) {
+  mesh.regions.clear();
+  for (const auto& [a, b, c, d] : mesh.tets) {
+    const auto& v = mesh.vertices;
+    mesh.regions.push_back(region_of(0.25 * (v[a] + v[b] + v[c] + v[d])));
+  }
+  return mesh;
+}
+
 inline double volume_of_tets(const TetMesh& mesh) {
   double volume = 0;
   for (const auto& [a, b, c, d] : mesh.tets) {

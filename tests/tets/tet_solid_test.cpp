@@ -281,5 +281,31 @@ TEST(TetSolid, IsTheSameForAnyNumberOfThreads) {
                                  &TetSolid::InnerFace::tets));
 }
 
+TEST(TetSolid, WarnsOfTetsThatLieFaceToFaceWithoutSharingVertices) {
+  TetMesh mesh = TetBox{{2, 1, 1}}.mesh();
+  const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
+  const std::vector<Vector3> vertices = mesh.vertices;
+  mesh.vertices.insert(mesh.vertices.end(), vertices.begin(), vertices.end());
+  for (std::size_t t = 6; t < 12; ++t)
+    for (std::uint32_t& v : mesh.tets[t]) v += count;
+  std::vector<std::string> warnings;
+  EXPECT_EQ(prepare_tets(mesh, warnings).components, 2u);
+  const auto found = std::find_if(warnings.begin(), warnings.end(), [](const std::string& text) {
+    return text.starts_with(
+        "places where two tets lie face to face without sharing vertices: 2; the first has ");
+  });
+  EXPECT_NE(found, warnings.end());
+}
+
+TEST(TetSolid, RefusesTagsOfVerticesThatAreNot) {
+  TetMesh mesh = corner_tet();
+  mesh.feature_edges = {{{0, 4}, 1}};
+  std::vector<std::string> warnings;
+  EXPECT_THROW(prepare_tets(mesh, warnings), Error);
+  mesh.feature_edges.clear();
+  mesh.feature_faces = {{{0, 1, 4}, 1}};
+  EXPECT_THROW(prepare_tets(mesh, warnings), Error);
+}
+
 }  // namespace
 }  // namespace crossgrain

@@ -56,6 +56,26 @@ TopoDS_Shape glued_boxes() {
   return builder.Shape();
 }
 
+/// A core of radius 3 in a sleeve of radius 6, both 10 high, with their faces in common.
+TopoDS_Shape core_in_sleeve() {
+  const gp_Ax2 axis(gp_Pnt(1, 2, 3), gp_Dir(1, 2, 2));
+  BOPAlgo_Builder builder;
+  builder.AddArgument(BRepPrimAPI_MakeCylinder(axis, 6, 10).Shape());
+  builder.AddArgument(BRepPrimAPI_MakeCylinder(axis, 3, 10).Shape());
+  builder.Perform();
+  return builder.Shape();
+}
+
+/// A small box on the middle of a large one, with nothing in common.
+TopoDS_Shape stacked_boxes() {
+  const BRep_Builder builder;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  builder.Add(compound, box({0, 0, 0}, {20, 20, 10}));
+  builder.Add(compound, box({6, 7, 10}, {13, 13, 15}));
+  return compound;
+}
+
 /// The same box twice, once as it is and once turned by a right angle about z and moved by 100 along x: from
 /// 90 to 100 along x.
 TopoDS_Shape assembly() {
@@ -142,6 +162,10 @@ void write_all(const Folder& folder) {
   folder.brep(BRepPrimAPI_MakeSphere(axis, 5).Shape(), "sphere.brep");
   folder.brep(rounded_box(), "rounded.brep");
   folder.brep(glued_boxes(), "glued.brep");
+  folder.step(glued_boxes(), "glued.step", "MM");
+  folder.brep(core_in_sleeve(), "sleeve.brep");
+  folder.step(core_in_sleeve(), "sleeve.step", "MM");
+  folder.brep(stacked_boxes(), "stacked.brep");
   folder.brep(assembly(), "assembly.brep");
   folder.step(assembly(), "assembly.step", "MM");
   folder.brep(inside_out(), "inside_out.brep");

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tets/inner_walls.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/vector3.hpp"
+#include "surface/creases.hpp"
+#include "surface/surface.hpp"
+
+namespace crossgrain {
+namespace {
+
+using Face = std::array<std::uint32_t, 3>;
+
+Face ascending(Face face) {
+  std::sort(face.begin(), face.end());
+  return face;
+}
+
+Face turned(const Face& face) {
+  return {face[0], face[2], face[1]};
+}
+
+std::vector<Face> tagged_faces(const TetMesh& mesh) {
+  std::vector<Face> faces;
+  for (const TetMesh::Face& face : mesh.feature_faces) faces.push_back(ascending(face.vertices));
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+/// The face so that it looks out of the tet.
+Face outward_of(const TetMesh& mesh, const Face& face, std::uint32_t tet) {
+  const auto& [a, b, c] = face;
+  const auto& corners = mesh.tets[tet];
+  const std::uint32_t opposite = *std::find_if(corners.begin(), corners.end(),
+                                               [&](std::uint32_t v) { return v != a && v != b && v != c; });
+  const std::vector<Vector3>& at = mesh.vertices;
+  const Vector3 normal = cross(at[b] - at[a], at[c] - at[a]);
+  return dot(normal, at[opposite] - at[a]) < 0 ? face : turned(face);
+}
+
+void warn_of_stray_faces(const TetSolid& solid, const std::vector<Face>& tagged, std::size_t inside,
+                         std::vector<std::string>& warnings) {
+  if (tagged.size() == inside) return;
+  std::vector<Face> boundary;
+  for (const Face& face : solid.boundary) boundary.push_back(ascending(face));
+  std::sort(boundary.begin(), boundary.end());
+  std::size_t strays = tagged.size() - inside;
+  for (const Face& face : boundary) strays -= std::binary_search(tagged.begin(), tagged.end(), face);
+  if (strays > 0)
+    warnings.push_back("tagged triangles that are faces of no tet, passed over: " + std::to_string(strays) +
+                       " of " + std::to_string(tagged.size()));
+}
+
+/// Of faces whose own tet is left out for want of volume, that of any tet at their first corner.
+class BoundaryRegions {
+ public:
+  explicit BoundaryRegions(const TetSolid& solid) : solid_(solid), at_vertex_(solid.mesh.vertices.size(), 0) {
+    for (std::size_t t = 0; t < solid.mesh.tets.size(); ++t)
+      for (const std::uint32_t v : solid.mesh.tets[t]) at_vertex_[v] = solid.mesh.regions[t];
+  }
+  std::int32_t operator[](std::size_t face) const {
+    const std::uint32_t tet = solid_.boundary_tets[face];
+    return tet == kNoTet ? at_vertex_[solid_.boundary[face][0]] : solid_.mesh.regions[tet];
+  }
+
+ private:
+  const TetSolid& solid_;
+  std::vector<std::int32_t> at_vertex_;
+};
+
+/// Over all vertices of the solid.
+std::vector<CreaseCurve> creases_of(const TetSolid& solid, const std::vector<InnerWall>& walls) {
+  TriangleMesh faces{solid.mesh.vertices, solid.boundary};
+  for (const InnerWall& wall : walls) faces.triangles.push_back(wall.vertices);
+  std::vector<std::array<std::uint32_t, 2>> tagged;
+  for (const TetMesh::Edge& edge : solid.mesh.feature_edges) tagged.push_back(edge.vertices);
+  return sharp_curves(prepare_surface(std::move(faces)), CreaseAngles{}, tagged);
+}
+
+/// Drops the vertices that no triangle and no inner face uses.
+void keep_used_vertices(TriangleMesh& mesh) {
+  constexpr std::uint32_t kUnused = UINT32_MAX;
+  std::vector<std::uint32_t> new_index(mesh.vertices.size(), kUnused);
+  for (const auto* faces : {&mesh.triangles, &mesh.inner_faces})
+    for (const Face& face : *faces)
+      for (const std::uint32_t v : face) new_index[v] = 0;
+  std::uint32_t count = 0;
+  for (std::size_t v = 0; v < new_index.size(); ++v) {
+    if (new_index[v] == kUnused) continue;
+    mesh.vertices[count] = mesh.vertices[v];
+    new_index[v] = count++;
+  }
+  mesh.vertices.resize(count);
+  for (auto* faces : {&mesh.triangles, &mesh.inner_faces})
+    for (Face& face : *faces)
+      for (std::uint32_t& v : face) v = new_index[v];
+}
+
+}  // namespace
+
+bool has_several_regions(const TetMesh& mesh) {
+  return std::adjacent_find(mesh.regions.begin(), mesh.regions.end(), std::not_equal_to<>()) !=
+         mesh.regions.end();
+}
+
+std::vector<InnerWall> find_inner_walls(const TetSolid& solid, std::vector<std::string>& warnings) {
+  const TetMesh& mesh = solid.mesh;
+  const std::vector<Face> tagged = tagged_faces(mesh);
+  const bool several = has_several_regions(mesh);
+  std::vector<InnerWall> walls;
+  if (tagged.empty() && !several) return walls;
+  std::size_t tagged_inside = 0;
+  for (const auto& [vertices, tets] : solid.inner_faces) {
+    auto [first, second] = tets;
+    const bool separates = several && second != kNoTet && mesh.regions[first] != mesh.regions[second];
+    const bool is_tagged = std::binary_search(tagged.begin(), tagged.end(), vertices);
+    tagged_inside += is_tagged;
+    if (!separates && !is_tagged) continue;
+    if (separates && mesh.regions[second] < mesh.regions[first]) std::swap(first, second);
+    walls.push_back({outward_of(mesh, vertices, first), {first, second}, separates});
+  }
+  warn_of_stray_faces(solid, tagged, tagged_inside, warnings);
+  return walls;
+}
+
+TriangleMesh model_surface(const TetSolid& solid, const std::vector<InnerWall>& walls) {
+  const TetMesh& mesh = solid.mesh;
+  TriangleMesh surface{mesh.vertices, solid.boundary};
+  if (has_several_regions(mesh)) {
+    const BoundaryRegions region_of(solid);
+    for (std::size_t f = 0; f < solid.boundary.size(); ++f) surface.solids.push_back(region_of[f]);
+  }
+  for (const InnerWall& wall : walls) {
+    if (!wall.separates_regions) {
+      surface.inner_faces.push_back(wall.vertices);
+      continue;
+    }
+    surface.triangles.insert(surface.triangles.end(), {wall.vertices, turned(wall.vertices)});
+    for (const std::uint32_t tet : wall.tets) surface.solids.push_back(mesh.regions[tet]);
+  }
+  if (!mesh.feature_edges.empty()) surface.creases = creases_of(solid, walls);
+  keep_used_vertices(surface);
+  return surface;
+}
+
+}  // namespace crossgrain
