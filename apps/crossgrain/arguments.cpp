@@ -164,6 +164,11 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   command->add_option("--seed", options.seed, "Changes the initial frames of every start (default 0)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
+  command
+      ->add_option("--read-seconds", arguments.read_seconds,
+                   "Give up on a CAD file after so many seconds, and 10 for each megabyte of it (default 60)")
+      ->check(fault_of_length)
+      ->type_name("SECONDS");
   add_tets_options(*command, arguments);
   add_output_options(*command, arguments.output_options);
   command->add_option("--from", arguments.from, "Start from the field in this folder")->type_name("DIR");

@@ -17,6 +17,7 @@ struct SolveArguments {
   std::string onto;    ///< the tet mesh to carry the field onto; empty for none
   SolveOptions options;
   OutputOptions output_options;
+  double read_seconds = ReadOptions().read_seconds;
   bool quiet = false;
   bool progress = false;
   bool no_report = false;  ///< nothing depends on it as long as there is no page

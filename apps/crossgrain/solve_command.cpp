@@ -159,6 +159,15 @@ void check_start(const SolveArguments& arguments) {
       arguments.from + ": holds only part of a field; start from one that was written without --clip");
 }
 
+ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& options) {
+  ReadOptions result;
+  result.resolution = options.resolution;
+  result.cell_size = options.cell_size;
+  result.max_memory_bytes = options.max_memory_bytes;
+  result.read_seconds = arguments.read_seconds;
+  return result;
+}
+
 /// Solves, carries onto the tets where there are any, and writes all files. `warn` is told what reading has
 /// found, before the solve.
 SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point start, const Monitor& monitor,
@@ -167,10 +176,9 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   monitor.report({"read", 0, 0, 0, 0});
   const std::optional<TetDomain> domain = read_domain(arguments);
   const SolveOptions options = domain ? sized_for(*domain, arguments.options) : arguments.options;
-  const TriangleMesh mesh =
-      is_tet_file(arguments.model)
-          ? domain->boundary()
-          : read_surface(arguments.model, {.resolution = options.resolution, .cell_size = options.cell_size});
+  const TriangleMesh mesh = is_tet_file(arguments.model)
+                                ? domain->boundary()
+                                : read_surface(arguments.model, read_options(arguments, options), monitor);
   for (const std::string& warning : mesh.warnings) warn(warning);
   if (!arguments.onto.empty()) check_same_unit(arguments, mesh, *domain);
   check_clip(arguments, mesh);
