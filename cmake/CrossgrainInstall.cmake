@@ -12,11 +12,12 @@ if(TARGET crossgrain_app)
   install(TARGETS crossgrain_app)
 endif()
 if(TARGET crossgrain_cad)
-  install(TARGETS crossgrain_cad LIBRARY DESTINATION "${CROSSGRAIN_MODULE_FOLDER}")
-  # A program with the static library in it may stand anywhere; its linker remembers where the module is.
+  install(TARGETS crossgrain_cad RUNTIME DESTINATION "${CROSSGRAIN_HELPER_FOLDER}")
+  # A program with the static library in it may stand anywhere; its linker notes down where the helper is, and
+  # the library asks for that (io/cad_program.cpp).
   if(NOT BUILD_SHARED_LIBS)
     target_link_options(crossgrain INTERFACE
-                        "$<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${CROSSGRAIN_MODULE_FOLDER}>")
+                        "$<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${CROSSGRAIN_HELPER_FOLDER}>")
   endif()
 endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/crossgrain" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")

@@ -8,7 +8,7 @@ Usage: check_layers.py [ROOT]
   include/crossgrain/   includes public headers and the standard library
   apps/ python/ examples/   include public headers and what stands in their own folder
 
-OpenCASCADE (*.hxx) stands in src/io/cad/ only, which is built as a module apart; only that folder includes its headers.
+OpenCASCADE (*.hxx) stands in src/io/cad/ only, which is built as a program apart; only that folder includes its headers.
 """
 
 import re
@@ -22,7 +22,7 @@ LAYERS = ["base", "harmonics", "constraint", "surface", "tets", "grid", "field",
 EXTRA_LAYERS = {"distributed": [layer for layer in LAYERS if layer != "io"] + ["distributed"]}
 
 # The folder of src/ with OpenCASCADE in it.
-CAD_MODULE = "io/cad/"
+CAD_PROGRAM = "io/cad/"
 
 OUTER_FOLDERS = ["apps", "python", "examples"]
 SUFFIXES = {".hpp", ".cpp", ".h", ".cc", ".in"}
@@ -48,12 +48,12 @@ def sources_below(folder):
     return sorted(path for path in folder.rglob("*") if path.is_file() and path.suffix in SUFFIXES)
 
 
-def fault_in_layer(layer, inside_module, quote, included):
+def fault_in_layer(layer, inside_cad_program, quote, included):
     first = included.split("/")[0]
-    if included.endswith(".hxx") and not inside_module:
-        return f"OpenCASCADE stands in the module src/{CAD_MODULE} only"
-    if included.startswith(CAD_MODULE) and not inside_module:
-        return "the library sees no more of the module for CAD files than io/cad_module.hpp"
+    if included.endswith(".hxx") and not inside_cad_program:
+        return f"OpenCASCADE stands in the program src/{CAD_PROGRAM} only"
+    if included.startswith(CAD_PROGRAM) and not inside_cad_program:
+        return "the library sees no more of the program for CAD files than io/cad_messages.hpp"
     if first in ("tbb", "oneapi") and layer != "base":
         return "oneTBB stands behind base/parallel.hpp; use parallel_for"
     if quote == "<" and first != "crossgrain" and first not in LAYERS and first not in EXTRA_LAYERS:
@@ -96,8 +96,8 @@ def faults(root):
             continue
         for path in sources_below(folder):
             for number, quote, included in includes_of(path):
-                inside_module = path.relative_to(source_root).as_posix().startswith(CAD_MODULE)
-                fault = fault_in_layer(layer, inside_module, quote, included)
+                inside_cad_program = path.relative_to(source_root).as_posix().startswith(CAD_PROGRAM)
+                fault = fault_in_layer(layer, inside_cad_program, quote, included)
                 if fault:
                     yield f"{path.relative_to(root)}:{number}: includes {included}: {fault}"
     for path in sources_below(root / "include"):

@@ -177,6 +177,11 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
       ->type_name("N");
   command->add_flag("--union", options.unite_solids,
                     "Take several solids as one: pass over the faces between them");
+  command
+      ->add_option("--read-seconds", arguments.read_seconds,
+                   "Give up on a CAD file after so many seconds, and 10 for each megabyte of it (default 60)")
+      ->check(fault_of_length)
+      ->type_name("SECONDS");
   add_tets_options(*command, arguments);
   add_output_options(*command, arguments.output_options);
   command

@@ -18,6 +18,7 @@ struct SolveArguments {
   std::string constraints;  ///< a file of them; empty for none
   SolveOptions options;
   OutputOptions output_options;
+  double read_seconds = ReadOptions().read_seconds;
   bool quiet = false;
   bool progress = false;
   bool no_report = false;  ///< nothing depends on it as long as there is no page

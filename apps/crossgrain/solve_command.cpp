@@ -175,6 +175,16 @@ void check_start(const SolveArguments& arguments) {
       arguments.from + ": holds only part of a field; start from one that was written without --clip");
 }
 
+ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& options) {
+  ReadOptions result;
+  result.resolution = options.resolution;
+  result.cell_size = options.cell_size;
+  result.crease_angle_deg = options.creases.least_deg;
+  result.max_memory_bytes = options.max_memory_bytes;
+  result.read_seconds = arguments.read_seconds;
+  return result;
+}
+
 /// Solves, carries onto the tets where there are any, and writes all files. `warn` is told what reading has
 /// found, before the solve.
 SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point start, const Monitor& monitor,
@@ -185,12 +195,9 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   if (!arguments.constraints.empty()) options.constraints = read_constraints(arguments.constraints);
   const std::optional<TetDomain> domain = read_domain(arguments);
   if (domain) options = sized_for(*domain, std::move(options));
-  const TriangleMesh mesh =
-      is_tet_file(arguments.model)
-          ? domain->boundary()
-          : read_surface(arguments.model, {.resolution = options.resolution,
-                                           .cell_size = options.cell_size,
-                                           .crease_angle_deg = options.creases.least_deg});
+  const TriangleMesh mesh = is_tet_file(arguments.model)
+                                ? domain->boundary()
+                                : read_surface(arguments.model, read_options(arguments, options), monitor);
   for (const std::string& warning : mesh.warnings) warn(warning);
   if (!arguments.onto.empty()) check_same_unit(arguments, mesh, *domain);
   check_clip(arguments, mesh);

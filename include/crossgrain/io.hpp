@@ -18,7 +18,8 @@
 
 namespace crossgrain {
 
-/// How surfaces of CAD files are cut into triangles. Files of triangles take no notice.
+/// How a surface is read. Of these, files of triangles take notice of max_memory_bytes only; the others say
+/// how CAD files are read and cut into triangles.
 struct ReadOptions {
   /// The finest cells that the surface is for, as in SolveOptions: along the longest side of the bounding
   /// box, 0 for kDefaultResolution; or their size in the unit of the mesh, which counts where positive.
@@ -36,6 +37,19 @@ struct ReadOptions {
 
   /// Edges where the true surface turns by more than this somewhere are creases.
   double crease_angle_deg = 35;
+
+  /// How long reading a CAD file may take, besides 10 s for each megabyte of it. OpenCASCADE is never done
+  /// with some damaged files; sound ones take less than a second, or a few where they have many thousands of
+  /// faces.
+  double read_seconds = 60;
+
+  /// The most that the process may hold meanwhile, together with the one that reads CAD files; 0 for nine
+  /// tenths of what the machine or the container has.
+  std::size_t max_memory_bytes = 0;
+
+  /// The program that reads CAD files, crossgrain_cad. Where empty it is looked for beside this library and
+  /// the running program, in libexec/crossgrain/.
+  std::filesystem::path cad_program = {};
 };
 
 /// The surface in a file. The extension names the format, in either case: STL (ASCII or binary), OBJ, PLY
@@ -49,11 +63,13 @@ struct ReadOptions {
 ///
 /// CAD files: the mesh has faces, solids, corner normals and creases, in millimetres where the format has
 /// units. Faces look out of their solid; faces and shells of no solid are sewn together where they meet, and
-/// each shell counts as a solid of its own. The first such file loads the module with OpenCASCADE in it,
-/// where Crossgrain was built with one. One file is read at a time, and what the process writes to std::cout,
-/// std::cerr and std::clog meanwhile is lost, since OpenCASCADE talks there. The result depends on nothing
-/// but the file and the options; of these Error(kUsage) for angles and errors out of range.
-TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& options = {});
+/// each shell counts as a solid of its own. They are read with OpenCASCADE, where Crossgrain was built with
+/// it, by a process that is started for each file and gone when this returns: where it crashes, hangs or
+/// needs too much memory there is an Error(kInput) as for any damaged file. That process is killed, and
+/// Error(kInterrupted) thrown, once the monitor is cancelled. The result depends on nothing but the file and
+/// the options; of these Error(kUsage) for angles, errors and times out of range.
+TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& options = {},
+                          const Monitor& monitor = {});
 
 /// The solid in a tet mesh file. The extension names the format, in either case: Medit (.mesh in text, .meshb
 /// in binary), Gmsh (.msh, version 2 or 4.1), VTK (.vtk, .vtu); text or binary, whatever these formats allow.

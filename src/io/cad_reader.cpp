@@ -1,75 +1,110 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <dlfcn.h>
 #include <fmt/format.h>
+#include <signal.h>
+#include <string.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/version.hpp"
-#include "io/cad_module.hpp"
+#include "io/cad_messages.hpp"
+#include "io/cad_program.hpp"
+#include "io/helper_process.hpp"
 #include "io/surface_reader.hpp"
 
 namespace crossgrain {
 namespace {
 
-constexpr const char* kModuleName = "crossgrain_cad.so";
-
-/// How many folders above the program the module is looked for: bin/crossgrain in an installed tree, and
-/// apps/crossgrain/crossgrain in a build tree.
-constexpr int kFoldersAbove = 2;
+using End = HelperOutcome::End;
 
 constexpr const char* kMend =
     "install libocct-data-exchange-dev and libocct-modeling-algorithms-dev, build Crossgrain again and "
-    "install "
-    "it as a whole, or export the model as STL";
+    "install it as a whole, or export the model as STL";
 
-/// The folders that hold this library, as a shared one, and the program.
-std::vector<std::filesystem::path> own_folders() {
-  std::vector<std::filesystem::path> folders;
-  Dl_info info{};
-  std::error_code ignored;
-  if (::dladdr(&kModuleName, &info) != 0 && info.dli_fname != nullptr)
-    folders.push_back(std::filesystem::canonical(info.dli_fname, ignored).parent_path());
-  folders.push_back(std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path());
-  return folders;
-}
+constexpr const char* kLibrariesMend =
+    "install libocct-data-exchange-7.6, or build Crossgrain again where another version of OpenCASCADE is "
+    "installed";
 
-/// The module in the nearest folder lib/crossgrain (CROSSGRAIN_MODULE_FOLDER) beside or above this library or
-/// the program; otherwise its mere name, for the linker's own search.
-std::filesystem::path module_path() {
-  for (std::filesystem::path folder : own_folders()) {
-    for (int above = 0; above <= kFoldersAbove && !folder.empty(); ++above, folder = folder.parent_path()) {
-      const std::filesystem::path path = folder / CROSSGRAIN_MODULE_FOLDER / kModuleName;
-      std::error_code ignored;
-      if (std::filesystem::exists(path, ignored)) return path;
-    }
-  }
-  return kModuleName;
-}
+/// What the dynamic linker ends a program with whose libraries are missing.
+constexpr int kLibrariesMissing = 127;
 
-/// Never unloaded: OpenCASCADE does not survive that.
-CadReadFunction* load_module(const InputFile& file) {
-  const std::filesystem::path path = module_path();
-  void* module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (module == nullptr) {
-    if (path == kModuleName)
-      fail_input(
-          file, {},
-          fmt::format("this Crossgrain has no reader of CAD files: there is no {}; {}", kModuleName, kMend));
-    fail_input(file, {}, fmt::format("the reader of CAD files cannot be loaded: {}; {}", ::dlerror(), kMend));
-  }
-  const auto* version = static_cast<const char* const*>(::dlsym(module, kCadVersionName));
-  auto* read = reinterpret_cast<CadReadFunction*>(::dlsym(module, kCadReadName));
-  if (version == nullptr || read == nullptr || std::string(*version) != kVersion)
+/// Of what there is (ReadOptions::max_memory_bytes).
+constexpr double kShareOfMemory = 0.9;
+
+constexpr double kSecondsPerByte = 10e-6;
+
+std::filesystem::path cad_program(const InputFile& file, const ReadOptions& options) {
+  const std::filesystem::path program =
+      options.cad_program.empty() ? find_cad_program() : options.cad_program;
+  if (program.empty())
     fail_input(file, {},
-               fmt::format("{} is not of Crossgrain {}; install Crossgrain again as a whole", path.string(),
-                           kVersion));
-  return read;
+               fmt::format("this Crossgrain has no reader of CAD files: there is no {}; {}", kCadProgramName,
+                           kMend));
+  return program;
+}
+
+/// For the helper, what this process holds taken off.
+std::size_t memory_for_helper(const InputFile& file, const ReadOptions& options) {
+  std::size_t most = options.max_memory_bytes;
+  if (most == 0) most = static_cast<std::size_t>(kShareOfMemory * static_cast<double>(memory_limit_bytes()));
+  if (most == 0) return std::numeric_limits<std::size_t>::max();
+  const std::size_t held = current_memory_bytes();
+  if (held >= most)
+    throw Error(ErrorKind::kLimit,
+                fmt::format("{}: no memory is left to read it: {:.3g} GB are allowed and {:.3g} GB held; "
+                            "allow more (--max-memory)",
+                            file.name(), static_cast<double>(most) / 1e9, static_cast<double>(held) / 1e9));
+  return most - held;
+}
+
+std::string out_of_memory(std::size_t allowed) {
+  return fmt::format(
+      "OpenCASCADE needs more than the {:.3g} GB of memory that it may take; simplify the model and export "
+      "it "
+      "again, or allow more (--max-memory)",
+      static_cast<double>(allowed) / 1e9);
+}
+
+/// What an outcome without an answer means for the file.
+std::string fault_of(const HelperRun& run, const HelperOutcome& outcome) {
+  if (outcome.end == End::kTimedOut)
+    return fmt::format(
+        "OpenCASCADE was not done with it after {:.3g} s and was stopped: it is damaged or very complex; "
+        "repair it and export it again, or give it more time (--read-seconds)",
+        run.seconds);
+  if (outcome.end == End::kTooLong) return out_of_memory(run.max_answer_bytes);
+  if (outcome.end == End::kExited && outcome.number == kLibrariesMissing)
+    return fmt::format("the reader of CAD files, {}, misses libraries of OpenCASCADE; {}",
+                       run.program.string(), kLibrariesMend);
+  if (outcome.end == End::kExited && !is_cad_greeting(outcome.answer))
+    return fmt::format("{} is not of Crossgrain {}; install Crossgrain again as a whole",
+                       run.program.string(), kVersion);
+  if (outcome.end == End::kKilled && outcome.number == SIGKILL)
+    return "the system stopped OpenCASCADE while that read it, as a rule because memory ran out; close other "
+           "programs, or simplify the model and export it again";
+  return fmt::format(
+      "OpenCASCADE crashed on it ({}): it is damaged, or has what OpenCASCADE cannot take; repair it in a "
+      "CAD "
+      "program and export it again",
+      outcome.end == End::kKilled ? ::strsignal(outcome.number) : "no complete answer");
+}
+
+HelperOutcome outcome_of(const InputFile& file, const HelperRun& run, const Monitor& monitor) {
+  try {
+    return run_helper(run, monitor);
+  } catch (const std::system_error& error) {
+    fail_input(file, {},
+               fmt::format("the reader of CAD files, {}, cannot be started: {}; {}", run.program.string(),
+                           error.code().message(), kMend));
+  }
 }
 
 void check_range(double value, double most, const char* name) {
@@ -77,16 +112,24 @@ void check_range(double value, double most, const char* name) {
   throw Error(ErrorKind::kUsage, fmt::format("{} is {}; it is above 0 and at most {}", name, value, most));
 }
 
-TriangleMesh read_cad(const InputFile& file, CadFormat format, const ReadOptions& options) {
+TriangleMesh read_cad(const InputFile& file, CadFormat format, const ReadOptions& options,
+                      const Monitor& monitor) {
   check_range(options.chord_error_cells, std::numeric_limits<double>::max(), "chord_error_cells");
   check_range(options.facet_angle_deg, 90, "facet_angle_deg");
   check_range(options.crease_angle_deg, 180, "crease_angle_deg");
-  // Once that has failed, the next call tries again.
-  static CadReadFunction* const read = load_module(file);
-  CadAnswer answer;
-  read({file.name(), format, options}, answer);
-  if (!answer.fault.empty()) fail_input(file, {}, answer.fault);
-  return std::move(answer.mesh);
+  check_range(options.read_seconds, std::numeric_limits<double>::max(), "read_seconds");
+  CadRequest request{file.name(), format, options, ::getpid()};
+  request.options.max_memory_bytes = memory_for_helper(file, options);
+  const HelperRun run{cad_program(file, options), arguments_of(request),
+                      options.read_seconds + kSecondsPerByte * static_cast<double>(file.bytes().size()),
+                      request.options.max_memory_bytes};
+  const HelperOutcome outcome = outcome_of(file, run, monitor);
+  std::optional<CadAnswer> answer = cad_answer_in(outcome.answer);
+  if (!answer) fail_input(file, {}, fault_of(run, outcome));
+  if (answer->end == CadEnd::kOutOfMemory)
+    fail_input(file, {}, out_of_memory(request.options.max_memory_bytes));
+  if (answer->end == CadEnd::kFault) fail_input(file, {}, answer->fault);
+  return std::move(answer->mesh);
 }
 
 /// Whether a text stands in the first or last bytes of a file.
@@ -107,8 +150,8 @@ std::string_view last_line(const InputFile& file) {
   return lines.substr(lines.find_last_of('\n') + 1);
 }
 
-// OpenCASCADE does not see that a file is damaged or ends too early, and crashes on it now and then; these
-// checks are cheap and tell most of that.
+// OpenCASCADE often does not see that a file is damaged or ends too early, and crashes on it now and then;
+// these checks are cheap and say better what is wrong.
 
 /// Column 73 of every line of an IGES file names its section: S, G, D and P, in this order, and T at last.
 void check_iges_sections(const InputFile& file) {
@@ -141,26 +184,26 @@ bool is_shape_reference(std::string_view line) {
 
 }  // namespace
 
-TriangleMesh read_step(const InputFile& file, const ReadOptions& options) {
+TriangleMesh read_step(const InputFile& file, const ReadOptions& options, const Monitor& monitor) {
   if (!begins_with(file, "ISO-10303-21"))
     fail_input(file, {}, "is no STEP file: it does not begin with 'ISO-10303-21'; export it again");
   if (!ends_with(file, "END-ISO-10303-21"))
     fail_input(file, {}, "does not end with 'END-ISO-10303-21': cut short; copy or export it again");
-  return read_cad(file, CadFormat::kStep, options);
+  return read_cad(file, CadFormat::kStep, options, monitor);
 }
 
-TriangleMesh read_iges(const InputFile& file, const ReadOptions& options) {
+TriangleMesh read_iges(const InputFile& file, const ReadOptions& options, const Monitor& monitor) {
   check_iges_sections(file);
-  return read_cad(file, CadFormat::kIges, options);
+  return read_cad(file, CadFormat::kIges, options, monitor);
 }
 
-TriangleMesh read_brep(const InputFile& file, const ReadOptions& options) {
+TriangleMesh read_brep(const InputFile& file, const ReadOptions& options, const Monitor& monitor) {
   if (!begins_with(file, "CASCADE Topology V"))
     fail_input(file, {}, "is no BREP file: it does not name a 'CASCADE Topology'; export it again");
   const bool is_binary = begins_with(file, "Open CASCADE Topology V");
   if (!is_binary && !is_shape_reference(last_line(file)))
     fail_input(file, {}, "does not end with the shape that it is of: cut short; copy or export it again");
-  return read_cad(file, CadFormat::kBrep, options);
+  return read_cad(file, CadFormat::kBrep, options, monitor);
 }
 
 }  // namespace crossgrain

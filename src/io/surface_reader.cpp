@@ -17,12 +17,12 @@ namespace {
 
 struct SurfaceFormat {
   std::string_view extension;
-  TriangleMesh (*read)(const InputFile&, const ReadOptions&);
+  TriangleMesh (*read)(const InputFile&, const ReadOptions&, const Monitor&);
 };
 
 /// A reader of triangles, whatever the options.
 template <TriangleMesh (*read)(const InputFile&)>
-TriangleMesh triangles_by(const InputFile& file, const ReadOptions&) {
+TriangleMesh triangles_by(const InputFile& file, const ReadOptions&, const Monitor&) {
   return read(file);
 }
 
@@ -69,13 +69,14 @@ bool is_read_by(const SurfaceFormat& format, const FileSignature& signature) {
 }
 
 /// The surface as it stands in the file. The bytes of the file are gone on return.
-TriangleMesh read_unwelded(const std::filesystem::path& path, const ReadOptions& options) {
+TriangleMesh read_unwelded(const std::filesystem::path& path, const ReadOptions& options,
+                           const Monitor& monitor) {
   const InputFile file(path);
   const std::string extension = path.extension().string();
   const SurfaceFormat* format = format_of(extension);
   if (format == nullptr) fail_unknown_extension(file, extension);
   try {
-    return format->read(file, options);
+    return format->read(file, options, monitor);
   } catch (const Error&) {
     const FileSignature* signature = signature_of(file.bytes());
     if (signature != nullptr && is_read_by(*format, *signature)) throw;
@@ -86,8 +87,9 @@ TriangleMesh read_unwelded(const std::filesystem::path& path, const ReadOptions&
 
 }  // namespace
 
-TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& options) {
-  return weld(read_unwelded(path, options));
+TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& options,
+                          const Monitor& monitor) {
+  return weld(read_unwelded(path, options, monitor));
 }
 
 }  // namespace crossgrain

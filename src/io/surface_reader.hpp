@@ -22,10 +22,10 @@ TriangleMesh read_ply(const InputFile& file);
 /// Geomview OFF in text, with whatever colours, normals and texture coordinates (COFF, NOFF, STOFF).
 TriangleMesh read_off(const InputFile& file);
 
-/// STEP (AP203, AP214, AP242), IGES 5 and OpenCASCADE's own BREP, in text or binary, through the module
-/// (io/cad_module.hpp).
-TriangleMesh read_step(const InputFile& file, const ReadOptions& options);
-TriangleMesh read_iges(const InputFile& file, const ReadOptions& options);
-TriangleMesh read_brep(const InputFile& file, const ReadOptions& options);
+/// STEP (AP203, AP214, AP242), IGES 5 and OpenCASCADE's own BREP, in text or binary, read by a process of its
+/// own (io/cad_messages.hpp), which does not outlive a cancelled monitor.
+TriangleMesh read_step(const InputFile& file, const ReadOptions& options, const Monitor& monitor);
+TriangleMesh read_iges(const InputFile& file, const ReadOptions& options, const Monitor& monitor);
+TriangleMesh read_brep(const InputFile& file, const ReadOptions& options, const Monitor& monitor);
 
 }  // namespace crossgrain

@@ -229,6 +229,7 @@ void turn_triangle(TriangleMesh& mesh, std::size_t triangle) {
 TriangleMesh selected_triangles(const TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) {
   TriangleMesh result;
   result.vertices = mesh.vertices;
+  result.inner_faces = mesh.inner_faces;
   result.creases = mesh.creases;
   result.unit = mesh.unit;
   result.file_unit = mesh.file_unit;

@@ -72,7 +72,7 @@ TriangleMesh weld(const TriangleMesh& mesh) {
 }
 
 bool has_equal_vertices(const TriangleMesh& mesh) {
-  const std::vector<std::uint32_t> first = first_equal_vertex(mesh.vertices);
+  const std::vector<std::uint32_t> first = first_equal_vertices(mesh.vertices);
   for (std::uint32_t v = 0; v < first.size(); ++v)
     if (first[v] != v) return true;
   return false;

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""CAD files on the command line: they are solved, nothing is printed that should not be, and the module for them is loaded
-for them only.
+"""CAD files on the command line: they are solved, nothing is printed that should not be, and OpenCASCADE is in a process of
+its own, which ends with the program.
 
 CROSSGRAIN_CAD_FILES is the program that makes the files; without it Crossgrain was built without OpenCASCADE.
 """
@@ -9,22 +9,27 @@ CROSSGRAIN_CAD_FILES is the program that makes the files; without it Crossgrain 
 import json
 import os
 import shutil
+import signal
 import subprocess
+import time
 import unittest
 
 from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, stl_bytes
 
 CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
-INPUT = 3
+INPUT, INTERRUPTED = 3, 130
 
 
-class WithoutTheModule(CommandTest):
-    def test_a_program_away_from_its_module_names_the_packages(self):
+STEP = "ISO-10303-21;\nEND-ISO-10303-21;\n"
+
+
+class WithoutTheReader(CommandTest):
+    def test_a_program_away_from_its_reader_names_the_packages(self):
         alone = shutil.copy(PROGRAM, self.folder / "alone")
-        self.write("part.step", "ISO-10303-21;\nEND-ISO-10303-21;\n")
+        self.write("part.step", STEP)
         result = subprocess.run([alone, "solve", "part.step"], cwd=self.folder, capture_output=True, text=True,
                                 timeout=TIME_LIMIT, check=False)
-        self.assert_fails(result, INPUT, "part.step", "libocct-data-exchange-dev", "crossgrain_cad.so")
+        self.assert_fails(result, INPUT, "part.step", "libocct-data-exchange-dev", "crossgrain_cad")
 
     def test_the_program_itself_links_no_opencascade(self):
         linked = subprocess.run(["ldd", PROGRAM], capture_output=True, text=True, timeout=TIME_LIMIT, check=True).stdout
@@ -32,8 +37,58 @@ class WithoutTheModule(CommandTest):
         self.assertNotIn("libTK", linked)
 
 
+class WithAHangingReader(CommandTest):
+    """An installed tree whose reader is a script that notes its number down and is never done."""
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "bin").mkdir()
+        (self.folder / "libexec" / "crossgrain").mkdir(parents=True)
+        self.program = shutil.copy(PROGRAM, self.folder / "bin" / "crossgrain")
+        reader = self.write("libexec/crossgrain/crossgrain_cad", "#!/bin/sh\necho $$ > process\nsleep 1000\ntrue\n")
+        reader.chmod(0o755)
+        self.write("part.step", STEP)
+
+    def start(self, *arguments):
+        """The program, once it has started its reader, and the reader's number."""
+        process = subprocess.Popen([self.program, "solve", "part.step", "-o", "out", *arguments], cwd=self.folder,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.kill)
+        note = self.folder / "process"
+        deadline = time.monotonic() + TIME_LIMIT
+        while not (note.exists() and note.read_text().endswith("\n")):
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+        return process, int(note.read_text())
+
+    def assert_gone(self, process):
+        deadline = time.monotonic() + TIME_LIMIT
+        while os.path.exists(f"/proc/{process}"):
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+
+    def finished(self, process):
+        process.stdout_text, process.stderr_text = process.communicate(timeout=TIME_LIMIT)
+        return subprocess.CompletedProcess(process.args, process.returncode, process.stdout_text, process.stderr_text)
+
+    def test_it_is_stopped_after_its_time_with_one_line(self):
+        process, reader = self.start("--read-seconds", "0.5")
+        self.assert_fails(self.finished(process), INPUT, "part.step", "not done with it after 0.5 s", "--read-seconds")
+        self.assert_gone(reader)
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_an_interrupt_stops_it(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(number.name):
+                process, reader = self.start()
+                process.send_signal(number)
+                self.assert_fails(self.finished(process), INTERRUPTED, "interrupted")
+                self.assert_gone(reader)
+                (self.folder / "process").unlink()
+
+
 @unittest.skipUnless(CAD_FILES, "built without OpenCASCADE")
-class WithTheModule(CommandTest):
+class WithTheReader(CommandTest):
     def setUp(self):
         super().setUp()
         subprocess.run([CAD_FILES, self.folder], capture_output=True, timeout=TIME_LIMIT, check=True)
@@ -81,13 +136,36 @@ class WithTheModule(CommandTest):
         self.write("bad.step", "ISO-10303-21;\nHEADER;\nnonsense\nENDSEC;\nEND-ISO-10303-21;\n")
         self.assert_fails(self.run_here("solve", "bad.step"), INPUT, "bad.step", "export it again")
 
-    def test_the_module_is_loaded_for_cad_files_only(self):
+    def test_opencascade_is_loaded_for_cad_files_only_and_in_another_process(self):
         self.write("box.stl", stl_bytes(box_triangles()))
-        for name, loaded in (("box.stl", False), ("box.brep", True)):
+        for name, processes, with_opencascade in (("box.stl", 1, 0), ("box.brep", 2, 1)):
             with self.subTest(name):
-                result = self.run_here("solve", name, "--resolution", "8", "--quiet",
-                                       env={**os.environ, "LD_DEBUG": "files"})
-                self.assertEqual("libTKernel" in result.stderr, loaded)
+                (self.folder / name[4:]).mkdir()
+                self.assert_succeeds(self.run_here("solve", name, "--resolution", "8", "--quiet", env={
+                    **os.environ, "LD_DEBUG": "files", "LD_DEBUG_OUTPUT": f"{self.folder}/{name[4:]}/loaded"}))
+                loaded = [path.read_text() for path in (self.folder / name[4:]).iterdir()]
+                self.assertEqual(len(loaded), processes)
+                self.assertEqual(sum("libTKernel" in text for text in loaded), with_opencascade)
+
+    def test_the_reader_ends_with_a_program_that_is_killed(self):
+        # As fine as that, the part takes minutes.
+        process = subprocess.Popen([PROGRAM, "solve", "rounded.brep", "--resolution", "1000000", "--max-memory", "3GB"],
+                                   cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(process.kill)
+        children = f"/proc/{process.pid}/task/{process.pid}/children"
+        deadline = time.monotonic() + TIME_LIMIT
+        reader = ""
+        while "crossgrain_cad" not in reader:
+            self.assertLess(time.monotonic(), deadline)
+            self.assertIsNone(process.poll())
+            with open(children, encoding="utf-8") as numbers:
+                reader = "".join(f"/proc/{number}" for number in numbers.read().split())
+            reader = os.readlink(f"{reader}/exe") + "\n" + reader if reader else ""
+        process.kill()
+        process.wait()
+        while os.path.exists(reader.split("\n")[1]):
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@
 #include <set>
 #include <thread>
 
+#include "io/made_cad_files.hpp"
 #include "io/surface_files.hpp"
 #include "surface/topology.hpp"
 
@@ -24,15 +25,6 @@ TEST(ReadCad, NamesThePackagesThatTheProgramWasBuiltWithout) {
 }
 
 #else
-
-/// A folder of CAD files, made once for all tests.
-const std::filesystem::path& cad_files() {
-  static const TemporaryFolder folder;
-  static const int status =
-      std::system(fmt::format("'{}' '{}' > /dev/null", CROSSGRAIN_CAD_FILES, folder.path().string()).c_str());
-  if (status != 0) throw std::runtime_error("the CAD files could not be made");
-  return folder.path();
-}
 
 TriangleMesh read_made(const std::string& name, const ReadOptions& options = {}) {
   return read_surface(cad_files() / name, options);

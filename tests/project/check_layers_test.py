@@ -70,7 +70,7 @@ class LayerCheck(unittest.TestCase):
         self.assert_no_fault("src/base/parallel.cpp", "<oneapi/tbb/parallel_for.h>")
         self.assert_one_fault("src/field/sweep.cpp", "<oneapi/tbb/parallel_for.h>")
 
-    def test_opencascade_stays_in_its_module(self):
+    def test_opencascade_stays_in_its_program(self):
         self.assert_no_fault("src/io/cad/bodies.cpp", "<TopoDS_Shape.hxx>")
         self.assert_no_fault("src/io/cad/bodies.cpp", '"io/cad/bodies.hpp"')
         self.assert_one_fault("src/io/stl_reader.cpp", "<TopoDS_Shape.hxx>")

@@ -28,13 +28,12 @@ if(PROGRAM)
   endif()
 endif()
 
-# The module is found from wherever the consumer was built, and says of what it cannot read. Not so under a
-# sanitizer, which looks for modules in its own name.
-if(CAD AND NOT CXX_FLAGS MATCHES "-fsanitize")
-  file(WRITE "${WORK_DIR}/damaged.brep" "DBRep_DrawableShape\n\nCASCADE Topology V1\nnonsense\n")
+# The program that reads CAD files is found from wherever the consumer was built, and says of what it cannot read.
+if(CAD)
+  file(WRITE "${WORK_DIR}/damaged.brep" "DBRep_DrawableShape\n\nCASCADE Topology V1\nnonsense\n+1 0\n")
   execute_process(COMMAND "${WORK_DIR}/build/consumer" "${WORK_DIR}/damaged.brep" OUTPUT_VARIABLE output
                   COMMAND_ERROR_IS_FATAL ANY)
   if(NOT output MATCHES "damaged, or no BREP file")
-    message(FATAL_ERROR "the consumer did not find the module that reads CAD files: ${output}")
+    message(FATAL_ERROR "the consumer did not find the program that reads CAD files: ${output}")
   endif()
 endif()

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/cad_module.hpp"
+#include "io/cad_messages.hpp"
 
 namespace crossgrain {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/cad/bodies.hpp"
-#include "io/cad_module.hpp"
+#include "io/cad_messages.hpp"
 
 namespace crossgrain {
 
