@@ -63,7 +63,7 @@ struct Solid {
   const WindingNumber& winding;
 
   /// The surface has no boundary and no two sides of an edge contradict each other
-  /// (SurfaceTopology::watertight): winding numbers are whole, and change by one where a path crosses the
+  /// (MendedSurface::closed): winding numbers are whole, and change by one where a path crosses the
   /// surface.
   bool closed = false;
 

@@ -383,6 +383,13 @@ def disagreements(model, folder):
             faults.append(f"{name}: keys {sorted(set(report[name]) ^ known)}")
 
     compare("model.path", report["model"]["path"] == str(model), True, 0)
+    # Of a closed surface, the only ones that tests ask this of, nothing is left out, and nothing found but this.
+    watertight, components = recomputation.surface.topology()
+    if watertight:
+        turned = components if recomputation.surface.orientation < 0 else 0
+        compare("input.triangles_solved", report["input"]["triangles_solved"], len(recomputation.surface.triangles), 0)
+        compare("input.closed", report["input"]["closed"], True, 0)
+        compare("input.findings", [finding["count"] for finding in report["input"]["findings"]], [turned] if turned else [], 0)
     compare("degree", report["degree"], field.arrays["degree"][0], 0)
     extent = np.ptp(recomputation.surface.triangles.reshape(-1, 3), axis=0).max()
     compare("resolution", report["resolution"], extent / field.size.min(), 1e-9 * report["resolution"])

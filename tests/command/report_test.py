@@ -12,8 +12,9 @@ from recompute_report import disagreements
 
 KEYS = {
     "": ["schema", "model", "degree", "resolution", "levels", "energy", "alignment_deg", "spectrum", "singularity",
-         "seconds", "peak_memory_bytes", "version", "creases", "walls", "warnings"],
+         "seconds", "peak_memory_bytes", "version", "input", "creases", "walls", "warnings"],
     "model": ["path", "triangles", "bounding_box", "watertight", "components"],
+    "input": ["triangles_solved", "closed", "findings"],
     "energy": ["smoothness", "boundary", "unavoidable", "total", "deviation_max"],
     "alignment_deg": ["mean", "p95", "max", "excluded_share"],
     "spectrum": ["plane", "axis", "frame", "free", "conflicted"],
