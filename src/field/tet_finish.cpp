@@ -42,7 +42,7 @@ bool is_held(const BoundaryVertices& boundary, std::size_t k) {
 
 template <int D>
 CellForms<D> vertex_forms(const Adjacency& adjacency, const BoundaryVertices& boundary,
-                          const OntoOptions& options) {
+                          const OntoOptions& options, std::span<const VertexGuide> guides) {
   CellForms<D> forms(adjacency.size());
   std::vector<std::uint32_t> creases;
   std::vector<std::size_t> places;
@@ -54,7 +54,10 @@ CellForms<D> vertex_forms(const Adjacency& adjacency, const BoundaryVertices& bo
       places.push_back(k);
     }
   }
-  forms.reserve_general(creases);
+  std::vector<std::uint32_t> generals = guided_vertices(guides);
+  generals.insert(generals.end(), creases.begin(), creases.end());
+  forms.reserve_general(generals);
+  set_guides(forms, adjacency, guides);
   const double degree_factor = D == 3 ? 5.0 / 3 : 1.0;
   for (std::size_t c = 0; c < creases.size(); ++c) {
     double edge_weight = 0;
@@ -90,16 +93,17 @@ std::vector<Quaternion> aligned(const BoundaryVertices& boundary, const Frames& 
 
 template <int D>
 FieldGraph<D> graph_of(const std::shared_ptr<const Connectivity>& connectivity,
-                       const BoundaryVertices& boundary, const OntoOptions& options) {
-  return {connectivity, vertex_forms<D>(connectivity->adjacency, boundary, options)};
+                       const BoundaryVertices& boundary, const OntoOptions& options,
+                       std::span<const VertexGuide> guides) {
+  return {connectivity, vertex_forms<D>(connectivity->adjacency, boundary, options, guides)};
 }
 
 /// Relaxes in degree 4 for both degrees, as on the grid, and settles in the field's own.
 template <int D>
 SettledFrames solved(const std::shared_ptr<const Connectivity>& connectivity,
                      const BoundaryVertices& boundary, Frames frames, const OntoOptions& options,
-                     const SweepMonitor& after_sweep) {
-  const FieldGraph<D> graph = graph_of<D>(connectivity, boundary, options);
+                     std::span<const VertexGuide> guides, const SweepMonitor& after_sweep) {
+  const FieldGraph<D> graph = graph_of<D>(connectivity, boundary, options, guides);
   std::function<Frames(Frames)> relax;
   if (options.relaxation_sweeps > 0) {
     relax = [&](Frames came) {
@@ -107,7 +111,8 @@ SettledFrames solved(const std::shared_ptr<const Connectivity>& connectivity,
       if constexpr (D == 4) {
         came = relaxed(graph, std::move(came), plan, after_sweep);
       } else {
-        came = relaxed(graph_of<4>(connectivity, boundary, options), std::move(came), plan, after_sweep);
+        came =
+            relaxed(graph_of<4>(connectivity, boundary, options, guides), std::move(came), plan, after_sweep);
       }
       return stored(aligned(boundary, came));
     };
@@ -135,7 +140,7 @@ Quaternion with_axis_along(const Quaternion& frame, const Vector3& direction) {
 
 TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const BoundaryVertices& boundary,
                          std::vector<Quaternion> start, Degree degree, const OntoOptions& options,
-                         const Monitor& monitor) {
+                         const Monitor& monitor, const std::vector<VertexGuide>& guides) {
   const auto connectivity = connectivity_of(start.size(), edges);
   int sweeps = 0;
   const SweepMonitor after_sweep = [&](double energy) {
@@ -143,9 +148,10 @@ TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const Boundary
     monitor.report({"tets", 0, start.size(), ++sweeps, energy});
   };
   align_held(boundary, start);
-  const SettledFrames result = degree == Degree::kThree
-                                   ? solved<3>(connectivity, boundary, stored(start), options, after_sweep)
-                                   : solved<4>(connectivity, boundary, stored(start), options, after_sweep);
+  const SettledFrames result =
+      degree == Degree::kThree
+          ? solved<3>(connectivity, boundary, stored(start), options, guides, after_sweep)
+          : solved<4>(connectivity, boundary, stored(start), options, guides, after_sweep);
   return {aligned(boundary, result.frames), result.settled};
 }
 
