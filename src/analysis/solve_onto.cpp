@@ -5,6 +5,7 @@
 #include "analysis/carried_frames.hpp"
 #include "analysis/field_data.hpp"
 #include "analysis/solve_checks.hpp"
+#include "analysis/tet_constraints.hpp"
 #include "analysis/tet_domain_data.hpp"
 #include "analysis/tet_evaluation.hpp"
 #include "analysis/tet_field.hpp"
@@ -41,6 +42,7 @@ SolveReport::Onto describe(const TetDomainData& domain, const VertexFieldEvaluat
 TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const SolveOptions& options,
                          const Monitor& monitor) {
   check_options(options);
+  check_constraints(options.constraints);
   check_scale(domain.data().box);
   const ThreadLimit thread_limit(options.threads);
   Stopwatch stopwatch;
@@ -61,8 +63,11 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   }
   const InnerFeatures& features = united_features ? *united_features : tets.features;
   const BoundaryVertices& boundary = united_boundary ? *united_boundary : tets.boundary;
+  // Half an edge passes by no tet but by its corners.
+  const std::vector<VertexGuide> guides =
+      vertex_guides(options.constraints, tets.solid, boundary, 0.5 * tets.typical_edge_length);
   TetFrames finished = finish_on_tets(tets.edges, boundary, std::move(start.frames), grid.data().degree,
-                                      options.onto, monitor);
+                                      options.onto, monitor, guides);
   field->vertex_frames = std::move(finished.frames);
   field->tet_frames = tet_frames_of(tets.solid.mesh, field->vertex_frames);
   monitor.check();

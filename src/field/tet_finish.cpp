@@ -84,7 +84,8 @@ QuadraticForm<D> crease_form(const BoundaryVertices& boundary, std::size_t k) {
 }
 
 template <int D>
-CellForms<D> vertex_forms(const Adjacency& adjacency, const Holds& holds, const OntoOptions& options) {
+CellForms<D> vertex_forms(const Adjacency& adjacency, const Holds& holds, const OntoOptions& options,
+                          std::span<const VertexGuide> guides) {
   const BoundaryVertices& boundary = holds.boundary();
   CellForms<D> forms(adjacency.size());
   std::vector<std::uint32_t> creases;
@@ -97,7 +98,10 @@ CellForms<D> vertex_forms(const Adjacency& adjacency, const Holds& holds, const 
       forms.hold_axis(boundary.vertices[k], holds.axis(k));
     }
   }
-  forms.reserve_general(creases);
+  std::vector<std::uint32_t> generals = guided_vertices(guides);
+  generals.insert(generals.end(), creases.begin(), creases.end());
+  forms.reserve_general(generals);
+  set_guides(forms, adjacency, guides);
   const double degree_factor = D == 3 ? 5.0 / 3 : 1.0;
   for (std::size_t c = 0; c < creases.size(); ++c) {
     double edge_weight = 0;
@@ -126,15 +130,16 @@ std::vector<Quaternion> aligned(const Holds& holds, const Frames& frames) {
 
 template <int D>
 FieldGraph<D> graph_of(const std::shared_ptr<const Connectivity>& connectivity, const Holds& holds,
-                       const OntoOptions& options) {
-  return {connectivity, vertex_forms<D>(connectivity->adjacency, holds, options)};
+                       const OntoOptions& options, std::span<const VertexGuide> guides) {
+  return {connectivity, vertex_forms<D>(connectivity->adjacency, holds, options, guides)};
 }
 
 /// Relaxes in degree 4 for both degrees, as on the grid, and settles in the field's own.
 template <int D>
 SettledFrames solved(const std::shared_ptr<const Connectivity>& connectivity, const Holds& holds,
-                     Frames frames, const OntoOptions& options, const SweepMonitor& after_sweep) {
-  const FieldGraph<D> graph = graph_of<D>(connectivity, holds, options);
+                     Frames frames, const OntoOptions& options, std::span<const VertexGuide> guides,
+                     const SweepMonitor& after_sweep) {
+  const FieldGraph<D> graph = graph_of<D>(connectivity, holds, options, guides);
   std::function<Frames(Frames)> relax;
   if (options.relaxation_sweeps > 0) {
     relax = [&](Frames came) {
@@ -142,7 +147,7 @@ SettledFrames solved(const std::shared_ptr<const Connectivity>& connectivity, co
       if constexpr (D == 4) {
         came = relaxed(graph, std::move(came), plan, after_sweep);
       } else {
-        came = relaxed(graph_of<4>(connectivity, holds, options), std::move(came), plan, after_sweep);
+        came = relaxed(graph_of<4>(connectivity, holds, options, guides), std::move(came), plan, after_sweep);
       }
       return stored(aligned(holds, came));
     };
@@ -170,7 +175,7 @@ Quaternion with_axis_along(const Quaternion& frame, const Vector3& direction) {
 
 TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const BoundaryVertices& boundary,
                          std::vector<Quaternion> start, Degree degree, const OntoOptions& options,
-                         const Monitor& monitor) {
+                         const Monitor& monitor, const std::vector<VertexGuide>& guides) {
   const auto connectivity = connectivity_of(start.size(), edges);
   const Holds holds(boundary, options.boundary);
   int sweeps = 0;
@@ -180,8 +185,8 @@ TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const Boundary
   };
   holds.align(start);
   const SettledFrames result = degree == Degree::kThree
-                                   ? solved<3>(connectivity, holds, stored(start), options, after_sweep)
-                                   : solved<4>(connectivity, holds, stored(start), options, after_sweep);
+                                   ? solved<3>(connectivity, holds, stored(start), options, guides, after_sweep)
+                                   : solved<4>(connectivity, holds, stored(start), options, guides, after_sweep);
   return {aligned(holds, result.frames), result.settled};
 }
 

@@ -17,36 +17,42 @@ constexpr double kSmallestShare = 0.1;
 struct PlacedPoint {
   CellIndex leaf;
   std::uint32_t point;
-  double share;  ///< 1 for the leaf whose centre is nearest
+  double share;  ///< 1 for the leaf that holds it
 };
 
 double largest_weight(const GuidePoint& point) {
   return *std::max_element(point.weights.begin(), point.weights.end());
 }
 
-/// Adds the leaves among the eight cells around `place` that are as large as the leaf that holds it, with the
-/// weights of trilinear interpolation between their centres over the largest of them.
-void place_point(const Octree& tree, const LeafFinder& finder, const Vector3& place, std::uint32_t point,
+/// What a point weighs `cells` away from the centre of a cell, along one axis.
+double share_at(double cells, int reach) {
+  return std::clamp(reach - std::abs(cells), 0.0, 1.0);
+}
+
+/// Adds the leaves around a point, among cells as large as the leaf that holds it, with the product of their
+/// shares over the largest.
+void place_point(const Octree& tree, const LeafFinder& finder, const GuidePoint& point, std::uint32_t index,
                  std::vector<PlacedPoint>& placed) {
-  const auto address = tree.root().locate(place);
+  const auto address = tree.root().locate(point.place);
   const CellIndex own = address ? finder.containing(*address) : kNoCell;
   if (own == kNoCell) return;
   const Vector3 centre = tree.centre(own);
   const double size = tree.cell_size(own);
-  Vector3 off;  // from the centre of the leaf, in its sizes: from -1/2 to 1/2
-  for (int k = 0; k < 3; ++k) off[k] = std::clamp((place[k] - centre[k]) / size, -0.5, 0.5);
-  for (int corner = 0; corner < 8; ++corner) {
-    double share = 1;
-    Vector3 beside = centre;
-    for (int k = 0; k < 3; ++k) {
-      if ((corner >> k & 1) == 0) continue;
-      share *= std::abs(off[k]) / (1 - std::abs(off[k]));
-      beside[k] += std::copysign(size, off[k]);
+  const int reach = point.reach_cells;
+  const Vector3 off = (1 / size) * (point.place - centre);
+  const double largest = share_at(off[0], reach) * share_at(off[1], reach) * share_at(off[2], reach);
+  for (int x = -reach; x <= reach; ++x) {
+    for (int y = -reach; y <= reach; ++y) {
+      for (int z = -reach; z <= reach; ++z) {
+        const double share =
+            share_at(off[0] - x, reach) * share_at(off[1] - y, reach) * share_at(off[2] - z, reach) / largest;
+        if (share < kSmallestShare) continue;
+        const bool is_own = x == 0 && y == 0 && z == 0;
+        const auto beside = tree.root().locate(centre + size * Vector3{1.0 * x, 1.0 * y, 1.0 * z});
+        const CellIndex leaf = is_own ? own : beside ? finder.containing(*beside) : kNoCell;
+        if (leaf != kNoCell) placed.push_back({leaf, index, share});
+      }
     }
-    if (share < kSmallestShare) continue;
-    const auto beside_address = tree.root().locate(beside);
-    const CellIndex leaf = corner == 0 ? own : beside_address ? finder.containing(*beside_address) : kNoCell;
-    if (leaf != kNoCell) placed.push_back({leaf, point, share});
   }
 }
 
@@ -56,7 +62,7 @@ std::vector<PlacedPoint> placed_points(const Octree& tree, const std::vector<Gui
   std::vector<std::vector<PlacedPoint>> runs((points.size() + kParallelGrain - 1) / kParallelGrain);
   parallel_for_chunks(points.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      place_point(tree, finder, points[k].place, static_cast<std::uint32_t>(k), runs[begin / kParallelGrain]);
+      place_point(tree, finder, points[k], static_cast<std::uint32_t>(k), runs[begin / kParallelGrain]);
     }
   });
   std::vector<PlacedPoint> placed;

@@ -39,12 +39,16 @@ struct GuidePoint {
   Vector3 place;
   std::array<Vector3, 3> directions;  ///< unit vectors where their weight is positive; signs mean nothing
 
-  /// In the cell whose centre is nearest a direction counts like so many times the squared size of the cell
-  /// of surface; in the others around, between whose centres frames are interpolated there, as much less as
-  /// their weights are then. All points in a cell together count as much as the weightiest of them would
-  /// alone, each in proportion to its own weight, so that neither what is sampled densely nor coarse cells
-  /// drown the surface.
+  /// In the cell that holds the point a direction counts like so many times the squared size of the cell of
+  /// surface, in those around as `reach_cells` says. All points in a cell together count as much as the
+  /// weightiest of them would alone, each in proportion to its own weight, so that neither what is sampled
+  /// densely nor coarse cells drown the surface.
   std::array<double, 3> weights{};
+
+  /// Along each axis the weight falls from 1 where a centre is up to so many cells less one away to 0 where
+  /// it is so many. 1: the cells between whose centres frames are interpolated at the point. 2: the next ones
+  /// too, so that the field is flat around the point and interpolation does not shoot beyond it.
+  int reach_cells = 1;
 };
 
 /// Plain data that nothing changes once it is made.
