@@ -108,7 +108,8 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   check_size(surface, options);
   const TriangleBvh bvh(surface);
   const WindingNumber winding(surface, bvh);
-  const SurfaceTopology topology = analyse_topology(outer);
+  const SurfaceTopology topology =
+      has_several_solids(mesh) ? analyse_topology_of_solids(outer) : analyse_topology(outer);
   const CreaseNetwork creases(surface, split.inner, CreaseAngles{}, winding.flipped());
   Guides guides = guides_along(creases.curves, creases.corners, options.solver.crease_weight);
   guides.faces = guides_across(split.inner);

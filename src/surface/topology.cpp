@@ -80,6 +80,9 @@ SurfaceTopology analyse_topology(const TriangleMesh& mesh) {
     if (uses.size() == 1) ++topology.open_edges;
     if (uses.size() > 2) ++topology.nonmanifold_edges;
     if (uses.size() == 2 && uses[0].forward == uses[1].forward) ++topology.misoriented_edges;
+    const auto forward =
+        std::count_if(uses.begin(), uses.end(), [](const EdgeUse& use) { return use.forward; });
+    if (2 * static_cast<std::size_t>(forward) != uses.size()) ++topology.unbalanced_edges;
   });
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& triangle = mesh.triangles[t];
@@ -90,6 +93,14 @@ SurfaceTopology analyse_topology(const TriangleMesh& mesh) {
   }
   topology.watertight = topology.components > 0 && topology.open_edges == 0 &&
                         topology.nonmanifold_edges == 0 && topology.misoriented_edges == 0;
+  return topology;
+}
+
+SurfaceTopology analyse_topology_of_solids(const TriangleMesh& mesh) {
+  SurfaceTopology topology = analyse_topology(mesh);
+  if (topology.components == 0 || topology.unbalanced_edges > 0) return topology;
+  topology.watertight = true;
+  topology.nonmanifold_edges = 0;
   return topology;
 }
 

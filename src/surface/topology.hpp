@@ -27,11 +27,17 @@ struct SurfaceTopology {
   std::size_t open_edges = 0;  ///< edges of one triangle
   std::size_t nonmanifold_edges = 0;     ///< edges of three triangles or more
   std::size_t misoriented_edges = 0;     ///< edges of two triangles that run along them in the same direction
+  std::size_t unbalanced_edges = 0;      ///< edges along which more triangles run one way than the other
   std::size_t degenerate_triangles = 0;  ///< triangles of no area (`shape_of`)
 };
 
 /// Triangles that name a vertex twice have no part in edges and components; those that are merely flat have.
 /// Indices must be in range (`check_mesh`).
 SurfaceTopology analyse_topology(const TriangleMesh& mesh);
+
+/// The same of what bounds several solids together. Those may touch along an edge, which then has four
+/// triangles and more: where no edge is unbalanced the surface counts as watertight all the same, and none of
+/// its edges as non-manifold.
+SurfaceTopology analyse_topology_of_solids(const TriangleMesh& mesh);
 
 }  // namespace crossgrain

@@ -157,5 +157,19 @@ TEST(Topology, OfNothingIsNotWatertight) {
   EXPECT_FALSE(analyse_topology({}).watertight);
 }
 
+TEST(Topology, OfSolidsThatTouchAlongAnEdgeIsWatertight) {
+  const TriangleMesh box = make_box({1, 1, 1});
+  const TriangleMesh two = weld(join_meshes(box, translate_mesh(box, {1, 1, 0})));
+  EXPECT_FALSE(analyse_topology(two).watertight);
+  EXPECT_EQ(analyse_topology(two).unbalanced_edges, 0u);
+  const SurfaceTopology topology = analyse_topology_of_solids(two);
+  EXPECT_TRUE(topology.watertight);
+  EXPECT_EQ(topology.nonmanifold_edges, 0u);
+  TriangleMesh open = two;
+  open.triangles.pop_back();
+  EXPECT_FALSE(analyse_topology_of_solids(open).watertight);
+  EXPECT_EQ(analyse_topology_of_solids(open).unbalanced_edges, 3u);
+}
+
 }  // namespace
 }  // namespace crossgrain
