@@ -8,6 +8,8 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "commands.hpp"
@@ -42,12 +44,15 @@ auto naming(const std::string& file, const SolveArguments& arguments, const Comp
   }
 }
 
+/// Is told of a file and what to know of it.
+using Warn = std::function<void(const std::string& file, const std::string& warning)>;
+
 /// The tet mesh that the command line names, as MODEL or with --onto; none otherwise.
-std::optional<TetDomain> read_domain(const SolveArguments& arguments) {
+std::optional<TetDomain> read_domain(const SolveArguments& arguments, const Warn& warn) {
   const std::string& file = arguments.onto.empty() ? arguments.model : arguments.onto;
   if (!is_tet_file(file) && arguments.onto.empty()) return std::nullopt;
   TetMesh mesh = read_tets(file);
-  for (const std::string& warning : mesh.warnings) print_message("warning: " + file + ": " + warning);
+  for (const std::string& warning : mesh.warnings) warn(file, warning);
   return naming(file, arguments, [&] { return TetDomain(std::move(mesh)); });
 }
 
@@ -163,7 +168,6 @@ std::string summary_of(const SolveReport& report, const std::string& output) {
       alignment.mean, alignment.p95, alignment.max, 100 * alignment.excluded_share);
   if (report.constraints) text += constraints_lines(*report.constraints);
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
-  for (const std::string& warning : report.warnings) text += fmt::format("warning    {}\n", warning);
   return text + fmt::format("result     {}\n", files_line(report, output));
 }
 
@@ -188,17 +192,17 @@ ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& op
 /// Solves, carries onto the tets where there are any, and writes all files. `warn` is told what reading has
 /// found, before the solve.
 SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point start, const Monitor& monitor,
-                            const std::function<void(const std::string&)>& warn) {
+                            const Warn& warn) {
   check_start(arguments);
   monitor.report({"read", 0, 0, 0, 0});
   SolveOptions options = arguments.options;
   if (!arguments.constraints.empty()) options.constraints = read_constraints(arguments.constraints);
-  const std::optional<TetDomain> domain = read_domain(arguments);
+  const std::optional<TetDomain> domain = read_domain(arguments, warn);
   if (domain) options = sized_for(*domain, std::move(options));
   const TriangleMesh mesh = is_tet_file(arguments.model)
                                 ? domain->boundary()
                                 : read_surface(arguments.model, read_options(arguments, options), monitor);
-  for (const std::string& warning : mesh.warnings) warn(warning);
+  for (const std::string& warning : mesh.warnings) warn(arguments.model, warning);
   if (!arguments.onto.empty()) check_same_unit(arguments, mesh, *domain);
   check_clip(arguments, mesh);
   const double read_seconds = seconds_since(start);
@@ -235,6 +239,7 @@ void run_solve(const SolveArguments& arguments) {
     check_onto_folder(arguments.output);
   }
   SolveReport report;
+  std::set<std::string> told;
   {
     ProgressLines lines(!arguments.quiet && (arguments.progress || isatty(STDERR_FILENO)));
     const auto expect = [&](Expectation expected) {
@@ -245,20 +250,15 @@ void run_solve(const SolveArguments& arguments) {
     };
     Monitor monitor([&lines](const Progress& progress) { lines.show(progress); }, expect);
     const Interruption interruption(monitor);
-    const auto warn = [&](const std::string& warning) {
+    const auto warn = [&](const std::string& file, const std::string& warning) {
+      told.insert(warning);
       lines.end_line();
-      print_message("warning: " + warning);
+      print_message("warning: " + file + ": " + warning);
     };
     report = solve_and_write(arguments, start, monitor, warn);
   }
-  if (report.limited) print_message("warning: " + report.warnings.front());
-  for (const SolveReport::Finding& finding : report.input.findings)
-    print_message("warning: " + arguments.model + ": " + sentence_of(finding));
-  for (const std::string& warning : report.warnings) {
-    // What was asked for and does nothing is told even where nothing else is.
-    if (warning.starts_with("constraints outside"))
-      print_message("warning: " + arguments.constraints + ": " + warning);
-  }
+  for (const std::string& warning : report.warnings)
+    if (told.insert(warning).second) print_message("warning: " + arguments.model + ": " + warning);
   if (!arguments.quiet) print_result(summary_of(report, arguments.output));
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analysis/interface_report.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "analysis/alignment.hpp"
 #include "analysis/angle_statistics.hpp"
@@ -13,30 +12,35 @@
 namespace crossgrain {
 namespace {
 
-/// Parts along an edge at most: a triangle across a grid of 2^19 cells would else have more than memory.
-constexpr int kMostParts = 512;
+/// Halvings of a triangle at most: one across a grid of 2^19 cells would else have more parts than memory.
+constexpr int kMostHalvings = 18;
 
 struct Place {
   Vector3 position, normal;
   double area;
 };
 
-/// The centroids of the n^2 equal parts that lines along its edges cut a triangle into.
+/// The centroids of the parts that a triangle is cut into across its longest edge, as long as that is longer
+/// than `step`. Long thin ones, such as those of a cylinder, have no more parts than it takes.
 void add_places(const std::array<Vector3, 3>& corners, const std::array<Vector3, 3>& normals, double step,
-                std::vector<Place>& places) {
-  const auto& [a, b, c] = corners;
-  const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
-  const int parts = std::clamp(static_cast<int>(std::ceil(longest / step)), 1, kMostParts);
-  const double area = shape_of(corners).area / (parts * parts);
-  const auto add = [&](double u, double v) {
-    const Vector3 normal = (1 - u - v) * normals[0] + u * normals[1] + v * normals[2];
-    places.push_back({a + u * (b - a) + v * (c - a), normalised(normal), area});
-  };
-  for (int i = 0; i < parts; ++i) {
-    for (int j = 0; i + j < parts; ++j) {
-      add((i + 1.0 / 3) / parts, (j + 1.0 / 3) / parts);
-      if (i + j + 1 < parts) add((i + 2.0 / 3) / parts, (j + 2.0 / 3) / parts);
-    }
+                int halvings, std::vector<Place>& places) {
+  std::size_t longest = 0;
+  const auto length = [&](std::size_t edge) { return norm(corners[(edge + 1) % 3] - corners[edge]); };
+  for (std::size_t edge = 1; edge < 3; ++edge) {
+    if (length(edge) > length(longest)) longest = edge;
+  }
+  if (halvings == 0 || length(longest) <= step) {
+    const Vector3 centroid = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
+    places.push_back({centroid, normalised(normals[0] + normals[1] + normals[2]), shape_of(corners).area});
+    return;
+  }
+  const std::size_t from = longest, to = (longest + 1) % 3;
+  for (const auto [kept, moved] : {std::pair{from, to}, std::pair{to, from}}) {
+    auto half = corners;
+    auto half_normals = normals;
+    half[moved] = 0.5 * (corners[kept] + corners[moved]);
+    half_normals[moved] = 0.5 * (normals[kept] + normals[moved]);
+    add_places(half, half_normals, step, halvings - 1, places);
   }
 }
 
@@ -49,7 +53,7 @@ std::optional<SolveReport::Interfaces> interface_report(const TriangleMesh& inne
   for (std::size_t t = 0; t < inner.triangles.size(); ++t) {
     const auto& [a, b, c] = inner.triangles[t];
     add_places({inner.vertices[a], inner.vertices[b], inner.vertices[c]}, inner.corner_normals[t], step,
-               places);
+               kMostHalvings, places);
   }
   std::vector<float> angles_deg(places.size());
   std::vector<SurfacePiece> pieces(places.size());

@@ -11,7 +11,7 @@
 namespace crossgrain {
 
 /// Angles between the normals of triangles inside and the nearest axes of the interpolated frames there, at
-/// the centroids of equal parts with edges no longer than `step`, by area. `inner` has corner normals; none
+/// the centroids of parts with edges no longer than `step`, by area. `inner` has corner normals; none
 /// where it has no triangle.
 std::optional<SolveReport::Interfaces> interface_report(const TriangleMesh& inner, const Sampler& sampler,
                                                         double step);

@@ -10,8 +10,8 @@
 #include "analysis/constraint_report.hpp"
 #include "analysis/crease_report.hpp"
 #include "analysis/field_data.hpp"
-#include "analysis/input_report.hpp"
 #include "analysis/interface_report.hpp"
+#include "analysis/prepared_model.hpp"
 #include "analysis/regions.hpp"
 #include "analysis/sampling.hpp"
 #include "analysis/singularity_graph.hpp"
@@ -26,10 +26,6 @@
 #include "field/solve_forecast.hpp"
 #include "harmonics/deviation.hpp"
 #include "harmonics/frame.hpp"
-#include "surface/constraint_guides.hpp"
-#include "surface/mending.hpp"
-#include "surface/self_intersections.hpp"
-#include "surface/solid_split.hpp"
 
 namespace crossgrain {
 namespace {
@@ -52,17 +48,6 @@ double largest_deviation(std::span<const StoredQuaternion> frames) {
     });
   });
   return largest.empty() ? 0 : *std::max_element(largest.begin(), largest.end());
-}
-
-SolveReport::Model describe(const TriangleMesh& mesh, const MendedSurface& mended) {
-  SolveReport::Model model;
-  model.triangles = mesh.triangles.size();
-  model.bounding_box = mended.surface.box;
-  model.watertight = mended.topology.watertight;
-  model.components = mended.topology.components;
-  model.unit = mesh.unit;
-  model.file_unit = mesh.file_unit;
-  return model;
 }
 
 SolveReport report_of(const Solid& solid, const SolvedField& field, const AlignmentMeasurement& alignment,
@@ -92,11 +77,51 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
   return report;
 }
 
-void add_regions(const TriangleMesh& mesh, const Surface& outer, const GridLevel& level, FieldData& data) {
-  CellRegions found = find_regions(mesh, outer, level);
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// What is known before anything is asked of the field between its cells.
+void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, SolvedField& solved,
+                    const SolveOptions& options, FieldData& data) {
+  AlignmentMeasurement alignment = measure_alignment(
+      solved.level, model.solid(), {solved.level.tree, solved.frames, solved.open_faces});
+  data.alignment_deg = std::move(alignment.leaf_mean_deg);
+  data.report = report_of(model.solid(), solved, alignment, options);
+  data.report.model = model.description();
+  data.report.input = model.findings();
+  data.report.singularity =
+      singularity_graph(solved.level.tree, solved.frames, solved.open_faces, solved.near_sharp_turn).counts();
+  data.on_boundary.resize(solved.level.size());
+  parallel_for(solved.level.size(), [&](std::size_t i) {
+    data.on_boundary[i] = solved.level.holds_surface(static_cast<CellIndex>(i));
+  });
+  CellRegions found = find_regions(mesh, model.surface(), solved.level);
   data.regions = std::move(found.of_leaf);
   data.report.regions = std::move(found.regions);
-  data.report.warnings.insert(data.report.warnings.end(), found.warnings.begin(), found.warnings.end());
+
+  std::vector<std::string>& warnings = data.report.warnings;
+  if (data.report.limited) warnings.push_back(memory_warning(data.report));
+  append(warnings, mesh.warnings);
+  for (const SolveReport::Finding& finding : data.report.input.findings)
+    warnings.push_back(sentence_of(finding));
+  append(warnings, resolution_warnings(data.report));
+  if (!solved.settled) warnings.push_back("the energy had not settled when the sweeps ran out");
+  append(warnings, found.warnings);
+}
+
+/// How well the field follows what it was to follow besides the surface.
+void describe_guides(const PreparedModel& model, const AskedAxes& asked, const SolveOptions& options,
+                     FieldData& data) {
+  const double finest = finest_cell_size(model.surface().box, options);
+  const Sampler sampler(data.tree, data.frames, data.open_faces);
+  data.report.creases = crease_report(model.creases(), sampler, finest);
+  data.report.interfaces = interface_report(model.inner_faces(), sampler, finest);
+  if (!options.constraints.empty()) data.report.constraints = constraint_report(asked, sampler);
+  const std::string outside = outside_constraints_warning(asked);
+  if (!outside.empty()) data.report.warnings.push_back(outside);
+  append(data.report.warnings, crease_warnings(model.creases()));
 }
 
 std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptions& options,
@@ -106,66 +131,23 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   Stopwatch watch;
   watch.start();
   const ThreadLimit thread_limit(options.threads);
-  check_mesh(mesh);
-  if (const Box box = box_of_solid_triangles(mesh); box.low[0] <= box.high[0]) check_scale(box);
-  const SolidSplit split = split_solids(mesh, options.unite_solids);
-  const MendedSurface mended = mend_surface(split.outer ? *split.outer : mesh);
-  const Surface& surface = mended.surface;
-  check_size(surface, options);
-  check_places(options.constraints, surface.box);
-  const TriangleBvh bvh(surface);
-  const WindingNumber winding(surface, bvh);
-  SurfaceFindings findings = mended.findings;
-  find_self_intersections(mended, bvh, winding, findings);
-  const CreaseNetwork creases(surface, split.inner, options.creases, winding.flipped());
-  Guides guides = guides_along(creases.curves, creases.corners, options.solver.crease_weight);
-  guides.faces = guides_across(split.inner);
-  add_constraints(options.constraints, surface, guides);
-  const Solid solid{surface, bvh, winding, mended.closed, &guides};
-  SolvedField solved = nested_solve(solid, options, monitor, initial_frame, watch.restart());
-  check_interior(solved.level, mended);
+  const PreparedModel model(mesh, options);
+  SolvedField solved = nested_solve(model.solid(), options, monitor, initial_frame, watch.restart());
+  check_interior(solved.level, model.mended());
 
   monitor.report({"analysis", 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN()});
+  monitor.check();
   auto data = std::make_shared<FieldData>();
   data->degree = options.degree;
   data->energy_density = std::move(solved.energy_density);
+  describe_cells(model, mesh, solved, options, *data);
   monitor.check();
-  {
-    AlignmentMeasurement alignment =
-        measure_alignment(solved.level, solid, {solved.level.tree, solved.frames, solved.open_faces});
-    data->alignment_deg = std::move(alignment.leaf_mean_deg);
-    data->report = report_of(solid, solved, alignment, options);
-  }
-  monitor.check();
-  data->on_boundary.resize(solved.level.size());
-  parallel_for(solved.level.size(), [&](std::size_t i) {
-    data->on_boundary[i] = solved.level.holds_surface(static_cast<CellIndex>(i));
-  });
-  data->report.singularity =
-      singularity_graph(solved.level.tree, solved.frames, solved.open_faces, solved.near_sharp_turn).counts();
-  data->report.model = describe(mesh, mended);
-  data->report.input = input_report(mended, findings);
-  if (data->report.limited) data->report.warnings = {memory_warning(data->report)};
-  data->report.warnings.insert(data->report.warnings.end(), mesh.warnings.begin(), mesh.warnings.end());
-  for (const SolveReport::Finding& finding : data->report.input.findings)
-    data->report.warnings.push_back(sentence_of(finding));
-  const std::vector<std::string> unresolved = resolution_warnings(data->report);
-  data->report.warnings.insert(data->report.warnings.end(), unresolved.begin(), unresolved.end());
-  if (!solved.settled) data->report.warnings.push_back("the energy had not settled when the sweeps ran out");
-  add_regions(mesh, surface, solved.level, *data);
-  const double finest = finest_cell_size(surface.box, options);
-  const AskedAxes asked = asked_axes(options.constraints, solid, solved.level, finest);
+  const AskedAxes asked = asked_axes(options.constraints, model.solid(), solved.level,
+                                     finest_cell_size(model.surface().box, options));
   data->tree = std::move(solved.level.tree);
   data->frames = std::move(solved.frames);
   data->open_faces = std::move(solved.open_faces);
-  const Sampler sampler(data->tree, data->frames, data->open_faces);
-  data->report.creases = crease_report(creases, sampler, finest);
-  data->report.interfaces = interface_report(split.inner, sampler, finest);
-  if (!options.constraints.empty()) data->report.constraints = constraint_report(asked, sampler);
-  const std::string outside = outside_constraints_warning(asked);
-  if (!outside.empty()) data->report.warnings.push_back(outside);
-  const std::vector<std::string> impossible = crease_warnings(creases);
-  data->report.warnings.insert(data->report.warnings.end(), impossible.begin(), impossible.end());
+  describe_guides(model, asked, options, *data);
   return data;
 }
 

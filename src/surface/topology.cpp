@@ -90,6 +90,9 @@ SurfaceTopology analyse_topology(const TriangleMesh& mesh, std::span<const EdgeU
     if (uses.size() == 1) ++topology.open_edges;
     if (uses.size() > 2) ++topology.nonmanifold_edges;
     if (uses.size() == 2 && uses[0].forward == uses[1].forward) ++topology.misoriented_edges;
+    const auto forward =
+        std::count_if(uses.begin(), uses.end(), [](const EdgeUse& use) { return use.forward; });
+    if (2 * static_cast<std::size_t>(forward) != uses.size()) ++topology.unbalanced_edges;
   });
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& triangle = mesh.triangles[t];

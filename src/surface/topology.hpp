@@ -31,6 +31,7 @@ struct SurfaceTopology {
   std::size_t open_edges = 0;  ///< edges of one triangle
   std::size_t nonmanifold_edges = 0;     ///< edges of three triangles or more
   std::size_t misoriented_edges = 0;     ///< edges of two triangles that run along them in the same direction
+  std::size_t unbalanced_edges = 0;      ///< edges along which more triangles run one way than the other
   std::size_t degenerate_triangles = 0;  ///< triangles of no area (`shape_of`)
 };
 

@@ -114,5 +114,30 @@ TEST(WithAxisAlong, TurnsByNoMoreThanTheAngleToTheNearestAxis) {
   }
 }
 
+TYPED_TEST(TetFinish, HoldsTaggedEdgesInsideAndOnFacesToRounding) {
+  const TetBox box{{5, 4, 3}};
+  InnerFeatures features;
+  features.edges = {{box.at(1, 1, 1), box.at(2, 2, 1)},
+                    {box.at(2, 2, 1), box.at(3, 3, 1)},
+                    {box.at(1, 1, 3), box.at(2, 2, 3)}};
+  this->boundary_ = classify_boundary_vertices(this->solid_, {}, features);
+  const std::vector<Quaternion> held = this->finished({}),
+                                free = this->finished({.boundary = TetBoundary::kSmoothOnly});
+  double freest_rad = 0;
+  for (const auto& [a, b] : features.edges) {
+    const Vector3 along = normalised(this->solid_.mesh.vertices[b] - this->solid_.mesh.vertices[a]);
+    // Of the one through the middle, inside, the tangent is between the edges before and after.
+    const bool on_face = a == box.at(1, 1, 3);
+    for (const std::uint32_t v : {a, b}) {
+      EXPECT_LT(angle_to_nearest_axis_rad(held[v], along), on_face ? 1e-7 : 0.2);
+      if (on_face) {
+        EXPECT_LT(angle_to_nearest_axis_rad(held[v], {0, 0, 1}), 1e-7);
+      }
+      freest_rad = std::max(freest_rad, angle_to_nearest_axis_rad(free[v], along));
+    }
+  }
+  EXPECT_GT(freest_rad, 0.5);
+}
+
 }  // namespace
 }  // namespace crossgrain

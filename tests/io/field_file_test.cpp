@@ -61,6 +61,16 @@ TEST_P(FieldFileOfDegree, HasTheCellDataThatTheInterfacePromises) {
   EXPECT_EQ(file.read<float>(VtuSection::kCellData, "axis_v", 3).size(), 3 * data.tree.size());
 }
 
+TEST(FieldFile, KeepsTheRegionsOfCellsWhereThereAreAny) {
+  const TemporaryFolder folder;
+  FieldData data = sample_data(Degree::kFour);
+  write_field(field_of(data), folder.path());
+  EXPECT_TRUE(read_field(folder.path()).data().regions.empty());
+  for (std::size_t i = 0; i < data.tree.size(); ++i) data.regions.push_back(i % 3 == 0 ? -7 : 100000);
+  write_field(field_of(data), folder.path());
+  EXPECT_EQ(read_field(folder.path()).data().regions, data.regions);
+}
+
 TEST(FieldFile, HasEveryCellAsAVoxelOfSharedPoints) {
   const TemporaryFolder folder;
   const FieldData data = sample_data(Degree::kFour);
@@ -90,6 +100,22 @@ TEST(FieldFile, HasTheSameBytesForAnyNumberOfThreads) {
     write_field(field, folder.path() / std::to_string(threads));
   }
   EXPECT_TRUE(content_of(folder.path() / "1" / "field.vtu") == content_of(folder.path() / "3" / "field.vtu"));
+}
+
+TEST(ReportFile, GivesBackWhatItSaysOfSolids) {
+  const TemporaryFolder folder;
+  FieldData data = sample_data(Degree::kFour);
+  data.report.regions = {{-3, 12, 0.1}, {4000000, 5, 1.0 / 3}};
+  data.report.interfaces = SolveReport::Interfaces{1.5, 0.25, 0.5, 1.0 / 3};
+  write_field(field_of(data), folder.path());
+  const SolveReport report = read_field(folder.path()).report();
+  ASSERT_EQ(report.regions.size(), 2u);
+  EXPECT_EQ(report.regions[0].region, -3);
+  EXPECT_EQ(report.regions[1].cells, 5u);
+  EXPECT_EQ(report.regions[1].volume, 1.0 / 3);
+  ASSERT_TRUE(report.interfaces);
+  EXPECT_EQ(report.interfaces->area, 1.5);
+  EXPECT_EQ(report.interfaces->max, 1.0 / 3);
 }
 
 TEST(ReportFile, GivesTheReportBack) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -156,6 +157,16 @@ TEST(OutputCells, HaveMeansOfNumbersAndAnyOfFlags) {
   const FieldData inside = output_cells(data, {.level = 0, .clip = {}});
   EXPECT_EQ(inside.on_boundary[0], 0);
   EXPECT_EQ(inside.alignment_deg[0], 0);
+}
+
+TEST(OutputCells, HaveTheRegionOfMostOfTheirVolume) {
+  FieldData data = sample_data(Degree::kFour, 1);
+  // The split cell alone is of region 5.
+  for (const CellAddress leaf : data.tree.leaves()) data.regions.push_back(leaf.depth() > 1 ? 5 : 2);
+  EXPECT_EQ(output_cells(data, {.level = 0, .clip = {}}).regions, std::vector<std::int32_t>{2});
+  const FieldData part = output_cells(data, {.level = 1, .clip = {}});
+  EXPECT_EQ(std::count(part.regions.begin(), part.regions.end(), 5), 1);
+  EXPECT_EQ(part.regions.size(), 8u);
 }
 
 TEST(OutputCells, AreJoinedWhereLeavesOnBothSidesAre) {

@@ -157,5 +157,14 @@ TEST(Topology, OfNothingIsNotWatertight) {
   EXPECT_FALSE(analyse_topology({}).watertight);
 }
 
+TEST(Topology, OfPartsThatTouchAlongAnEdgeIsBalanced) {
+  const TriangleMesh box = make_box({1, 1, 1});
+  TriangleMesh two = weld(join_meshes(box, translate_mesh(box, {1, 1, 0})));
+  EXPECT_FALSE(analyse_topology(two).watertight);
+  EXPECT_EQ(analyse_topology(two).unbalanced_edges, 0u);
+  two.triangles.pop_back();
+  EXPECT_EQ(analyse_topology(two).unbalanced_edges, 3u);
+}
+
 }  // namespace
 }  // namespace crossgrain
