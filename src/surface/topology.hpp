@@ -11,7 +11,7 @@ namespace crossgrain {
 /// The mesh with vertices of bit-equal coordinates merged (0 and -0 are equal) and unused vertices dropped.
 /// Vertices keep the order of their first occurrence; every triangle stays, also one whose corners have
 /// fallen together, and so does whatever else the mesh knows. Indices must be in range (`check_mesh`).
-TriangleMesh weld(const TriangleMesh& mesh);
+TriangleMesh weld(TriangleMesh mesh);
 
 /// Counts over the edges of a mesh. An edge is a pair of vertex indices, so meshes from soups want `weld`
 /// first.
