@@ -18,6 +18,7 @@
 #include "io/cad_messages.hpp"
 #include "io/cad_program.hpp"
 #include "io/helper_process.hpp"
+#include "io/read_memory.hpp"
 #include "io/surface_reader.hpp"
 
 namespace crossgrain {
@@ -36,9 +37,6 @@ constexpr const char* kLibrariesMend =
 /// What the dynamic linker ends a program with whose libraries are missing.
 constexpr int kLibrariesMissing = 127;
 
-/// Of what there is (ReadOptions::max_memory_bytes).
-constexpr double kShareOfMemory = 0.9;
-
 constexpr double kSecondsPerByte = 10e-6;
 
 std::filesystem::path cad_program(const InputFile& file, const ReadOptions& options) {
@@ -53,10 +51,7 @@ std::filesystem::path cad_program(const InputFile& file, const ReadOptions& opti
 
 /// For the helper, what this process holds taken off.
 std::size_t memory_for_helper(const InputFile& file, const ReadOptions& options) {
-  std::size_t most = options.max_memory_bytes;
-  if (most == 0) most = static_cast<std::size_t>(kShareOfMemory * static_cast<double>(memory_limit_bytes()));
-  if (most == 0) return std::numeric_limits<std::size_t>::max();
-  const std::size_t held = current_memory_bytes();
+  const std::size_t most = allowed_memory_bytes(options.max_memory_bytes), held = current_memory_bytes();
   if (held >= most)
     throw Error(ErrorKind::kLimit,
                 fmt::format("{}: no memory is left to read it: {:.3g} GB are allowed and {:.3g} GB held; "

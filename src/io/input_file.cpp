@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "crossgrain/error.hpp"
+#include "io/read_memory.hpp"
 
 namespace crossgrain {
 namespace {
@@ -53,6 +54,7 @@ InputFile::InputFile(const std::filesystem::path& path) : name_(path.string()) {
   if (status.st_size == 0) throw Error(ErrorKind::kInput, name_ + ": is empty; write or download it again");
 
   const auto size = static_cast<std::size_t>(status.st_size);
+  check_read_memory(name_, size, 1, 0);
   try {
     bytes_ = std::make_unique_for_overwrite<char[]>(size);
   } catch (const std::bad_alloc&) {

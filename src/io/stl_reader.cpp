@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <array>
+#include <atomic>
 #include <bit>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <span>
 
+#include "base/parallel.hpp"
 #include "io/surface_builder.hpp"
 #include "io/surface_reader.hpp"
 #include "io/text_scanner.hpp"
+#include "surface/first_equal.hpp"
 
 namespace crossgrain {
 namespace {
@@ -40,6 +47,73 @@ bool is_binary(std::string_view bytes) {
   return !begins_like_text || bytes.substr(0, 1000).find('\0') != std::string_view::npos;
 }
 
+/// The triangles of a binary file, which share no vertices; their corners are counted through.
+class BinaryTriangles {
+ public:
+  BinaryTriangles(std::string_view bytes, std::size_t count)
+      : records_(bytes.data() + kHeaderBytes), count_(count) {}
+
+  std::size_t count() const { return count_; }
+
+  std::array<float, 3> corner(std::size_t c) const {
+    std::array<float, 3> position;
+    std::memcpy(position.data(), records_ + c / 3 * kTriangleBytes + kCornersOffset + c % 3 * kCornerBytes,
+                kCornerBytes);
+    return position;
+  }
+
+  /// Corners of equal coordinates as one vertex, in the order of their first use. Vertices of all corners
+  /// would take more memory than all else together.
+  TriangleMesh welded() const {
+    const auto bits_at = [&](std::size_t c) {
+      std::array<std::uint32_t, 3> bits;
+      const std::array<float, 3> position = corner(c);
+      // -0 becomes 0.
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        bits[axis] = std::bit_cast<std::uint32_t>(position[axis] + 0.0f);
+      return bits;
+    };
+    TriangleMesh mesh;
+    mesh.triangles = sized_vector<std::array<std::uint32_t, 3>>(count_);
+    const std::span<std::uint32_t> first(mesh.triangles.data()->data(), 3 * count_);
+    find_first_equal(bits_at, first);
+    const RankedSet kept(first.size(), [&](std::size_t c) { return first[c] == c; });
+    mesh.vertices = sized_vector<Vector3>(kept.size());
+    parallel_for(
+        first.size(),
+        [&](std::size_t c) {
+          if (first[c] == c) {
+            const std::array<float, 3> position = corner(c);
+            mesh.vertices[kept.rank(c)] = {position[0], position[1], position[2]};
+          }
+          first[c] = kept.rank(first[c]);
+        },
+        kGrain);
+    return mesh;
+  }
+
+ private:
+  /// So many that a chunk does not share lines of memory with others but at its ends.
+  static constexpr std::size_t kGrain = std::size_t{1} << 14;
+
+  const char* records_;
+  std::size_t count_;
+};
+
+void check_finite(const InputFile& file, const BinaryTriangles& triangles) {
+  std::atomic<std::size_t> first_bad{SIZE_MAX};
+  parallel_for(3 * triangles.count(), [&](std::size_t c) {
+    for (const float coordinate : triangles.corner(c)) {
+      if (std::isfinite(coordinate)) continue;
+      for (std::size_t known = first_bad; c < known && !first_bad.compare_exchange_weak(known, c);) continue;
+    }
+  });
+  if (first_bad == SIZE_MAX) return;
+  // Says what is wrong as of any other format.
+  const std::array<float, 3> bad = triangles.corner(first_bad);
+  SurfaceBuilder(file).add_vertex({bad[0], bad[1], bad[2]}, {"triangle", first_bad / 3});
+}
+
 TriangleMesh read_binary(const InputFile& file) {
   const std::string_view bytes = file.bytes();
   if (bytes.size() < kHeaderBytes)
@@ -59,19 +133,15 @@ TriangleMesh read_binary(const InputFile& file) {
                fmt::format("the header announces no triangles though {} bytes follow; export it again",
                            bytes.size() - kHeaderBytes));
 
-  SurfaceBuilder builder(file);
-  builder.reserve(3 * announced, announced);
-  for (std::size_t t = 0; t < announced; ++t) {
-    const char* record = bytes.data() + kHeaderBytes + t * kTriangleBytes + kCornersOffset;
-    for (int corner = 0; corner < 3; ++corner) {
-      std::array<float, 3> position;
-      std::memcpy(position.data(), record + corner * kCornerBytes, kCornerBytes);
-      builder.add_vertex({position[0], position[1], position[2]}, {"triangle", t});
-    }
-    const auto first = static_cast<std::int64_t>(3 * t);
-    builder.add_polygon(std::array{first, first + 1, first + 2}, {"triangle", t});
-  }
-  return builder.finish();
+  constexpr std::uint64_t kMostTriangles = UINT32_MAX / 3;
+  if (announced > kMostTriangles)
+    fail_input(file, {},
+               fmt::format("{} triangles, of which {} can be read at most; simplify the surface", announced,
+                           kMostTriangles));
+  if (announced == 0) SurfaceBuilder(file).finish();
+  const BinaryTriangles triangles(bytes, announced);
+  check_finite(file, triangles);
+  return triangles.welded();
 }
 
 /// A state machine over words, since line breaks, indentation and case differ between writers. Only the words

@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdint>
 #include <string>
+#include <system_error>
 
 #include "crossgrain/error.hpp"
 #include "io/file_signature.hpp"
+#include "io/read_memory.hpp"
 #include "io/tet_reader.hpp"
 #include "io/text_scanner.hpp"
 #include "surface/topology.hpp"
@@ -18,6 +21,7 @@ namespace {
 struct SurfaceFormat {
   std::string_view extension;
   TriangleMesh (*read)(const InputFile&, const ReadOptions&, const Monitor&);
+  bool is_cad = false;
 };
 
 /// A reader of triangles, whatever the options.
@@ -27,16 +31,11 @@ TriangleMesh triangles_by(const InputFile& file, const ReadOptions&, const Monit
 }
 
 constexpr std::array kSurfaceFormats = {
-    SurfaceFormat{".stl", triangles_by<read_stl>},
-    SurfaceFormat{".obj", triangles_by<read_obj>},
-    SurfaceFormat{".ply", triangles_by<read_ply>},
-    SurfaceFormat{".off", triangles_by<read_off>},
-    SurfaceFormat{".step", read_step},
-    SurfaceFormat{".stp", read_step},
-    SurfaceFormat{".iges", read_iges},
-    SurfaceFormat{".igs", read_iges},
-    SurfaceFormat{".brep", read_brep},
-    SurfaceFormat{".brp", read_brep},
+    SurfaceFormat{".stl", triangles_by<read_stl>}, SurfaceFormat{".obj", triangles_by<read_obj>},
+    SurfaceFormat{".ply", triangles_by<read_ply>}, SurfaceFormat{".off", triangles_by<read_off>},
+    SurfaceFormat{".step", read_step, true},       SurfaceFormat{".stp", read_step, true},
+    SurfaceFormat{".iges", read_iges, true},       SurfaceFormat{".igs", read_iges, true},
+    SurfaceFormat{".brep", read_brep, true},       SurfaceFormat{".brp", read_brep, true},
 };
 
 const SurfaceFormat* format_of(std::string_view extension) {
@@ -68,12 +67,26 @@ bool is_read_by(const SurfaceFormat& format, const FileSignature& signature) {
                          what, tet_extensions()));
 }
 
+/// Of files of triangles, the file and the mesh together over the file (bench/read_surfaces, rounded).
+constexpr double kMemoryOverFile = 2;
+
+void check_memory(const std::filesystem::path& path, const SurfaceFormat* format,
+                  const ReadOptions& options) {
+  std::error_code ignored;
+  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+  // Of what is no file InputFile says so.
+  if (ignored || size == 0) return;
+  const bool is_cad = format != nullptr && format->is_cad;
+  check_read_memory(path.string(), size, is_cad ? 1 : kMemoryOverFile, options.max_memory_bytes);
+}
+
 /// The surface as it stands in the file. The bytes of the file are gone on return.
 TriangleMesh read_unwelded(const std::filesystem::path& path, const ReadOptions& options,
                            const Monitor& monitor) {
-  const InputFile file(path);
   const std::string extension = path.extension().string();
   const SurfaceFormat* format = format_of(extension);
+  check_memory(path, format, options);
+  const InputFile file(path);
   if (format == nullptr) fail_unknown_extension(file, extension);
   try {
     return format->read(file, options, monitor);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The readers of surface files. Each takes a whole file and gives its surface as it stands there, polygons
-// and CAD faces cut, vertices not welded; all throw Error(kInput) with the file, the place and the mend. A
+// and CAD faces cut, vertices welded or not; all throw Error(kInput) with the file, the place and the mend. A
 // new format is a file with such a function and a row of the table in surface_reader.cpp.
 #pragma once
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -11,12 +12,22 @@
 namespace crossgrain {
 namespace {
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+enum class Character : unsigned char { kOther, kBlank, kLineEnd };
+
+/// Looked up, since telling them apart is half of what reading text takes.
+constexpr std::array<Character, 256> kCharacters = [] {
+  std::array<Character, 256> characters{};
+  for (const unsigned char c : {' ', '\t', '\v', '\f'}) characters[c] = Character::kBlank;
+  for (const unsigned char c : {'\n', '\r'}) characters[c] = Character::kLineEnd;
+  return characters;
+}();
+
+Character character(char c) {
+  return kCharacters[static_cast<unsigned char>(c)];
 }
 
 bool is_line_end(char c) {
-  return c == '\n' || c == '\r';
+  return character(c) == Character::kLineEnd;
 }
 
 char lower(char c) {
@@ -58,24 +69,19 @@ bool TextScanner::skip_continuation() {
 }
 
 std::string_view TextScanner::word() {
-  for (;;) {
+  do {
+    while (position_ < text_.size() && character(text_[position_]) == Character::kBlank) ++position_;
     if (at_line_end()) return {};
-    if (is_blank(text_[position_])) {
-      ++position_;
-    } else if (!skip_continuation()) {
-      break;
-    }
-  }
+  } while (skip_continuation());
   if (syntax_.comments && text_[position_] == '#') {
     while (!at_line_end()) ++position_;
     return {};
   }
   const std::size_t begin = position_;
-  while (!at_line_end() && !is_blank(text_[position_])) {
+  for (; position_ < text_.size() && character(text_[position_]) == Character::kOther; ++position_) {
     if (syntax_.continuations && text_[position_] == '\\' &&
         (position_ + 1 == text_.size() || is_line_end(text_[position_ + 1])))
       break;
-    ++position_;
   }
   return text_.substr(begin, position_ - begin);
 }
@@ -89,11 +95,13 @@ std::string_view TextScanner::word_anywhere() {
 }
 
 bool TextScanner::next_line() {
-  while (!at_line_end()) {
-    if (!skip_continuation()) ++position_;
+  for (;;) {
+    const std::size_t begin = position_;
+    while (!at_line_end()) ++position_;
+    const bool goes_on = syntax_.continuations && position_ > begin && text_[position_ - 1] == '\\';
+    skip_line_end();
+    if (!goes_on || position_ >= text_.size()) return position_ < text_.size();
   }
-  skip_line_end();
-  return position_ < text_.size();
 }
 
 double TextScanner::number(std::string_view word, const char* what) const {

@@ -2,15 +2,17 @@
 #include "surface/topology.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cassert>
 #include <cstdint>
-#include <numeric>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
+#include "base/parallel.hpp"
 #include "surface/edge_uses.hpp"
+#include "surface/first_equal.hpp"
 #include "surface/surface.hpp"
 
 namespace crossgrain {
@@ -26,49 +28,42 @@ std::array<std::uint64_t, 3> bits_of(const Vector3& p) {
 }  // namespace
 
 std::vector<std::uint32_t> first_equal_vertices(const std::vector<Vector3>& vertices) {
-  std::vector<std::uint32_t> order(vertices.size()), first(vertices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::tuple(bits_of(vertices[a]), a) < std::tuple(bits_of(vertices[b]), b);
-  });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool again = i > 0 && bits_of(vertices[order[i]]) == bits_of(vertices[order[i - 1]]);
-    first[order[i]] = again ? first[order[i - 1]] : order[i];
-  }
+  auto first = sized_vector<std::uint32_t>(vertices.size());
+  find_first_equal([&](std::size_t v) { return bits_of(vertices[v]); }, first);
   return first;
 }
 
-TriangleMesh weld(const TriangleMesh& mesh) {
-  constexpr std::uint32_t kUnused = UINT32_MAX;
-  const std::vector<std::uint32_t> first = first_equal_vertices(mesh.vertices);
-  std::vector<std::uint32_t> new_index(mesh.vertices.size(), kUnused);
-  for (const auto& triangle : mesh.triangles) {
-    for (const std::uint32_t v : triangle) {
-      assert(v < mesh.vertices.size());
-      new_index[first[v]] = 0;
+TriangleMesh weld(TriangleMesh mesh) {
+  const std::vector<Vector3>& vertices = mesh.vertices;
+  const std::vector<std::uint32_t> first = first_equal_vertices(vertices);
+  std::vector<unsigned char> used(vertices.size());
+  parallel_for(mesh.triangles.size(), [&](std::size_t t) {
+    for (std::uint32_t& v : mesh.triangles[t]) {
+      assert(v < vertices.size());
+      v = first[v];
+      std::atomic_ref(used[v]).store(1, std::memory_order_relaxed);
+    }
+  });
+  for (auto& face : mesh.inner_faces) {
+    for (std::uint32_t& v : face) {
+      v = first[v];
+      used[v] = 1;
     }
   }
-  for (const auto& face : mesh.inner_faces)
-    for (const std::uint32_t v : face) new_index[first[v]] = 0;
-  TriangleMesh welded;
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (new_index[v] == kUnused) continue;
-    new_index[v] = static_cast<std::uint32_t>(welded.vertices.size());
-    welded.vertices.push_back(mesh.vertices[v]);
-  }
-  welded.triangles.reserve(mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles)
-    welded.triangles.push_back({new_index[first[a]], new_index[first[b]], new_index[first[c]]});
-  welded.faces = mesh.faces;
-  welded.solids = mesh.solids;
-  welded.corner_normals = mesh.corner_normals;
-  for (const auto& [a, b, c] : mesh.inner_faces)
-    welded.inner_faces.push_back({new_index[first[a]], new_index[first[b]], new_index[first[c]]});
-  welded.creases = mesh.creases;
-  welded.unit = mesh.unit;
-  welded.file_unit = mesh.file_unit;
-  welded.warnings = mesh.warnings;
-  return welded;
+  const RankedSet kept(vertices.size(), [&](std::size_t v) { return used[v] != 0; });
+  if (kept.size() == vertices.size()) return mesh;
+
+  auto kept_vertices = sized_vector<Vector3>(kept.size());
+  parallel_for(vertices.size(), [&](std::size_t v) {
+    if (kept.contains(v)) kept_vertices[kept.rank(v)] = vertices[v];
+  });
+  parallel_for(mesh.triangles.size(), [&](std::size_t t) {
+    for (std::uint32_t& v : mesh.triangles[t]) v = kept.rank(v);
+  });
+  for (auto& face : mesh.inner_faces)
+    for (std::uint32_t& v : face) v = kept.rank(v);
+  mesh.vertices = std::move(kept_vertices);
+  return mesh;
 }
 
 bool has_equal_vertices(const TriangleMesh& mesh) {

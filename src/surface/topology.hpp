@@ -15,7 +15,7 @@ namespace crossgrain {
 /// The mesh with vertices of bit-equal coordinates merged (0 and -0 are equal) and unused vertices dropped.
 /// Vertices keep the order of their first occurrence; every triangle stays, also one whose corners have
 /// fallen together, and so does whatever else the mesh knows. Indices must be in range (`check_mesh`).
-TriangleMesh weld(const TriangleMesh& mesh);
+TriangleMesh weld(TriangleMesh mesh);
 
 /// Whether two vertices have equal coordinates, so that `weld` would merge them.
 bool has_equal_vertices(const TriangleMesh& mesh);

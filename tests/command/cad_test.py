@@ -122,7 +122,7 @@ class WithTheReader(CommandTest):
     def test_what_reading_found_is_told_on_standard_error_and_in_the_report(self):
         result, report = self.solve("loose.brep", "--resolution", "8", "--quiet")
         self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
-        self.assertIn("crossgrain: warning: the file has no solids", result.stderr)
+        self.assertIn("loose.brep: the file has no solids", result.stderr)
         self.assertEqual([w for w in report["warnings"] if "no solids" in w], report["warnings"][:1])
 
     def test_one_thread_and_two_give_the_same_bytes(self):

@@ -45,6 +45,19 @@ TEST(StlReader, TakesTheExtensionInEitherCase) {
   expect_tetrahedron(read_as("a.STL", binary_tetrahedron()));
 }
 
+TEST(StlReader, NumbersVerticesByTheirFirstUseWithZeroAndMinusZeroEqual) {
+  std::string bytes(80, ' ');
+  append_bytes(bytes, std::uint32_t{2});
+  const std::vector<float> corners = {5, 0, 0, 1, 0, 0, 0, 1, -0.0f, 0, 1, 0, 1, -0.0f, 0, 9, 9, 9};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (i % 9 == 0) bytes.append(i == 0 ? 12 : 14, '\0');
+    append_bytes(bytes, corners[i]);
+  }
+  const TriangleMesh mesh = read_as("a.stl", bytes + "ab");
+  EXPECT_EQ(mesh.vertices, (std::vector<Vector3>{{5, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}}));
+  EXPECT_EQ(mesh.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {2, 1, 3}}));
+}
+
 TEST(StlReader, ReadsBinaryThatBeginsWithSolid) {
   expect_tetrahedron(read_as("a.stl", binary_tetrahedron("solid corner facet normal")));
 }
