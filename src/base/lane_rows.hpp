@@ -22,16 +22,15 @@ namespace lane_rows {
 template <int W>
 FourOfRows<SingleLanes<W>> transposed(const FourOfRows<SingleLanes<W>>& x) {
   using Real = SingleLanes<W>;
-  using Index = typename NativeLanes<float, W>::Mask;
   return [&]<int... L>(std::integer_sequence<int, L...>) {
     // Of two vectors, in every block: their first two lanes by turns, or their last two; then the first two
     // lanes of both, or the last two.
-    const Index first{(L / 4 * 4 + L % 4 / 2 + (L % 2 ? W : 0))...};
-    const Index last{(L / 4 * 4 + L % 4 / 2 + 2 + (L % 2 ? W : 0))...};
-    const Index low{(L % 4 < 2 ? L : W + L - 2)...};
-    const Index high{(L % 4 < 2 ? L + 2 : W + L)...};
-    const auto mixed = [](const Real& a, const Real& b, const Index& index) {
-      return Real(__builtin_shuffle(a.native, b.native, index));
+    constexpr std::integer_sequence<int, (L / 4 * 4 + L % 4 / 2 + (L % 2 ? W : 0))...> first;
+    constexpr std::integer_sequence<int, (L / 4 * 4 + L % 4 / 2 + 2 + (L % 2 ? W : 0))...> last;
+    constexpr std::integer_sequence<int, (L % 4 < 2 ? L : W + L - 2)...> low;
+    constexpr std::integer_sequence<int, (L % 4 < 2 ? L + 2 : W + L)...> high;
+    const auto mixed = []<int... I>(const Real& a, const Real& b, std::integer_sequence<int, I...>) {
+      return Real(__builtin_shufflevector(a.native, b.native, I...));
     };
     const Real a = mixed(x[0], x[1], first), b = mixed(x[0], x[1], last);
     const Real c = mixed(x[2], x[3], first), d = mixed(x[2], x[3], last);

@@ -237,24 +237,19 @@ Real lanes_at(const double* x) {
 /// with it takes one instruction per lane.
 template <int Lane, class Number, int W>
 BasicLanes<Number, W> repeated(const BasicLanes<Number, W>& a) {
-  using Index = typename NativeLanes<Number, W>::Mask;
-  constexpr auto k = Lane;
-  Index all;
-  if constexpr (W == 2) all = Index{k, k};
-  if constexpr (W == 4) all = Index{k, k, k, k};
-  if constexpr (W == 8) all = Index{k, k, k, k, k, k, k, k};
-  if constexpr (W == 16) all = Index{k, k, k, k, k, k, k, k, k, k, k, k, k, k, k, k};
-  return BasicLanes<Number, W>(__builtin_shuffle(a.native, all));
+  return [&]<int... L>(std::integer_sequence<int, L...>) {
+    return BasicLanes<Number, W>(__builtin_shufflevector(a.native, a.native, (0 * L + Lane)...));
+  }
+  (std::make_integer_sequence<int, W>());
 }
 
 /// In lanes whose number has the bit `Half` the sums b[l - Half] + b[l], in the others a[l] + a[l + Half].
 template <int Half, class Number, int W>
 BasicLanes<Number, W> folded(const BasicLanes<Number, W>& a, const BasicLanes<Number, W>& b) {
-  using Index = typename NativeLanes<Number, W>::Mask;
   return [&]<int... L>(std::integer_sequence<int, L...>) {
-    const Index low{(L & Half ? W + L - Half : L)...}, high{(L & Half ? W + L : L + Half)...};
-    return BasicLanes<Number, W>(__builtin_shuffle(a.native, b.native, low) +
-                                 __builtin_shuffle(a.native, b.native, high));
+    return BasicLanes<Number, W>(
+        __builtin_shufflevector(a.native, b.native, (L & Half ? W + L - Half : L)...) +
+        __builtin_shufflevector(a.native, b.native, (L & Half ? W + L : L + Half)...));
   }
   (std::make_integer_sequence<int, W>());
 }

@@ -4,7 +4,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/version.hpp"
+#include "io/cad_checks.hpp"
 #include "io/cad_messages.hpp"
 #include "io/cad_program.hpp"
 #include "io/helper_process.hpp"
@@ -127,77 +127,20 @@ TriangleMesh read_cad(const InputFile& file, CadFormat format, const ReadOptions
   return std::move(answer->mesh);
 }
 
-/// Whether a text stands in the first or last bytes of a file.
-bool begins_with(const InputFile& file, std::string_view text) {
-  constexpr std::size_t kHead = 200;
-  return file.bytes().substr(0, kHead).find(text) != std::string_view::npos;
-}
-bool ends_with(const InputFile& file, std::string_view text) {
-  constexpr std::size_t kTail = 2000;
-  const std::string_view bytes = file.bytes();
-  return bytes.substr(bytes.size() - std::min(bytes.size(), kTail)).find(text) != std::string_view::npos;
-}
-
-/// The last line that has something in it.
-std::string_view last_line(const InputFile& file) {
-  const std::string_view bytes = file.bytes();
-  const std::string_view lines = bytes.substr(0, bytes.find_last_not_of("\r\n \x1a") + 1);
-  return lines.substr(lines.find_last_of('\n') + 1);
-}
-
-// OpenCASCADE often does not see that a file is damaged or ends too early, and crashes on it now and then;
-// these checks are cheap and say better what is wrong.
-
-/// Column 73 of every line of an IGES file names its section: S, G, D and P, in this order, and T at last.
-void check_iges_sections(const InputFile& file) {
-  constexpr std::size_t kSectionColumn = 72;
-  constexpr std::string_view kSections = "SGDPT";
-  std::string_view rest = file.bytes();
-  std::size_t section = 0, number = 0;
-  while (section + 1 < kSections.size()) {
-    ++number;
-    const std::string_view line = rest.substr(0, rest.find('\n'));
-    const std::size_t here =
-        line.size() > kSectionColumn ? kSections.find(line[kSectionColumn]) : std::string_view::npos;
-    if (here == std::string_view::npos || here < section || (number == 1 && here > 0))
-      fail_input(
-          file, at_line(number),
-          fmt::format("no {} in column 73, where IGES names its sections: damaged, cut short or no IGES "
-                      "file in text; copy or export it again",
-                      kSections[section]));
-    section = here;
-    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-  }
-}
-
-/// Whether a line is how the text form of BREP ends: '+1 0', orientation and number of a shape, and place.
-bool is_shape_reference(std::string_view line) {
-  constexpr std::string_view kOrientations = "+-ie";
-  return !line.empty() && kOrientations.find(line[0]) != std::string_view::npos &&
-         line.find_first_not_of("0123456789 ", 1) == std::string_view::npos;
-}
-
 }  // namespace
 
 TriangleMesh read_step(const InputFile& file, const ReadOptions& options, const Monitor& monitor) {
-  if (!begins_with(file, "ISO-10303-21"))
-    fail_input(file, {}, "is no STEP file: it does not begin with 'ISO-10303-21'; export it again");
-  if (!ends_with(file, "END-ISO-10303-21"))
-    fail_input(file, {}, "does not end with 'END-ISO-10303-21': cut short; copy or export it again");
+  check_step_file(file);
   return read_cad(file, CadFormat::kStep, options, monitor);
 }
 
 TriangleMesh read_iges(const InputFile& file, const ReadOptions& options, const Monitor& monitor) {
-  check_iges_sections(file);
+  check_iges_file(file);
   return read_cad(file, CadFormat::kIges, options, monitor);
 }
 
 TriangleMesh read_brep(const InputFile& file, const ReadOptions& options, const Monitor& monitor) {
-  if (!begins_with(file, "CASCADE Topology V"))
-    fail_input(file, {}, "is no BREP file: it does not name a 'CASCADE Topology'; export it again");
-  const bool is_binary = begins_with(file, "Open CASCADE Topology V");
-  if (!is_binary && !is_shape_reference(last_line(file)))
-    fail_input(file, {}, "does not end with the shape that it is of: cut short; copy or export it again");
+  check_brep_file(file);
   return read_cad(file, CadFormat::kBrep, options, monitor);
 }
 

@@ -17,6 +17,10 @@ namespace {
 /// How far from 1 the squared norm of a frame's quaternion in single precision may be.
 constexpr double kUnitTolerance = 1e-5;
 
+/// Squares and cubes of lengths below, and of more than its inverse, neither overflow nor vanish. The cube
+/// about a surface, whose coordinates are below 1e100 (surface/surface.hpp), is far smaller.
+constexpr double kLargestLength = 1e102;
+
 class FieldArraysReader {
  public:
   explicit FieldArraysReader(const std::filesystem::path& path) : file_(path) {}
@@ -61,8 +65,8 @@ class FieldArraysReader {
 
   Octree tree() const {
     const auto root = values<double>(VtuSection::kFieldData, field_arrays::kRootCube, 4);
-    if (root.size() != 4 || !(root[3] > 0) ||
-        !std::ranges::all_of(root, [](double x) { return std::isfinite(x); }))
+    if (root.size() != 4 || !(root[3] > 1 / kLargestLength) ||
+        !std::ranges::all_of(root, [](double x) { return std::abs(x) < kLargestLength; }))
       fail_damaged();
     const auto packed = values<std::uint64_t>(VtuSection::kFieldData, field_arrays::kCellAddress);
     if (packed.empty() || packed.size() >= kNoCell) fail_damaged();

@@ -15,7 +15,9 @@ constexpr NumberType kDouble = NumberType::kFloat64;
 
 /// Groups have positive numbers; a sign tells on which side an entity looks.
 std::int64_t group_of(std::int64_t physical_tag) {
-  return physical_tag < 0 ? -physical_tag : physical_tag;
+  // Unsigned, so that the least number of 64 bits wraps instead of overflowing.
+  return physical_tag < 0 ? static_cast<std::int64_t>(-static_cast<std::uint64_t>(physical_tag))
+                          : physical_tag;
 }
 
 }  // namespace

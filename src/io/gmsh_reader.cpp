@@ -137,19 +137,19 @@ class GmshReader {
 
   void end_section(const std::string& name) {
     const std::string_view word = scanner_.word_anywhere();
-    if (word.empty()) fail(fmt::format("no $End{} up to here: cut short; copy or save the file again", name));
+    const std::string end = in_quotes("$End" + name);
+    if (word.empty()) fail(fmt::format("no {} up to here: cut short; copy or save the file again", end));
     if (!word.starts_with("$End") || word.substr(4) != name)
-      fail(
-          fmt::format("{} where $End{} should stand; mend the numbers of rows of ${}, or save the mesh "
-                      "again",
-                      in_quotes(word), name, name));
+      fail(fmt::format("{} where {} should stand; mend the numbers of rows of {}, or save the mesh again",
+                       in_quotes(word), end, in_quotes("$" + name)));
     scanner_.next_line();
   }
 
   void skip_section(const std::string& name) {
     const std::size_t end = file_->bytes().find("$End" + name, scanner_.position());
     if (end == std::string_view::npos)
-      fail(fmt::format("${} has no $End{}: cut short; copy or save the file again", name, name));
+      fail(fmt::format("{} has no {}: cut short; copy or save the file again", in_quotes("$" + name),
+                       in_quotes("$End" + name)));
     move_to(end);
     end_section(name);
   }

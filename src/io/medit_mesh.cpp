@@ -13,6 +13,12 @@ namespace {
 /// The largest number of nodes of a kind of cell that is not a solid of another shape: of a tet of degree 4.
 constexpr std::size_t kMostNodes = 35;
 
+/// A number that is counted from 1, counted from 0. Unsigned, so that the least of 64 bits wraps instead of
+/// overflowing.
+std::int64_t from_zero(std::int64_t number) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(number) - 1);
+}
+
 constexpr MeditSection cells(std::string_view keyword, int code, CellShape shape, std::uint8_t nodes,
                              std::string_view plural) {
   return {keyword, code, nodes + 1, MeditContent::kCells, {code, shape, nodes, plural}};
@@ -111,7 +117,7 @@ void MeditMesh::read_cells(NumberStream& rows, const MeditSection& section, std:
   std::array<std::int64_t, kMostNodes> nodes;
   for (std::uint64_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < type.nodes; ++k)
-      nodes[k] = rows.integer(numbers_.integer, "the number of a vertex") - 1;
+      nodes[k] = from_zero(rows.integer(numbers_.integer, "the number of a vertex"));
     const Place place = rows.place(unit, i);
     const std::int64_t tag = rows.integer(numbers_.integer, "the reference number of a cell");
     builder_.add_cell(type, std::span(nodes).first(type.nodes), tag, place);

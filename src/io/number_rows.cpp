@@ -18,6 +18,10 @@ InputFile open(const std::filesystem::path& path) {
   return path == "-" ? InputFile::standard_input() : InputFile(path);
 }
 
+/// What a spectrum takes (constraint/spectrum_report.cpp); beyond it, or below its inverse, sums overflow or
+/// vanish.
+constexpr double kLargestWeight = 1e100;
+
 /// The names of the numbers in a row, for error messages; those from `needed` on may be left out.
 struct Columns {
   std::array<const char*, 4> names;
@@ -70,6 +74,9 @@ std::vector<WeightedNormal> read_normals(const std::filesystem::path& path) {
                    scanner.fail("the normal's length is zero or too large; write a direction");
                  if (!(normal.weight > 0))
                    scanner.fail("the weight is not positive; write an area, or leave it out");
+                 if (normal.weight < 1 / kLargestWeight || normal.weight > kLargestWeight)
+                   scanner.fail(fmt::format("the weight is not between {} and {}; write it in other units",
+                                            1 / kLargestWeight, kLargestWeight));
                  normals.push_back(normal);
                });
   if (normals.empty()) fail_input(file, {}, "holds no normal; write 'nx ny nz' or 'nx ny nz weight' a line");

@@ -75,12 +75,13 @@ double PolygonTriangulator::turn(std::size_t corner) const {
 /// A corner can be cut off if it turns left and none of the corners left over lies in its triangle or on its
 /// border. Corners at the place of one of its own (a slit that leads to a hole passes twice) do not count.
 bool PolygonTriangulator::is_ear(std::size_t corner) {
+  count_test();
   if (!convex_[corner]) return false;
   const Point& a = points_[previous_[corner]];
   const Point& b = points_[corner];
   const Point& c = points_[next_[corner]];
   for (std::size_t other = next_[next_[corner]]; other != previous_[corner]; other = next_[other]) {
-    if (ear_tests_left_ > 0) --ear_tests_left_;
+    count_test();
     // Where any corner lies inside, one that does not turn left does.
     if (convex_[other]) continue;
     const Point& p = points_[other];
@@ -90,9 +91,10 @@ bool PolygonTriangulator::is_ear(std::size_t corner) {
   return true;
 }
 
-std::size_t PolygonTriangulator::flattest_corner(std::size_t any) const {
+std::size_t PolygonTriangulator::flattest_corner(std::size_t any) {
   std::size_t flattest = any;
   for (std::size_t corner = next_[any]; corner != any; corner = next_[corner]) {
+    count_test();
     if (std::abs(turn(corner)) < std::abs(turn(flattest))) flattest = corner;
   }
   return flattest;

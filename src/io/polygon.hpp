@@ -18,8 +18,8 @@ namespace crossgrain {
 /// polygon that does is cut all the same, somehow.
 class PolygonTriangulator {
  public:
-  /// Tests of a corner against an ear that one file may cost, half a second or so. Ear clipping takes about
-  /// n^2 of them for n corners, so a single polygon of some 10,000 corners passes.
+  /// Looks at a corner, mostly tests of it against an ear, that one file may cost, half a second or so. Ear
+  /// clipping takes about n^2 of them for n corners, so a single polygon of some 10,000 corners passes.
   static constexpr std::size_t kEarTests = 200'000'000;
 
   explicit PolygonTriangulator(std::size_t ear_tests = kEarTests) : ear_tests_left_(ear_tests) {}
@@ -38,8 +38,11 @@ class PolygonTriangulator {
                  std::vector<std::array<std::uint32_t, 3>>& triangles);
   bool is_ear(std::size_t corner);
   double turn(std::size_t corner) const;
-  std::size_t flattest_corner(std::size_t any) const;
+  std::size_t flattest_corner(std::size_t any);
   void unlink(std::size_t corner);
+  void count_test() {
+    if (ear_tests_left_ > 0) --ear_tests_left_;
+  }
 
   std::size_t ear_tests_left_;
   // Of the polygon at hand: its corners in the plane, counter-clockwise, and the ring of those not yet cut.

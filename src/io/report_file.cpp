@@ -328,8 +328,9 @@ class JsonReader {
   template <class T, class Describe>
   void optional_object(const char* key, std::optional<T>& value, const Describe& describe) {
     value.reset();
+    // From a T{}, since clang takes a struct with initialisers inside another one for one without a default.
     if (json_.is_object() && json_.contains(key))
-      object(key, [&](auto& inner) { describe(inner, value.emplace()); });
+      object(key, [&](auto& inner) { describe(inner, value.emplace(T{})); });
   }
 
   template <class Members>

@@ -278,17 +278,18 @@ class VtkReader {
 
   bool read_array(const std::string& name, std::string_view type_name, std::uint64_t components,
                   bool may_be_tags = true) {
+    const std::string shown = in_quotes(name);
     if (equals_ignoring_case(type_name, "bit")) {
       if (is_binary_) {
-        take_numbers(NumberType::kUint8, (rows_ * components + 7) / 8, name.c_str());
+        take_numbers(NumberType::kUint8, (rows_ * components + 7) / 8, shown.c_str());
       } else {
-        take_rows(NumberType::kUint8, rows_, components, name.c_str());
+        take_rows(NumberType::kUint8, rows_, components, shown.c_str());
       }
       return true;
     }
     const std::optional<NumberType> type = type_named(type_name);
     if (!type) return leave_the_rest(type_name);
-    const VtkNumbers numbers = take_rows(*type, rows_, components, name.c_str());
+    const VtkNumbers numbers = take_rows(*type, rows_, components, shown.c_str());
     if (!in_cell_data_ || !may_be_tags) return true;
     const auto rank = vtk_tag_rank(name, *type, components);
     if (!rank || (tags_ && *rank >= tag_rank_)) return true;

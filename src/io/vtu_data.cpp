@@ -118,13 +118,12 @@ class Unpacker {
     if (!read_words(sizes)) return std::nullopt;
     const auto blocks = zlib_blocks(head, sizes, 0, bytes_.most_left());
     if (!blocks) return std::nullopt;
-    std::string out(blocks->raw_bytes, '\0');
+    std::string out;
     std::vector<unsigned char> compressed;
     for (std::size_t i = 0; i < blocks->count(); ++i) {
       compressed.resize(sizes[i]);
       if (!bytes_.read(reinterpret_cast<char*>(compressed.data()), compressed.size())) return std::nullopt;
-      if (!inflate_block(compressed, out.data() + blocks->raw_begin(i), blocks->raw_size(i)))
-        return std::nullopt;
+      if (!inflate_onto(out, compressed, blocks->raw_size(i))) return std::nullopt;
     }
     return out;
   }

@@ -21,8 +21,8 @@ struct VtuPackage {
 };
 
 /// The bytes of the array at the front of `text`, which is base64 or raw and may go on behind it; still in
-/// the byte order of the file. Nothing where it is cut short or damaged. Takes no memory beyond what `text`
-/// can hold.
+/// the byte order of the file. Nothing where it is cut short or damaged. Takes memory for what `text` holds,
+/// not for what it claims.
 std::optional<std::string> unpack_vtu_data(std::string_view text, bool is_base64, const VtuPackage& package);
 
 }  // namespace crossgrain

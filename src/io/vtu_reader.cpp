@@ -164,6 +164,13 @@ ZlibBlocks VtuFile::locate(const Array& array) const {
   const std::uint64_t rows = blocks->raw_bytes / row_bytes;
   if (array.section == VtuSection::kPoints || array.section == VtuSection::kPointData) check(rows == points_);
   if (array.section == VtuSection::kCellData) check(rows == cells_);
+  // All blocks but the last claim one size, for which memory will be taken.
+  if (blocks->count() > 0) {
+    std::vector<unsigned char> first(blocks->begins[1] - blocks->begins[0]);
+    read_at(blocks->begins[0], first.data(), first.size());
+    std::string inflated;
+    check(inflate_onto(inflated, first, blocks->raw_size(0)));
+  }
   return std::move(*blocks);
 }
 

@@ -3,6 +3,9 @@
 
 #include <zlib.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace crossgrain {
 namespace {
 
@@ -35,6 +38,31 @@ bool inflate_block(std::span<const unsigned char> compressed, char* out, std::ui
   const int code =
       uncompress(reinterpret_cast<unsigned char*>(out), &got, compressed.data(), compressed.size());
   return code == Z_OK && got == raw_bytes;
+}
+
+bool inflate_onto(std::string& out, std::span<const unsigned char> compressed, std::uint64_t raw_bytes) {
+  constexpr std::uint64_t kPiece = 1 << 16;
+  if (compressed.size() > std::numeric_limits<uInt>::max()) return false;
+  z_stream stream{};
+  // Zlib leaves it alone; its interface is older than const.
+  stream.next_in = const_cast<unsigned char*>(compressed.data());
+  stream.avail_in = static_cast<uInt>(compressed.size());
+  if (inflateInit(&stream) != Z_OK) return false;
+  const std::size_t begin = out.size();
+  int code = Z_OK;
+  while (code == Z_OK) {
+    const std::size_t done = out.size();
+    // One more, to see a stream that goes on.
+    const std::uint64_t room = std::min(kPiece, raw_bytes - (done - begin) + 1);
+    out.resize(done + room);
+    stream.next_out = reinterpret_cast<unsigned char*>(out.data() + done);
+    stream.avail_out = static_cast<uInt>(room);
+    code = inflate(&stream, Z_NO_FLUSH);
+    out.resize(out.size() - stream.avail_out);
+    if (out.size() - begin > raw_bytes) break;
+  }
+  inflateEnd(&stream);
+  return code == Z_STREAM_END && out.size() - begin == raw_bytes;
 }
 
 }  // namespace crossgrain

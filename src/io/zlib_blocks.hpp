@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace crossgrain {
@@ -26,12 +27,17 @@ struct ZlibBlocks {
 
 /// The blocks that a header speaks of: `head` its first three numbers, `sizes` the others, `begin` the place
 /// behind it. Nothing where they contradict each other, reach beyond `end`, or claim to hold more than zlib
-/// can pack into as many bytes, so that memory may be taken for what is returned.
+/// can pack into as many bytes. That is a thousand times as many: before memory is taken for what is
+/// returned, inflate a block.
 std::optional<ZlibBlocks> zlib_blocks(const std::array<std::uint64_t, 3>& head,
                                       std::span<const std::uint64_t> sizes, std::uint64_t begin,
                                       std::uint64_t end);
 
 /// Whether `compressed` is a zlib stream of exactly `raw_bytes` bytes, which are then in `out`.
 bool inflate_block(std::span<const unsigned char> compressed, char* out, std::uint64_t raw_bytes);
+
+/// Appends what `compressed` holds to `out`, which grows with what comes, whatever `raw_bytes` claims.
+/// Whether that was a zlib stream of exactly `raw_bytes` bytes.
+bool inflate_onto(std::string& out, std::span<const unsigned char> compressed, std::uint64_t raw_bytes);
 
 }  // namespace crossgrain

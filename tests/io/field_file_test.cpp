@@ -242,6 +242,9 @@ TEST(FieldFile, WhoseArraysMakeNoFieldIsRefused) {
   data = sound;
   data.tree = Octree({data.tree.root().origin, NAN}, data.tree.leaves());
   EXPECT_NE(error_of_reading(data), "") << "a root cube that is none";
+  data = sound;
+  data.tree = Octree({data.tree.root().origin, 1e-315}, data.tree.leaves());
+  EXPECT_NE(error_of_reading(data), "") << "a root cube of which a cell has no size";
 }
 
 TEST(FieldFile, SurvivesDamage) {

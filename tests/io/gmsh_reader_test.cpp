@@ -92,7 +92,7 @@ TEST(GmshReader, RefusesWrongCounts) {
   for (const char* count : {"6", "1000000", "9223372036854775807", "-1", "x"})
     expect_tet_error(text(kFormat2 + "$Nodes\n" + count + "\n1 0 0 0\n2 1 0 0\n$EndNodes\n"), ": ");
   expect_tet_error(text(kFormat2 + "$Nodes\n1\n1 0 0 0\n2 1 0 0\n$EndNodes\n"),
-                   "'2' where $EndNodes should stand");
+                   "'2' where '$EndNodes' should stand");
   expect_tet_error(
       text(kFormat4 + "$Nodes\n1 5 1 5\n3 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n"),
       "5 nodes are announced and 4 are here");
@@ -106,7 +106,19 @@ TEST(GmshReader, RefusesWrongCounts) {
 TEST(GmshReader, RefusesWhatIsCutShortBetweenSections) {
   expect_tet_error(text(kFormat4), "no section $Nodes up to here");
   expect_tet_error(text(kFormat4 + kNodes4), "no section $Elements up to here");
-  expect_tet_error(text(kFormat4 + kNodes4 + "$NodeData\n1\n"), "$NodeData has no $EndNodeData");
+  expect_tet_error(text(kFormat4 + kNodes4 + "$NodeData\n1\n"), "'$NodeData' has no '$EndNodeData'");
+}
+
+TEST(GmshReader, ShowsNamesOfSectionsAsOnePrintableLine) {
+  expect_tet_error(text(kFormat4 + "$\x1b[2J\n"), "'$?[2J' has no '$End?[2J'");
+  expect_tet_error(text(kFormat4 + "$" + std::string(1000, 'a') + "\n"),
+                   "'$" + std::string(31, 'a') + "...'");
+}
+
+TEST(GmshReader, TakesAnyNumberOf64BitsForAPhysicalGroup) {
+  expect_tet_error(
+      text(kFormat2 + kNodes2 + "$Elements\n1\n1 4 2 -9223372036854775808 1 1 2 3 4\n$EndElements\n"),
+      "the tag -9223372036854775808 does not fit into 32 bits");
 }
 
 TEST(GmshReader, RefusesElementsOfUnknownTypes) {

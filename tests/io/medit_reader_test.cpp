@@ -143,6 +143,11 @@ TEST(MeditReader, NamesTheLineOfAVertexOutOfRange) {
   }
 }
 
+TEST(MeditReader, RefusesTheLeastNumberOf64BitsForAVertex) {
+  expect_error(kHeader + kVertices + "Tetrahedra\n1\n1 2 3 -9223372036854775808 7\n",
+               "a tet refers to vertex -9223372036854775808, but they are numbered from 1 to 4");
+}
+
 TEST(MeditReader, NamesTheLineOfACoordinateThatIsNoNumber) {
   for (const char* bad : {"nan", "inf", "-1e999", "0,5", "1.0D0"})
     expect_error(fmt::format("Vertices 2\n0 0 0 1\n0 {} 0 1\nTetrahedra 1\n1 1 1 1 1\n", bad), "a.mesh:3: ");

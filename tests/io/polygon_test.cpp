@@ -145,5 +145,14 @@ TEST(PolygonTriangulator, GivesUpOnceItsTestsAreUsedUp) {
   EXPECT_TRUE(triangles.empty());
 }
 
+TEST(PolygonTriangulator, CountsItsTestsInALineToo) {
+  // No corner of a line turns, so that none is an ear, and all are asked before each cut.
+  const Polygon polygon = placed(std::vector<std::array<double, 2>>(400, {1, 1}));
+  std::vector<std::uint32_t> corners(400);
+  std::iota(corners.begin(), corners.end(), 0u);
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  EXPECT_FALSE(PolygonTriangulator(/*ear_tests=*/1000).triangulate(corners, polygon.vertices, triangles));
+}
+
 }  // namespace
 }  // namespace crossgrain

@@ -103,6 +103,11 @@ TEST(VtkReader, RefusesWrongCounts) {
                    "3 rows of cell data for 2 cells");
 }
 
+TEST(VtkReader, ShowsNamesOfArraysAsOnePrintableLine) {
+  expect_tet_error(text(kTwoTets + "CELL_DATA 40\nSCALARS \x1b[2J int\nLOOKUP_TABLE default\n1 2\n"),
+                   "'?[2J' should have 40 numbers");
+}
+
 TEST(VtkReader, RefusesOtherDataSetsAndFiles) {
   expect_tet_error(text("# vtk DataFile Version 3.0\nmade\nASCII\nDATASET POLYDATA\n"),
                    "4: DATASET 'POLYDATA', where tets are in an UNSTRUCTURED_GRID");

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <numeric>
 #include <random>
 
@@ -191,6 +192,25 @@ TEST(VtuFile, SurvivesDamage) {
     for (int flips = 0; flips < 3; ++flips) damaged[random() % damaged.size()] = static_cast<char>(random());
     error_of_reading(folder.write("b.vtu", damaged));
   }
+}
+
+TEST(VtuFile, RefusesBlocksThatHoldLessThanTheyClaim) {
+  const TemporaryFolder folder;
+  std::string content = content_of(Sample(30).write(folder));
+  const std::size_t offset = content.find("offset=\"", content.find("Name=\"keys\"")) + 8;
+  const std::size_t begin = content.find('_', content.find("<AppendedData")) + 1;
+  // There: blocks, bytes of a block, bytes of a shorter last one.
+  const std::size_t array = begin + std::stoul(content.substr(offset));
+  ASSERT_EQ(content[array], 1);
+  // One block of 30 numbers, now of 16 times as many, which zlib could have packed.
+  for (const std::size_t at : {array + 8, array + 16}) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, content.data() + at, sizeof bytes);
+    bytes *= 16;
+    std::memcpy(content.data() + at, &bytes, sizeof bytes);
+  }
+  const std::string message = error_of_reading(folder.write("b.vtu", content));
+  EXPECT_NE(message.find("'keys' is damaged or cut short"), std::string::npos) << message;
 }
 
 TEST(VtuFile, RefusesForeignFiles) {
