@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vector3.hpp"
 #include "grid/cell_constraints.hpp"
 #include "grid/local_thickness.hpp"
 
@@ -26,6 +27,15 @@ constexpr int kLevelsCounted = 8;
 /// Below this share of cells with several normals, it tells how many edges a cell holds.
 constexpr double kSaturated = 0.9;
 
+/// Cells around a point whose directions they follow, by its reach.
+constexpr double kCellsOfPoint = 6, kCellsOfWidePoint = 36;
+
+/// Cells per length or area, in their own sizes, of curves and faces that lie anyhow.
+constexpr double kCellsOfCurve = 1.5, kCellsOfFace = 1.5;
+
+/// Cells that are split for balance, for each one that guides mark.
+constexpr double kSplitForBalance = 1;
+
 double sum_of_components(const Vector3& v) {
   return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }
@@ -44,6 +54,8 @@ LevelGrowth::LevelGrowth(const GridLevel& level, const Solid& solid, const Refin
   const double cell_size = level.tree.root().cell_size(deepest);
   flat_surface_cells_ /= cell_size * cell_size;
 
+  if (solid.guides != nullptr) count_guides(level, solid);
+
   const auto step = std::max<std::size_t>(1, static_cast<std::size_t>(now_.surface_cells) / kSampleSize);
   std::size_t met = 0;
   for (CellIndex i = 0; i < level.size(); ++i) {
@@ -58,6 +70,34 @@ void LevelGrowth::count(const GridLevel& level) {
   now_.cells = static_cast<double>(level.size());
   now_.pieces = static_cast<double>(level.pieces.size());
   for (CellIndex i = 0; i < level.size(); ++i) now_.surface_cells += level.holds_surface(i);
+}
+
+void LevelGrowth::count_guides(const GridLevel& level, const Solid& solid) {
+  CellIndex before = kNoCell;
+  double finest = level.tree.root().size;
+  for (const LeafGuide& guide : level.guides.all()) {
+    if (guide.leaf == before || level.holds_surface(guide.leaf)) continue;
+    before = guide.leaf;
+    ++guided_cells_;
+    finest = std::min(finest, level.tree.cell_size(guide.leaf));
+  }
+  for (const GuidePoint& point : solid.guides->points)
+    guided_by_points_ += point.reach_cells > 1 ? kCellsOfWidePoint : kCellsOfPoint;
+  for (const GuideSegment& segment : solid.guides->segments)
+    guide_length_ += norm(segment.ends[1] - segment.ends[0]) / finest;
+  for (const GuideFace& face : solid.guides->faces) {
+    const auto& [a, b, c] = face.corners;
+    guide_area_ += 0.5 * norm(cross(b - a, c - a)) / (finest * finest);
+  }
+}
+
+/// Leaves with guides and without surface.
+double LevelGrowth::guided_after(int levels) const {
+  const double at_most = guided_by_points_ + kCellsOfCurve * std::ldexp(guide_length_, levels) +
+                         kCellsOfFace * std::ldexp(guide_area_, 2 * levels);
+  // Scattered over the cells that there can be, some of them fall together.
+  const double all = std::ldexp(guided_cells_, 3 * levels);
+  return all > 0 ? all * -std::expm1(-at_most / all) : 0;
 }
 
 void LevelGrowth::look_around(const GridLevel& level, const Solid& solid, CellIndex leaf) {
@@ -94,7 +134,9 @@ LevelCounts LevelGrowth::after(int levels) const {
   counts.surface_cells = std::max(counts.surface_cells, now_.surface_cells);
   double cells = 0;
   for (const Column& column : columns_) cells += cells_in(column, cell_size);
-  counts.cells = std::max(counts.surface_cells * cells / static_cast<double>(columns_.size()), now_.cells);
+  cells *= counts.surface_cells / static_cast<double>(columns_.size());
+  for (int level = 0; level < levels; ++level) cells += 7 * (1 + kSplitForBalance) * guided_after(level);
+  counts.cells = std::clamp(cells, now_.cells, std::ldexp(now_.cells, 3 * levels));
 
   // Beside one piece a cell has one for every edge that crosses it, which are fewer in proportion to its
   // size, and for every vertex in it, fewer with its square.
@@ -105,7 +147,7 @@ LevelCounts LevelGrowth::after(int levels) const {
   counts.pieces = counts.surface_cells * (1 + more_pieces);
   const double share = now_.several_normals / now_.surface_cells;
   const double rate = share < kSaturated && more > 0 ? -std::log1p(-share) / more : 1;
-  counts.several_normals = counts.surface_cells * -std::expm1(-rate * more_pieces);
+  counts.several_normals = counts.surface_cells * -std::expm1(-rate * more_pieces) + guided_after(levels);
   return counts;
 }
 
