@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/vector3.hpp"
 #include "grid/cell_constraints.hpp"
 #include "grid/local_thickness.hpp"
 
@@ -30,6 +31,15 @@ constexpr double kSaturated = 0.9;
 /// A guide in a cell takes as much memory as this many pieces of surface.
 constexpr double kPiecesOfAGuide = 2.5;
 
+/// Cells around a point whose directions they follow, by its reach.
+constexpr double kCellsOfPoint = 6, kCellsOfWidePoint = 36;
+
+/// Cells per length, in their own sizes, of curves that lie anyhow.
+constexpr double kCellsOfCurve = 1.5;
+
+/// Cells that are split for balance, for each one that guides mark.
+constexpr double kSplitForBalance = 1;
+
 double sum_of_components(const Vector3& v) {
   return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }
@@ -54,6 +64,8 @@ LevelGrowth::LevelGrowth(const GridLevel& level, const Solid& solid, const Refin
     }
   }
 
+  if (solid.guides != nullptr) count_guides(level, solid);
+
   const auto step = std::max<std::size_t>(1, static_cast<std::size_t>(now_.surface_cells) / kSampleSize);
   std::size_t met = 0;
   for (CellIndex i = 0; i < level.size(); ++i) {
@@ -68,6 +80,29 @@ void LevelGrowth::count(const GridLevel& level) {
   now_.cells = static_cast<double>(level.size());
   now_.pieces = static_cast<double>(level.pieces.size());
   for (CellIndex i = 0; i < level.size(); ++i) now_.surface_cells += level.holds_surface(i);
+}
+
+void LevelGrowth::count_guides(const GridLevel& level, const Solid& solid) {
+  CellIndex before = kNoCell;
+  double finest = level.tree.root().size;
+  for (const LeafGuide& guide : level.guides.all()) {
+    if (guide.leaf == before || level.holds_surface(guide.leaf)) continue;
+    before = guide.leaf;
+    ++guided_cells_;
+    finest = std::min(finest, level.tree.cell_size(guide.leaf));
+  }
+  for (const GuidePoint& point : solid.guides->points)
+    guided_by_points_ += point.reach_cells > 1 ? kCellsOfWidePoint : kCellsOfPoint;
+  for (const GuideSegment& segment : solid.guides->segments)
+    guide_length_ += norm(segment.ends[1] - segment.ends[0]) / finest;
+}
+
+/// Leaves with guides at points or along curves and without surface.
+double LevelGrowth::guided_after(int levels) const {
+  const double at_most = guided_by_points_ + kCellsOfCurve * std::ldexp(guide_length_, levels);
+  // Scattered over the cells that there can be, some of them fall together.
+  const double all = std::ldexp(guided_cells_, 3 * levels);
+  return all > 0 ? all * -std::expm1(-at_most / all) : 0;
 }
 
 void LevelGrowth::look_around(const GridLevel& level, const Solid& solid, CellIndex leaf) {
@@ -104,7 +139,9 @@ LevelCounts LevelGrowth::after(int levels) const {
   counts.surface_cells = std::max(counts.surface_cells, now_.surface_cells);
   double cells = 0;
   for (const Column& column : columns_) cells += cells_in(column, cell_size);
-  counts.cells = std::max(counts.surface_cells * cells / static_cast<double>(columns_.size()), now_.cells);
+  cells *= counts.surface_cells / static_cast<double>(columns_.size());
+  for (int level = 0; level < levels; ++level) cells += 7 * (1 + kSplitForBalance) * guided_after(level);
+  counts.cells = std::clamp(cells, now_.cells, std::ldexp(now_.cells, 3 * levels));
 
   // Beside one piece a cell has one for every edge that crosses it, which are fewer in proportion to its
   // size, and for every vertex in it, fewer with its square.
@@ -115,13 +152,14 @@ LevelCounts LevelGrowth::after(int levels) const {
   counts.pieces = counts.surface_cells * (1 + more_pieces);
   const double share = now_.several_normals / now_.surface_cells;
   const double rate = share < kSaturated && more > 0 ? -std::log1p(-share) / more : 1;
-  counts.several_normals = counts.surface_cells * -std::expm1(-rate * more_pieces);
+  counts.several_normals = counts.surface_cells * -std::expm1(-rate * more_pieces) + guided_after(levels);
   add_guide_faces(cell_size, counts);
   return counts;
 }
 
-/// Finest cells lie on both of their sides.
+/// Finest cells lie on both of their sides. Faces that are all on the surface add none.
 void LevelGrowth::add_guide_faces(double cell_size, LevelCounts& counts) const {
+  if (guided_cells_ == 0) return;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double cells = guide_face_cells_ / (cell_size * cell_size);
   const double below_each = cells_in({kInfinity, kInfinity}, cell_size) - kOutsideShare;

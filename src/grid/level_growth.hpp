@@ -38,6 +38,8 @@ class LevelGrowth {
   };
 
   void count(const GridLevel& level);
+  void count_guides(const GridLevel& level, const Solid& solid);
+  double guided_after(int levels) const;
   void look_around(const GridLevel& level, const Solid& solid, CellIndex leaf);
   void add_guide_faces(double cell_size, LevelCounts& counts) const;
   double cells_in(const Column& column, double cell_size) const;
@@ -46,6 +48,11 @@ class LevelGrowth {
   double flat_surface_cells_ = 0;  ///< what there would be of them without creases
   double guide_face_cells_ = 0;    ///< that hold a guide face, such as one between two solids
   double triangles_;
+
+  /// Of guides inside: the leaves of this level with such and no surface, and what is refined along them:
+  /// cells around points, lengths in cells of this level.
+  double guided_cells_ = 0, guided_by_points_ = 0, guide_length_ = 0;
+
   double thickness_cells_;  ///< walls of fewer cells are refined throughout
   std::vector<Column> columns_;
   std::size_t several_normals_in_sample_ = 0;

@@ -169,7 +169,7 @@ TEST(ConstrainedSolve, LetsTheSurfaceSpeakWhereManyStressesShareItsCells) {
 
 TEST(ConstrainedSolve, OntoTetsTurnsTheVerticesInside) {
   const Quaternion asked = turn_about(normalised(Vector3{1, 2, -1}), 30);
-  const TetMesh mesh = testing::TetBox{{8, 8, 8}}.mesh();
+  const TetMesh mesh = TetBox{{8, 8, 8}}.mesh();
   const TetDomain domain(mesh);
   Vector3 middle{0, 0, 0};
   for (const Vector3& p : mesh.vertices) middle += (1.0 / static_cast<double>(mesh.vertices.size())) * p;
@@ -196,7 +196,7 @@ TEST(ConstrainedSolve, OntoTetsTurnsTheVerticesInside) {
 }
 
 TEST(ConstrainedSolve, OfATetMeshKnowsTheTagsOfItsBoundary) {
-  TetMesh mesh = testing::TetBox{{4, 4, 4}}.mesh();
+  TetMesh mesh = TetBox{{4, 4, 4}}.mesh();
   const TriangleMesh plain = TetDomain(mesh).boundary();
   EXPECT_TRUE(plain.faces.empty());
   // The vertices of the boundary are numbered anew: tag the first triangle by its place.

@@ -107,6 +107,17 @@ class WithTheReader(CommandTest):
                 self.assertAlmostEqual(report["model"]["bounding_box"]["high"][0], 40, 6)
                 self.assertLess(report["alignment_deg"]["mean"], 3)
 
+    def test_constraints_name_faces_by_their_numbers(self):
+        self.write("c.json", '{"schema": 1, "faces": [{"face": 1, "axis": "normal"}]}')
+        _, report = self.solve("plate.step", "--resolution", "16", "--constraints", "c.json")
+        faces = report["constraints"]["faces"]
+        self.assertEqual(faces["count"], 1)
+        self.assertGreater(faces["area"], 0)
+        self.assertLess(faces["angle_deg"]["mean"], 5)
+        self.write("c.json", '{"schema": 1,\n"faces": [{"face": 999, "axis": "normal"}]}')
+        result = self.run_here("solve", "plate.step", "--constraints", "c.json")
+        self.assert_fails(result, INPUT, "crossgrain: c.json:2: ", "no face 999, only 1 to")
+
     def test_the_report_names_the_units(self):
         model = self.solve("inch.stp", "--resolution", "8")[1]["model"]
         self.assertEqual((model["unit"], model["file_unit"]), ("mm", "inch"))

@@ -6,6 +6,7 @@
 #include "grid/cell_constraints.hpp"
 #include "grid/refinement.hpp"
 #include "grid/test_solid.hpp"
+#include "harmonics/random_samples.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {
@@ -66,6 +67,47 @@ TEST_P(LevelGrowthOf, ForetellsTheCountsOfTheNextTwoLevels) {
 
 INSTANTIATE_TEST_SUITE_P(Parts, LevelGrowthOf,
                          ::testing::Values("sphere", "tilted box", "bracket", "thin wall", "torus"));
+
+/// Guides all through a sphere.
+Guides made_guides(const std::string& name) {
+  testing::RandomSamples random(9);
+  Guides guides;
+  const auto place = [&] { return 0.7 * std::cbrt(random.uniform(0, 1)) * random.direction(); };
+  const Vector3 x{1, 0, 0};
+  if (name == "few points")
+    for (int k = 0; k < 20; ++k) guides.points.push_back({place(), {x}, {1, 0, 0}, 2});
+  if (name == "many points")
+    for (int k = 0; k < 2000; ++k) guides.points.push_back({place(), {x}, {1, 0, 0}, 1});
+  if (name == "curves")
+    for (int k = 0; k < 20; ++k) guides.segments.push_back({{place(), place()}, {x, x}, 1});
+  if (name == "faces")
+    for (int k = 0; k < 3; ++k) guides.faces.push_back({{place(), place(), place()}, {x, x, x}, 1});
+  return guides;
+}
+
+class LevelGrowthAlong : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(LevelGrowthAlong, GuidesInsideIsForetold) {
+  const TestSolid part(make_sphere(0.8, 4));
+  const Guides guides = made_guides(GetParam());
+  Solid solid = part.solid();
+  solid.guides = &guides;
+  const GridFrame frame = frame_around(solid.surface.box, std::ldexp(kCoarsestCell, -kLevels));
+  const RefinementOptions options;
+  GridLevel level = uniform_level(solid, frame.root, frame.finest_depth - kLevels);
+  std::vector<LevelGrowth> growths;
+  for (int k = 0; k <= kLevels - 1; ++k) {
+    for (int ahead = 1; ahead <= 2 && ahead <= static_cast<int>(growths.size()); ++ahead) {
+      expect_near(growths[static_cast<std::size_t>(k - ahead)].after(ahead).cells,
+                  static_cast<double>(level.size()), kMostOff, "cells", ahead);
+    }
+    growths.emplace_back(level, solid, options);
+    level = refined(level, solid, refinement_marks(level, solid, {}, frame.finest_depth, options));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Guides, LevelGrowthAlong,
+                         ::testing::Values("few points", "many points", "curves", "faces"));
 
 TEST(LevelGrowth, CountsWhatThereIs) {
   const TestSolid part(make_bracket(24));
