@@ -85,8 +85,8 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 /// What is known before anything is asked of the field between its cells.
 void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, SolvedField& solved,
                     const SolveOptions& options, FieldData& data) {
-  AlignmentMeasurement alignment = measure_alignment(
-      solved.level, model.solid(), {solved.level.tree, solved.frames, solved.open_faces});
+  AlignmentMeasurement alignment =
+      measure_alignment(solved.level, model.solid(), {solved.level.tree, solved.frames, solved.open_faces});
   data.alignment_deg = std::move(alignment.leaf_mean_deg);
   data.report = report_of(model.solid(), solved, alignment, options);
   data.report.model = model.description();

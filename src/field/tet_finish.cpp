@@ -184,9 +184,9 @@ TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const Boundary
     monitor.report({"tets", 0, start.size(), ++sweeps, energy});
   };
   holds.align(start);
-  const SettledFrames result = degree == Degree::kThree
-                                   ? solved<3>(connectivity, holds, stored(start), options, guides, after_sweep)
-                                   : solved<4>(connectivity, holds, stored(start), options, guides, after_sweep);
+  const SettledFrames result =
+      degree == Degree::kThree ? solved<3>(connectivity, holds, stored(start), options, guides, after_sweep)
+                               : solved<4>(connectivity, holds, stored(start), options, guides, after_sweep);
   return {aligned(holds, result.frames), result.settled};
 }
 
