@@ -18,6 +18,9 @@ constexpr double kMostOff = 1.5;
 
 /// Cells with several normals are few where their number changes much from level to level.
 constexpr double kMostOffOfFew = 2;
+
+/// Where points are about as many as cells, how they fall into these is anyone's guess two levels ahead.
+constexpr double kMostOffTwoAhead = 2;
 constexpr double kCoarsestCell = 0.1;
 constexpr int kLevels = 4;
 
@@ -99,7 +102,8 @@ TEST_P(LevelGrowthAlong, GuidesInsideIsForetold) {
   for (int k = 0; k <= kLevels - 1; ++k) {
     for (int ahead = 1; ahead <= 2 && ahead <= static_cast<int>(growths.size()); ++ahead) {
       expect_near(growths[static_cast<std::size_t>(k - ahead)].after(ahead).cells,
-                  static_cast<double>(level.size()), kMostOff, "cells", ahead);
+                  static_cast<double>(level.size()), ahead == 1 ? kMostOff : kMostOffTwoAhead, "cells",
+                  ahead);
     }
     growths.emplace_back(level, solid, options);
     level = refined(level, solid, refinement_marks(level, solid, {}, frame.finest_depth, options));
