@@ -28,8 +28,9 @@ constexpr std::size_t kLooks = 7;
 /// rounding, and below the thickness of any wall: what is thinner is flat.
 constexpr double kStepOff = 1e-6;
 
-/// Each look costs a few microseconds.
-constexpr std::size_t kMostPatches = 100000;
+/// A look costs microseconds, but among large triangles that all lie across each other as much as all of
+/// them.
+constexpr std::size_t kMostPatches = 3000;
 
 /// Flips and removals bear on each other. In practice it takes two or three.
 constexpr int kMostRounds = 8;

@@ -36,7 +36,7 @@ struct PatchSides {
 ///   closed
 ///
 /// A patch of which nearly half is turned against the rest says nothing of what it was meant to be: inside
-/// an odd number of others it becomes a void. Nothing is judged where there are more than 100,000 patches.
+/// an odd number of others it becomes a void. Nothing is judged where there are more than 3,000 patches.
 PatchSides judge_patches(const TriangleMesh& mesh, const std::vector<std::uint32_t>& patch_of,
                          const std::vector<Patch>& patches);
 
