@@ -35,7 +35,7 @@ void add_places(const std::array<Vector3, 3>& corners, const std::array<Vector3,
     return;
   }
   const std::size_t from = longest, to = (longest + 1) % 3;
-  for (const auto [kept, moved] : {std::pair{from, to}, std::pair{to, from}}) {
+  for (const auto& [kept, moved] : {std::pair{from, to}, std::pair{to, from}}) {
     auto half = corners;
     auto half_normals = normals;
     half[moved] = 0.5 * (corners[kept] + corners[moved]);

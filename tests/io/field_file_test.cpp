@@ -158,6 +158,7 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
                                   .singular = {3, 4},
                                   .normal_deg = {},
                                   .crease_deg = {0.5, 1.5, 2.5},
+                                  .feature_edge_deg = SolveReport::AngleSummary{0.1, 0.2, 0.3},
                                   .outside_vertices = 5,
                                   .unused_vertices = 6,
                                   .inverted_tets = 7,
@@ -174,6 +175,8 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
   EXPECT_EQ(read.onto->singular.boundary_faces, 4u);
   EXPECT_FALSE(read.onto->normal_deg.p95) << "null";
   EXPECT_EQ(read.onto->crease_deg.p95, 1.5);
+  ASSERT_TRUE(read.onto->feature_edge_deg);
+  EXPECT_EQ(read.onto->feature_edge_deg->max, 0.3);
   EXPECT_EQ(read.onto->left_out_tets, 8u);
   EXPECT_EQ(read.onto->seconds, 0.7);
 
