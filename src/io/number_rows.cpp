@@ -18,7 +18,8 @@ InputFile open(const std::filesystem::path& path) {
   return path == "-" ? InputFile::standard_input() : InputFile(path);
 }
 
-/// Sums of weights, and products of two of them, stay far from the largest and the smallest double.
+/// What a spectrum takes (constraint/spectrum_report.cpp); beyond it, or below its inverse, sums overflow or
+/// vanish.
 constexpr double kLargestWeight = 1e100;
 
 /// The names of the numbers in a row, for error messages; those from `needed` on may be left out.

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fuzz/allocation_watch.hpp"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<std::size_t> largest = 0;
+
+}  // namespace
+
+// Those of arrays and without exceptions call this one.
+void* operator new(std::size_t size) {
+  std::size_t before = largest.load(std::memory_order_relaxed);
+  while (size > before && !largest.compare_exchange_weak(before, size, std::memory_order_relaxed)) continue;
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace crossgrain {
+
+void forget_allocations() {
+  largest = 0;
+}
+
+std::size_t largest_allocation() {
+  return largest;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "crossgrain/io.hpp"
+#include "fuzz/input_folder.hpp"
+#include "fuzz/mesh_promises.hpp"
+#include "fuzz/reader_checks.hpp"
+#include "io/field_arrays.hpp"
+#include "io/json_file.hpp"
+#include "io/report_file.hpp"
+#include "io/sample_field.hpp"
+#include "io/vtk_files.hpp"
+
+namespace crossgrain {
+namespace {
+
+struct FieldArray {
+  const char* name;
+  const char* section;
+  const char* type;
+  std::size_t components;
+};
+
+constexpr std::array kFieldArrays = {
+    FieldArray{field_arrays::kSchema, "FieldData", "UInt32", 1},
+    FieldArray{field_arrays::kDegree, "FieldData", "UInt32", 1},
+    FieldArray{field_arrays::kRootCube, "FieldData", "Float64", 4},
+    FieldArray{field_arrays::kCellAddress, "FieldData", "UInt64", 1},
+    FieldArray{field_arrays::kFrame, "FieldData", "Float32", 4},
+    FieldArray{field_arrays::kOpenFaces, "FieldData", "UInt8", 1},
+    FieldArray{field_arrays::kEnergyDensity, "CellData", "Float32", 1},
+    FieldArray{field_arrays::kAlignment, "CellData", "Float32", 1},
+    FieldArray{field_arrays::kOnBoundary, "CellData", "UInt8", 1},
+};
+
+/// The next array: its number of bytes, and these, as far as there are any.
+std::vector<std::uint8_t> take_array(std::string_view& bytes) {
+  if (bytes.size() < 2) return {};
+  const auto byte = [&](std::size_t i) {
+    return static_cast<std::size_t>(static_cast<unsigned char>(bytes[i]));
+  };
+  const std::size_t count = std::min(byte(0) + 256 * byte(1), bytes.size() - 2);
+  const std::string_view here = bytes.substr(2, count);
+  bytes.remove_prefix(2 + count);
+  return {here.begin(), here.end()};
+}
+
+/// A file of these arrays as `write_field` packs them.
+std::string packed_field(std::string_view bytes) {
+  std::array<std::vector<std::uint8_t>, kFieldArrays.size()> arrays;
+  std::ranges::generate(arrays, [&] { return take_array(bytes); });
+  VtuFileWriter out({"raw", true, true});
+  out.text(fmt::format("<UnstructuredGrid><Piece NumberOfPoints=\"0\" NumberOfCells=\"{}\">\n",
+                       arrays.back().size()));
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    const FieldArray& array = kFieldArrays[i];
+    out.text(fmt::format("<{}>\n", array.section));
+    out.array<std::uint8_t>(array.type, array.name, array.components, arrays[i]);
+    out.text(fmt::format("</{}>\n", array.section));
+  }
+  out.text("</Piece></UnstructuredGrid>\n");
+  return out.finish();
+}
+
+/// At the corners of the root cube, in it and far off.
+void sample_everywhere(const FrameField& field) {
+  const RootCube& root = field.data().tree.root();
+  for (const double part : {0.0, 0.3, 0.5, 1.0, 7.0}) {
+    Vector3 point;
+    for (std::size_t i = 0; i < 3; ++i) point[i] = root.origin[i] + part * root.size;
+    if (!std::isfinite(point[0] + point[1] + point[2])) continue;
+    for (const Vector3& axis : field.sample(point).frame.axes)
+      require(std::abs(norm(axis) - 1) < 1e-6, "an axis that is no unit vector");
+  }
+}
+
+/// `field_vtu` beside a report without fault.
+bool check_field_of(std::string_view field_vtu) {
+  static const std::string report = report_json(sample_report()).dump();
+  as_file("report.json", report);
+  as_file("field.vtu", field_vtu);
+  std::optional<FrameField> field;
+  if (!succeeds([&] { field.emplace(read_field(input_folder().path())); })) return false;
+  require(field->size() > 0, "a field without cells");
+  for (std::size_t i = 0; i < field->size(); ++i) {
+    const FrameField::Cell cell = field->cell(i);
+    require_finite({cell.frame.axes.begin(), cell.frame.axes.end()});
+  }
+  sample_everywhere(*field);
+  return true;
+}
+
+}  // namespace
+
+bool check_field(std::string_view bytes) {
+  const bool is_field = check_field_of(bytes);
+  succeeds([&] { is_clipped_field(input_folder().path()); });
+  return is_field;
+}
+
+bool check_field_arrays(std::string_view bytes) {
+  return check_field_of(packed_field(bytes));
+}
+
+bool check_report(std::string_view bytes) {
+  const auto path = as_file("input.json", bytes);
+  SolveReport report;
+  if (!succeeds([&] { report = read_report(path); })) return false;
+  // Written and read again it is the same.
+  const std::string text = json_text(report_json(report));
+  const auto again = as_file("again.json", text);
+  require(json_text(report_json(read_report(again))) == text, "a report that changes when written");
+  return true;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fuzz/made_inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "io/gmsh_files.hpp"
+#include "io/medit_files.hpp"
+#include "io/report_file.hpp"
+#include "io/sample_field.hpp"
+#include "io/vtk_files.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Small enough for a mutation to hit what matters.
+TetMesh small_tet_mesh() {
+  return made_tet_mesh(5, 3);
+}
+
+std::vector<std::string> contents(const std::vector<MadeFile>& files) {
+  std::vector<std::string> out;
+  for (const MadeFile& file : files) out.push_back(file.content);
+  return out;
+}
+
+std::vector<std::string> made_medit() {
+  const std::string text = medit_text(small_tet_mesh()).content;
+  // Cells before the vertices, Ridges, and what is passed over.
+  return {
+      text,
+      "Dimension\n3\n# made\nTetrahedra 1\n1 2 3 4 7\nHexahedra 0\nVertices\n4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n"
+      "0 0 1 1\nEdges 2\n1 2 5\n2 3 5\nRidges 1\n2\nCorners 1\n1\nBounds 1 2\nEnd\n",
+      "MeshVersionFormatted 1\nVertices 10\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\n.5 0 0 1\n0 .5 0 1\n"
+      "0 0 .5 1\n.5 .5 0 1\n0 .5 .5 1\n.5 0 .5 1\nTetrahedraP2 1\n1 2 3 4 5 6 7 8 9 10 -3\n"};
+}
+
+std::vector<std::string> made_medit_binary() {
+  std::vector<std::string> out;
+  for (const int version : {1, 2, 3, 4})
+    for (const bool swapped : {false, true})
+      out.push_back(medit_binary(small_tet_mesh(), version, swapped).content);
+  return out;
+}
+
+std::vector<std::string> made_fields() {
+  std::vector<std::string> out;
+  for (const Degree degree : {Degree::kThree, Degree::kFour}) {
+    const TemporaryFolder folder;
+    write_field(field_of(sample_data(degree, 0)), folder.path());
+    out.push_back(content_of(folder.path() / "field.vtu"));
+  }
+  return out;
+}
+
+template <class T>
+void append_array(std::string& out, const std::vector<T>& values) {
+  const std::size_t bytes = values.size() * sizeof(T);
+  out += static_cast<char>(bytes & 255);
+  out += static_cast<char>(bytes >> 8);
+  out.append(reinterpret_cast<const char*>(values.data()), bytes);
+}
+
+/// In the order of kFieldArrays (field_checks.cpp).
+std::string array_bytes(const FieldData& data) {
+  std::string out;
+  append_array<std::uint32_t>(out, {1});
+  append_array<std::uint32_t>(out, {static_cast<std::uint32_t>(data.degree)});
+  const RootCube& root = data.tree.root();
+  append_array<double>(out, {root.origin[0], root.origin[1], root.origin[2], root.size});
+  std::vector<std::uint64_t> leaves;
+  for (const CellAddress leaf : data.tree.leaves()) leaves.push_back(leaf.packed());
+  append_array(out, leaves);
+  append_array(out, data.frames);
+  append_array(out, data.open_faces);
+  append_array(out, data.energy_density);
+  append_array(out, data.alignment_deg);
+  append_array(out, data.on_boundary);
+  return out;
+}
+
+std::vector<std::string> made_cad() {
+  // Lines of 80 columns, of which the 73rd names the section.
+  std::string iges;
+  for (const char section : {'S', 'G', 'D', 'D', 'P', 'T'})
+    iges += fmt::format("{:<72}{:>8}\n", "1H,,1H;", section + std::string("      1"));
+  return {
+      "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;"
+      "\n",
+      iges, "DBRep_DrawableShape\n\nCASCADE Topology V1, (c) Matra-Datavision\nTShapes 1\nVe\n\n+1 0\n",
+      "\nOpen CASCADE Topology V3 (c)\nLocations 0\n"};
+}
+
+}  // namespace
+
+std::vector<std::string> made_inputs(std::string_view reader) {
+  if (reader == "stl") return made_stl();
+  if (reader == "obj") return made_obj();
+  if (reader == "ply") return made_ply();
+  if (reader == "off") return made_off();
+  if (reader == "medit") return made_medit();
+  if (reader == "medit_binary") return made_medit_binary();
+  if (reader == "gmsh") return contents(gmsh_files(small_tet_mesh()));
+  if (reader == "vtk") return contents(vtk_files(small_tet_mesh()));
+  if (reader == "vtu") return contents(vtu_files(small_tet_mesh()));
+  if (reader == "field") return made_fields();
+  if (reader == "field_arrays")
+    return {array_bytes(sample_data(Degree::kThree, 0)), array_bytes(sample_data(Degree::kFour, 1))};
+  if (reader == "report") return {report_json(sample_report()).dump(1)};
+  if (reader == "points") return {"0 0 0\n1.5 -2e3 .25 # a point\n\n# none\n3 4 5"};
+  if (reader == "normals") return {"0 0 1\n1 0 0 2.5\n# none\n0.3 -4 1e-3 7\n"};
+  if (reader == "cad") return made_cad();
+  throw std::logic_error("no inputs for " + std::string(reader));
+}
+
+}  // namespace crossgrain

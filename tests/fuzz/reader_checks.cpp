@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fuzz/reader_checks.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace crossgrain {
+namespace {
+
+// A new reader is a row here, a name in CMakeLists.txt and a list of inputs in made_inputs.cpp.
+constexpr std::array kReaders = {
+    ReaderUnderTest{"stl", check_stl},
+    ReaderUnderTest{"obj", check_obj},
+    ReaderUnderTest{"ply", check_ply},
+    ReaderUnderTest{"off", check_off},
+    ReaderUnderTest{"medit", check_medit},
+    ReaderUnderTest{"medit_binary", check_medit_binary},
+    ReaderUnderTest{"gmsh", check_gmsh},
+    ReaderUnderTest{"vtk", check_vtk},
+    ReaderUnderTest{"vtu", check_vtu},
+    ReaderUnderTest{"field", check_field},
+    ReaderUnderTest{"field_arrays", check_field_arrays},
+    ReaderUnderTest{"report", check_report},
+    ReaderUnderTest{"points", check_points},
+    ReaderUnderTest{"normals", check_normals},
+    ReaderUnderTest{"cad", check_cad},
+};
+
+}  // namespace
+
+std::span<const ReaderUnderTest> readers_under_test() {
+  return kReaders;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every reader promises of any bytes whatever: to return what later code may rely on, or to throw
+// Error(kInput) with one line for a person. The fuzz targets and the ordinary tests both call these.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "crossgrain/error.hpp"
+
+namespace crossgrain {
+
+/// A reader that did something else.
+class BrokenPromise : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+/// Gives the bytes to a reader as a file, and says whether it took them. Throws BrokenPromise, or whatever
+/// else the reader may not throw.
+using ReaderCheck = bool(std::string_view bytes);
+
+ReaderCheck check_stl, check_obj, check_ply, check_off;
+ReaderCheck check_medit, check_medit_binary, check_gmsh, check_vtk, check_vtu;
+ReaderCheck check_points, check_normals;
+
+/// field.vtu as it stands, and by its arrays: the number of bytes of each (two of them, little endian) and
+/// these, in the order of kFieldArrays (field_checks.cpp), which the check packs as the file has them. No
+/// fuzzer would find blocks of zlib.
+ReaderCheck check_field, check_field_arrays;
+ReaderCheck check_report;
+
+/// What is looked at in a STEP, IGES or BREP file before OpenCASCADE sees it, which is not called.
+ReaderCheck check_cad;
+
+struct ReaderUnderTest {
+  std::string_view name;  ///< of its fuzz target, dictionary and folder of regression inputs
+  ReaderCheck* check;
+};
+std::span<const ReaderUnderTest> readers_under_test();
+
+/// The most that a reader may take at once for a file of so many bytes: nothing follows a header's claim
+/// without bytes behind it. A vertex takes 24 bytes and the shortest in any format three, lists that grow
+/// take twice what is in them; the rest is what tables and libraries take at first.
+constexpr std::size_t most_allocated_at_once(std::size_t file_bytes) {
+  return (std::size_t{1} << 18) + 64 * file_bytes;
+}
+
+inline void require(bool sound, const std::string& what) {
+  if (!sound) throw BrokenPromise(what);
+}
+
+/// Throws BrokenPromise unless a text can be shown to a person: one printable line of bearable length.
+void require_one_line(std::string_view text);
+
+/// Whether body() runs to its end; false where it throws an Error(kInput) that can be shown.
+template <class Body>
+bool succeeds(const Body& body) {
+  try {
+    body();
+    return true;
+  } catch (const Error& error) {
+    require(error.kind() == ErrorKind::kInput, std::string("not an input error: ") + error.what());
+    require_one_line(error.what());
+    return false;
+  }
+}
+
+}  // namespace crossgrain
