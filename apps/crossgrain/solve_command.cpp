@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -153,7 +154,21 @@ std::string files_line(const SolveReport& report, const std::filesystem::path& o
   return text + " and " + (output / "report.json").string();
 }
 
-std::string summary_of(const SolveReport& report, const std::string& output) {
+/// What is to be told even where the summary is not: that the solve was not of what was given or asked for.
+std::vector<std::pair<std::string, std::string>> warnings_of_input(const SolveReport& report,
+                                                                   const SolveArguments& arguments) {
+  std::vector<std::pair<std::string, std::string>> warnings;
+  if (report.limited) warnings.emplace_back(arguments.model, report.warnings.front());
+  for (const SolveReport::Finding& finding : report.input.findings)
+    warnings.emplace_back(arguments.model, sentence_of(finding));
+  if (report.constraints && !report.constraints->outside_warning.empty())
+    warnings.emplace_back(arguments.constraints, report.constraints->outside_warning);
+  return warnings;
+}
+
+/// `told`: warnings that stand on standard error already.
+std::string summary_of(const SolveReport& report, const std::string& output,
+                       const std::set<std::string>& told) {
   const auto& alignment = report.alignment_deg;
   std::string text = fmt::format("{} triangles, {}\n", report.model.triangles,
                                  report.model.watertight ? "watertight" : "not watertight");
@@ -168,6 +183,8 @@ std::string summary_of(const SolveReport& report, const std::string& output) {
       alignment.mean, alignment.p95, alignment.max, 100 * alignment.excluded_share);
   if (report.constraints) text += constraints_lines(*report.constraints);
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
+  for (const std::string& warning : report.warnings)
+    if (!told.contains(warning)) text += fmt::format("warning    {}\n", warning);
   return text + fmt::format("result     {}\n", files_line(report, output));
 }
 
@@ -257,9 +274,9 @@ void run_solve(const SolveArguments& arguments) {
     };
     report = solve_and_write(arguments, start, monitor, warn);
   }
-  for (const std::string& warning : report.warnings)
-    if (told.insert(warning).second) print_message("warning: " + arguments.model + ": " + warning);
-  if (!arguments.quiet) print_result(summary_of(report, arguments.output));
+  for (const auto& [file, warning] : warnings_of_input(report, arguments))
+    if (told.insert(warning).second) print_message("warning: " + file + ": " + warning);
+  if (!arguments.quiet) print_result(summary_of(report, arguments.output, told));
 }
 
 }  // namespace crossgrain::app

@@ -57,6 +57,10 @@ struct SolverOptions {
   /// normal is the crease's tangent.
   double crease_weight = 0.25;
 
+  /// The same of edges that a file of tets tags where the surface is not sharp: nothing else speaks for them
+  /// there, and a quarter leaves frames inside a block 45 degrees off.
+  double tagged_weight = 1;
+
   /// Share of a face's weight that smoothness moves to each diagonal across each of its edges, from 0 to 1/4:
   /// so that a singular arc costs the same in all directions through the grid. Rounded to a multiple of
   /// 1/320.

@@ -151,6 +151,10 @@ struct SolveReport {
     Faces faces;
     Points stresses;                     ///< angles of axes with a gap of at least 0.1
     std::size_t isotropic_stresses = 0;  ///< that say nothing
+
+    /// The one of SolveReport::warnings on what is outside, where anything is. Not known of a field that was
+    /// read from files.
+    std::string outside_warning = {};
   };
   std::optional<Constraints> constraints;  ///< only where there are any
 

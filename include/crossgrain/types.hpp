@@ -23,6 +23,9 @@ struct CreaseCurve {
   std::vector<Vector3> points;
   std::vector<Vector3> tangents;  ///< unit vectors, one a point
   std::int32_t tag = 0;           ///< the number of the edge in the file that it comes from
+
+  /// The file asks for it where the surface is not sharp, or inside (SolverOptions::tagged_weight).
+  bool is_tagged = false;
 };
 
 /// A surface: triangles that index vertices. Nothing is required of it but that indices are in range and

@@ -194,7 +194,7 @@ SolveReport::Constraints constraint_report(const AskedAxes& asked, const Sampler
 
 std::string outside_constraints_warning(const AskedAxes& asked) {
   if (!asked.first_outside) return "";
-  const auto& [points, polylines, faces, stresses, isotropic] = asked.counts;
+  const auto& [points, polylines, faces, stresses, isotropic, warning] = asked.counts;
   std::vector<std::string> parts;
   const auto count = [&](std::size_t outside, std::size_t all, const char* what) {
     if (outside > 0) parts.push_back(fmt::format("{} of {} {}", outside, all, what));

@@ -26,7 +26,8 @@ SolidSplit checked_and_split(const TriangleMesh& mesh, const SolveOptions& optio
 
 Guides guides_of(const CreaseNetwork& creases, const TriangleMesh& inner_faces, const Surface& surface,
                  const SolveOptions& options) {
-  Guides guides = guides_along(creases.curves, creases.corners, options.solver.crease_weight);
+  Guides guides = guides_along(creases.curves, creases.corners, options.solver.crease_weight,
+                               options.solver.tagged_weight);
   guides.faces = guides_across(inner_faces);
   add_constraints(options.constraints, surface, guides);
   return guides;

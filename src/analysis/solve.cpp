@@ -118,9 +118,12 @@ void describe_guides(const PreparedModel& model, const AskedAxes& asked, const S
   const Sampler sampler(data.tree, data.frames, data.open_faces);
   data.report.creases = crease_report(model.creases(), sampler, finest);
   data.report.interfaces = interface_report(model.inner_faces(), sampler, finest);
-  if (!options.constraints.empty()) data.report.constraints = constraint_report(asked, sampler);
-  const std::string outside = outside_constraints_warning(asked);
-  if (!outside.empty()) data.report.warnings.push_back(outside);
+  if (!options.constraints.empty()) {
+    data.report.constraints = constraint_report(asked, sampler);
+    const std::string& outside = data.report.constraints->outside_warning =
+        outside_constraints_warning(asked);
+    if (!outside.empty()) data.report.warnings.push_back(outside);
+  }
   append(data.report.warnings, crease_warnings(model.creases()));
 }
 

@@ -114,8 +114,8 @@ void check_options(const SolveOptions& options) {
   demand(solver.start_relaxation >= 0 && solver.level_relaxation >= 0,
          "numbers of sweeps must not be negative");
   check_sweeps(solver);
-  demand(solver.crease_weight >= 0 && std::isfinite(solver.crease_weight),
-         "the crease weight must not be negative");
+  for (const double weight : {solver.crease_weight, solver.tagged_weight})
+    demand(weight >= 0 && std::isfinite(weight), "weights of creases and tagged edges must not be negative");
   for (const double angle :
        {options.creases.least_deg, options.creases.corner_deg, options.creases.knife_deg})
     demand(angle > 0 && angle <= 180, "angles of creases must lie above 0 and be at most 180 degrees");

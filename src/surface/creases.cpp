@@ -49,9 +49,16 @@ class SharpEdges {
     for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
       if (is_sharp(surface, uses, least_cosine)) add(uses[0].low(), uses[0].high());
     });
+    std::sort(spokes_.begin(), spokes_.end());
+    const std::size_t sharp = spokes_.size();
     for (const auto& [a, b] : tagged) {
-      if (vertices_[a] != vertices_[b]) add(a, b);
+      const bool is_sharp_too = std::binary_search(
+          spokes_.begin(), spokes_.begin() + static_cast<std::ptrdiff_t>(sharp), Spoke{a, b});
+      if (vertices_[a] == vertices_[b] || is_sharp_too) continue;
+      add(a, b);
+      only_tagged_.push_back(std::minmax(a, b));
     }
+    std::sort(only_tagged_.begin(), only_tagged_.end());
     std::sort(spokes_.begin(), spokes_.end());
     const auto same = [](const Spoke& a, const Spoke& b) { return a.from == b.from && a.to == b.to; };
     spokes_.erase(std::unique(spokes_.begin(), spokes_.end(), same), spokes_.end());
@@ -68,6 +75,12 @@ class SharpEdges {
       }
     }
     return result;
+  }
+
+  /// Tagged, and not sharp.
+  bool is_only_tagged(std::uint32_t a, std::uint32_t b) const {
+    const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(a, b);
+    return std::binary_search(only_tagged_.begin(), only_tagged_.end(), edge);
   }
 
   bool passes_through(std::uint32_t vertex) const {
@@ -113,6 +126,7 @@ class SharpEdges {
   const std::vector<Vector3>& vertices_;
   double straight_;
   std::vector<Spoke> spokes_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> only_tagged_;  ///< sorted
   std::vector<bool> used_;
 };
 
@@ -160,6 +174,8 @@ std::vector<CreaseCurve> sharp_curves(const Surface& surface, const CreaseAngles
     for (std::size_t k = 0; k < chain.size(); ++k)
       curve.tangents.push_back(tangent_at(curve.points, k, smoothly_closed));
     curve.tag = static_cast<std::int32_t>(curves.size());
+    for (std::size_t k = 0; k + 1 < chain.size(); ++k)
+      curve.is_tagged |= edges.is_only_tagged(chain[k], chain[k + 1]);
     curves.push_back(std::move(curve));
   }
   return curves;
@@ -206,16 +222,18 @@ KnifeEdges knife_edges(const Surface& surface, const CreaseAngles& angles, bool 
   return knives;
 }
 
-Guides guides_along(std::span<const CreaseCurve> curves, std::span<const CreaseCorner> corners,
-                    double weight) {
+Guides guides_along(std::span<const CreaseCurve> curves, std::span<const CreaseCorner> corners, double weight,
+                    double tagged_weight) {
   Guides guides;
-  if (weight <= 0) return guides;
   for (const CreaseCurve& curve : curves) {
+    const double counted = curve.is_tagged ? tagged_weight : weight;
+    if (counted <= 0) continue;
     for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) {
       guides.creases.push_back(
-          {{curve.points[k], curve.points[k + 1]}, {curve.tangents[k], curve.tangents[k + 1]}, weight});
+          {{curve.points[k], curve.points[k + 1]}, {curve.tangents[k], curve.tangents[k + 1]}, counted});
     }
   }
+  if (guides.creases.empty()) return guides;
   for (const CreaseCorner& corner : corners) guides.corners.push_back(corner.position);
   return guides;
 }

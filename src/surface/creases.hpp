@@ -40,8 +40,8 @@ struct KnifeEdges {
 };
 KnifeEdges knife_edges(const Surface& surface, const CreaseAngles& angles, bool inside_out = false);
 
-/// The curves as guides of this weight, which end at the corners.
-Guides guides_along(std::span<const CreaseCurve> curves, std::span<const CreaseCorner> corners,
-                    double weight);
+/// The curves as guides, which end at the corners: tagged ones of their own weight.
+Guides guides_along(std::span<const CreaseCurve> curves, std::span<const CreaseCorner> corners, double weight,
+                    double tagged_weight = 0);
 
 }  // namespace crossgrain

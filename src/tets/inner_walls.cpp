@@ -141,6 +141,7 @@ TriangleMesh model_surface(const TetSolid& solid, const std::vector<InnerWall>& 
     surface.triangles.insert(surface.triangles.end(), {wall.vertices, turned(wall.vertices)});
     for (const std::uint32_t tet : wall.tets) surface.solids.push_back(mesh.regions[tet]);
   }
+  surface.faces = tags_of_faces(mesh, surface.triangles);
   if (!mesh.feature_edges.empty()) surface.creases = creases_of(solid, walls);
   keep_used_vertices(surface);
   return surface;

@@ -28,8 +28,8 @@ bool has_several_regions(const TetMesh& mesh);
 
 /// The boundary with only the vertices that it, walls and tagged edges use, in the order of the solid's.
 /// Where there are several regions, they are its solids, and the faces between them are there twice; tagged
-/// faces within a region are its inner faces. Where edges are tagged, its creases are these and the sharp
-/// edges of all these faces; else it has none.
+/// faces within a region are its inner faces. Tags of triangles are its face numbers. Where edges are tagged,
+/// its creases are these and the sharp edges of all these faces; else it has none.
 TriangleMesh model_surface(const TetSolid& solid, const std::vector<InnerWall>& walls);
 
 }  // namespace crossgrain

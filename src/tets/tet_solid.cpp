@@ -255,24 +255,24 @@ void warn_of_unmerged_vertices(const TetSolid& solid, std::vector<std::string>& 
       " (counted from 0); the parts are solved apart: merge equal vertices to join them");
 }
 
-/// The tag of each boundary face, 0 for those without; empty where the file tags no face.
-std::vector<std::int32_t> tags_of_boundary(const TetSolid& solid) {
-  if (solid.mesh.feature_faces.empty()) return {};
+}  // namespace
+
+std::vector<std::int32_t> tags_of_faces(const TetMesh& mesh,
+                                        const std::vector<std::array<std::uint32_t, 3>>& faces) {
+  if (mesh.feature_faces.empty()) return {};
   std::map<std::array<std::uint32_t, 3>, std::int32_t> tags;
   const auto key = [](std::array<std::uint32_t, 3> vertices) {
     std::sort(vertices.begin(), vertices.end());
     return vertices;
   };
-  for (const TetMesh::Face& face : solid.mesh.feature_faces) tags.emplace(key(face.vertices), face.tag);
+  for (const TetMesh::Face& face : mesh.feature_faces) tags.emplace(key(face.vertices), face.tag);
   std::vector<std::int32_t> result;
-  for (const auto& face : solid.boundary) {
+  for (const auto& face : faces) {
     const auto found = tags.find(key(face));
     result.push_back(found == tags.end() ? 0 : found->second);
   }
   return result;
 }
-
-}  // namespace
 
 TetSolid prepare_tets(TetMesh mesh, std::vector<std::string>& warnings) {
   check_vertices(mesh.vertices);
@@ -330,7 +330,6 @@ TriangleMesh boundary_surface(const TetSolid& solid) {
   surface.triangles.reserve(solid.boundary.size());
   for (const auto& [a, b, c] : solid.boundary)
     surface.triangles.push_back({new_index[a], new_index[b], new_index[c]});
-  surface.faces = tags_of_boundary(solid);
   return surface;
 }
 

@@ -54,6 +54,11 @@ struct TetSolid {
 /// indices out of range, no tet with a volume, a face of three tets or more.
 TetSolid prepare_tets(TetMesh mesh, std::vector<std::string>& warnings);
 
+/// The tag of each of these faces (TetMesh::feature_faces), 0 for those without; empty where the mesh tags no
+/// face.
+std::vector<std::int32_t> tags_of_faces(const TetMesh& mesh,
+                                        const std::vector<std::array<std::uint32_t, 3>>& faces);
+
 /// The boundary as a surface of its own: only the vertices it uses, in the order of the solid's.
 TriangleMesh boundary_surface(const TetSolid& solid);
 

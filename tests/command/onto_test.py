@@ -398,8 +398,7 @@ class Faults(OntoTest):
         number = []
         for vertex in vertices + [1, 1, 0]:
             number.append(place.setdefault(tuple(np.round(vertex, 9)), len(place)))
-        self.accept(list(place), [*tets, *np.array(number)[tets]], ("3 with more than two triangles",),
-                    ("2 corners of more than three creases", "1 1 0"),
+        self.accept(list(place), [*tets, *np.array(number)[tets]], ("non-manifold edges: 3 of more than two triangles",),
                     ("touches itself", "edges", "3", f"{number[0]} and {number[16]}", "counted from 0"))
 
     def test_two_components_each_have_their_own_frame(self):

@@ -90,8 +90,8 @@ class PartOfAField(CommandTest):
     def test_a_box_in_the_hole_writes_all_cells_and_warns(self):
         whole = self.field("whole")
         result = self.solve("part", "--clip", "-0.01,-0.01,-0.01,0.01,0.01,0.01")
-        self.assertIn("warning", result.stderr)
-        self.assertIn("clip", result.stderr)
+        self.assertIn("warning", result.stdout)
+        self.assertIn("clip", result.stdout)
         self.assertEqual(Field(self.folder / "part" / "field.vtu").index, whole.index)
 
     def test_a_box_beside_the_model_is_refused_before_the_solve(self):

@@ -258,8 +258,9 @@ class OfCad(RegionsTest):
     def test_solids_that_are_not_glued_are_told_of(self):
         report = self.solve("stacked.brep", "--resolution", 24)
         self.assertEqual([r["region"] for r in report["regions"]], [0, 1])
-        self.assertEqual(len(report["warnings"]), 1, report["warnings"])
-        self.assertIn("solids touch by faces that are not the same triangles", report["warnings"][0])
+        self.assertEqual([f["kind"] for f in report["input"]["findings"]], ["touching components"])
+        self.assertEqual(len(report["warnings"]), 2, report["warnings"])
+        self.assertIn("solids touch by faces that are not the same triangles", report["warnings"][1])
 
 
 if __name__ == "__main__":
