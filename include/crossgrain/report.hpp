@@ -125,7 +125,8 @@ struct SolveReport {
     std::size_t corners = 0;          ///< where curves meet, or where one bends
     std::size_t crowded_corners = 0;  ///< of more than three curves
     std::size_t knife_edges = 0;      ///< with less than 45 degrees of solid between their faces
-    AngleSummary tangent_deg;         ///< from the tangent to the nearest axis, along all curves, by length
+    std::vector<Vector3> crowded_corner_places, knife_edge_places;  ///< of the first hundred of each
+    AngleSummary tangent_deg;  ///< from the tangent to the nearest axis, along all curves, by length
   } creases;
 
   /// What SolveOptions::constraints asked for and how well the interpolated frames meet it.

@@ -82,9 +82,12 @@ SolveReport::Creases crease_report(const CreaseNetwork& creases, const Sampler& 
   SolveReport::Creases report;
   report.curves = creases.curves.size();
   report.corners = creases.corners.size();
-  report.crowded_corners =
-      static_cast<std::size_t>(std::count_if(creases.corners.begin(), creases.corners.end(), is_crowded));
+  for (const CreaseCorner& corner : creases.corners) {
+    if (is_crowded(corner) && report.crowded_corners++ < KnifeEdges::kMostPlaces)
+      report.crowded_corner_places.push_back(corner.position);
+  }
   report.knife_edges = creases.knives.count;
+  report.knife_edge_places = creases.knives.places;
   std::vector<Place> places;
   for (const CreaseCurve& curve : creases.curves) {
     report.length += length_of(curve);
@@ -112,7 +115,7 @@ std::vector<std::string> crease_warnings(const CreaseNetwork& creases) {
                     count, x, y, z));
   }
   if (creases.knives.count > 0) {
-    const auto& [x, y, z] = creases.knives.first_place;
+    const auto& [x, y, z] = creases.knives.places[0];
     warnings.push_back(
         fmt::format("{} edges with less than 45 degrees of solid between their faces, the first at {:.6g} "
                     "{:.6g} {:.6g}: no frame follows both",

@@ -149,6 +149,8 @@ void describe_creases(File& file, Report& report) {
     creases.member("corners", report.creases.corners);
     creases.member("crowded_corners", report.creases.crowded_corners);
     creases.member("knife_edges", report.creases.knife_edges);
+    creases.member("crowded_corner_places", report.creases.crowded_corner_places);
+    creases.member("knife_edge_places", report.creases.knife_edge_places);
     describe_angles(creases, "tangent_deg", report.creases.tangent_deg);
   });
 }

@@ -217,7 +217,8 @@ KnifeEdges knife_edges(const Surface& surface, const CreaseAngles& angles, bool 
     for (const std::uint32_t v : surface.mesh.triangles[uses[1].triangle])
       ahead += dot(vertices[v] - on_edge, surface.normals[uses[0].triangle]);
     if ((ahead > 0) != inside_out) return;
-    if (knives.count++ == 0) knives.first_place = 0.5 * (on_edge + vertices[uses[0].high()]);
+    if (knives.count++ < KnifeEdges::kMostPlaces)
+      knives.places.push_back(0.5 * (on_edge + vertices[uses[0].high()]));
   });
   return knives;
 }

@@ -35,8 +35,9 @@ std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves, const 
 /// Edges of two triangles at which there is less than CreaseAngles::knife_deg of solid between them. Normals
 /// point out of the solid, or into it where the surface is `inside_out`.
 struct KnifeEdges {
+  static constexpr std::size_t kMostPlaces = 100;
   std::size_t count = 0;
-  Vector3 first_place{};  ///< middle of the first
+  std::vector<Vector3> places;  ///< middles of the first kMostPlaces
 };
 KnifeEdges knife_edges(const Surface& surface, const CreaseAngles& angles, bool inside_out = false);
 

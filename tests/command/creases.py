@@ -20,7 +20,8 @@ class Creases:
         sharp = [edge for edge, of_edge in uses.items() if any(
             -s * r * surface.normals[t] @ surface.normals[u] < SHARP_COSINE
             for k, (t, s) in enumerate(of_edge) for u, r in of_edge[:k])]
-        self.knives = sum(self.is_knife(surface, points, edge, uses[edge]) for edge in sharp)
+        self.knives = sorted(tuple(0.5 * (points[a] + points[b])) for a, b in sharp
+                             if self.is_knife(surface, points, (a, b), uses[a, b]))
         around = defaultdict(list)
         for a, b in sharp:
             around[a].append(b)

@@ -7,6 +7,7 @@ import resource
 import time
 import unittest
 
+import numpy as np
 from program import CommandTest, box_triangles, cylinder_triangles, stl_bytes, tilt, torus_triangles
 from recompute_report import disagreements
 
@@ -50,6 +51,17 @@ class Report(CommandTest):
 
     def test_every_number_of_a_thin_wall_is_recomputed(self):
         self.assert_recomputable(box_triangles((2, 1.5, 0.12)) @ tilt(), "--resolution", "10")
+
+    def test_every_number_of_a_flat_pyramid_is_recomputed(self):
+        rim = 2 * np.pi * np.arange(5) / 5
+        base = np.column_stack([np.cos(rim), np.sin(rim), np.zeros(5)])
+        apex, foot = np.array([0.1, 0, 0.7]), np.zeros(3)
+        sides = zip(base, np.roll(base, -1, axis=0))
+        triangles = np.array([t for a, b in sides for t in ((a, b, apex), (b, a, foot))]) @ tilt()
+        self.assert_recomputable(triangles, "--resolution", "9")
+        creases = json.loads((self.folder / "out" / "report.json").read_text())["creases"]
+        self.assertEqual((creases["crowded_corners"], creases["knife_edges"]), (1, 5))
+        np.testing.assert_allclose(creases["crowded_corner_places"], [apex @ tilt()], atol=1e-6)
 
     def test_a_number_that_is_off_by_a_little_is_found(self):
         report, _ = self.solve(torus_triangles(), "--resolution", "8")

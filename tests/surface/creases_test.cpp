@@ -127,7 +127,7 @@ TEST(KnifeEdges, AreCountedInTheSolidOnly) {
   EXPECT_EQ(knife_edges(wedge(30), kAngles).count, 1u);
   EXPECT_EQ(knife_edges(wedge(50), kAngles).count, 0u);
   const KnifeEdges knives = knife_edges(wedge(20), kAngles);
-  EXPECT_NEAR(norm(knives.first_place), 0, 1e-12);
+  EXPECT_NEAR(norm(knives.places.at(0)), 0, 1e-12);
   // A slit of 20 degrees cut into a block leaves 340 degrees of solid.
   const double half = 10 * std::numbers::pi / 180;
   const Surface slit = prepare_surface(extrude(
