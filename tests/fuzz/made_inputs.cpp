@@ -94,6 +94,16 @@ std::vector<std::string> made_cad() {
       "\nOpen CASCADE Topology V3 (c)\nLocations 0\n"};
 }
 
+std::vector<std::string> made_constraints() {
+  return {R"({"schema": 1,
+ "points": [{"at": [30, 10, 10], "frame": [[1, 1, 0], [1, -1, 0], [0, 0, 1]]},
+            {"at": [[5, 5, 5], [20, 20, 5]], "axis": [1, 2, 3], "weight": [1, 2]}],
+ "polylines": [{"points": [[2, 2, 2], [60, 40, 20], [80, 40, 20]], "axis": "tangent", "weight": 3}]})",
+          R"({"schema": 1, "faces": [{"face": [3, 7], "axis": [0, 0, 1]}, {"face": 2, "axis": "normal"}],
+ "stresses": [{"at": [[40, 20, 10], [10, 10, 10]], "stress": [[1, 0, 0, 0, 0, 0.5], [4, 2, 2, 0, 0, 0]]},
+              {"at": [1, 2, 3], "stress": [1, 2, 3, 4, 5, 6], "weight": 1e-3}]})"};
+}
+
 }  // namespace
 
 std::vector<std::string> made_inputs(std::string_view reader) {
@@ -112,6 +122,7 @@ std::vector<std::string> made_inputs(std::string_view reader) {
   if (reader == "report") return {report_json(sample_report()).dump(1)};
   if (reader == "points") return {"0 0 0\n1.5 -2e3 .25 # a point\n\n# none\n3 4 5"};
   if (reader == "normals") return {"0 0 1\n1 0 0 2.5\n# none\n0.3 -4 1e-3 7\n"};
+  if (reader == "constraints") return made_constraints();
   if (reader == "cad") return made_cad();
   throw std::logic_error("no inputs for " + std::string(reader));
 }

@@ -23,6 +23,7 @@ constexpr std::array kReaders = {
     ReaderUnderTest{"report", check_report},
     ReaderUnderTest{"points", check_points},
     ReaderUnderTest{"normals", check_normals},
+    ReaderUnderTest{"constraints", check_constraints},
     ReaderUnderTest{"cad", check_cad},
 };
 

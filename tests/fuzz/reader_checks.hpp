@@ -25,7 +25,7 @@ using ReaderCheck = bool(std::string_view bytes);
 
 ReaderCheck check_stl, check_obj, check_ply, check_off;
 ReaderCheck check_medit, check_medit_binary, check_gmsh, check_vtk, check_vtu;
-ReaderCheck check_points, check_normals;
+ReaderCheck check_points, check_normals, check_constraints;
 
 /// field.vtu as it stands, and by its arrays: the number of bytes of each (two of them, little endian) and
 /// these, in the order of kFieldArrays (field_checks.cpp), which the check packs as the file has them. No

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "crossgrain/constraints.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/spectrum.hpp"
 #include "fuzz/input_folder.hpp"
@@ -29,6 +30,15 @@ bool check_normals(std::string_view bytes) {
   }
   for (const Degree degree : {Degree::kThree, Degree::kFour})
     succeeds([&] { spectrum_json(spectrum_of_normals(normals, degree)); });
+  return true;
+}
+
+bool check_constraints(std::string_view bytes) {
+  const auto path = as_file("input.json", bytes);
+  Constraints constraints;
+  if (!succeeds([&] { constraints = read_constraints(path); })) return false;
+  require(!constraints.empty(), "no constraints and no error");
+  require(succeeds([&] { check_constraints(constraints); }), "constraints that a solve refuses");
   return true;
 }
 
