@@ -71,6 +71,10 @@ struct TetMesh {
   struct Edge {
     std::array<std::uint32_t, 2> vertices;
     std::int32_t tag = 0;
+
+    /// Someone asked for it. Otherwise it may be any curve of the model that was meshed, a seam too: on a
+    /// face it counts only where the face is sharp, as if it were not there, and inside the solid in full.
+    bool is_stated = true;
   };
   struct Face {
     std::array<std::uint32_t, 3> vertices;

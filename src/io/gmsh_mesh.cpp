@@ -107,7 +107,7 @@ const CellType& GmshMesh::element_type(NumberStream& in) const {
 }
 
 void GmshMesh::read_element_nodes(NumberStream& in, NumberType type, const CellType& element,
-                                  std::int64_t tag) {
+                                  const Tag& tag) {
   const Place place = in.place("element", elements_++);
   const std::size_t corners = corners_of(element.shape);
   std::array<std::int64_t, 4> nodes;
@@ -121,7 +121,7 @@ void GmshMesh::read_element_nodes(NumberStream& in, NumberType type, const CellT
     nodes[k] = *node;
   }
   if (element.nodes > corners) in.skip(type, element.nodes - corners);
-  builder_.add_cell(element, std::span(nodes).first(corners), tag, place);
+  builder_.add_cell(element, std::span(nodes).first(corners), tag.number, place, tag.is_physical);
 }
 
 void GmshMesh::read_elements_4(NumberStream& in) {
@@ -135,7 +135,7 @@ void GmshMesh::read_elements_4(NumberStream& in) {
     const std::uint64_t rows = count(in, size_type_, 1 + std::uint64_t{type.nodes}, size_type_,
                                      "the number of elements of an entity");
     const auto found = physical_tags_.find({dimension, entity});
-    const std::int64_t tag = found == physical_tags_.end() ? entity : found->second;
+    const Tag tag = found == physical_tags_.end() ? Tag{entity, false} : Tag{found->second, true};
     if (type.shape == CellShape::kTet) builder_.reserve_tets(rows);
     for (std::uint64_t i = 0; i < rows; ++i) {
       in.skip(size_type_, 1);  // the element's number
@@ -147,12 +147,12 @@ void GmshMesh::read_elements_4(NumberStream& in) {
         fmt::format("{} elements are announced and {} are here; save the mesh again", elements, elements_));
 }
 
-/// The physical group where there is one, otherwise the entity; partitions and what else there is come after.
-std::int64_t GmshMesh::read_tags_2(NumberStream& in, std::uint64_t tags) const {
+/// Physical group, entity; partitions and what else there is come after.
+GmshMesh::Tag GmshMesh::read_tags_2(NumberStream& in, std::uint64_t tags) const {
   std::array<std::int64_t, 2> first{};
   for (std::uint64_t i = 0; i < tags && i < first.size(); ++i) first[i] = in.integer(kInt, "a tag");
   if (tags > first.size()) in.skip(kInt, tags - first.size());
-  return first[0] != 0 ? group_of(first[0]) : first[1];
+  return first[0] != 0 ? Tag{group_of(first[0]), true} : Tag{first[1], false};
 }
 
 void GmshMesh::read_elements_2(NumberStream& in, std::int64_t count) {
@@ -169,7 +169,7 @@ void GmshMesh::read_elements_2_text(NumberStream& in, std::uint64_t elements) {
     in.skip(kInt, 1);  // the element's number
     const CellType& type = element_type(in);
     const std::uint64_t tags = count(in, kInt, 1, kInt, "the number of tags");
-    const std::int64_t tag = read_tags_2(in, tags);
+    const Tag tag = read_tags_2(in, tags);
     read_element_nodes(in, kInt, type, tag);
   }
 }
@@ -186,7 +186,7 @@ void GmshMesh::read_elements_2_binary(NumberStream& in, std::uint64_t elements) 
     if (type.shape == CellShape::kTet) builder_.reserve_tets(rows);
     for (std::uint64_t i = 0; i < rows; ++i) {
       in.skip(kInt, 1);  // the element's number
-      const std::int64_t tag = read_tags_2(in, tags);
+      const Tag tag = read_tags_2(in, tags);
       read_element_nodes(in, kInt, type, tag);
     }
   }

@@ -44,10 +44,16 @@ class GmshMesh {
   void read_node(NumberStream& in);
   void finish_nodes(NumberStream& in);
   const CellType& element_type(NumberStream& in) const;
-  void read_element_nodes(NumberStream& in, NumberType type, const CellType& element, std::int64_t tag);
+
+  /// The number of a physical group, which somebody made; without one, that of the model's entity.
+  struct Tag {
+    std::int64_t number;
+    bool is_physical;
+  };
+  void read_element_nodes(NumberStream& in, NumberType type, const CellType& element, const Tag& tag);
   void read_elements_2_text(NumberStream& in, std::uint64_t elements);
   void read_elements_2_binary(NumberStream& in, std::uint64_t elements);
-  std::int64_t read_tags_2(NumberStream& in, std::uint64_t tags) const;
+  Tag read_tags_2(NumberStream& in, std::uint64_t tags) const;
 
   const InputFile* file_;
   NumberType size_type_;

@@ -120,7 +120,7 @@ void MeditMesh::read_cells(NumberStream& rows, const MeditSection& section, std:
       nodes[k] = from_zero(rows.integer(numbers_.integer, "the number of a vertex"));
     const Place place = rows.place(unit, i);
     const std::int64_t tag = rows.integer(numbers_.integer, "the reference number of a cell");
-    builder_.add_cell(type, std::span(nodes).first(type.nodes), tag, place);
+    builder_.add_cell(type, std::span(nodes).first(type.nodes), tag, place, /*is_stated=*/false);
   }
 }
 
@@ -135,6 +135,7 @@ void MeditMesh::keep_ridges(TetMesh& mesh) const {
                              "or export it again",
                              number, mesh.feature_edges.size()));
     kept.push_back(mesh.feature_edges[static_cast<std::size_t>(number - 1)]);
+    kept.back().is_stated = true;
   }
   mesh.feature_edges = std::move(kept);
 }

@@ -50,7 +50,8 @@ class MeditMesh {
 
   bool has_vertices() const { return has_vertices_; }
 
-  /// Feature edges are those that a section Ridges names, or all Edges where there is none.
+  /// Feature edges are those that a section Ridges names. Where there is none, all Edges are, without being
+  /// stated: Gmsh writes every curve of its model, seams too.
   TetMesh finish(const Place& end);
 
  private:

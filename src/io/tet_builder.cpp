@@ -70,7 +70,7 @@ std::int32_t TetBuilder::checked_tag(std::int64_t tag, const Place& place) const
 }
 
 void TetBuilder::add_cell(const CellType& type, std::span<const std::int64_t> nodes,
-                          std::optional<std::int64_t> tag, const Place& place) {
+                          std::optional<std::int64_t> tag, const Place& place, bool is_stated) {
   const auto index = [&](std::size_t corner) { return checked_index(nodes[corner], type.shape, place); };
   switch (type.shape) {
     case CellShape::kPassedOver:
@@ -78,7 +78,7 @@ void TetBuilder::add_cell(const CellType& type, std::span<const std::int64_t> no
     case CellShape::kOtherSolid:
       return count_other_solids(type, 1, place);
     case CellShape::kEdge:
-      mesh_.feature_edges.push_back({{index(0), index(1)}, checked_tag(tag.value_or(0), place)});
+      mesh_.feature_edges.push_back({{index(0), index(1)}, checked_tag(tag.value_or(0), place), is_stated});
       return;
     case CellShape::kTriangle:
       mesh_.feature_faces.push_back({{index(0), index(1), index(2)}, checked_tag(tag.value_or(0), place)});

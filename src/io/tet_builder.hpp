@@ -62,9 +62,9 @@ class TetBuilder {
   /// A tet, or a feature of fewer dimensions; solids of other shapes are counted for `finish` to refuse, with
   /// or without their nodes. `nodes`: at least the corners, numbered from 0 whatever the format does. `tag`:
   /// where there are any, all cells have one. Throws Error(kInput) naming `place` where a corner is out of
-  /// range or the tag has more than 32 bits.
+  /// range or the tag has more than 32 bits. `is_stated`: of an edge, as TetMesh::Edge has it.
   void add_cell(const CellType& type, std::span<const std::int64_t> nodes, std::optional<std::int64_t> tag,
-                const Place& place);
+                const Place& place, bool is_stated = true);
 
   /// Solids of another shape, without looking at their nodes.
   void count_other_solids(const CellType& type, std::uint64_t count, const Place& place);

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/ascending.hpp"
 #include "base/disjoint_sets.hpp"
 #include "surface/edge_uses.hpp"
 #include "surface/surface.hpp"
@@ -14,11 +15,6 @@ namespace crossgrain {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
-
-Corners sorted_corners(Corners corners) {
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
 
 /// Whether the corners run like their sorted order, up to a cyclic shift.
 bool is_even(const Corners& c) {
@@ -43,7 +39,7 @@ struct Stack {
 std::vector<Stack> stacks_of(const TriangleMesh& mesh, const std::vector<TriangleRole>& roles) {
   std::vector<std::pair<Corners, std::uint32_t>> keys;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    if (roles[t] == TriangleRole::kSurface) keys.emplace_back(sorted_corners(mesh.triangles[t]), t);
+    if (roles[t] == TriangleRole::kSurface) keys.emplace_back(ascending(mesh.triangles[t]), t);
   std::sort(keys.begin(), keys.end());
   std::vector<Stack> stacks;
   for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/ascending.hpp"
 #include "base/vector3.hpp"
 #include "surface/surface.hpp"
 #include "tets/boundary_edges.hpp"
@@ -163,8 +164,7 @@ std::vector<VertexPair> edges_between_regions(const std::vector<InnerWall>& wall
   std::vector<VertexPair> edges;
   for (const InnerWall& wall : walls) {
     for (std::size_t k = 0; k < 3 && wall.separates_regions; ++k) {
-      const auto [low, high] = std::minmax(wall.vertices[k], wall.vertices[(k + 1) % 3]);
-      edges.push_back({low, high});
+      edges.push_back(ascending(VertexPair{wall.vertices[k], wall.vertices[(k + 1) % 3]}));
     }
   }
   std::sort(edges.begin(), edges.end());
@@ -179,10 +179,9 @@ InnerFeatures features_of(const TetSolid& solid, const std::vector<InnerWall>& w
     if (!unite || !wall.separates_regions) features.faces.push_back(wall.vertices);
   }
   const std::vector<VertexPair> left_out = unite ? edges_between_regions(walls) : std::vector<VertexPair>{};
-  for (const TetMesh::Edge& edge : solid.mesh.feature_edges) {
-    const auto [low, high] = std::minmax(edge.vertices[0], edge.vertices[1]);
-    if (!std::binary_search(left_out.begin(), left_out.end(), VertexPair{low, high}))
-      features.edges.push_back(edge.vertices);
+  for (const VertexPair& edge : followed_edges(solid, walls)) {
+    if (!std::binary_search(left_out.begin(), left_out.end(), ascending(edge)))
+      features.edges.push_back(edge);
   }
   return features;
 }

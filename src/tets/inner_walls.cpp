@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/ascending.hpp"
 #include "base/vector3.hpp"
 #include "surface/creases.hpp"
 #include "surface/surface.hpp"
@@ -11,12 +12,8 @@
 namespace crossgrain {
 namespace {
 
+using Edge = std::array<std::uint32_t, 2>;
 using Face = std::array<std::uint32_t, 3>;
-
-Face ascending(Face face) {
-  std::sort(face.begin(), face.end());
-  return face;
-}
 
 Face turned(const Face& face) {
   return {face[0], face[2], face[1]};
@@ -71,13 +68,24 @@ class BoundaryRegions {
   std::vector<std::int32_t> at_vertex_;
 };
 
+/// The edges of boundary and walls, ascending.
+std::vector<Edge> edges_of_faces(const TetSolid& solid, const std::vector<InnerWall>& walls) {
+  std::vector<Edge> edges;
+  const auto add = [&edges](const Face& face) {
+    for (std::size_t k = 0; k < 3; ++k) edges.push_back(ascending(Edge{face[k], face[(k + 1) % 3]}));
+  };
+  for (const Face& face : solid.boundary) add(face);
+  for (const InnerWall& wall : walls) add(wall.vertices);
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
 /// Over all vertices of the solid.
-std::vector<CreaseCurve> creases_of(const TetSolid& solid, const std::vector<InnerWall>& walls) {
+std::vector<CreaseCurve> creases_of(const TetSolid& solid, const std::vector<InnerWall>& walls,
+                                    const std::vector<Edge>& followed) {
   TriangleMesh faces{solid.mesh.vertices, solid.boundary};
   for (const InnerWall& wall : walls) faces.triangles.push_back(wall.vertices);
-  std::vector<std::array<std::uint32_t, 2>> tagged;
-  for (const TetMesh::Edge& edge : solid.mesh.feature_edges) tagged.push_back(edge.vertices);
-  return sharp_curves(prepare_surface(std::move(faces)), CreaseAngles{}, tagged);
+  return sharp_curves(prepare_surface(std::move(faces)), CreaseAngles{}, followed);
 }
 
 /// Drops the vertices that no triangle and no inner face uses.
@@ -126,6 +134,18 @@ std::vector<InnerWall> find_inner_walls(const TetSolid& solid, std::vector<std::
   return walls;
 }
 
+std::vector<Edge> followed_edges(const TetSolid& solid, const std::vector<InnerWall>& walls) {
+  const std::vector<TetMesh::Edge>& edges = solid.mesh.feature_edges;
+  const bool all_stated = std::all_of(edges.begin(), edges.end(), [](const auto& e) { return e.is_stated; });
+  const std::vector<Edge> of_faces = all_stated ? std::vector<Edge>{} : edges_of_faces(solid, walls);
+  std::vector<Edge> followed;
+  for (const TetMesh::Edge& edge : edges) {
+    if (edge.is_stated || !std::binary_search(of_faces.begin(), of_faces.end(), ascending(edge.vertices)))
+      followed.push_back(edge.vertices);
+  }
+  return followed;
+}
+
 TriangleMesh model_surface(const TetSolid& solid, const std::vector<InnerWall>& walls) {
   const TetMesh& mesh = solid.mesh;
   TriangleMesh surface{mesh.vertices, solid.boundary};
@@ -142,7 +162,8 @@ TriangleMesh model_surface(const TetSolid& solid, const std::vector<InnerWall>& 
     for (const std::uint32_t tet : wall.tets) surface.solids.push_back(mesh.regions[tet]);
   }
   surface.faces = tags_of_faces(mesh, surface.triangles);
-  if (!mesh.feature_edges.empty()) surface.creases = creases_of(solid, walls);
+  const std::vector<Edge> followed = followed_edges(solid, walls);
+  if (!followed.empty()) surface.creases = creases_of(solid, walls, followed);
   keep_used_vertices(surface);
   return surface;
 }

@@ -26,10 +26,15 @@ std::vector<InnerWall> find_inner_walls(const TetSolid& solid, std::vector<std::
 /// Whether tets are of more than one region.
 bool has_several_regions(const TetMesh& mesh);
 
+/// The mesh's edges that frames are to run along, in its order: those that are stated (TetMesh::Edge), and
+/// those inside the solid that are of no wall. Others are sharp edges of faces, or nothing.
+std::vector<std::array<std::uint32_t, 2>> followed_edges(const TetSolid& solid,
+                                                         const std::vector<InnerWall>& walls);
+
 /// The boundary with only the vertices that it, walls and tagged edges use, in the order of the solid's.
 /// Where there are several regions, they are its solids, and the faces between them are there twice; tagged
-/// faces within a region are its inner faces. Tags of triangles are its face numbers. Where edges are tagged,
-/// its creases are these and the sharp edges of all these faces; else it has none.
+/// faces within a region are its inner faces. Tags of triangles are its face numbers. Where there are edges
+/// to be followed, its creases are these and the sharp edges of all these faces; else it has none.
 TriangleMesh model_surface(const TetSolid& solid, const std::vector<InnerWall>& walls);
 
 }  // namespace crossgrain

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "base/ascending.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
@@ -238,9 +239,7 @@ void warn_of_unmerged_vertices(const TetSolid& solid, std::vector<std::string>& 
   std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t>> faces;
   for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
     const auto& [a, b, c] = surface.triangles[f];
-    std::array corners{first[a], first[b], first[c]};
-    std::sort(corners.begin(), corners.end());
-    faces.emplace_back(corners, f);
+    faces.emplace_back(ascending(std::array{first[a], first[b], first[c]}), f);
   }
   std::sort(faces.begin(), faces.end());
   std::size_t count = 0, example = 0;

@@ -91,7 +91,7 @@ struct GmshRow {
 /// A point, then the edges, faces and tets, each in their order.
 inline std::vector<GmshRow> gmsh_rows(const TetMesh& mesh) {
   std::vector<GmshRow> rows{{0, 15, 6, {0}}};
-  for (const auto& [nodes, tag] : mesh.feature_edges)
+  for (const auto& [nodes, tag, is_stated] : mesh.feature_edges)
     rows.push_back({1, 1, tag, {nodes.begin(), nodes.end()}});
   for (const auto& [nodes, tag] : mesh.feature_faces)
     rows.push_back({2, 2, tag, {nodes.begin(), nodes.end()}});

@@ -20,12 +20,15 @@ std::string elements_2(const std::vector<std::string>& rows) {
 }
 
 TEST(GmshReader, TakesThePhysicalTagAndElseTheEntity) {
-  const TetMesh mesh = read_made(
-      text(kFormat2 + kNodes2 +
-           elements_2({"1 4 2 7 1 1 2 3 4", "2 4 2 0 5 1 2 3 9", "3 4 0 1 2 4 9", "4 1 2 -3 1 1 2"})));
+  const TetMesh mesh = read_made(text(kFormat2 + kNodes2 +
+                                      elements_2({"1 4 2 7 1 1 2 3 4", "2 4 2 0 5 1 2 3 9", "3 4 0 1 2 4 9",
+                                                  "4 1 2 -3 1 1 2", "5 1 2 0 8 1 3"})));
   EXPECT_EQ(mesh.regions, (std::vector<std::int32_t>{7, 5, 0}));
   EXPECT_EQ(mesh.tets[1], (std::array<std::uint32_t, 4>{0, 1, 2, 4}));
   EXPECT_EQ(mesh.feature_edges[0].tag, 3);
+  EXPECT_TRUE(mesh.feature_edges[0].is_stated);
+  EXPECT_EQ(mesh.feature_edges[1].tag, 8);
+  EXPECT_FALSE(mesh.feature_edges[1].is_stated);
 }
 
 TEST(GmshReader, TakesTheCornersOfCurvedTetsAndWarns) {

@@ -94,7 +94,7 @@ inline MadeFile medit_binary(const TetMesh& mesh, int version, bool swapped) {
   MeditBinaryWriter out(version, swapped);
   // Cells before vertices, which the format allows.
   std::vector<std::int64_t> edges, faces, tets;
-  for (const auto& [vertices, tag] : mesh.feature_edges) {
+  for (const auto& [vertices, tag, is_stated] : mesh.feature_edges) {
     for (const std::uint32_t v : vertices) edges.push_back(v + 1);
     edges.push_back(tag);
   }

@@ -92,6 +92,7 @@ TEST(MeditReader, TakesReferenceNumbersForTags) {
   ASSERT_EQ(mesh.feature_edges.size(), 1u);
   EXPECT_EQ(mesh.feature_edges[0].vertices, (std::array<std::uint32_t, 2>{2, 3}));
   EXPECT_EQ(mesh.feature_edges[0].tag, -6);
+  EXPECT_FALSE(mesh.feature_edges[0].is_stated);
   ASSERT_EQ(mesh.feature_faces.size(), 1u);
   EXPECT_EQ(mesh.feature_faces[0].vertices, (std::array<std::uint32_t, 3>{0, 1, 2}));
   EXPECT_EQ(mesh.feature_faces[0].tag, 5);
@@ -102,6 +103,7 @@ TEST(MeditReader, TakesOnlyEdgesThatAreRidges) {
   const TetMesh mesh = read_text("Ridges 2 3 1\n" + edges);
   ASSERT_EQ(mesh.feature_edges.size(), 2u);
   EXPECT_EQ(mesh.feature_edges[0].tag, 7);
+  EXPECT_TRUE(mesh.feature_edges[0].is_stated);
   EXPECT_EQ(mesh.feature_edges[1].tag, 5);
   EXPECT_EQ(read_text(edges + "Ridges 0\n").feature_edges.size(), 3u);
   for (const char* number : {"0", "4"})

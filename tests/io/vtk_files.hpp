@@ -14,7 +14,7 @@ struct VtkGrid {
   explicit VtkGrid(const TetMesh& mesh) {
     for (const Vector3& vertex : mesh.vertices) points.insert(points.end(), vertex.begin(), vertex.end());
     add(1, 3, std::array<std::uint32_t, 1>{0});
-    for (const auto& [nodes, tag] : mesh.feature_edges) add(3, tag, nodes);
+    for (const auto& [nodes, tag, is_stated] : mesh.feature_edges) add(3, tag, nodes);
     for (const auto& [nodes, tag] : mesh.feature_faces) add(5, tag, nodes);
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) add(10, mesh.regions[t], mesh.tets[t]);
   }

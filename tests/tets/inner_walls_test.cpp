@@ -58,6 +58,22 @@ TEST(InnerWalls, AreNoneOfAPlainMesh) {
   EXPECT_TRUE(find_inner_walls(solid_of(one_region), warnings).empty());
 }
 
+TEST(FollowedEdges, AreStatedOnesAndThoseOfNoFace) {
+  TetMesh mesh = two_regions();
+  const std::uint32_t middle = kBox.at(1, 1, 1);
+  const std::array inside{middle, kBox.at(2, 1, 1)}, on_boundary{kBox.at(0, 1, 1), kBox.at(0, 2, 1)},
+      on_wall{middle, kBox.at(1, 1, 0)};
+  for (const auto& vertices : {inside, on_boundary, on_wall}) {
+    mesh.feature_edges.push_back({vertices, 3, /*is_stated=*/false});
+    mesh.feature_edges.push_back({{vertices[1], vertices[0]}, 4, /*is_stated=*/false});
+  }
+  mesh.feature_edges.push_back({on_boundary, 5});
+  const TetSolid solid = solid_of(mesh);
+  std::vector<std::string> warnings;
+  const auto followed = followed_edges(solid, find_inner_walls(solid, warnings));
+  EXPECT_EQ(followed, (std::vector{inside, {inside[1], inside[0]}, on_boundary}));
+}
+
 TEST(ModelSurface, OfAPlainMeshIsItsBoundary) {
   const TetSolid solid = solid_of(kBox.mesh());
   const TriangleMesh surface = model_surface(solid, {}), boundary = boundary_surface(solid);
