@@ -62,9 +62,8 @@ CubeRotation nearest_cube_rotation(const Quaternion& q) {
   return reduced(nearest);
 }
 
-CubeRotation matching(const StoredQuaternion& from, const StoredQuaternion& to) {
-  return nearest_cube_rotation(conjugate(Quaternion{to.w, to.x, to.y, to.z}) *
-                               Quaternion{from.w, from.x, from.y, from.z});
+CubeRotation matching(const Quaternion& from, const Quaternion& to) {
+  return nearest_cube_rotation(conjugate(to) * from);
 }
 
 }  // namespace crossgrain

@@ -41,7 +41,10 @@ CubeRotation nearest_cube_rotation(const Quaternion& q);
 /// as R_to g e_k. Going from cell 0 over cell 1 to cell 2, matchings compose as matching(1, 2) * matching(0,
 /// 1). Renaming the axes, R_from -> R_from a and R_to -> R_to b, makes it inverse(b) g a: around a closed way
 /// the product only changes to a conjugate, so whether it is the identity does not depend on names.
-CubeRotation matching(const StoredQuaternion& from, const StoredQuaternion& to);
+CubeRotation matching(const Quaternion& from, const Quaternion& to);
+inline CubeRotation matching(const StoredQuaternion& from, const StoredQuaternion& to) {
+  return matching(Quaternion{from.w, from.x, from.y, from.z}, Quaternion{to.w, to.x, to.y, to.z});
+}
 
 /// Whether the matching of two frames is certain to be the identity, as it is between most neighbours: no
 /// other names bring frames nearer that turn by less than 45 degrees as they are named. Answers no a little

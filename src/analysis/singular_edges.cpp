@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analysis/singular_edges.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -51,7 +52,8 @@ class SingularEdgeFinder {
         if (are_all_surely_alike(ring)) continue;
         const CubeRotation turn =
             turn_around(ring, {face_u, face_v, opposite_face(face_u), opposite_face(face_v)});
-        if (!turn.is_identity()) found.push_back(edge_of(i, axis, face_u, face_v, turn));
+        if (!turn.is_identity())
+          found.push_back(edge_of(i, axis, face_u, face_v, turn_along_axis(ring, face_u, face_v, turn)));
       }
     }
   }
@@ -95,13 +97,23 @@ class SingularEdgeFinder {
     return from < to ? matching(frames_[from], frames_[to]) : inverse(matching(frames_[to], frames_[from]));
   }
 
-  GridEdge edge_of(CellIndex i, int axis, int face_u, int face_v, const CubeRotation& turn) const {
+  /// What a way around turns frames by that goes by the right-hand rule about the edge's axis.
+  FrameTurn turn_along_axis(const std::array<CellIndex, 4>& ring, int face_u, int face_v,
+                            const CubeRotation& product) const {
+    std::array<Quaternion, 4> way;
+    for (std::size_t step = 0; step < 4; ++step) way[step] = from_stored(frames_[ring[step]]);
+    if (face_sign(face_u) == face_sign(face_v)) return frame_turn(product, way);
+    std::swap(way[1], way[3]);
+    return frame_turn(inverse(product), way);
+  }
+
+  GridEdge edge_of(CellIndex i, int axis, int face_u, int face_v, const FrameTurn& turn) const {
     const std::int32_t width = tree_[i].width();
     GridPoint start = tree_[i].corner();
     for (const int face : {face_u, face_v}) {
       if (face_sign(face) > 0) start[face_axis(face)] += width;
     }
-    return {start, axis, width, turn.is_odd()};
+    return {start, axis, width, turn};
   }
 
   const Octree& tree_;
@@ -124,6 +136,31 @@ std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQ
   std::vector<GridEdge> edges;
   for (const auto& run : runs) edges.insert(edges.end(), run.begin(), run.end());
   return edges;
+}
+
+SingularEdges by_end_points(const std::vector<GridEdge>& edges, const RootCube& root) {
+  std::vector<GridPoint> points;
+  for (const GridEdge& edge : edges) points.insert(points.end(), {edge.start, edge.end()});
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  const auto index_of = [&](const GridPoint& point) {
+    return static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), point) - points.begin());
+  };
+  SingularEdges singular;
+  for (const GridPoint& point : points) singular.points.push_back({root.position(point), 0, false, -1});
+  std::vector<std::uint32_t> degrees(points.size(), 0), odd(points.size(), 0);
+  for (const GridEdge& edge : edges) {
+    const std::array ends{index_of(edge.start), index_of(edge.end())};
+    for (const std::uint32_t end : ends) {
+      ++degrees[end];
+      odd[end] ^= edge.turn.is_odd();
+      double& size = singular.points[end].cell_size;
+      size = std::max(size, edge.length * root.unit());
+    }
+    singular.edges.push_back({ends, edge.turn});
+  }
+  for (std::size_t k = 0; k < points.size(); ++k) singular.points[k].on_boundary = degrees[k] == 1 || odd[k];
+  return singular;
 }
 
 }  // namespace crossgrain

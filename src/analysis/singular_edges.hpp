@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "analysis/frame_turn.hpp"
+#include "analysis/singular_edge.hpp"
 #include "base/quaternion.hpp"
 #include "grid/octree.hpp"
 
@@ -16,14 +18,16 @@ struct GridEdge {
   GridPoint start;  ///< its low end
   int axis;
   std::int32_t length;
-  bool odd = true;  ///< whether the turn around it is (CubeRotation::is_odd), as a quarter turn is
+  FrameTurn turn = {};  ///< in the direction of the axis
 
   GridPoint end() const {
     GridPoint point = start;
     point[axis] += length;
     return point;
   }
-  bool operator==(const GridEdge&) const = default;
+  bool operator==(const GridEdge& other) const {
+    return start == other.start && axis == other.axis && length == other.length;
+  }
 };
 
 /// The singular edges of a field, each once, in the order of the smallest leaf at each.
@@ -43,5 +47,12 @@ struct GridEdge {
 std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                      std::span<const std::uint8_t> open_faces,
                                      std::span<const std::uint8_t> owners = {});
+
+/// The same by their end points, sorted; of points on the surface those where one edge arrives, or several
+/// whose turns can not cancel. That the surface is there needs no test, for neither happens where joined
+/// leaves are all around. The grid's line ends where the solid's does up to the last edge that is not
+/// interior, about one cell short of the surface; where lines meet that near to it, the one that goes on to
+/// the surface has no edge at all, and the point may be a node too.
+SingularEdges by_end_points(const std::vector<GridEdge>& edges, const RootCube& root);
 
 }  // namespace crossgrain

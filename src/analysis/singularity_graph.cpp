@@ -26,8 +26,8 @@ class EdgeNetwork {
       incident_[low].push_back(ends_.size());
       incident_[high].push_back(ends_.size());
       ends_.push_back({low, high});
-      odd_[low] = odd_[low] != edge.odd;
-      odd_[high] = odd_[high] != edge.odd;
+      odd_[low] = odd_[low] != edge.turn.is_odd();
+      odd_[high] = odd_[high] != edge.turn.is_odd();
     }
   }
 

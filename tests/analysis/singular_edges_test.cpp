@@ -215,8 +215,8 @@ TEST(SingularEdges, CancelWhereLeavesAreAllAround) {
     for (const GridEdge& edge : singular_edges(tree, random_frames(tree.size(), seed), all_open(tree))) {
       ++degree[edge.start];
       ++degree[edge.end()];
-      odd[edge.start] += edge.odd;
-      odd[edge.end()] += edge.odd;
+      odd[edge.start] += edge.turn.is_odd();
+      odd[edge.end()] += edge.turn.is_odd();
     }
     int interior = 0;
     for (const auto& [point, count] : degree) {

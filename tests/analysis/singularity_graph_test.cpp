@@ -24,7 +24,7 @@ const std::vector<GridEdge> kSquare{
     {{0, 0, 0}, 0, 1}, {{1, 0, 0}, 1, 1}, {{0, 1, 0}, 0, 1}, {{0, 0, 0}, 1, 1}};
 
 /// Three lines of one, two and three edges from (5, 5, 5): two quarter turns and their product.
-constexpr bool kEven = false;
+const FrameTurn kEven{FrameTurn::Kind::kHalf};
 const std::vector<GridEdge> kTripod{{{4, 5, 5}, 0, 1},        {{5, 5, 5}, 1, 1},
                                     {{5, 6, 5}, 1, 1},        {{5, 5, 5}, 2, 1, kEven},
                                     {{5, 5, 6}, 2, 1, kEven}, {{5, 5, 7}, 2, 1, kEven}};
@@ -64,7 +64,7 @@ TEST(SingularityGraph, WhereThreeLinesMeetHasANode) {
 
 TEST(SingularityGraph, WhereThreeQuarterTurnsMeetAFourthLineReachesTheSurface) {
   std::vector<GridEdge> edges = kTripod;
-  for (GridEdge& edge : edges) edge.odd = true;
+  for (GridEdge& edge : edges) edge.turn.kind = FrameTurn::Kind::kQuarter;
   const SingularityGraph graph = joined(edges, 1);
   EXPECT_EQ(graph.nodes, (std::vector<GridPoint>{{5, 5, 5}}));
   EXPECT_EQ(graph.boundary_ends, (std::vector<GridPoint>{{4, 5, 5}, {5, 5, 5}, {5, 5, 8}, {5, 7, 5}}));

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The edges around which a field's frames turn, whatever its cells are.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "analysis/frame_turn.hpp"
+#include "base/vector3.hpp"
+
+namespace crossgrain {
+
+struct SingularEdge {
+  std::array<std::uint32_t, 2> ends;  ///< among SingularEdges::points
+  FrameTurn turn;                     ///< in the direction from the first end to the second
+};
+
+/// No two edges have the same ends.
+struct SingularEdges {
+  struct Point {
+    Vector3 place;
+    double cell_size;   ///< of the cells there, model units
+    bool on_boundary;   ///< lines that arrive here reach the surface
+    std::int64_t name;  ///< the vertex of a tet mesh; of a grid -1
+  };
+  std::vector<Point> points;
+  std::vector<SingularEdge> edges;
+};
+
+}  // namespace crossgrain
