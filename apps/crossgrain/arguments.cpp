@@ -229,6 +229,16 @@ CLI::App* add_spectrum(CLI::App& app, SpectrumArguments& arguments) {
   return command;
 }
 
+CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("check", "Says whether a hexahedral mesh can have the singular lines of a field");
+  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
+      ->required()
+      ->type_name("");
+  command->add_flag("--json", arguments.json, "Print JSON");
+  return command;
+}
+
 [[noreturn]] void refuse(const std::string& message, const CLI::App* command) {
   std::string line = message.substr(0, message.find_last_not_of('\n') + 1);
   std::replace(line.begin(), line.end(), '\n', ' ');
@@ -268,9 +278,11 @@ Arguments parse_arguments(int argc, char** argv) {
   SolveArguments solve;
   SampleArguments sample;
   SpectrumArguments spectrum;
+  CheckArguments check;
   const CLI::App* solve_command = add_solve(app, solve);
   const CLI::App* sample_command = add_sample(app, sample);
   const CLI::App* spectrum_command = add_spectrum(app, spectrum);
+  const CLI::App* check_command = add_check(app, check);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -286,6 +298,7 @@ Arguments parse_arguments(int argc, char** argv) {
     return solve;
   }
   if (*sample_command) return sample;
+  if (*check_command) return check;
   if (*spectrum_command) {
     check_arguments(spectrum, spectrum_command);
     return spectrum;

@@ -38,12 +38,17 @@ struct SpectrumArguments {
   bool json = false;
 };
 
+struct CheckArguments {
+  std::string field;
+  bool json = false;
+};
+
 /// Nothing is left to do but to end with `exit_code`; what there was to say has been said.
 struct Finished {
   int exit_code;
 };
 
-using Arguments = std::variant<Finished, SolveArguments, SampleArguments, SpectrumArguments>;
+using Arguments = std::variant<Finished, SolveArguments, SampleArguments, SpectrumArguments, CheckArguments>;
 
 /// Prints help and version on standard output; throws Error(kUsage) for a command line that makes no sense.
 Arguments parse_arguments(int argc, char** argv);

@@ -13,6 +13,9 @@ void run_solve(const SolveArguments& arguments);
 /// Writes the frames; the number of points outside on standard error.
 void run_sample(const SampleArguments& arguments);
 
+/// Prints what the singular lines are and whether hexahedra can have them, on standard output.
+void run_check(const CheckArguments& arguments);
+
 /// Prints the spectrum on standard output.
 void run_spectrum(const SpectrumArguments& arguments);
 

@@ -9,6 +9,7 @@
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/report.hpp"
+#include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/solve.hpp"
 #include "crossgrain/spectrum.hpp"
 #include "crossgrain/tet_domain.hpp"

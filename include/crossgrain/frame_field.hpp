@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "crossgrain/report.hpp"
+#include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -43,15 +44,19 @@ class FrameField {
   /// nearest cell's frame.
   Sample sample(const Vector3& point) const;
 
+  /// The lines around which the frames turn. Of the cells alone: arcs end up to a cell short of the surface.
+  const SingularityGraph& singularities() const;
+  SingularityGraph singularities(const SingularityOptions& options) const;
+
   const SolveReport& report() const;
 
   /// The representation behind the field, for the library itself.
   const FieldData& data() const { return *data_; }
 
  private:
-  struct LazySampler;
+  struct Lazy;
   std::shared_ptr<const FieldData> data_;
-  std::shared_ptr<LazySampler> sampler_;  // made by the first call of `sample`
+  std::shared_ptr<Lazy> lazy_;
 };
 
 }  // namespace crossgrain

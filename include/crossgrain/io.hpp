@@ -12,6 +12,8 @@
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
+#include "crossgrain/report.hpp"
+#include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/spectrum.hpp"
 #include "crossgrain/tet_frame_field.hpp"
 #include "crossgrain/types.hpp"
@@ -126,6 +128,10 @@ SolveReport write_field(const TetFrameField& field, const std::filesystem::path&
 /// Error(kInput).
 FrameField read_field(const std::filesystem::path& folder);
 
+/// The lines around which the frames of tets turn, worked out anew from the onto.vtu that `write_field` has
+/// written to a folder; none where there is none. Throws Error(kInput).
+std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::path& folder);
+
 /// Whether cells are missing from the field in a folder, for it was written with a box (OutputOptions::clip).
 /// Not to be started from: `solve_from` would take the frames of the nearest cells for those. Throws
 /// Error(kInput).
@@ -168,5 +174,9 @@ std::size_t write_samples(const FrameField& field, std::span<const Vector3> poin
 /// A spectrum as JSON text: {degree, matrix, eigenvalues, null_space, linear, constant} as in SpectrumReport,
 /// matrices as lists of rows.
 std::string spectrum_json(const SpectrumReport& report);
+
+/// Singularity graphs as JSON text, of a field on the grid and, unless null, of that on tets: {grid, tets},
+/// each as `singularity` in report.json (docs/report.md).
+std::string singularity_json(const SolveReport::Singularity& grid, const SolveReport::Singularity* tets);
 
 }  // namespace crossgrain

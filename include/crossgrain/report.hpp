@@ -78,12 +78,37 @@ struct SolveReport {
     std::size_t plane = 0, axis = 0, frame = 0, free = 0, conflicted = 0;
   } spectrum;
 
+  /// The lines around which frames turn: a SingularityGraph in words and numbers.
   struct Singularity {
-    std::size_t edges = 0;          ///< singular grid edges
-    double length = 0;              ///< sum of their lengths
-    std::size_t arcs = 0;           ///< chains of them between nodes, and closed loops
-    std::size_t nodes = 0;          ///< grid vertices inside the solid where three or more of them meet
-    std::size_t boundary_ends = 0;  ///< grid vertices where a line reaches the surface
+    std::size_t edges = 0;             ///< singular edges of the grid, or of tets
+    double length = 0;                 ///< sum of their lengths
+    std::size_t arcs = 0;              ///< chains of them between nodes, and closed ones
+    std::size_t nodes = 0;             ///< where arcs meet, near the surface or not
+    std::size_t boundary_ends = 0;     ///< places where arcs reach the surface
+    std::size_t unresolved_loops = 0;  ///< closed arcs of a few cells, not among the arcs
+
+    /// Whether no arc and no node is one that a hexahedral mesh cannot have; and how many of them are.
+    bool meshable = true;
+    std::size_t not_meshable_arcs = 0, not_meshable_nodes = 0, undecided_nodes = 0;
+
+    struct Arc {
+      std::string type;                  ///< regular, across, changing or no_axis
+      double index = 0;                  ///< as SingularityGraph::Arc
+      std::string verdict;               ///< meshable, not_meshable or undecided
+      double length = 0;                 ///< of the smooth curve
+      double across_length = 0;          ///< of the part where frames do not turn about it
+      bool on_boundary = false;          ///< one of its ends is
+      Vector3 place{};                   ///< half-way along it
+      std::vector<std::uint32_t> nodes;  ///< at its ends, among node_list; none of a closed one
+    };
+    struct Node {
+      Vector3 place{};
+      bool on_boundary = false;
+      std::string verdict;
+      std::vector<std::uint32_t> arcs;  ///< that end here, among arc_list
+    };
+    std::vector<Arc> arc_list;
+    std::vector<Node> node_list;
   } singularity;
 
   /// Walls that the finest cells do not resolve.
@@ -167,6 +192,8 @@ struct SolveReport {
     double dirichlet = 0;      ///< 1/2 integral of |grad h|^2, h linear in every tet
     double edge_sum = 0;       ///< sum over edges of |h_i - h_j|^2
 
+    Singularity singularity;  ///< of the frames of tets
+
     /// Faces around which the matchings of the vertices' frames compose to more than the identity.
     struct Singular {
       std::size_t interior_faces = 0, boundary_faces = 0;
@@ -195,6 +222,11 @@ struct SolveReport {
   /// One sentence each for what the user should know before trusting the field.
   std::vector<std::string> warnings;
 };
+
+struct SingularityGraph;
+
+/// A graph in the report's words.
+SolveReport::Singularity summary_of(const SingularityGraph& graph);
 
 /// A finding as one of SolveReport::warnings: what, how many, where, and what became of them.
 std::string sentence_of(const SolveReport::Finding& finding);

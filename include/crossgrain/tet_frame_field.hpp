@@ -6,6 +6,7 @@
 
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/report.hpp"
+#include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/tet_domain.hpp"
 #include "crossgrain/types.hpp"
 
@@ -29,6 +30,10 @@ class TetFrameField {
   /// The frame of tet `index` of domain().mesh(): nearest to the mean of the degree-4 coefficients of its
   /// four vertices.
   Frame tet_frame(std::size_t index) const;
+
+  /// The lines around which the frames of tets turn, along their edges.
+  const SingularityGraph& singularities() const;
+  SingularityGraph singularities(const SingularityOptions& options) const;
 
   /// That of grid(), with `onto`, the domain's warnings and the time that the tets took; without warnings of
   /// what the grid's cells do not resolve.

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/quaternion.hpp"
 #include "crossgrain/report.hpp"
+#include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/types.hpp"
 #include "grid/octree.hpp"
 
@@ -23,6 +25,9 @@ struct FieldData {
   std::vector<float> alignment_deg;       ///< mean angle between normal and nearest axis, by area; 0 inside
   std::vector<std::int32_t> regions;      ///< as CellRegions::of_leaf; empty where there are not several
   SolveReport report;
+
+  /// Null in a field that was read: made when asked for.
+  std::shared_ptr<const SingularityGraph> singularities;
 };
 
 }  // namespace crossgrain

@@ -9,16 +9,20 @@
 #include "analysis/field_data.hpp"
 #include "analysis/orthonormal_frame.hpp"
 #include "analysis/sampling.hpp"
+#include "analysis/singular_edges.hpp"
+#include "analysis/singularity_graph.hpp"
 
 namespace crossgrain {
 
-struct FrameField::LazySampler {
-  std::once_flag once;
+/// What is made when it is first asked for.
+struct FrameField::Lazy {
+  std::once_flag sampler_once, singularities_once;
   std::optional<Sampler> sampler;
+  std::shared_ptr<const SingularityGraph> singularities;
 };
 
 FrameField::FrameField(std::shared_ptr<const FieldData> data)
-    : data_(std::move(data)), sampler_(std::make_shared<LazySampler>()) {}
+    : data_(std::move(data)), lazy_(std::make_shared<Lazy>()) {}
 
 std::size_t FrameField::size() const {
   return data_->tree.size();
@@ -33,10 +37,23 @@ FrameField::Cell FrameField::cell(std::size_t index) const {
 }
 
 FrameField::Sample FrameField::sample(const Vector3& point) const {
-  std::call_once(sampler_->once,
-                 [&] { sampler_->sampler.emplace(data_->tree, data_->frames, data_->open_faces); });
-  const Sampler::Result result = sampler_->sampler->at(point);
+  std::call_once(lazy_->sampler_once,
+                 [&] { lazy_->sampler.emplace(data_->tree, data_->frames, data_->open_faces); });
+  const Sampler::Result result = lazy_->sampler->at(point);
   return {orthonormal_frame(result.frame), result.in_active_cell};
+}
+
+const SingularityGraph& FrameField::singularities() const {
+  std::call_once(lazy_->singularities_once, [&] {
+    lazy_->singularities = data_->singularities;
+    if (!lazy_->singularities)
+      lazy_->singularities = std::make_shared<const SingularityGraph>(singularities(SingularityOptions{}));
+  });
+  return *lazy_->singularities;
+}
+
+SingularityGraph FrameField::singularities(const SingularityOptions& options) const {
+  return singularity_graph(singular_grid_edges(data_->tree, data_->frames, data_->open_faces), options);
 }
 
 const SolveReport& FrameField::report() const {

@@ -163,4 +163,10 @@ SingularEdges by_end_points(const std::vector<GridEdge>& edges, const RootCube& 
   return singular;
 }
 
+SingularEdges singular_grid_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
+                                  std::span<const std::uint8_t> open_faces,
+                                  std::span<const std::uint8_t> owners) {
+  return by_end_points(singular_edges(tree, frames, open_faces, owners), tree.root());
+}
+
 }  // namespace crossgrain

@@ -55,4 +55,9 @@ std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQ
 /// the surface has no edge at all, and the point may be a node too.
 SingularEdges by_end_points(const std::vector<GridEdge>& edges, const RootCube& root);
 
+/// Those of a whole field.
+SingularEdges singular_grid_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
+                                  std::span<const std::uint8_t> open_faces,
+                                  std::span<const std::uint8_t> owners = {});
+
 }  // namespace crossgrain

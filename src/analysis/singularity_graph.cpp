@@ -2,96 +2,119 @@
 #include "analysis/singularity_graph.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "analysis/arc_type.hpp"
+#include "analysis/merged_network.hpp"
+#include "analysis/smooth_places.hpp"
+#include "crossgrain/report.hpp"
 
 namespace crossgrain {
 namespace {
 
-class EdgeNetwork {
- public:
-  explicit EdgeNetwork(std::span<const GridEdge> edges) : used_(edges.size(), false) {
-    std::vector<GridEdge> sorted(edges.begin(), edges.end());
-    std::sort(sorted.begin(), sorted.end(), [](const GridEdge& a, const GridEdge& b) {
-      return a.start != b.start ? a.start < b.start : a.axis < b.axis;
-    });
-    for (const GridEdge& edge : sorted) {
-      vertices_.push_back(edge.start);
-      vertices_.push_back(edge.end());
-    }
-    std::sort(vertices_.begin(), vertices_.end());
-    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
-    incident_.resize(vertices_.size());
-    odd_.resize(vertices_.size(), false);
-    for (const GridEdge& edge : sorted) {
-      const std::size_t low = index_of(edge.start), high = index_of(edge.end());
-      incident_[low].push_back(ends_.size());
-      incident_[high].push_back(ends_.size());
-      ends_.push_back({low, high});
-      odd_[low] = odd_[low] != edge.turn.is_odd();
-      odd_[high] = odd_[high] != edge.turn.is_odd();
-    }
+using Verdict = SingularityGraph::Verdict;
+
+constexpr std::uint32_t kNoNode = UINT32_MAX;
+
+const char* name_of(SingularityGraph::ArcType type) {
+  constexpr std::array kNames{"regular", "across", "changing", "no_axis"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
+const char* name_of(Verdict verdict) {
+  constexpr std::array kNames{"meshable", "not_meshable", "undecided"};
+  return kNames[static_cast<std::size_t>(verdict)];
+}
+
+Vector3 half_way_along(const SingularityGraph::Arc& arc) {
+  double left = arc.length / 2;
+  for (std::size_t k = 1; k < arc.points.size(); ++k) {
+    const Vector3 step = arc.points[k] - arc.points[k - 1];
+    const double length = norm(step);
+    if (length >= left && length > 0) return arc.points[k - 1] + (left / length) * step;
+    left -= length;
   }
+  return arc.points.back();
+}
 
-  SingularityGraph arcs_and_nodes() {
-    SingularityGraph graph;
-    for (std::size_t v = 0; v < vertices_.size(); ++v) {
-      if (degree(v) == 1 || odd_[v]) graph.boundary_ends.push_back(vertices_[v]);
-      if (degree(v) >= 3) graph.nodes.push_back(vertices_[v]);
-      if (degree(v) != 2) trace_all_from(v, graph);
-    }
-    // What is left are closed loops.
-    for (std::size_t v = 0; v < vertices_.size(); ++v) trace_all_from(v, graph);
-    return graph;
+SolveReport::Singularity::Arc summary_of(const SingularityGraph& graph, const SingularityGraph::Arc& arc) {
+  SolveReport::Singularity::Arc summary{name_of(arc.type), arc.index, name_of(arc.verdict), arc.length,
+                                        arc.across_length, false,     half_way_along(arc),  {}};
+  if (arc.nodes) summary.nodes.assign(arc.nodes->begin(), arc.nodes->end());
+  for (const std::uint32_t node : summary.nodes) summary.on_boundary |= graph.nodes[node].on_boundary;
+  return summary;
+}
+
+/// The places that arcs end at, in their order.
+void add_nodes(const MergedNetwork& network, const std::vector<Vector3>& positions, SingularityGraph& graph) {
+  std::vector<std::uint32_t> node_of(network.places.size(), kNoNode);
+  for (const MergedNetwork::Arc& arc : network.arcs) {
+    if (!arc.closed) node_of[arc.places.front()] = node_of[arc.places.back()] = 0;
   }
-
- private:
-  std::size_t index_of(const GridPoint& point) const {
-    return static_cast<std::size_t>(std::lower_bound(vertices_.begin(), vertices_.end(), point) -
-                                    vertices_.begin());
+  for (std::size_t k = 0; k < network.places.size(); ++k) {
+    if (node_of[k] == kNoNode) continue;
+    node_of[k] = static_cast<std::uint32_t>(graph.nodes.size());
+    graph.nodes.push_back({positions[k], network.places[k].on_boundary, {}, Verdict::kMeshable});
   }
-
-  std::size_t degree(std::size_t vertex) const { return incident_[vertex].size(); }
-
-  void trace_all_from(std::size_t vertex, SingularityGraph& graph) {
-    for (const std::size_t edge : incident_[vertex]) {
-      if (!used_[edge]) graph.arcs.push_back(traced(vertex, edge));
-    }
+  for (std::uint32_t a = 0; a < network.arcs.size(); ++a) {
+    const MergedNetwork::Arc& arc = network.arcs[a];
+    if (arc.closed) continue;
+    graph.arcs[a].nodes = {node_of[arc.places.front()], node_of[arc.places.back()]};
+    for (const std::uint32_t node : *graph.arcs[a].nodes) graph.nodes[node].arcs.push_back(a);
   }
+}
 
-  /// The chain that leaves `vertex` through `edge`.
-  std::vector<GridPoint> traced(std::size_t vertex, std::size_t edge) {
-    std::vector<GridPoint> arc{vertices_[vertex]};
-    while (!used_[edge]) {
-      used_[edge] = true;
-      vertex = ends_[edge][0] == vertex ? ends_[edge][1] : ends_[edge][0];
-      arc.push_back(vertices_[vertex]);
-      if (degree(vertex) != 2) break;
-      edge = incident_[vertex][0] == edge ? incident_[vertex][1] : incident_[vertex][0];
-    }
-    return arc;
+void judge_nodes(SingularityGraph& graph) {
+  for (SingularityGraph::Node& node : graph.nodes) {
+    if (node.on_boundary) continue;
+    std::vector<const SingularityGraph::Arc*> arcs;
+    for (const std::uint32_t a : node.arcs) arcs.push_back(&graph.arcs[a]);
+    node.verdict = node_verdict(arcs);
   }
-
-  std::vector<GridPoint> vertices_;                 ///< sorted
-  std::vector<std::vector<std::size_t>> incident_;  ///< edges at each vertex
-  std::vector<std::array<std::size_t, 2>> ends_;    ///< vertices of each edge
-  std::vector<bool> odd_;                           ///< vertices with an odd number of odd edges
-  std::vector<bool> used_;                          ///< edges that are part of an arc
-};
+}
 
 }  // namespace
 
-SingularityGraph joined(std::span<const GridEdge> edges, double unit) {
-  SingularityGraph graph = EdgeNetwork(edges).arcs_and_nodes();
-  graph.edges = edges.size();
-  std::int64_t length = 0;
-  for (const GridEdge& edge : edges) length += edge.length;
-  graph.length = static_cast<double>(length) * unit;
+bool SingularityGraph::is_meshable() const {
+  const auto is_bad = [](const auto& part) { return part.verdict == Verdict::kNotMeshable; };
+  return std::none_of(arcs.begin(), arcs.end(), is_bad) && std::none_of(nodes.begin(), nodes.end(), is_bad);
+}
+
+SingularityGraph singularity_graph(const SingularEdges& singular, const SingularityOptions& options) {
+  const MergedNetwork network = merged(singular, options);
+  const std::vector<Vector3> positions = smooth_places(singular, network, options);
+  SingularityGraph graph;
+  for (const MergedNetwork::Arc& arc : network.arcs)
+    graph.arcs.push_back(described(arc, singular, network, positions, options));
+  add_nodes(network, positions, graph);
+  judge_nodes(graph);
+  graph.unresolved_loops = network.unresolved_loops;
+  graph.edges = singular.edges.size();
+  for (const SingularEdge& edge : singular.edges)
+    graph.edge_length += norm(singular.points[edge.ends[1]].place - singular.points[edge.ends[0]].place);
   return graph;
 }
 
-SingularityGraph singularity_graph(const Octree& tree, std::span<const StoredQuaternion> frames,
-                                   std::span<const std::uint8_t> open_faces,
-                                   std::span<const std::uint8_t> owners) {
-  return joined(singular_edges(tree, frames, open_faces, owners), tree.root().unit());
+SolveReport::Singularity summary_of(const SingularityGraph& graph) {
+  SolveReport::Singularity summary;
+  summary.edges = graph.edges;
+  summary.length = graph.edge_length;
+  summary.arcs = graph.arcs.size();
+  summary.unresolved_loops = graph.unresolved_loops;
+  summary.meshable = graph.is_meshable();
+  for (const SingularityGraph::Arc& arc : graph.arcs) {
+    summary.not_meshable_arcs += arc.verdict == Verdict::kNotMeshable;
+    summary.arc_list.push_back(summary_of(graph, arc));
+  }
+  for (const SingularityGraph::Node& node : graph.nodes) {
+    summary.boundary_ends += node.on_boundary;
+    summary.nodes += node.degree() >= 2;
+    summary.not_meshable_nodes += node.verdict == Verdict::kNotMeshable;
+    summary.undecided_nodes += node.verdict == Verdict::kUndecided;
+    summary.node_list.push_back({node.place, node.on_boundary, name_of(node.verdict), node.arcs});
+  }
+  return summary;
 }
 
 }  // namespace crossgrain

@@ -14,6 +14,7 @@
 #include "analysis/prepared_model.hpp"
 #include "analysis/regions.hpp"
 #include "analysis/sampling.hpp"
+#include "analysis/singular_edges.hpp"
 #include "analysis/singularity_graph.hpp"
 #include "analysis/solve_checks.hpp"
 #include "analysis/walls.hpp"
@@ -91,8 +92,9 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, Solved
   data.report = report_of(model.solid(), solved, alignment, options);
   data.report.model = model.description();
   data.report.input = model.findings();
-  data.report.singularity =
-      singularity_graph(solved.level.tree, solved.frames, solved.open_faces, solved.near_sharp_turn).counts();
+  data.singularities = std::make_shared<const SingularityGraph>(singularity_graph(
+      singular_grid_edges(solved.level.tree, solved.frames, solved.open_faces, solved.near_sharp_turn)));
+  data.report.singularity = summary_of(*data.singularities);
   data.on_boundary.resize(solved.level.size());
   parallel_for(solved.level.size(), [&](std::size_t i) {
     data.on_boundary[i] = solved.level.holds_surface(static_cast<CellIndex>(i));

@@ -4,11 +4,13 @@
 
 #include "analysis/carried_frames.hpp"
 #include "analysis/field_data.hpp"
+#include "analysis/singularity_graph.hpp"
 #include "analysis/solve_checks.hpp"
 #include "analysis/tet_constraints.hpp"
 #include "analysis/tet_domain_data.hpp"
 #include "analysis/tet_evaluation.hpp"
 #include "analysis/tet_field.hpp"
+#include "analysis/tet_matchings.hpp"
 #include "base/stopwatch.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/solve.hpp"
@@ -70,6 +72,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
                                       options.onto, monitor, guides);
   field->vertex_frames = std::move(finished.frames);
   field->tet_frames = tet_frames_of(tets.solid.mesh, field->vertex_frames);
+  field->singularities = singularity_graph(singular_tet_edges(tets.solid, field->tet_frames));
   monitor.check();
 
   SolveReport report = grid.report();
@@ -78,6 +81,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   report.onto = describe(tets, evaluate_vertex_field(tets.solid, boundary, tets.edges, field->vertex_frames));
   report.onto->feature_edge_deg = angles_along(tets.solid, features.edges, field->vertex_frames);
   report.onto->boundary = name_of(options.onto.boundary);
+  report.onto->singularity = summary_of(field->singularities);
   report.onto->outside_vertices = start.outside;
   report.onto->seconds = stopwatch.restart();
   report.warnings.insert(report.warnings.end(), domain.warnings().begin(), domain.warnings().end());

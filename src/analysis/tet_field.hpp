@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/quaternion.hpp"
+#include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -14,6 +15,7 @@ namespace crossgrain {
 struct TetField {
   std::vector<Quaternion> vertex_frames;  ///< one per vertex of the mesh, used or not
   std::vector<Quaternion> tet_frames;     ///< one per tet
+  SingularityGraph singularities;         ///< of the frames of tets
 };
 
 /// For each tet the frame nearest to the mean of its four vertices' degree-4 coefficients: the maximum uphill

@@ -4,7 +4,10 @@
 #include <cassert>
 
 #include "analysis/orthonormal_frame.hpp"
+#include "analysis/singularity_graph.hpp"
+#include "analysis/tet_domain_data.hpp"
 #include "analysis/tet_field.hpp"
+#include "analysis/tet_matchings.hpp"
 
 namespace crossgrain {
 
@@ -23,6 +26,14 @@ Frame TetFrameField::vertex_frame(std::size_t index) const {
 Frame TetFrameField::tet_frame(std::size_t index) const {
   assert(index < field_->tet_frames.size());
   return orthonormal_frame(field_->tet_frames[index]);
+}
+
+const SingularityGraph& TetFrameField::singularities() const {
+  return field_->singularities;
+}
+
+SingularityGraph TetFrameField::singularities(const SingularityOptions& options) const {
+  return singularity_graph(singular_tet_edges(domain_.data().solid, field_->tet_frames), options);
 }
 
 }  // namespace crossgrain

@@ -17,8 +17,11 @@ namespace crossgrain {
 std::vector<CubeRotation> tet_matchings(const TetSolid& solid, std::span<const Quaternion> frames);
 
 /// The edges inside the solid, with tets all around, around which the matchings compose to more than the
-/// identity, in the order of the first tet of each. Points are the vertices that they use, ascending.
+/// identity, in the order of the first such face at each. Points are the vertices that they use, ascending.
 SingularEdges singular_tet_edges(const TetSolid& solid, std::span<const Quaternion> frames,
                                  std::span<const CubeRotation> matchings);
+
+/// The same of the frames' own matchings.
+SingularEdges singular_tet_edges(const TetSolid& solid, std::span<const Quaternion> frames);
 
 }  // namespace crossgrain

@@ -5,6 +5,8 @@
 // The frame of a rotation R has the axes R e_x, R e_y, R e_z.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/lanes.hpp"
@@ -74,6 +76,20 @@ std::array<BasicVector3<Real>, 3> axes_of(const BasicQuaternion<Real>& q) {
   return {BasicVector3<Real>{1 - 2 * (yy + zz), 2 * (xy + wz), 2 * (xz - wy)},
           BasicVector3<Real>{2 * (xy - wz), 1 - 2 * (xx + zz), 2 * (yz + wx)},
           BasicVector3<Real>{2 * (xz + wy), 2 * (yz - wx), 1 - 2 * (xx + yy)}};
+}
+
+/// The unit quaternion whose axes_of are these, right-handed and orthonormal.
+inline Quaternion quaternion_of(const std::array<Vector3, 3>& axes) {
+  const auto& [u, v, w] = axes;
+  // Four times the products of the largest entry with all four, whichever that is.
+  const double trace = u[0] + v[1] + w[2];
+  if (trace >= std::max({u[0], v[1], w[2]}))
+    return normalised(Quaternion{1 + trace, v[2] - w[1], w[0] - u[2], u[1] - v[0]});
+  if (u[0] >= std::max(v[1], w[2]))
+    return normalised(Quaternion{v[2] - w[1], 1 + u[0] - v[1] - w[2], v[0] + u[1], w[0] + u[2]});
+  if (v[1] >= w[2])
+    return normalised(Quaternion{w[0] - u[2], v[0] + u[1], 1 + v[1] - u[0] - w[2], w[1] + v[2]});
+  return normalised(Quaternion{u[1] - v[0], w[0] + u[2], w[1] + v[2], 1 + w[2] - u[0] - v[1]});
 }
 
 inline Vector3 rotate(const Quaternion& q, const Vector3& v) {

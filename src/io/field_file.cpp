@@ -18,6 +18,7 @@
 #include "io/output_cells.hpp"
 #include "io/output_file.hpp"
 #include "io/report_file.hpp"
+#include "io/singularity_file.hpp"
 #include "io/vtu_arrays.hpp"
 #include "io/vtu_reader.hpp"
 #include "io/vtu_writer.hpp"
@@ -27,6 +28,7 @@ namespace {
 
 constexpr const char* kFieldFile = "field.vtu";
 constexpr const char* kReportFile = "report.json";
+constexpr const char* kSingularityFile = "singularities.vtu";
 
 /// A cell array of `components` floats from value_of(frame), any sequence of as many numbers.
 template <class ValueOf>
@@ -171,7 +173,7 @@ void write_chosen_cells(const FieldData& data, OutputOptions options, OutputFile
 }  // namespace
 
 void check_field_folder(const std::filesystem::path& folder) {
-  check_writable(folder, {kFieldFile, kReportFile});
+  check_writable(folder, {kFieldFile, kSingularityFile, kReportFile});
 }
 
 SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
@@ -182,6 +184,7 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
   stopwatch.start();
   OutputFolder output(folder);
   write_chosen_cells(field.data(), options, output.create(kFieldFile), report, monitor);
+  write_singularities(field.singularities(), output.create(kSingularityFile), monitor);
   add_files(output);
   report.seconds.write = stopwatch.restart();
   report.seconds.total += report.seconds.write;

@@ -14,8 +14,8 @@
 
 namespace crossgrain {
 
-/// What a field on tets has beside the two files of every field.
-inline constexpr std::array kOntoFiles = {"onto.frames", "onto.vtu"};
+/// What a field on tets has beside the files of every field.
+inline constexpr std::array kOntoFiles = {"onto.frames", "onto.vtu", "onto_singularities.vtu"};
 
 /// `write_field` (crossgrain/io.hpp) with further files, which appear together with field.vtu and report.json
 /// or not at all. add_files creates and writes them; it counts in the report's seconds.write.

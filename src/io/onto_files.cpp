@@ -12,6 +12,7 @@
 #include "io/field_arrays.hpp"
 #include "io/field_file.hpp"
 #include "io/frame_lines.hpp"
+#include "io/singularity_file.hpp"
 #include "io/vtu_arrays.hpp"
 #include "io/vtu_writer.hpp"
 #include "tets/inner_walls.hpp"
@@ -21,6 +22,7 @@ namespace {
 
 constexpr const char* kFramesFile = kOntoFiles[0];
 constexpr const char* kGridFile = kOntoFiles[1];
+constexpr const char* kSingularityFile = kOntoFiles[2];
 
 /// Frames made into text between two looks at the monitor: some 10 MB.
 constexpr std::size_t kFramesAtOnce = 1 << 16;
@@ -87,6 +89,7 @@ SolveReport write_field_onto(const FrameField& field, SolveReport report, const 
   return write_field_and(field, std::move(report), folder, monitor, options, [&](OutputFolder& output) {
     write_frames(output.create(kFramesFile), onto.vertex_frames, monitor);
     write_grid(output.create(kGridFile), mesh, onto, monitor);
+    write_singularities(onto.singularities, output.create(kSingularityFile), monitor);
   });
 }
 
@@ -103,7 +106,7 @@ SolveReport write_field(const TetFrameField& field, const std::filesystem::path&
 
 void check_onto_folder(const std::filesystem::path& folder) {
   check_field_folder(folder);
-  check_writable(folder, {kFramesFile, kGridFile});
+  check_writable(folder, {kFramesFile, kGridFile, kSingularityFile});
 }
 
 }  // namespace crossgrain

@@ -9,8 +9,10 @@
 #include <type_traits>
 
 #include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
 #include "crossgrain/version.hpp"
 #include "io/input_file.hpp"
+#include "io/json_file.hpp"
 
 namespace crossgrain {
 namespace {
@@ -47,6 +49,44 @@ void describe_input(File& file, Report& report) {
   file.member("resolution", report.resolution);
 }
 
+template <class File, class Arc>
+void describe_arc(File& file, Arc& arc) {
+  file.member("type", arc.type);
+  file.member("index", arc.index);
+  file.member("verdict", arc.verdict);
+  file.member("length", arc.length);
+  file.member("across_length", arc.across_length);
+  file.member("on_boundary", arc.on_boundary);
+  file.member("place", arc.place);
+  file.member("nodes", arc.nodes);
+}
+
+template <class File, class Node>
+void describe_node(File& file, Node& node) {
+  file.member("place", node.place);
+  file.member("on_boundary", node.on_boundary);
+  file.member("verdict", node.verdict);
+  file.member("arcs", node.arcs);
+}
+
+template <class File, class Singularity>
+void describe_singularity(File& file, const char* key, Singularity& graph) {
+  file.object(key, [&](auto& inner) {
+    inner.member("edges", graph.edges);
+    inner.member("length", graph.length);
+    inner.member("arcs", graph.arcs);
+    inner.member("nodes", graph.nodes);
+    inner.member("boundary_ends", graph.boundary_ends);
+    inner.member("unresolved_loops", graph.unresolved_loops);
+    inner.member("meshable", graph.meshable);
+    inner.member("not_meshable_arcs", graph.not_meshable_arcs);
+    inner.member("not_meshable_nodes", graph.not_meshable_nodes);
+    inner.member("undecided_nodes", graph.undecided_nodes);
+    inner.list("arc_list", graph.arc_list, [](auto& list, auto& arc) { describe_arc(list, arc); });
+    inner.list("node_list", graph.node_list, [](auto& list, auto& node) { describe_node(list, node); });
+  });
+}
+
 template <class File, class Report>
 void describe_quality(File& file, Report& report) {
   file.object("energy", [&](auto& energy) {
@@ -69,13 +109,7 @@ void describe_quality(File& file, Report& report) {
     spectrum.member("free", report.spectrum.free);
     spectrum.member("conflicted", report.spectrum.conflicted);
   });
-  file.object("singularity", [&](auto& singularity) {
-    singularity.member("edges", report.singularity.edges);
-    singularity.member("length", report.singularity.length);
-    singularity.member("arcs", report.singularity.arcs);
-    singularity.member("nodes", report.singularity.nodes);
-    singularity.member("boundary_ends", report.singularity.boundary_ends);
-  });
+  describe_singularity(file, "singularity", report.singularity);
 }
 
 template <class File, class Angles>
@@ -98,6 +132,7 @@ void describe_onto(File& file, Onto& onto) {
     singular.member("interior_faces", onto.singular.interior_faces);
     singular.member("boundary_faces", onto.singular.boundary_faces);
   });
+  describe_singularity(file, "singularity", onto.singularity);
   describe_angles(file, "normal_deg", onto.normal_deg);
   describe_angles(file, "crease_deg", onto.crease_deg);
   file.optional_object("feature_edge_deg", onto.feature_edge_deg, [](auto& inner, auto& angles) {
@@ -388,6 +423,14 @@ Json report_json(const SolveReport& report) {
   json["version"] = kVersion;
   describe_doubts(writer, report);
   return json;
+}
+
+std::string singularity_json(const SolveReport::Singularity& grid, const SolveReport::Singularity* tets) {
+  Json json;
+  JsonWriter writer(json);
+  describe_singularity(writer, "grid", grid);
+  if (tets) describe_singularity(writer, "tets", *tets);
+  return json_text(json);
 }
 
 SolveReport read_report(const std::filesystem::path& path) {

@@ -19,7 +19,8 @@ KEYS = {
     "energy": ["smoothness", "boundary", "unavoidable", "total", "deviation_max"],
     "alignment_deg": ["mean", "p95", "max", "excluded_share"],
     "spectrum": ["plane", "axis", "frame", "free", "conflicted"],
-    "singularity": ["edges", "length", "arcs", "nodes", "boundary_ends"],
+    "singularity": ["edges", "length", "arcs", "nodes", "boundary_ends", "unresolved_loops", "meshable", "not_meshable_arcs",
+                    "not_meshable_nodes", "undecided_nodes", "arc_list", "node_list"],
     "seconds": ["read", "grid", "solve", "write", "total"],
 }
 
@@ -81,7 +82,7 @@ class Report(CommandTest):
         for level in report["levels"]:
             self.assertEqual(list(level), ["depth", "cells", "active_cells", "sweeps", "energy", "seconds"])
             self.assertGreater(level["sweeps"], 0)
-        self.assertEqual(report["schema"], 2)
+        self.assertEqual(report["schema"], 3)
 
     def test_times_and_memory_are_possible(self):
         report, elapsed = self.solve(torus_triangles(), "--resolution", "24")

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What frames do around an arc as a whole, and whether hexahedra can.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "analysis/merged_network.hpp"
+#include "analysis/singular_edge.hpp"
+#include "crossgrain/singularity_graph.hpp"
+
+namespace crossgrain {
+
+/// The arc of the graph without its nodes: points at the places' positions, type, index, verdict, lengths.
+SingularityGraph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singular,
+                                const MergedNetwork& network, std::span<const Vector3> positions,
+                                const SingularityOptions& options);
+
+/// Whether hexahedra can meet at a point inside so that the arcs that end there are these. They cut a small
+/// sphere around it into triangles, one a hexahedron, with a vertex for each edge of theirs: of valence 3 for
+/// an arc of index 1/4, 5 for -1/4, and 4 for what is no arc. Of these three there are triangulations for
+/// eleven pairs of counts (M. Nieser, U. Reitebuch, K. Polthier, "CubeCover - Parameterization of 3D
+/// Volumes", 2011, name them; tests/analysis/arc_type_test.cpp finds them by search).
+SingularityGraph::Verdict node_verdict(std::span<const SingularityGraph::Arc* const> arcs);
+
+}  // namespace crossgrain
