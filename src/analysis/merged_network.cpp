@@ -38,17 +38,29 @@ class Merger {
   MergedNetwork merge() {
     MergedNetwork network;
     const std::vector<Chain> lines = lines_between_points();
-    std::vector<const Chain*> kept;
+    std::vector<const Chain*> kept, kept_after_all;
+    const auto take_in = [&](const Chain& line) {
+      for (const std::uint32_t point : line.vertices) sets_.join(point, line.vertices.front());
+    };
     for (const Chain& line : lines) {
       if (is_mere_loop(line)) {
         ++network.unresolved_loops;
       } else if (is_part_of_a_node(line)) {
-        for (const std::uint32_t point : line.vertices) sets_.join(point, line.vertices.front());
+        take_in(line);
       } else {
         kept.push_back(&line);
       }
     }
-    join(kept, network);
+    // Nodes that have become one make loops of the arcs between.
+    for (const Chain* line : kept) {
+      const bool is_loop =
+          !line->is_closed() && sets_.root(line->vertices.front()) == sets_.root(line->vertices.back());
+      if (is_loop && length_in_cells(*line) <= options_.loop_cells)
+        take_in(*line);
+      else
+        kept_after_all.push_back(line);
+    }
+    join(kept_after_all, network);
     return network;
   }
 

@@ -36,7 +36,8 @@ class CubeGroup {
     add({});
     // A quarter turn about x and one about y give all others.
     for (std::size_t k = 0; k < rotations_.size(); ++k)
-      for (const CubeRotation& turn : {CubeRotation{1, 1, 0, 0}, CubeRotation{1, 0, 1, 0}}) add(turn * rotations_[k]);
+      for (const CubeRotation& turn : {CubeRotation{1, 1, 0, 0}, CubeRotation{1, 0, 1, 0}})
+        add(turn * rotations_[k]);
     for (std::size_t a = 0; a < kCount; ++a)
       for (std::size_t b = 0; b < kCount; ++b) products_[a][b] = number_of(rotations_[a] * rotations_[b]);
   }
@@ -82,7 +83,8 @@ class EdgeWalker {
   }
 
   struct Way {
-    std::array<std::uint32_t, 2> edge;  ///< vertices of the mesh; the way goes by the right-hand rule about it
+    std::array<std::uint32_t, 2>
+        edge;  ///< vertices of the mesh; the way goes by the right-hand rule about it
     std::vector<std::uint32_t> tets;
     CubeRotation product;
   };
@@ -134,7 +136,8 @@ class EdgeWalker {
 
   std::uint8_t corner_of(std::uint32_t tet, std::uint32_t vertex) const {
     const auto& corners = solid_.mesh.tets[tet];
-    return static_cast<std::uint8_t>((corners[1] == vertex) + 2 * (corners[2] == vertex) + 3 * (corners[3] == vertex));
+    return static_cast<std::uint8_t>((corners[1] == vertex) + 2 * (corners[2] == vertex) +
+                                     3 * (corners[3] == vertex));
   }
 
   std::uint8_t corner_opposite(std::uint32_t tet, const std::array<std::uint32_t, 3>& face) const {

@@ -82,4 +82,18 @@ struct QuarterLine {
   }
 };
 
+/// A straight line around which frames turn `turns` times about an axis of theirs that need not be along it.
+/// With a quarter and a half, either way, it is singular on the line and nowhere else.
+struct TurningLine {
+  Vector3 point;
+  Vector3 direction;  ///< unit vector
+  Vector3 axis;       ///< unit vector
+  double turns;
+
+  double turn_rad(const Vector3& p) const { return turns * QuarterLine{point, direction}.angle_rad(p); }
+  Quaternion operator()(const Vector3& p) const {
+    return from_rotation_vector(turn_rad(p) * axis) * with_axis_along({}, axis);
+  }
+};
+
 }  // namespace crossgrain::testing
