@@ -101,14 +101,14 @@ struct OutputOptions {
   std::optional<Box> clip;
 };
 
-/// Writes FOLDER/field.vtu (docs/field-file.md), which ParaView opens, and FOLDER/report.json
-/// (docs/report.md), making the folder where it is missing. Both are written beside and then renamed: a
-/// failure leaves what was there before. Files of an earlier field on tets are removed, so that a folder
-/// never holds a mix of two solves. The report's seconds.write is what that took; it is added to
-/// seconds.total, and peak_memory_bytes is brought up to date. Where no cell meets the box of `options`, all
-/// are written, with a warning in the report: a solve is not lost for a box. Returns the report as written.
-/// Throws Error(kOutput), Error(kUsage) for options that make no sense, and Error(kInterrupted) once the
-/// monitor is cancelled.
+/// Writes FOLDER/field.vtu and FOLDER/singularities.vtu (docs/field-file.md), which ParaView opens, and
+/// FOLDER/report.json (docs/report.md), making the folder where it is missing. All are written beside and
+/// then renamed: a failure leaves what was there before. Files of an earlier field on tets are removed, so
+/// that a folder never holds a mix of two solves. The report's seconds.write is what that took; it is added
+/// to seconds.total, and peak_memory_bytes is brought up to date. Where no cell meets the box of `options`,
+/// all are written, with a warning in the report: a solve is not lost for a box. Returns the report as
+/// written. Throws Error(kOutput), Error(kUsage) for options that make no sense, and Error(kInterrupted) once
+/// the monitor is cancelled.
 SolveReport write_field(const FrameField& field, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 
@@ -116,8 +116,8 @@ SolveReport write_field(const FrameField& field, const std::filesystem::path& fo
 SolveReport write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 
-/// The same with FOLDER/onto.frames and FOLDER/onto.vtu (docs/field-file.md): all four files or none. Without
-/// `report`, the field's own.
+/// The same with FOLDER/onto.frames, FOLDER/onto.vtu and FOLDER/onto_singularities.vtu: all six files or
+/// none. Without `report`, the field's own.
 SolveReport write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 SolveReport write_field(const TetFrameField& field, const std::filesystem::path& folder,

@@ -3,6 +3,7 @@
 //
 //   onto.frames   the frame of each vertex, in the order of the mesh: nine numbers a line, as for `sample`
 //   onto.vtu      the tets; point data and cell data axis_u, axis_v, axis_w
+//   onto_singularities.vtu   the lines around which the frames of tets turn (io/singularity_file.hpp)
 #pragma once
 
 #include <filesystem>
@@ -15,7 +16,8 @@
 
 namespace crossgrain {
 
-/// `write_field` (crossgrain/io.hpp) with onto.frames and onto.vtu: all four files or none.
+/// `write_field` (crossgrain/io.hpp) with onto.frames, onto.vtu and onto_singularities.vtu: all six files or
+/// none.
 SolveReport write_field_onto(const FrameField& field, SolveReport report, const TetMesh& mesh,
                              const TetField& onto, const std::filesystem::path& folder,
                              const Monitor& monitor = {}, const OutputOptions& options = {});

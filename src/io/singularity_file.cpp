@@ -83,11 +83,11 @@ std::vector<VtuArray> arrays_of(const Polylines& lines) {
   const auto add = [&arrays](VtuSection section, const char* name, const auto& values) {
     arrays.push_back(stored_array(section, name, values));
   };
-  add(VtuSection::kPointData, "degree", lines.points.degrees);
+  add(VtuSection::kPointData, "node_degree", lines.points.degrees);
   add(VtuSection::kPointData, "node", lines.points.nodes);
   add(VtuSection::kPointData, "vertex", lines.points.vertices);
-  add(VtuSection::kPointData, "on_boundary", lines.points.on_boundary);
-  add(VtuSection::kPointData, "verdict", lines.points.verdicts);
+  add(VtuSection::kPointData, "node_on_boundary", lines.points.on_boundary);
+  add(VtuSection::kPointData, "node_verdict", lines.points.verdicts);
   add(VtuSection::kCellData, "index", lines.arcs.indices);
   add(VtuSection::kCellData, "type", lines.arcs.types);
   add(VtuSection::kCellData, "verdict", lines.arcs.verdicts);

@@ -26,8 +26,9 @@ from recompute_onto import OntoRecomputation
 
 USAGE, INPUT, OUTPUT, INTERRUPTED = 2, 3, 4, 130
 SHARED = Path(os.environ.get("CROSSGRAIN_SHARED", Path(__file__).resolve().parents[3] / "shared"))
+ONTO_FILES = ["field.vtu", "onto.frames", "onto.vtu", "onto_singularities.vtu", "report.json", "singularities.vtu"]
 ONTO_KEYS = ["boundary", "crease_deg", "dirichlet", "edge_sum", "inverted_tets", "left_out_tets", "normal_deg",
-             "outside_vertices", "seconds", "singular", "tets", "unused_vertices", "vertices"]
+             "outside_vertices", "seconds", "singular", "singularity", "tets", "unused_vertices", "vertices"]
 
 
 class OntoTest(CommandTest):
@@ -59,11 +60,11 @@ class OntoTest(CommandTest):
 
 
 class TetsAsModel(OntoTest):
-    def test_there_are_four_files(self):
+    def test_there_are_six_files(self):
         vertices, tets = self.write_box()
         result = self.run_here("solve", "box.mesh")
         self.assert_succeeds(result)
-        self.assertEqual(self.files("box.frames"), ["field.vtu", "onto.frames", "onto.vtu", "report.json"])
+        self.assertEqual(self.files("box.frames"), ONTO_FILES)
         self.assertEqual(len(self.onto_frames("box.frames")), len(vertices))
         for name in self.files("box.frames"):
             self.assertIn(os.path.join("box.frames", name), result.stdout)
@@ -185,7 +186,7 @@ class TetsAsModel(OntoTest):
         self.solve("box.mesh", folder="first")
         report = self.solve("box.mesh", "--from", "first")
         self.assertEqual(report["warnings"], [])
-        self.assertEqual(self.files(), ["field.vtu", "onto.frames", "onto.vtu", "report.json"])
+        self.assertEqual(self.files(), ONTO_FILES)
 
     def test_interrupting_leaves_nothing(self):
         self.write_box()
@@ -210,7 +211,7 @@ class Onto(OntoTest):
         self.assertEqual(report["model"]["path"], "box.stl")
         self.assertEqual(report["onto"]["outside_vertices"], 0)
         self.assertEqual(len(self.onto_frames()), len(vertices))
-        self.assertEqual(self.files(), ["field.vtu", "onto.frames", "onto.vtu", "report.json"])
+        self.assertEqual(self.files(), ONTO_FILES)
         np.testing.assert_allclose(np.abs(self.onto_frames()).max(axis=2), 1, atol=1e-5)
 
     def test_vertices_beyond_the_surface_are_counted_and_warned_of(self):
@@ -434,7 +435,7 @@ class ReplacedResults(OntoTest):
     def test_a_field_without_tets_takes_the_files_of_tets_away(self):
         (self.folder / "out" / "notes.txt").write_text("mine")
         self.solve("box.stl", "--resolution", 8)
-        self.assertEqual(self.files(), ["field.vtu", "notes.txt", "report.json"])
+        self.assertEqual(self.files(), ["field.vtu", "notes.txt", "report.json", "singularities.vtu"])
 
     def test_a_run_that_fails_takes_nothing_away(self):
         def small_files_only():

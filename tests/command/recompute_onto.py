@@ -14,7 +14,9 @@ from pathlib import Path
 
 import numpy as np
 
+from field_reader import read_arrays
 from frame_math import coefficients, matching
+from recompute_singularity import graph_faults
 
 SMOOTH_DEG = 15
 ARC_COSINE_DEG = 2e-6  # what the arc cosine of a double leaves of a small angle
@@ -47,6 +49,7 @@ def summary(angles):
 
 class OntoRecomputation:
     def __init__(self, mesh, folder):
+        self.folder = Path(folder)
         self.vertices, self.tets = read_medit(mesh)
         self.axes = np.loadtxt(Path(folder) / "onto.frames").reshape(-1, 3, 3)
         assert len(self.axes) == len(self.vertices)
@@ -82,6 +85,46 @@ class OntoRecomputation:
                 matching(self.axes[a], self.axes[b])
             count += np.trace(turn) < 2.99
         return count
+
+    def singular_edges(self):
+        """How many edges inside have tets all around whose frames, matched one to the next, do not come back as they were;
+        and their length."""
+        arrays = read_arrays(self.folder / "onto.vtu")
+        cells = len(arrays["offsets"])
+        # The tets of the file, which are those of the mesh; point data come first under the same names.
+        axes = np.stack([arrays[f"axis_{name}"][-cells:] for name in "uvw"], axis=1).astype(float)
+        corners = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])
+        faces = {}
+        for tet, vertices in enumerate(np.sort(self.tets[:, corners], 2)):
+            for face in vertices.tolist():
+                faces.setdefault(tuple(face), []).append(tet)
+        across, at_edge = {}, {}
+        for (a, b, c), tets in faces.items():
+            for edge in ((a, b), (a, c), (b, c)):
+                at_edge.setdefault(edge, []).append(tets)
+            if len(tets) == 2:
+                p, q = tets
+                across[p, q] = matching(axes[p], axes[q])
+                across[q, p] = across[p, q].T
+        singular = [edge for edge, pairs in at_edge.items()
+                    if all(len(pair) == 2 for pair in pairs) and not self.matches_around(pairs, across)]
+        return len(singular), float(sum(np.linalg.norm(self.vertices[a] - self.vertices[b]) for a, b in singular))
+
+    @staticmethod
+    def matches_around(pairs, across):
+        """Whether the matchings over pairs of neighbours, which make up a ring, come to the identity."""
+        next_to = {}
+        for p, q in pairs:
+            next_to.setdefault(p, []).append(q)
+            next_to.setdefault(q, []).append(p)
+        first = now = pairs[0][0]
+        before, turn = next_to[first][1], np.eye(3)
+        while True:
+            one, other = next_to[now]
+            before, now = now, other if one == before else one
+            turn = across[before, now] @ turn
+            if now == first:
+                return np.trace(turn) > 2.99
 
     def alignment(self):
         """Summaries of the angles at smooth vertices and at the others."""
@@ -125,6 +168,14 @@ class OntoRecomputation:
             agrees = reported == value if value is None or reported is None else abs(reported - value) <= tolerance
             if not agrees:
                 faults.append(f"onto.{'.'.join(path)}: {reported} in the report, {value} recomputed")
+        return faults + self.singular_edge_faults(onto["singularity"])
+
+    def singular_edge_faults(self, section):
+        """The graph is in a file of its own; the edges are those around which the frames of onto.vtu do not match."""
+        faults = graph_faults("onto.singularity", section, self.folder / "onto_singularities.vtu")
+        count, length = self.singular_edges()
+        if section["edges"] != count or abs(section["length"] - length) > 1e-9 * length:
+            faults.append(f"onto.singularity: {section['edges']} edges, {count} recomputed")
         return faults
 
 

@@ -19,6 +19,7 @@ from field_reader import FACES, Field
 from frame_math import (boundary_form, coefficients, cubic_spectrum, deviation, frame_product, least_near, matching,
                         normal_energy)
 from program import run
+from recompute_singularity import graph_faults
 from surface_pieces import Surface, pieces_by_cell
 
 # Constants of the program that the report's numbers depend on.
@@ -213,34 +214,10 @@ class Recomputation:
 
     def singularity(self):
         edges = {edge for i in range(len(self.field)) for edge in self.singular_edges_of(i)}
-        degrees, swaps = Counter(), Counter()
-        joined = {}
-        for start, axis, width, swap in edges:
-            end = tuple(x + width * (k == axis) for k, x in enumerate(start))
-            degrees.update((start, end))
-            swaps.update({start: swap, end: swap})
-            joined.setdefault(start, []).append(end)
-            joined.setdefault(end, []).append(start)
-        # A chain has two ends at vertices of degree other than two; what never meets one is a closed loop.
-        chain_ends = sum(degree for degree in degrees.values() if degree != 2)
-        seen = set()
-        loops = 0
-        for vertex in degrees:
-            if vertex in seen:
-                continue
-            component, waiting = {vertex}, [vertex]
-            while waiting:
-                for other in joined[waiting.pop()]:
-                    if other not in component:
-                        component.add(other)
-                        waiting.append(other)
-            seen |= component
-            loops += all(degrees[v] == 2 for v in component)
         unit = self.field.arrays["root_cube"].ravel()[3] / 2.0**19
         length = unit * sum(width for _, _, width, _ in edges)
-        return {"edges": (len(edges), 0), "length": (length, 1e-9 * length), "arcs": (chain_ends // 2 + loops, 0),
-                "nodes": (sum(degree > 2 for degree in degrees.values()), 0),
-                "boundary_ends": (sum(degrees[v] == 1 or swaps[v] % 2 for v in degrees), 0)}
+        return {"edges": (len(edges), 0), "length": (length, 1e-9 * length),
+                "unresolved_loops": (small_loops(edges), 0)}
 
     def singular_edges_of(self, i):
         """(start, axis, width, whether two axes change places around it), in units of the smallest possible cell."""
@@ -357,10 +334,36 @@ def complete_leaves(cells):
     return 1 + 7 * len(split)
 
 
+def small_loops(edges):
+    """How many closed lines of at most six edges there are where nothing else arrives."""
+    joined = {}
+    for start, axis, width, _ in edges:
+        end = tuple(x + width * (k == axis) for k, x in enumerate(start))
+        joined.setdefault(start, []).append(end)
+        joined.setdefault(end, []).append(start)
+    seen, loops = set(), 0
+    for vertex in joined:
+        component, waiting = {vertex}, [] if vertex in seen else [vertex]
+        while waiting:
+            for other in joined[waiting.pop()]:
+                if other not in component:
+                    component.add(other)
+                    waiting.append(other)
+        loops += vertex not in seen and all(len(joined[v]) == 2 for v in component) and len(component) <= 6
+        seen |= component
+    return loops
+
+
 def value_at(section, path):
     for key in path.split("."):
         section = section[key]
     return section
+
+
+# Keys that are compared elsewhere, or not always there.
+IN_OTHER_WAYS = {"model": {"path"}, "creases": {"tangent_deg"},
+                 "singularity": {"arcs", "nodes", "boundary_ends", "meshable", "not_meshable_arcs", "not_meshable_nodes",
+                                 "undecided_nodes", "arc_list", "node_list"}}
 
 
 def disagreements(model, folder):
@@ -381,10 +384,11 @@ def disagreements(model, folder):
         for path, (value, tolerance) in expected.items():
             reported = value_at(report[name], path)
             compare(f"{name}.{path}", sorted(reported) if path.endswith("_places") else reported, value, tolerance)
-        known = {path.split(".")[0] for path in expected} | {"model": {"path"}, "creases": {"tangent_deg"}}.get(name, set())
+        known = {path.split(".")[0] for path in expected} | IN_OTHER_WAYS.get(name, set())
         if set(report[name]) != known:
             faults.append(f"{name}: keys {sorted(set(report[name]) ^ known)}")
 
+    faults += graph_faults("singularity", report["singularity"], Path(folder) / "singularities.vtu")
     compare("model.path", report["model"]["path"] == str(model), True, 0)
     # Of a closed surface, the only ones that tests ask this of, nothing is left out, and nothing found but this.
     watertight, components = recomputation.surface.topology()

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Recomputes `singularity` of report.json from singularities.vtu, or that of tets from onto_singularities.vtu."""
+
+import numpy as np
+
+from field_reader import read_arrays
+
+TYPES = ["regular", "across", "changing", "no_axis"]
+VERDICTS = ["meshable", "not_meshable", "undecided"]
+VTK_POLY_LINE = 4
+
+# Pairs (arcs of index 1/4, arcs of index -1/4) for which the sphere has a triangulation with vertices of valence 3, 5, and
+# otherwise 4.
+MESHABLE_NODES = {(4, 0), (2, 0), (2, 2), (0, 2), (1, 3), (0, 4), (2, 6), (0, 6), (0, 8), (0, 12)}
+
+
+class Graph:
+    def __init__(self, path):
+        self.arrays = read_arrays(path)
+        self.points = self.arrays["Points"].reshape(-1, 3)
+        ends = [0, *self.arrays["offsets"]]
+        self.arcs = [self.arrays["connectivity"][a:b] for a, b in zip(ends[:-1], ends[1:])]
+        assert (self.arrays["types"] == VTK_POLY_LINE).all()
+        # Points that are nodes come first, in their order.
+        self.nodes = np.flatnonzero(self.arrays["node"] >= 0)
+        assert (self.arrays["node"][self.nodes] == np.arange(len(self.nodes))).all()
+
+    def arcs_at(self, node):
+        return [i for i, arc in enumerate(self.arcs) for end in (arc[0], arc[-1]) if end == node and not self.is_closed(i)]
+
+    def is_closed(self, i):
+        return bool(self.arcs[i][0] == self.arcs[i][-1] and self.arcs[i][0] not in self.nodes)
+
+    def length(self, i):
+        return np.linalg.norm(np.diff(self.points[self.arcs[i]], axis=0), axis=1).sum()
+
+    def half_way(self, i):
+        points = self.points[self.arcs[i]]
+        along = np.cumsum([0, *np.linalg.norm(np.diff(points, axis=0), axis=1)])
+        return [np.interp(along[-1] / 2, along, points[:, k]) for k in range(3)]
+
+    def arc_verdict(self, i):
+        regular = self.arrays["type"][i] == 0
+        return VERDICTS[0] if regular and self.arrays["index"][i] != 0.5 else VERDICTS[1]
+
+    def node_verdict(self, node):
+        arcs = self.arcs_at(node)
+        if self.arrays["node_on_boundary"][node]:
+            return VERDICTS[0]
+        if any(self.arc_verdict(i) != VERDICTS[0] for i in arcs):
+            return VERDICTS[1]
+        indices = [self.arrays["index"][i] for i in arcs]
+        if any(abs(index) == 0.5 for index in indices):
+            return VERDICTS[2]
+        return VERDICTS[0] if (indices.count(0.25), indices.count(-0.25)) in MESHABLE_NODES else VERDICTS[1]
+
+
+def graph_faults(name, section, path):
+    """One line for each number of a section of the report that is not what the file says. Not `edges`, `length` and
+    `unresolved_loops`, which are not in it."""
+    graph = Graph(path)
+    on_boundary = graph.arrays["node_on_boundary"]
+    faults = []
+
+    def compare(key, reported, expected, tolerance=0.0):
+        same = reported == expected if tolerance == 0 else np.allclose(reported, expected, rtol=0, atol=tolerance)
+        if not same:
+            faults.append(f"{name}.{key}: {reported} in the report, {expected} recomputed")
+
+    size = np.ptp(graph.points, axis=0).max() if len(graph.points) else 1
+    compare("arcs", section["arcs"], len(graph.arcs))
+    compare("arc_list", len(section["arc_list"]), len(graph.arcs))
+    compare("node_list", len(section["node_list"]), len(graph.nodes))
+    for i, arc in enumerate(section["arc_list"][: len(graph.arcs)]):
+        ends = [] if graph.is_closed(i) else [int(graph.arcs[i][0]), int(graph.arcs[i][-1])]
+        compare(f"arc_list[{i}].nodes", arc["nodes"], ends)
+        compare(f"arc_list[{i}].length", arc["length"], graph.length(i), 1e-9 * size)
+        compare(f"arc_list[{i}].place", arc["place"], graph.half_way(i), 1e-6 * size)
+        compare(f"arc_list[{i}].type", arc["type"], TYPES[graph.arrays["type"][i]])
+        compare(f"arc_list[{i}].index", arc["index"], graph.arrays["index"][i])
+        compare(f"arc_list[{i}].verdict", arc["verdict"], graph.arc_verdict(i))
+        compare(f"arc_list[{i}].across_length", arc["across_length"], graph.arrays["across_length"][i])
+        compare(f"arc_list[{i}].on_boundary", arc["on_boundary"], any(bool(on_boundary[end]) for end in ends))
+        compare(f"on_boundary[{i}]", bool(graph.arrays["on_boundary"][i]), arc["on_boundary"])
+        compare(f"closed[{i}]", bool(graph.arrays["closed"][i]), not ends)
+    for k, node in enumerate(section["node_list"][: len(graph.nodes)]):
+        compare(f"node_list[{k}].place", node["place"], graph.points[k], 1e-12 * size)
+        compare(f"node_list[{k}].on_boundary", node["on_boundary"], bool(on_boundary[k]))
+        compare(f"node_list[{k}].arcs", node["arcs"], graph.arcs_at(k))
+        compare(f"node_list[{k}].degree", graph.arrays["node_degree"][k], len(graph.arcs_at(k)))
+        compare(f"node_list[{k}].verdict", node["verdict"], graph.node_verdict(k))
+        compare(f"node_verdict[{k}]", VERDICTS[graph.arrays["node_verdict"][k]], graph.node_verdict(k))
+    verdicts = [graph.arc_verdict(i) for i in range(len(graph.arcs))]
+    node_verdicts = [graph.node_verdict(k) for k in range(len(graph.nodes))]
+    compare("boundary_ends", section["boundary_ends"], int(on_boundary[: len(graph.nodes)].sum()))
+    compare("nodes", section["nodes"], sum(len(graph.arcs_at(k)) > 1 for k in range(len(graph.nodes))))
+    compare("not_meshable_arcs", section["not_meshable_arcs"], verdicts.count("not_meshable"))
+    compare("not_meshable_nodes", section["not_meshable_nodes"], node_verdicts.count("not_meshable"))
+    compare("undecided_nodes", section["undecided_nodes"], node_verdicts.count("undecided"))
+    compare("meshable", section["meshable"], "not_meshable" not in verdicts + node_verdicts)
+    return faults
