@@ -120,9 +120,8 @@ struct OutputOptions {
 /// never holds a mix of two solves. The report's seconds.write is what that took; it is added to
 /// seconds.total, and peak_memory_bytes is brought up to date. Where no cell meets the box of `options`, all
 /// are written, with a warning in the report: a solve is not lost for a box. Returns the report as written.
-/// Throws Error(kOutput), Error(kUsage) for options that make no sense (formats too, for they are those of
-/// tets), and Error(kInterrupted) once the
-/// monitor is cancelled.
+/// Throws Error(kOutput), Error(kUsage) for options that make no sense (of formats any, as they are of fields
+/// on tets), and Error(kInterrupted) once the monitor is cancelled.
 SolveReport write_field(const FrameField& field, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 
