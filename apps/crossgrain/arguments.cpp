@@ -10,7 +10,9 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
@@ -95,6 +97,35 @@ std::string fault_of_bytes(const std::string& text) {
   return parse_bytes(text) ? "" : "'" + text + "' is no amount of memory such as 12GB, 800MB or 1.5GiB";
 }
 
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+/// Names with commas between them, less what is always written.
+std::string names_of_formats() {
+  std::string names;
+  for (const OutputFormat& format : output_formats())
+    if (!format.is_always_written) names += (names.empty() ? "" : ", ") + format.name;
+  return names;
+}
+
+std::string fault_of_formats(const std::string& text) {
+  const std::vector<OutputFormat> formats = output_formats();
+  for (const std::string& name : parts_of(text)) {
+    if (std::none_of(formats.begin(), formats.end(), [&](const auto& format) { return format.name == name; }))
+      return "'" + name + "' is no format to write; choose from " + names_of_formats() +
+             ", with commas between them";
+  }
+  return "";
+}
+
 void add_output_options(CLI::App& command, OutputOptions& options) {
   constexpr int kDeepest = 19;  // OutputOptions::level
   command
@@ -109,6 +140,15 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
           "Only cells that meet this box go to field.vtu; model units, inf and -inf too")
       ->check(fault_of_box)
       ->type_name("XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX");
+  std::string formats = "Formats to write the field on tets in, besides onto.frames and onto.vtu:";
+  for (const OutputFormat& format : output_formats())
+    if (!format.is_always_written) formats += " " + format.name + " (" + format.description + "),";
+  command
+      .add_option_function<std::string>(
+          "--write", [&options](const std::string& text) { options.formats = parts_of(text); },
+          formats.substr(0, formats.size() - 1) + "; docs/formats.md")
+      ->check(fault_of_formats)
+      ->type_name("A,B,...");
 }
 
 void add_tets_options(CLI::App& command, SolveArguments& arguments) {
@@ -259,6 +299,8 @@ void check_arguments(SolveArguments& arguments, const CLI::App* command) {
     refuse("MODEL is a tet mesh, which --onto is not for; give a surface or leave out --onto", command);
   if (!is_tets && arguments.onto.empty() && command->count("--boundary") > 0)
     refuse("--boundary is for tet meshes; give one as MODEL or with --onto", command);
+  if (!is_tets && arguments.onto.empty() && command->count("--write") > 0)
+    refuse("--write is for tet meshes; give one as MODEL or with --onto", command);
   if (arguments.output.empty())
     arguments.output = std::filesystem::path(arguments.model).stem().string() + ".frames";
 }

@@ -146,9 +146,19 @@ std::string expected_line(const Expectation& expected) {
                      static_cast<double>(expected.peak_memory_bytes) / 1e9, expected.seconds);
 }
 
-std::string files_line(const SolveReport& report, const std::filesystem::path& output) {
+bool is_written(const OutputFormat& format, const OutputOptions& options) {
+  const auto& names = options.formats;
+  return format.is_always_written || std::find(names.begin(), names.end(), format.name) != names.end();
+}
+
+std::string files_line(const SolveReport& report, const SolveArguments& arguments) {
+  const std::filesystem::path output = arguments.output;
   std::vector<std::string> names{"field.vtu"};
-  if (report.onto) names.insert(names.end(), {"onto.frames", "onto.vtu"});
+  if (report.onto) {
+    for (const OutputFormat& format : output_formats())
+      if (is_written(format, arguments.output_options))
+        names.insert(names.end(), format.files.begin(), format.files.end());
+  }
   std::string text;
   for (const std::string& name : names) text += (output / name).string() + (name == names.back() ? "" : ", ");
   return text + " and " + (output / "report.json").string();
@@ -167,7 +177,7 @@ std::vector<std::pair<std::string, std::string>> warnings_of_input(const SolveRe
 }
 
 /// `told`: warnings that stand on standard error already.
-std::string summary_of(const SolveReport& report, const std::string& output,
+std::string summary_of(const SolveReport& report, const SolveArguments& arguments,
                        const std::set<std::string>& told) {
   const auto& alignment = report.alignment_deg;
   std::string text = fmt::format("{} triangles, {}\n", report.model.triangles,
@@ -185,7 +195,7 @@ std::string summary_of(const SolveReport& report, const std::string& output,
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
   for (const std::string& warning : report.warnings)
     if (!told.contains(warning)) text += fmt::format("warning    {}\n", warning);
-  return text + fmt::format("result     {}\n", files_line(report, output));
+  return text + fmt::format("result     {}\n", files_line(report, arguments));
 }
 
 /// What is missing would start from the nearest cells that are there, and the field end worse for it.
@@ -253,7 +263,7 @@ void run_solve(const SolveArguments& arguments) {
   if (arguments.onto.empty() && !is_tet_file(arguments.model)) {
     check_field_folder(arguments.output);
   } else {
-    check_onto_folder(arguments.output);
+    check_onto_folder(arguments.output, arguments.output_options);
   }
   SolveReport report;
   std::set<std::string> told;
@@ -276,7 +286,7 @@ void run_solve(const SolveArguments& arguments) {
   }
   for (const auto& [file, warning] : warnings_of_input(report, arguments))
     if (told.insert(warning).second) print_message("warning: " + file + ": " + warning);
-  if (!arguments.quiet) print_result(summary_of(report, arguments.output, told));
+  if (!arguments.quiet) print_result(summary_of(report, arguments, told));
 }
 
 }  // namespace crossgrain::app

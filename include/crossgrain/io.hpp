@@ -90,8 +90,19 @@ bool is_tet_file(const std::filesystem::path& path);
 /// Throws Error(kInput) naming the line that is wrong, and where there are none at all.
 Constraints read_constraints(const std::filesystem::path& path);
 
-/// How much of a field `write_field` writes to field.vtu; by default all of it. The report, and what is
-/// written for tets, are of the whole field in any case.
+/// A format that a field on tets can be written in (docs/formats.md).
+struct OutputFormat {
+  std::string name;
+  std::string description;         ///< for a list of them
+  std::vector<std::string> files;  ///< what they are called in the folder
+  bool is_always_written = false;
+};
+
+/// All of them, those first that are always written.
+std::vector<OutputFormat> output_formats();
+
+/// How much of a field `write_field` writes to field.vtu, by default all of it, and which formats it writes.
+/// The report, and what is written for tets, are of the whole field in any case.
 struct OutputOptions {
   /// Depth of the smallest cells written, 0 (the root cube) to 19. Leaves that are deeper become one cell,
   /// the ancestor of this depth, also where that reaches out of the solid (docs/field-file.md).
@@ -99,6 +110,10 @@ struct OutputOptions {
 
   /// Only cells that have a point in common with this box are written. Model units; bounds may be infinite.
   std::optional<Box> clip;
+
+  /// Names of formats (`output_formats`) to write a field on tets in, besides those that always are; in any
+  /// order, and any number of times.
+  std::vector<std::string> formats = {};
 };
 
 /// Writes FOLDER/field.vtu and FOLDER/singularities.vtu (docs/field-file.md), which ParaView opens, and
@@ -107,8 +122,8 @@ struct OutputOptions {
 /// that a folder never holds a mix of two solves. The report's seconds.write is what that took; it is added
 /// to seconds.total, and peak_memory_bytes is brought up to date. Where no cell meets the box of `options`,
 /// all are written, with a warning in the report: a solve is not lost for a box. Returns the report as
-/// written. Throws Error(kOutput), Error(kUsage) for options that make no sense, and Error(kInterrupted) once
-/// the monitor is cancelled.
+/// written. Throws Error(kOutput), Error(kUsage) for options that make no sense (of formats any, as they are
+/// of fields on tets), and Error(kInterrupted) once the monitor is cancelled.
 SolveReport write_field(const FrameField& field, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 
@@ -116,8 +131,10 @@ SolveReport write_field(const FrameField& field, const std::filesystem::path& fo
 SolveReport write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 
-/// The same with FOLDER/onto.frames, FOLDER/onto.vtu and FOLDER/onto_singularities.vtu: all six files or
-/// none. Without `report`, the field's own.
+/// The same with FOLDER/onto.frames, FOLDER/onto.vtu and FOLDER/onto_singularities.vtu and the files of
+/// OutputOptions::formats (docs/formats.md): all files or none. Those of formats that are not asked for are
+/// removed, should an earlier solve have written them. Where tets are left out, and files that number them
+/// are asked for, the report written has a warning. Without `report`, the field's own.
 SolveReport write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 SolveReport write_field(const TetFrameField& field, const std::filesystem::path& folder,
@@ -141,8 +158,8 @@ bool is_clipped_field(const std::filesystem::path& folder);
 /// a solve.
 void check_field_folder(const std::filesystem::path& folder);
 
-/// The same for a field on tets.
-void check_onto_folder(const std::filesystem::path& folder);
+/// The same for a field on tets, and these options.
+void check_onto_folder(const std::filesystem::path& folder, const OutputOptions& options = {});
 
 /// In the following, the path "-" means standard input or standard output. Text files have one item a line,
 /// its numbers separated by blanks; blank lines, and what follows a word that begins with '#', are passed

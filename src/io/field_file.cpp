@@ -9,6 +9,7 @@
 #include "analysis/field_data.hpp"
 #include "base/stopwatch.hpp"
 #include "base/system_memory.hpp"
+#include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "harmonics/deviation.hpp"
 #include "harmonics/frame.hpp"
@@ -19,6 +20,7 @@
 #include "io/output_file.hpp"
 #include "io/report_file.hpp"
 #include "io/singularity_file.hpp"
+#include "io/tet_files.hpp"
 #include "io/vtu_arrays.hpp"
 #include "io/vtu_reader.hpp"
 #include "io/vtu_writer.hpp"
@@ -180,11 +182,12 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
                             const Monitor& monitor, const OutputOptions& options,
                             const std::function<void(OutputFolder&)>& add_files) {
   check_output_options(options);
+  check_formats(options.formats);
   Stopwatch stopwatch;
   stopwatch.start();
   OutputFolder output(folder);
   write_chosen_cells(field.data(), options, output.create(kFieldFile), report, monitor);
-  write_singularities(field.singularities(), output.create(kSingularityFile), monitor);
+  write_singularities(output.create(kSingularityFile), field.singularities(), monitor);
   add_files(output);
   report.seconds.write = stopwatch.restart();
   report.seconds.total += report.seconds.write;
@@ -197,11 +200,15 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
 
 SolveReport write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                         const Monitor& monitor, const OutputOptions& options) {
+  if (!options.formats.empty())
+    throw Error(ErrorKind::kUsage, "'" + options.formats.front() +
+                                       "' is a format of fields on tets, and this one has none; leave "
+                                       "OutputOptions::formats empty");
   // A field that was read from a folder with tets tells of them, and files of an earlier field with tets
   // would pass for this one's.
   report.onto.reset();
   return write_field_and(field, std::move(report), folder, monitor, options, [](OutputFolder& output) {
-    for (const char* name : kOntoFiles) output.remove_at_commit(name);
+    for (const TetFile& file : tet_files()) output.remove_at_commit(file.name);
   });
 }
 

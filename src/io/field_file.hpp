@@ -2,7 +2,6 @@
 // The folder of a field, and what else goes into it.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <functional>
 
@@ -13,9 +12,6 @@
 #include "io/output_file.hpp"
 
 namespace crossgrain {
-
-/// What a field on tets has beside the files of every field.
-inline constexpr std::array kOntoFiles = {"onto.frames", "onto.vtu", "onto_singularities.vtu"};
 
 /// `write_field` (crossgrain/io.hpp) with further files, which appear together with field.vtu and report.json
 /// or not at all. add_files creates and writes them; it counts in the report's seconds.write.

@@ -4,13 +4,19 @@
 
 #include <span>
 
+#include "base/quaternion.hpp"
+#include "crossgrain/monitor.hpp"
 #include "crossgrain/types.hpp"
 #include "io/output_file.hpp"
 
 namespace crossgrain {
 
-/// Writes 17 significant digits of every number, which read back as the same bits. Lines are made in
-/// parallel, all of them in memory at once: about 200 bytes a frame.
+/// Writes 17 significant digits of every number, which read back as the same bits.
 void write_frame_lines(OutputFile& file, std::span<const Frame> frames);
+
+/// The same of frames as unit quaternions, with `between` after each of the first two axes: a blank, or the
+/// end of a line, which gives three lines a frame. Throws Error(kInterrupted).
+void write_frame_lines(OutputFile& file, std::span<const Quaternion> frames, char between,
+                       const Monitor& monitor);
 
 }  // namespace crossgrain

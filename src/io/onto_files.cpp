@@ -1,102 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/onto_files.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cassert>
-#include <cstdint>
+#include <string>
 #include <vector>
 
-#include "analysis/orthonormal_frame.hpp"
-#include "base/parallel.hpp"
+#include "analysis/tet_domain_data.hpp"
 #include "crossgrain/io.hpp"
-#include "io/field_arrays.hpp"
 #include "io/field_file.hpp"
-#include "io/frame_lines.hpp"
-#include "io/singularity_file.hpp"
-#include "io/vtu_arrays.hpp"
-#include "io/vtu_writer.hpp"
-#include "tets/inner_walls.hpp"
+#include "io/tet_files.hpp"
 
 namespace crossgrain {
 namespace {
 
-constexpr const char* kFramesFile = kOntoFiles[0];
-constexpr const char* kGridFile = kOntoFiles[1];
-constexpr const char* kSingularityFile = kOntoFiles[2];
-
-/// Frames made into text between two looks at the monitor: some 10 MB.
-constexpr std::size_t kFramesAtOnce = 1 << 16;
-
-void write_frames(OutputFile& file, const std::vector<Quaternion>& quaternions, const Monitor& monitor) {
-  std::vector<Frame> frames;
-  for (std::size_t begin = 0; begin < quaternions.size(); begin += kFramesAtOnce) {
-    monitor.check();
-    frames.resize(std::min(kFramesAtOnce, quaternions.size() - begin));
-    parallel_for(frames.size(),
-                 [&](std::size_t i) { frames[i] = orthonormal_frame(quaternions[begin + i]); });
-    write_frame_lines(file, frames);
-  }
-  file.finish();
-}
-
-template <class Index>
-void add_tets(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
-  arrays.push_back(vtu_array<Index>(
-      VtuSection::kCells, "connectivity", 1, 4 * mesh.tets.size(),
-      [&mesh](std::size_t begin, std::size_t end, Index* out) {
-        for (std::size_t i = begin; i < end; ++i) *out++ = static_cast<Index>(mesh.tets[i / 4][i % 4]);
-      },
-      VtuPacking::kSingleBytes));
-  constexpr std::uint8_t kVtkTetra = 10;
-  add_uniform_cells<Index>(mesh.tets.size(), 4, kVtkTetra, arrays);
-}
-
-void add_mesh(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
-  arrays.push_back(vtu_array<double>(
-      VtuSection::kPoints, "Points", 3, mesh.vertices.size(),
-      [&mesh](std::size_t begin, std::size_t end, double* out) {
-        for (std::size_t i = begin; i < end; ++i, out += 3) std::ranges::copy(mesh.vertices[i], out);
-      },
-      VtuPacking::kMeasured));
-  if (fits_32_bits(mesh.vertices.size(), 4 * mesh.tets.size()))
-    add_tets<std::int32_t>(mesh, arrays);
-  else
-    add_tets<std::int64_t>(mesh, arrays);
-}
-
-void write_grid(OutputFile& file, const TetMesh& mesh, const TetField& onto, const Monitor& monitor) {
-  std::vector<VtuArray> arrays;
-  add_axes(
-      VtuSection::kPointData, onto.vertex_frames.size(),
-      [&onto](std::size_t i) { return onto.vertex_frames[i]; }, arrays);
-  add_axes(
-      VtuSection::kCellData, onto.tet_frames.size(), [&onto](std::size_t i) { return onto.tet_frames[i]; },
-      arrays);
-  if (has_several_regions(mesh))
-    arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kRegion, mesh.regions));
-  add_mesh(mesh, arrays);
-  watch(arrays, monitor);
-  write_vtu(file, mesh.vertices.size(), mesh.tets.size(), arrays);
-  file.finish();
+/// Programs that put these files beside the mesh file count its tets.
+void warn_of_left_out_tets(const TetSolid& solid, const OutputOptions& options, SolveReport& report) {
+  std::vector<std::string> names;
+  for (const TetFile& file : tet_files())
+    if (file.has_rows_of_tets && is_asked_for(file, options.formats)) names.push_back(file.name);
+  if (names.empty() || solid.left_out_tets == 0) return;
+  const std::size_t tets = solid.mesh.tets.size();
+  report.warnings.push_back(fmt::format(
+      "tets left out: {} of {}; {} count the other {}, as onto.vtu does, so take the mesh from there",
+      solid.left_out_tets, tets + solid.left_out_tets, fmt::join(names, ", "), tets));
 }
 
 }  // namespace
 
-SolveReport write_field_onto(const FrameField& field, SolveReport report, const TetMesh& mesh,
-                             const TetField& onto, const std::filesystem::path& folder,
-                             const Monitor& monitor, const OutputOptions& options) {
-  assert(onto.vertex_frames.size() == mesh.vertices.size() && onto.tet_frames.size() == mesh.tets.size());
-  return write_field_and(field, std::move(report), folder, monitor, options, [&](OutputFolder& output) {
-    write_frames(output.create(kFramesFile), onto.vertex_frames, monitor);
-    write_grid(output.create(kGridFile), mesh, onto, monitor);
-    write_singularities(onto.singularities, output.create(kSingularityFile), monitor);
+SolveReport write_field_onto(const FrameField& field, SolveReport report, const TetOutput& output,
+                             const std::filesystem::path& folder, const Monitor& monitor,
+                             const OutputOptions& options) {
+  assert(output.field.vertex_frames.size() == output.solid.mesh.vertices.size() &&
+         output.field.tet_frames.size() == output.solid.mesh.tets.size());
+  warn_of_left_out_tets(output.solid, options, report);
+  return write_field_and(field, std::move(report), folder, monitor, options, [&](OutputFolder& files) {
+    for (const TetFile& file : tet_files()) {
+      if (is_asked_for(file, options.formats))
+        file.write(files.create(file.name), output, monitor);
+      else
+        files.remove_at_commit(file.name);
+    }
   });
 }
 
 SolveReport write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
                         const Monitor& monitor, const OutputOptions& options) {
-  return write_field_onto(field.grid(), std::move(report), field.domain().mesh(), field.data(), folder,
-                          monitor, options);
+  return write_field_onto(field.grid(), std::move(report), {field.domain().data().solid, field.data()},
+                          folder, monitor, options);
 }
 
 SolveReport write_field(const TetFrameField& field, const std::filesystem::path& folder,
@@ -104,9 +56,13 @@ SolveReport write_field(const TetFrameField& field, const std::filesystem::path&
   return write_field(field, field.report(), folder, monitor, options);
 }
 
-void check_onto_folder(const std::filesystem::path& folder) {
+void check_onto_folder(const std::filesystem::path& folder, const OutputOptions& options) {
   check_field_folder(folder);
-  check_writable(folder, {kFramesFile, kGridFile, kSingularityFile});
+  check_formats(options.formats);
+  std::vector<std::string> names;
+  for (const TetFile& file : tet_files())
+    if (is_asked_for(file, options.formats)) names.push_back(file.name);
+  check_writable(folder, names);
 }
 
 }  // namespace crossgrain

@@ -11,7 +11,6 @@
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
-#include "io/field_file.hpp"
 #include "io/vtu_reader.hpp"
 #include "tets/tet_solid.hpp"
 
@@ -79,7 +78,7 @@ OntoTets read_onto_tets(const std::filesystem::path& path) {
 }
 
 std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / kOntoFiles[1];
+  const std::filesystem::path path = folder / "onto.vtu";
   if (!std::filesystem::exists(path)) return std::nullopt;
   OntoTets tets = read_onto_tets(path);
   std::vector<std::string> warnings;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "io/tet_writers.hpp"
 #include "io/vtu_arrays.hpp"
 #include "io/vtu_writer.hpp"
 
@@ -112,7 +113,7 @@ std::vector<VtuArray> arrays_of(const Polylines& lines) {
 
 }  // namespace
 
-void write_singularities(const SingularityGraph& graph, OutputFile& file, const Monitor& monitor) {
+void write_singularities(OutputFile& file, const SingularityGraph& graph, const Monitor& monitor) {
   Polylines lines;
   add_nodes(graph, lines);
   for (const SingularityGraph::Arc& arc : graph.arcs) add_arc(graph, arc, lines);
@@ -120,6 +121,10 @@ void write_singularities(const SingularityGraph& graph, OutputFile& file, const 
   watch(arrays, monitor);
   write_vtu(file, lines.points.places.size(), lines.offsets.size(), arrays);
   file.finish();
+}
+
+void write_tet_singularities(OutputFile& file, const TetOutput& output, const Monitor& monitor) {
+  write_singularities(file, output.field.singularities, monitor);
 }
 
 }  // namespace crossgrain

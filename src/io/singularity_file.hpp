@@ -9,6 +9,6 @@
 namespace crossgrain {
 
 /// Points are the nodes in their order, then of one arc after the other those between. Throws Error(kOutput).
-void write_singularities(const SingularityGraph& graph, OutputFile& file, const Monitor& monitor);
+void write_singularities(OutputFile& file, const SingularityGraph& graph, const Monitor& monitor);
 
 }  // namespace crossgrain

@@ -24,7 +24,7 @@ ARC_COSINE_DEG = 2e-6  # what the arc cosine of a double leaves of a small angle
 
 def read_medit(path):
     """Vertices and tets numbered from 0, of positive volume."""
-    lines = Path(path).read_text().split("\n")
+    lines = [line.strip() for line in Path(path).read_text().split("\n")]
 
     def section(keyword):
         begin = lines.index(keyword) + 2

@@ -83,12 +83,12 @@ class OfTets(RegionsTest):
         self.solve("two.vtk")
         np.testing.assert_array_equal(self.arrays("onto.vtu")["region"], self.tags)
 
-    def test_one_region_is_none(self):
+    def test_one_region_is_none_but_keeps_its_number(self):
         report = self.solve("one.vtk")
         self.assertNotIn("regions", report)
         self.assertNotIn("interfaces", report)
         self.assertNotIn("region", self.arrays())
-        self.assertNotIn("region", self.arrays("onto.vtu"))
+        np.testing.assert_array_equal(self.arrays("onto.vtu")["region"], 1)
 
     def test_a_union_has_the_field_of_one_solid(self):
         one, union = self.solve("one.vtk", folder="one"), self.solve("two.vtk", "--union", folder="union")

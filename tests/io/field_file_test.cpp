@@ -15,6 +15,7 @@
 #include "io/sample_field.hpp"
 #include "io/temporary_folder.hpp"
 #include "io/vtu_reader.hpp"
+#include "tets/tet_meshes.hpp"
 
 namespace crossgrain {
 namespace {
@@ -164,9 +165,9 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
                                   .inverted_tets = 7,
                                   .left_out_tets = 8,
                                   .seconds = 0.7};
-  const TetMesh tet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}};
-  write_field_onto(field_of(sample_data(Degree::kFour)), report, tet,
-                   {std::vector<Quaternion>(4), {Quaternion{}}}, folder.path());
+  const TetSolid tet = solid_of(corner_tet());
+  const TetField onto{std::vector<Quaternion>(4), {Quaternion{}}};
+  write_field_onto(field_of(sample_data(Degree::kFour)), report, {tet, onto}, folder.path());
   const SolveReport read = read_field(folder.path()).report();
   ASSERT_TRUE(read.onto);
   EXPECT_EQ(read.onto->tets, 2u);
