@@ -13,6 +13,9 @@ void run_solve(const SolveArguments& arguments);
 /// Writes the frames; the number of points outside on standard error.
 void run_sample(const SampleArguments& arguments);
 
+/// Writes the lines; a summary on standard output, the number of seeds outside on standard error.
+void run_streamlines(const StreamlinesArguments& arguments);
+
 /// Prints the spectrum on standard output.
 void run_spectrum(const SpectrumArguments& arguments);
 
