@@ -202,8 +202,9 @@ class AxisIntegrator::Way {
     const double off = 0.5 * h_ * norm(bend) * stop.share * (1 - stop.share);
     if (off > options_.end_tolerance_cells * cell() && shortened(std::max(stop.share, kLeastFactor)))
       return true;
-    append(front_.point + stop.share * (step.front.point - front_.point),
-           normalised(front_.direction + stop.share * bend));
+    const Vector3 end = front_.point + stop.share * (step.front.point - front_.point);
+    CellIndex leaf = front_.leaf;
+    append(end, of_.direction_at(front_, end, leaf));
     return ended(stop.reason);
   }
 

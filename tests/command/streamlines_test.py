@@ -137,6 +137,31 @@ class Streamlines(CommandTest):
                 if end == BOUNDARY:
                     self.assertGreater(at, -sagitta - 1e-6)
 
+    def test_tangents_are_axes_of_the_frames_that_sample_gives(self):
+        self.write("cylinder.stl", stl_bytes(cylinder_triangles()))
+        self.assert_succeeds(self.run_here("solve", "cylinder.stl", "--resolution", "16", "-o", "cylinder"))
+        self.assert_succeeds(self.run_here("streamlines", "cylinder", "--surface", "cylinder.stl", "--count", "50"))
+        lines = Lines(self.folder / "cylinder/streamlines.vtu")
+        points, tangents = lines.arrays["Points"], lines.arrays["tangent"].astype(float)
+        np.savetxt(self.folder / "points.txt", points, fmt="%.17g")
+        self.assert_succeeds(self.run_here("sample", "cylinder", "points.txt", "-o", "frames.txt"))
+        axes = np.loadtxt(self.folder / "frames.txt").reshape(-1, 3, 3)
+        off = np.linalg.norm(np.cross(axes, tangents[:, None]), axis=2).min(axis=1)
+        # Tangents are written in single precision. Ends may be seen from the cell across a closed face.
+        inner = np.ones(len(points), bool)
+        ends = lines.arrays["offsets"].astype(int)
+        inner[[*(ends - 1), 0, *ends[:-1]]] = False
+        self.assertLess(off[inner].max(), 1e-6)
+        self.assertLess(np.percentile(off, 99), 1e-6)
+
+    def test_the_pieces_of_a_line_go_along_its_tangents(self):
+        lines = self.lines("--surface", "box.stl")
+        for points, tangents in zip(lines.points, lines.tangents):
+            pieces = np.diff(points, axis=0)
+            pieces = pieces / np.linalg.norm(pieces, axis=1)[:, None]
+            self.assertGreater(np.einsum("ij,ij->i", pieces, tangents[:-1]).min(), 0.99)
+            self.assertGreater(np.einsum("ij,ij->i", pieces, tangents[1:]).min(), 0.99)
+
     def test_the_surface_may_be_the_tets_that_were_solved(self):
         self.write("box.mesh", medit_text(*tet_box()))
         self.assert_succeeds(self.run_here("solve", "box.mesh", "-o", "box"))
