@@ -177,6 +177,45 @@ void near_singular_line() {
   }
 }
 
+/// What the smallest step costs and buys: lines that end elsewhere than with steps down to 1/1024.
+void small_steps(const FrameField& field, const std::vector<Vector3>& seeds, const TriangleMesh* surface) {
+  StreamlineOptions options;
+  options.smallest_step_cells = 1.0 / 1024;
+  const Streamlines reference = StreamlineTracer(field, options, surface).trace(seeds);
+  std::printf("\nsmallest step  seconds  points  lines that end for another reason\n");
+  for (const int parts : {4, 16, 64, 256}) {
+    options.smallest_step_cells = 1.0 / parts;
+    const StreamlineTracer tracer(field, options, surface);
+    const auto start = Clock::now();
+    const Streamlines result = tracer.trace(seeds);
+    const double seconds = seconds_since(start);
+    std::size_t points = 0, others = 0;
+    for (std::size_t k = 0; k < result.lines.size(); ++k) {
+      const Streamline &line = result.lines[k], &same = reference.lines[k];
+      points += line.points.size();
+      others += line.first_end != same.first_end || line.last_end != same.last_end;
+    }
+    std::printf("        1/%-3d  %7.3f  %6zu  %zu of %zu\n", parts, seconds, points, others,
+                result.lines.size());
+  }
+}
+
+/// How many lines close, and how much length that saves.
+void closing(const FrameField& field, const std::vector<Vector3>& seeds, const TriangleMesh* surface) {
+  std::printf("\nclosing distance  closed lines  ends that are too long\n");
+  for (const double cells : {0.0, 0.01, 0.05, 0.2, 0.5}) {
+    StreamlineOptions options;
+    options.closing_cells = cells;
+    std::size_t closed = 0, longest = 0;
+    for (const Streamline& line : StreamlineTracer(field, options, surface).trace(seeds).lines) {
+      closed += line.first_end == StreamlineEnd::kClosed;
+      longest += line.first_end == StreamlineEnd::kLongest;
+      longest += line.last_end == StreamlineEnd::kLongest;
+    }
+    std::printf("%16.2f  %12zu  %zu\n", cells, closed, longest);
+  }
+}
+
 void solved(const char* folder, const char* model) {
   const FrameField field = read_field(folder);
   TriangleMesh mesh;
@@ -189,6 +228,8 @@ void solved(const char* folder, const char* model) {
   double cell = INFINITY;
   for (std::size_t i = 0; i < field.size(); ++i) cell = std::min(cell, field.cell(i).size);
   measure(field, seeds, {true, true, true}, surface, cell, 30 * cell, false);
+  small_steps(field, seeds, surface);
+  closing(field, tracer.spread_seeds(1000), surface);
 }
 
 }  // namespace
