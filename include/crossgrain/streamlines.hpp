@@ -92,10 +92,10 @@ class StreamlineTracer {
   explicit StreamlineTracer(const FrameField& field, const StreamlineOptions& options = {},
                             const TriangleMesh* surface = nullptr);
 
-  /// `count` points evenly spread over the inside of the solid: of the additive sequence of the powers of the
-  /// plastic number's next of kin (M. Roberts 2018, R3) those inside, so that the first of many are the same
-  /// as of few, and no two lie on one line along an axis. Fewer where the solid is too small a part of its
-  /// cells.
+  /// `count` points evenly spread over the inside of the solid: in its bounding box, as shares of the sides,
+  /// 1/2 + n (1/g, 1/g^2, 1/g^3) modulo 1 with g^4 = g + 1, n = 1, 2, ... (M. Roberts 2018, sequence R3),
+  /// those outside left out. So the first of many are the same as of few, and no two lie on one line along an
+  /// axis. Fewer where the solid is much smaller than its cells. Errors: kInterrupted.
   std::vector<Vector3> spread_seeds(std::size_t count, const Monitor& monitor = {}) const;
 
   /// The lines through all seeds. Results do not depend on the number of threads. Errors: kInterrupted.
