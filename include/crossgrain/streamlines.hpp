@@ -41,7 +41,8 @@ struct StreamlineOptions {
   /// at this distance at most.
   double closing_cells = 0.05;
 
-  /// How far along the line its end may be from where it meets the boundary or an arc.
+  /// How far from the curve the last straight piece may be where it meets the boundary or an arc. Ends are on
+  /// that piece.
   double end_tolerance_cells = 1e-3;
 
   /// The most length of a line each way from its seed, in longest sides of the field's bounding box.
@@ -94,8 +95,8 @@ class StreamlineTracer {
 
   /// `count` points evenly spread over the inside of the solid: in its bounding box, as shares of the sides,
   /// 1/2 + n (1/g, 1/g^2, 1/g^3) modulo 1 with g^4 = g + 1, n = 1, 2, ... (M. Roberts 2018, sequence R3),
-  /// those outside left out. So the first of many are the same as of few, and no two lie on one line along an
-  /// axis. Fewer where the solid is much smaller than its cells. Errors: kInterrupted.
+  /// those outside and at singular arcs left out. So the first of many are the same as of few, and no two lie
+  /// on one line along an axis. Fewer where the solid is much smaller than its cells. Errors: kInterrupted.
   std::vector<Vector3> spread_seeds(std::size_t count, const Monitor& monitor = {}) const;
 
   /// The lines through all seeds. Results do not depend on the number of threads. Errors: kInterrupted.

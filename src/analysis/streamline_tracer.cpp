@@ -133,9 +133,9 @@ struct StreamlineTracer::Parts {
             longest_side(bounds)};
   }
 
-  Vector3 in_units(const Vector3& point) const {
+  bool is_at_arc(const Vector3& point, CellIndex leaf) const {
     const RootCube& root = leaves.tree.root();
-    return 1 / root.unit() * (point - root.origin);
+    return tubes.holds(leaf, 1 / root.unit() * (point - root.origin));
   }
 
   /// The leaf that holds a point of the solid; kNoCell for one outside.
@@ -198,7 +198,8 @@ std::vector<Vector3> StreamlineTracer::spread_seeds(std::size_t count, const Mon
       const double along = std::fmod(0.5 + power * static_cast<double>(draw), 1.0);
       point[axis] = box.low[axis] + along * (box.high[axis] - box.low[axis]);
     }
-    if (parts_->leaf_inside(point) != kNoCell) seeds.push_back(point);
+    const CellIndex leaf = parts_->leaf_inside(point);
+    if (leaf != kNoCell && !parts_->is_at_arc(point, leaf)) seeds.push_back(point);
   }
   return seeds;
 }
@@ -211,7 +212,7 @@ Streamlines StreamlineTracer::trace(std::span<const Vector3> seeds, const Monito
   std::vector<std::uint8_t> begins(seeds.size());
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     const bool is_outside = leaf_of[i] == kNoCell;
-    const bool is_at_arc = !is_outside && parts_->tubes.holds(leaf_of[i], parts_->in_units(seeds[i]));
+    const bool is_at_arc = !is_outside && parts_->is_at_arc(seeds[i], leaf_of[i]);
     result.outside_seeds += is_outside;
     result.arc_seeds += is_at_arc;
     begins[i] = !is_outside && !is_at_arc;

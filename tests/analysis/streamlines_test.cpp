@@ -436,6 +436,7 @@ TEST(Streamlines, SeedsAreSpreadEvenlyAndMoreOfThemBeginWithTheSame) {
   ASSERT_EQ(many.size(), 2000u);
   EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin()));
   for (const Vector3& p : many) ASSERT_TRUE(solid.winding().inside(p));
+  EXPECT_EQ(tracer.trace(few).lines.size(), 300u);  // none at an arc
 
   // In boxes that lie inside, as many as their share of the volume says. Random points would be off by 10 %
   // as often as not.
