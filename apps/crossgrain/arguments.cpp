@@ -47,6 +47,13 @@ std::string fault_of_angle(const std::string& text) {
   return is_number && value > 0 && value <= 180 ? "" : "'" + text + "' is no angle above 0 and up to 180";
 }
 
+std::string fault_of_axes(const std::string& text) {
+  bool is_fine = !text.empty();
+  for (std::size_t i = 0; i < text.size(); ++i)
+    is_fine = is_fine && std::string_view("xyz").find(text[i]) != text.npos && text.find(text[i]) == i;
+  return is_fine ? "" : "'" + text + "' is no choice of axes such as xyz, xy or z";
+}
+
 /// The box of a text of six numbers with commas between them; empty where it is none.
 std::optional<Box> parse_box(const std::string& text) {
   std::array<double, 6> bounds;
@@ -253,6 +260,56 @@ CLI::App* add_sample(CLI::App& app, SampleArguments& arguments) {
   return command;
 }
 
+CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("streamlines", "Traces lines along the axes of a field, as polylines for ParaView");
+  StreamlineOptions& options = arguments.options;
+  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
+      ->required()
+      ->type_name("");
+  CLI::Option* seeds =
+      command
+          ->add_option("SEEDS", arguments.seeds,
+                       "Points to trace through, one 'x y z' a line; - for standard input (default: evenly "
+                       "spread ones)")
+          ->type_name("");
+  command
+      ->add_option("-o,--output", arguments.output, "The .vtu file to write (default: DIR/streamlines.vtu)")
+      ->type_name("FILE");
+  command->add_option("--count", arguments.count, "Evenly spread seeds (default 100)")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
+      ->excludes(seeds)
+      ->type_name("N");
+  command
+      ->add_option("--surface", arguments.surface,
+                   "The model that was solved: lines end on its surface (default: where the active cells do)")
+      ->type_name("MODEL");
+  command
+      ->add_option_function<std::string>(
+          "--axes",
+          [&options](const std::string& text) {
+            for (std::size_t k = 0; k < 3; ++k) options.axes[k] = text.find("xyz"[k]) != text.npos;
+          },
+          "Of the axes at a seed, those to follow: the ones that go with x, y and z (default xyz)")
+      ->check(fault_of_axes)
+      ->type_name("xyz");
+  command
+      ->add_option("--tolerance", options.tolerance,
+                   "How far a line may get off the interpolated field, per length (default 1e-3)")
+      ->check(fault_of_length)
+      ->type_name("X");
+  command->add_option("--step", options.largest_step_cells, "Most distance of points, in cells (default 1)")
+      ->check(CLI::Range(1e-3, 4.0))
+      ->type_name("X");
+  command
+      ->add_option("--longest", options.longest_sides,
+                   "Most length each way from a seed, in longest sides of the field (default 4)")
+      ->check(fault_of_length)
+      ->type_name("X");
+  command->add_flag("--quiet", arguments.quiet, "Print no summary");
+  return command;
+}
+
 CLI::App* add_spectrum(CLI::App& app, SpectrumArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("spectrum", "Prints what some surface normals say together about a frame");
@@ -310,6 +367,22 @@ void check_arguments(const SpectrumArguments& arguments, const CLI::App* command
     refuse("give a file of normals or --preset", command);
 }
 
+void check_arguments(StreamlinesArguments& arguments, const CLI::App* command) {
+  const auto is_empty = [&](const char* option, const std::string& value) {
+    return command->count(option) > 0 && value.empty();
+  };
+  if (arguments.field.empty()) refuse("DIR is empty", command);
+  if (is_empty("SEEDS", arguments.seeds)) refuse("SEEDS is empty", command);
+  if (is_empty("--output", arguments.output)) refuse("the file of -o is empty", command);
+  if (is_empty("--surface", arguments.surface)) refuse("the file of --surface is empty", command);
+  if (arguments.output == "-") refuse("the lines go to a file; name one with -o", command);
+  // Steps that are asked for are not to be below what is taken for the smallest.
+  StreamlineOptions& options = arguments.options;
+  options.smallest_step_cells = std::min(options.smallest_step_cells, options.largest_step_cells / 4);
+  if (arguments.output.empty())
+    arguments.output = (std::filesystem::path(arguments.field) / kStreamlinesFile).string();
+}
+
 }  // namespace
 
 Arguments parse_arguments(int argc, char** argv) {
@@ -321,10 +394,12 @@ Arguments parse_arguments(int argc, char** argv) {
   SampleArguments sample;
   SpectrumArguments spectrum;
   CheckArguments check;
+  StreamlinesArguments streamlines;
   const CLI::App* solve_command = add_solve(app, solve);
   const CLI::App* sample_command = add_sample(app, sample);
   const CLI::App* spectrum_command = add_spectrum(app, spectrum);
   const CLI::App* check_command = add_check(app, check);
+  const CLI::App* streamlines_command = add_streamlines(app, streamlines);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -341,6 +416,10 @@ Arguments parse_arguments(int argc, char** argv) {
   }
   if (*sample_command) return sample;
   if (*check_command) return check;
+  if (*streamlines_command) {
+    check_arguments(streamlines, streamlines_command);
+    return streamlines;
+  }
   if (*spectrum_command) {
     check_arguments(spectrum, spectrum_command);
     return spectrum;

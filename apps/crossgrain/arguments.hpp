@@ -7,6 +7,7 @@
 
 #include "crossgrain/io.hpp"
 #include "crossgrain/options.hpp"
+#include "crossgrain/streamlines.hpp"
 
 namespace crossgrain::app {
 
@@ -31,6 +32,16 @@ struct SampleArguments {
   std::string outside;  ///< empty for none
 };
 
+struct StreamlinesArguments {
+  std::string field;
+  std::string seeds;    ///< a file, or "-"; empty for `count` of them evenly spread
+  std::string output;   ///< never empty
+  std::string surface;  ///< the model; empty where lines are to end with the active cells
+  std::size_t count = 100;
+  StreamlineOptions options;
+  bool quiet = false;
+};
+
 struct SpectrumArguments {
   std::string preset;   ///< empty where `normals` is given
   std::string normals;  ///< a file, or "-"
@@ -48,7 +59,8 @@ struct Finished {
   int exit_code;
 };
 
-using Arguments = std::variant<Finished, SolveArguments, SampleArguments, SpectrumArguments, CheckArguments>;
+using Arguments = std::variant<Finished, SolveArguments, SampleArguments, SpectrumArguments, CheckArguments,
+                               StreamlinesArguments>;
 
 /// Prints help and version on standard output; throws Error(kUsage) for a command line that makes no sense.
 Arguments parse_arguments(int argc, char** argv);

@@ -15,6 +15,7 @@
 #include "crossgrain/report.hpp"
 #include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/spectrum.hpp"
+#include "crossgrain/streamlines.hpp"
 #include "crossgrain/tet_frame_field.hpp"
 #include "crossgrain/types.hpp"
 
@@ -118,12 +119,13 @@ struct OutputOptions {
 
 /// Writes FOLDER/field.vtu and FOLDER/singularities.vtu (docs/field-file.md), which ParaView opens, and
 /// FOLDER/report.json (docs/report.md), making the folder where it is missing. All are written beside and
-/// then renamed: a failure leaves what was there before. Files of an earlier field on tets are removed, so
-/// that a folder never holds a mix of two solves. The report's seconds.write is what that took; it is added
-/// to seconds.total, and peak_memory_bytes is brought up to date. Where no cell meets the box of `options`,
-/// all are written, with a warning in the report: a solve is not lost for a box. Returns the report as
-/// written. Throws Error(kOutput), Error(kUsage) for options that make no sense (of formats any, as they are
-/// of fields on tets), and Error(kInterrupted) once the monitor is cancelled.
+/// then renamed: a failure leaves what was there before. Files of an earlier field on tets, and
+/// kStreamlinesFile, are removed, so that a folder never holds a mix of two solves. The report's
+/// seconds.write is what that took; it is added to seconds.total, and peak_memory_bytes is brought up to
+/// date. Where no cell meets the box of `options`, all are written, with a warning in the report: a solve is
+/// not lost for a box. Returns the report as written. Throws Error(kOutput), Error(kUsage) for options that
+/// make no sense (of formats any, as they are of fields on tets), and Error(kInterrupted) once the monitor is
+/// cancelled.
 SolveReport write_field(const FrameField& field, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 
@@ -187,6 +189,18 @@ struct SampleFiles {
 /// cancelled.
 std::size_t write_samples(const FrameField& field, std::span<const Vector3> points, const SampleFiles& files,
                           const Monitor& monitor = {});
+
+/// What `crossgrain streamlines` calls its file in the folder of a field, where it is given no other name.
+inline constexpr const char* kStreamlinesFile = "streamlines.vtu";
+
+/// Writes streamlines as polylines to a .vtu file (docs/streamlines.md), which ParaView opens. It appears
+/// complete or not at all. Throws Error(kOutput), and Error(kInterrupted) once the monitor is cancelled.
+void write_streamlines(std::span<const Streamline> lines, const std::filesystem::path& path,
+                       const Monitor& monitor = {});
+
+/// Throws Error(kOutput) where `write_streamlines` could not write; leaves no trace. To be asked before
+/// tracing.
+void check_streamline_file(const std::filesystem::path& path);
 
 /// A spectrum as JSON text: {degree, matrix, eigenvalues, null_space, linear, constant} as in SpectrumReport,
 /// matrices as lists of rows.

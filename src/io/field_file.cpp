@@ -189,6 +189,7 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
   write_chosen_cells(field.data(), options, output.create(kFieldFile), report, monitor);
   write_singularities(output.create(kSingularityFile), field.singularities(), monitor);
   add_files(output);
+  output.remove_at_commit(kStreamlinesFile);
   report.seconds.write = stopwatch.restart();
   report.seconds.total += report.seconds.write;
   report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());

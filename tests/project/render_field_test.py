@@ -17,6 +17,7 @@ sys.dont_write_bytecode = True
 import field_file  # noqa: E402
 import part  # noqa: E402
 import render_field  # noqa: E402
+import render_streamlines  # noqa: E402
 
 CORNERS = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)])  # in VTK_VOXEL's order
 CUBE_FACES = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
@@ -68,13 +69,25 @@ class Figures(unittest.TestCase):
 
     def picture(self, singular_energy):
         """The pixels of a picture of the cube, read back from the PNG file."""
-        field, model, picture = (self.folder / name for name in ("field.vtu", "cube.stl", "cube.png"))
-        write_field(field, singular_energy)
+        write_field(self.folder / "field.vtu", singular_energy)
+        return self.pixels(render_field, "field.vtu", "--spacing", "0.1")
+
+    def picture_of_a_line(self, last_end):
+        """The same of a line along y through the middle of the cube."""
+        write_vtu(self.folder / "lines.vtu", {
+            "Points": np.array([[2, 0, 2], [2, 1.5, 2], [2, 3, 2]], "f8"),
+            "offsets": np.array([3]),
+            "first_end": np.array([0], "u1"),
+            "last_end": np.array([last_end], "u1"),
+        })
+        return self.pixels(render_streamlines, "lines.vtu", "--width", "4")
+
+    def pixels(self, renderer, file, *options):
+        model, picture = self.folder / "cube.stl", self.folder / "cube.png"
         write_stl(model, CUBE)
-        arguments = ["render_field.py", str(field), str(model), str(picture), "--size", "200", "100",
-                     "--spacing", "0.1"]
-        with mock.patch.object(sys, "argv", arguments):
-            render_field.main()
+        arguments = [renderer.__name__, str(self.folder / file), str(model), str(picture), "--size", "200", "100"]
+        with mock.patch.object(sys, "argv", [*arguments, *options]):
+            renderer.main()
         data = picture.read_bytes()
         start = data.index(b"IDAT")
         size = int.from_bytes(data[start - 4 : start], "big")
@@ -103,6 +116,15 @@ class Figures(unittest.TestCase):
         self.assertGreater(with_column[1], 20)
         # On the left the orange stubs of the normals count as red, too.
         self.assertGreater(with_column[0], without[0] + 20)
+
+    def test_a_line_is_drawn_in_the_colour_of_its_direction_and_its_end_at_an_arc_as_a_ball(self):
+        def like(pixels, colour):
+            return (np.abs(pixels - 255 * np.array(colour)).max(axis=-1) < 90).sum()
+
+        orange, red = render_streamlines.COLOURS[1], render_field.SINGULAR
+        at_boundary, at_arc = self.picture_of_a_line(0), self.picture_of_a_line(1)
+        self.assertGreater(like(at_boundary, orange), 40)
+        self.assertGreater(like(at_arc, red), like(at_boundary, red) + 10)
 
     def test_a_cube_has_twelve_sharp_edges(self):
         self.assertEqual(len(part.sharp_edges(CUBE)), 12)

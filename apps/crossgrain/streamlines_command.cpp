@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
+#include "crossgrain/streamlines.hpp"
+#include "crossgrain/tet_domain.hpp"
+#include "interruption.hpp"
+#include "output.hpp"
+
+namespace crossgrain::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void check_files(const StreamlinesArguments& arguments) {
+  const auto normal = [](const std::filesystem::path& path) { return path.lexically_normal(); };
+  const std::filesystem::path output = normal(arguments.output), folder = arguments.field;
+  std::vector<std::string> inputs{arguments.seeds, arguments.surface};
+  for (const char* name : {"field.vtu", "report.json", "onto.frames", "onto.vtu"})
+    inputs.push_back((folder / name).string());
+  for (const std::string& input : inputs) {
+    if (input.empty() || input == "-" || normal(input) != output) continue;
+    throw Error(ErrorKind::kUsage, input + ": is read, or of the field; name another file for the lines");
+  }
+}
+
+/// Runs `compute`. What it throws of the surface gets the name of its file.
+template <class Compute>
+auto naming(const std::string& surface, const Compute& compute) {
+  try {
+    return compute();
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kInput || surface.empty()) throw;
+    throw Error(error.kind(), surface + ": " + error.what());
+  }
+}
+
+/// The surface of the model; CAD files cut into triangles as they were for the solve.
+std::optional<TriangleMesh> read_model(const StreamlinesArguments& arguments, const FrameField& field,
+                                       const Monitor& monitor) {
+  const std::string& file = arguments.surface;
+  if (file.empty()) return std::nullopt;
+  TriangleMesh mesh;
+  if (is_tet_file(file)) {
+    TetMesh tets = read_tets(file);
+    mesh = naming(file, [&] { return TetDomain(std::move(tets)).boundary(); });
+  } else {
+    ReadOptions options;
+    constexpr double kCoarsest = 4;
+    options.resolution = static_cast<int>(std::lround(std::max(field.report().resolution, kCoarsest)));
+    mesh = read_surface(file, options, monitor);
+  }
+  for (const std::string& warning : mesh.warnings) print_message("warning: " + file + ": " + warning);
+  return mesh;
+}
+
+std::string ends_line(const std::vector<Streamline>& lines) {
+  std::array<std::size_t, 5> counts{};
+  std::size_t closed = 0;
+  for (const Streamline& line : lines) {
+    if (line.last_end == StreamlineEnd::kClosed) {
+      ++closed;
+      continue;
+    }
+    ++counts[static_cast<std::size_t>(line.first_end)];
+    ++counts[static_cast<std::size_t>(line.last_end)];
+  }
+  const auto of = [&](StreamlineEnd end) { return counts[static_cast<std::size_t>(end)]; };
+  std::string text = fmt::format("ends       {} at the boundary, {} at singular arcs",
+                                 of(StreamlineEnd::kBoundary), of(StreamlineEnd::kSingularArc));
+  if (of(StreamlineEnd::kLongest) > 0)
+    text += fmt::format(", {} where lines may be no longer", of(StreamlineEnd::kLongest));
+  if (of(StreamlineEnd::kAmbiguous) > 0)
+    text += fmt::format(", {} where no axis goes on", of(StreamlineEnd::kAmbiguous));
+  return text + fmt::format("; {} lines closed\n", closed);
+}
+
+std::string summary_of(const std::vector<Streamline>& lines, std::size_t seeds, double seconds,
+                       const std::string& output) {
+  std::size_t points = 0;
+  double length = 0;
+  for (const Streamline& line : lines) {
+    points += line.points.size();
+    length += line.length;
+  }
+  return fmt::format("{} lines of {} seeds, {} points, {:.4g} long in all, traced in {:.3g} s\n",
+                     lines.size(), seeds, points, length, seconds) +
+         ends_line(lines) + fmt::format("result     {}\n", output);
+}
+
+void tell_of_seeds(const Streamlines& traced, std::size_t seeds, const std::string& source) {
+  if (traced.lines.empty()) {
+    throw Error(
+        ErrorKind::kInput,
+        fmt::format("{}: gives no line: of {} seeds {} are outside the field and {} at a singular arc; "
+                    "give points inside, in the model's unit",
+                    source, seeds, traced.outside_seeds, traced.arc_seeds));
+  }
+  if (traced.outside_seeds > 0)
+    print_message(fmt::format("{} of {} seeds are outside the field", traced.outside_seeds, seeds));
+  if (traced.arc_seeds > 0)
+    print_message(
+        fmt::format("{} of {} seeds are at a singular arc, where no line begins", traced.arc_seeds, seeds));
+}
+
+}  // namespace
+
+void run_streamlines(const StreamlinesArguments& arguments) {
+  check_files(arguments);
+  const FrameField field = read_field(arguments.field);
+  check_streamline_file(arguments.output);
+  std::vector<Vector3> seeds;
+  if (!arguments.seeds.empty()) seeds = read_points(arguments.seeds);
+
+  // Not before: waiting for standard input is ended by the first Ctrl-C.
+  Monitor monitor;
+  const Interruption interruption(monitor);
+  const std::optional<TriangleMesh> surface = read_model(arguments, field, monitor);
+  const auto start = Clock::now();
+  const StreamlineTracer tracer = naming(arguments.surface, [&] {
+    return StreamlineTracer(field, arguments.options, surface ? &*surface : nullptr);
+  });
+  if (arguments.seeds.empty()) seeds = tracer.spread_seeds(arguments.count, monitor);
+  const Streamlines traced = tracer.trace(seeds, monitor);
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const std::string source = arguments.seeds.empty()  ? arguments.field
+                             : arguments.seeds == "-" ? "standard input"
+                                                      : arguments.seeds;
+  tell_of_seeds(traced, seeds.size(), source);
+  write_streamlines(traced.lines, arguments.output, monitor);
+  if (!arguments.quiet) print_result(summary_of(traced.lines, seeds.size(), seconds, arguments.output));
+}
+
+}  // namespace crossgrain::app
