@@ -79,7 +79,7 @@ def fault_in_outer_folder(path, root, quote, included):
     if included.startswith("crossgrain/"):
         return None
     # Its own folder, or the folder of the program that it belongs to.
-    if quote == '"' and any((folder / included).is_file() for folder in path.parents if root in folder.parents):
+    if quote == '"' and any((folder / included).is_file() for folder in path.parents if root in (folder, *folder.parents)):
         return None
     if included.split("/")[0] in LAYERS or quote == '"':
         return "outside src/ only public headers (crossgrain/*.hpp) may be included"

@@ -110,8 +110,9 @@ FrameField solve_model(const SolveArguments& arguments, const SolveOptions& opti
 
 std::string singularity_line(const SolveReport::Singularity& singularity) {
   if (singularity.arcs == 0) return "none";
-  return fmt::format("{} arcs, {:.4g} long in all, {} nodes inside, {} ends on the surface", singularity.arcs,
-                     singularity.length, singularity.nodes, singularity.boundary_ends);
+  return fmt::format("{} arcs, {:.4g} long in all, {} nodes, {} ends on the surface{}", singularity.arcs,
+                     singularity.length, singularity.nodes, singularity.boundary_ends,
+                     singularity.meshable ? "" : "; no hexahedral mesh can have all of them");
 }
 
 std::string tets_lines(const SolveReport::Onto& onto) {
@@ -153,7 +154,7 @@ bool is_written(const OutputFormat& format, const OutputOptions& options) {
 
 std::string files_line(const SolveReport& report, const SolveArguments& arguments) {
   const std::filesystem::path output = arguments.output;
-  std::vector<std::string> names{"field.vtu"};
+  std::vector<std::string> names{"field.vtu", "singularities.vtu"};
   if (report.onto) {
     for (const OutputFormat& format : output_formats())
       if (is_written(format, arguments.output_options))

@@ -83,9 +83,14 @@ std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::p
   OntoTets tets = read_onto_tets(path);
   std::vector<std::string> warnings;
   const std::size_t count = tets.mesh.tets.size();
-  const TetSolid solid = prepare_tets(std::move(tets.mesh), warnings);
-  if (solid.mesh.tets.size() != count) fail_damaged(path);
-  return singularity_graph(singular_tet_edges(solid, tets.frames));
+  try {
+    const TetSolid solid = prepare_tets(std::move(tets.mesh), warnings);
+    if (solid.mesh.tets.size() != count) fail_damaged(path);
+    return singularity_graph(singular_tet_edges(solid, tets.frames));
+  } catch (const Error&) {
+    // Tets that were written make a solid.
+    fail_damaged(path);
+  }
 }
 
 }  // namespace crossgrain

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 
 #include "crossgrain/io.hpp"
 #include "fuzz/input_folder.hpp"
@@ -50,15 +51,28 @@ std::vector<std::uint8_t> take_array(std::string_view& bytes) {
   return {here.begin(), here.end()};
 }
 
-/// A file of these arrays as `write_field` packs them.
-std::string packed_field(std::string_view bytes) {
-  std::array<std::vector<std::uint8_t>, kFieldArrays.size()> arrays;
+constexpr std::array kOntoArrays = {
+    FieldArray{"Points", "Points", "Float64", 3},   FieldArray{"connectivity", "Cells", "Int32", 1},
+    FieldArray{"axis_u", "CellData", "Float32", 3}, FieldArray{"axis_v", "CellData", "Float32", 3},
+    FieldArray{"axis_w", "CellData", "Float32", 3},
+};
+
+using ArrayBytes = std::vector<std::vector<std::uint8_t>>;
+
+ArrayBytes taken_arrays(std::span<const FieldArray> kinds, std::string_view bytes) {
+  ArrayBytes arrays(kinds.size());
   std::ranges::generate(arrays, [&] { return take_array(bytes); });
+  return arrays;
+}
+
+/// A file of these arrays as `write_field` packs them.
+std::string packed(std::span<const FieldArray> kinds, const ArrayBytes& arrays, std::size_t points,
+                   std::size_t cells) {
   VtuFileWriter out({"raw", true, true});
-  out.text(fmt::format("<UnstructuredGrid><Piece NumberOfPoints=\"0\" NumberOfCells=\"{}\">\n",
-                       arrays.back().size()));
+  out.text(
+      fmt::format("<UnstructuredGrid><Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", points, cells));
   for (std::size_t i = 0; i < arrays.size(); ++i) {
-    const FieldArray& array = kFieldArrays[i];
+    const FieldArray& array = kinds[i];
     out.text(fmt::format("<{}>\n", array.section));
     out.array<std::uint8_t>(array.type, array.name, array.components, arrays[i]);
     out.text(fmt::format("</{}>\n", array.section));
@@ -104,7 +118,19 @@ bool check_field(std::string_view bytes) {
 }
 
 bool check_field_arrays(std::string_view bytes) {
-  return check_field_of(packed_field(bytes));
+  const ArrayBytes arrays = taken_arrays(kFieldArrays, bytes);
+  return check_field_of(packed(kFieldArrays, arrays, 0, arrays.back().size()));
+}
+
+bool check_onto_arrays(std::string_view bytes) {
+  const ArrayBytes arrays = taken_arrays(kOntoArrays, bytes);
+  as_file("onto.vtu", packed(kOntoArrays, arrays, arrays[0].size() / (3 * sizeof(double)),
+                             arrays[1].size() / (4 * sizeof(std::int32_t))));
+  std::optional<SingularityGraph> graph;
+  if (!succeeds([&] { graph = read_onto_singularities(input_folder().path()); })) return false;
+  require(graph.has_value(), "a field on tets that is not there");
+  for (const SingularityGraph::Arc& arc : graph->arcs) require_finite(arc.points);
+  return true;
 }
 
 bool check_report(std::string_view bytes) {

@@ -12,6 +12,7 @@
 #include "io/report_file.hpp"
 #include "io/sample_field.hpp"
 #include "io/vtk_files.hpp"
+#include "tets/tet_meshes.hpp"
 
 namespace crossgrain {
 namespace {
@@ -82,6 +83,22 @@ std::string array_bytes(const FieldData& data) {
   return out;
 }
 
+/// Tets with frames that turn from each to the next, in the order of kOntoArrays (field_checks.cpp).
+std::string onto_bytes() {
+  const TetMesh mesh = TetBox{{2, 2, 1}}.mesh();
+  std::string out;
+  append_array(out, mesh.vertices);
+  append_array(out, mesh.tets);
+  std::array<std::vector<float>, 3> columns;
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const auto axes = axes_of(from_rotation_vector({0.4 * static_cast<double>(t), 0.2, 0}));
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const double x : axes[k]) columns[k].push_back(static_cast<float>(x));
+  }
+  for (const auto& column : columns) append_array(out, column);
+  return out;
+}
+
 std::vector<std::string> made_cad() {
   // Lines of 80 columns, of which the 73rd names the section.
   std::string iges;
@@ -119,6 +136,7 @@ std::vector<std::string> made_inputs(std::string_view reader) {
   if (reader == "field") return made_fields();
   if (reader == "field_arrays")
     return {array_bytes(sample_data(Degree::kThree, 0)), array_bytes(sample_data(Degree::kFour, 1))};
+  if (reader == "onto_arrays") return {onto_bytes()};
   if (reader == "report") return {report_json(sample_report()).dump(1)};
   if (reader == "points") return {"0 0 0\n1.5 -2e3 .25 # a point\n\n# none\n3 4 5"};
   if (reader == "normals") return {"0 0 1\n1 0 0 2.5\n# none\n0.3 -4 1e-3 7\n"};

@@ -20,6 +20,7 @@ constexpr std::array kReaders = {
     ReaderUnderTest{"vtu", check_vtu},
     ReaderUnderTest{"field", check_field},
     ReaderUnderTest{"field_arrays", check_field_arrays},
+    ReaderUnderTest{"onto_arrays", check_onto_arrays},
     ReaderUnderTest{"report", check_report},
     ReaderUnderTest{"points", check_points},
     ReaderUnderTest{"normals", check_normals},

@@ -31,6 +31,9 @@ ReaderCheck check_points, check_normals, check_constraints;
 /// these, in the order of kFieldArrays (field_checks.cpp), which the check packs as the file has them. No
 /// fuzzer would find blocks of zlib.
 ReaderCheck check_field, check_field_arrays;
+
+/// onto.vtu by its arrays, in the order of kOntoArrays.
+ReaderCheck check_onto_arrays;
 ReaderCheck check_report;
 
 /// What is looked at in a STEP, IGES or BREP file before OpenCASCADE sees it, which is not called.

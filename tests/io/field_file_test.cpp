@@ -156,6 +156,7 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
                                   .boundary = "all",
                                   .dirichlet = 0.1,
                                   .edge_sum = 1.0 / 3,
+                                  .singularity = report.singularity,
                                   .singular = {3, 4},
                                   .normal_deg = {},
                                   .crease_deg = {0.5, 1.5, 2.5},
@@ -166,7 +167,7 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
                                   .left_out_tets = 8,
                                   .seconds = 0.7};
   const TetSolid tet = solid_of(corner_tet());
-  const TetField onto{std::vector<Quaternion>(4), {Quaternion{}}};
+  const TetField onto{std::vector<Quaternion>(4), {Quaternion{}}, {}};
   write_field_onto(field_of(sample_data(Degree::kFour)), report, {tet, onto}, folder.path());
   const SolveReport read = read_field(folder.path()).report();
   ASSERT_TRUE(read.onto);
