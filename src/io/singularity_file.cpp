@@ -114,6 +114,7 @@ std::vector<VtuArray> arrays_of(const Polylines& lines) {
 }  // namespace
 
 void write_singularities(OutputFile& file, const SingularityGraph& graph, const Monitor& monitor) {
+  monitor.check();
   Polylines lines;
   add_nodes(graph, lines);
   for (const SingularityGraph::Arc& arc : graph.arcs) add_arc(graph, arc, lines);
