@@ -33,7 +33,7 @@ class FrameField {
     bool in_active_cell;  ///< false: the frame is that of the nearest active cell
 
     /// How little the cells around agree: E_sym of the degree-4 coefficients that were blended, scaled to
-    /// unit length. 0 where frames agree, of the order of 1 at singular lines; 0 outside active cells.
+    /// unit length. 0 where frames agree, up to 200/3 on a line that they turn about; 0 outside active cells.
     double deviation;
 
     /// To the nearest point of the arcs of singularities(), model units, inside and outside alike; infinity

@@ -27,6 +27,17 @@ constexpr std::size_t kPointsInOrder = std::size_t{1} << 22;
 /// Points that one task takes, and every step of sampling in turn.
 constexpr std::size_t kPointsAtOnce = 1024;
 
+/// Points and samples in no order are asked for so many steps before they are worked on.
+constexpr std::size_t kPrefetched = 16;
+
+template <class T>
+void prefetch(const T& object) {
+  constexpr std::size_t kCacheLine = 64;
+  const auto* const bytes = reinterpret_cast<const char*>(&object);
+  for (std::size_t at = 0; at < sizeof(T); at += kCacheLine) __builtin_prefetch(bytes + at);
+  __builtin_prefetch(bytes + sizeof(T) - 1);
+}
+
 FrameField::Sample sample_of(const Sampler::Result& result, double singular_distance) {
   return {orthonormal_frame(result.frame), result.in_active_cell, result.deviation, singular_distance};
 }
@@ -47,10 +58,16 @@ struct FrameField::Lazy {
     std::array<Sampler::Result, kPointsAtOnce> results;
     std::array<double, kPointsAtOnce> distances;
     const std::size_t count = order.size();
-    for (std::size_t k = 0; k < count; ++k) row[k] = points[order[k]];
+    for (std::size_t k = 0; k < count; ++k) {
+      prefetch(points[order[std::min(k + kPrefetched, count - 1)]]);
+      row[k] = points[order[k]];
+    }
     sampler->at({row.data(), count}, {results.data(), count});
     distance->at({row.data(), count}, {distances.data(), count});
-    for (std::size_t k = 0; k < count; ++k) samples[order[k]] = sample_of(results[k], distances[k]);
+    for (std::size_t k = 0; k < count; ++k) {
+      prefetch(samples[order[std::min(k + kPrefetched, count - 1)]]);
+      samples[order[k]] = sample_of(results[k], distances[k]);
+    }
   }
 };
 

@@ -27,19 +27,21 @@ unsigned joined_to_first(const std::array<unsigned, 3>& links) {
 /// Leaves of any size, while it is found out which are joined to the first.
 class PlacedMembers {
  public:
-  explicit PlacedMembers(const LeafField& field, const Vector3& point) : field_(field), point_(point) {}
+  explicit PlacedMembers(const Vector3& point) : point_(point) {}
 
-  void add(CellIndex i) {
-    // A leaf larger than A lies over several cells next to A.
+  bool has(CellIndex i) const {
     for (int k = 0; k < size_; ++k) {
-      if (leaves_[k].index == i) return;
+      if (leaves_[k].index == i) return true;
     }
-    const PlacedLeaf leaf = placed(field_, i);
+    return false;
+  }
+
+  void add(const PlacedLeaf& leaf) {
     const Vector3 offset = leaf.offset_of(point_);
     const Vector3 hat{1 - std::abs(offset[0]), 1 - std::abs(offset[1]), 1 - std::abs(offset[2])};
     if (!(hat[0] > 0 && hat[1] > 0 && hat[2] > 0) || size_ == LeavesAround::kMost) return;
     leaves_[size_] = leaf;
-    members_[size_++] = {i, static_cast<double>(leaf.width), offset, hat[0] * hat[1] * hat[2]};
+    members_[size_++] = {leaf.index, static_cast<double>(leaf.width), offset, hat[0] * hat[1] * hat[2]};
   }
 
   /// Puts those joined to the first into `members`; their number.
@@ -58,7 +60,6 @@ class PlacedMembers {
   }
 
  private:
-  const LeafField& field_;
   Vector3 point_;
   int size_ = 0;
   std::array<PlacedLeaf, LeavesAround::kMost> leaves_;
@@ -70,10 +71,15 @@ class PlacedMembers {
 LeavesAround::LeavesAround(const LeafField& field, const LeafSurroundings& surroundings,
                            const Vector3& point) {
   const PlacedLeaf own = placed(field, surroundings.leaf());
-  if (surroundings.is_even()) {
-    add_even(field, surroundings, own, own.offset_of(point));
+  const Vector3 offset = own.offset_of(point);
+  LeafSurroundings::Step signs;
+  for (int axis = 0; axis < 3; ++axis) signs[axis] = (offset[axis] > 0) - (offset[axis] < 0);
+  // On the far sides, more than half a cell away, only a leaf larger than A has a weight.
+  const LeafSurroundings::Slots reaching = surroundings.reaching(signs);
+  if (surroundings.are_equal(reaching)) {
+    add_even(field, surroundings, own, offset);
   } else {
-    add_uneven(field, surroundings, own, point);
+    add_uneven(field, surroundings, own, point, reaching);
   }
 }
 
@@ -124,18 +130,20 @@ void LeavesAround::add_even(const LeafField& field, const LeafSurroundings& surr
 }
 
 void LeavesAround::add_uneven(const LeafField& field, const LeafSurroundings& surroundings,
-                              const PlacedLeaf& own, const Vector3& point) {
-  const Vector3 offset = own.offset_of(point);
-  PlacedMembers around(field, point);
-  around.add(own.index);
-  for (int number = 0; number < 27; ++number) {
-    const LeafSurroundings::Step step{number % 3 - 1, number / 3 % 3 - 1, number / 9 - 1};
-    // Across the far side of A, more than half a cell away, only a leaf larger than A has a weight.
-    const bool far_side = step[0] * offset[0] < 0 || step[1] * offset[1] < 0 || step[2] * offset[2] < 0;
-    if (far_side && !surroundings.is_larger(step)) continue;
-    const LeafRange& there = surroundings.over(step);
-    for (CellIndex i = there.first; i < there.last; ++i) around.add(i);
-  }
+                              const PlacedLeaf& own, const Vector3& point, LeafSurroundings::Slots reaching) {
+  PlacedMembers around(point);
+  around.add(own);
+  surroundings.for_each(reaching, [&](const LeafSurroundings::Step& step, const LeafRange& there) {
+    if (surroundings.is_equal(step)) {
+      if (there.first == own.index) return;
+      const auto place = [&](int axis) { return own.corner[axis] + step[axis] * own.width; };
+      around.add({there.first, {place(0), place(1), place(2)}, own.width, field.open_faces[there.first]});
+      return;
+    }
+    // A leaf larger than A lies over several cells next to A.
+    if (surroundings.is_larger(step) && around.has(there.first)) return;
+    for (CellIndex i = there.first; i < there.last; ++i) around.add(placed(field, i));
+  });
   size_ = around.take_joined(members_);
 }
 

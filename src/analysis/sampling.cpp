@@ -30,8 +30,13 @@ class Sampler::Run {
       : field_(sampler.field_), turns_(sampler.turns_), around_(field_.tree, field_.finder) {}
 
   void answer(std::span<const Vector3> points, std::span<Result> results) {
+    // One search does not wait for what is done with the leaf of the other.
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const CellIndex leaf = leaf_at(points[k]);
+      const CellIndex before = k > 0 ? results[k - 1].leaf : kNoCell;
+      results[k].leaf = leaf_at(points[k], before);
+    }
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const CellIndex leaf = results[k].leaf;
       if (leaf == kNoCell) {
         const CellIndex nearest = nearest_leaf(field_.tree, points[k]);
         assert(nearest != kNoCell);
@@ -39,7 +44,6 @@ class Sampler::Run {
         continue;
       }
       if (point_count_ == kPoints || term_count_ + LeavesAround::kMost > kTerms) blend();
-      results[k].leaf = leaf;
       results[k].in_active_cell = true;
       add(points[k], leaf, results[k]);
     }
@@ -50,10 +54,10 @@ class Sampler::Run {
   /// Twice as many as there are for a point between cells of one size.
   static constexpr std::size_t kTerms = LeavesAround::kMost + 16 * (kPoints - 1);
 
-  CellIndex leaf_at(const Vector3& point) {
+  CellIndex leaf_at(const Vector3& point, CellIndex likely) const {
     const auto address = field_.tree.root().locate(point);
     if (!address) return kNoCell;
-    if (around_.leaf() != kNoCell && field_.tree[around_.leaf()].contains(*address)) return around_.leaf();
+    if (likely != kNoCell && field_.tree[likely].contains(*address)) return likely;
     return field_.finder.containing(*address);
   }
 
