@@ -24,10 +24,10 @@ namespace {
 /// Points that are sorted together: the more, the nearer are those that follow each other. Takes 80 MB.
 constexpr std::size_t kPointsInOrder = std::size_t{1} << 22;
 
-/// Points that one task takes, and every step of sampling in turn.
-constexpr std::size_t kPointsAtOnce = 1024;
+/// Points that one task takes, and every step of sampling in turn: their samples fit into a core's cache.
+constexpr std::size_t kPointsAtOnce = 512;
 
-/// Points and samples in no order are asked for so many steps before they are worked on.
+/// Points in no order are asked for so many steps before they are worked on.
 constexpr std::size_t kPrefetched = 16;
 
 template <class T>
@@ -51,7 +51,8 @@ struct FrameField::Lazy {
   std::optional<ArcDistance> distance;
   std::shared_ptr<const SingularityGraph> singularities;
 
-  /// Answers for the points that `order` names, kPointsAtOnce at most.
+  /// Answers for the points that `order` names, kPointsAtOnce at most. Where the answers go to, in no order,
+  /// comes in from memory while they are worked out.
   void sample(std::span<const Vector3> points, std::span<const std::uint32_t> order,
               std::span<Sample> samples) const {
     std::array<Vector3, kPointsAtOnce> row;
@@ -61,13 +62,11 @@ struct FrameField::Lazy {
     for (std::size_t k = 0; k < count; ++k) {
       prefetch(points[order[std::min(k + kPrefetched, count - 1)]]);
       row[k] = points[order[k]];
+      prefetch(samples[order[k]]);
     }
     sampler->at({row.data(), count}, {results.data(), count});
     distance->at({row.data(), count}, {distances.data(), count});
-    for (std::size_t k = 0; k < count; ++k) {
-      prefetch(samples[order[std::min(k + kPrefetched, count - 1)]]);
-      samples[order[k]] = sample_of(results[k], distances[k]);
-    }
+    for (std::size_t k = 0; k < count; ++k) samples[order[k]] = sample_of(results[k], distances[k]);
   }
 };
 

@@ -4,6 +4,7 @@
 // at the corners of a cube around x, numbered 0 to 7: bit a says that it is beside A along axis a.
 #include "analysis/leaves_around.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -22,6 +23,28 @@ unsigned joined_to_first(const std::array<unsigned, 3>& links) {
     }
   }
   return reached;
+}
+
+/// Whether a leaf, or any inside a cell that is not one, may have a weight at the point.
+bool reaches(const PlacedLeaf& cell, const Vector3& point) {
+  const Vector3 offset = cell.offset_of(point);
+  return std::abs(offset[0]) < 1 && std::abs(offset[1]) < 1 && std::abs(offset[2]) < 1;
+}
+
+/// The first leaf of (i, last) behind the largest cell around leaf i, smaller than `width`, that does not
+/// reach the point. Next to a large cell there may be thousands of small ones.
+CellIndex next_near(const LeafField& field, CellIndex i, CellIndex last, std::int32_t width,
+                    const Vector3& point) {
+  if (i + 1 == last) return last;
+  CellAddress cell = field.tree[i];
+  for (CellAddress parent = cell.parent(); parent.width() < width; parent = parent.parent()) {
+    if (reaches({i, parent.corner(), parent.width(), 0}, point)) break;
+    cell = parent;
+  }
+  const auto leaves = field.tree.leaves().begin();
+  const auto behind = std::partition_point(leaves + i + 1, leaves + last,
+                                           [&](CellAddress leaf) { return cell.contains(leaf); });
+  return static_cast<CellIndex>(behind - leaves);
 }
 
 /// Leaves of any size, while it is found out which are joined to the first.
@@ -142,7 +165,15 @@ void LeavesAround::add_uneven(const LeafField& field, const LeafSurroundings& su
     }
     // A leaf larger than A lies over several cells next to A.
     if (surroundings.is_larger(step) && around.has(there.first)) return;
-    for (CellIndex i = there.first; i < there.last; ++i) around.add(placed(field, i));
+    for (CellIndex i = there.first; i < there.last;) {
+      const PlacedLeaf leaf = placed(field, i);
+      if (reaches(leaf, point)) {
+        around.add(leaf);
+        ++i;
+      } else {
+        i = next_near(field, i, there.last, own.width, point);
+      }
+    }
   });
   size_ = around.take_joined(members_);
 }
