@@ -3,6 +3,8 @@
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <random>
 #include <string>
@@ -10,6 +12,7 @@
 
 #include "crossgrain/io.hpp"
 #include "crossgrain/solve.hpp"
+#include "crossgrain/thread_limit.hpp"
 #include "harmonics/frame.hpp"
 #include "harmonics/frame_cover.hpp"
 #include "kernels/item_cost.hpp"
@@ -19,14 +22,58 @@
 namespace crossgrain::bench {
 namespace {
 
+FrameField solved_bracket(int resolution) {
+  SolveOptions options;
+  options.resolution = resolution;
+  options.threads = 1;
+  return solve(make_bracket(64), options);
+}
+
 const FrameField& solved_field() {
-  static const FrameField field = [] {
-    SolveOptions options;
-    options.resolution = 128;
-    options.threads = 1;
-    return solve(make_bracket(64), options);
-  }();
+  static const FrameField field = solved_bracket(128);
   return field;
+}
+
+/// Of a million cells.
+const FrameField& large_field() {
+  static const FrameField field = solved_bracket(431);
+  return field;
+}
+
+enum class Spread {
+  kOverVolume,  ///< at random; few in small cells
+  kOverCells,   ///< at random, all cells alike
+  kInOrder,     ///< the same in the order of cells
+};
+
+/// Points in cells.
+std::vector<Vector3> points_in(const FrameField& field, std::size_t count, Spread spread) {
+  std::mt19937_64 random(1);
+  std::vector<double> volume_up_to(field.size());
+  double volume = 0;
+  for (std::size_t i = 0; i < field.size(); ++i) volume_up_to[i] = volume += std::pow(field.cell(i).size, 3);
+  const auto index = [&](std::size_t k) -> std::size_t {
+    if (spread == Spread::kInOrder) return k * field.size() / count;
+    if (spread == Spread::kOverCells) return random() % field.size();
+    const double share = 0x1p-64 * static_cast<double>(random());
+    const auto at = std::upper_bound(volume_up_to.begin(), volume_up_to.end() - 1, share * volume);
+    return static_cast<std::size_t>(at - volume_up_to.begin());
+  };
+  const auto deviate = [&] { return 0x1p-64 * static_cast<double>(random()) - 0.5; };
+  std::vector<Vector3> points;
+  for (std::size_t k = 0; k < count; ++k) {
+    const FrameField::Cell cell = field.cell(index(k));
+    const Vector3& c = cell.centre;
+    points.push_back(
+        {c[0] + cell.size * deviate(), c[1] + cell.size * deviate(), c[2] + cell.size * deviate()});
+  }
+  return points;
+}
+
+/// Bytes of a sample: the frames and turns of eight cells are read, the point, the answer.
+ItemCost sample_cost() {
+  constexpr double kCellBytes = 16 + 40 + 8 + 1;  // frame, turn, address, open faces
+  return {sample_flops(), 8 * kCellBytes + sizeof(Vector3) + sizeof(FrameField::Sample)};
 }
 
 /// The search over all frames, of which eight starts are refined: what projection falls back to.
@@ -45,25 +92,25 @@ void nearest_frames(benchmark::State& state) {
   report(state, targets.size(), {flops, sizeof(Coefficients<D>) + sizeof(Quaternion)});
 }
 
-/// Points in cells, in no order. Bytes: the frames and turns of eight cells are read, the point, the answer.
+/// Points one by one, in no order.
 void sampling(benchmark::State& state) {
   const FrameField& field = solved_field();
-  std::mt19937_64 random(1);
-  const auto deviate = [&] { return 0x1p-64 * static_cast<double>(random()) - 0.5; };
-  std::vector<Vector3> points;
-  for (int k = 0; k < 20000; ++k) {
-    const FrameField::Cell cell = field.cell(random() % field.size());
-    const Vector3& c = cell.centre;
-    points.push_back(
-        {c[0] + cell.size * deviate(), c[1] + cell.size * deviate(), c[2] + cell.size * deviate()});
-  }
+  const std::vector<Vector3> points = points_in(field, 20000, Spread::kOverCells);
   benchmark::DoNotOptimize(field.sample(points[0]));  // finds the turns of all cells
   for (auto _ : state) {
     for (const Vector3& point : points) benchmark::DoNotOptimize(field.sample(point));
   }
-  constexpr double kCellBytes = 16 + 40 + 8 + 1;  // frame, turn, address, open faces
-  report(state, points.size(),
-         {sample_flops(), 8 * kCellBytes + sizeof(Vector3) + sizeof(FrameField::Sample)});
+  report(state, points.size(), sample_cost());
+}
+
+/// As many points as there are cells, in one call.
+void sampling_many(benchmark::State& state, Spread spread) {
+  const ThreadLimit limit(1);
+  const FrameField& field = large_field();
+  const std::vector<Vector3> points = points_in(field, 1000000, spread);
+  std::vector<FrameField::Sample> samples = field.sample(points);
+  for (auto _ : state) field.sample(points, samples);
+  report(state, points.size(), sample_cost());
 }
 
 /// field.vtu with all that belongs to a cell, compressed. Bytes: of the arrays before compression, which is
@@ -86,6 +133,15 @@ BENCHMARK(nearest_frames<3>)
     ->Name("nearest frame to any coefficients, degree 3")
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(sampling)->Name("sampling at a point")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sampling_many, over_volume, Spread::kOverVolume)
+    ->Name("sampling at many points, over the solid")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sampling_many, over_cells, Spread::kOverCells)
+    ->Name("sampling at many points, over the cells")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sampling_many, in_order, Spread::kInOrder)
+    ->Name("sampling at many points, cell by cell")
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(writing)->Name("writing a cell to field.vtu")->Unit(benchmark::kMillisecond);
 
 }  // namespace

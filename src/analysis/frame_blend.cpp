@@ -7,6 +7,7 @@
 
 #include "base/instruction_set.hpp"
 #include "base/lanes.hpp"
+#include "harmonics/deviation.hpp"
 #include "harmonics/frame.hpp"
 #include "harmonics/refined_frame.hpp"
 
@@ -37,9 +38,18 @@ struct ExtendedInLanes {
   }
 };
 
+/// `deviation` of h scaled to unit length; 0 for h = 0.
+template <class Real>
+Real deviation_of_direction(const Coefficients<4, Real>& h) {
+  const Real square = squared_norm(h);
+  const Real e = deviation<4>(h) / select(square > 0.0, square * square, Real(1.0));
+  return select(square > 0.0, e, Real(0.0));
+}
+
 /// Blends [begin, begin + W) of a row; where it ends, the last one fills the other lanes.
 template <int W>
-void blend_in_lanes(std::span<const FrameBlend> blends, std::size_t begin, std::span<Quaternion> frames) {
+void blend_in_lanes(std::span<const FrameBlend> blends, std::size_t begin, std::span<Quaternion> frames,
+                    std::span<double> deviations) {
   const int count = static_cast<int>(std::min<std::size_t>(W, blends.size() - begin));
   const auto blend = [&](int lane) -> const FrameBlend& {
     return blends[begin + static_cast<std::size_t>(std::min(lane, count - 1))];
@@ -65,13 +75,19 @@ void blend_in_lanes(std::span<const FrameBlend> blends, std::size_t begin, std::
     frames[begin + static_cast<std::size_t>(lane)] =
         is_nearest[lane] ? in_lane(nearby, lane) : nearest_frame<4>(in_lane(h, lane));
   }
+  if (deviations.empty()) return;
+  const Lanes<W> deviation = deviation_of_direction(h);
+  for (int lane = 0; lane < count; ++lane)
+    deviations[begin + static_cast<std::size_t>(lane)] = deviation[lane];
 }
 
 }  // namespace
 
-void blend_frames(std::span<const FrameBlend> blends, std::span<Quaternion> frames) {
+void blend_frames(std::span<const FrameBlend> blends, std::span<Quaternion> frames,
+                  std::span<double> deviations) {
   run_in_lanes([&]<int W>() {
-    for (std::size_t begin = 0; begin < blends.size(); begin += W) blend_in_lanes<W>(blends, begin, frames);
+    for (std::size_t begin = 0; begin < blends.size(); begin += W)
+      blend_in_lanes<W>(blends, begin, frames, deviations);
   });
 }
 

@@ -27,9 +27,11 @@ struct FrameBlend {
   ExtendedFrame own;  ///< by the leaf that holds the point: where the search begins
 };
 
-/// For each blend the frame nearest to the weighted sum of its terms' degree-4 coefficients. Allocates
-/// nothing. The same to the bit wherever in a row of blends one stands.
-void blend_frames(std::span<const FrameBlend> blends, std::span<Quaternion> frames);
+/// For each blend the frame nearest to the weighted sum of its terms' degree-4 coefficients, and where
+/// `deviations` is not empty E_sym of the sum scaled to unit length. Allocates nothing. The same to the bit
+/// wherever in a row of blends one stands.
+void blend_frames(std::span<const FrameBlend> blends, std::span<Quaternion> frames,
+                  std::span<double> deviations = {});
 
 /// What the leaves around a point say there, turns by turn_of(leaf): see Sampler. `terms` has room for
 /// LeavesAround::kMost.

@@ -4,6 +4,7 @@
 // at the corners of a cube around x, numbered 0 to 7: bit a says that it is beside A along axis a.
 #include "analysis/leaves_around.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -24,22 +25,46 @@ unsigned joined_to_first(const std::array<unsigned, 3>& links) {
   return reached;
 }
 
+/// Whether a leaf, or any inside a cell that is not one, may have a weight at the point.
+bool reaches(const PlacedLeaf& cell, const Vector3& point) {
+  const Vector3 offset = cell.offset_of(point);
+  return std::abs(offset[0]) < 1 && std::abs(offset[1]) < 1 && std::abs(offset[2]) < 1;
+}
+
+/// The first leaf of (i, last) behind the largest cell around leaf i, smaller than `width`, that does not
+/// reach the point. Next to a large cell there may be thousands of small ones.
+CellIndex next_near(const LeafField& field, CellIndex i, CellIndex last, std::int32_t width,
+                    const Vector3& point) {
+  if (i + 1 == last) return last;
+  CellAddress cell = field.tree[i];
+  for (CellAddress parent = cell.parent(); parent.width() < width; parent = parent.parent()) {
+    if (reaches({i, parent.corner(), parent.width(), 0}, point)) break;
+    cell = parent;
+  }
+  const auto leaves = field.tree.leaves().begin();
+  const auto behind = std::partition_point(leaves + i + 1, leaves + last,
+                                           [&](CellAddress leaf) { return cell.contains(leaf); });
+  return static_cast<CellIndex>(behind - leaves);
+}
+
 /// Leaves of any size, while it is found out which are joined to the first.
 class PlacedMembers {
  public:
-  explicit PlacedMembers(const LeafField& field, const Vector3& point) : field_(field), point_(point) {}
+  explicit PlacedMembers(const Vector3& point) : point_(point) {}
 
-  void add(CellIndex i) {
-    // A leaf larger than A lies over several cells next to A.
+  bool has(CellIndex i) const {
     for (int k = 0; k < size_; ++k) {
-      if (leaves_[k].index == i) return;
+      if (leaves_[k].index == i) return true;
     }
-    const PlacedLeaf leaf = placed(field_, i);
+    return false;
+  }
+
+  void add(const PlacedLeaf& leaf) {
     const Vector3 offset = leaf.offset_of(point_);
     const Vector3 hat{1 - std::abs(offset[0]), 1 - std::abs(offset[1]), 1 - std::abs(offset[2])};
     if (!(hat[0] > 0 && hat[1] > 0 && hat[2] > 0) || size_ == LeavesAround::kMost) return;
     leaves_[size_] = leaf;
-    members_[size_++] = {i, static_cast<double>(leaf.width), offset, hat[0] * hat[1] * hat[2]};
+    members_[size_++] = {leaf.index, static_cast<double>(leaf.width), offset, hat[0] * hat[1] * hat[2]};
   }
 
   /// Puts those joined to the first into `members`; their number.
@@ -58,7 +83,6 @@ class PlacedMembers {
   }
 
  private:
-  const LeafField& field_;
   Vector3 point_;
   int size_ = 0;
   std::array<PlacedLeaf, LeavesAround::kMost> leaves_;
@@ -70,10 +94,15 @@ class PlacedMembers {
 LeavesAround::LeavesAround(const LeafField& field, const LeafSurroundings& surroundings,
                            const Vector3& point) {
   const PlacedLeaf own = placed(field, surroundings.leaf());
-  if (surroundings.is_even()) {
-    add_even(field, surroundings, own, own.offset_of(point));
+  const Vector3 offset = own.offset_of(point);
+  LeafSurroundings::Step signs;
+  for (int axis = 0; axis < 3; ++axis) signs[axis] = (offset[axis] > 0) - (offset[axis] < 0);
+  // On the far sides, more than half a cell away, only a leaf larger than A has a weight.
+  const LeafSurroundings::Slots reaching = surroundings.reaching(signs);
+  if (surroundings.are_equal(reaching)) {
+    add_even(field, surroundings, own, offset);
   } else {
-    add_uneven(field, surroundings, own, point);
+    add_uneven(field, surroundings, own, point, reaching);
   }
 }
 
@@ -124,18 +153,28 @@ void LeavesAround::add_even(const LeafField& field, const LeafSurroundings& surr
 }
 
 void LeavesAround::add_uneven(const LeafField& field, const LeafSurroundings& surroundings,
-                              const PlacedLeaf& own, const Vector3& point) {
-  const Vector3 offset = own.offset_of(point);
-  PlacedMembers around(field, point);
-  around.add(own.index);
-  for (int number = 0; number < 27; ++number) {
-    const LeafSurroundings::Step step{number % 3 - 1, number / 3 % 3 - 1, number / 9 - 1};
-    // Across the far side of A, more than half a cell away, only a leaf larger than A has a weight.
-    const bool far_side = step[0] * offset[0] < 0 || step[1] * offset[1] < 0 || step[2] * offset[2] < 0;
-    if (far_side && !surroundings.is_larger(step)) continue;
-    const LeafRange& there = surroundings.over(step);
-    for (CellIndex i = there.first; i < there.last; ++i) around.add(i);
-  }
+                              const PlacedLeaf& own, const Vector3& point, LeafSurroundings::Slots reaching) {
+  PlacedMembers around(point);
+  around.add(own);
+  surroundings.for_each(reaching, [&](const LeafSurroundings::Step& step, const LeafRange& there) {
+    if (surroundings.is_equal(step)) {
+      if (there.first == own.index) return;
+      const auto place = [&](int axis) { return own.corner[axis] + step[axis] * own.width; };
+      around.add({there.first, {place(0), place(1), place(2)}, own.width, field.open_faces[there.first]});
+      return;
+    }
+    // A leaf larger than A lies over several cells next to A.
+    if (surroundings.is_larger(step) && around.has(there.first)) return;
+    for (CellIndex i = there.first; i < there.last;) {
+      const PlacedLeaf leaf = placed(field, i);
+      if (reaches(leaf, point)) {
+        around.add(leaf);
+        ++i;
+      } else {
+        i = next_near(field, i, there.last, own.width, point);
+      }
+    }
+  });
   size_ = around.take_joined(members_);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analysis/sampling.hpp"
 
+#include <array>
 #include <cassert>
 
 #include "analysis/frame_blend.hpp"
@@ -21,26 +22,84 @@ Sampler::Sampler(const Octree& tree, std::span<const StoredQuaternion> frames,
   });
 }
 
-Quaternion Sampler::in_leaf(CellIndex leaf, const Vector3& point) const {
-  const RootCube& root = field_.tree.root();
-  LeafSurroundings surroundings(field_.tree, field_.finder);
-  surroundings.move_to(leaf);
-  const LeavesAround around(field_, surroundings, 1 / root.unit() * (point - root.origin));
-  std::array<BlendTerm, LeavesAround::kMost> terms;
-  const FrameBlend blend = frame_blend(
-      field_, around, [&](CellIndex i) -> const LeafTurn& { return turns_[i]; }, terms.data());
-  Quaternion frame;
-  blend_frames({&blend, 1}, {&frame, 1});
-  return frame;
-}
+/// Answers for points one after the other, of which kPoints are blended side by side.
+template <std::size_t kPoints>
+class Sampler::Run {
+ public:
+  explicit Run(const Sampler& sampler)
+      : field_(sampler.field_), turns_(sampler.turns_), around_(field_.tree, field_.finder) {}
+
+  void answer(std::span<const Vector3> points, std::span<Result> results) {
+    // One search does not wait for what is done with the leaf of the other.
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const CellIndex before = k > 0 ? results[k - 1].leaf : kNoCell;
+      results[k].leaf = leaf_at(points[k], before);
+    }
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const CellIndex leaf = results[k].leaf;
+      if (leaf == kNoCell) {
+        const CellIndex nearest = nearest_leaf(field_.tree, points[k]);
+        assert(nearest != kNoCell);
+        results[k] = {from_stored(field_.frames[nearest]), nearest, false, 0};
+        continue;
+      }
+      if (point_count_ == kPoints || term_count_ + LeavesAround::kMost > kTerms) blend();
+      results[k].in_active_cell = true;
+      add(points[k], leaf, results[k]);
+    }
+    blend();
+  }
+
+ private:
+  /// Twice as many as there are for a point between cells of one size.
+  static constexpr std::size_t kTerms = LeavesAround::kMost + 16 * (kPoints - 1);
+
+  CellIndex leaf_at(const Vector3& point, CellIndex likely) const {
+    const auto address = field_.tree.root().locate(point);
+    if (!address) return kNoCell;
+    if (likely != kNoCell && field_.tree[likely].contains(*address)) return likely;
+    return field_.finder.containing(*address);
+  }
+
+  void add(const Vector3& point, CellIndex leaf, Result& result) {
+    if (leaf != around_.leaf()) around_.move_to(leaf);
+    const RootCube& root = field_.tree.root();
+    const LeavesAround around(field_, around_, 1 / root.unit() * (point - root.origin));
+    const auto turn_of = [&](CellIndex i) -> const LeafTurn& { return turns_[i]; };
+    blends_[point_count_] = frame_blend(field_, around, turn_of, &terms_[term_count_]);
+    term_count_ += blends_[point_count_].terms.size();
+    results_[point_count_++] = &result;
+  }
+
+  void blend() {
+    blend_frames({blends_.data(), point_count_}, {frames_.data(), point_count_},
+                 {deviations_.data(), point_count_});
+    for (std::size_t p = 0; p < point_count_; ++p) {
+      results_[p]->frame = frames_[p];
+      results_[p]->deviation = deviations_[p];
+    }
+    point_count_ = term_count_ = 0;
+  }
+
+  const LeafField& field_;
+  std::span<const LeafTurn> turns_;
+  LeafSurroundings around_;
+  std::size_t point_count_ = 0, term_count_ = 0;
+  std::array<Result*, kPoints> results_;
+  std::array<FrameBlend, kPoints> blends_;
+  std::array<Quaternion, kPoints> frames_;
+  std::array<double, kPoints> deviations_;
+  std::array<BlendTerm, kTerms> terms_;
+};
 
 Sampler::Result Sampler::at(const Vector3& point) const {
-  const auto address = field_.tree.root().locate(point);
-  const CellIndex leaf = address ? field_.finder.containing(*address) : kNoCell;
-  if (leaf != kNoCell) return {in_leaf(leaf, point), leaf, true};
-  const CellIndex nearest = nearest_leaf(field_.tree, point);
-  assert(nearest != kNoCell);
-  return {from_stored(field_.frames[nearest]), nearest, false};
+  Result result;
+  Run<1>(*this).answer({&point, 1}, {&result, 1});
+  return result;
+}
+
+void Sampler::at(std::span<const Vector3> points, std::span<Result> results) const {
+  Run<64>(*this).answer(points, results);
 }
 
 }  // namespace crossgrain

@@ -32,15 +32,19 @@ class Sampler {
     Quaternion frame;
     CellIndex leaf;       ///< that holds the point, or the nearest one
     bool in_active_cell;  ///< whether it holds the point
+    double deviation;     ///< as FrameField::Sample has it
   };
 
   /// The frame at a point of finite coordinates. The field must have a leaf.
   Result at(const Vector3& point) const;
 
-  /// The frame at a point of the closed box of leaf `leaf`, as that leaf sees it.
-  Quaternion in_leaf(CellIndex leaf, const Vector3& point) const;
+  /// The same of many points, to the bit; fast where points that follow each other are near each other.
+  void at(std::span<const Vector3> points, std::span<Result> results) const;
 
  private:
+  template <std::size_t kPoints>
+  class Run;
+
   LeafField field_;
   std::vector<LeafTurn> turns_;
 };

@@ -100,8 +100,15 @@ void LeafSurroundings::move_to(CellIndex leaf) {
   }
 }
 
-bool LeafSurroundings::is_even() const {
-  return ((occupied_ & ~equal_) & slots_around(own_slot_)) == 0;
+/// The 8, 12, 18 or 27 slots on the sides of `signs`.
+LeafSurroundings::Slots LeafSurroundings::slots_towards(const Step& signs) const {
+  // Bit k says that the step k - 1 is among them. The factors put copies of a row one above the other.
+  constexpr std::array<std::uint64_t, 3> kSteps{0b011, 0b111, 0b110};
+  const auto steps = [&](std::size_t axis) { return kSteps[static_cast<std::size_t>(signs[axis] + 1)]; };
+  const std::uint64_t y = steps(1), z = steps(2);
+  const std::uint64_t rows = (y & 1) | (y & 2) << 3 | (y & 4) << 6;
+  const std::uint64_t layers = (z & 1) | (z & 2) << 15 | (z & 4) << 30;
+  return (steps(0) * rows * layers) << (own_slot_ - kLowestSlotOfParent);
 }
 
 /// The leaves over the cell at `step` from the parent, of its size.

@@ -18,6 +18,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "grid/leaf_finder.hpp"
@@ -51,13 +52,35 @@ class LeafSurroundings {
   bool is_larger(const Step& step) const { return larger_ >> slot(step) & 1; }
   bool is_equal(const Step& step) const { return equal_ >> slot(step) & 1; }
 
-  /// All leaves that touch this one are of its size.
-  bool is_even() const;
+  /// Cells of this leaf's size in it and around it, by their slots bit by bit.
+  using Slots = std::uint64_t;
+
+  /// Those that hold the leaves that reach a point to which `signs` lead from the middle, entries -1, 0 or 1,
+  /// where a leaf reaches as far beyond each face as its half: those next to the point, 0 leading both ways,
+  /// and larger leaves on the far sides. Empty ones are left out.
+  Slots reaching(const Step& signs) const {
+    return (occupied_ & slots_towards(signs)) | (larger_ & slots_towards({0, 0, 0}));
+  }
+
+  /// Whether all of `slots` are leaves of this one's size.
+  bool are_equal(Slots slots) const { return (slots & ~equal_) == 0; }
+
+  /// Calls visit(step, leaves) for each of `slots`, x first and z last.
+  template <class Visit>
+  void for_each(Slots slots, const Visit& visit) const {
+    for (; slots != 0; slots &= slots - 1) {
+      const int slot = std::countr_zero(slots);
+      visit(Step{(slot & 3) - (own_slot_ & 3), (slot >> 2 & 3) - (own_slot_ >> 2 & 3),
+                 (slot >> 4) - (own_slot_ >> 4)},
+            ranges_[static_cast<std::size_t>(slot)]);
+    }
+  }
 
  private:
   std::size_t slot(const Step& step) const {
     return static_cast<std::size_t>(own_slot_ + step[0] + 4 * step[1] + 16 * step[2]);
   }
+  Slots slots_towards(const Step& signs) const;
   void look_up(int parent_number);
   LeafRange over_beside_parent(const Step& step);
   void place(LeafRange leaves, CellAddress cell, int child_slot);

@@ -2,13 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "base/parallel.hpp"
 #include "crossgrain/io.hpp"
 #include "io/frame_lines.hpp"
 #include "io/output_file.hpp"
@@ -48,26 +46,19 @@ std::size_t write_samples(const FrameField& field, std::span<const Vector3> poin
   std::optional<Sink> outside;
   if (!files.outside.empty()) outside.emplace(files.outside);
 
-  // The first sample prepares the field for all others, in a parallel loop of its own: not to be met within
-  // ours.
-  if (!points.empty()) field.sample(points.front());
-
   std::size_t outside_count = 0;
+  std::vector<FrameField::Sample> samples(std::min(kPointsAtOnce, points.size()));
   std::vector<Frame> batch_frames;
-  std::vector<std::uint8_t> is_inside;
   for (std::size_t begin = 0; begin < points.size(); begin += kPointsAtOnce) {
     monitor.check();
     const auto batch = points.subspan(begin, std::min(kPointsAtOnce, points.size() - begin));
-    batch_frames.resize(batch.size());
-    is_inside.resize(batch.size());
-    parallel_for(batch.size(), [&](std::size_t i) {
-      const FrameField::Sample sample = field.sample(batch[i]);
-      batch_frames[i] = sample.frame;
-      is_inside[i] = sample.in_active_cell;
-    });
+    const auto answers = std::span(samples).first(batch.size());
+    field.sample(batch, answers);
+    batch_frames.clear();
+    for (const FrameField::Sample& sample : answers) batch_frames.push_back(sample.frame);
     write_frame_lines(*frames, batch_frames);
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      if (is_inside[i]) continue;
+      if (answers[i].in_active_cell) continue;
       ++outside_count;
       if (outside) (*outside)->write(line_of(batch[i]));
     }

@@ -283,7 +283,7 @@ void expect_surroundings(const Octree& tree, const LeafFinder& finder, const Lea
     ASSERT_EQ(around.is_larger(step), tree[first].depth() < tree[i].depth());
     even = even && tree[first] == *cell;
   }
-  ASSERT_EQ(around.is_even(), even);
+  ASSERT_EQ(around.are_equal(around.reaching({0, 0, 0})), even);
 }
 
 TEST(LeafSurroundings, AreWhatTheFinderFindsInAnyOrderOfLeaves) {
