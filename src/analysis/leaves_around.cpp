@@ -31,6 +31,19 @@ bool reaches(const PlacedLeaf& cell, const Vector3& point) {
   return std::abs(offset[0]) < 1 && std::abs(offset[1]) < 1 && std::abs(offset[2]) < 1;
 }
 
+/// A leaf in or around the cell of this corner and width. Most are halves of it, and need not be taken apart.
+PlacedLeaf placed_in(const LeafField& field, CellIndex i, const GridPoint& corner, std::int32_t width) {
+  const CellAddress leaf = field.tree[i];
+  const std::int32_t half = width / 2;
+  if (leaf.width() != half) return placed(field, i);
+  const int octant = leaf.octant();
+  return {i,
+          {corner[0] + (octant & 1) * half, corner[1] + (octant >> 1 & 1) * half,
+           corner[2] + (octant >> 2) * half},
+          half,
+          field.open_faces[i]};
+}
+
 /// The first leaf of (i, last) behind the largest cell around leaf i, smaller than `width`, that does not
 /// reach the point. Next to a large cell there may be thousands of small ones.
 CellIndex next_near(const LeafField& field, CellIndex i, CellIndex last, std::int32_t width,
@@ -157,16 +170,17 @@ void LeavesAround::add_uneven(const LeafField& field, const LeafSurroundings& su
   PlacedMembers around(point);
   around.add(own);
   surroundings.for_each(reaching, [&](const LeafSurroundings::Step& step, const LeafRange& there) {
+    const auto place = [&](int axis) { return own.corner[axis] + step[axis] * own.width; };
+    const GridPoint corner{place(0), place(1), place(2)};
     if (surroundings.is_equal(step)) {
-      if (there.first == own.index) return;
-      const auto place = [&](int axis) { return own.corner[axis] + step[axis] * own.width; };
-      around.add({there.first, {place(0), place(1), place(2)}, own.width, field.open_faces[there.first]});
+      if (there.first != own.index)
+        around.add({there.first, corner, own.width, field.open_faces[there.first]});
       return;
     }
     // A leaf larger than A lies over several cells next to A.
     if (surroundings.is_larger(step) && around.has(there.first)) return;
     for (CellIndex i = there.first; i < there.last;) {
-      const PlacedLeaf leaf = placed(field, i);
+      const PlacedLeaf leaf = placed_in(field, i, corner, own.width);
       if (reaches(leaf, point)) {
         around.add(leaf);
         ++i;
