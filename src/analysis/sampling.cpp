@@ -50,6 +50,13 @@ class Sampler::Run {
     blend();
   }
 
+  Quaternion in_leaf(CellIndex leaf, const Vector3& point) {
+    Result result;
+    add(point, leaf, result);
+    blend();
+    return result.frame;
+  }
+
  private:
   /// Twice as many as there are for a point between cells of one size.
   static constexpr std::size_t kTerms = LeavesAround::kMost + 16 * (kPoints - 1);
@@ -96,6 +103,10 @@ Sampler::Result Sampler::at(const Vector3& point) const {
   Result result;
   Run<1>(*this).answer({&point, 1}, {&result, 1});
   return result;
+}
+
+Quaternion Sampler::in_leaf(CellIndex leaf, const Vector3& point) const {
+  return Run<1>(*this).in_leaf(leaf, point);
 }
 
 void Sampler::at(std::span<const Vector3> points, std::span<Result> results) const {

@@ -38,7 +38,11 @@ class Sampler {
   /// The frame at a point of finite coordinates. The field must have a leaf.
   Result at(const Vector3& point) const;
 
-  /// The same of many points, to the bit; fast where points that follow each other are near each other.
+  /// The frame at a point of the closed box of leaf `leaf`, as that leaf sees it.
+  Quaternion in_leaf(CellIndex leaf, const Vector3& point) const;
+
+  /// The same as `at` of many points, to the bit; fast where points that follow each other are near each
+  /// other.
   void at(std::span<const Vector3> points, std::span<Result> results) const;
 
  private:
