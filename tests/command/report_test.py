@@ -74,7 +74,10 @@ class Report(CommandTest):
                         item["place"][0] += 1
                         changed.append(f"{section}.{key}[0].place")
                     continue
-                report[section][key] = value + 1 if isinstance(value, int) else 1.01 * value + 1e-9
+                if isinstance(value, bool):
+                    report[section][key] = not value
+                else:
+                    report[section][key] = value + 1 if isinstance(value, int) else 1.01 * value + 1e-9
                 changed.append(f"{section}.{key}")
         (self.folder / "out" / "report.json").write_text(json.dumps(report))
         found = {line.split(":")[0] for line in disagreements(self.folder / "part.stl", self.folder / "out")}
