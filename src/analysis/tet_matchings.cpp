@@ -72,14 +72,16 @@ class EdgeWalker {
  public:
   EdgeWalker(const TetSolid& solid, std::span<const CubeRotation> matchings)
       : solid_(solid), ways_out_(solid.mesh.tets.size()) {
-    for (std::uint32_t f = 0; f < solid.inner_faces.size(); ++f) {
+    // No two faces are on the same side of a tet.
+    parallel_for(solid.inner_faces.size(), [&](std::size_t f) {
       const auto& [vertices, tets] = solid.inner_faces[f];
-      if (tets[1] == kNoTet) continue;
+      if (tets[1] == kNoTet) return;
+      const auto face = static_cast<std::uint32_t>(f);
       const std::array<std::uint8_t, 2> corners{corner_opposite(tets[0], vertices),
                                                 corner_opposite(tets[1], vertices)};
-      ways_out_[tets[0]][corners[0]] = {tets[1], f, corners[1], group_.number_of(matchings[f])};
-      ways_out_[tets[1]][corners[1]] = {tets[0], f, corners[0], group_.number_of(inverse(matchings[f]))};
-    }
+      ways_out_[tets[0]][corners[0]] = {tets[1], face, corners[1], group_.number_of(matchings[f])};
+      ways_out_[tets[1]][corners[1]] = {tets[0], face, corners[0], group_.number_of(inverse(matchings[f]))};
+    });
   }
 
   struct Way {
