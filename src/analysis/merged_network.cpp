@@ -18,10 +18,12 @@ Vector3 axis_away_from(const SingularEdge& edge, std::uint32_t end) {
   return edge.ends[0] == end ? edge.turn.axis : -1.0 * edge.turn.axis;
 }
 
-/// A line may touch the surface and go on: then the two edges are of one turn.
-bool is_one_line(const SingularEdge& a, const SingularEdge& b, std::uint32_t point) {
-  return a.turn.kind == b.turn.kind &&
-         -dot(axis_away_from(a, point), axis_away_from(b, point)) > 1 / std::numbers::sqrt2;
+/// Whether a line that comes along an edge to one of its ends goes on from `other_end` along the other edge:
+/// frames turn alike around both.
+bool is_one_line(const SingularEdge& edge, std::uint32_t end, const SingularEdge& other,
+                 std::uint32_t other_end) {
+  return edge.turn.kind == other.turn.kind &&
+         -dot(axis_away_from(edge, end), axis_away_from(other, other_end)) > 1 / std::numbers::sqrt2;
 }
 
 class Merger {
@@ -30,9 +32,15 @@ class Merger {
       : singular_(singular),
         options_(options),
         incident_(singular.points.size()),
+        linked_(singular.points.size(), false),
         sets_(singular.points.size()) {
     for (std::uint32_t e = 0; e < singular.edges.size(); ++e)
       for (const std::uint32_t end : singular.edges[e].ends) incident_[end].push_back(e);
+    for (const auto& [a, b] : singular.surface_edges) {
+      if (!goes_on_over_surface(a, b)) continue;
+      linked_[a] = linked_[b] = true;
+      sets_.join(a, b);
+    }
   }
 
   MergedNetwork merge() {
@@ -73,9 +81,15 @@ class Merger {
       const auto& edges = incident_[p];
       goes_through[p] =
           edges.size() == 2 && (!singular_.points[p].on_boundary ||
-                                is_one_line(singular_.edges[edges[0]], singular_.edges[edges[1]], p));
+                                is_one_line(singular_.edges[edges[0]], p, singular_.edges[edges[1]], p));
     }
     return chains(ends, goes_through);
+  }
+
+  /// Whether two ends on the surface, with an edge of it between, are one line that leaves the tets there.
+  bool goes_on_over_surface(std::uint32_t a, std::uint32_t b) const {
+    if (linked_[a] || linked_[b] || incident_[a].size() != 1 || incident_[b].size() != 1) return false;
+    return is_one_line(singular_.edges[incident_[a][0]], a, singular_.edges[incident_[b][0]], b);
   }
 
   bool is_node(std::uint32_t point) const { return incident_[point].size() > 2; }
@@ -137,8 +151,8 @@ class Merger {
   /// Whether the surface is where something ends, and not only touched in passing.
   bool ends_on_boundary(std::uint32_t p) const {
     const auto& edges = incident_[p];
-    return singular_.points[p].on_boundary &&
-           !(edges.size() == 2 && is_one_line(singular_.edges[edges[0]], singular_.edges[edges[1]], p));
+    return singular_.points[p].on_boundary && !linked_[p] &&
+           !(edges.size() == 2 && is_one_line(singular_.edges[edges[0]], p, singular_.edges[edges[1]], p));
   }
 
   MergedNetwork::Arc arc_of(const Chain& chain, const std::vector<const Chain*>& lines,
@@ -160,6 +174,7 @@ class Merger {
   const SingularEdges& singular_;
   const SingularityOptions& options_;
   std::vector<std::vector<std::uint32_t>> incident_;  ///< edges at each point
+  std::vector<bool> linked_;                          ///< ends from which a line goes on over the surface
   DisjointSets sets_;                                 ///< of points that are one place
 };
 

@@ -26,6 +26,10 @@ struct SingularEdges {
   };
   std::vector<Point> points;
   std::vector<SingularEdge> edges;
+
+  /// Edges of the surface of tets between two points. A line may go on over one, which has no tets all around
+  /// and so is not singular.
+  std::vector<std::array<std::uint32_t, 2>> surface_edges = {};
 };
 
 }  // namespace crossgrain

@@ -223,6 +223,13 @@ SingularEdges singular_tet_edges(const TetSolid& solid, std::span<const Quaterni
     singular.points.push_back({solid.mesh.vertices[used[k]], sizes[k], on_boundary[used[k]] != 0, used[k]});
   for (SingularEdge& edge : singular.edges)
     for (std::uint32_t& end : edge.ends) end = place[end];
+  for (const auto& face : solid.boundary) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Each edge of the surface once, as it has two faces that run along it in opposite directions.
+      const std::uint32_t a = place[face[k]], b = place[face[(k + 1) % 3]];
+      if (a < b && b != kNoTet) singular.surface_edges.push_back({a, b});
+    }
+  }
   return singular;
 }
 

@@ -188,6 +188,25 @@ TEST(SingularityGraph, OfTetsGoesOnWhereALineTouchesTheSurfaceAndEndsWhereTwoDo)
   EXPECT_EQ(count_nodes(graph, true), 3u);
 }
 
+TEST(SingularityGraph, OfTetsGoesOnOverAnEdgeOfTheSurfaceWhereTheTurnsAreOne) {
+  const FrameTurn turn{kQuarter, unit(0)};
+  SingularEdges singular = singular_of(line({0, 0, 0}, 0, 10, turn) + line({11, 0, 0}, 0, 10, turn));
+  const auto point_at = [&](double x) {
+    std::uint32_t k = 0;
+    while (singular.points[k].place[0] != x) ++k;
+    return k;
+  };
+  EXPECT_EQ(singularity_graph(singular).arcs.size(), 2u);
+  singular.surface_edges = {{point_at(10), point_at(11)}};
+  const Graph graph = singularity_graph(singular);
+  ASSERT_EQ(graph.arcs.size(), 1u);
+  EXPECT_EQ(graph.arcs[0].index, 0.25);
+  EXPECT_EQ(count_nodes(graph, true), 2u);
+  // Two lines that run to the surface side by side are two.
+  for (std::size_t e = 10; e < 20; ++e) singular.edges[e].turn.axis = -1.0 * singular.edges[e].turn.axis;
+  EXPECT_EQ(singularity_graph(singular).arcs.size(), 2u);
+}
+
 TEST(SingularityGraph, DoesNotDependOnTheOrderOfEdges) {
   std::vector<GridEdge> edges = kTripod + square(9);
   const Graph one = graph_of(edges);
