@@ -19,8 +19,9 @@ SingularityGraph::Arc described(const MergedNetwork::Arc& arc, const SingularEdg
 /// Whether hexahedra can meet at a point inside so that the arcs that end there are these. They cut a small
 /// sphere around it into triangles, one a hexahedron, with a vertex for each edge of theirs: of valence 3 for
 /// an arc of index 1/4, 5 for -1/4, and 4 for what is no arc. Of these three there are triangulations for
-/// eleven pairs of counts (M. Nieser, U. Reitebuch, K. Polthier, "CubeCover - Parameterization of 3D
-/// Volumes", 2011, name them; tests/analysis/arc_type_test.cpp finds them by search).
+/// eleven pairs of counts, of which tests/analysis/arc_type_test.cpp finds those of up to nine vertices by
+/// search: no arc, one line that goes straight on, of either index, and the eight common singular nodes of
+/// hexahedral meshes (P. Zhang and others, arXiv 2202.09686).
 SingularityGraph::Verdict node_verdict(std::span<const SingularityGraph::Arc* const> arcs);
 
 }  // namespace crossgrain
