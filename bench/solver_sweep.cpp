@@ -47,7 +47,7 @@ std::vector<Variant> variants() {
   add(list, "start_relaxation", &SolveOptions::solver, &SolverOptions::start_relaxation, {1, 15, 50, 400});
   add(list, "level_relaxation", &SolveOptions::solver, &SolverOptions::level_relaxation,
       {0, 10, 20, 60, 120});
-  add(list, "relaxed_cells", &SolveOptions::solver, &SolverOptions::relaxed_cells, {0, 1000, 1000000});
+  add(list, "relaxed_cells", &SolveOptions::solver, &SolverOptions::relaxed_cells, {0, 5000, 20000});
   add(list, "symmetrisation", &SolveOptions::solver, &SolverOptions::symmetrisation,
       {0.0, 0.25, 0.5, 2.0, 4.0, 8.0});
   add(list, "over_relaxation", &SolveOptions::solver, &SolverOptions::over_relaxation, {1.0, 1.2, 1.6, 1.8});

@@ -75,9 +75,12 @@ struct SolverOptions {
   /// Later starts take a third of the sweeps of the one before, so that they differ.
   int start_relaxation = 150;
 
-  /// Relaxation sweeps on every later level of up to `relaxed_cells` active cells.
+  /// Relaxation sweeps on every later level of cells of one size: all levels up to the last that is
+  /// certain to have no more than `relaxed_cells` active cells. Levels after them refine where
+  /// RefinementOptions say, and are not relaxed: arcs would leave the cells that were refined for them, for a
+  /// core costs less in larger cells (docs/solver.md).
   int level_relaxation = 40;
-  std::size_t relaxed_cells = 20000;
+  std::size_t relaxed_cells = 40000;
 
   /// In which degree relaxed problems are solved, whatever the degree of the field. In degree 4 they are
   /// quadratic but for the penalty, so that long relaxation forgets where it started; the degree-3 energy has

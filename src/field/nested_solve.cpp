@@ -247,7 +247,7 @@ class NestedSolver {
     if (initial_frame_) return 0;
     if (coarsest)
       return static_cast<int>(options.start_relaxation / std::pow(3.0, static_cast<double>(start)));
-    return result_.level.size() <= options.relaxed_cells ? options.level_relaxation : 0;
+    return is_uniform_ ? options.level_relaxation : 0;
   }
 
   /// Brings the candidate of lowest energy to the front, and ends the race if told to.
@@ -274,8 +274,9 @@ class NestedSolver {
   }
 
   void refine(int finest_depth) {
+    is_uniform_ = is_uniform_ && 8 * result_.level.size() <= options_.solver.relaxed_cells;
     // While several fields are in the race no single one says where to refine.
-    const Marks marks = candidates_.size() > 1
+    const Marks marks = is_uniform_ || candidates_.size() > 1
                             ? Marks(result_.level.size(), true)
                             : refinement_marks(result_.level, solid_, result_.energy_density, finest_depth,
                                                options_.refinement);
@@ -291,6 +292,7 @@ class NestedSolver {
   std::vector<Candidate> candidates_;
   Stopwatch grid_watch_, solve_watch_, level_watch_;
   double seconds_so_far_;
+  bool is_uniform_ = true;  ///< the level: small enough to be of cells of one size, and relaxed
 };
 
 }  // namespace

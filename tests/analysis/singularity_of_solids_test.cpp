@@ -13,6 +13,7 @@
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/report.hpp"
 #include "field/nested_solve.hpp"
+#include "support/cylinder_arcs.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {
@@ -84,6 +85,18 @@ std::string name_of(const ::testing::TestParamInfo<std::tuple<Vector3, Setting>>
 INSTANTIATE_TEST_SUITE_P(SingularityOfSolids, TiltedCylinder,
                          ::testing::Combine(::testing::ValuesIn(kTilts), kSettings),
                          [](const auto& cylinder) { return name_of(cylinder); });
+
+// A fiftieth of the radius is 0.6 of the finest cells here.
+TEST(SingularityOfSolids, TheFourLinesOfACylinderAreStraightAndAlikeHoweverItStands) {
+  for (const Vector3& tilt : kTilts) {
+    const Quaternion rotation = from_rotation_vector(tilt);
+    const auto mesh = rotate_mesh(make_cylinder(kCylinderRadius, kCylinderHalfHeight, 128, 8), rotation);
+    const Solved solved = solve_coarsely(mesh, {Degree::kFour, 128});
+    const CylinderArcs arcs = measure_cylinder_arcs(solved.graph, rotation, kCylinderHalfHeight - 0.2);
+    EXPECT_LT(arcs.spread, 0.02);
+    EXPECT_LT(arcs.off_straight, 2 * solved.finest_cell());
+  }
+}
 
 class SolidIn : public ::testing::TestWithParam<Setting> {};
 
