@@ -67,11 +67,11 @@ TEST(SolveForecast, IsNotMadeForFieldsThatAreDoneInAMoment) {
 
 TEST(SolveForecast, EndsRefinementWhereTheNextLevelWouldTakeMoreMemoryThanAllowed) {
   const TestSolid part(make_bracket(48));
-  const SolvedField whole = nested_solve(part.solid(), options_of(96), Monitor());
+  const SolvedField whole = nested_solve(part.solid(), options_of(192), Monitor());
   const std::size_t cells_before = whole.levels[whole.levels.size() - 2].active_cells;
   // Enough for the level before the finest, not for the finest.
   const std::size_t enough = 400 * cells_before + 6000000;
-  const SolvedField field = nested_solve(part.solid(), options_of(96, enough), Monitor());
+  const SolvedField field = nested_solve(part.solid(), options_of(192, enough), Monitor());
   EXPECT_EQ(field.levels_left_out, 1);
   EXPECT_EQ(field.level.size(), cells_before);
   EXPECT_EQ(field.levels.back().depth, whole.levels.back().depth - 1);
