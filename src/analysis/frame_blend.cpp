@@ -3,7 +3,10 @@
 #include "analysis/frame_blend.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "base/instruction_set.hpp"
 #include "base/lanes.hpp"
@@ -19,19 +22,39 @@ namespace {
 /// (at a singular line).
 constexpr double kCertainlyNearest = 0.95;
 
+/// Blends that are told apart by the number of their terms together: those of about as many go side by side.
+constexpr std::size_t kSortedTogether = 64;
+
+/// One term in each lane.
 template <int W>
-struct ExtendedInLanes {
+struct TermsInLanes {
   BasicQuaternion<Lanes<W>> frame;
   BasicVector3<Lanes<W>> turn;
+  Lanes<W> weight;
 
-  void set(int lane, const ExtendedFrame& extended) {
-    const StoredQuaternion& q = extended.frame;
-    set_lane(frame, lane, {q.w, q.x, q.y, q.z});
-    for (int axis = 0; axis < 3; ++axis) turn[axis].set(lane, extended.turn[axis]);
+  /// term_of(lane).
+  template <class TermOf>
+  explicit TermsInLanes(const TermOf& term_of) {
+    std::array<const BlendTerm*, W> terms;
+    for (int lane = 0; lane < W; ++lane) terms[lane] = &term_of(lane);
+    const auto each = [&](const auto& number) {
+      return [&]<int... Lane>(std::integer_sequence<int, Lane...>) {
+        return Lanes<W>(typename Lanes<W>::Native{number(*terms[Lane])...});
+      }
+      (std::make_integer_sequence<int, W>());
+    };
+    frame = {each([](const BlendTerm& t) { return t.frame.w; }),
+             each([](const BlendTerm& t) { return t.frame.x; }),
+             each([](const BlendTerm& t) { return t.frame.y; }),
+             each([](const BlendTerm& t) { return t.frame.z; })};
+    turn = {each([](const BlendTerm& t) { return t.turn[0]; }),
+            each([](const BlendTerm& t) { return t.turn[1]; }),
+            each([](const BlendTerm& t) { return t.turn[2]; })};
+    weight = each([](const BlendTerm& t) { return t.weight; });
   }
 
   /// exp(turn) frame. The series is for turns up to half a radian: that of a quarter of it, four times.
-  BasicQuaternion<Lanes<W>> quaternion() const {
+  BasicQuaternion<Lanes<W>> extended() const {
     const BasicQuaternion<Lanes<W>> quarter = from_small_rotation_vector(Lanes<W>(0.25) * turn);
     const BasicQuaternion<Lanes<W>> half = quarter * quarter;
     return half * half * normalised(frame);
@@ -46,39 +69,45 @@ Real deviation_of_direction(const Coefficients<4, Real>& h) {
   return select(square > 0.0, e, Real(0.0));
 }
 
-/// Blends [begin, begin + W) of a row; where it ends, the last one fills the other lanes.
+/// Blends those that `numbers` names, W at most; the last of them fills the other lanes.
 template <int W>
-void blend_in_lanes(std::span<const FrameBlend> blends, std::size_t begin, std::span<Quaternion> frames,
-                    std::span<double> deviations) {
-  const int count = static_cast<int>(std::min<std::size_t>(W, blends.size() - begin));
-  const auto blend = [&](int lane) -> const FrameBlend& {
-    return blends[begin + static_cast<std::size_t>(std::min(lane, count - 1))];
-  };
+void blend_in_lanes(std::span<const FrameBlend> blends, std::span<const std::size_t> numbers,
+                    std::span<Quaternion> frames, std::span<double> deviations) {
+  static constexpr BlendTerm kNothing{{1, 0, 0, 0}, {0, 0, 0}, 0};
+  std::array<const FrameBlend*, W> blend;
   std::size_t most = 0;
-  for (int lane = 0; lane < count; ++lane) most = std::max(most, blend(lane).terms.size());
-  Coefficients<4, Lanes<W>> h{};
-  ExtendedInLanes<W> extended;
-  for (std::size_t k = 0; k < most; ++k) {
-    Lanes<W> weight;
-    for (int lane = 0; lane < W; ++lane) {
-      const std::span<const BlendTerm> terms = blend(lane).terms;
-      if (k < terms.size()) extended.set(lane, terms[k].extended);
-      weight.set(lane, k < terms.size() ? terms[k].weight : 0.0);
-    }
-    add_scaled(h, weight, frame_coefficients<4>(extended.quaternion()));
+  for (std::size_t lane = 0; lane < W; ++lane) {
+    blend[lane] = &blends[numbers[std::min(lane, numbers.size() - 1)]];
+    most = std::max(most, blend[lane]->terms.size());
   }
-  for (int lane = 0; lane < W; ++lane) extended.set(lane, blend(lane).own);
-  const BasicQuaternion<Lanes<W>> nearby = refined_frame<4>(h, normalised(extended.quaternion()));
+  Coefficients<4, Lanes<W>> h{};
+  for (std::size_t k = 0; k < most; ++k) {
+    const TermsInLanes<W> terms([&](int lane) -> const BlendTerm& {
+      return k < blend[lane]->terms.size() ? blend[lane]->terms[k] : kNothing;
+    });
+    add_scaled(h, terms.weight, frame_coefficients<4>(terms.extended()));
+  }
+  const TermsInLanes<W> own([&](int lane) -> const BlendTerm& { return blend[lane]->own; });
+  const BasicQuaternion<Lanes<W>> nearby = refined_frame<4>(h, normalised(own.extended()));
   const Lanes<W> reached = dot(h, frame_coefficients<4>(nearby));
   const auto is_nearest = reached > Lanes<W>(kCertainlyNearest) * sqrt(squared_norm(h));
-  for (int lane = 0; lane < count; ++lane) {
-    frames[begin + static_cast<std::size_t>(lane)] =
-        is_nearest[lane] ? in_lane(nearby, lane) : nearest_frame<4>(in_lane(h, lane));
-  }
-  if (deviations.empty()) return;
   const Lanes<W> deviation = deviation_of_direction(h);
-  for (int lane = 0; lane < count; ++lane)
-    deviations[begin + static_cast<std::size_t>(lane)] = deviation[lane];
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const int lane = static_cast<int>(k);
+    frames[numbers[k]] = is_nearest[lane] ? in_lane(nearby, lane) : nearest_frame<4>(in_lane(h, lane));
+    if (!deviations.empty()) deviations[numbers[k]] = deviation[lane];
+  }
+}
+
+/// The numbers from `begin` on of as many blends as there is room for, those of fewest terms first.
+std::span<const std::size_t> by_term_count(std::span<const FrameBlend> blends, std::size_t begin,
+                                           std::array<std::size_t, kSortedTogether>& numbers) {
+  std::array<std::size_t, LeavesAround::kMost + 2> next{};
+  const std::size_t end = std::min(begin + kSortedTogether, blends.size());
+  for (std::size_t k = begin; k < end; ++k) ++next[blends[k].terms.size() + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (std::size_t k = begin; k < end; ++k) numbers[next[blends[k].terms.size()]++] = k;
+  return {numbers.data(), end - begin};
 }
 
 }  // namespace
@@ -86,8 +115,13 @@ void blend_in_lanes(std::span<const FrameBlend> blends, std::size_t begin, std::
 void blend_frames(std::span<const FrameBlend> blends, std::span<Quaternion> frames,
                   std::span<double> deviations) {
   run_in_lanes([&]<int W>() {
-    for (std::size_t begin = 0; begin < blends.size(); begin += W)
-      blend_in_lanes<W>(blends, begin, frames, deviations);
+    std::array<std::size_t, kSortedTogether> room;
+    for (std::size_t begin = 0; begin < blends.size(); begin += kSortedTogether) {
+      const std::span<const std::size_t> numbers = by_term_count(blends, begin, room);
+      for (std::size_t first = 0; first < numbers.size(); first += W)
+        blend_in_lanes<W>(blends, numbers.subspan(first, std::min<std::size_t>(W, numbers.size() - first)),
+                          frames, deviations);
+    }
   });
 }
 

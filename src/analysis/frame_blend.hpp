@@ -9,22 +9,18 @@
 
 namespace crossgrain {
 
-/// A leaf's frame extended to a point: exp(turn) frame.
-struct ExtendedFrame {
-  StoredQuaternion frame;
-  Vector3 turn;  ///< as a rotation vector, up to 2 rad
-};
-
-/// What one leaf says.
-struct BlendTerm {
-  ExtendedFrame extended;
+/// What one leaf says: its frame extended to a point, exp(turn) frame. In one line of the cache, since a term
+/// goes to its lane at once.
+struct alignas(64) BlendTerm {
+  Quaternion frame;  ///< as it is stored
+  Vector3 turn;      ///< as a rotation vector, up to 2 rad
   double weight;
 };
 
 /// What there is to blend at one point.
 struct FrameBlend {
   std::span<const BlendTerm> terms;
-  ExtendedFrame own;  ///< by the leaf that holds the point: where the search begins
+  BlendTerm own;  ///< by the leaf that holds the point: where the search begins
 };
 
 /// For each blend the frame nearest to the weighted sum of its terms' degree-4 coefficients, and where
@@ -39,13 +35,15 @@ template <class TurnOf>
 FrameBlend frame_blend(const LeafField& field, const LeavesAround& around, TurnOf&& turn_of,
                        BlendTerm* terms) {
   const Vector3 lopsided = around.mean_offset();
+  const auto term = [&](CellIndex leaf, const Vector3& offset, double weight) -> BlendTerm {
+    const StoredQuaternion& q = field.frames[leaf];
+    return {{q.w, q.x, q.y, q.z}, turn_of(leaf).towards(offset), weight};
+  };
   std::size_t count = 0;
-  for (const auto& [leaf, width, offset, weight] : around) {
-    const Vector3 half_way = 0.5 * (offset + 1 / width * lopsided);
-    terms[count++] = {{field.frames[leaf], turn_of(leaf).towards(half_way)}, weight};
-  }
+  for (const auto& [leaf, width, offset, weight] : around)
+    terms[count++] = term(leaf, 0.5 * (offset + 1 / width * lopsided), weight);
   const LeavesAround::Member& own = *around.begin();
-  return {{terms, count}, {field.frames[own.leaf], turn_of(own.leaf).towards(own.offset)}};
+  return {{terms, count}, term(own.leaf, own.offset, 1)};
 }
 
 }  // namespace crossgrain

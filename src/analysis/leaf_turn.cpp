@@ -146,20 +146,6 @@ class LeafTurnFit {
 
 }  // namespace
 
-bool joined(const PlacedLeaf& a, const PlacedLeaf& b) {
-  const PlacedLeaf &small = a.width <= b.width ? a : b, &large = a.width <= b.width ? b : a;
-  int face = -1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::int32_t off = small.corner[axis] - large.corner[axis];
-    if (off >= 0 && off < large.width) continue;
-    if (face >= 0 || (off != -small.width && off != large.width)) return false;
-    face = 2 * axis + (off < 0 ? 1 : 0);
-  }
-  if (face < 0) return false;
-  if (small.open_faces >> face & 1) return true;
-  return small.width == large.width && (large.open_faces >> opposite_face(face) & 1);
-}
-
 LeafTurn leaf_turn(const LeafField& field, const LeafSurroundings& around) {
   return LeafTurnFit(field, around).turn();
 }

@@ -11,6 +11,7 @@
 
 #include "base/quaternion.hpp"
 #include "grid/leaf_surroundings.hpp"
+#include "grid/packed_box.hpp"
 
 namespace crossgrain {
 
@@ -45,8 +46,27 @@ inline PlacedLeaf placed(const LeafField& field, CellIndex i) {
   return {i, address.corner(), address.width(), field.open_faces[i]};
 }
 
+/// What tells whether two leaves are joined.
+struct LeafFaces {
+  PackedBox box;
+  std::int32_t width;
+  std::uint8_t open;
+
+  LeafFaces() = default;
+  explicit LeafFaces(const PlacedLeaf& leaf)
+      : box(leaf.corner, leaf.width), width(leaf.width), open(leaf.open_faces) {}
+};
+
 /// Whether there is an open face between two leaves.
-bool joined(const PlacedLeaf& a, const PlacedLeaf& b);
+inline bool joined(const LeafFaces& a, const LeafFaces& b) {
+  const int face = shared_face(a.box, b.box);
+  if (face < 0) return false;
+  return (a.width <= b.width && a.open >> face & 1) ||
+         (b.width <= a.width && b.open >> opposite_face(face) & 1);
+}
+inline bool joined(const PlacedLeaf& a, const PlacedLeaf& b) {
+  return joined(LeafFaces(a), LeafFaces(b));
+}
 
 struct LeafTurn {
   /// s_i W_i row by row: radians of turn about each axis for a move of one cell along each axis.

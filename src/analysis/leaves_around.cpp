@@ -5,8 +5,9 @@
 #include "analysis/leaves_around.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <utility>
+#include <cstdint>
 
 namespace crossgrain {
 namespace {
@@ -25,81 +26,152 @@ unsigned joined_to_first(const std::array<unsigned, 3>& links) {
   return reached;
 }
 
-/// Whether a leaf, or any inside a cell that is not one, may have a weight at the point.
-bool reaches(const PlacedLeaf& cell, const Vector3& point) {
-  const Vector3 offset = cell.offset_of(point);
-  return std::abs(offset[0]) < 1 && std::abs(offset[1]) < 1 && std::abs(offset[2]) < 1;
-}
-
-/// A leaf in or around the cell of this corner and width. Most are halves of it, and need not be taken apart.
-PlacedLeaf placed_in(const LeafField& field, CellIndex i, const GridPoint& corner, std::int32_t width) {
-  const CellAddress leaf = field.tree[i];
-  const std::int32_t half = width / 2;
-  if (leaf.width() != half) return placed(field, i);
-  const int octant = leaf.octant();
-  return {i,
-          {corner[0] + (octant & 1) * half, corner[1] + (octant >> 1 & 1) * half,
-           corner[2] + (octant >> 2) * half},
-          half,
-          field.open_faces[i]};
-}
-
-/// The first leaf of (i, last) behind the largest cell around leaf i, smaller than `width`, that does not
-/// reach the point. Next to a large cell there may be thousands of small ones.
-CellIndex next_near(const LeafField& field, CellIndex i, CellIndex last, std::int32_t width,
-                    const Vector3& point) {
-  if (i + 1 == last) return last;
-  CellAddress cell = field.tree[i];
-  for (CellAddress parent = cell.parent(); parent.width() < width; parent = parent.parent()) {
-    if (reaches({i, parent.corner(), parent.width(), 0}, point)) break;
-    cell = parent;
-  }
-  const auto leaves = field.tree.leaves().begin();
-  const auto behind = std::partition_point(leaves + i + 1, leaves + last,
-                                           [&](CellAddress leaf) { return cell.contains(leaf); });
-  return static_cast<CellIndex>(behind - leaves);
-}
-
-/// Leaves of any size, while it is found out which are joined to the first.
-class PlacedMembers {
+/// Leaves of several sizes with a weight at the point, and which of them are joined to A, the first.
+class LeavesOfAnySize {
  public:
-  explicit PlacedMembers(const Vector3& point) : point_(point) {}
+  using Members = std::array<LeavesAround::Member, LeavesAround::kMost>;
 
-  bool has(CellIndex i) const {
+  /// Writes to `members`; `own_offset` is that of the point from A.
+  LeavesOfAnySize(const LeafField& field, const LeafSurroundings& surroundings, const PlacedLeaf& own,
+                  const Vector3& point, const Vector3& own_offset, Members& members)
+      : field_(field),
+        surroundings_(surroundings),
+        own_(own),
+        point_(point),
+        own_offset_(own_offset),
+        members_(members) {
+    add(own, own_offset_);
+  }
+
+  /// A and those of its size.
+  void add_equal(LeafSurroundings::Slots slots) {
+    surroundings_.for_each(slots, [&](const Step& step, const LeafRange& there) {
+      if (!surroundings_.is_equal(step) || there.first == own_.index) return;
+      Vector3 offset = own_offset_;
+      for (int axis = 0; axis < 3; ++axis) offset[axis] -= step[axis];
+      add({there.first, corner_at(step), own_.width, field_.open_faces[there.first]}, offset);
+    });
+  }
+
+  void add_larger(LeafSurroundings::Slots slots) {
+    surroundings_.for_each(slots, [&](const Step&, const LeafRange& there) {
+      if (!has(there.first)) add(placed(field_, there.first));
+    });
+  }
+
+  /// Those in divided cells of A's size.
+  void add_smaller(LeafSurroundings::Slots slots) {
+    surroundings_.for_each(slots, [&](const Step& step, const LeafRange& there) {
+      if (surroundings_.is_equal(step) || surroundings_.is_larger(step)) return;
+      const GridPoint corner = corner_at(step);
+      add_inside(there, CellAddress(corner, field_.tree[own_.index].depth()), corner, own_.width);
+    });
+  }
+
+  /// Keeps those joined to A; their number.
+  int keep_joined() {
+    const std::uint64_t joined = joined_to_own();
+    int kept = 0;
     for (int k = 0; k < size_; ++k) {
-      if (leaves_[k].index == i) return true;
+      if (joined >> k & 1) members_[kept++] = members_[k];
     }
-    return false;
-  }
-
-  void add(const PlacedLeaf& leaf) {
-    const Vector3 offset = leaf.offset_of(point_);
-    const Vector3 hat{1 - std::abs(offset[0]), 1 - std::abs(offset[1]), 1 - std::abs(offset[2])};
-    if (!(hat[0] > 0 && hat[1] > 0 && hat[2] > 0) || size_ == LeavesAround::kMost) return;
-    leaves_[size_] = leaf;
-    members_[size_++] = {leaf.index, static_cast<double>(leaf.width), offset, hat[0] * hat[1] * hat[2]};
-  }
-
-  /// Puts those joined to the first into `members`; their number.
-  int take_joined(std::array<LeavesAround::Member, LeavesAround::kMost>& members) {
-    int kept = 1;
-    // Leaves [0, kept) are joined to A; those from `next` on have not been asked yet what they are joined to.
-    for (int next = 0; next < kept && kept < size_; ++next) {
-      for (int k = kept; k < size_; ++k) {
-        if (!joined(leaves_[next], leaves_[k])) continue;
-        std::swap(leaves_[k], leaves_[kept]);
-        std::swap(members_[k], members_[kept++]);
-      }
-    }
-    for (int k = 0; k < kept; ++k) members[k] = members_[k];
     return kept;
   }
 
  private:
-  Vector3 point_;
+  using Step = LeafSurroundings::Step;
+
+  GridPoint corner_at(const Step& step) const {
+    const auto place = [&](int axis) { return own_.corner[axis] + step[axis] * own_.width; };
+    return {place(0), place(1), place(2)};
+  }
+
+  bool has(CellIndex i) const {
+    for (int k = 0; k < size_; ++k) {
+      if (members_[k].leaf == i) return true;
+    }
+    return false;
+  }
+
+  void add(const PlacedLeaf& leaf) { add(leaf, leaf.offset_of(point_)); }
+
+  void add(const PlacedLeaf& leaf, const Vector3& offset) {
+    const Vector3 hat{1 - std::abs(offset[0]), 1 - std::abs(offset[1]), 1 - std::abs(offset[2])};
+    if (!(hat[0] > 0 && hat[1] > 0 && hat[2] > 0) || size_ == LeavesAround::kMost) return;
+    faces_[size_] = LeafFaces(leaf);
+    members_[size_++] = {leaf.index, static_cast<double>(leaf.width), offset, hat[0] * hat[1] * hat[2]};
+  }
+
+  /// Those of `leaves` that are in `cell`, a divided one. What is in a child reaches no farther than a leaf
+  /// of the child's size would: next to a large cell there may be thousands of small ones.
+  void add_inside(LeafRange leaves, CellAddress cell, const GridPoint& corner, std::int32_t width) {
+    const std::int32_t half = width / 2;
+    for (unsigned octants = reaching_octants(corner, half); octants != 0; octants &= octants - 1) {
+      const int octant = std::countr_zero(octants);
+      const CellAddress child = cell.child(octant);
+      const CellIndex first = first_in(child, leaves);
+      if (first == kNoCell) continue;
+      const GridPoint child_corner{corner[0] + (octant & 1) * half, corner[1] + (octant >> 1 & 1) * half,
+                                   corner[2] + (octant >> 2) * half};
+      if (field_.tree[first] == child) {
+        add({first, child_corner, half, field_.open_faces[first]});
+      } else {
+        add_inside({first, leaves.last}, child, child_corner, half);
+      }
+    }
+  }
+
+  /// Children of width `half` of the cell at `corner` that would have a weight as leaves, bit by bit.
+  unsigned reaching_octants(const GridPoint& corner, std::int32_t half) const {
+    // Where the bits of octants stand that are on the low side along an axis.
+    constexpr std::array<unsigned, 3> kLow{0b01010101, 0b00110011, 0b00001111};
+    const double scale = 1.0 / half;
+    unsigned octants = 0xff;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double t = scale * (point_[axis] - corner[axis]);
+      const bool low = t > -0.5 && t<1.5, high = t> 0.5 && t < 2.5;
+      octants &= (low ? kLow[axis] : 0) | (high ? ~kLow[axis] : 0);
+    }
+    return octants;
+  }
+
+  /// The first of `leaves`, those in its parent from some sibling's on, that is in `child`.
+  CellIndex first_in(CellAddress child, LeafRange leaves) const {
+    // Where no sibling before it is missing or divided it stands at its number.
+    const CellIndex likely = leaves.first + static_cast<CellIndex>(child.octant());
+    if (likely < leaves.last && field_.tree[likely] == child) return likely;
+    const auto all = field_.tree.leaves().begin();
+    const auto found = std::lower_bound(all + leaves.first, all + leaves.last, child);
+    return found != all + leaves.last && child.contains(*found) ? static_cast<CellIndex>(found - all)
+                                                                : kNoCell;
+  }
+
+  /// Bit by bit.
+  std::uint64_t joined_to_own() const {
+    std::uint64_t reached = 1, others = (size_ < 64 ? std::uint64_t{1} << size_ : 0) - 2;
+    for (std::uint64_t before = 0; before != reached && others != 0; others &= ~reached) {
+      before = reached;
+      for (std::uint64_t rest = others; rest != 0; rest &= rest - 1) {
+        if (is_joined_to_any(faces_[std::countr_zero(rest)], reached)) reached |= rest & -rest;
+      }
+    }
+    return reached;
+  }
+
+  bool is_joined_to_any(const LeafFaces& leaf, std::uint64_t of) const {
+    for (; of != 0; of &= of - 1) {
+      if (joined(leaf, faces_[std::countr_zero(of)])) return true;
+    }
+    return false;
+  }
+
+  const LeafField& field_;
+  const LeafSurroundings& surroundings_;
+  const PlacedLeaf own_;
+  const Vector3 point_, own_offset_;
   int size_ = 0;
-  std::array<PlacedLeaf, LeavesAround::kMost> leaves_;
-  std::array<LeavesAround::Member, LeavesAround::kMost> members_;
+  std::array<LeafFaces, LeavesAround::kMost> faces_;
+  Members& members_;
 };
 
 }  // namespace
@@ -111,12 +183,16 @@ LeavesAround::LeavesAround(const LeafField& field, const LeafSurroundings& surro
   LeafSurroundings::Step signs;
   for (int axis = 0; axis < 3; ++axis) signs[axis] = (offset[axis] > 0) - (offset[axis] < 0);
   // On the far sides, more than half a cell away, only a leaf larger than A has a weight.
-  const LeafSurroundings::Slots reaching = surroundings.reaching(signs);
-  if (surroundings.are_equal(reaching)) {
+  const LeafSurroundings::Slots near = surroundings.towards(signs), larger = surroundings.larger();
+  if (larger == 0 && surroundings.are_equal(near)) {
     add_even(field, surroundings, own, offset);
-  } else {
-    add_uneven(field, surroundings, own, point, reaching);
+    return;
   }
+  LeavesOfAnySize leaves(field, surroundings, own, point, offset, members_);
+  leaves.add_equal(near);
+  leaves.add_larger(larger);
+  leaves.add_smaller(near);
+  size_ = leaves.keep_joined();
 }
 
 Vector3 LeavesAround::mean_offset() const {
@@ -163,33 +239,6 @@ void LeavesAround::add_even(const LeafField& field, const LeafSurroundings& surr
       member.weight *= 1 - std::abs(member.offset[axis]);
     }
   }
-}
-
-void LeavesAround::add_uneven(const LeafField& field, const LeafSurroundings& surroundings,
-                              const PlacedLeaf& own, const Vector3& point, LeafSurroundings::Slots reaching) {
-  PlacedMembers around(point);
-  around.add(own);
-  surroundings.for_each(reaching, [&](const LeafSurroundings::Step& step, const LeafRange& there) {
-    const auto place = [&](int axis) { return own.corner[axis] + step[axis] * own.width; };
-    const GridPoint corner{place(0), place(1), place(2)};
-    if (surroundings.is_equal(step)) {
-      if (there.first != own.index)
-        around.add({there.first, corner, own.width, field.open_faces[there.first]});
-      return;
-    }
-    // A leaf larger than A lies over several cells next to A.
-    if (surroundings.is_larger(step) && around.has(there.first)) return;
-    for (CellIndex i = there.first; i < there.last;) {
-      const PlacedLeaf leaf = placed_in(field, i, corner, own.width);
-      if (reaches(leaf, point)) {
-        around.add(leaf);
-        ++i;
-      } else {
-        i = next_near(field, i, there.last, own.width, point);
-      }
-    }
-  });
-  size_ = around.take_joined(members_);
 }
 
 }  // namespace crossgrain

@@ -37,8 +37,6 @@ class LeavesAround {
  private:
   void add_even(const LeafField& field, const LeafSurroundings& surroundings, const PlacedLeaf& own,
                 const Vector3& offset);
-  void add_uneven(const LeafField& field, const LeafSurroundings& surroundings, const PlacedLeaf& own,
-                  const Vector3& point, LeafSurroundings::Slots reaching);
 
   int size_ = 0;
   std::array<Member, kMost> members_;

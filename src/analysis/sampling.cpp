@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analysis/sampling.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -61,10 +62,18 @@ class Sampler::Run {
   /// Twice as many as there are for a point between cells of one size.
   static constexpr std::size_t kTerms = LeavesAround::kMost + 16 * (kPoints - 1);
 
+  /// Points that follow each other are about as far apart as leaves are.
+  static constexpr CellIndex kLeavesTried = 4;
+
   CellIndex leaf_at(const Vector3& point, CellIndex likely) const {
     const auto address = field_.tree.root().locate(point);
     if (!address) return kNoCell;
-    if (likely != kNoCell && field_.tree[likely].contains(*address)) return likely;
+    if (likely == kNoCell) return field_.finder.containing(*address);
+    // As a rule in the same leaf or one of the next.
+    const std::size_t end = std::min<std::size_t>(likely + kLeavesTried, field_.tree.size());
+    for (CellIndex i = likely; i < end; ++i) {
+      if (field_.tree[i].contains(*address)) return i;
+    }
     return field_.finder.containing(*address);
   }
 
@@ -110,7 +119,7 @@ Quaternion Sampler::in_leaf(CellIndex leaf, const Vector3& point) const {
 }
 
 void Sampler::at(std::span<const Vector3> points, std::span<Result> results) const {
-  Run<64>(*this).answer(points, results);
+  Run<32>(*this).answer(points, results);
 }
 
 }  // namespace crossgrain

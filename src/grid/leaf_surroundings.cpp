@@ -93,17 +93,19 @@ void LeafSurroundings::move_to(CellIndex leaf) {
     }
     larger_ = equal_ = occupied_ = 0;
   }
-  own_slot_ = slot_of_octant(cell.octant());
-  for (std::uint32_t missing = kParentsAround[static_cast<std::size_t>(cell.octant())] & ~looked_up_;
-       missing != 0; missing &= missing - 1) {
+  const int octant = cell.octant();
+  own_slot_ = slot_of_octant(octant);
+  for (std::size_t axis = 0; axis < 3; ++axis) outward_[axis] = (octant >> axis & 1) ? 1 : -1;
+  for (std::uint32_t missing = kParentsAround[static_cast<std::size_t>(octant)] & ~looked_up_; missing != 0;
+       missing &= missing - 1) {
     look_up(std::countr_zero(missing));
   }
 }
 
-/// The 8, 12, 18 or 27 slots on the sides of `signs`.
+/// Those of the steps of 0 or `signs` along each axis.
 LeafSurroundings::Slots LeafSurroundings::slots_towards(const Step& signs) const {
   // Bit k says that the step k - 1 is among them. The factors put copies of a row one above the other.
-  constexpr std::array<std::uint64_t, 3> kSteps{0b011, 0b111, 0b110};
+  constexpr std::array<std::uint64_t, 3> kSteps{0b011, 0b010, 0b110};
   const auto steps = [&](std::size_t axis) { return kSteps[static_cast<std::size_t>(signs[axis] + 1)]; };
   const std::uint64_t y = steps(1), z = steps(2);
   const std::uint64_t rows = (y & 1) | (y & 2) << 3 | (y & 4) << 6;

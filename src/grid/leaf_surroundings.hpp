@@ -55,12 +55,12 @@ class LeafSurroundings {
   /// Cells of this leaf's size in it and around it, by their slots bit by bit.
   using Slots = std::uint64_t;
 
-  /// Those that hold the leaves that reach a point to which `signs` lead from the middle, entries -1, 0 or 1,
-  /// where a leaf reaches as far beyond each face as its half: those next to the point, 0 leading both ways,
-  /// and larger leaves on the far sides. Empty ones are left out.
-  Slots reaching(const Step& signs) const {
-    return (occupied_ & slots_towards(signs)) | (larger_ & slots_towards({0, 0, 0}));
-  }
+  /// Those that a point to which `signs` lead from the middle lies between, entries -1, 0 or 1: eight with
+  /// the leaf's own, or fewer where there is a 0. Empty ones are left out.
+  Slots towards(const Step& signs) const { return occupied_ & slots_towards(signs); }
+
+  /// The leaf's neighbours that are larger than it, one slot for each cell of the parent's size.
+  Slots larger() const { return larger_ & slots_towards(outward_); }
 
   /// Whether all of `slots` are leaves of this one's size.
   bool are_equal(Slots slots) const { return (slots & ~equal_) == 0; }
@@ -88,6 +88,7 @@ class LeafSurroundings {
   const Octree& tree_;
   const LeafFinder& finder_;
   CellIndex leaf_ = kNoCell;
+  Step outward_{};  ///< from the middle of the parent to that of the leaf
   CellAddress parent_ = CellAddress::from_packed(~std::uint64_t{0});
   int own_slot_ = 0;
   std::uint32_t looked_up_ = 0;  ///< which of the 27 cells of the parent's size, bit by bit

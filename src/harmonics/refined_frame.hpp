@@ -24,8 +24,8 @@ inline constexpr double kLastStep = 1e-8;
 template <int D, class Real>
 BasicVector3<Real> ascent_step(const Coefficients<D, Real>& target,
                                const std::array<Coefficients<D, Real>, 3>& lt,
-                               const BasicQuaternion<Real>& frame) {
-  const auto lh = apply_generators<D>(frame_coefficients<D>(frame));
+                               const Coefficients<D, Real>& h) {
+  const auto lh = apply_generators<D>(h);
   const BasicVector3<Real> descent{-dot(target, lh[0]), -dot(target, lh[1]), -dot(target, lh[2])};
   const BasicSymmetricMatrix3<Real> hessian{dot(lt[0], lh[0]),
                                             0.5 * (dot(lt[0], lh[1]) + dot(lt[1], lh[0])),
@@ -50,22 +50,26 @@ BasicQuaternion<Real> refined_frame(const Coefficients<D, Real>& target, const B
   // Rounding of the score: near the maximum steps go on below what the score can tell.
   const Real rounding = kScoreRounding * sqrt(squared_norm(t));
   BasicQuaternion<Real> frame = start;
-  Real score = dot(t, frame_coefficients<D>(frame));
+  Coefficients<D, Real> h = frame_coefficients<D>(frame);
+  Real score = dot(t, h);
   Mask climbs = score >= score;
   for (int i = 0; i < max_steps && any(climbs); ++i) {
-    BasicVector3<Real> step = climbing::ascent_step<D>(t, lt, frame);
+    BasicVector3<Real> step = climbing::ascent_step<D>(t, lt, h);
     BasicQuaternion<Real> next = normalised(from_small_rotation_vector(step) * frame);
-    Real next_score = dot(t, frame_coefficients<D>(next));
+    Coefficients<D, Real> next_h = frame_coefficients<D>(next);
+    Real next_score = dot(t, next_h);
     // A step that overshoots is halved; one that gains nothing at any length ends the search.
     for (int halving = 0; halving < kMaxHalvings; ++halving) {
       const Mask overshoots = climbs & (next_score < score - rounding);
       if (!any(overshoots)) break;
       step = select(overshoots, Real(0.5), Real(1.0)) * step;
       next = normalised(from_small_rotation_vector(step) * frame);
-      next_score = dot(t, frame_coefficients<D>(next));
+      next_h = frame_coefficients<D>(next);
+      next_score = dot(t, next_h);
     }
     climbs = climbs & (next_score >= score - rounding);
     frame = select(climbs, next, frame);
+    h = next_h;  // of no use where the climb has ended
     score = select(climbs, next_score, score);
     climbs = climbs & (norm(step) > kLastStep);
   }

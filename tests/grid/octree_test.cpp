@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <set>
+
 #include "grid/leaf_finder.hpp"
 #include "grid/leaf_surroundings.hpp"
+#include "grid/packed_box.hpp"
 #include "grid/test_solid.hpp"
 #include "harmonics/random_samples.hpp"
 
@@ -234,6 +238,28 @@ TEST(Moved, IsTheCellThatManyWidthsAway) {
   }
 }
 
+TEST(PackedBox, SharesTheFaceThatComparingAxisByAxisFinds) {
+  RandomSamples random(31);
+  constexpr std::int32_t kEnd = std::int32_t{1} << kMaxDepth;
+  int shared = 0;
+  for (int trial = 0; trial < 100000; ++trial) {
+    // At the low end, in the middle and at the high end of the grid.
+    const std::int32_t origin = std::array{0, kEnd / 2, kEnd - 8}[static_cast<std::size_t>(trial % 3)];
+    const auto cell = [&] {
+      const int halvings = random.integer(0, 2);
+      GridPoint corner;
+      for (std::int32_t& x : corner) x = origin + (random.integer(0, 7) >> halvings << halvings);
+      return CellAddress(corner, kMaxDepth - halvings);
+    };
+    const CellAddress a = cell(), b = cell();
+    if (a.contains(b) || b.contains(a)) continue;
+    const int face = shared_face(PackedBox(a.corner(), a.width()), PackedBox(b.corner(), b.width()));
+    ASSERT_EQ(face, touching_face(a, b));
+    shared += face >= 0;
+  }
+  EXPECT_GT(shared, 1000);
+}
+
 TEST(LeafFinder, FindsWhatTheOctreeFinds) {
   RandomSamples random(21);
   for (int trial = 0; trial < 4; ++trial) {
@@ -266,7 +292,7 @@ TEST(LeafFinder, GivesTheLeavesThatACellContainsOrTheOneThatItLiesIn) {
 /// Compares with LeafFinder all around leaf i.
 void expect_surroundings(const Octree& tree, const LeafFinder& finder, const LeafSurroundings& around,
                          CellIndex i) {
-  bool even = true;
+  std::set<CellIndex> larger;
   for (int number = 0; number < 27; ++number) {
     const std::array<int, 3> step{number % 3 - 1, number / 3 % 3 - 1, number / 9 - 1};
     const auto cell = moved(tree[i], step);
@@ -281,9 +307,33 @@ void expect_surroundings(const Octree& tree, const LeafFinder& finder, const Lea
     ASSERT_EQ(range.last, last);
     ASSERT_EQ(around.is_equal(step), tree[first] == *cell);
     ASSERT_EQ(around.is_larger(step), tree[first].depth() < tree[i].depth());
-    even = even && tree[first] == *cell;
+    if (tree[first].depth() < tree[i].depth()) larger.insert(first);
   }
-  ASSERT_EQ(around.are_equal(around.reaching({0, 0, 0})), even);
+  std::set<CellIndex> found;
+  around.for_each(around.larger(), [&](const LeafSurroundings::Step&, const LeafRange& leaves) {
+    found.insert(leaves.first);
+  });
+  ASSERT_EQ(found, larger);
+}
+
+/// The slots on the sides of every row of signs are those whose steps are 0 or those signs.
+void expect_slots_towards(const LeafSurroundings& around) {
+  for (int number = 0; number < 27; ++number) {
+    const LeafSurroundings::Step signs{number % 3 - 1, number / 3 % 3 - 1, number / 9 - 1};
+    std::set<LeafSurroundings::Step> expected, found;
+    bool even = true;
+    for (int corner = 0; corner < 8; ++corner) {
+      const LeafSurroundings::Step step{(corner & 1) * signs[0], (corner >> 1 & 1) * signs[1],
+                                        (corner >> 2) * signs[2]};
+      if (around.over(step).empty()) continue;
+      expected.insert(step);
+      even = even && around.is_equal(step);
+    }
+    const LeafSurroundings::Slots slots = around.towards(signs);
+    around.for_each(slots, [&](const LeafSurroundings::Step& step, const LeafRange&) { found.insert(step); });
+    ASSERT_EQ(found, expected);
+    ASSERT_EQ(around.are_equal(slots), even);
+  }
 }
 
 TEST(LeafSurroundings, AreWhatTheFinderFindsInAnyOrderOfLeaves) {
@@ -295,6 +345,7 @@ TEST(LeafSurroundings, AreWhatTheFinderFindsInAnyOrderOfLeaves) {
     for (CellIndex i = 0; i < tree.size(); ++i) {
       in_order.move_to(i);
       ASSERT_NO_FATAL_FAILURE(expect_surroundings(tree, finder, in_order, i));
+      ASSERT_NO_FATAL_FAILURE(expect_slots_towards(in_order));
       const auto j = static_cast<CellIndex>(random.integer(0, static_cast<int>(tree.size()) - 1));
       at_random.move_to(j);
       ASSERT_NO_FATAL_FAILURE(expect_surroundings(tree, finder, at_random, j));
