@@ -154,7 +154,7 @@ bool is_written(const OutputFormat& format, const OutputOptions& options) {
 
 std::string files_line(const SolveReport& report, const SolveArguments& arguments) {
   const std::filesystem::path output = arguments.output;
-  std::vector<std::string> names{"field.vtu", "singularities.vtu"};
+  std::vector<std::string> names{"field.vtu", "singularities.vtu", "surface.vtu"};
   if (report.onto) {
     for (const OutputFormat& format : output_formats())
       if (is_written(format, arguments.output_options))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A field as a folder of two files. What ParaView shows (axes, coefficients, ...) is derived from the few
+// A field as a folder of files. What ParaView shows (axes, coefficients, ...) is derived from the few
 // arrays that make up a field, which are kept beside it as field data; those alone are read back.
 #include "io/field_file.hpp"
 
@@ -20,6 +20,7 @@
 #include "io/output_file.hpp"
 #include "io/report_file.hpp"
 #include "io/singularity_file.hpp"
+#include "io/surface_file.hpp"
 #include "io/tet_files.hpp"
 #include "io/vtu_arrays.hpp"
 #include "io/vtu_reader.hpp"
@@ -56,6 +57,14 @@ void add_coefficients(const FieldData& data, std::vector<VtuArray>& arrays) {
   }));
 }
 
+VtuArray constraint_array(const std::vector<CellConstraint>& constraints) {
+  return vtu_array<std::uint8_t>(VtuSection::kCellData, field_arrays::kConstraint, 1, constraints.size(),
+                                 [&constraints](std::size_t begin, std::size_t end, std::uint8_t* out) {
+                                   for (std::size_t i = begin; i < end; ++i)
+                                     *out++ = static_cast<std::uint8_t>(constraints[i]);
+                                 });
+}
+
 /// What docs/design.md section 10 promises for every cell.
 void add_cell_data(const FieldData& data, std::vector<VtuArray>& arrays) {
   add_axes(
@@ -74,6 +83,7 @@ void add_cell_data(const FieldData& data, std::vector<VtuArray>& arrays) {
                                                *out++ = static_cast<std::uint8_t>(leaves[i].depth());
                                            }));
   arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kOnBoundary, data.on_boundary));
+  if (!data.constraints.empty()) arrays.push_back(constraint_array(data.constraints));
   if (!data.regions.empty())
     arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kRegion, data.regions));
 }
@@ -175,7 +185,7 @@ void write_chosen_cells(const FieldData& data, OutputOptions options, OutputFile
 }  // namespace
 
 void check_field_folder(const std::filesystem::path& folder) {
-  check_writable(folder, {kFieldFile, kSingularityFile, kReportFile});
+  check_writable(folder, {kFieldFile, kSingularityFile, kSurfaceFile, kReportFile});
 }
 
 SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
@@ -188,6 +198,10 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
   OutputFolder output(folder);
   write_chosen_cells(field.data(), options, output.create(kFieldFile), report, monitor);
   write_singularities(output.create(kSingularityFile), field.singularities(), monitor);
+  if (const auto surface = field.data().surface.get())
+    write_surface(output.create(kSurfaceFile), *surface, monitor);
+  else
+    output.remove_at_commit(kSurfaceFile);
   add_files(output);
   output.remove_at_commit(kStreamlinesFile);
   report.seconds.write = stopwatch.restart();
@@ -221,6 +235,7 @@ SolveReport write_field(const FrameField& field, const std::filesystem::path& fo
 FrameField read_field(const std::filesystem::path& folder) {
   auto data = std::make_shared<FieldData>(read_field_arrays(folder / kFieldFile));
   data->report = read_report(folder / kReportFile);
+  data->surface = surface_in(folder / kSurfaceFile);
   return FrameField(std::move(data));
 }
 
