@@ -37,7 +37,9 @@ export class Application {
     const canvas = by_id("view") as HTMLCanvasElement;
     this.degree = report.degree === 3 ? 3 : 4;
     this.stage = new Stage(scene, canvas, report.input?.closed ?? report.model?.watertight ?? false, this.store.current);
-    this.store.change({ cut: { axis: widest_cut(scene) } });
+    const axis = widest_cut(scene);
+    // The half that is taken away is the one towards the first view, which looks from the front, the right and above.
+    this.store.change({ cut: { axis, flip: axis === "y" } });
     this.follow = make_controls(by_id("panel-view"), this.store, scene, { camera_direction: () => this.stage.rig.direction });
     const groups = place_groups(report, scene);
     this.places = groups.flatMap((group) => group.places).filter((place) => place.point !== null);
@@ -129,7 +131,13 @@ export class Application {
 
   private resize(): void {
     const { clientWidth, clientHeight } = by_id("stage");
-    if (clientWidth > 0 && clientHeight > 0) this.stage.resize(clientWidth, clientHeight);
+    if (clientWidth <= 0 || clientHeight <= 0) return;
+    // The part is centred in what the controls leave free.
+    const controls = by_id("panel-view");
+    const left = getComputedStyle(controls).position === "fixed" ? controls.getBoundingClientRect().right : 0;
+    const top = by_id("toolbar").getBoundingClientRect().bottom;
+    // As high as the tallest legend, so that choosing another map does not move the part.
+    this.stage.resize(clientWidth, clientHeight, { left, top, bottom: left > 0 ? 108 : 52 });
   }
 
   private apply(settings: Settings): void {
@@ -145,6 +153,7 @@ export class Application {
   private show_picked(cell: number): void {
     if (cell !== this.shown_cell) {
       this.shown_cell = cell;
+      this.tabs.rename("cell", cell < 0 ? "Cell" : `Cell ${counted(cell)}`);
       if (cell < 0) {
         this.cell_panel = null;
         show_no_cell(by_id("panel-cell"));

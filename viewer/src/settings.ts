@@ -7,7 +7,7 @@ import type { Vector } from "./math/frame.ts";
 export type Layer = "part" | "creases" | "arcs" | "nodes" | "streamlines" | "glyphs" | "cells";
 export type CutAxis = "x" | "y" | "z" | "view";
 export type GlyphShape = "cross" | "cube";
-export type GlyphColor = "plain" | "tilt" | "turn" | "energy";
+export type GlyphColor = "plain" | "tilt" | "turn";
 export type ThemeChoice = "auto" | "light" | "dark";
 
 export interface Settings {

@@ -69,7 +69,7 @@ export function show_cell(panel: HTMLElement, cell: CellDescription, unit: strin
   const facts: [string, string, string][] = [
     ["Centre", cell.center.map((value) => measured(value, 4)).join(", "), "cell-center"],
     ["Side", `${measured(cell.size)}${length}`, "cell-size"],
-    ["Class", `${cell.class}: ${kClasses.find(({ name }) => name === cell.class)?.meaning ?? ""}`, "cell-class"],
+    ["Class", `${cell.class} (${kClasses.find(({ name }) => name === cell.class)?.meaning ?? ""})`, "cell-class"],
     ["Energy density", `${measured(cell.energy_density)}${unit ? ` ${unit}⁻²` : ""}`, "cell-energy"],
     ["Alignment", cell.alignment_deg === null ? "no surface in it" : degrees(cell.alignment_deg), "cell-alignment"],
   ];

@@ -83,7 +83,7 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
     group("Frames on the cut",
       bind.layer("Frames", "glyphs"),
       bind.choice("Shape of frames", "glyph-shape", [["cross", "Cross"], ["cube", "Cube"]], (settings) => settings.glyph.shape, (shape) => store.change({ glyph: { shape } })),
-      bind.select("Colour", "glyph-color", [["plain", "plain"], ["tilt", "tilt out of the cut"], ["turn", "turn in the cut"], ["energy", "energy density"]],
+      bind.select("Colour", "glyph-color", [["plain", "plain"], ["tilt", "tilt out of the cut"], ["turn", "turn in the cut"]],
         (settings) => settings.glyph.color, (color) => store.change({ glyph: { color } })),
       bind.slider("Density", "glyph-density", [-2, 2, 1], (settings) => settings.glyph.density, (density) => store.change({ glyph: { density } }),
         ({ glyph: { density } }) => (density === 0 ? "automatic" : density > 0 ? `${2 ** density} × closer` : `${2 ** -density} × wider`)),

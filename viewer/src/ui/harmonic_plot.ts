@@ -6,8 +6,8 @@ import { dot, type Vector } from "../math/frame.ts";
 import { value_at, type Degree } from "../math/harmonics.ts";
 import { kViewColors } from "../view/view_colors.ts";
 
-const kAround = 56;
-const kDown = 28;
+const kAround = 76;
+const kDown = 38;
 
 export class HarmonicPlot {
   private readonly points: Vector[] = [];

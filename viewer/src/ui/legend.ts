@@ -31,9 +31,8 @@ export function legend_body(settings: Settings, theme: Theme, scene: Scene, rang
   if (settings.map === "class") blocks.push(class_list(theme));
   if (settings.layers.glyphs && settings.cut.on) {
     const { color } = settings.glyph;
-    if (color === "tilt") blocks.push(ramp("Frames: tilt", css_gradient("alignment", theme), linear_ticks({ low: 0, high: kTiltScale, logarithmic: false }, "°"), "nearest axis against the cut’s normal"));
-    if (color === "turn") blocks.push(ramp("Frames: turn in the cut", css_gradient("turn", theme), linear_ticks({ low: 0, high: 90, logarithmic: false }, "°"), "all colours once around a singular line"));
-    if (color === "energy" && settings.map !== "energy") blocks.push(ramp("Frames: energy density", css_gradient("energy", theme), decade_ticks(ranges.energy), ""));
+    if (color === "tilt") blocks.push(ramp("Frames: tilt", css_gradient("tilt", theme), linear_ticks({ low: 0, high: kTiltScale, logarithmic: false }, "°"), "nearest axis to the cut’s normal"));
+    if (color === "turn") blocks.push(ramp("Frames: turn in the cut", css_gradient("turn", theme), linear_ticks({ low: 0, high: 90, logarithmic: false }, "°"), "all colours around a singular line"));
   }
   if (settings.layers.arcs) blocks.push(arc_list(scene, theme));
   return blocks;

@@ -5,7 +5,7 @@ import type { Report } from "../scene/report.ts";
 import { counted, drawing, duration, element, measured } from "./dom.ts";
 
 const kWidth = 308;
-const kHeight = 132;
+const kHeight = 121;
 const kTop = 16;
 const kBase = 104;
 const kLabelRoom = 6;
@@ -25,10 +25,9 @@ export function levels_chart(report: Report): HTMLElement | null {
     ...levels.map((level) => element("tr", {}, ...[String(level.depth), counted(level.active_cells), measured(level.energy), duration(level.seconds)].map((text) => element("td", {}, text)))));
   return element("section", { class: "block" },
     element("h2", {}, "Levels"),
-    drawing("svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, class: "chart", "aria-hidden": "true", "data-testid": "levels" }, ...energy, ...time, ...depths,
-      drawing("text", { x: 0, y: kHeight - 2, class: "chart-depth" }, "depth of the octree, coarse to fine")),
+    drawing("svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, class: "chart", "aria-hidden": "true", "data-testid": "levels" }, ...energy, ...time, ...depths),
     table,
-    element("p", { class: "fine" }, "Each level has an energy of its own grid: a rise is no fault."),
+    element("p", { class: "fine" }, "By depth of the octree. Each level has the energy of its own grid: a rise is no fault."),
   );
 }
 

@@ -51,7 +51,13 @@ export class Tabs {
     this.show();
   }
 
+  /** A tab may say more than its name: the cell that is picked. */
+  rename(panel: Panel, text: string): void {
+    this.tabs.get(panel)!.textContent = text;
+  }
+
   private show(): void {
+    document.body.dataset.panel = this.current;
     for (const [panel, tab] of this.tabs) {
       const chosen = panel === this.current;
       const wide_view = panel === "view" && !this.narrow.matches;

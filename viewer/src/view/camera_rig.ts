@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The camera: orbit, zoom and pan by pointer and keys, named views, and flights to places. z is up.
 
-import { MOUSE, PerspectiveCamera, Sphere, TOUCH, Vector3 } from "three";
+import { Box3, MOUSE, PerspectiveCamera, Sphere, TOUCH, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 import type { Vector } from "../math/frame.ts";
@@ -20,14 +20,30 @@ const kDirections: Record<ViewName, Vector> = {
   bottom: [0, -1e-4, -1],
 };
 
+/** Pixels along the sides of the view that controls and legends lie over. */
+export interface Covered {
+  left: number;
+  top: number;
+  bottom: number;
+}
+
 const kFlightMilliseconds = 450;
+// Of a large surface this many points stand for all when it is fitted to the view.
+const kFittedPoints = 4000;
 
 export class CameraRig {
   readonly camera = new PerspectiveCamera(28, 1, 0.1, 1000);
   readonly controls: OrbitControls;
   private flight = 0;
 
-  constructor(private readonly sphere: Sphere, element: HTMLElement, private readonly changed: () => void) {
+  private readonly sphere: Sphere;
+  /** Shares of the view's width and height that nothing lies over. */
+  private free = { width: 1, height: 1 };
+
+  constructor(box: Box3, private readonly points: Float32Array, element: HTMLElement, private readonly changed: () => void) {
+    this.sphere = box.getBoundingSphere(new Sphere());
+    const { sphere } = this;
+    sphere.radius = Math.max(sphere.radius, 1e-9);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, element);
     this.controls.zoomToCursor = true;
@@ -41,16 +57,33 @@ export class CameraRig {
     this.controls.addEventListener("start", () => cancelAnimationFrame(this.flight));
   }
 
-  resize(width: number, height: number): void {
+  resize(width: number, height: number, { left, top, bottom }: Covered): void {
+    // What fitted the view before fits it afterwards: a drawer that opens must not leave the part a dot.
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const before = offset.length() > 0 ? this.fitting_distance(offset.clone().normalize()) : 0;
     this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    this.free = { width: Math.max(0.2, 1 - left / width), height: Math.max(0.2, 1 - (top + bottom) / height) };
+    this.camera.setViewOffset(width, height, -left / 2, (bottom - top) / 2, width, height);
+    if (before > 0) this.zoom(this.fitting_distance(offset.normalize()) / before);
   }
 
-  /** The distance from which the whole part fits the view. */
-  private fitting_distance(): number {
-    const vertical = (this.camera.fov * Math.PI) / 360;
-    const horizontal = Math.atan(Math.tan(vertical) * this.camera.aspect);
-    return (this.sphere.radius * 0.97) / Math.sin(Math.min(vertical, horizontal));
+  /** The distance from which the whole surface fits the view, with some room around. */
+  private fitting_distance(direction: Vector3): number {
+    const half = Math.tan((this.camera.fov * Math.PI) / 360) * 0.92;
+    const upwards = half * this.free.height;
+    const sideways = half * this.camera.aspect * this.free.width;
+    const right = new Vector3().crossVectors(this.camera.up, direction).normalize();
+    const up = new Vector3().crossVectors(direction, right);
+    let distance = 0;
+    const count = this.points.length / 3;
+    const stride = Math.max(1, Math.floor(count / kFittedPoints));
+    const point = new Vector3();
+    for (let k = 0; k < count; k += stride) {
+      point.fromArray(this.points, 3 * k).sub(this.sphere.center);
+      const across = Math.max(Math.abs(point.dot(right)) / sideways, Math.abs(point.dot(up)) / upwards);
+      distance = Math.max(distance, across + point.dot(direction));
+    }
+    return Math.max(distance, this.controls.minDistance);
   }
 
   view(name: ViewName, animated: boolean): void {
@@ -59,7 +92,8 @@ export class CameraRig {
 
   look_from(direction: Vector, animated: boolean): void {
     const target = this.sphere.center.clone();
-    const position = target.clone().addScaledVector(new Vector3(...direction).normalize(), this.fitting_distance());
+    const toward = new Vector3(...direction).normalize();
+    const position = target.clone().addScaledVector(toward, this.fitting_distance(toward));
     this.fly(position, target, animated);
   }
 
@@ -73,7 +107,7 @@ export class CameraRig {
   approach(point: Vector, animated: boolean): void {
     const target = new Vector3(...point);
     const direction = this.camera.position.clone().sub(this.controls.target).normalize();
-    const distance = Math.min(this.camera.position.distanceTo(this.controls.target), this.fitting_distance() * 0.32);
+    const distance = Math.min(this.camera.position.distanceTo(this.controls.target), this.fitting_distance(direction) * 0.32);
     this.fly(target.clone().addScaledVector(direction, distance), target, animated);
   }
 

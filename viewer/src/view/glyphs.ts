@@ -9,7 +9,6 @@ import type { Octree } from "../scene/octree.ts";
 import { cell_quaternion, type Scene } from "../scene/scene.ts";
 import type { GlyphColor, GlyphShape } from "../settings.ts";
 import { glyph_places } from "./glyph_places.ts";
-import { fraction_of, type Ranges } from "./ranges.ts";
 import { kLight } from "./shader_parts.ts";
 import { kViewColors } from "./view_colors.ts";
 
@@ -32,7 +31,7 @@ export class GlyphView {
   private readonly meshes: Record<GlyphShape, Mesh<InstancedBufferGeometry, ShaderMaterial>>;
   private drawn = "";
 
-  constructor(private readonly scene: Scene, private readonly octree: Octree, private readonly ranges: Ranges) {
+  constructor(private readonly scene: Scene, private readonly octree: Octree) {
     this.meshes = { cross: glyph_mesh(cross_geometry(), 0.46), cube: glyph_mesh(new BoxGeometry(2, 2, 2), 0.3) };
     this.group.add(this.meshes.cross, this.meshes.cube);
   }
@@ -77,22 +76,17 @@ export class GlyphView {
     const axes = axes_of(cell_quaternion(this.scene, cell));
     switch (choice.color) {
       case "tilt":
-        return legible(ramp_color("alignment", choice.theme, tilt_deg(axes, choice.normal) / kTiltScale));
+        return ramp_color("tilt", choice.theme, tilt_deg(axes, choice.normal) / kTiltScale);
       case "turn":
         return ramp_color("turn", choice.theme, turn_deg(axes, choice.normal, first) / 90);
-      case "energy":
-        return legible(ramp_color("energy", choice.theme, fraction_of(this.ranges.energy, this.scene.cell_energy_density[cell])));
       default:
         return parse_color(kViewColors[choice.theme].glyph);
     }
   }
 }
 
-/** Ramps begin near the background, where a glyph would vanish: shifted away from it a little. */
-const legible = (color: Color): Color => color.map((channel) => (channel > 0.75 ? channel * 0.86 : Math.max(channel, 0.12))) as Color;
-
 function cross_geometry(): BufferGeometry {
-  const thin = 0.17;
+  const thin = 0.12;
   const bars = [new BoxGeometry(2, thin, thin), new BoxGeometry(thin, 2, thin), new BoxGeometry(thin, thin, 2)];
   const merged = new BufferGeometry();
   const corners = bars[0].getAttribute("position").count;

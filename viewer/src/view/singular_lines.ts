@@ -120,8 +120,8 @@ function tube_material(uniforms: SharedUniforms, colors: { value: Vector3[] }, h
         float radius = max((kind > 2.5 ? 4.4 : 2.6) * pixel, 0.16 * lattice_unit);
         view_normal = (modelViewMatrix * vec4(normal, 0.0)).xyz;
         arc_kind = kind;
-        // Patterns repeat at powers of two of a length in the model, the one that now is some 14 pixels: they do not swim with the camera.
-        float repeat = exp2(floor(log2(14.0 * 2.6 * pixel_size_at(modelViewMatrix * vec4(0.0, 0.0, 0.0, 1.0)) / 2.6)));
+        // Patterns repeat at powers of two of a length in the model, now 12 to 24 pixels: they do not swim with the camera.
+        float repeat = exp2(ceil(log2(12.0 * pixel_size_at(modelViewMatrix * vec4(0.0, 0.0, 0.0, 1.0)))));
         pattern_place = along / max(repeat, 1e-9);
         gl_Position = projectionMatrix * (view + vec4(normalize(view_normal) * radius, 0.0));
       }`,
@@ -137,10 +137,10 @@ function tube_material(uniforms: SharedUniforms, colors: { value: Vector3[] }, h
         float phase = fract(pattern_place);
         // +1/4 plain, -1/4 rings, halves double rings, irregular ones broad bands.
         float band = 0.0;
-        if (kind == 1) band = step(phase, 0.22);
-        if (kind == 2) band = max(step(phase, 0.14), step(abs(phase - 0.32), 0.07));
+        if (kind == 1) band = step(phase, 0.16);
+        if (kind == 2) band = max(step(phase, 0.12), step(abs(phase - 0.30), 0.06));
         if (kind == 3) band = step(phase, 0.5);
-        color = mix(color, kind == 3 ? vec3(1.0) : color * 0.35, band * (kind == 3 ? 0.55 : 1.0));
+        color = mix(color, kind == 3 ? vec3(1.0) : color * 0.45, band * (kind == 3 ? 0.55 : 1.0));
         gl_FragColor = vec4(color * light_on(view_normal), ${hidden ? kHiddenAlpha : "1.0"});
       }`,
   });

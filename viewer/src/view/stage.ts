@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The 3D view: everything that is drawn, kept in step with the settings, and drawn only when something has changed.
 
-import { Color, Scene as ThreeScene, Sphere, Vector3, WebGLRenderer } from "three";
+import { Box3, Color, Scene as ThreeScene, Vector3, WebGLRenderer } from "three";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 
 import type { Theme } from "../math/color_maps.ts";
-import type { Vector } from "../math/frame.ts";
+import { dot, type Vector } from "../math/frame.ts";
 import { build_octree, type Octree } from "../scene/octree.ts";
 import type { Scene } from "../scene/scene.ts";
 import { cut_normal, cut_offset, type Settings } from "../settings.ts";
-import { CameraRig } from "./camera_rig.ts";
+import { CameraRig, type Covered } from "./camera_rig.ts";
 import { CutFace } from "./cut_face.ts";
 import { field_textures, set_palette, type FieldTextures } from "./field_textures.ts";
 import { GlyphView } from "./glyphs.ts";
@@ -23,7 +23,7 @@ import { line_material, segments_of } from "./thin_lines.ts";
 import { kViewColors, scene_color, shader_color } from "./view_colors.ts";
 
 // A glyph needs this many pixels to be told from its neighbour.
-const kGlyphPixels = 24;
+const kGlyphPixels = 26;
 
 export class Stage {
   readonly octree: Octree;
@@ -55,17 +55,14 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, stencil: true, preserveDrawingBuffer: true, powerPreference: "high-performance" });
     this.textures = field_textures(scene, this.octree, this.ranges);
     this.uniforms = shared_uniforms(scene, this.octree, this.textures);
-    const low = new Vector3(...scene.low);
-    const high = new Vector3(...scene.high);
-    const sphere = new Sphere(low.clone().add(high).multiplyScalar(0.5), Math.max(low.distanceTo(high) / 2, 1e-9));
-    this.rig = new CameraRig(sphere, canvas, () => {
+    this.rig = new CameraRig(new Box3(new Vector3(...scene.low), new Vector3(...scene.high)), scene.surface_vertices, canvas, () => {
       this.draw_soon();
       this.onmove();
     });
     this.part = new PartView(scene, this.uniforms);
     this.face = new CutFace(scene, this.uniforms, this.part.geometry, closed);
     this.lines = new SingularLines(scene, this.uniforms);
-    this.glyphs = new GlyphView(scene, this.octree, this.ranges);
+    this.glyphs = new GlyphView(scene, this.octree);
     this.marks = new Marks(scene, this.uniforms);
     this.picker = new Picker(scene, this.octree, this.part.geometry);
     this.streams = new LineSegments2(segments_of(scene.streamline_points, scene.streamline_starts), line_material(1.6, 1));
@@ -73,11 +70,11 @@ export class Stage {
     this.three.add(this.part.group, this.face.group, this.lines.group, this.glyphs.group, this.streams, this.marks.group);
   }
 
-  resize(width: number, height: number): void {
+  resize(width: number, height: number, covered: Covered): void {
     // Beyond two device pixels a CSS pixel nothing is gained but work.
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
     this.renderer.setSize(width, height, false);
-    this.rig.resize(width, height);
+    this.rig.resize(width, height, covered);
     this.uniforms.view_height.value = height;
     this.uniforms.pixel_ratio.value = this.renderer.getPixelRatio();
     this.draw_soon();
@@ -125,7 +122,9 @@ export class Stage {
     const { camera, controls } = this.rig;
     const distance = camera.position.distanceTo(controls.target);
     const pixel = (2 * distance * Math.tan((camera.fov * Math.PI) / 360)) / this.uniforms.view_height.value;
-    const cells = (kGlyphPixels * pixel) / this.scene.cells.unit;
+    // A cut that is seen at a slant is seen shortened one way: halfway to what that asks for, since the other way there is room.
+    const slant = Math.max(0.15, Math.abs(dot(cut_normal(this.settings), this.rig.direction)));
+    const cells = (kGlyphPixels * pixel) / Math.sqrt(slant) / this.scene.cells.unit;
     return 2 ** Math.max(0, Math.round(Math.log2(cells)) - this.settings.glyph.density);
   }
 
