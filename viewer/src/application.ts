@@ -51,6 +51,7 @@ export class Application {
     this.store.subscribe((settings) => this.apply(settings));
     this.dark.addEventListener("change", () => this.apply(this.store.current));
     by_id("shown").textContent = this.what_is_shown();
+    canvas.setAttribute("aria-label", `${by_id("part-name").textContent} with its singular lines and the frames on a cut`);
     // A phone has no room for the legend until it is asked for.
     if (matchMedia("(max-width: 799px)").matches) by_id("legend").removeAttribute("open");
     this.expose();

@@ -37,14 +37,15 @@ class Bindings {
   }
 
   slider(label: string, test: string, [low, high, step]: Vector, read: (settings: Settings) => number, write: (value: number) => void, said: (settings: Settings) => string): HTMLElement {
-    const input = element("input", { type: "range", min: low, max: high, step, "data-testid": test, input: () => write(Number(input.value)) });
+    // The label names its control by id: inside it the output would be taken for what it labels.
+    const input = element("input", { type: "range", id: `control-${test}`, min: low, max: high, step, "data-testid": test, input: () => write(Number(input.value)) });
     const output = element("output", {});
     this.follow.push((settings) => {
       input.value = String(read(settings));
       output.textContent = said(settings);
       input.setAttribute("aria-valuetext", said(settings));
     });
-    return element("label", { class: "slider" }, element("span", { class: "slider-name" }, element("span", {}, label), output), input);
+    return element("label", { class: "slider", for: input.id }, element("span", { class: "slider-name" }, element("span", {}, label), output), input);
   }
 }
 
