@@ -33,10 +33,10 @@ export class Application {
   private shown_cell = -1;
   private visited = -1;
 
-  constructor(readonly scene: Scene, report: Report, private readonly tabs: Tabs) {
+  constructor(readonly scene: Scene, report: Report, private readonly tabs: Tabs, context: WebGL2RenderingContext) {
     const canvas = by_id("view") as HTMLCanvasElement;
     this.degree = report.degree === 3 ? 3 : 4;
-    this.stage = new Stage(scene, canvas, report.input?.closed ?? report.model?.watertight ?? false, this.store.current);
+    this.stage = new Stage(scene, canvas, context, report.input?.closed ?? report.model?.watertight ?? false, this.store.current);
     const axis = widest_cut(scene);
     // The half that is taken away is the one towards the first view, which looks from the front, the right and above.
     this.store.change({ cut: { axis, flip: axis === "y" } });
@@ -94,8 +94,9 @@ export class Application {
   }
 
   pick_middle(): void {
-    const { canvas } = this.stage;
-    this.pick_at(canvas.clientWidth / 2, canvas.clientHeight / 2);
+    // The point that the camera turns around, which controls at the side may have moved from the middle of the canvas.
+    const [x, y] = this.stage.on_screen(this.stage.rig.controls.target.toArray());
+    this.pick_at(x, y);
   }
 
   fly_at(x: number, y: number): void {

@@ -4,6 +4,7 @@
 import { embedded_report, embedded_scene } from "./scene/embedded.ts";
 import type { Report } from "./scene/report.ts";
 import { Application } from "./application.ts";
+import { view_context } from "./view/view_context.ts";
 import { place_groups, place_lists } from "./ui/places.ts";
 import { about, alignment_scale, badge, key_numbers, verdict_card, verdict_of, warnings_list } from "./ui/summary.ts";
 import { by_id, element } from "./ui/dom.ts";
@@ -41,14 +42,13 @@ async function open(): Promise<void> {
   show_report(report);
   // The numbers are on the screen before the scene is unpacked.
   await new Promise((resolve) => setTimeout(resolve, 0));
-  const probe = document.createElement("canvas").getContext("webgl2");
-  if (!probe) {
+  const context = view_context(by_id("view") as HTMLCanvasElement);
+  if (!context) {
     return say_instead_of_view("This browser has no WebGL 2, which the 3D view needs: another browser, or graphics acceleration switched on, would show the part. The numbers of the field are here all the same.");
   }
-  probe.getExtension("WEBGL_lose_context")?.loseContext();
   const scene = await embedded_scene();
   if (!scene) return say_instead_of_view("This page carries numbers only, no scene to show.");
-  const application = new Application(scene, report, tabs);
+  const application = new Application(scene, report, tabs, context);
   tabs_changed = () => application.panels_changed();
   await application.started();
 }

@@ -58,6 +58,33 @@ export function glyph_places(scene: Scene, octree: Octree, normal: Vector, offse
   return without_neighbours(places, 0.72);
 }
 
+/** The same, closer together where the cut is so narrow that glyphs would reach far out of it: through thin walls. */
+export function fitting_glyph_places(scene: Scene, octree: Octree, normal: Vector, offset: number, spacing: number): GlyphPlace[] {
+  const places = glyph_places(scene, octree, normal, offset, spacing);
+  if (spacing < 2 || places.length === 0) return places;
+  const squares = places.reduce((sum, place) => sum + (place.side / scene.cells.unit) ** 2, 0);
+  if (cut_area(scene, normal, offset) > kLeastCover * squares) return places;
+  return glyph_places(scene, octree, normal, offset, spacing / 2);
+}
+
+// Below this share of glyphs' room that is cut, the part is a thin wall there: a wall of half a room's width has 0.5.
+const kLeastCover = 0.55;
+
+/** About the area of the cut, in square lattice units: a cell that it passes counts with a side, inclined ones a little more. */
+function cut_area(scene: Scene, normal: Vector, offset: number): number {
+  const { low, unit } = scene.cells;
+  const lattice_offset = (offset - dot(normal, low)) / unit - 1e-3;
+  const reach = Math.max(...normal.map(Math.abs)) / 2;
+  let area = 0;
+  for (let cell = 0; cell < cell_count(scene); ++cell) {
+    const side = scene.cell_size[cell];
+    let distance = -lattice_offset;
+    for (let k = 0; k < 3; ++k) distance += normal[k] * (scene.cell_corner[3 * cell + k] + side / 2);
+    if (Math.abs(distance) <= reach * side) area += side * side;
+  }
+  return area;
+}
+
 const to_scene = (at: Vector, low: Vector, unit: number): Vector => [low[0] + unit * at[0], low[1] + unit * at[1], low[2] + unit * at[2]];
 
 /** Cuts across the lattice pass several blocks close together: of glyphs nearer than a share of their room only one stays. */

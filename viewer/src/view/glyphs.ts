@@ -8,7 +8,7 @@ import { axes_of, tangents_of, tilt_deg, turn_deg, type Vector } from "../math/f
 import type { Octree } from "../scene/octree.ts";
 import { cell_quaternion, type Scene } from "../scene/scene.ts";
 import type { GlyphColor, GlyphShape } from "../settings.ts";
-import { glyph_places } from "./glyph_places.ts";
+import { fitting_glyph_places } from "./glyph_places.ts";
 import { kLight } from "./shader_parts.ts";
 import { kViewColors } from "./view_colors.ts";
 
@@ -42,7 +42,7 @@ export class GlyphView {
     const key = JSON.stringify(choice);
     if (!visible || key === this.drawn) return;
     this.drawn = key;
-    const places = glyph_places(this.scene, this.octree, choice.normal, choice.offset, choice.spacing);
+    const places = fitting_glyph_places(this.scene, this.octree, choice.normal, choice.offset, choice.spacing);
     const first = tangents_of(choice.normal)[0];
     const centers = new Float32Array(4 * places.length);
     const turns = new Float32Array(4 * places.length);

@@ -47,12 +47,13 @@ export class Stage {
   private after_drawing: (() => void)[] = [];
   onmove: () => void = () => {};
 
-  constructor(readonly scene: Scene, readonly canvas: HTMLCanvasElement, closed: boolean, settings: Settings) {
+  constructor(readonly scene: Scene, readonly canvas: HTMLCanvasElement, context: WebGL2RenderingContext, closed: boolean, settings: Settings) {
     this.settings = settings;
     this.octree = build_octree(scene);
     this.ranges = ranges_of(scene);
-    // The stencil carries the face of the cut; the drawing is kept so that it can be read back and saved at any time.
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, stencil: true, preserveDrawingBuffer: true, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ canvas, context });
+    // Asking whether a shader compiled waits until it has: half a second that is better spent on the rest.
+    this.renderer.debug.checkShaderErrors = false;
     this.textures = field_textures(scene, this.octree, this.ranges);
     this.uniforms = shared_uniforms(scene, this.octree, this.textures);
     this.rig = new CameraRig(new Box3(new Vector3(...scene.low), new Vector3(...scene.high)), scene.surface_vertices, canvas, () => {
