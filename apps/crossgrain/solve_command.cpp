@@ -160,6 +160,7 @@ std::string files_line(const SolveReport& report, const SolveArguments& argument
       if (is_written(format, arguments.output_options))
         names.insert(names.end(), format.files.begin(), format.files.end());
   }
+  if (arguments.output_options.page) names.insert(names.begin(), "report.html");
   std::string text;
   for (const std::string& name : names) text += (output / name).string() + (name == names.back() ? "" : ", ");
   return text + " and " + (output / "report.json").string();

@@ -115,6 +115,9 @@ struct OutputOptions {
   /// Names of formats (`output_formats`) to write a field on tets in, besides those that always are; in any
   /// order, and any number of times.
   std::vector<std::string> formats = {};
+
+  /// Whether to write the page that shows the field in a browser, of the whole field as the report is.
+  bool page = true;
 };
 
 /// Writes FOLDER/field.vtu, FOLDER/singularities.vtu and FOLDER/surface.vtu (docs/field-file.md), which

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "analysis/field_data.hpp"
+#include "analysis/cell_constraint.hpp"
 #include "analysis/leaf_turn.hpp"
 #include "crossgrain/report.hpp"
 #include "grid/grid_level.hpp"

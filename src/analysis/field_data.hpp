@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "analysis/cell_constraint.hpp"
+#include "analysis/shown_cells.hpp"
 #include "analysis/solved_surface.hpp"
 #include "base/quaternion.hpp"
 #include "crossgrain/report.hpp"
@@ -14,17 +16,6 @@
 #include "grid/octree.hpp"
 
 namespace crossgrain {
-
-/// What the surface in a cell asks of its frame (constraint/classification.hpp), as it is written to files.
-enum class CellConstraint : std::uint8_t {
-  kNoSurface = 0,
-  kPlane = 1,
-  kAxis = 2,
-  kFrame = 3,
-  kFree = 4,
-  kConflicted = 5  ///< frames that are a compromise too
-};
-inline constexpr int kCellConstraintCount = 6;
 
 /// All vectors have one entry per leaf of `tree`.
 struct FieldData {
@@ -41,6 +32,9 @@ struct FieldData {
 
   /// What was solved with; none in a field read from a folder that has none.
   SurfaceSource surface;
+
+  /// None in a field that was read.
+  ShownForms shown_forms;
 
   /// Null in a field that was read: made when asked for.
   std::shared_ptr<const SingularityGraph> singularities;

@@ -14,6 +14,7 @@
 #include "analysis/prepared_model.hpp"
 #include "analysis/regions.hpp"
 #include "analysis/sampling.hpp"
+#include "analysis/shown_cells.hpp"
 #include "analysis/singular_edges.hpp"
 #include "analysis/singularity_graph.hpp"
 #include "analysis/solve_checks.hpp"
@@ -90,6 +91,7 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, Solved
       measure_alignment(solved.level, model.solid(), {solved.level.tree, solved.frames, solved.open_faces});
   data.alignment_deg = std::move(alignment.leaf_mean_deg);
   data.constraints = std::move(alignment.leaf_constraints);
+  data.shown_forms = shown_forms(solved.level, model.solid(), options.degree, data.constraints);
   data.report = report_of(model.solid(), solved, alignment, options);
   data.report.model = model.description();
   data.report.input = model.findings();

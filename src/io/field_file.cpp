@@ -18,6 +18,8 @@
 #include "io/leaf_corners.hpp"
 #include "io/output_cells.hpp"
 #include "io/output_file.hpp"
+#include "io/page_file.hpp"
+#include "io/page_scene.hpp"
 #include "io/report_file.hpp"
 #include "io/singularity_file.hpp"
 #include "io/surface_file.hpp"
@@ -185,7 +187,7 @@ void write_chosen_cells(const FieldData& data, OutputOptions options, OutputFile
 }  // namespace
 
 void check_field_folder(const std::filesystem::path& folder) {
-  check_writable(folder, {kFieldFile, kSingularityFile, kSurfaceFile, kReportFile});
+  check_writable(folder, {kFieldFile, kSingularityFile, kSurfaceFile, kReportFile, kPageFile});
 }
 
 SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
@@ -204,10 +206,16 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
     output.remove_at_commit(kSurfaceFile);
   add_files(output);
   output.remove_at_commit(kStreamlinesFile);
+  const std::string scene = options.page ? packed_for_page(page_scene(field, monitor)) : "";
   report.seconds.write = stopwatch.restart();
   report.seconds.total += report.seconds.write;
   report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());
-  write_json(output.create(kReportFile), report_json(report));
+  const std::string report_text = json_text(report_json(report));
+  output.create(kReportFile).write(report_text);
+  if (options.page)
+    write_page(output.create(kPageFile), report_text, scene);
+  else
+    output.remove_at_commit(kPageFile);
   monitor.check();
   output.commit();
   return report;
