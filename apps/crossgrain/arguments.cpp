@@ -240,8 +240,8 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   command->add_flag("--quiet", arguments.quiet, "Print no summary and no progress");
   command->add_flag("--progress", arguments.progress,
                     "Show progress on standard error even where that is no terminal");
-  command->add_flag("--no-report", arguments.no_report,
-                    "Write no page of pictures; there is none yet. report.json is always written");
+  command->add_flag("!--no-report", arguments.output_options.page,
+                    "Write no report.html, the page that shows the field; report.json is always written");
   return command;
 }
 

@@ -22,7 +22,6 @@ struct SolveArguments {
   double read_seconds = ReadOptions().read_seconds;
   bool quiet = false;
   bool progress = false;
-  bool no_report = false;  ///< nothing depends on it as long as there is no page
 };
 
 struct SampleArguments {

@@ -154,12 +154,13 @@ bool is_written(const OutputFormat& format, const OutputOptions& options) {
 
 std::string files_line(const SolveReport& report, const SolveArguments& arguments) {
   const std::filesystem::path output = arguments.output;
-  std::vector<std::string> names{"field.vtu", "singularities.vtu"};
+  std::vector<std::string> names{"field.vtu", "singularities.vtu", "surface.vtu"};
   if (report.onto) {
     for (const OutputFormat& format : output_formats())
       if (is_written(format, arguments.output_options))
         names.insert(names.end(), format.files.begin(), format.files.end());
   }
+  if (arguments.output_options.page) names.insert(names.begin(), "report.html");
   std::string text;
   for (const std::string& name : names) text += (output / name).string() + (name == names.back() ? "" : ", ");
   return text + " and " + (output / "report.json").string();

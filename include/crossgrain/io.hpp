@@ -115,12 +115,15 @@ struct OutputOptions {
   /// Names of formats (`output_formats`) to write a field on tets in, besides those that always are; in any
   /// order, and any number of times.
   std::vector<std::string> formats = {};
+
+  /// Whether to write the page that shows the field in a browser, of the whole field as the report is.
+  bool page = true;
 };
 
-/// Writes FOLDER/field.vtu and FOLDER/singularities.vtu (docs/field-file.md), which ParaView opens, and
-/// FOLDER/report.json (docs/report.md), making the folder where it is missing. All are written beside and
-/// then renamed: a failure leaves what was there before. Files of an earlier field on tets, and
-/// kStreamlinesFile, are removed, so that a folder never holds a mix of two solves. The report's
+/// Writes FOLDER/field.vtu, FOLDER/singularities.vtu and FOLDER/surface.vtu (docs/field-file.md), which
+/// ParaView opens, and FOLDER/report.json (docs/report.md), making the folder where it is missing. All are
+/// written beside and then renamed: a failure leaves what was there before. Files of an earlier field on
+/// tets, and kStreamlinesFile, are removed, so that a folder never holds a mix of two solves. The report's
 /// seconds.write is what that took; it is added to seconds.total, and peak_memory_bytes is brought up to
 /// date. Where no cell meets the box of `options`, all are written, with a warning in the report: a solve is
 /// not lost for a box. Returns the report as written. Throws Error(kOutput), Error(kUsage) for options that

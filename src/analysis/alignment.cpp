@@ -19,33 +19,34 @@ namespace {
 /// Leaves that one task measures: enough that few turns are worked out by two tasks.
 constexpr std::size_t kLeafGrain = 4096;
 
-void count(ConstraintClass constraint_class, SolveReport::Spectrum& spectrum) {
+CellConstraint as_written(ConstraintClass constraint_class) {
   switch (constraint_class) {
     case ConstraintClass::kFree:
-      ++spectrum.free;
-      break;
+      return CellConstraint::kFree;
     case ConstraintClass::kPlane:
-      ++spectrum.plane;
-      break;
+      return CellConstraint::kPlane;
     case ConstraintClass::kAxis:
-      ++spectrum.axis;
-      break;
+      return CellConstraint::kAxis;
     case ConstraintClass::kFrame:
-      ++spectrum.frame;
-      break;
+      return CellConstraint::kFrame;
     case ConstraintClass::kFrameCompromised:
     case ConstraintClass::kConflicted:
-      ++spectrum.conflicted;
       break;
   }
+  return CellConstraint::kConflicted;
 }
 
-void add(const SolveReport::Spectrum& part, SolveReport::Spectrum& whole) {
-  whole.plane += part.plane;
-  whole.axis += part.axis;
-  whole.frame += part.frame;
-  whole.free += part.free;
-  whole.conflicted += part.conflicted;
+SolveReport::Spectrum spectrum_of(const std::vector<CellConstraint>& constraints) {
+  std::array<std::size_t, kCellConstraintCount> counts{};
+  for (const CellConstraint constraint : constraints) ++counts[static_cast<std::size_t>(constraint)];
+  const auto of = [&](CellConstraint constraint) { return counts[static_cast<std::size_t>(constraint)]; };
+  SolveReport::Spectrum spectrum;
+  spectrum.plane = of(CellConstraint::kPlane);
+  spectrum.axis = of(CellConstraint::kAxis);
+  spectrum.frame = of(CellConstraint::kFrame);
+  spectrum.free = of(CellConstraint::kFree);
+  spectrum.conflicted = of(CellConstraint::kConflicted);
+  return spectrum;
 }
 
 /// Measures the pieces of a run of leaves, several side by side.
@@ -63,13 +64,12 @@ class RunOfLeaves {
         leaves_(end - begin),
         terms_(kTermsAtOnce) {}
 
-  /// Writes the angles of all pieces and the means of all leaves.
-  SolveReport::Spectrum measure(std::vector<float>& angles, std::vector<float>& leaf_mean_deg) {
-    SolveReport::Spectrum spectrum;
+  /// Writes the angles of all pieces, and the means and constraints of all leaves.
+  void measure(std::vector<float>& angles, AlignmentMeasurement& result) {
     for (CellIndex i = begin_; i < end_; ++i) {
       if (!level_.holds_surface(i)) continue;
       const ConstraintClass constraints = constraint_class(level_, solid_, i);
-      count(constraints, spectrum);
+      result.leaf_constraints[i] = as_written(constraints);
       around_.move_to(i);
       for (std::uint32_t k = level_.piece_begin[i]; k < level_.piece_begin[i + 1]; ++k) {
         if (point_count_ == kPointsAtOnce || term_count_ + LeavesAround::kMost > kTermsAtOnce)
@@ -80,9 +80,8 @@ class RunOfLeaves {
     measure_points(angles);
     for (CellIndex i = begin_; i < end_; ++i) {
       const auto& [weighted, area] = leaves_[i - begin_];
-      leaf_mean_deg[i] = area > 0 ? static_cast<float>(weighted / area) : 0;
+      result.leaf_mean_deg[i] = area > 0 ? static_cast<float>(weighted / area) : 0;
     }
-    return spectrum;
   }
 
  private:
@@ -156,13 +155,13 @@ double angle_to_nearest_axis_deg(const Quaternion& frame, const Vector3& directi
 AlignmentMeasurement measure_alignment(const GridLevel& level, const Solid& solid, const LeafField& field) {
   AlignmentMeasurement result;
   result.leaf_mean_deg.resize(level.size());
+  result.leaf_constraints.resize(level.size(), CellConstraint::kNoSurface);
   std::vector<float> angles(level.pieces.size());
-  std::vector<SolveReport::Spectrum> spectra((level.size() + kLeafGrain - 1) / kLeafGrain);
   parallel_for_chunks(level.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
     RunOfLeaves run(level, solid, field, static_cast<CellIndex>(begin), static_cast<CellIndex>(end));
-    spectra[begin / kLeafGrain] = run.measure(angles, result.leaf_mean_deg);
+    run.measure(angles, result);
   });
-  for (const SolveReport::Spectrum& of_run : spectra) add(of_run, result.spectrum);
+  result.spectrum = spectrum_of(result.leaf_constraints);
   result.alignment_deg = angle_statistics(level.pieces, angles);
   return result;
 }

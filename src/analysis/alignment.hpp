@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "analysis/cell_constraint.hpp"
 #include "analysis/leaf_turn.hpp"
 #include "crossgrain/report.hpp"
 #include "grid/grid_level.hpp"
@@ -19,6 +20,9 @@ struct AlignmentMeasurement {
 
   /// How many leaves with surface are of each class.
   SolveReport::Spectrum spectrum;
+
+  /// What the surface in each leaf asks for: the classes that the spectrum counts.
+  std::vector<CellConstraint> leaf_constraints;
 
   /// Per leaf the mean over all its pieces, in compatible leaves or not; 0 for a leaf without surface.
   std::vector<float> leaf_mean_deg;

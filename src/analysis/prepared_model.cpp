@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analysis/prepared_model.hpp"
 
+#include <utility>
+
 #include "analysis/constraint_report.hpp"
 #include "analysis/input_report.hpp"
 #include "analysis/solve_checks.hpp"
@@ -62,6 +64,18 @@ SolveReport::Input PreparedModel::findings() const {
   SurfaceFindings findings = mended_.findings;
   find_self_intersections(mended_, bvh_, winding_, findings);
   return input_report(mended_, findings);
+}
+
+SolvedSurface PreparedModel::release_surface() {
+  TriangleMesh& mesh = mended_.surface.mesh;
+  SolvedSurface released{std::move(mesh.vertices), std::move(mesh.triangles), {}};
+  if (winding_.flipped()) {
+    for (auto& [a, b, c] : released.triangles) std::swap(b, c);
+  }
+  for (CreaseCurve& curve : creases_.curves) {
+    if (curve.points.size() > 1) released.creases.push_back(std::move(curve.points));
+  }
+  return released;
 }
 
 }  // namespace crossgrain

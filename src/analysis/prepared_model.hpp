@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/crease_report.hpp"
+#include "analysis/solved_surface.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/report.hpp"
 #include "grid/grid_level.hpp"
@@ -33,6 +34,9 @@ class PreparedModel {
 
   SolveReport::Model description() const;
   SolveReport::Input findings() const;
+
+  /// Moved out of the model, of which nothing else may be asked afterwards.
+  SolvedSurface release_surface();
 
  private:
   const TriangleMesh& mesh_;

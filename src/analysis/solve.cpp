@@ -14,6 +14,7 @@
 #include "analysis/prepared_model.hpp"
 #include "analysis/regions.hpp"
 #include "analysis/sampling.hpp"
+#include "analysis/shown_cells.hpp"
 #include "analysis/singular_edges.hpp"
 #include "analysis/singularity_graph.hpp"
 #include "analysis/solve_checks.hpp"
@@ -89,6 +90,8 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, Solved
   AlignmentMeasurement alignment =
       measure_alignment(solved.level, model.solid(), {solved.level.tree, solved.frames, solved.open_faces});
   data.alignment_deg = std::move(alignment.leaf_mean_deg);
+  data.constraints = std::move(alignment.leaf_constraints);
+  data.shown_forms = shown_forms(solved.level, model.solid(), options.degree, data.constraints);
   data.report = report_of(model.solid(), solved, alignment, options);
   data.report.model = model.description();
   data.report.input = model.findings();
@@ -136,7 +139,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   Stopwatch watch;
   watch.start();
   const ThreadLimit thread_limit(options.threads);
-  const PreparedModel model(mesh, options);
+  PreparedModel model(mesh, options);
   SolvedField solved = nested_solve(model.solid(), options, monitor, initial_frame, watch.restart());
   check_interior(solved.level, model.mended());
 
@@ -153,6 +156,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   data->frames = std::move(solved.frames);
   data->open_faces = std::move(solved.open_faces);
   describe_guides(model, asked, options, *data);
+  data->surface = SurfaceSource(model.release_surface());
   return data;
 }
 

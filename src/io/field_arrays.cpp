@@ -40,6 +40,7 @@ class FieldArraysReader {
     data.on_boundary = values<std::uint8_t>(VtuSection::kCellData, kOnBoundary);
     data.energy_density = values<float>(VtuSection::kCellData, kEnergyDensity);
     data.alignment_deg = values<float>(VtuSection::kCellData, kAlignment);
+    if (file_.find(VtuSection::kCellData, kConstraint)) data.constraints = constraints();
     if (file_.find(VtuSection::kCellData, kRegion))
       data.regions = values<std::int32_t>(VtuSection::kCellData, kRegion);
     check(data);
@@ -96,6 +97,16 @@ class FieldArraysReader {
     return frames;
   }
 
+  std::vector<CellConstraint> constraints() const {
+    const auto codes = values<std::uint8_t>(VtuSection::kCellData, field_arrays::kConstraint);
+    std::vector<CellConstraint> constraints(codes.size());
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+      if (codes[i] >= kCellConstraintCount) fail_damaged();
+      constraints[i] = static_cast<CellConstraint>(codes[i]);
+    }
+    return constraints;
+  }
+
   /// Later code relies on all of this and would read out of range.
   void check(const FieldData& data) const {
     const std::size_t count = data.tree.size();
@@ -103,6 +114,7 @@ class FieldArraysReader {
                                    data.energy_density.size(), data.alignment_deg.size()}) {
       if (size != count) fail_damaged();
     }
+    if (!data.constraints.empty() && data.constraints.size() != count) fail_damaged();
     if (!data.regions.empty() && data.regions.size() != count) fail_damaged();
     if (!is_balanced(data.tree)) fail_damaged();
     std::atomic<bool> sound = true;

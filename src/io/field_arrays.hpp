@@ -22,8 +22,9 @@ inline constexpr const char* kEnergyDensity = "energy_density";  ///< Float32
 inline constexpr const char* kAlignment = "alignment_deg";       ///< Float32
 inline constexpr const char* kOnBoundary = "is_boundary";        ///< UInt8
 
-/// Cell data of models of several solids; read back where it is there.
-inline constexpr const char* kRegion = "region";  ///< Int32, as FieldData::regions
+/// Cell data that are read back where they are there: `region` of models of several solids only.
+inline constexpr const char* kConstraint = "constraint_class";  ///< UInt8, as FieldData::constraints
+inline constexpr const char* kRegion = "region";                ///< Int32, as FieldData::regions
 
 /// Field data of files that hold part of a field, to tell what part; nothing is read back from the numbers.
 inline constexpr const char* kOutputLevel = "output_level";  ///< 1 x UInt32: OutputOptions::level

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A field as a folder of two files. What ParaView shows (axes, coefficients, ...) is derived from the few
+// A field as a folder of files. What ParaView shows (axes, coefficients, ...) is derived from the few
 // arrays that make up a field, which are kept beside it as field data; those alone are read back.
 #include "io/field_file.hpp"
 
@@ -18,8 +18,11 @@
 #include "io/leaf_corners.hpp"
 #include "io/output_cells.hpp"
 #include "io/output_file.hpp"
+#include "io/page_file.hpp"
+#include "io/page_scene.hpp"
 #include "io/report_file.hpp"
 #include "io/singularity_file.hpp"
+#include "io/surface_file.hpp"
 #include "io/tet_files.hpp"
 #include "io/vtu_arrays.hpp"
 #include "io/vtu_reader.hpp"
@@ -56,6 +59,14 @@ void add_coefficients(const FieldData& data, std::vector<VtuArray>& arrays) {
   }));
 }
 
+VtuArray constraint_array(const std::vector<CellConstraint>& constraints) {
+  return vtu_array<std::uint8_t>(VtuSection::kCellData, field_arrays::kConstraint, 1, constraints.size(),
+                                 [&constraints](std::size_t begin, std::size_t end, std::uint8_t* out) {
+                                   for (std::size_t i = begin; i < end; ++i)
+                                     *out++ = static_cast<std::uint8_t>(constraints[i]);
+                                 });
+}
+
 /// What docs/design.md section 10 promises for every cell.
 void add_cell_data(const FieldData& data, std::vector<VtuArray>& arrays) {
   add_axes(
@@ -74,6 +85,7 @@ void add_cell_data(const FieldData& data, std::vector<VtuArray>& arrays) {
                                                *out++ = static_cast<std::uint8_t>(leaves[i].depth());
                                            }));
   arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kOnBoundary, data.on_boundary));
+  if (!data.constraints.empty()) arrays.push_back(constraint_array(data.constraints));
   if (!data.regions.empty())
     arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kRegion, data.regions));
 }
@@ -175,7 +187,7 @@ void write_chosen_cells(const FieldData& data, OutputOptions options, OutputFile
 }  // namespace
 
 void check_field_folder(const std::filesystem::path& folder) {
-  check_writable(folder, {kFieldFile, kSingularityFile, kReportFile});
+  check_writable(folder, {kFieldFile, kSingularityFile, kSurfaceFile, kReportFile, kPageFile});
 }
 
 SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
@@ -188,12 +200,22 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
   OutputFolder output(folder);
   write_chosen_cells(field.data(), options, output.create(kFieldFile), report, monitor);
   write_singularities(output.create(kSingularityFile), field.singularities(), monitor);
+  if (const auto surface = field.data().surface.get())
+    write_surface(output.create(kSurfaceFile), *surface, monitor);
+  else
+    output.remove_at_commit(kSurfaceFile);
   add_files(output);
   output.remove_at_commit(kStreamlinesFile);
+  const std::string scene = options.page ? packed_for_page(page_scene(field, monitor)) : "";
   report.seconds.write = stopwatch.restart();
   report.seconds.total += report.seconds.write;
   report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());
-  write_json(output.create(kReportFile), report_json(report));
+  const std::string report_text = json_text(report_json(report));
+  output.create(kReportFile).write(report_text);
+  if (options.page)
+    write_page(output.create(kPageFile), report_text, scene);
+  else
+    output.remove_at_commit(kPageFile);
   monitor.check();
   output.commit();
   return report;
@@ -221,6 +243,7 @@ SolveReport write_field(const FrameField& field, const std::filesystem::path& fo
 FrameField read_field(const std::filesystem::path& folder) {
   auto data = std::make_shared<FieldData>(read_field_arrays(folder / kFieldFile));
   data->report = read_report(folder / kReportFile);
+  data->surface = surface_in(folder / kSurfaceFile);
   return FrameField(std::move(data));
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -116,6 +117,17 @@ class MergedLeaves {
                        [](std::uint8_t holds_surface) { return holds_surface != 0; });
   }
 
+  /// That of most of its surface, by the areas of the sides of its leaves; of equals the lowest.
+  CellConstraint constraint() const {
+    std::array<double, kCellConstraintCount> sides{};
+    for (CellIndex i = first_; i < last_; ++i) {
+      const double width = field_.tree[i].width();
+      if (field_.constraints[i] != CellConstraint::kNoSurface)
+        sides[static_cast<std::size_t>(field_.constraints[i])] += width * width;
+    }
+    return static_cast<CellConstraint>(std::max_element(sides.begin(), sides.end()) - sides.begin());
+  }
+
   /// That of most of its volume; of equals the lowest.
   std::int32_t region() const {
     std::map<std::int32_t, double> volumes;
@@ -214,6 +226,7 @@ FieldData output_cells(const FieldData& field, const OutputOptions& options, con
   part.on_boundary.resize(count);
   part.energy_density.resize(count);
   part.alignment_deg.resize(count);
+  if (!field.constraints.empty()) part.constraints.resize(count);
   if (!field.regions.empty()) part.regions.resize(count);
   parallel_for_chunks(count, kParallelGrain, [&](std::size_t begin, std::size_t end) {
     monitor.check();
@@ -224,6 +237,7 @@ FieldData output_cells(const FieldData& field, const OutputOptions& options, con
       part.on_boundary[i] = leaves.on_boundary();
       part.energy_density[i] = leaves.energy_density();
       part.alignment_deg[i] = leaves.alignment_deg();
+      if (!field.constraints.empty()) part.constraints[i] = leaves.constraint();
       if (!field.regions.empty()) part.regions[i] = leaves.region();
     }
   });

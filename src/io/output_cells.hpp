@@ -18,10 +18,10 @@ bool ask_for_all(const OutputOptions& options, const Octree& tree);
 ///
 /// A cell in place of smaller leaves has the frame nearest to the mean of their coefficients, of degree 4, by
 /// volume; the mean of their energy densities by volume; the mean of the angles of those that hold surface,
-/// by the areas of their sides; holds surface where one of them does; and is joined to what any of them is
-/// joined to across its faces. No face is open to a cell that is not there.
+/// by the areas of their sides, and the class of most of it; holds surface where one of them does; and is
+/// joined to what any of them is joined to across its faces. No face is open to a cell that is not there.
 ///
-/// Takes 34 bytes a cell of its own and, at times, half as much again. Throws Error(kInterrupted).
+/// Takes 35 bytes a cell of its own and, at times, half as much again. Throws Error(kInterrupted).
 FieldData output_cells(const FieldData& field, const OutputOptions& options, const Monitor& monitor = {});
 
 }  // namespace crossgrain

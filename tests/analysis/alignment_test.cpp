@@ -106,6 +106,19 @@ TEST(Alignment, CountsEveryLeafWithSurfaceInOneClass) {
   EXPECT_GT(spectrum.frame, 0u);
 }
 
+TEST(Alignment, SaysOfEveryLeafWhatItsSurfaceAsksFor) {
+  const Measured box(make_box({1.4, 1.2, 0.6}), 1.0 / 8, {});
+  const AlignmentMeasurement result = box.alignment();
+  ASSERT_EQ(result.leaf_constraints.size(), box.level.size());
+  for (CellIndex i = 0; i < box.level.size(); ++i)
+    EXPECT_EQ(result.leaf_constraints[i] != CellConstraint::kNoSurface, box.level.holds_surface(i));
+  const auto of = [&](CellConstraint constraint) {
+    return static_cast<std::size_t>(std::ranges::count(result.leaf_constraints, constraint));
+  };
+  EXPECT_EQ(of(CellConstraint::kPlane), result.spectrum.plane);
+  EXPECT_EQ(of(CellConstraint::kFrame), result.spectrum.frame);
+}
+
 TEST(Alignment, LeavesOutTheSurfaceInCellsThatNoFrameSuits) {
   // A rod of three sides, each cell holding all of them: no frame has an axis along normals at 120 degrees.
   const Measured rod(make_cylinder(0.03, 0.8, 3), 0.2, {});
@@ -124,6 +137,7 @@ TEST(Alignment, IsTheSameToTheBitOnOneThread) {
   EXPECT_EQ(many.alignment_deg.mean, one.alignment_deg.mean);
   EXPECT_EQ(many.alignment_deg.p95, one.alignment_deg.p95);
   EXPECT_EQ(many.leaf_mean_deg, one.leaf_mean_deg);
+  EXPECT_EQ(many.leaf_constraints, one.leaf_constraints);
 }
 
 }  // namespace

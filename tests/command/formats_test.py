@@ -14,7 +14,7 @@ from field_reader import read_arrays
 from program import CommandTest, box_triangles, medit_text, stl_bytes, tet_box, tilt
 
 USAGE, INPUT, OUTPUT = 2, 3, 4
-ALWAYS = ["field.vtu", "onto.frames", "onto.vtu", "onto_singularities.vtu", "report.json", "singularities.vtu"]
+ALWAYS = ["field.vtu", "onto.frames", "onto.vtu", "onto_singularities.vtu", "report.html", "report.json", "singularities.vtu", "surface.vtu"]
 FILES = {"fra": ["onto.fra"], "perm": ["onto.perm"], "frame": ["onto.frame"],
          "quaternions": ["onto_tets.quaternions", "onto_vertices.quaternions"], "features": ["onto_features.vtu"]}
 
@@ -145,7 +145,7 @@ class FoldersOfFormats(FormatsTest):
         self.assertEqual(self.files(), sorted([*ALWAYS, "notes.fra"]))
         self.solve("box.mesh", "--write", "frame")
         self.solve("box.stl", "--resolution", 8)
-        self.assertEqual(self.files(), ["field.vtu", "notes.fra", "report.json", "singularities.vtu"])
+        self.assertEqual(self.files(), ["field.vtu", "notes.fra", "report.html", "report.json", "singularities.vtu", "surface.vtu"])
 
     def test_a_full_disk_leaves_what_was_there(self):
         def small_files_only():

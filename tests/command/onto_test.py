@@ -26,7 +26,7 @@ from recompute_onto import OntoRecomputation
 
 USAGE, INPUT, OUTPUT, INTERRUPTED = 2, 3, 4, 130
 SHARED = Path(os.environ.get("CROSSGRAIN_SHARED", Path(__file__).resolve().parents[3] / "shared"))
-ONTO_FILES = ["field.vtu", "onto.frames", "onto.vtu", "onto_singularities.vtu", "report.json", "singularities.vtu"]
+ONTO_FILES = ["field.vtu", "onto.frames", "onto.vtu", "onto_singularities.vtu", "report.html", "report.json", "singularities.vtu", "surface.vtu"]
 ONTO_KEYS = ["boundary", "crease_deg", "dirichlet", "edge_sum", "inverted_tets", "left_out_tets", "normal_deg",
              "outside_vertices", "seconds", "singular", "singularity", "tets", "unused_vertices", "vertices"]
 
@@ -441,7 +441,7 @@ class ReplacedResults(OntoTest):
     def test_a_field_without_tets_takes_the_files_of_tets_away(self):
         (self.folder / "out" / "notes.txt").write_text("mine")
         self.solve("box.stl", "--resolution", 8)
-        self.assertEqual(self.files(), ["field.vtu", "notes.txt", "report.json", "singularities.vtu"])
+        self.assertEqual(self.files(), ["field.vtu", "notes.txt", "report.html", "report.json", "singularities.vtu", "surface.vtu"])
 
     def test_a_run_that_fails_takes_nothing_away(self):
         def small_files_only():

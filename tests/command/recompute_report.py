@@ -29,6 +29,7 @@ DIAGONAL_SHARE = 0.2
 SAME_NORMAL = 3e-12
 SAME_EIGENVALUE, FITS = 0.1, 0.15
 FACE_SAMPLES = 4
+CLASSES = ("", "plane", "axis", "frame", "free", "conflicted")  # of constraint_class in field.vtu
 TIE = 0.5 / FACE_SAMPLES**2
 STARTS = [np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0] for seed in range(4)]
 WALL_CELLS, WALL_COSINE, SHEET_AREA = 4, 0.5, 0.1
@@ -209,6 +210,8 @@ class Recomputation:
                 "excluded_share": (1 - area[kept].sum() / area.sum(), 1e-5)}
 
     def spectrum(self):
+        written = self.field.arrays["constraint_class"]
+        np.testing.assert_array_equal(written, [CLASSES.index(self.classes.get(i, "")) for i in range(len(self.field))])
         count = Counter(self.classes.values())
         return {name: (count[name], 0) for name in ("plane", "axis", "frame", "free", "conflicted")}
 

@@ -34,7 +34,7 @@ class Solve(CommandTest):
         result = self.run_here("solve", "torus.stl", "--resolution", "8")
         self.assert_succeeds(result)
         self.assertEqual(self.names(), ["torus.frames", "torus.stl"])
-        self.assertEqual(sorted(os.listdir(self.folder / "torus.frames")), ["field.vtu", "report.json", "singularities.vtu"])
+        self.assertEqual(sorted(os.listdir(self.folder / "torus.frames")), ["field.vtu", "report.html", "report.json", "singularities.vtu", "surface.vtu"])
 
     def test_the_summary_is_a_result_and_progress_is_not(self):
         result = self.run_here("solve", "torus.stl", "--resolution", "8", "--progress")

@@ -179,7 +179,7 @@ class Streamlines(CommandTest):
     def test_a_new_solve_takes_the_lines_of_the_old_one_away(self):
         self.lines()
         self.assert_succeeds(self.run_here("solve", "box.stl", "--resolution", "8", "-o", "box"))
-        self.assertEqual(sorted(path.name for path in (self.folder / "box").iterdir()), ["field.vtu", "report.json", "singularities.vtu"])
+        self.assertEqual(sorted(path.name for path in (self.folder / "box").iterdir()), ["field.vtu", "report.html", "report.json", "singularities.vtu", "surface.vtu"])
 
     def test_files_that_would_be_overwritten_are_refused(self):
         self.write("seeds.txt", "0.3 0.4 0.5\n")
@@ -217,7 +217,7 @@ class Streamlines(CommandTest):
         self.assert_fails(result, OUTPUT, "streamlines.vtu", "too large", "-o")
         self.assertEqual((self.folder / "box/streamlines.vtu").read_bytes(), before)
         self.assertEqual(sorted(path.name for path in (self.folder / "box").iterdir()),
-                         ["field.vtu", "report.json", "singularities.vtu", "streamlines.vtu"])
+                         ["field.vtu", "report.html", "report.json", "singularities.vtu", "streamlines.vtu", "surface.vtu"])
 
     def test_interrupting_leaves_nothing(self):
         # Far more lines than can be traced before the signal.
@@ -230,7 +230,7 @@ class Streamlines(CommandTest):
             _, error = process.communicate(timeout=30)
         self.assertEqual(process.returncode, INTERRUPTED)
         self.assertEqual(error.count(b"\n"), 1)
-        self.assertEqual(sorted(path.name for path in (self.folder / "box").iterdir()), ["field.vtu", "report.json", "singularities.vtu"])
+        self.assertEqual(sorted(path.name for path in (self.folder / "box").iterdir()), ["field.vtu", "report.html", "report.json", "singularities.vtu", "surface.vtu"])
 
 
 if __name__ == "__main__":

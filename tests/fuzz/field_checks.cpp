@@ -15,6 +15,7 @@
 #include "io/json_file.hpp"
 #include "io/report_file.hpp"
 #include "io/sample_field.hpp"
+#include "io/surface_file.hpp"
 #include "io/vtk_files.hpp"
 
 namespace crossgrain {
@@ -55,6 +56,14 @@ constexpr std::array kOntoArrays = {
     FieldArray{"Points", "Points", "Float64", 3},   FieldArray{"connectivity", "Cells", "Int32", 1},
     FieldArray{"axis_u", "CellData", "Float32", 3}, FieldArray{"axis_v", "CellData", "Float32", 3},
     FieldArray{"axis_w", "CellData", "Float32", 3},
+};
+
+constexpr std::array kSurfaceArrays = {
+    FieldArray{field_arrays::kSchema, "FieldData", "UInt32", 1},
+    FieldArray{"Points", "Points", "Float64", 3},
+    FieldArray{"connectivity", "Cells", "Int32", 1},
+    FieldArray{"offsets", "Cells", "Int32", 1},
+    FieldArray{"types", "Cells", "UInt8", 1},
 };
 
 using ArrayBytes = std::vector<std::vector<std::uint8_t>>;
@@ -130,6 +139,27 @@ bool check_onto_arrays(std::string_view bytes) {
   if (!succeeds([&] { graph = read_onto_singularities(input_folder().path()); })) return false;
   require(graph.has_value(), "a field on tets that is not there");
   for (const SingularityGraph::Arc& arc : graph->arcs) require_finite(arc.points);
+  return true;
+}
+
+bool check_surface_arrays(std::string_view bytes) {
+  const ArrayBytes arrays = taken_arrays(kSurfaceArrays, bytes);
+  const auto path =
+      as_file("surface.vtu",
+              packed(kSurfaceArrays, arrays, arrays[1].size() / (3 * sizeof(double)), arrays.back().size()));
+  std::shared_ptr<const SolvedSurface> surface;
+  const bool is_surface = succeeds([&] { surface = surface_in(path).get(); });
+  std::filesystem::remove(path);
+  if (!is_surface) return false;
+  require(surface != nullptr, "a surface that is not there");
+  require_finite(surface->vertices);
+  for (const auto& triangle : surface->triangles)
+    for (const std::uint32_t vertex : triangle)
+      require(vertex < surface->vertices.size(), "a vertex that is not there");
+  for (const std::vector<Vector3>& crease : surface->creases) {
+    require(crease.size() > 1, "a crease without length");
+    require_finite(crease);
+  }
   return true;
 }
 

@@ -99,6 +99,17 @@ std::string onto_bytes() {
   return out;
 }
 
+/// Two triangles and a crease of two points, in the order of kSurfaceArrays (field_checks.cpp).
+std::string surface_bytes() {
+  std::string out;
+  append_array<std::uint32_t>(out, {1});
+  append_array<Vector3>(out, {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}, {0, 0, 0}, {1, 0, 0}});
+  append_array<std::int32_t>(out, {0, 1, 2, 0, 3, 1, 4, 5});
+  append_array<std::int32_t>(out, {3, 6, 8});
+  append_array<std::uint8_t>(out, {5, 5, 4});
+  return out;
+}
+
 std::vector<std::string> made_cad() {
   // Lines of 80 columns, of which the 73rd names the section.
   std::string iges;
@@ -137,6 +148,7 @@ std::vector<std::string> made_inputs(std::string_view reader) {
   if (reader == "field_arrays")
     return {array_bytes(sample_data(Degree::kThree, 0)), array_bytes(sample_data(Degree::kFour, 1))};
   if (reader == "onto_arrays") return {onto_bytes()};
+  if (reader == "surface_arrays") return {surface_bytes()};
   if (reader == "report") return {report_json(sample_report()).dump(1)};
   if (reader == "points") return {"0 0 0\n1.5 -2e3 .25 # a point\n\n# none\n3 4 5"};
   if (reader == "normals") return {"0 0 1\n1 0 0 2.5\n# none\n0.3 -4 1e-3 7\n"};

@@ -21,6 +21,7 @@ constexpr std::array kReaders = {
     ReaderUnderTest{"field", check_field},
     ReaderUnderTest{"field_arrays", check_field_arrays},
     ReaderUnderTest{"onto_arrays", check_onto_arrays},
+    ReaderUnderTest{"surface_arrays", check_surface_arrays},
     ReaderUnderTest{"report", check_report},
     ReaderUnderTest{"points", check_points},
     ReaderUnderTest{"normals", check_normals},

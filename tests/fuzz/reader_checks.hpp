@@ -34,6 +34,9 @@ ReaderCheck check_field, check_field_arrays;
 
 /// onto.vtu by its arrays, in the order of kOntoArrays.
 ReaderCheck check_onto_arrays;
+
+/// surface.vtu by its arrays, in the order of kSurfaceArrays.
+ReaderCheck check_surface_arrays;
 ReaderCheck check_report;
 
 /// What is looked at in a STEP, IGES or BREP file before OpenCASCADE sees it, which is not called.

@@ -72,6 +72,17 @@ TEST(FieldFile, KeepsTheRegionsOfCellsWhereThereAreAny) {
   EXPECT_EQ(read_field(folder.path()).data().regions, data.regions);
 }
 
+TEST(FieldFile, KeepsTheConstraintsOfCellsWhereThereAreAny) {
+  const TemporaryFolder folder;
+  FieldData data = sample_data(Degree::kFour);
+  write_field(field_of(data), folder.path());
+  EXPECT_TRUE(read_field(folder.path()).data().constraints.empty());
+  for (std::size_t i = 0; i < data.tree.size(); ++i)
+    data.constraints.push_back(static_cast<CellConstraint>(i % kCellConstraintCount));
+  write_field(field_of(data), folder.path());
+  EXPECT_EQ(read_field(folder.path()).data().constraints, data.constraints);
+}
+
 TEST(FieldFile, HasEveryCellAsAVoxelOfSharedPoints) {
   const TemporaryFolder folder;
   const FieldData data = sample_data(Degree::kFour);

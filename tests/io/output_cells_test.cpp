@@ -159,6 +159,20 @@ TEST(OutputCells, HaveMeansOfNumbersAndAnyOfFlags) {
   EXPECT_EQ(inside.alignment_deg[0], 0);
 }
 
+TEST(OutputCells, AskForWhatMostOfTheirSurfaceAsksFor) {
+  FieldData data = sample_data(Degree::kFour, 1);
+  // Eight small leaves with a plane are as many as two of the seven larger ones.
+  std::size_t large = 0;
+  for (const CellAddress leaf : data.tree.leaves()) {
+    const bool is_free = leaf.depth() == 1 && large++ < 3;
+    data.constraints.push_back(leaf.depth() > 1 ? CellConstraint::kPlane
+                               : is_free        ? CellConstraint::kFree
+                                                : CellConstraint::kNoSurface);
+  }
+  const FieldData part = output_cells(data, {.level = 0, .clip = {}});
+  EXPECT_EQ(part.constraints, std::vector<CellConstraint>{CellConstraint::kFree});
+}
+
 TEST(OutputCells, HaveTheRegionOfMostOfTheirVolume) {
   FieldData data = sample_data(Degree::kFour, 1);
   // The split cell alone is of region 5.

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// A browser with pages of the test scenes in it, drawn by software so that pictures are the same on every machine.
+//
+// Environment: CROSSGRAIN_CHROMIUM is the browser (default /usr/bin/chromium), CROSSGRAIN_SCREENSHOTS a folder that screenshots are kept
+// in, CROSSGRAIN_UPDATE_REFERENCES=1 writes the pictures of references/ anew instead of comparing with them.
+
+import { mkdtempSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+import { chromium } from "../../viewer/node_modules/playwright-core/index.mjs";
+import { kScenes } from "../../viewer/tests/sample_scene.mjs";
+import { filled_page } from "../../viewer/tests/scene_writer.mjs";
+
+const kArguments = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--force-color-profile=srgb"];
+export const kDesktop = { viewport: { width: 1440, height: 900 } };
+export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
+
+const folder = mkdtempSync(join(tmpdir(), "crossgrain-viewer-"));
+export const template = readFileSync(new URL("../../viewer/dist/report.html", import.meta.url), "utf8");
+const made = new Map();
+
+/** The report and the bytes of a test scene. */
+export function scene_named(name) {
+  if (!made.has(name)) made.set(name, kScenes[name]());
+  return made.get(name);
+}
+
+/** Address of a file that holds this page. */
+export function page_file(name, text) {
+  const path = join(folder, `${name}.html`);
+  writeFileSync(path, text);
+  return pathToFileURL(path).href;
+}
+
+export function scene_file(name) {
+  const { report, scene } = scene_named(name);
+  return page_file(name, filled_page(template, report, scene));
+}
+
+export const launch = () => chromium.launch({ executablePath: process.env.CROSSGRAIN_CHROMIUM ?? "/usr/bin/chromium", args: kArguments });
+
+/** Opens a page and waits until it is drawn. `problems` collects console messages, errors and requests to anywhere but the file. */
+export async function open(browser, address, { device = kDesktop, scheme = "light", before = null, motion = "reduce" } = {}) {
+  const context = await browser.newContext({ ...device, colorScheme: scheme, reducedMotion: motion });
+  const page = await context.newPage();
+  page.setDefaultTimeout(60_000);
+  const problems = [];
+  page.on("console", (message) => problems.push(`${message.type()}: ${message.text()}`));
+  page.on("pageerror", (error) => problems.push(`error: ${error.message}`));
+  page.on("request", (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) problems.push(`request: ${request.url()}`);
+  });
+  if (before) await page.addInitScript(before);
+  const start = Date.now();
+  await page.goto(address);
+  await page.evaluate(() => window.crossgrain.ready);
+  return { page, context, problems, opened_ms: Date.now() - start };
+}
+
+export const state = (page) => page.evaluate(() => window.crossgrain.state());
+
+/** The drawing, reduced to `width` pixels, as a PNG in base64. */
+export function picture(page, width = 360) {
+  return page.evaluate(async (wanted) => {
+    await window.crossgrain.drawn();
+    const view = document.getElementById("view");
+    const small = document.createElement("canvas");
+    small.width = wanted;
+    small.height = Math.round((wanted * view.height) / view.width);
+    const context = small.getContext("2d");
+    context.imageSmoothingQuality = "high";
+    context.drawImage(view, 0, 0, small.width, small.height);
+    return small.toDataURL("image/png").split(",")[1];
+  }, width);
+}
+
+/** How two pictures differ: mean over all channels, and the share of pixels that differ by a quarter or more; both 0 to 1. */
+export function difference(page, first, second) {
+  return page.evaluate(async ([one, other]) => {
+    const pixels = async (base64) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${base64}`;
+      await image.decode();
+      const canvas = document.createElement("canvas");
+      canvas.width = image.width;
+      canvas.height = image.height;
+      const context = canvas.getContext("2d");
+      context.drawImage(image, 0, 0);
+      return { width: image.width, height: image.height, data: context.getImageData(0, 0, image.width, image.height).data };
+    };
+    const [a, b] = [await pixels(one), await pixels(other)];
+    if (a.width !== b.width || a.height !== b.height) return { mean: 1, share: 1 };
+    let sum = 0;
+    let far = 0;
+    for (let k = 0; k < a.data.length; k += 4) {
+      const apart = [0, 1, 2].map((channel) => Math.abs(a.data[k + channel] - b.data[k + channel]));
+      sum += apart[0] + apart[1] + apart[2];
+      if (Math.max(...apart) >= 64) ++far;
+    }
+    return { mean: sum / (0.75 * 255 * a.data.length), share: (4 * far) / a.data.length };
+  }, [first, second]);
+}
+
+/** The share of the drawing that is not background. */
+export function drawn_share(page) {
+  return page.evaluate(async () => {
+    await window.crossgrain.drawn();
+    const view = document.getElementById("view");
+    const small = document.createElement("canvas");
+    [small.width, small.height] = [200, 125];
+    const context = small.getContext("2d");
+    context.drawImage(view, 0, 0, 200, 125);
+    const { data } = context.getImageData(0, 0, 200, 125);
+    let other = 0;
+    for (let k = 0; k < data.length; k += 4) if (Math.abs(data[k] - data[0]) + Math.abs(data[k + 1] - data[1]) + Math.abs(data[k + 2] - data[2]) > 12) ++other;
+    return (4 * other) / data.length;
+  });
+}
+
+export async function keep_screenshot(page, name) {
+  const kept = process.env.CROSSGRAIN_SCREENSHOTS;
+  if (!kept) return;
+  mkdirSync(kept, { recursive: true });
+  await page.screenshot({ path: join(kept, `${name}.png`) });
+}
+
+const reference_path = (name) => fileURLToPath(new URL(`references/${name}.png`, import.meta.url));
+
+/** The committed picture of this name in base64; writes it first where references are to be made anew. */
+export function reference(name, current) {
+  if (process.env.CROSSGRAIN_UPDATE_REFERENCES === "1") writeFileSync(reference_path(name), Buffer.from(current, "base64"));
+  return readFileSync(reference_path(name)).toString("base64");
+}

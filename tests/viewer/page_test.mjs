@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page in a browser: it opens, shows the part, and does what its controls say. From the root of the repository:
+//   node --import ./viewer/tests/register_typescript.mjs --test tests/viewer/
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+
+import {
+  difference, drawn_share, keep_screenshot, kDesktop, kPhone, launch, open, page_file, picture, reference, scene_file, scene_named, state, template,
+} from "./browser.mjs";
+import { filled_page } from "../../viewer/tests/scene_writer.mjs";
+
+let browser;
+before(async () => (browser = await launch()));
+after(() => browser?.close());
+
+const by_test = (name) => `[data-testid="${name}"]`;
+
+// Software drawing and busy machines are slow: the limit is of what would be wrong anywhere. What it took is in the test's name.
+const kLongestOpening = 20_000;
+
+for (const [name, device_name, scheme] of [
+  ["ball", "desktop", "light"], ["plate", "desktop", "dark"], ["components", "desktop", "light"], ["components", "phone", "dark"], ["plate", "phone", "light"],
+]) {
+  test(`${name} opens without complaint and shows the part: ${device_name}, ${scheme}`, async (context) => {
+    const device = device_name === "phone" ? kPhone : kDesktop;
+    const opened = await open(browser, scene_file(name), { device, scheme });
+    const { page, problems } = opened;
+    context.diagnostic(`open after ${opened.opened_ms} ms`);
+    assert.ok(opened.opened_ms < kLongestOpening, `${opened.opened_ms} ms`);
+    assert.deepEqual(problems, []);
+    assert.ok((await drawn_share(page)) > 0.06);
+    assert.equal(await page.locator("#message").isVisible(), false);
+    await keep_screenshot(page, `${name}-${device_name}-${scheme}`);
+    const current = await picture(page, device_name === "phone" ? 240 : 360);
+    const { mean, share } = await difference(page, current, reference(`${name}-${device_name}-${scheme}`, current));
+    assert.ok(mean < 0.01 && share < 0.01, `differs from the reference: mean ${mean}, share ${share}`);
+    await opened.context.close();
+  });
+}
+
+test("the numbers and the verdict are those of the report", async () => {
+  const { page, context } = await open(browser, scene_file("components"));
+  const { report } = scene_named("components");
+  assert.equal(await page.locator(by_test("number-cells")).innerText().then((text) => text.split("\n")[0]), report.levels.at(-1).active_cells.toLocaleString("en-US"));
+  assert.match(await page.locator(by_test("number-energy")).innerText(), /^61\.3/);
+  assert.equal(await page.locator(by_test("alignment-max")).innerText(), `${report.alignment_deg.max.toFixed(1)}°`);
+  assert.match(await page.locator(by_test("verdict")).innerText(), /No hexahedral mesh can have .* 2 lines and 1 node/);
+  assert.equal(await page.locator(`${by_test("warnings")} li`).count(), report.warnings.length);
+  assert.equal(await page.locator(by_test("part-name")).innerText(), "five components <v2>.step");
+  assert.match(await page.title(), /^five components <v2>\.step · Crossgrain$/);
+  await context.close();
+});
+
+test("a thinned page says so", async () => {
+  const { page, context } = await open(browser, scene_file("plate"));
+  assert.match(await page.locator(by_test("shown")).innerText(), /Cells smaller than 1 mm are shown merged: [\d,]+ of 4,100,000 cells/);
+  await context.close();
+});
+
+test("every control changes the picture", async () => {
+  const { page, context, problems } = await open(browser, scene_file("plate"));
+  await page.evaluate(() => window.crossgrain.change({ cut: { axis: "y", flip: true, position: 0.3 } }));
+  let last = await picture(page);
+  const changes = async (name, act) => {
+    await act();
+    const next = await picture(page);
+    const { mean } = await difference(page, last, next);
+    assert.ok(mean > 2e-5, `${name} changes nothing`);
+    last = next;
+  };
+  // Clicked where the user clicks: on the label.
+  const click = (name) => changes(name, () => page.locator("label", { has: page.locator(by_test(name)) }).click());
+  for (const name of ["show-streamlines", "show-part", "show-part", "show-creases", "show-arcs", "show-nodes", "show-glyphs", "show-glyphs", "show-cells", "cut-clip"]) await click(name);
+  for (const name of ["map-alignment", "map-energy", "map-class", "map-none", "glyph-shape-cube", "cut-axis-x", "cut-axis-z", "cut-axis-view", "cut-axis-y"]) await click(name);
+  await click("cut-clip");
+  await changes("cut-flip", () => page.locator(by_test("cut-flip")).click());
+  for (const value of ["tilt", "turn", "plain"]) {
+    if (value === "plain") await changes("glyph-color", () => page.locator(by_test("glyph-color")).selectOption(value));
+    else await page.locator(by_test("glyph-color")).selectOption(value);
+    last = await picture(page);
+  }
+  for (const [name, value] of [["opacity", "1"], ["opacity", "0.5"], ["cut-position", "0.6"], ["glyph-density", "1"]]) {
+    await changes(name, () => page.locator(by_test(name)).fill(value));
+  }
+  await click("cut-on");
+  for (const name of ["view-front", "view-top", "view-right", "view-iso", "theme"]) {
+    await changes(name, async () => {
+      await page.locator(by_test(name)).click();
+      if (name === "theme") await page.locator(by_test(name)).click(); // the first is the light that it had
+    });
+  }
+  assert.deepEqual(problems, []);
+  await context.close();
+});
+
+test("dragging turns the part, the wheel zooms, and the whole part comes back", async () => {
+  const { page, context } = await open(browser, scene_file("ball"));
+  const place = (one) => one.camera.position;
+  const first = await state(page);
+  await page.mouse.move(650, 400);
+  await page.mouse.down();
+  await page.mouse.move(750, 430, { steps: 4 });
+  await page.mouse.up();
+  const turned = await state(page);
+  assert.notDeepEqual(place(turned), place(first));
+  assert.equal(turned.picked, -1, "a drag is no click");
+  await page.mouse.wheel(0, -300);
+  await page.evaluate(() => window.crossgrain.drawn());
+  const zoomed = await state(page);
+  const distance = ({ camera }) => Math.hypot(...camera.position.map((value, k) => value - camera.target[k]));
+  assert.ok(distance(zoomed) < distance(turned));
+  await page.locator(by_test("view-iso")).click();
+  place(await state(page)).forEach((value, k) => assert.ok(Math.abs(value - place(first)[k]) < 1e-9));
+  await context.close();
+});
+
+test("a click picks the cell that lies there, and says what it is", async () => {
+  const { page, context } = await open(browser, scene_file("ball"));
+  // A cell that the cut passes, whose place on the screen is known by projection.
+  const [x, y] = await page.evaluate(() => window.crossgrain.screenOf([103.5, 50, 22.3]));
+  await page.mouse.click(x, y);
+  const { picked } = await state(page);
+  assert.ok(picked >= 0);
+  const cell = await page.evaluate((number) => window.crossgrain.describe(number), picked);
+  assert.ok(cell.center.every((value, k) => Math.abs(value - [103.5, 50, 22.3][k]) <= cell.size), `${cell.center}`);
+  assert.equal(await page.locator(by_test("cell-title")).innerText(), `Cell ${picked.toLocaleString("en-US")}`);
+  assert.equal(await page.locator(`${by_test("cell-coefficients")} li`).count(), 9);
+  assert.ok(Math.abs(Math.hypot(...cell.coefficients) - 1) < 1e-9);
+  assert.match(await page.locator(by_test("announcement")).innerText(), /^Cell .* picked/);
+  await keep_screenshot(page, "picked-desktop-light");
+  // A click beside the part clears it.
+  await page.mouse.click(300, 800);
+  assert.equal((await state(page)).picked, -1);
+  assert.ok(await page.locator(by_test("cell-empty")).isVisible());
+  await context.close();
+});
+
+test("a cell with surface shows its form", async () => {
+  const { page, context } = await open(browser, scene_file("plate"));
+  const cell = await page.evaluate(() => {
+    const [x, y] = window.crossgrain.screenOf([40, 0, 1.5]);
+    return window.crossgrain.pickAt(x, y + 3);
+  });
+  assert.ok(cell.form, "no form");
+  assert.equal(cell.form.eigenvalues.length, 9);
+  assert.ok(cell.form.weight > 0);
+  await page.locator(`${by_test("cell-form")} summary`).click();
+  assert.equal(await page.locator(`${by_test("cell-matrix")} td`).count(), 90);
+  await context.close();
+});
+
+test("places are flown to and marked", async () => {
+  const { page, context } = await open(browser, scene_file("components"));
+  const before_it = await state(page);
+  const buttons = page.locator(by_test("place"));
+  assert.ok((await buttons.count()) >= 6);
+  await page.locator(`${by_test("places-found-in-the-input")} ${by_test("place")}`).first().click();
+  const there = await state(page);
+  assert.equal(there.marked.label, "2 holes");
+  assert.deepEqual(there.marked.point, [60, 8, 0]);
+  there.camera.target.forEach((value, k) => assert.ok(Math.abs(value - [60, 8, 0][k]) < 1e-9));
+  assert.notDeepEqual(there.camera.position, before_it.camera.position);
+  await page.locator(`${by_test("places-knife-edges")} .quiet`).click();
+  assert.equal(await page.locator(`${by_test("places-knife-edges")} ${by_test("place")}`).count(), 9);
+  await context.close();
+});
+
+test("keys do what the help says", async () => {
+  const { page, context } = await open(browser, scene_file("plate"));
+  await page.locator("#view").focus();
+  const after_key = async (key) => {
+    await page.keyboard.press(key);
+    return state(page);
+  };
+  assert.equal((await after_key("x")).cut.axis, "x");
+  assert.equal((await after_key("v")).cut.axis, "view");
+  assert.equal((await after_key("z")).cut.axis, "z");
+  assert.equal((await after_key("c")).cut.on, false);
+  assert.ok((await after_key("]")).cut.position > 0.5);
+  assert.equal((await after_key("m")).map, "alignment");
+  assert.equal((await after_key("b")).glyph.shape, "cube");
+  assert.equal((await after_key("l")).layers.streamlines, true);
+  assert.equal((await after_key("t")).resolved_theme, "light");
+  assert.equal((await after_key("t")).resolved_theme, "dark");
+  const still = await state(page);
+  assert.notDeepEqual((await after_key("ArrowLeft")).camera, still.camera);
+  assert.ok((await after_key("Enter")).picked >= -1);
+  assert.equal((await after_key("Escape")).picked, -1);
+  await page.keyboard.press("?");
+  assert.ok(await page.locator(by_test("help")).isVisible());
+  await keep_screenshot(page, "help-desktop-dark");
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator(by_test("help")).isVisible(), false);
+  // Letters in a list are the list's own.
+  await page.locator(by_test("glyph-color")).focus();
+  assert.equal((await after_key("x")).cut.axis, "z");
+  await context.close();
+});
+
+test("nothing is drawn while nothing changes, and the same page gives the same picture", async () => {
+  const first = await open(browser, scene_file("ball"));
+  const { frames_drawn } = await state(first.page);
+  await first.page.waitForTimeout(400);
+  assert.equal((await state(first.page)).frames_drawn, frames_drawn);
+  const second = await open(browser, scene_file("ball"));
+  assert.equal(await picture(first.page), await picture(second.page));
+  await first.context.close();
+  await second.context.close();
+});
+
+test("a phone has the panels in a drawer, and taps pick", async () => {
+  const { page, context, problems } = await open(browser, scene_file("ball"), { device: kPhone });
+  assert.equal(await page.locator(by_test("panel-field")).isVisible(), false);
+  const closed = await page.locator("#stage").boundingBox();
+  await page.locator(by_test("tab-view")).tap();
+  assert.ok(await page.locator(by_test("panel-view")).isVisible());
+  assert.ok((await page.locator("#stage").boundingBox()).height < closed.height);
+  await keep_screenshot(page, "view-phone-light");
+  await page.locator("label", { has: page.locator(by_test("map-energy")) }).tap();
+  assert.equal((await state(page)).map, "energy");
+  await page.locator(by_test("tab-view")).tap();
+  assert.equal(await page.locator(by_test("panel-view")).isVisible(), false);
+  await page.evaluate(() => window.crossgrain.drawn());
+  const [x, y] = await page.evaluate(() => window.crossgrain.screenOf([103.5, 50, 22.3]));
+  await page.touchscreen.tap(x, y);
+  assert.ok((await state(page)).picked >= 0);
+  await page.locator(by_test("tab-cell")).tap();
+  assert.ok(await page.locator(by_test("cell-title")).isVisible());
+  await keep_screenshot(page, "cell-phone-light");
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  assert.deepEqual(problems, []);
+  await context.close();
+});
+
+test("without WebGL 2 the page says so and shows the numbers", async () => {
+  const without = () => {
+    const own = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+      return kind.startsWith("webgl") ? null : own.call(this, kind, ...rest);
+    };
+  };
+  for (const device of [kDesktop, kPhone]) {
+    const { page, context, problems } = await open(browser, scene_file("ball"), { device, before: without });
+    assert.match(await page.locator("#message").innerText(), /no WebGL 2/);
+    if (device === kPhone) await page.locator(by_test("tab-field")).tap();
+    assert.ok(await page.locator(by_test("numbers")).isVisible());
+    assert.equal(await page.locator(by_test("panel-view")).isVisible(), false);
+    assert.deepEqual(problems, []);
+    await keep_screenshot(page, `without-webgl-${device === kPhone ? "phone" : "desktop"}`);
+    await context.close();
+  }
+});
+
+test("a page that is empty, or has numbers only, says so", async () => {
+  const empty = await open(browser, page_file("empty", template));
+  assert.match(await empty.page.locator("#message").innerText(), /no field yet/);
+  await empty.context.close();
+  const numbers = await open(browser, page_file("numbers", filled_page(template, { schema: 3, degree: 4 }, null)));
+  assert.match(await numbers.page.locator("#message").innerText(), /numbers only/);
+  assert.deepEqual(numbers.problems, []);
+  await numbers.context.close();
+});
+
+test("the system's choice of light or dark is followed while the page is open", async () => {
+  const { page, context } = await open(browser, scene_file("ball"), { scheme: "light" });
+  const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const light = await background();
+  await page.emulateMedia({ colorScheme: "dark" });
+  assert.notEqual(await background(), light);
+  assert.equal((await state(page)).resolved_theme, "dark");
+  await context.close();
+});

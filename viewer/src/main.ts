@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Opens the page: the report's numbers first, which need no WebGL, then the scene.
+
+import { embedded_report, embedded_scene } from "./scene/embedded.ts";
+import type { Report } from "./scene/report.ts";
+import { Application } from "./application.ts";
+import { view_context } from "./view/view_context.ts";
+import { place_groups, place_lists } from "./ui/places.ts";
+import { about, alignment_scale, badge, key_numbers, verdict_card, verdict_of, warnings_list } from "./ui/summary.ts";
+import { by_id, element } from "./ui/dom.ts";
+import { levels_chart } from "./ui/levels_chart.ts";
+import { Tabs } from "./ui/tabs.ts";
+import { show_no_cell } from "./ui/cell_panel.ts";
+
+function show_report(report: Report): void {
+  const path = report.model?.path ?? "";
+  const name = path.split(/[\\/]/).pop() || "Field";
+  document.title = `${name} · Crossgrain`;
+  by_id("part-name").textContent = name;
+  by_id("part-name").title = path;
+  const verdict = verdict_of(report);
+  by_id("badge").replaceChildren(...badge(verdict));
+  by_id("badge").className = `badge ${verdict?.judgement ?? ""}`;
+  const places = element("div", { id: "places" });
+  const blocks = [verdict_card(verdict), key_numbers(report), alignment_scale(report), places, levels_chart(report), warnings_list(report), about(report)];
+  by_id("panel-field").replaceChildren(...blocks.filter((block) => block !== null));
+  places.replaceChildren(...place_lists(place_groups(report, null), [0, 0, 0], () => {}));
+}
+
+function say_instead_of_view(text: string): void {
+  by_id("message").textContent = text;
+  by_id("message").hidden = false;
+  document.body.classList.add("no-view");
+}
+
+async function open(): Promise<void> {
+  const report = embedded_report();
+  let tabs_changed = (): void => {};
+  const tabs = new Tabs(() => tabs_changed());
+  show_no_cell(by_id("panel-cell"));
+  if (!report) return say_instead_of_view("This page carries no field yet: `crossgrain solve` writes one that does.");
+  show_report(report);
+  // The numbers are on the screen before the scene is unpacked.
+  await new Promise((resolve) => setTimeout(resolve, 0));
+  const context = view_context(by_id("view") as HTMLCanvasElement);
+  if (!context) {
+    return say_instead_of_view("This browser has no WebGL 2, which the 3D view needs: another browser, or graphics acceleration switched on, would show the part. The numbers of the field are here all the same.");
+  }
+  const scene = await embedded_scene();
+  if (!scene) return say_instead_of_view("This page carries numbers only, no scene to show.");
+  const application = new Application(scene, report, tabs, context);
+  tabs_changed = () => application.panels_changed();
+  await application.started();
+}
+
+const ready = open().catch((error: unknown) => {
+  say_instead_of_view(`The field could not be shown: ${error instanceof Error ? error.message : String(error)}`);
+  throw error;
+});
+(window as unknown as { crossgrain: object }).crossgrain = Object.assign((window as unknown as { crossgrain?: object }).crossgrain ?? {}, { ready });

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user has chosen to see: one record, changed in one place, of which the 3D view and the controls are told.
+
+import type { MapName } from "./math/color_maps.ts";
+import type { Vector } from "./math/frame.ts";
+
+export type Layer = "part" | "creases" | "arcs" | "nodes" | "streamlines" | "glyphs" | "cells";
+export type CutAxis = "x" | "y" | "z" | "view";
+export type GlyphShape = "cross" | "cube";
+export type GlyphColor = "plain" | "tilt" | "turn";
+export type ThemeChoice = "auto" | "light" | "dark";
+
+export interface Settings {
+  theme: ThemeChoice;
+  layers: Record<Layer, boolean>;
+  /** Of the part, 0 ... 1. */
+  opacity: number;
+  map: MapName;
+  cut: {
+    on: boolean;
+    axis: CutAxis;
+    /** Unit normal of a cut across the view; cuts along axes do not use it. */
+    normal: Vector;
+    /** Along the normal, 0 ... 1 from the lowest to the highest corner of the part's box. */
+    position: number;
+    /** Whether the half that is taken away is the one below. */
+    flip: boolean;
+    clip: boolean;
+  };
+  glyph: {
+    shape: GlyphShape;
+    color: GlyphColor;
+    /** Steps of a factor of two away from the automatic distance between frames. */
+    density: number;
+  };
+  /** The cell that is picked, or -1. */
+  picked: number;
+  /** A place that is marked, in the scene's coordinates. */
+  marked: { point: Vector; label: string; warn: boolean } | null;
+}
+
+export type Part = Partial<Omit<Settings, "cut" | "glyph" | "layers">> & {
+  cut?: Partial<Settings["cut"]>;
+  glyph?: Partial<Settings["glyph"]>;
+  layers?: Partial<Settings["layers"]>;
+};
+
+export class SettingsStore {
+  current: Settings = {
+    theme: "auto",
+    layers: { part: true, creases: true, arcs: true, nodes: true, streamlines: false, glyphs: true, cells: true },
+    opacity: 0.35,
+    map: "none",
+    cut: { on: true, axis: "y", normal: [0, 1, 0], position: 0.5, flip: false, clip: true },
+    glyph: { shape: "cross", color: "plain", density: 0 },
+    picked: -1,
+    marked: null,
+  };
+  private listeners: ((settings: Settings) => void)[] = [];
+
+  subscribe(listener: (settings: Settings) => void): void {
+    this.listeners.push(listener);
+  }
+
+  change(part: Part): void {
+    const { cut, glyph, layers, ...rest } = part;
+    this.current = {
+      ...this.current,
+      ...rest,
+      cut: { ...this.current.cut, ...cut },
+      glyph: { ...this.current.glyph, ...glyph },
+      layers: { ...this.current.layers, ...layers },
+    };
+    for (const listener of this.listeners) listener(this.current);
+  }
+}
+
+/** The unit normal of the cut; what lies further along it is taken away. */
+export function cut_normal({ cut }: Settings): Vector {
+  const normal: Vector = cut.axis === "x" ? [1, 0, 0] : cut.axis === "y" ? [0, 1, 0] : cut.axis === "z" ? [0, 0, 1] : cut.normal;
+  return cut.flip ? [-normal[0], -normal[1], -normal[2]] : normal;
+}
+
+/** Where the cut lies along its normal: points p of it have dot(normal, p) = this. */
+export function cut_offset(settings: Settings, low: Vector, high: Vector): number {
+  const normal = cut_normal({ ...settings, cut: { ...settings.cut, flip: false } });
+  let least = 0;
+  let most = 0;
+  for (let axis = 0; axis < 3; ++axis) {
+    least += Math.min(normal[axis] * low[axis], normal[axis] * high[axis]);
+    most += Math.max(normal[axis] * low[axis], normal[axis] * high[axis]);
+  }
+  const offset = least + settings.cut.position * (most - least);
+  return settings.cut.flip ? -offset : offset;
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// The controls of the view. Each is bound to one setting: it changes the store, and follows it when keys or links change it.
+
+import type { Vector } from "../math/frame.ts";
+import type { Scene } from "../scene/scene.ts";
+import { cut_normal, cut_offset, type Layer, type Settings, type SettingsStore } from "../settings.ts";
+import { element, measured } from "./dom.ts";
+
+type Follow = (settings: Settings) => void;
+
+class Bindings {
+  readonly follow: Follow[] = [];
+  constructor(readonly store: SettingsStore) {}
+
+  check(label: string, test: string, read: (settings: Settings) => boolean, write: (value: boolean) => void, title = ""): HTMLElement {
+    const input = element("input", { type: "checkbox", "data-testid": test, change: () => write(input.checked) });
+    this.follow.push((settings) => (input.checked = read(settings)));
+    return element("label", { class: "check", title: title || undefined }, input, element("span", {}, label));
+  }
+
+  layer(label: string, layer: Layer): HTMLElement {
+    return this.check(label, `show-${layer}`, (settings) => settings.layers[layer], (value) => this.store.change({ layers: { [layer]: value } }));
+  }
+
+  choice<T extends string>(label: string, test: string, options: [T, string][], read: (settings: Settings) => T, write: (value: T) => void): HTMLElement {
+    const inputs = options.map(([value]) => element("input", { type: "radio", name: test, value, "data-testid": `${test}-${value}`, change: () => write(value) }));
+    this.follow.push((settings) => inputs.forEach((input) => (input.checked = input.value === read(settings))));
+    return element("div", { class: "segments", role: "radiogroup", "aria-label": label },
+      ...options.map(([, text], k) => element("label", {}, inputs[k], element("span", {}, text))));
+  }
+
+  select<T extends string>(label: string, test: string, options: [T, string][], read: (settings: Settings) => T, write: (value: T) => void): HTMLElement {
+    const select = element("select", { "data-testid": test, change: () => write(select.value as T) },
+      ...options.map(([value, text]) => element("option", { value }, text)));
+    this.follow.push((settings) => (select.value = read(settings)));
+    return element("label", { class: "row" }, element("span", {}, label), select);
+  }
+
+  slider(label: string, test: string, [low, high, step]: Vector, read: (settings: Settings) => number, write: (value: number) => void, said: (settings: Settings) => string): HTMLElement {
+    // The label names its control by id: inside it the output would be taken for what it labels.
+    const input = element("input", { type: "range", id: `control-${test}`, min: low, max: high, step, "data-testid": test, input: () => write(Number(input.value)) });
+    const output = element("output", {});
+    this.follow.push((settings) => {
+      input.value = String(read(settings));
+      output.textContent = said(settings);
+      input.setAttribute("aria-valuetext", said(settings));
+    });
+    return element("label", { class: "slider", for: input.id }, element("span", { class: "slider-name" }, element("span", {}, label), output), input);
+  }
+}
+
+function group(name: string, ...children: (HTMLElement | null)[]): HTMLElement {
+  return element("fieldset", { class: "group" }, element("legend", {}, name), ...children);
+}
+
+export interface ControlActions {
+  /** The direction from the part to the camera. */
+  camera_direction(): Vector;
+}
+
+/** Fills a panel with the controls, and returns what makes them follow the settings. */
+export function make_controls(panel: HTMLElement, store: SettingsStore, scene: Scene, actions: ControlActions): Follow {
+  const bind = new Bindings(store);
+  const unit = scene.unit ? ` ${scene.unit}` : "";
+  const has_streams = scene.streamline_starts.length > 1;
+  panel.append(
+    group("Colour by",
+      bind.choice("Colour by", "map", [["none", "Plain"], ["alignment", "Alignment"], ["energy", "Energy"], ["class", "Class"]],
+        (settings) => settings.map, (map) => store.change({ map, opacity: map !== "none" && store.current.opacity < 0.5 ? 0.85 : store.current.opacity })),
+    ),
+    group("Cut",
+      bind.check("Cut through the part", "cut-on", (settings) => settings.cut.on, (on) => store.change({ cut: { on } })),
+      bind.choice("Direction of the cut", "cut-axis", [["x", "X"], ["y", "Y"], ["z", "Z"], ["view", "View"]],
+        (settings) => settings.cut.axis,
+        (axis) => store.change({ cut: { axis, on: true, ...(axis === "view" ? { normal: actions.camera_direction(), flip: false } : {}) } })),
+      bind.slider("Position", "cut-position", [0, 1, 0.002], (settings) => settings.cut.position, (position) => store.change({ cut: { position, on: true } }),
+        (settings) => `${measured(absolute_offset(settings, scene), 4)}${unit}`),
+      element("div", { class: "pair" },
+        bind.check("Take half away", "cut-clip", (settings) => settings.cut.clip, (clip) => store.change({ cut: { clip } })),
+        element("button", { type: "button", "data-testid": "cut-flip", title: "Take the other half away (R)", click: () => store.change({ cut: { flip: !store.current.cut.flip } }) }, "Flip"),
+      ),
+      bind.layer("Cells of the octree", "cells"),
+    ),
+    group("Frames on the cut",
+      bind.layer("Frames", "glyphs"),
+      bind.choice("Shape of frames", "glyph-shape", [["cross", "Cross"], ["cube", "Cube"]], (settings) => settings.glyph.shape, (shape) => store.change({ glyph: { shape } })),
+      bind.select("Colour", "glyph-color", [["plain", "plain"], ["tilt", "tilt out of the cut"], ["turn", "turn in the cut"]],
+        (settings) => settings.glyph.color, (color) => store.change({ glyph: { color } })),
+      bind.slider("Density", "glyph-density", [-2, 2, 1], (settings) => settings.glyph.density, (density) => store.change({ glyph: { density } }),
+        ({ glyph: { density } }) => (density === 0 ? "automatic" : density > 0 ? `${2 ** density} × closer` : `${2 ** -density} × wider`)),
+    ),
+    group("Show",
+      element("div", { class: "grid" },
+        bind.layer("Part", "part"), bind.layer("Creases", "creases"), bind.layer("Singular lines", "arcs"), bind.layer("Nodes", "nodes"),
+        has_streams ? bind.layer("Streamlines", "streamlines") : null,
+      ),
+      bind.slider("Opacity", "opacity", [0, 1, 0.05], (settings) => settings.opacity, (opacity) => store.change({ opacity }),
+        (settings) => `${Math.round(100 * settings.opacity)} %`),
+    ),
+  );
+  return (settings) => bind.follow.forEach((follow) => follow(settings));
+}
+
+/** Where the cut lies in the coordinates of the model. */
+function absolute_offset(settings: Settings, scene: Scene): number {
+  const upright: Settings = { ...settings, cut: { ...settings.cut, flip: false } };
+  const normal = cut_normal(upright);
+  return cut_offset(upright, scene.low, scene.high) + normal.reduce((sum, value, k) => sum + value * scene.origin[k], 0);
+}

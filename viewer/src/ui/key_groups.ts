@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each key does.
+
+import type { Application } from "../application.ts";
+import type { MapName } from "../math/color_maps.ts";
+import type { CutAxis, Layer } from "../settings.ts";
+import type { ViewName } from "../view/camera_rig.ts";
+import type { Key, KeyGroup } from "./keyboard.ts";
+import { next_theme } from "./toolbar.ts";
+
+const kTurn = Math.PI / 24;
+const kStep = 0.06;
+
+export function key_groups(application: Application): KeyGroup[] {
+  const { store, stage } = application;
+  const arrow = (shown: string, key: string, right: number, up: number): Key => ({
+    keys: [key], shown, does: "",
+    act: (event) => (event.shiftKey ? stage.rig.pan(right * kStep, up * kStep) : stage.rig.turn(right * kTurn, -up * kTurn)),
+  });
+  const view = (key: string, name: ViewName, does: string): Key => ({ keys: [key], shown: key, does, act: () => application.view(name) });
+  const layer = (key: string, name: Layer, does: string): Key => ({
+    keys: [key], shown: key.toUpperCase(), does, act: () => store.change({ layers: { [name]: !store.current.layers[name] } }),
+  });
+  const axis = (key: string, name: CutAxis, does: string): Key => ({
+    keys: [key], shown: key.toUpperCase(), does,
+    act: () => store.change({ cut: { axis: name, on: true, ...(name === "view" ? { normal: stage.rig.direction, flip: false } : {}) } }),
+  });
+  const move = (key: string, direction: number): Key => ({
+    keys: direction < 0 ? ["[", "{"] : ["]", "}"], shown: key, does: direction < 0 ? "cut lower; Shift: a little" : "cut higher; Shift: a little",
+    act: (event) => {
+      const step = event.shiftKey ? 0.002 : 0.02;
+      store.change({ cut: { on: true, position: Math.min(1, Math.max(0, store.current.cut.position + direction * step)) } });
+    },
+  });
+  const arrows = [arrow("←", "ArrowLeft", -1, 0), arrow("→", "ArrowRight", 1, 0), arrow("↑", "ArrowUp", 0, 1), arrow("↓", "ArrowDown", 0, -1)];
+  return [
+    {
+      name: "Camera",
+      keys: [
+        { keys: arrows.flatMap(({ keys }) => keys), shown: "← → ↑ ↓", does: "turn; Shift: move", act: (event) => arrows.find(({ keys }) => keys.includes(event.key))?.act(event) },
+        { keys: ["+", "="], shown: "+", does: "nearer", act: () => stage.rig.zoom(1 / 1.15) },
+        { keys: ["-", "_"], shown: "−", does: "further", act: () => stage.rig.zoom(1.15) },
+        { keys: ["f"], shown: "F", does: "the whole part", act: () => stage.rig.fit(true) },
+        view("0", "iso", "at an angle"), view("1", "front", "front"), view("2", "back", "back"), view("3", "right", "right"),
+        view("4", "left", "left"), view("5", "top", "top"), view("6", "bottom", "bottom"),
+      ],
+    },
+    {
+      name: "Cut",
+      keys: [
+        { keys: ["c"], shown: "C", does: "cut or whole", act: () => store.change({ cut: { on: !store.current.cut.on } }) },
+        axis("x", "x", "across x"), axis("y", "y", "across y"), axis("z", "z", "across z"), axis("v", "view", "across the view"),
+        move("[", -1), move("]", 1),
+        { keys: ["r"], shown: "R", does: "other half", act: () => store.change({ cut: { flip: !store.current.cut.flip } }) },
+        { keys: ["h"], shown: "H", does: "take half away, or not", act: () => store.change({ cut: { clip: !store.current.cut.clip } }) },
+      ],
+    },
+    {
+      name: "Show",
+      keys: [
+        layer("p", "part", "part"), layer("k", "creases", "creases"), layer("s", "arcs", "singular lines"), layer("n", "nodes", "nodes"),
+        layer("l", "streamlines", "streamlines"), layer("g", "glyphs", "frames"), layer("e", "cells", "cells"),
+        { keys: ["b"], shown: "B", does: "crosses or cubes", act: () => store.change({ glyph: { shape: store.current.glyph.shape === "cross" ? "cube" : "cross" } }) },
+        { keys: ["m"], shown: "M", does: "next colour map", act: () => next_map(application) },
+        { keys: ["t"], shown: "T", does: "light or dark", act: () => next_theme(application) },
+      ],
+    },
+    {
+      name: "Places and cells",
+      keys: [
+        { keys: ["Enter"], shown: "Enter", does: "pick the cell in the middle", act: () => application.pick_middle() },
+        { keys: [".", ">"], shown: ".", does: "next place", act: () => application.visit_next(1) },
+        { keys: [",", "<"], shown: ",", does: "place before", act: () => application.visit_next(-1) },
+        { keys: ["Escape"], shown: "Esc", does: "clear pick and mark", act: () => application.clear() },
+        { keys: ["?"], shown: "?", does: "this list", act: () => application.help() },
+      ],
+    },
+  ];
+}
+
+function next_map(application: Application): void {
+  const maps: MapName[] = ["none", "alignment", "energy", "class"];
+  const { map, opacity } = application.store.current;
+  const next = maps[(maps.indexOf(map) + 1) % maps.length];
+  application.store.change({ map: next, opacity: next !== "none" && opacity < 0.5 ? 0.85 : opacity });
+  application.announce(`Coloured by ${next === "none" ? "nothing" : next}`);
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// What colours and patterns mean: singular lines, the colour map, and frames.
+
+import { css_gradient, kClasses, type Theme } from "../math/color_maps.ts";
+import type { Scene } from "../scene/scene.ts";
+import type { Settings } from "../settings.ts";
+import { kTiltScale } from "../view/glyphs.ts";
+import type { Range, Ranges } from "../view/ranges.ts";
+import { arc_kind, kArcKinds, type ArcKind } from "../view/singular_lines.ts";
+import { kViewColors } from "../view/view_colors.ts";
+import { counted, drawing, element, measured, superscript } from "./dom.ts";
+
+const kArcNames: Record<ArcKind, string> = {
+  positive: "index +1/4",
+  negative: "index −1/4",
+  half: "index ±1/2",
+  warn: "impossible in hexahedra",
+};
+
+/** Arcs of each kind. */
+export function arc_counts(scene: Scene): Record<ArcKind, number> {
+  const counts = { positive: 0, negative: 0, half: 0, warn: 0 };
+  for (let arc = 0; arc + 1 < scene.arc_starts.length; ++arc) ++counts[arc_kind(scene, arc)];
+  return counts;
+}
+
+export function legend_body(settings: Settings, theme: Theme, scene: Scene, ranges: Ranges): Node[] {
+  const blocks: Node[] = [];
+  if (settings.map === "alignment") blocks.push(ramp("Alignment", css_gradient("alignment", theme), linear_ticks(ranges.alignment, "°"), "angle of normal and nearest axis"));
+  if (settings.map === "energy") blocks.push(ramp("Energy density", css_gradient("energy", theme), decade_ticks(ranges.energy), scene.unit ? `per volume, ${scene.unit}⁻²` : "per volume"));
+  if (settings.map === "class") blocks.push(class_list(theme));
+  if (settings.layers.glyphs && settings.cut.on) {
+    const { color } = settings.glyph;
+    if (color === "tilt") blocks.push(ramp("Frames: tilt", css_gradient("tilt", theme), linear_ticks({ low: 0, high: kTiltScale, logarithmic: false }, "°"), "nearest axis to the cut’s normal"));
+    if (color === "turn") blocks.push(ramp("Frames: turn in the cut", css_gradient("turn", theme), linear_ticks({ low: 0, high: 90, logarithmic: false }, "°"), "all colours around a singular line"));
+  }
+  if (settings.layers.arcs) blocks.push(arc_list(scene, theme));
+  return blocks;
+}
+
+function ramp(name: string, gradient: string, ticks: [string, number][], note: string): HTMLElement {
+  return element("div", { class: "legend-block", "data-testid": "legend-ramp" },
+    element("h3", {}, name),
+    element("div", { class: "ramp", style: `background: ${gradient}` }),
+    element("div", { class: "ramp-ticks" }, ...ticks.map(([text, place]) => element("span", { style: `left: ${(100 * place).toFixed(1)}%` }, text))),
+    note ? element("p", { class: "fine" }, note) : null,
+  );
+}
+
+function linear_ticks({ low, high }: Range, unit: string): [string, number][] {
+  return [0, 0.5, 1].map((share) => [`${measured(low + share * (high - low))}${unit}`, share]);
+}
+
+function decade_ticks({ low, high }: Range): [string, number][] {
+  const first = Math.round(Math.log10(low));
+  const last = Math.round(Math.log10(high));
+  return Array.from({ length: last - first + 1 }, (_, k) => [`10${superscript(first + k)}`, k / (last - first)]);
+}
+
+function class_list(theme: Theme): HTMLElement {
+  return element("div", { class: "legend-block", "data-testid": "legend-class" },
+    element("h3", {}, "What the surface asks for"),
+    element("ul", { class: "keys" }, ...kClasses.slice(1).map(({ name, meaning, color }) =>
+      element("li", { title: meaning },
+        element("span", { class: `swatch ${name === "conflicted" ? "hatched" : name === "free" ? "hatched back" : ""}`, style: `background-color: ${color[theme]}` }),
+        name))),
+  );
+}
+
+function arc_list(scene: Scene, theme: Theme): HTMLElement {
+  const counts = arc_counts(scene);
+  const present = kArcKinds.filter((kind) => counts[kind] > 0);
+  return element("div", { class: "legend-block", "data-testid": "legend-arcs" },
+    element("h3", {}, "Singular lines"),
+    present.length === 0
+      ? element("p", { class: "fine" }, "none")
+      : element("ul", { class: "keys" }, ...present.map((kind) =>
+          element("li", {}, arc_swatch(kind, kViewColors[theme][kind]), kArcNames[kind], element("span", { class: "tally" }, counted(counts[kind]))))),
+  );
+}
+
+/** A piece of the tube with its pattern. */
+function arc_swatch(kind: ArcKind, color: string): SVGElement {
+  const height = kind === "warn" ? 8 : 5;
+  const middle = 7;
+  const bands: [number, number][] = kind === "negative" ? [[4, 3], [14, 3], [24, 3]] : kind === "half" ? [[3, 2], [7, 1.5], [15, 2], [19, 1.5], [27, 2]] : kind === "warn" ? [[0, 5], [10, 5], [20, 5]] : [];
+  return drawing("svg", { viewBox: "0 0 30 14", class: "arc-swatch", "aria-hidden": "true" },
+    drawing("rect", { x: 0, y: middle - height / 2, width: 30, height, rx: 1.5, fill: color }),
+    ...bands.map(([x, width]) => drawing("rect", { x, y: middle - height / 2, width, height, fill: kind === "warn" ? "#fff" : "#000", "fill-opacity": kind === "warn" ? 0.55 : 0.62 })));
+}

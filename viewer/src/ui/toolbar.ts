@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The buttons over the 3D view: views along the axes, the whole part, a picture, light or dark, help.
+
+import type { Application } from "../application.ts";
+import type { ThemeChoice } from "../settings.ts";
+import type { ViewName } from "../view/camera_rig.ts";
+import { drawing, element } from "./dom.ts";
+
+const kViews: [ViewName, string, string][] = [
+  ["iso", "Iso", "From above at an angle (0)"],
+  ["front", "Front", "From the front, along y (1)"],
+  ["right", "Right", "From the right, along x (3)"],
+  ["top", "Top", "From above, along z (5)"],
+];
+const kThemes: ThemeChoice[] = ["auto", "light", "dark"];
+
+export function make_toolbar(bar: HTMLElement, application: Application): void {
+  const button = (test: string, title: string, content: Node | string, act: () => void): HTMLButtonElement =>
+    element("button", { type: "button", title, "aria-label": title, "data-testid": test, click: act }, content);
+  const theme = button("theme", "", icon("M12 3a9 9 0 1 0 0 18V3z M12 3a9 9 0 0 1 0 18"), () => next_theme(application));
+  application.store.subscribe((settings) => {
+    const title = `Light or dark: ${settings.theme === "auto" ? "as the system" : settings.theme} (T)`;
+    theme.title = title;
+    theme.setAttribute("aria-label", title);
+  });
+  bar.append(
+    element("div", { class: "bar-group" }, ...kViews.map(([name, text, title]) => button(`view-${name}`, title, text, () => application.view(name)))),
+    element("div", { class: "bar-group" },
+      button("fit", "The whole part (F)", icon("M4 9V4h5 M15 4h5v5 M20 15v5h-5 M9 20H4v-5"), () => application.stage.rig.fit(true)),
+      button("picture", "Save a picture of this view", icon("M4 8h3l2-3h6l2 3h3v11H4z M12 10a3.5 3.5 0 1 0 0 7a3.5 3.5 0 0 0 0-7"), () => save_picture(application)),
+      theme,
+      button("help-open", "Keys and gestures (?)", "?", () => application.help()),
+    ),
+  );
+}
+
+export function next_theme(application: Application): void {
+  const { theme } = application.store.current;
+  application.store.change({ theme: kThemes[(kThemes.indexOf(theme) + 1) % kThemes.length] });
+  application.announce(`Light or dark: ${application.store.current.theme}`);
+}
+
+function save_picture(application: Application): void {
+  application.stage.canvas.toBlob((blob) => {
+    if (!blob) return;
+    const link = element("a", { href: URL.createObjectURL(blob), download: `${document.title.split(" · ")[0].replace(/\.\w+$/, "")}.png` });
+    link.click();
+    URL.revokeObjectURL(link.href);
+  });
+}
+
+function icon(path: string): SVGElement {
+  return drawing("svg", { viewBox: "0 0 24 24", class: "icon", "aria-hidden": "true" }, drawing("path", { d: path }));
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part: its surface, translucent and coloured by the field, and its creases.
+
+import { BackSide, BufferAttribute, BufferGeometry, FrontSide, Group, Mesh, ShaderMaterial, type Side } from "three";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+
+import type { Scene } from "../scene/scene.ts";
+import { shaded_triangles } from "./creased_normals.ts";
+import { kClip, kFieldLookup, kLight } from "./shader_parts.ts";
+import type { SharedUniforms } from "./shared_uniforms.ts";
+import { line_material, segments_of } from "./thin_lines.ts";
+
+export class PartView {
+  readonly group = new Group();
+  readonly geometry: BufferGeometry;
+  private readonly sides: Mesh<BufferGeometry, ShaderMaterial>[];
+  private readonly opacity = { value: 0.35 };
+  readonly creases: LineSegments2;
+
+  constructor(scene: Scene, uniforms: SharedUniforms) {
+    const { positions, normals } = shaded_triangles(scene);
+    this.geometry = new BufferGeometry();
+    this.geometry.setAttribute("position", new BufferAttribute(positions, 3));
+    this.geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+    this.geometry.computeBoundingSphere();
+    // What faces away first, then what faces the camera: right for convex parts, and calm for others.
+    this.sides = [BackSide, FrontSide].map((side, order) => {
+      const mesh = new Mesh(this.geometry, part_material(uniforms, this.opacity, side));
+      mesh.renderOrder = 10 + order;
+      return mesh;
+    });
+    this.creases = new LineSegments2(segments_of(scene.crease_points, scene.crease_starts), line_material(1.2, 0.75));
+    this.creases.renderOrder = 12;
+    this.group.add(...this.sides, this.creases);
+  }
+
+  show(visible: boolean, creases: boolean, opacity: number): void {
+    this.opacity.value = opacity;
+    for (const mesh of this.sides) {
+      mesh.visible = visible && opacity > 0;
+      const opaque = opacity >= 1;
+      if (mesh.material.transparent === opaque) mesh.material.needsUpdate = true;
+      mesh.material.transparent = !opaque;
+      mesh.material.depthWrite = opaque;
+    }
+    this.creases.visible = creases;
+  }
+}
+
+function part_material(uniforms: SharedUniforms, opacity: { value: number }, side: Side): ShaderMaterial {
+  return new ShaderMaterial({
+    uniforms: { ...uniforms, opacity, inward: { value: side === BackSide } },
+    side,
+    transparent: true,
+    depthWrite: false,
+    // Pushed back a little, so that creases and lines on the surface are not half hidden in it.
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+    vertexShader: /* glsl */ `
+      out vec3 world_point;
+      out vec3 world_normal;
+      out vec3 view_point;
+      void main() {
+        world_point = position;
+        world_normal = normal;
+        vec4 view = modelViewMatrix * vec4(position, 1.0);
+        view_point = view.xyz;
+        gl_Position = projectionMatrix * view;
+      }`,
+    fragmentShader: /* glsl */ `
+      precision highp int;
+      uniform float pixel_ratio;
+      uniform float opacity;
+      uniform bool inward;
+      in vec3 world_point;
+      in vec3 world_normal;
+      in vec3 view_point;
+      ${kClip}${kLight}${kFieldLookup}
+      void main() {
+        clip_at_cut(world_point);
+        vec3 outward = normalize(world_normal);
+        vec3 toward = normalize((viewMatrix * vec4(outward, 0.0)).xyz) * (inward ? -1.0 : 1.0);
+        vec3 color = surface_color(world_point, outward);
+        float facing = abs(dot(toward, normalize(view_point)));
+        // Glass: nearly clear where it is looked at straight, denser where it turns away, so that shape shows at any opacity.
+        float rim = pow(1.0 - facing, 2.5);
+        float alpha = opacity >= 1.0 ? 1.0 : mix(opacity * (inward ? 0.55 : 0.8), min(1.0, opacity * 1.6 + 0.15), rim);
+        gl_FragColor = vec4(color * light_on(toward), alpha);
+      }`,
+  });
+}

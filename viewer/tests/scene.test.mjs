@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decoding scenes, finding cells in them, and choosing which frames to draw.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { kClasses, ramp_color } from "../src/math/color_maps.ts";
+import { build_octree, cell_at, surface_cell_at } from "../src/scene/octree.ts";
+import { cell_box, cell_center, cell_count, cell_quaternion, decode_scene } from "../src/scene/scene.ts";
+import { cut_normal, cut_offset, SettingsStore } from "../src/settings.ts";
+import { verdict_of } from "../src/ui/summary.ts";
+import { glyph_places } from "../src/view/glyph_places.ts";
+import { fraction_of, ranges_of } from "../src/view/ranges.ts";
+import { widest_cut } from "../src/view/widest_cut.ts";
+import { ball_scene, components_scene, plate_scene } from "./sample_scene.mjs";
+import { encode_scene, upper_half } from "./scene_writer.mjs";
+
+const made = { ball: ball_scene(), plate: plate_scene(), components: components_scene() };
+const scenes = Object.fromEntries(Object.entries(made).map(([name, { scene }]) => [name, decode_scene(scene)]));
+
+test("what was written is read back", () => {
+  const scene = scenes.ball;
+  assert.deepEqual(scene.origin, [100, 50, 20]);
+  assert.equal(cell_count(scene), scene.cells.shown);
+  assert.equal(scene.arc_starts.at(-1), scene.arc_points.length / 3);
+  assert.equal(scene.surface_triangles.length, 3 * scene.surface.triangles_shown);
+  assert.equal(scene.form_matrix.length, 45 * scene.form_cell.length);
+  assert.equal(scene.streamline_starts.length, 1);
+  assert.ok(Math.abs(Math.hypot(...cell_quaternion(scene, 17)) - 1) < 1e-12);
+});
+
+test("a scene at an odd place in its buffer is read as well", () => {
+  const bytes = new Uint8Array(made.ball.scene.length + 3);
+  bytes.set(made.ball.scene, 3);
+  assert.deepEqual(decode_scene(bytes.subarray(3)).cell_corner, scenes.ball.cell_corner);
+});
+
+test("numbers keep eight bits of their mantissa in sixteen bits", () => {
+  for (const value of [0, 1, 3.14159, 1e-7, 54.7, 1e9]) {
+    const back = new Float32Array(new Uint32Array([upper_half(value) << 16]).buffer)[0];
+    assert.ok(Math.abs(back - value) <= value / 256, `${value} became ${back}`);
+  }
+});
+
+test("arrays that are missing or empty are empty", () => {
+  const scene = decode_scene(encode_scene({ origin: [0, 0, 0], cells: {}, surface: {} }, { cell_size: ["u16", 0, []] }));
+  assert.equal(cell_count(scene), 0);
+  assert.equal(scene.streamline_points.length, 0);
+});
+
+test("damaged scenes are refused with what is wrong", () => {
+  assert.throws(() => decode_scene(new Uint8Array(64)), /does not begin with CGSCENE1/);
+  const other = encode_scene({ schema: 2 }, {});
+  assert.throws(() => decode_scene(other), /schema 2/);
+  assert.throws(() => decode_scene(made.ball.scene.slice(0, 100_000)), /ends beyond the scene/);
+});
+
+test("every cell is found at its centre and near its corners, and nothing outside", () => {
+  for (const scene of Object.values(scenes)) {
+    const octree = build_octree(scene);
+    for (let cell = 0; cell < cell_count(scene); ++cell) {
+      const { low, side } = cell_box(scene, cell);
+      assert.equal(cell_at(scene, octree, cell_center(scene, cell)), cell);
+      assert.equal(cell_at(scene, octree, low.map((value) => value + 1e-3 * side)), cell);
+      assert.equal(cell_at(scene, octree, low.map((value) => value + 0.999 * side)), cell);
+    }
+    assert.equal(cell_at(scene, octree, scene.cells.low.map((value) => value - 1)), -1);
+    assert.equal(cell_at(scene, octree, [1e9, 0, 0]), -1);
+  }
+});
+
+test("a single cell that is all of the octree is found", () => {
+  const scene = decode_scene(encode_scene({ cells: { low: [0, 0, 0], unit: 1 } }, { cell_corner: ["u16", 3, [0, 0, 0]], cell_size: ["u16", 0, [4]] }));
+  assert.equal(cell_at(scene, build_octree(scene), [3.9, 0.1, 2]), 0);
+});
+
+test("points of the surface have a boundary cell", () => {
+  const scene = scenes.ball;
+  const octree = build_octree(scene);
+  let boundary = 0;
+  for (let k = 0; k < scene.surface_vertices.length; k += 3) {
+    const point = [...scene.surface_vertices.subarray(k, k + 3)];
+    const cell = surface_cell_at(scene, octree, point, point.map((value) => value / 20));
+    assert.ok(cell >= 0, `${point}`);
+    if (scene.cell_class[cell] > 0) ++boundary;
+  }
+  // The sample sums its forms from small pieces, which miss cells that the surface only grazes.
+  assert.ok(boundary > 0.9 * (scene.surface_vertices.length / 3), `${boundary}`);
+});
+
+test("glyphs lie in the cut, inside the part, and apart from each other", () => {
+  for (const [name, normal] of [["ball", [0, 1, 0]], ["ball", [0.6, 0, 0.8]], ["plate", [0, 0, 1]], ["components", [0.36, 0.48, 0.8]]]) {
+    const scene = scenes[name];
+    const octree = build_octree(scene);
+    const offset = normal.reduce((sum, value, k) => sum + (value * (scene.low[k] + scene.high[k])) / 2, 0);
+    for (const spacing of [1, 4]) {
+      const places = glyph_places(scene, octree, normal, offset, spacing);
+      assert.ok(places.length > 10, `${name}: ${places.length} glyphs`);
+      for (const { point, cell } of places) {
+        const away = normal.reduce((sum, value, k) => sum + value * point[k], -offset);
+        assert.ok(Math.abs(away) < 0.01 * scene.cells.unit, `${name}: ${away} off the cut`);
+        assert.ok(cell >= 0);
+      }
+      for (let a = 0; a < places.length; ++a) for (let b = 0; b < a; ++b) {
+        const distance = Math.hypot(...places[a].point.map((value, k) => value - places[b].point[k]));
+        assert.ok(distance >= 0.7 * Math.min(places[a].side, places[b].side), `${name}: glyphs ${distance} apart`);
+      }
+    }
+  }
+});
+
+test("a wider spacing draws fewer glyphs", () => {
+  const scene = scenes.plate;
+  const octree = build_octree(scene);
+  const counts = [1, 2, 4, 8].map((spacing) => glyph_places(scene, octree, [0, 0, 1], 1.5, spacing).length);
+  assert.ok(counts[0] > 2 * counts[1] && counts[1] > 2 * counts[2] && counts[2] > 2 * counts[3], `${counts}`);
+});
+
+test("the first cut shows most of the part", () => {
+  assert.equal(widest_cut(scenes.plate), "z");
+  assert.equal(widest_cut(scenes.ball), "y");
+});
+
+test("a cut that is flipped lies where it lay", () => {
+  const store = new SettingsStore();
+  for (const axis of ["x", "y", "z"]) {
+    store.change({ cut: { axis, position: 0.25, flip: false } });
+    const [n, d] = [cut_normal(store.current), cut_offset(store.current, [-1, 0, 5], [1, 4, 9])];
+    store.change({ cut: { flip: true } });
+    assert.deepEqual(cut_normal(store.current).map((value) => -value + 0), n);
+    assert.equal(-cut_offset(store.current, [-1, 0, 5], [1, 4, 9]), d);
+  }
+});
+
+test("ranges are round and hold what they colour", () => {
+  const { alignment, energy } = ranges_of(scenes.ball);
+  assert.equal(alignment.low, 0);
+  assert.ok(alignment.high >= 2 && alignment.high <= 10);
+  assert.equal(Math.log10(energy.high) % 1, 0);
+  assert.equal(fraction_of(energy, 0), 0);
+  assert.ok(Math.abs(fraction_of(energy, Math.sqrt(energy.low * energy.high)) - 0.5) < 1e-12);
+});
+
+test("lightness of the maps of quantities only rises or only falls, in steps of like size", () => {
+  const linear = (channel) => (channel <= 0.04045 ? channel / 12.92 : ((channel + 0.055) / 1.055) ** 2.4);
+  const lightness = ([r, g, b]) => 116 * Math.cbrt(0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b)) - 16;
+  for (const theme of ["light", "dark"]) for (const ramp of ["alignment", "energy"]) {
+    const values = Array.from({ length: 33 }, (_, k) => lightness(ramp_color(ramp, theme, k / 32)));
+    const steps = values.slice(1).map((value, k) => (theme === "dark" ? value - values[k] : values[k] - value));
+    assert.ok(Math.min(...steps) > 0.6 && Math.max(...steps) < 5.5, `${theme} ${ramp}: ${steps.map((step) => step.toFixed(1))}`);
+  }
+  assert.equal(new Set(kClasses.map(({ color }) => color.light)).size, kClasses.length);
+});
+
+test("the verdict is bad, unsure or good as the report has it", () => {
+  assert.equal(verdict_of(made.ball.report).judgement, "good");
+  const bad = verdict_of(made.components.report);
+  assert.equal(bad.judgement, "bad");
+  assert.match(bad.sentence, /2 lines and 1 node are/);
+  assert.equal(verdict_of({ singularity: { ...made.ball.report.singularity, undecided_nodes: 1 } }).judgement, "unsure");
+  assert.equal(verdict_of({}), null);
+});
