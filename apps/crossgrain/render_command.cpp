@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "commands.hpp"
+#include "crossgrain/picture.hpp"
+#include "crossgrain/thread_limit.hpp"
+#include "interruption.hpp"
+#include "output.hpp"
+
+namespace crossgrain::app {
+
+void run_render(const RenderArguments& arguments) {
+  Monitor monitor;
+  const Interruption interruption(monitor);
+  const ThreadLimit limit(arguments.threads);
+  const auto start = std::chrono::steady_clock::now();
+  render_picture(arguments.field, arguments.output, arguments.options, monitor);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  if (arguments.quiet) return;
+  print_result(fmt::format("{} x {} pixels, drawn in {:.3g} s\nresult     {}\n", arguments.options.width,
+                           arguments.options.height, seconds.count(), arguments.output));
+}
+
+}  // namespace crossgrain::app
