@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 
 #include "commands.hpp"
+#include "crossgrain/error.hpp"
 #include "crossgrain/picture.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "interruption.hpp"
@@ -11,7 +13,21 @@
 
 namespace crossgrain::app {
 
+namespace {
+
+void check_files(const RenderArguments& arguments) {
+  const auto normal = [](const std::filesystem::path& path) { return path.lexically_normal(); };
+  for (const char* name : {"field.vtu", "singularities.vtu", "surface.vtu", "report.json"}) {
+    const std::filesystem::path input = std::filesystem::path(arguments.field) / name;
+    if (normal(input) == normal(arguments.output))
+      throw Error(ErrorKind::kUsage, input.string() + ": is of the field; name another file for the picture");
+  }
+}
+
+}  // namespace
+
 void run_render(const RenderArguments& arguments) {
+  check_files(arguments);
   Monitor monitor;
   const Interruption interruption(monitor);
   const ThreadLimit limit(arguments.threads);

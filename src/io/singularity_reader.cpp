@@ -65,6 +65,7 @@ class SingularityReader {
       const auto end = static_cast<std::size_t>(ends[cell]);
       require(end >= begin + 2 && end <= entries.size());
       require(types[cell] <= static_cast<int>(ArcType::kNoAxis) && std::abs(indices[cell]) <= 1 &&
+              std::abs(lengths[cell]) < kLargestCoordinate &&
               verdicts[cell] <= static_cast<int>(Verdict::kUndecided));
       SingularityGraph::Arc& arc = graph.arcs.emplace_back();
       arc.type = static_cast<ArcType>(types[cell]);

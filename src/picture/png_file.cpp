@@ -83,13 +83,17 @@ bool write_rows(png_structp png, png_infop info, const Image& image, bool with_o
   return true;
 }
 
+/// Libpng's own would print them.
+[[noreturn]] void jump_on_error(png_structp png, png_const_charp) {
+  png_longjmp(png, 1);
+}
 void pass_over_warning(png_structp, png_const_charp) {}
 
 }  // namespace
 
 void write_png(OutputFile& file, const Image& image, const Monitor& monitor) {
   Destination to{file, nullptr};
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, pass_over_warning);
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jump_on_error, pass_over_warning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
   if (!info) {
     png_destroy_write_struct(&png, nullptr);
