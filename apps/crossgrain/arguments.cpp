@@ -367,6 +367,8 @@ void add_looks(CLI::App& command, PictureOptions& options) {
               {"dark", PictureBackground::kDark},
               {"transparent", PictureBackground::kTransparent}},
              "Behind the part (default light)", "light|dark|transparent");
+  command.add_flag("--streamlines", options.streamlines,
+                   "Draw the lines that 'crossgrain streamlines' has written to the folder too");
   command.add_flag("!--no-lines", options.lines, "Leave out singular lines and nodes");
   command.add_flag("!--no-creases", options.creases, "Leave out sharp edges");
   command.add_flag("!--no-legend", options.legend, "Leave out legend and axes");

@@ -17,7 +17,8 @@ namespace {
 
 void check_files(const RenderArguments& arguments) {
   const auto normal = [](const std::filesystem::path& path) { return path.lexically_normal(); };
-  for (const char* name : {"field.vtu", "singularities.vtu", "surface.vtu", "report.json"}) {
+  for (const char* name : {"field.vtu", "singularities.vtu", "surface.vtu", "report.json", "streamlines.vtu",
+                           "onto.vtu", "onto.frames", "onto_singularities.vtu"}) {
     const std::filesystem::path input = std::filesystem::path(arguments.field) / name;
     if (normal(input) == normal(arguments.output))
       throw Error(ErrorKind::kUsage, input.string() + ": is of the field; name another file for the picture");

@@ -62,6 +62,9 @@ struct PictureOptions {
   bool creases = true;  ///< sharp edges of the part
   bool legend = true;   ///< what colours mean, and the axes of the model
 
+  /// Those of kStreamlinesFile in the folder, which `crossgrain streamlines` writes.
+  bool streamlines = false;
+
   /// Of faces seen at a right angle, 0 to 1; where there is none, what suits the colour.
   std::optional<double> opacity;
 

@@ -17,6 +17,9 @@ constexpr double kInwards = 0.02;
 /// This share of the cells at the surface is within the scale; what exceeds it has the colour of its end.
 constexpr double kWithinScale = 0.99;
 
+/// Degrees that a scale of angles has at least: below, a field follows its surface, whatever differs.
+constexpr double kLeastAngles = 5;
+
 /// A logarithmic scale has so many powers of ten at most.
 constexpr double kMostDecades = 4;
 
@@ -77,7 +80,7 @@ void CellColours::choose_scale(const PictureOptions& options) {
         std::pow(10.0, std::max(std::floor(std::log10(least)), std::log10(scale_.high) - kMostDecades));
     scale_.low = std::min(scale_.low, scale_.high / 10);
   } else {
-    scale_.high = round_up(std::max(high, 1e-3));
+    scale_.high = round_up(std::max(high, kLeastAngles));
   }
   if (options.range) scale_.low = (*options.range)[0], scale_.high = (*options.range)[1];
   goes_on_ = most > scale_.high;

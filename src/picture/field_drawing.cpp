@@ -16,7 +16,8 @@ namespace crossgrain {
 namespace {
 
 // In units of PictureWeights.
-constexpr double kSingularRadius = 4.2, kCreaseRadius = 1.0, kGhostRadius = 0.9, kOutlineRadius = 1.5;
+constexpr double kSingularRadius = 4.2, kCreaseRadius = 1.0, kGhostRadius = 0.9, kOutlineRadius = 1.5,
+                 kStreamlineRadius = 1.6;
 
 /// Faces that meet at less are shaded as one curved face.
 constexpr double kSmoothDeg = 32;
@@ -62,11 +63,11 @@ DrawnMesh part(const PictureSubject& subject, const PictureOptions& options) {
   return mesh;
 }
 
-std::vector<Rod> crease_rods(const SolvedSurface& surface, double radius, const Colour& colour) {
+std::vector<Rod> rods_along(const std::vector<std::vector<Vector3>>& lines, double radius,
+                            const Colour& colour) {
   std::vector<Rod> rods;
-  for (const std::vector<Vector3>& crease : surface.creases)
-    for (std::size_t i = 1; i < crease.size(); ++i)
-      rods.push_back({crease[i - 1], crease[i], radius, colour});
+  for (const std::vector<Vector3>& line : lines)
+    for (std::size_t i = 1; i < line.size(); ++i) rods.push_back({line[i - 1], line[i], radius, colour});
   return rods;
 }
 
@@ -107,16 +108,15 @@ class Cut {
     };
     const Colour ink = ink_on(options_.background);
     if (options_.creases) {
-      section.ghosts = crease_rods(subject_.surface, kGhostRadius * unit_, ink);
+      section.ghosts = rods_along(subject_.surface.creases, kGhostRadius * unit_, ink);
       DrawnRods outline{RodLook::kInk, {}, {}, true};
       for (const CutOutline::Segment& segment : outline_.segments())
         outline.rods.push_back({segment.from, segment.to, kOutlineRadius * unit_, ink});
       drawing.rods.push_back(std::move(outline));
     }
-    if (options_.lines) {
+    if (options_.lines) {  // which stand first
       DrawnRods crossings{RodLook::kSolid, {}, {}, true};
-      for (const DrawnRods& rods : drawing.rods)
-        if (rods.look == RodLook::kSolid) crossings.balls = crossings_of(rods, normal_, section.offset);
+      crossings.balls = crossings_of(drawing.rods.front(), normal_, section.offset);
       drawing.rods.push_back(std::move(crossings));
     }
     drawing.section = std::move(section);
@@ -176,9 +176,13 @@ Drawing field_drawing(const PictureSubject& subject, const PictureOptions& optio
   if (options.lines)
     drawing.rods.push_back(
         singular_lines(subject.singularities, kSingularRadius * unit, ink_on(options.background)));
+  drawing.rods.push_back(
+      {RodLook::kSolid, rods_along(subject.streamlines, kStreamlineRadius * unit, kStreamlineColour), {}});
   if (options.creases)
     drawing.rods.push_back(
-        {RodLook::kInk, crease_rods(subject.surface, kCreaseRadius * unit, ink_on(options.background)), {}});
+        {RodLook::kInk,
+         rods_along(subject.surface.creases, kCreaseRadius * unit, ink_on(options.background)),
+         {}});
   if (options.cut) Cut(subject, options, camera).add_to(drawing);
   return drawing;
 }

@@ -2,7 +2,7 @@
 // What a picture of a field shows.
 #pragma once
 
-#include <memory>
+#include <vector>
 
 #include "analysis/field_data.hpp"
 #include "analysis/solved_surface.hpp"
@@ -19,6 +19,7 @@ struct PictureSubject {
   const SolvedSurface& surface;
   const SingularityGraph& singularities;
   const CellColours& colours;
+  const std::vector<std::vector<Vector3>>& streamlines;  ///< polylines
 };
 
 /// Thickness of things in a picture.
@@ -27,6 +28,8 @@ struct PictureWeights {
 
   explicit PictureWeights(const PictureOptions& options, const Camera& camera);
 };
+
+inline constexpr Colour kStreamlineColour = colour_of(0x2f9e8f);
 
 /// Throws Error(kUsage) where the options cut beside the part, or the cut is seen from its edge.
 Drawing field_drawing(const PictureSubject& subject, const PictureOptions& options, const Camera& camera);

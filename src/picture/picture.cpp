@@ -12,6 +12,7 @@
 #include "crossgrain/io.hpp"
 #include "io/output_file.hpp"
 #include "io/singularity_file.hpp"
+#include "io/streamline_file.hpp"
 #include "io/surface_file.hpp"
 #include "picture/axis_cross.hpp"
 #include "picture/canvas.hpp"
@@ -65,6 +66,14 @@ std::shared_ptr<const SolvedSurface> surface_of(const FieldData& field, const st
   if (surface->triangles.empty())
     throw Error(ErrorKind::kInput, (folder / kSurfaceFile).string() + ": has no triangles; solve again");
   return surface;
+}
+
+std::vector<std::vector<Vector3>> streamlines_in(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / kStreamlinesFile;
+  if (!std::filesystem::exists(path))
+    throw Error(ErrorKind::kInput,
+                path.string() + ": is not there; trace lines with 'crossgrain streamlines' first");
+  return read_streamline_points(path);
 }
 
 /// Where the part, the legend and the axes are.
@@ -125,6 +134,11 @@ std::vector<LegendBlock> legend_blocks(const CellColours& colours, const Singula
   if (const auto block = colours.legend()) blocks.push_back(*block);
   if (options.lines)
     if (const auto block = legend_of(graph, ink_on(options.background))) blocks.push_back(*block);
+  if (options.streamlines) {
+    LegendBlock block{"Streamlines"};
+    block.signs.push_back({Sign::Shape::kLine, kStreamlineColour, "along an axis"});
+    blocks.push_back(std::move(block));
+  }
   return blocks;
 }
 
@@ -167,13 +181,16 @@ void render_picture(const std::filesystem::path& folder, const std::filesystem::
   const std::vector<LegendBlock> blocks = legend_blocks(colours, graph, options);
   const Layout layout(options, *surface, blocks);
   const Camera& camera = *layout.camera;
-  const Drawing drawing = field_drawing({data, *surface, graph, colours}, options, camera);
+  std::vector<std::vector<Vector3>> streamlines;
+  if (options.streamlines) streamlines = streamlines_in(folder);
+  const Drawing drawing = field_drawing({data, *surface, graph, colours, streamlines}, options, camera);
 
   const bool is_transparent = options.background == PictureBackground::kTransparent;
   Image image(options.width, options.height,
               is_transparent ? Pixel{} : pixel_of(paper_of(options.background)));
   RenderOptions render_options;
   render_options.haze = paper_of(options.background);
+  if (options.background == PictureBackground::kDark) render_options.haze_share *= 0.5f;  // dark hides more
   render(drawing, camera, render_options, image, monitor);
   if (options.legend) draw_legend(blocks, layout, options, image);
   write_png(file, image, monitor);

@@ -16,8 +16,9 @@ namespace {
 /// Rows of pixels that one task takes.
 constexpr std::size_t kRowsAtOnce = 8;
 
-/// Neighbours that differ by more in any channel have an edge between them: what the eye sees as a step.
-constexpr float kStep = 0.025f;
+/// Neighbours that differ by more in any channel have an edge between them: what the eye sees as a step, and
+/// more than the cells of a good field differ by.
+constexpr float kStep = 0.05f;
 
 /// Where the rays of a pixel on an edge go, in sixteenths of it: no two in one row or column, so that edges
 /// near the horizontal and the vertical have as many shades as there are rays. The first of them, one in each
@@ -67,7 +68,8 @@ class Renderer {
   void lay_over(Image& image) const {
     for_rows([&](int y, RayTracing::Scratch& scratch) {
       for (int x = 0; x < first_.width(); ++x) {
-        const Pixel pixel = is_on_edge(x, y) ? mean_in(x, y, scratch) : first_.at(x, y);
+        const std::size_t rays = rays_in(x, y);
+        const Pixel pixel = rays > 0 ? mean_in(x, y, rays, scratch) : first_.at(x, y);
         image.at(x, y) = over(pixel, image.at(x, y));
       }
     });
@@ -91,22 +93,24 @@ class Renderer {
            static_cast<std::size_t>(x);
   }
 
-  bool is_on_edge(int x, int y) const {
+  /// How many more rays a pixel takes: all where the outline of something runs between it and a neighbour, a
+  /// few where there is only a step in the colour of the same thing, as from cell to cell.
+  std::size_t rays_in(int x, int y) const {
+    bool has_step = false;
     for (int there_y = std::max(y - 1, 0); there_y <= std::min(y + 1, first_.height() - 1); ++there_y) {
       for (int there_x = std::max(x - 1, 0); there_x <= std::min(x + 1, first_.width() - 1); ++there_x) {
-        if (signatures_[index(x, y)] != signatures_[index(there_x, there_y)] ||
-            differ(first_.at(x, y), first_.at(there_x, there_y)))
-          return true;
+        if (signatures_[index(x, y)] != signatures_[index(there_x, there_y)]) return kPlaces.size();
+        has_step = has_step || differ(first_.at(x, y), first_.at(there_x, there_y));
       }
     }
-    return false;
+    return has_step ? kFirstRays : 0;
   }
 
-  Pixel mean_in(int x, int y, RayTracing::Scratch& scratch) const {
+  Pixel mean_in(int x, int y, std::size_t rays, RayTracing::Scratch& scratch) const {
     Pixel sum;
     bool is_crossed = false;
     const Pixel& middle = first_.at(x, y);
-    for (std::size_t i = 0; i < kPlaces.size(); ++i) {
+    for (std::size_t i = 0; i < rays; ++i) {
       if (i == kFirstRays && !is_crossed) return mean_of(sum, i);
       const auto& [across, down] = kPlaces[i];
       const Pixel pixel = tracing_.at(x + (across + 0.5) / 16, y + (down + 0.5) / 16, scratch).pixel;
@@ -114,7 +118,7 @@ class Renderer {
       sum.colour = sum.colour + pixel.colour;
       sum.opacity += pixel.opacity;
     }
-    return mean_of(sum, kPlaces.size());
+    return mean_of(sum, rays);
   }
 
   static Pixel mean_of(const Pixel& sum, std::size_t count) {

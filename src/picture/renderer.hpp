@@ -14,7 +14,7 @@ struct RenderOptions {
   float haze_share = 0.3f;
 
   /// The least of a solid rod that is seen through however many translucent faces.
-  float least_seen_through = 0.5f;
+  float least_seen_through = 0.58f;
 };
 
 /// Casts rays at a drawing and lays what they meet over the image: one a pixel, and many where it changes

@@ -138,6 +138,14 @@ class Pixels(RenderTest):
         self.assertEqual(len(pictures), 5)
 
 
+    def test_streamlines_are_drawn_where_they_have_been_traced(self):
+        without = self.picture("--no-lines")
+        result = self.run_here("render", "part.frames", "--streamlines", "-o", "b.png")
+        self.assert_fails(result, 3, "streamlines.vtu", "crossgrain streamlines")
+        self.assert_succeeds(self.run_here("streamlines", "part.frames", "--count", 5, "--quiet"))
+        self.assertFalse((self.picture("--no-lines", "--streamlines") == without).all())
+
+
 class Errors(RenderTest):
     def refused(self, code, *words_and_arguments, words=()):
         result = self.run_here("render", *words_and_arguments)

@@ -16,6 +16,7 @@
 #include "io/report_file.hpp"
 #include "io/sample_field.hpp"
 #include "io/singularity_file.hpp"
+#include "io/streamline_file.hpp"
 #include "io/surface_file.hpp"
 #include "io/vtk_files.hpp"
 
@@ -79,6 +80,11 @@ constexpr std::array kSingularityArrays = {
     FieldArray{"type", "CellData", "UInt8", 1},
     FieldArray{"verdict", "CellData", "UInt8", 1},
     FieldArray{"closed", "CellData", "UInt8", 1},
+};
+
+constexpr std::array kStreamlineArrays = {
+    FieldArray{"Points", "Points", "Float64", 3},
+    FieldArray{"offsets", "Cells", "Int32", 1},
 };
 
 using ArrayBytes = std::vector<std::vector<std::uint8_t>>;
@@ -195,6 +201,20 @@ bool check_singularity_arrays(std::string_view bytes) {
   }
   for (const SingularityGraph::Node& node : graph.nodes)
     for (const std::uint32_t arc : node.arcs) require(arc < graph.arcs.size(), "an arc that is not there");
+  return true;
+}
+
+bool check_streamline_arrays(std::string_view bytes) {
+  const ArrayBytes arrays = taken_arrays(kStreamlineArrays, bytes);
+  const auto path =
+      as_file("streamlines.vtu", packed(kStreamlineArrays, arrays, arrays[0].size() / (3 * sizeof(double)),
+                                        arrays[1].size() / sizeof(std::int32_t)));
+  std::vector<std::vector<Vector3>> lines;
+  if (!succeeds([&] { lines = read_streamline_points(path); })) return false;
+  for (const std::vector<Vector3>& line : lines) {
+    require(line.size() > 1, "a line without length");
+    require_finite(line);
+  }
   return true;
 }
 

@@ -23,6 +23,7 @@ constexpr std::array kReaders = {
     ReaderUnderTest{"onto_arrays", check_onto_arrays},
     ReaderUnderTest{"surface_arrays", check_surface_arrays},
     ReaderUnderTest{"singularity_arrays", check_singularity_arrays},
+    ReaderUnderTest{"streamline_arrays", check_streamline_arrays},
     ReaderUnderTest{"report", check_report},
     ReaderUnderTest{"points", check_points},
     ReaderUnderTest{"normals", check_normals},
