@@ -61,7 +61,7 @@ class RayTracing {
   SeenNormal seen_normal(const std::array<float, 3>& normal) const;
   float depth_share(float distance) const;
 
-  /// Along one ray; false once nothing behind is seen any more.
+  /// What is seen along one ray so far.
   class Layers;
 
   const Drawing& drawing_;
