@@ -46,7 +46,8 @@ function(crossgrain_library)
   target_include_directories(crossgrain PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                                $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
                                                $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  target_link_libraries(crossgrain PRIVATE TBB::tbb ZLIB::ZLIB fmt::fmt meshoptimizer::meshoptimizer Threads::Threads ${CMAKE_DL_LIBS})
+  target_link_libraries(crossgrain PRIVATE TBB::tbb ZLIB::ZLIB PNG::PNG embree fmt::fmt meshoptimizer::meshoptimizer
+                                           Threads::Threads ${CMAKE_DL_LIBS})
 endfunction()
 
 # crossgrain_layer_test(NAME SOURCES ...): one test program for a layer, linked with it and those below.

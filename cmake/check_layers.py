@@ -16,10 +16,10 @@ import sys
 from pathlib import Path
 
 # From the lowest up, as in CMakeLists.txt.
-LAYERS = ["base", "harmonics", "constraint", "surface", "tets", "grid", "field", "analysis", "io"]
+LAYERS = ["base", "harmonics", "constraint", "surface", "tets", "grid", "field", "analysis", "io", "picture"]
 
 # A layer that stands beside one below it, not above: its only exceptions.
-EXTRA_LAYERS = {"distributed": [layer for layer in LAYERS if layer != "io"] + ["distributed"]}
+EXTRA_LAYERS = {"distributed": [layer for layer in LAYERS if layer not in ("io", "picture")] + ["distributed"]}
 
 # The folder of src/ with OpenCASCADE in it.
 CAD_PROGRAM = "io/cad/"

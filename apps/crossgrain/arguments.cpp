@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -17,6 +18,7 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/version.hpp"
+#include "picture_arguments.hpp"
 
 namespace crossgrain::app {
 namespace {
@@ -310,6 +312,111 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
   return command;
 }
 
+/// An option whose text becomes what parse(text) points to, and goes to use(value).
+template <class Parse, class Use>
+CLI::Option* add_parsed(CLI::App& command, const char* name, Parse parse, Use use, const char* fault,
+                        const char* help) {
+  return command
+      .add_option_function<std::string>(
+          name, [parse, use](const std::string& text) { use(*parse(text)); }, help)
+      ->check([parse, fault](const std::string& text) {
+        return parse(text) ? std::string() : "'" + text + "' " + fault;
+      });
+}
+
+template <class T>
+void add_choice(CLI::App& command, const char* names, T& choice, std::map<std::string, T> choices,
+                const char* help, const char* type) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : choices) keys.push_back(key);
+  command
+      .add_option_function<std::string>(
+          names, [&choice, choices](const std::string& name) { choice = choices.at(name); }, help)
+      ->check(CLI::IsMember(keys))
+      ->type_name(type);
+}
+
+void add_looks(CLI::App& command, PictureOptions& options) {
+  add_choice(command, "--colour,--color", options.colour,
+             {{"none", PictureColour::kNone},
+              {"alignment", PictureColour::kAlignment},
+              {"energy", PictureColour::kEnergy},
+              {"class", PictureColour::kConstraint}},
+             "Colour the surface by its angle to the nearest axis, by energy density, or by what it asks for",
+             "none|alignment|energy|class");
+  add_parsed(
+      command, "--range", parse_range, [&options](const auto& range) { options.range = range; },
+      "is no two numbers with a comma between them, the lower one first",
+      "Ends of the colour scale (default: from the field)")
+      ->type_name("LOW,HIGH");
+  command.add_option("--opacity", options.opacity, "Of faces, 0 to 1 (default: what suits the colour)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("X");
+  add_choice(command, "--frames", options.frames,
+             {{"boxes", PictureFrames::kBoxes},
+              {"crosses", PictureFrames::kCrosses},
+              {"none", PictureFrames::kNone}},
+             "What frames on the cut are drawn as (default boxes)", "boxes|crosses|none");
+  command
+      .add_option("--frame-spacing", options.frame_spacing,
+                  "Distance of frames on the cut, in pixels of a picture 1200 high (default 30)")
+      ->check(CLI::Range(4.0, 1000.0))
+      ->type_name("X");
+  add_choice(command, "--background", options.background,
+             {{"light", PictureBackground::kLight},
+              {"dark", PictureBackground::kDark},
+              {"transparent", PictureBackground::kTransparent}},
+             "Behind the part (default light)", "light|dark|transparent");
+  command.add_flag("--streamlines", options.streamlines,
+                   "Draw the lines that 'crossgrain streamlines' has written to the folder too");
+  command.add_flag("!--no-lines", options.lines, "Leave out singular lines and nodes");
+  command.add_flag("!--no-creases", options.creases, "Leave out sharp edges");
+  command.add_flag("!--no-legend", options.legend, "Leave out legend and axes");
+}
+
+CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
+  CLI::App* command = app.add_subcommand("render",
+                                         "Draws a picture of a field: the part, its singular lines, "
+                                         "and frames on a cut");
+  PictureOptions& options = arguments.options;
+  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
+      ->required()
+      ->type_name("");
+  command->add_option("-o,--output", arguments.output, "PNG file to write (default: DIR-stem.png here)")
+      ->type_name("FILE");
+  add_parsed(
+      *command, "--size", parse_size,
+      [&options](const auto& size) { options.width = size[0], options.height = size[1]; },
+      "is no size such as 1600x1200", "Width and height in pixels (default 1600x1200)")
+      ->type_name("WxH");
+  add_parsed(
+      *command, "--view", parse_view,
+      [&options](const auto& angles) {
+        options.azimuth_deg = angles[0];
+        options.elevation_deg = angles[1];
+      },
+      "is no view: iso, front, back, left, right, top, bottom, or azimuth and elevation such as -55,28",
+      "From where: iso (default), front, back, left, right, top, bottom, or degrees about z from x, and "
+      "above "
+      "the xy plane")
+      ->type_name("NAME|A,E");
+  add_choice(*command, "--up", options.up_axis, std::map<std::string, int>{{"x", 0}, {"y", 1}, {"z", 2}},
+             "The axis of the model that points up (default z)", "x|y|z");
+  add_parsed(
+      *command, "--cut", parse_cut, [&options](const auto& cut) { options.cut = cut; },
+      "is no cut such as x, y=12.5 or none",
+      "Take away what is before a plane across this axis, at the middle or where it says, and draw the "
+      "frames "
+      "on it (default none)")
+      ->type_name("x|y|z[=AT]");
+  add_looks(*command, options);
+  command->add_option("--threads", arguments.threads, "Threads; 0 (default) for all there are")
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()))
+      ->type_name("N");
+  command->add_flag("--quiet", arguments.quiet, "Print no summary");
+  return command;
+}
+
 CLI::App* add_spectrum(CLI::App& app, SpectrumArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("spectrum", "Prints what some surface normals say together about a frame");
@@ -383,6 +490,16 @@ void check_arguments(StreamlinesArguments& arguments, const CLI::App* command) {
     arguments.output = (std::filesystem::path(arguments.field) / kStreamlinesFile).string();
 }
 
+void check_arguments(RenderArguments& arguments, const CLI::App* command) {
+  if (arguments.field.empty()) refuse("DIR is empty", command);
+  if (command->count("--output") > 0 && arguments.output.empty()) refuse("the file of -o is empty", command);
+  if (arguments.output == "-") refuse("the picture goes to a file; name one with -o", command);
+  if (!arguments.output.empty()) return;
+  const std::filesystem::path folder = std::filesystem::path(arguments.field + "/").parent_path();
+  const std::string stem = folder.lexically_normal().stem().string();
+  arguments.output = (stem.empty() || stem == "." || stem == ".." ? "field" : stem) + ".png";
+}
+
 }  // namespace
 
 Arguments parse_arguments(int argc, char** argv) {
@@ -395,11 +512,13 @@ Arguments parse_arguments(int argc, char** argv) {
   SpectrumArguments spectrum;
   CheckArguments check;
   StreamlinesArguments streamlines;
+  RenderArguments render;
   const CLI::App* solve_command = add_solve(app, solve);
   const CLI::App* sample_command = add_sample(app, sample);
   const CLI::App* spectrum_command = add_spectrum(app, spectrum);
   const CLI::App* check_command = add_check(app, check);
   const CLI::App* streamlines_command = add_streamlines(app, streamlines);
+  const CLI::App* render_command = add_render(app, render);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -419,6 +538,10 @@ Arguments parse_arguments(int argc, char** argv) {
   if (*streamlines_command) {
     check_arguments(streamlines, streamlines_command);
     return streamlines;
+  }
+  if (*render_command) {
+    check_arguments(render, render_command);
+    return render;
   }
   if (*spectrum_command) {
     check_arguments(spectrum, spectrum_command);

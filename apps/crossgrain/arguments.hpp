@@ -7,6 +7,7 @@
 
 #include "crossgrain/io.hpp"
 #include "crossgrain/options.hpp"
+#include "crossgrain/picture.hpp"
 #include "crossgrain/streamlines.hpp"
 
 namespace crossgrain::app {
@@ -41,6 +42,14 @@ struct StreamlinesArguments {
   bool quiet = false;
 };
 
+struct RenderArguments {
+  std::string field;
+  std::string output;  ///< the PNG file; never empty
+  PictureOptions options;
+  int threads = 0;
+  bool quiet = false;
+};
+
 struct SpectrumArguments {
   std::string preset;   ///< empty where `normals` is given
   std::string normals;  ///< a file, or "-"
@@ -59,7 +68,7 @@ struct Finished {
 };
 
 using Arguments = std::variant<Finished, SolveArguments, SampleArguments, SpectrumArguments, CheckArguments,
-                               StreamlinesArguments>;
+                               StreamlinesArguments, RenderArguments>;
 
 /// Prints help and version on standard output; throws Error(kUsage) for a command line that makes no sense.
 Arguments parse_arguments(int argc, char** argv);

@@ -15,6 +15,10 @@ void run_sample(const SampleArguments& arguments);
 
 /// Prints what the singular lines are and whether hexahedra can have them, on standard output.
 void run_check(const CheckArguments& arguments);
+
+/// Writes the picture; how long that took on standard output.
+void run_render(const RenderArguments& arguments);
+
 /// Writes the lines; a summary on standard output, the number of seeds outside on standard error.
 void run_streamlines(const StreamlinesArguments& arguments);
 

@@ -27,6 +27,7 @@ struct Run {
   int operator()(const SpectrumArguments& arguments) const { return run_spectrum(arguments), 0; }
   int operator()(const CheckArguments& arguments) const { return run_check(arguments), 0; }
   int operator()(const StreamlinesArguments& arguments) const { return run_streamlines(arguments), 0; }
+  int operator()(const RenderArguments& arguments) const { return run_render(arguments), 0; }
 };
 
 /// The file that a command is about, for errors that name none.
@@ -37,6 +38,7 @@ struct Subject {
   std::string operator()(const SpectrumArguments&) const { return "spectrum: "; }
   std::string operator()(const CheckArguments& arguments) const { return arguments.field + ": "; }
   std::string operator()(const StreamlinesArguments& arguments) const { return arguments.field + ": "; }
+  std::string operator()(const RenderArguments& arguments) const { return arguments.field + ": "; }
 };
 
 int fail(int exit_code, const std::string& message) {

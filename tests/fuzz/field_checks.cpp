@@ -15,6 +15,8 @@
 #include "io/json_file.hpp"
 #include "io/report_file.hpp"
 #include "io/sample_field.hpp"
+#include "io/singularity_file.hpp"
+#include "io/streamline_file.hpp"
 #include "io/surface_file.hpp"
 #include "io/vtk_files.hpp"
 
@@ -64,6 +66,25 @@ constexpr std::array kSurfaceArrays = {
     FieldArray{"connectivity", "Cells", "Int32", 1},
     FieldArray{"offsets", "Cells", "Int32", 1},
     FieldArray{"types", "Cells", "UInt8", 1},
+};
+
+constexpr std::array kSingularityArrays = {
+    FieldArray{"Points", "Points", "Float64", 3},
+    FieldArray{"node", "PointData", "Int32", 1},
+    FieldArray{"node_on_boundary", "PointData", "UInt8", 1},
+    FieldArray{"node_verdict", "PointData", "UInt8", 1},
+    FieldArray{"connectivity", "Cells", "Int64", 1},
+    FieldArray{"offsets", "Cells", "Int64", 1},
+    FieldArray{"index", "CellData", "Float64", 1},
+    FieldArray{"length", "CellData", "Float64", 1},
+    FieldArray{"type", "CellData", "UInt8", 1},
+    FieldArray{"verdict", "CellData", "UInt8", 1},
+    FieldArray{"closed", "CellData", "UInt8", 1},
+};
+
+constexpr std::array kStreamlineArrays = {
+    FieldArray{"Points", "Points", "Float64", 3},
+    FieldArray{"offsets", "Cells", "Int32", 1},
 };
 
 using ArrayBytes = std::vector<std::vector<std::uint8_t>>;
@@ -159,6 +180,40 @@ bool check_surface_arrays(std::string_view bytes) {
   for (const std::vector<Vector3>& crease : surface->creases) {
     require(crease.size() > 1, "a crease without length");
     require_finite(crease);
+  }
+  return true;
+}
+
+bool check_singularity_arrays(std::string_view bytes) {
+  const ArrayBytes arrays = taken_arrays(kSingularityArrays, bytes);
+  const auto path = as_file(
+      "singularities.vtu",
+      packed(kSingularityArrays, arrays, arrays[0].size() / (3 * sizeof(double)), arrays.back().size()));
+  SingularityGraph graph;
+  if (!succeeds([&] { graph = read_singularities(path); })) return false;
+  for (const SingularityGraph::Arc& arc : graph.arcs) {
+    require(arc.points.size() > 1, "an arc without length");
+    require(std::isfinite(arc.index) && std::isfinite(arc.length), "an arc of no length or index");
+    require_finite(arc.points);
+    if (!arc.nodes) continue;
+    for (const std::uint32_t node : *arc.nodes)
+      require(node < graph.nodes.size(), "a node that is not there");
+  }
+  for (const SingularityGraph::Node& node : graph.nodes)
+    for (const std::uint32_t arc : node.arcs) require(arc < graph.arcs.size(), "an arc that is not there");
+  return true;
+}
+
+bool check_streamline_arrays(std::string_view bytes) {
+  const ArrayBytes arrays = taken_arrays(kStreamlineArrays, bytes);
+  const auto path =
+      as_file("streamlines.vtu", packed(kStreamlineArrays, arrays, arrays[0].size() / (3 * sizeof(double)),
+                                        arrays[1].size() / sizeof(std::int32_t)));
+  std::vector<std::vector<Vector3>> lines;
+  if (!succeeds([&] { lines = read_streamline_points(path); })) return false;
+  for (const std::vector<Vector3>& line : lines) {
+    require(line.size() > 1, "a line without length");
+    require_finite(line);
   }
   return true;
 }

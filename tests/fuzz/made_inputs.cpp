@@ -110,6 +110,32 @@ std::string surface_bytes() {
   return out;
 }
 
+/// An arc of three points between two nodes and a closed one, in the order of kSingularityArrays
+/// (field_checks.cpp).
+std::string singularity_bytes() {
+  std::string out;
+  append_array<Vector3>(out, {{0, 0, 0}, {1, 0, 0}, {0.5, 2, 0}, {0, 0, 3}, {1, 1, 3}});
+  append_array<std::int32_t>(out, {0, 1, -1, -1, -1});
+  append_array<std::uint8_t>(out, {1, 0, 0, 0, 0});
+  append_array<std::uint8_t>(out, {0, 2, 0, 0, 0});
+  append_array<std::int64_t>(out, {0, 2, 1, 3, 4, 3});
+  append_array<std::int64_t>(out, {3, 6});
+  append_array<double>(out, {0.25, -0.25});
+  append_array<double>(out, {4, 3});
+  append_array<std::uint8_t>(out, {0, 0});
+  append_array<std::uint8_t>(out, {0, 1});
+  append_array<std::uint8_t>(out, {0, 1});
+  return out;
+}
+
+/// Two lines, in the order of kStreamlineArrays (field_checks.cpp).
+std::string streamline_bytes() {
+  std::string out;
+  append_array<Vector3>(out, {{0, 0, 0}, {1, 0, 0}, {2, 0.5, 0}, {0, 0, 3}, {1, 1, 3}});
+  append_array<std::int32_t>(out, {3, 5});
+  return out;
+}
+
 std::vector<std::string> made_cad() {
   // Lines of 80 columns, of which the 73rd names the section.
   std::string iges;
@@ -149,6 +175,8 @@ std::vector<std::string> made_inputs(std::string_view reader) {
     return {array_bytes(sample_data(Degree::kThree, 0)), array_bytes(sample_data(Degree::kFour, 1))};
   if (reader == "onto_arrays") return {onto_bytes()};
   if (reader == "surface_arrays") return {surface_bytes()};
+  if (reader == "singularity_arrays") return {singularity_bytes()};
+  if (reader == "streamline_arrays") return {streamline_bytes()};
   if (reader == "report") return {report_json(sample_report()).dump(1)};
   if (reader == "points") return {"0 0 0\n1.5 -2e3 .25 # a point\n\n# none\n3 4 5"};
   if (reader == "normals") return {"0 0 1\n1 0 0 2.5\n# none\n0.3 -4 1e-3 7\n"};

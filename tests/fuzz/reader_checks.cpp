@@ -22,6 +22,8 @@ constexpr std::array kReaders = {
     ReaderUnderTest{"field_arrays", check_field_arrays},
     ReaderUnderTest{"onto_arrays", check_onto_arrays},
     ReaderUnderTest{"surface_arrays", check_surface_arrays},
+    ReaderUnderTest{"singularity_arrays", check_singularity_arrays},
+    ReaderUnderTest{"streamline_arrays", check_streamline_arrays},
     ReaderUnderTest{"report", check_report},
     ReaderUnderTest{"points", check_points},
     ReaderUnderTest{"normals", check_normals},

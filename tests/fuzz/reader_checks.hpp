@@ -37,6 +37,12 @@ ReaderCheck check_onto_arrays;
 
 /// surface.vtu by its arrays, in the order of kSurfaceArrays.
 ReaderCheck check_surface_arrays;
+
+/// singularities.vtu by its arrays, in the order of kSingularityArrays.
+ReaderCheck check_singularity_arrays;
+
+/// streamlines.vtu by its arrays, in the order of kStreamlineArrays.
+ReaderCheck check_streamline_arrays;
 ReaderCheck check_report;
 
 /// What is looked at in a STEP, IGES or BREP file before OpenCASCADE sees it, which is not called.

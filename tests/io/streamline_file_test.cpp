@@ -11,6 +11,7 @@
 #include "crossgrain/io.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "io/sample_field.hpp"
+#include "io/streamline_file.hpp"
 #include "io/temporary_folder.hpp"
 #include "io/vtu_reader.hpp"
 
@@ -82,6 +83,17 @@ TEST(StreamlineFile, HasTheLinesPointsAndWhatIsKnownOfThem) {
     }
   }
   EXPECT_EQ(row, file.points());
+}
+
+TEST(StreamlineFile, GivesThePointsOfItsLinesBack) {
+  const TemporaryFolder folder;
+  const auto lines = made_lines();
+  write_streamlines(lines, folder.path() / "lines.vtu");
+  const auto read = read_streamline_points(folder.path() / "lines.vtu");
+  ASSERT_EQ(read.size(), lines.size());
+  for (std::size_t k = 0; k < lines.size(); ++k) EXPECT_EQ(read[k], lines[k].points);
+  write_field(field_of(sample_data(Degree::kFour, 0)), folder.path());
+  EXPECT_THROW(read_streamline_points(folder.path() / "field.vtu"), Error);
 }
 
 TEST(StreamlineFile, IsReadByAnIndependentReaderAlsoWithoutAnyLine) {

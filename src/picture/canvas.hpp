@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flat shapes and text on an image, with smooth edges: legends and scales. Places are in pixels from the
+// upper left corner; what is outside the image is left out.
+#pragma once
+
+#include <string_view>
+
+#include "picture/camera.hpp"
+#include "picture/image.hpp"
+
+namespace crossgrain {
+
+class Canvas {
+ public:
+  explicit Canvas(Image& image) : image_(image) {}
+
+  void fill(const PixelBox& box, const Colour& colour, float opacity = 1);
+  void line(double x0, double y0, double x1, double y1, double width, const Colour& colour);
+  void disc(double x, double y, double radius, const Colour& colour);
+
+  /// `y` is the baseline.
+  void text(std::string_view text, double x, double y, double size, const Colour& colour);
+
+ private:
+  void put(int x, int y, const Colour& colour, float coverage);
+
+  Image& image_;
+};
+
+}  // namespace crossgrain

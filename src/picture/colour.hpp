@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Colours of pictures, in sRGB from 0 to 1. They are mixed as they stand: thin dark lines on white keep their
+// weight that way, and nothing is raised to powers, which differ in the last digit from machine to machine.
+#pragma once
+
+#include <cstdint>
+
+namespace crossgrain {
+
+struct Colour {
+  float r = 0, g = 0, b = 0;
+
+  bool operator==(const Colour&) const = default;
+};
+
+/// 0xRRGGBB.
+constexpr Colour colour_of(std::uint32_t hex) {
+  return {static_cast<float>(hex >> 16 & 255) / 255, static_cast<float>(hex >> 8 & 255) / 255,
+          static_cast<float>(hex & 255) / 255};
+}
+
+constexpr Colour operator*(float s, const Colour& c) {
+  return {s * c.r, s * c.g, s * c.b};
+}
+constexpr Colour operator+(const Colour& a, const Colour& b) {
+  return {a.r + b.r, a.g + b.g, a.b + b.b};
+}
+
+/// a where t is 0, b where it is 1.
+constexpr Colour mix(const Colour& a, const Colour& b, float t) {
+  return (1 - t) * a + t * b;
+}
+
+/// A colour with its share of a pixel: the colour is multiplied by `opacity` already.
+struct Pixel {
+  Colour colour;
+  float opacity = 0;
+};
+
+/// `front` laid over `behind`.
+constexpr Pixel over(const Pixel& front, const Pixel& behind) {
+  const float left = 1 - front.opacity;
+  return {front.colour + left * behind.colour, front.opacity + left * behind.opacity};
+}
+
+constexpr Pixel pixel_of(const Colour& colour, float opacity = 1) {
+  return {opacity * colour, opacity};
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "picture/field_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "crossgrain/error.hpp"
+#include "picture/corner_normals.hpp"
+#include "picture/cut_frames.hpp"
+#include "picture/cut_outline.hpp"
+#include "picture/singular_lines.hpp"
+
+namespace crossgrain {
+namespace {
+
+// In units of PictureWeights.
+constexpr double kSingularRadius = 4.2, kCreaseRadius = 1.0, kGhostRadius = 0.9, kOutlineRadius = 1.5,
+                 kStreamlineRadius = 1.6;
+
+/// Faces that meet at less are shaded as one curved face.
+constexpr double kSmoothDeg = 32;
+
+/// Sides of boxes and lengths of crosses over the distance between frames: a box turned any way stays within
+/// its place, and so does a cross.
+constexpr double kBoxShare = 0.58, kCrossShare = 0.84;
+
+/// Frames are so far from the outline, in distances between them.
+constexpr double kClearance = 0.3;
+
+constexpr Colour kBoxColour = colour_of(0x74a9dc), kCrossColour = colour_of(0x2c6db3);
+
+Box box_of(const SolvedSurface& surface) {
+  Box box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+  for (const auto& corners : surface.triangles) {
+    for (const std::uint32_t vertex : corners) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        box.low[k] = std::min(box.low[k], surface.vertices[vertex][k]);
+        box.high[k] = std::max(box.high[k], surface.vertices[vertex][k]);
+      }
+    }
+  }
+  return box;
+}
+
+DrawnMesh part(const PictureSubject& subject, const PictureOptions& options) {
+  DrawnMesh mesh;
+  mesh.vertices = subject.surface.vertices;
+  mesh.triangles = subject.surface.triangles;
+  mesh.corner_normals = corner_normals(mesh.vertices, mesh.triangles, kSmoothDeg);
+  mesh.colour = kPlainPart;
+  mesh.bounds_solid = true;
+  const bool is_plain = subject.colours.is_none();
+  mesh.opacity = static_cast<float>(options.opacity.value_or(is_plain ? 0.2 : 0.72));
+  mesh.grazing_opacity = std::max(mesh.opacity, is_plain ? 0.82f : 0.92f);
+  if (!is_plain) {
+    mesh.has_front_only = true;
+    mesh.colour_at = [&colours = subject.colours](const MeshPoint& point) {
+      return colours.on_surface(point);
+    };
+  }
+  return mesh;
+}
+
+std::vector<Rod> rods_along(const std::vector<std::vector<Vector3>>& lines, double radius,
+                            const Colour& colour) {
+  std::vector<Rod> rods;
+  for (const std::vector<Vector3>& line : lines)
+    for (std::size_t i = 1; i < line.size(); ++i) rods.push_back({line[i - 1], line[i], radius, colour});
+  return rods;
+}
+
+/// A plane across the part and the frames on it.
+class Cut {
+ public:
+  Cut(const PictureSubject& subject, const PictureOptions& options, const Camera& camera)
+      : subject_(subject),
+        options_(options),
+        unit_(PictureWeights(options, camera).unit),
+        box_(box_of(subject.surface)),
+        axis_(static_cast<std::size_t>(options.cut->axis)),
+        position_(options.cut->position.value_or(0.5 * (box_.low[axis_] + box_.high[axis_]))),
+        outline_(subject.surface.vertices, subject.surface.triangles, axis_, position_) {
+    if (!(position_ > box_.low[axis_] && position_ < box_.high[axis_]))
+      throw Error(
+          ErrorKind::kUsage,
+          fmt::format("the cut at {} = {:.6g} is beside the part; choose one between {:.6g} and {:.6g}",
+                      "xyz"[axis_], position_, box_.low[axis_], box_.high[axis_]));
+    const double towards = camera.axes().towards[axis_];
+    towards_ = std::abs(towards);
+    constexpr double kFromItsEdge = 0.02;
+    if (towards_ < kFromItsEdge)
+      throw Error(ErrorKind::kUsage,
+                  fmt::format("the cut across {} is seen from its edge; choose another view "
+                              "or cut",
+                              "xyz"[axis_]));
+    normal_ = {0, 0, 0};
+    normal_[axis_] = towards > 0 ? 1 : -1;
+  }
+
+  void add_to(Drawing& drawing) const {
+    Section section;
+    section.normal = normal_;
+    section.offset = normal_[axis_] * position_;
+    section.colour_at = [&colours = subject_.colours](const Vector3& point, bool is_enclosed) {
+      return colours.on_cut(point, is_enclosed);
+    };
+    const Colour ink = ink_on(options_.background);
+    if (options_.creases) {
+      section.ghosts = rods_along(subject_.surface.creases, kGhostRadius * unit_, ink);
+      DrawnRods outline{RodLook::kInk, {}, {}, true};
+      for (const CutOutline::Segment& segment : outline_.segments())
+        outline.rods.push_back({segment.from, segment.to, kOutlineRadius * unit_, ink});
+      drawing.rods.push_back(std::move(outline));
+    }
+    if (options_.lines) {  // which stand first
+      DrawnRods crossings{RodLook::kSolid, {}, {}, true};
+      crossings.balls = crossings_of(drawing.rods.front(), normal_, section.offset);
+      drawing.rods.push_back(std::move(crossings));
+    }
+    drawing.section = std::move(section);
+    add_frames(drawing);
+  }
+
+ private:
+  /// On a plane that is seen askew frames are further apart and smaller, so that none hides another.
+  void add_frames(Drawing& drawing) const {
+    if (options_.frames == PictureFrames::kNone) return;
+    const double askew = std::sqrt(std::max(towards_, 0.1));
+    const double usual = options_.frame_spacing * unit_, spacing = usual / askew;
+    std::vector<PlacedFrame> frames;
+    for (const Vector3& place : places_on_plane(box_, axis_, position_, spacing, [&](const Vector3& point) {
+           return is_inside(point) && outline_.distance_to(point) > kClearance * spacing;
+         }))
+      frames.push_back({place, from_stored(subject_.field.frames[subject_.colours.leaf_at(place)])});
+    if (options_.frames == PictureFrames::kBoxes)
+      drawing.meshes.push_back(frame_boxes(frames, kBoxShare * usual * askew, kBoxColour));
+    else
+      drawing.rods.push_back(frame_crosses(frames, kCrossShare * usual * askew, kCrossColour));
+  }
+
+  bool is_inside(const Vector3& point) const {
+    const CellIndex leaf = subject_.colours.leaf_at(point);
+    return leaf != kNoCell && (subject_.field.on_boundary[leaf] == 0 || outline_.encloses(point));
+  }
+
+  const PictureSubject& subject_;
+  const PictureOptions& options_;
+  double unit_;
+  Box box_;
+  std::size_t axis_;
+  double position_;
+  CutOutline outline_;
+  double towards_;  ///< cosine between the cut's normal and the view
+  Vector3 normal_;
+};
+
+}  // namespace
+
+PictureWeights::PictureWeights(const PictureOptions& options, const Camera& camera)
+    : unit(std::max(std::min(options.width, options.height) / 1200.0, 0.4) * camera.pixel_size()) {}
+
+Colour ink_on(PictureBackground background) {
+  return background == PictureBackground::kDark ? colour_of(0xe6ebf0) : colour_of(0x1d2630);
+}
+
+Colour paper_of(PictureBackground background) {
+  return background == PictureBackground::kDark ? colour_of(0x15191e) : colour_of(0xffffff);
+}
+
+Drawing field_drawing(const PictureSubject& subject, const PictureOptions& options, const Camera& camera) {
+  const double unit = PictureWeights(options, camera).unit;
+  Drawing drawing;
+  drawing.meshes.push_back(part(subject, options));
+  if (options.lines)
+    drawing.rods.push_back(
+        singular_lines(subject.singularities, kSingularRadius * unit, ink_on(options.background)));
+  drawing.rods.push_back(
+      {RodLook::kSolid, rods_along(subject.streamlines, kStreamlineRadius * unit, kStreamlineColour), {}});
+  if (options.creases)
+    drawing.rods.push_back(
+        {RodLook::kInk,
+         rods_along(subject.surface.creases, kCreaseRadius * unit, ink_on(options.background)),
+         {}});
+  if (options.cut) Cut(subject, options, camera).add_to(drawing);
+  return drawing;
+}
+
+}  // namespace crossgrain

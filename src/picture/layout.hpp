@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "picture/camera.hpp"
+
+namespace crossgrain {
+
+/// The parts of a picture that a drawing leaves free.
+class FreeCorners {
+ public:
+  /// `triangles` of `vertices` are drawn as `camera` sees them.
+  FreeCorners(const std::vector<Vector3>& vertices,
+              const std::vector<std::array<std::uint32_t, 3>>& triangles, const Camera& camera,
+              const PixelBox& picture);
+
+  /// The first corner (upper right, upper left, lower right, lower left) where a box of that size meets no
+  /// triangle and no earlier box; it is taken then.
+  std::optional<PixelBox> take(double width, double height);
+
+  /// What is taken by something else.
+  void keep_free_of(const PixelBox& box) { taken_.push_back(box); }
+
+ private:
+  bool is_free(const PixelBox& box) const;
+
+  using Place = std::array<double, 2>;
+  std::vector<Place> places_;  ///< of the vertices, pixels
+  const std::vector<std::array<std::uint32_t, 3>>* triangles_;
+  PixelBox picture_;
+  std::vector<PixelBox> taken_;
+};
+
+}  // namespace crossgrain

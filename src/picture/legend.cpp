@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "picture/legend.hpp"
+
+#include <algorithm>
+
+#include "picture/font.hpp"
+
+namespace crossgrain {
+namespace {
+
+// In heights of letters.
+constexpr double kLine = 1.6, kBetweenBlocks = 1.3, kTitle = 1.75;
+constexpr double kBarHeight = 11, kBarWidth = 1.1, kMark = 0.35, kBarText = 0.7;
+constexpr double kSign = 1.9, kSignText = 0.6;
+
+std::string heading(const LegendBlock& block) {
+  return block.unit.empty() ? block.title : block.title + " [" + block.unit + "]";
+}
+
+std::string mark_text(const ColourBar& bar, const ColourScale::Mark& mark) {
+  constexpr double kAtTheEnd = 1 - 1e-6;
+  return bar.goes_on && mark.share > kAtTheEnd ? "≥ " + mark.text : mark.text;
+}
+
+}  // namespace
+
+double Legend::width() const {
+  const Font& font = Font::sans();
+  double width = 0;
+  for (const LegendBlock& block : blocks_) {
+    width = std::max(width, font.width(heading(block), size_));
+    if (block.bar) {
+      for (const ColourScale::Mark& mark : block.bar->scale.marks())
+        width =
+            std::max(width, (kBarWidth + kBarText) * size_ + font.width(mark_text(*block.bar, mark), size_));
+    }
+    for (const Sign& sign : block.signs)
+      width = std::max(width, (kSign + kSignText) * size_ + font.width(sign.text, size_));
+  }
+  return width;
+}
+
+double Legend::block_height(const LegendBlock& block) const {
+  return size_ * (kTitle + (block.bar ? kBarHeight : 0) + kLine * static_cast<double>(block.signs.size()));
+}
+
+double Legend::height() const {
+  double height = 0;
+  for (const LegendBlock& block : blocks_)
+    height += block_height(block) + (&block == &blocks_.front() ? 0 : kBetweenBlocks * size_);
+  return height;
+}
+
+void Legend::draw(Canvas& canvas, double left, double top, const Colour& ink) const {
+  const double capital = Font::sans().capital_height(size_);
+  for (const LegendBlock& block : blocks_) {
+    canvas.text(heading(block), left, top + capital, size_, ink);
+    double y = top + kTitle * size_;
+    if (block.bar) {
+      draw_bar(canvas, *block.bar, left, y, ink);
+      y += kBarHeight * size_;
+    }
+    for (const Sign& sign : block.signs) {
+      draw_sign(canvas, sign, left, y + 0.5 * capital, ink);
+      y += kLine * size_;
+    }
+    top += block_height(block) + kBetweenBlocks * size_;
+  }
+}
+
+void Legend::draw_bar(Canvas& canvas, const ColourBar& bar, double left, double top,
+                      const Colour& ink) const {
+  const double height = (kBarHeight - 1) * size_, right = left + kBarWidth * size_;
+  const double capital = Font::sans().capital_height(size_);
+  for (double y = 0; y < height; ++y)
+    canvas.fill({left, top + y, right, top + std::min(y + 1, height)}, bar.map.at(1 - (y + 0.5) / height));
+  const double thin = size_ / 16;
+  for (const double x : {left, right}) canvas.line(x, top, x, top + height, thin, ink);
+  for (const double y : {top, top + height}) canvas.line(left, y, right, y, thin, ink);
+  for (const ColourScale::Mark& mark : bar.scale.marks()) {
+    const double y = top + (1 - mark.share) * height;
+    canvas.line(right, y, right + kMark * size_, y, thin, ink);
+    canvas.text(mark_text(bar, mark), right + kBarText * size_, y + 0.5 * capital, size_, ink);
+  }
+}
+
+void Legend::draw_sign(Canvas& canvas, const Sign& sign, double left, double middle,
+                       const Colour& ink) const {
+  const double right = left + kSign * size_, centre = 0.5 * (left + right);
+  switch (sign.shape) {
+    case Sign::Shape::kLine:
+      canvas.line(left + 0.2 * size_, middle, right - 0.2 * size_, middle, 0.36 * size_, sign.colour);
+      break;
+    case Sign::Shape::kBall:
+      canvas.disc(centre, middle, 0.42 * size_, sign.colour);
+      break;
+    case Sign::Shape::kBox:
+      canvas.fill({left + 0.35 * size_, middle - 0.45 * size_, right - 0.35 * size_, middle + 0.45 * size_},
+                  sign.colour);
+      break;
+  }
+  canvas.text(sign.text, right + kSignText * size_, middle + 0.5 * Font::sans().capital_height(size_), size_,
+              ink);
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crossgrain/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analysis/field_data.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
+#include "io/output_file.hpp"
+#include "io/singularity_file.hpp"
+#include "io/streamline_file.hpp"
+#include "io/surface_file.hpp"
+#include "picture/axis_cross.hpp"
+#include "picture/canvas.hpp"
+#include "picture/cell_colours.hpp"
+#include "picture/field_drawing.hpp"
+#include "picture/layout.hpp"
+#include "picture/legend.hpp"
+#include "picture/png_file.hpp"
+#include "picture/renderer.hpp"
+#include "picture/singular_lines.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr int kLeastSide = 64, kLargestSide = 10000;
+constexpr double kMostPixels = 64e6;
+
+void check(bool sound, const std::string& message) {
+  if (!sound) throw Error(ErrorKind::kUsage, message);
+}
+
+void check_options(const PictureOptions& options) {
+  const auto is_side = [](int pixels) { return pixels >= kLeastSide && pixels <= kLargestSide; };
+  check(is_side(options.width) && is_side(options.height) &&
+            static_cast<double>(options.width) * options.height <= kMostPixels,
+        fmt::format("a picture of {} x {} pixels; choose {} to {} each, and 64 million in all at most",
+                    options.width, options.height, kLeastSide, kLargestSide));
+  check(std::isfinite(options.azimuth_deg) && std::abs(options.elevation_deg) <= 90,
+        "a view from there; choose an elevation from -90 to 90 degrees");
+  check(options.up_axis >= 0 && options.up_axis <= 2, "no axis points up; choose 0 to 2");
+  check(options.frame_spacing >= 4 && options.frame_spacing <= 1000,
+        "frames that far apart; choose 4 to 1000 pixels");
+  check(!options.opacity || (*options.opacity >= 0 && *options.opacity <= 1),
+        "an opacity that is none; choose 0 to 1");
+  check(!options.cut || (options.cut->axis >= 0 && options.cut->axis <= 2),
+        "a cut across no axis; choose 0 to 2");
+  if (!options.range) return;
+  const auto& [low, high] = *options.range;
+  check(options.colour == PictureColour::kAlignment || options.colour == PictureColour::kEnergy,
+        "a colour scale where there is none; choose colours by alignment or energy");
+  check(std::isfinite(low) && std::isfinite(high) && low < high &&
+            (low > 0 || options.colour == PictureColour::kAlignment),
+        "the colour scale has no such range; give the lower end first, above 0 of energy");
+}
+
+std::shared_ptr<const SolvedSurface> surface_of(const FieldData& field, const std::filesystem::path& folder) {
+  auto surface = field.surface.get();
+  if (!surface)
+    throw Error(ErrorKind::kInput, (folder / kSurfaceFile).string() +
+                                       ": is not there, as earlier versions did not write it; solve again");
+  if (surface->triangles.empty())
+    throw Error(ErrorKind::kInput, (folder / kSurfaceFile).string() + ": has no triangles; solve again");
+  return surface;
+}
+
+std::vector<std::vector<Vector3>> streamlines_in(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / kStreamlinesFile;
+  if (!std::filesystem::exists(path))
+    throw Error(ErrorKind::kInput,
+                path.string() + ": is not there; trace lines with 'crossgrain streamlines' first");
+  return read_streamline_points(path);
+}
+
+/// Where the part, the legend and the axes are.
+struct Layout {
+  double text_size, margin;
+  std::optional<Camera> camera;
+  std::optional<PixelBox> legend, axes;
+
+  /// The part fills the picture, with the legend in a corner that it leaves free; where there is none the
+  /// part makes way, and where the legend would take half of the picture there is none.
+  Layout(const PictureOptions& options, const SolvedSurface& surface,
+         const std::vector<LegendBlock>& blocks) {
+    text_size = std::max(21 * std::min(options.width, options.height) / 1200.0, 10.0);
+    margin = 1.5 * text_size;
+    std::vector<Vector3> seen;
+    for (const auto& corners : surface.triangles)
+      for (const std::uint32_t vertex : corners) seen.push_back(surface.vertices[vertex]);
+    const ViewDirection direction{options.azimuth_deg, options.elevation_deg, options.up_axis};
+    const PixelBox whole{0, 0, static_cast<double>(options.width), static_cast<double>(options.height)};
+    camera.emplace(direction, seen, whole);
+    if (!options.legend) return;
+
+    const Legend measured(blocks, text_size);
+    const double width = measured.width() + 2 * margin, height = measured.height() + 2 * margin;
+    const double axes_size = 6 * text_size;
+    const bool is_wanted = !blocks.empty() && width < whole.width() / 2 && height < whole.height();
+    const bool has_axes = axes_size < std::min(whole.width(), whole.height()) / 4;
+    FreeCorners corners(surface.vertices, surface.triangles, *camera, whole);
+    if (is_wanted) legend = corners.take(width, height);
+    if (is_wanted && !legend) {
+      PixelBox rest = whole;
+      rest.right -= width - margin;
+      camera.emplace(direction, seen, rest);
+      legend = PixelBox{whole.right - width, 0, whole.right, height};
+      corners = FreeCorners(surface.vertices, surface.triangles, *camera, whole);
+      corners.keep_free_of(*legend);
+    }
+    if (has_axes) axes = corners.take(axes_size, axes_size);
+  }
+};
+
+void draw_legend(const std::vector<LegendBlock>& blocks, const Layout& layout, const PictureOptions& options,
+                 Image& image) {
+  Canvas canvas(image);
+  const Colour ink = ink_on(options.background);
+  if (layout.legend)
+    Legend(blocks, layout.text_size)
+        .draw(canvas, layout.legend->left + layout.margin, layout.legend->top + layout.margin, ink);
+  if (!layout.axes) return;
+  draw_axis_cross(canvas, layout.camera->axes(), 0.5 * (layout.axes->left + layout.axes->right),
+                  0.5 * (layout.axes->top + layout.axes->bottom), 0.32 * layout.axes->width(), ink);
+}
+
+std::vector<LegendBlock> legend_blocks(const CellColours& colours, const SingularityGraph& graph,
+                                       const PictureOptions& options) {
+  std::vector<LegendBlock> blocks;
+  if (!options.legend) return blocks;
+  if (const auto block = colours.legend()) blocks.push_back(*block);
+  if (options.lines)
+    if (const auto block = legend_of(graph, ink_on(options.background))) blocks.push_back(*block);
+  if (options.streamlines) {
+    LegendBlock block{"Streamlines"};
+    block.signs.push_back({Sign::Shape::kLine, kStreamlineColour, "along an axis"});
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
+}  // namespace
+
+void set_view(PictureOptions& options, const std::string& name) {
+  struct View {
+    const char* name;
+    double azimuth_deg, elevation_deg;
+  };
+  const PictureOptions defaults;
+  const std::array<View, 7> views{{{"iso", defaults.azimuth_deg, defaults.elevation_deg},
+                                   {"front", -90, 0},
+                                   {"back", 90, 0},
+                                   {"left", 180, 0},
+                                   {"right", 0, 0},
+                                   {"top", -90, 90},
+                                   {"bottom", -90, -90}}};
+  for (const View& view : views) {
+    if (name != view.name) continue;
+    options.azimuth_deg = view.azimuth_deg;
+    options.elevation_deg = view.elevation_deg;
+    return;
+  }
+  throw Error(ErrorKind::kUsage,
+              "'" + name + "' is no view; choose iso, front, back, left, right, top or bottom");
+}
+
+void render_picture(const std::filesystem::path& folder, const std::filesystem::path& picture,
+                    const PictureOptions& options, const Monitor& monitor) {
+  check_options(options);
+  OutputFile file(picture);
+  const FrameField field = read_field(folder);
+  const FieldData& data = field.data();
+  const auto surface = surface_of(data, folder);
+  const SingularityGraph graph = read_singularities(folder / "singularities.vtu");
+  monitor.check();
+
+  const CellColours colours(data, options, (folder / "field.vtu").string());
+  const std::vector<LegendBlock> blocks = legend_blocks(colours, graph, options);
+  const Layout layout(options, *surface, blocks);
+  const Camera& camera = *layout.camera;
+  std::vector<std::vector<Vector3>> streamlines;
+  if (options.streamlines) streamlines = streamlines_in(folder);
+  const Drawing drawing = field_drawing({data, *surface, graph, colours, streamlines}, options, camera);
+
+  const bool is_transparent = options.background == PictureBackground::kTransparent;
+  Image image(options.width, options.height,
+              is_transparent ? Pixel{} : pixel_of(paper_of(options.background)));
+  RenderOptions render_options;
+  render_options.haze = paper_of(options.background);
+  if (options.background == PictureBackground::kDark) render_options.haze_share *= 0.5f;  // dark hides more
+  render(drawing, camera, render_options, image, monitor);
+  if (options.legend) draw_legend(blocks, layout, options, image);
+  write_png(file, image, monitor);
+  file.commit();
+}
+
+}  // namespace crossgrain

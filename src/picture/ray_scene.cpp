@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "picture/ray_scene.hpp"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <new>
+#include <tuple>
+
+#include "crossgrain/thread_limit.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr const char* kEveryProcessor = "isa=sse2";
+
+/// Distances of one place, in ray space, whose shapes are about 1 large: rounding of single precision.
+constexpr float kSameDistance = 1e-6f;
+
+/// What the filter below fills.
+struct CollectingContext {
+  RTCIntersectContext embree;  // first, so that a pointer to it is one to the whole
+  std::vector<RayHit>* hits;
+};
+
+/// Notes every triangle down that a ray meets, and lets the ray go on.
+void collect(const RTCFilterFunctionNArguments* arguments) {
+  auto* context = reinterpret_cast<CollectingContext*>(arguments->context);
+  const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
+  const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
+  context->hits->push_back(
+      {ray->tfar, hit->geomID, hit->primID, hit->u, hit->v, {hit->Ng_x, hit->Ng_y, hit->Ng_z}});
+  arguments->valid[0] = 0;
+}
+
+/// A part of a rod.
+struct RodPiece {
+  Vector3 from, to;
+  std::uint32_t rod;
+};
+
+/// Long rods are cut up: the box around one that runs askew is almost empty, and every ray through it would
+/// ask for the rod.
+void add_pieces(const Rod& rod, std::uint32_t number, std::vector<RodPiece>& pieces) {
+  constexpr double kLongest = 24, kMostPieces = 512;  // in radii
+  const double wanted = std::ceil(norm(rod.to - rod.from) / (kLongest * rod.radius));
+  const int count = static_cast<int>(std::clamp(wanted, 1.0, kMostPieces));
+  const Vector3 step = (1.0 / count) * (rod.to - rod.from);
+  for (int i = 0; i < count; ++i)
+    pieces.push_back({rod.from + static_cast<double>(i) * step,
+                      i + 1 == count ? rod.to : rod.from + (i + 1.0) * step, number});
+}
+
+RTCRayHit embree_ray(const Ray& ray) {
+  RTCRayHit out{};
+  out.ray.org_x = static_cast<float>(ray.origin[0]);
+  out.ray.org_y = static_cast<float>(ray.origin[1]);
+  out.ray.org_z = static_cast<float>(ray.origin[2]);
+  out.ray.dir_x = static_cast<float>(ray.direction[0]);
+  out.ray.dir_y = static_cast<float>(ray.direction[1]);
+  out.ray.dir_z = static_cast<float>(ray.direction[2]);
+  out.ray.tnear = static_cast<float>(ray.nearest);
+  out.ray.tfar = static_cast<float>(ray.farthest);
+  out.ray.mask = ~0u;
+  out.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  return out;
+}
+
+bool faces_viewer(const RayHit& hit, const Ray& ray) {
+  return hit.normal[0] * ray.direction[0] + hit.normal[1] * ray.direction[1] +
+             hit.normal[2] * ray.direction[2] <
+         0;
+}
+
+}  // namespace
+
+struct RayScene::Embree {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  std::uint32_t shapes = 0;
+  bool is_empty = true;
+  std::map<std::uint32_t, std::vector<RodPiece>> pieces;  ///< of the shapes that are rods
+
+  ~Embree() {
+    if (scene) rtcReleaseScene(scene);
+    if (device) rtcReleaseDevice(device);
+  }
+
+  /// Fills a buffer of `geometry` with rows of T.
+  template <class T>
+  T* buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t rows) {
+    void* memory = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), rows);
+    if (!memory) throw std::bad_alloc();
+    return static_cast<T*>(memory);
+  }
+
+  /// A shape without content has its number all the same.
+  void pass_over() { ++shapes; }
+
+  void add(RTCGeometry geometry) {
+    is_empty = false;
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, shapes++);
+    rtcReleaseGeometry(geometry);
+  }
+};
+
+RayScene::RayScene(const RaySpace& space) : space_(space), embree_(std::make_unique<Embree>()) {
+  embree_->device = rtcNewDevice(kEveryProcessor);
+  if (!embree_->device) throw std::bad_alloc();
+  embree_->scene = rtcNewScene(embree_->device);
+  rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+}
+
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+
+void RayScene::add_triangles(const std::vector<Vector3>& vertices,
+                             const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  if (triangles.empty()) return embree_->pass_over();
+  RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  using Place = std::array<float, 3>;
+  auto* places = embree_->buffer<Place>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, vertices.size());
+  for (const Vector3& vertex : vertices) {
+    const Vector3 place = space_.from_model(vertex);
+    *places++ = {static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2])};
+  }
+  using Corners = std::array<std::uint32_t, 3>;
+  std::copy(triangles.begin(), triangles.end(),
+            embree_->buffer<Corners>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, triangles.size()));
+  embree_->add(geometry);
+}
+
+void RayScene::add_rods(const std::vector<Rod>& rods) {
+  std::vector<RodPiece>& pieces = embree_->pieces[embree_->shapes];
+  for (std::size_t i = 0; i < rods.size(); ++i) add_pieces(rods[i], static_cast<std::uint32_t>(i), pieces);
+  if (pieces.empty()) return embree_->pass_over();
+  RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
+  using End = std::array<float, 4>;  // place and radius
+  auto* ends = embree_->buffer<End>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, 2 * pieces.size());
+  auto* first =
+      embree_->buffer<std::uint32_t>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto radius = static_cast<float>(rods[pieces[i].rod].radius / space_.size);
+    for (const Vector3& end : {pieces[i].from, pieces[i].to}) {
+      const Vector3 place = space_.from_model(end);
+      *ends++ = {static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2]),
+                 radius};
+    }
+    *first++ = static_cast<std::uint32_t>(2 * i);
+  }
+  embree_->add(geometry);
+}
+
+void RayScene::add_balls(const std::vector<Ball>& balls) {
+  if (balls.empty()) return embree_->pass_over();
+  RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+  using Sphere = std::array<float, 4>;
+  auto* spheres = embree_->buffer<Sphere>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, balls.size());
+  for (const Ball& ball : balls) {
+    const Vector3 place = space_.from_model(ball.centre);
+    *spheres++ = {static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2]),
+                  static_cast<float>(ball.radius / space_.size)};
+  }
+  embree_->add(geometry);
+}
+
+void RayScene::commit() {
+  const ThreadLimit one_thread(1);
+  rtcCommitScene(embree_->scene);
+  if (rtcGetDeviceError(embree_->device) != RTC_ERROR_NONE) throw std::bad_alloc();
+}
+
+bool RayScene::first_hit(const Ray& ray, RayHit& hit) const {
+  if (embree_->is_empty) return false;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit cast = embree_ray(ray);
+  rtcIntersect1(embree_->scene, &context, &cast);
+  if (cast.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+  hit = {cast.ray.tfar, cast.hit.geomID, cast.hit.primID,
+         cast.hit.u,    cast.hit.v,      {cast.hit.Ng_x, cast.hit.Ng_y, cast.hit.Ng_z}};
+  const auto rods = embree_->pieces.find(hit.shape);
+  if (rods != embree_->pieces.end()) hit.primitive = rods->second[hit.primitive].rod;
+  return true;
+}
+
+void RayScene::all_hits(const Ray& ray, std::vector<RayHit>& hits) const {
+  hits.clear();
+  if (embree_->is_empty) return;
+  CollectingContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.embree.filter = collect;
+  context.hits = &hits;
+  RTCRayHit cast = embree_ray(ray);
+  rtcIntersect1(embree_->scene, &context.embree, &cast);
+  if (hits.size() < 2) return;
+  std::sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) {
+    return std::tie(a.distance, a.shape, a.primitive) < std::tie(b.distance, b.shape, b.primitive);
+  });
+  const auto is_repeated = [&](const RayHit& a, const RayHit& b) {
+    return a.shape == b.shape && b.distance - a.distance < kSameDistance &&
+           faces_viewer(a, ray) == faces_viewer(b, ray);
+  };
+  hits.erase(std::unique(hits.begin(), hits.end(), is_repeated), hits.end());
+}
+
+}  // namespace crossgrain

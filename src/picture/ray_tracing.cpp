@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "picture/ray_tracing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossgrain {
+namespace {
+
+/// Rays begin so far before the nearest point, in ray space: rods and balls stand out of the model.
+constexpr double kHeadStart = 0.25;
+
+/// Behind so much nothing is seen.
+constexpr float kOpaque = 0.996f;
+
+RaySpace space_around(const Drawing& drawing) {
+  Vector3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  const auto take = [&](const Vector3& point) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], point[k]);
+      high[k] = std::max(high[k], point[k]);
+    }
+  };
+  for (const DrawnMesh& mesh : drawing.meshes)
+    for (const Vector3& vertex : mesh.vertices) take(vertex);
+  for (const DrawnRods& rods : drawing.rods) {
+    for (const Rod& rod : rods.rods) take(rod.from), take(rod.to);
+    for (const Ball& ball : rods.balls) take(ball.centre);
+  }
+  if (!(low[0] <= high[0])) return {};
+  const double size = norm(high - low);
+  return {0.5 * (low + high), size > 0 ? size : 1};
+}
+
+/// Numbers of what layers are, from one to the next.
+std::uint32_t signature_with(std::uint32_t signature, std::uint32_t kind) {
+  return (signature ^ (kind + 1)) * 0x9e3779b1u;
+}
+
+/// Positive where a ray comes out of what a mesh bounds.
+double along(const RayHit& hit, const Ray& ray) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += static_cast<double>(hit.normal[k]) * ray.direction[k];
+  return sum;
+}
+
+SeenNormal turned_to_viewer(const SeenNormal& normal, bool is_seen_from_behind) {
+  return is_seen_from_behind ? SeenNormal{-normal[0], -normal[1], -normal[2]} : normal;
+}
+
+}  // namespace
+
+void RayTracing::Shapes::add(const DrawnMesh& mesh) {
+  meshes.add_triangles(mesh.vertices, mesh.triangles);
+  drawn_meshes.push_back(&mesh);
+}
+
+void RayTracing::Shapes::add(const DrawnRods& drawn) {
+  rods.add_rods(drawn.rods);
+  rods.add_balls(drawn.balls);
+  drawn_rods.push_back(&drawn);
+}
+
+/// The layers so far.
+class RayTracing::Layers {
+ public:
+  void add(const Pixel& layer, std::uint32_t kind) {
+    seen_ = {over(seen_.pixel, layer), signature_with(seen_.signature, kind)};
+  }
+
+  /// A rod, which is seen through what is in front of it to `least` at least.
+  void add_rod(const Colour& colour, float least) {
+    Pixel& front = seen_.pixel;
+    if (1 - front.opacity < least) {
+      front.colour = ((1 - least) / front.opacity) * front.colour;
+      front.opacity = 1 - least;
+    }
+    add(pixel_of(colour), 3);
+  }
+
+  bool is_opaque() const { return seen_.pixel.opacity > kOpaque; }
+  const Seen& seen() const { return seen_; }
+
+ private:
+  Seen seen_;
+};
+
+RayTracing::RayTracing(const Drawing& drawing, const Camera& camera, const RenderOptions& options)
+    : drawing_(drawing),
+      camera_(camera),
+      options_(options),
+      space_(space_around(drawing)),
+      cut_(space_),
+      whole_(space_),
+      ghosts_(space_) {
+  for (const DrawnMesh& mesh : drawing.meshes) (mesh.is_whole ? whole_ : cut_).add(mesh);
+  for (const DrawnRods& rods : drawing.rods) (rods.is_whole ? whole_ : cut_).add(rods);
+  if (drawing.section) ghosts_.add_rods(drawing.section->ghosts);
+  for (RayScene* scene : {&cut_.meshes, &cut_.rods, &whole_.meshes, &whole_.rods, &ghosts_}) scene->commit();
+  first_depth_ = kHeadStart;
+  last_depth_ = kHeadStart + (camera.nearest() - camera.farthest()) / space_.size;
+}
+
+Ray RayTracing::ray_at(double x, double y) const {
+  const ViewAxes& axes = camera_.axes();
+  const Vector3 point =
+      camera_.point_at(x, y) + (camera_.nearest() + kHeadStart * space_.size) * axes.towards;
+  return {space_.from_model(point), -axes.towards};
+}
+
+RayTracing::Seen RayTracing::at(double x, double y, Scratch& scratch) const {
+  const Ray whole = ray_at(x, y);
+  Ray cut = whole;
+  if (drawing_.section) {
+    const Section& section = *drawing_.section;
+    const Vector3 origin = space_.to_model(whole.origin);
+    cut.nearest =
+        (section.offset - dot(section.normal, origin)) / (space_.size * dot(section.normal, whole.direction));
+    cut.nearest = std::max(cut.nearest, 0.0);
+  }
+  const auto rod = nearest_rod(cut, whole);
+  const float rod_distance = rod ? rod->hit.distance : INFINITY;
+  cut_.meshes.all_hits(cut, scratch.cut_hits);
+  whole_.meshes.all_hits(whole, scratch.whole_hits);
+
+  Layers layers;
+  if (drawing_.section) {
+    Ray taken_away = whole;
+    taken_away.farthest = cut.nearest;
+    RayHit ghost;
+    if (ghosts_.first_hit(taken_away, ghost))
+      layers.add(pixel_of(drawing_.section->ghosts[ghost.primitive].colour, drawing_.section->ghost_opacity),
+                 0);
+  }
+  auto next_whole = scratch.whole_hits.begin();
+  const auto add_whole_before = [&](float distance) {
+    for (; next_whole != scratch.whole_hits.end() && next_whole->distance < distance; ++next_whole)
+      layers.add(mesh_pixel(*whole_.drawn_meshes[next_whole->shape], *next_whole, whole), 1);
+  };
+  const auto plane = static_cast<float>(cut.nearest);
+  add_whole_before(std::min(plane, rod_distance));
+  if (drawing_.section && !layers.is_opaque() && plane <= rod_distance) {
+    const Vector3 place = space_.to_model(cut.origin + cut.nearest * cut.direction);
+    const auto colour = drawing_.section->colour_at(place, is_enclosed(scratch.cut_hits, cut));
+    if (colour) layers.add(pixel_of(*colour), 2);
+  }
+  for (const RayHit& hit : scratch.cut_hits) {
+    if (layers.is_opaque() || hit.distance > rod_distance) break;
+    add_whole_before(hit.distance);
+    const DrawnMesh& mesh = *cut_.drawn_meshes[hit.shape];
+    if (mesh.has_front_only && along(hit, cut) > 0) continue;
+    layers.add(mesh_pixel(mesh, hit, cut), 4 + hit.shape);
+  }
+  add_whole_before(rod_distance);
+  if (rod && !layers.is_opaque())
+    layers.add_rod(rod_colour(*rod), rod->rods->look == RodLook::kSolid ? options_.least_seen_through : 0);
+  return layers.seen();
+}
+
+std::optional<RayTracing::RodHit> RayTracing::nearest_rod(const Ray& cut, const Ray& whole) const {
+  RayHit of_cut, of_whole;
+  const bool meets_cut = cut_.rods.first_hit(cut, of_cut);
+  const bool meets_whole = whole_.rods.first_hit(whole, of_whole);
+  if (meets_whole && (!meets_cut || of_whole.distance < of_cut.distance))
+    return RodHit{of_whole, whole_.drawn_rods[of_whole.shape / 2]};
+  if (meets_cut) return RodHit{of_cut, cut_.drawn_rods[of_cut.shape / 2]};
+  return std::nullopt;
+}
+
+/// Whether the beginning of a ray is inside, by how often it comes out of the solid and goes in.
+bool RayTracing::is_enclosed(const std::vector<RayHit>& hits, const Ray& ray) const {
+  int winding = 0;
+  for (const RayHit& hit : hits) {
+    if (!cut_.drawn_meshes[hit.shape]->bounds_solid) continue;
+    winding += along(hit, ray) > 0 ? 1 : -1;
+  }
+  return winding > 0;
+}
+
+Vector3 RayTracing::place_of(const RayHit& hit, const Ray& ray) const {
+  return space_.to_model(ray.origin + static_cast<double>(hit.distance) * ray.direction);
+}
+
+SeenNormal RayTracing::seen_normal(const std::array<float, 3>& normal) const {
+  const Vector3 wide{normal[0], normal[1], normal[2]};
+  const double length = norm(wide);
+  if (!(length > 0)) return {0, 0, 1};
+  const ViewAxes& axes = camera_.axes();
+  return {static_cast<float>(dot(wide, axes.right) / length), static_cast<float>(dot(wide, axes.up) / length),
+          static_cast<float>(dot(wide, axes.towards) / length)};
+}
+
+Pixel RayTracing::mesh_pixel(const DrawnMesh& mesh, const RayHit& hit, const Ray& ray) const {
+  const SeenNormal flat = seen_normal(hit.normal);
+  SeenNormal normal = flat;
+  if (!mesh.corner_normals.empty()) {
+    const auto& corners = mesh.corner_normals[hit.primitive];
+    std::array<float, 3> blended;
+    for (std::size_t k = 0; k < 3; ++k)
+      blended[k] = (1 - hit.u - hit.v) * corners[0][k] + hit.u * corners[1][k] + hit.v * corners[2][k];
+    normal = seen_normal(blended);
+  }
+  normal = turned_to_viewer(normal, flat[2] < 0);
+  Colour colour = mesh.colour;
+  if (mesh.colour_at) {
+    const Vector3 wide{hit.normal[0], hit.normal[1], hit.normal[2]};
+    colour = mesh.colour_at({place_of(hit, ray), normalised(wide), hit.primitive});
+  }
+  const float aside = 1 - std::clamp(normal[2], 0.0f, 1.0f);
+  const float opacity = mesh.opacity + (mesh.grazing_opacity - mesh.opacity) * aside * aside * aside;
+  const Colour lit = std::min(0.22f + 0.86f * brightness(normal), 1.0f) * colour;
+  return pixel_of(mix(lit, options_.haze, options_.haze_share * depth_share(hit.distance)), opacity);
+}
+
+Colour RayTracing::rod_colour(const RodHit& rod) const {
+  const std::uint32_t i = rod.hit.primitive;
+  const Colour colour = rod.hit.shape % 2 == 0 ? rod.rods->rods[i].colour : rod.rods->balls[i].colour;
+  const Colour lit =
+      rod.rods->look == RodLook::kInk ? colour : solid_shade(colour, seen_normal(rod.hit.normal));
+  return mix(lit, options_.haze, options_.haze_share * depth_share(rod.hit.distance));
+}
+
+float RayTracing::depth_share(float distance) const {
+  const double share = (distance - first_depth_) / std::max(last_depth_ - first_depth_, 1e-6);
+  return static_cast<float>(std::clamp(share, 0.0, 1.0));
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is seen at a point of a picture: the layers along one ray, laid over one another.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "picture/camera.hpp"
+#include "picture/drawing.hpp"
+#include "picture/ray_scene.hpp"
+#include "picture/renderer.hpp"
+#include "picture/shading.hpp"
+
+namespace crossgrain {
+
+/// Casts rays at a drawing, which it refers to. To be used from any number of threads, each with lists of its
+/// own.
+class RayTracing {
+ public:
+  /// What a thread needs from ray to ray.
+  struct Scratch {
+    std::vector<RayHit> cut_hits, whole_hits;
+  };
+
+  struct Seen {
+    Pixel pixel;
+
+    /// Of what the layers are: where it changes an edge runs between two rays.
+    std::uint32_t signature = 0;
+  };
+
+  RayTracing(const Drawing& drawing, const Camera& camera, const RenderOptions& options);
+
+  /// At a point of the picture, in pixels.
+  Seen at(double x, double y, Scratch& scratch) const;
+
+ private:
+  /// The meshes, or the rods and balls, that a section cuts or leaves whole.
+  struct Shapes {
+    explicit Shapes(const RaySpace& space) : meshes(space), rods(space) {}
+    void add(const DrawnMesh& mesh);
+    void add(const DrawnRods& rods);
+
+    RayScene meshes, rods;
+    std::vector<const DrawnMesh*> drawn_meshes;  ///< a shape each
+    std::vector<const DrawnRods*> drawn_rods;    ///< two shapes each: rods, balls
+  };
+
+  struct RodHit {
+    RayHit hit;
+    const DrawnRods* rods;
+  };
+
+  Ray ray_at(double x, double y) const;
+  std::optional<RodHit> nearest_rod(const Ray& cut, const Ray& whole) const;
+  bool is_enclosed(const std::vector<RayHit>& hits, const Ray& ray) const;
+  Pixel mesh_pixel(const DrawnMesh& mesh, const RayHit& hit, const Ray& ray) const;
+  Colour rod_colour(const RodHit& rod) const;
+  Vector3 place_of(const RayHit& hit, const Ray& ray) const;
+  SeenNormal seen_normal(const std::array<float, 3>& normal) const;
+  float depth_share(float distance) const;
+
+  /// What is seen along one ray so far.
+  class Layers;
+
+  const Drawing& drawing_;
+  const Camera& camera_;
+  RenderOptions options_;
+  RaySpace space_;
+  Shapes cut_, whole_;
+  RayScene ghosts_;
+  double first_depth_, last_depth_;  ///< distances along a ray of the nearest and the farthest of the model
+};
+
+}  // namespace crossgrain

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crossgrain/picture.hpp"
+
+#include <set>
+
+#include "base/parallel.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
+#include "crossgrain/solve.hpp"
+#include "io/temporary_folder.hpp"
+#include "picture/read_png.hpp"
+#include "support/shapes.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// The folder of a small field, solved once.
+const std::filesystem::path& solved_folder() {
+  static const TemporaryFolder folder;
+  static const bool is_solved = [] {
+    SolveOptions options;
+    options.resolution = 16;
+    write_field(solve(make_bracket(16), options), folder.path());
+    return true;
+  }();
+  (void)is_solved;
+  return folder.path();
+}
+
+class Picture : public testing::Test {
+ protected:
+  Picture() { options.width = 200, options.height = 150; }
+
+  std::filesystem::path drawn(const char* name) {
+    render_picture(solved_folder(), folder.path() / name, options);
+    return folder.path() / name;
+  }
+
+  ErrorKind error() {
+    try {
+      render_picture(solved_folder(), folder.path() / "none.png", options);
+    } catch (const Error& error) {
+      EXPECT_EQ(folder.names(), std::vector<std::string>{});
+      return error.kind();
+    }
+    ADD_FAILURE() << "no error";
+    return ErrorKind::kInterrupted;
+  }
+
+  TemporaryFolder folder;
+  PictureOptions options;
+};
+
+TEST_F(Picture, HasTheSizeThatIsAskedForAndTheBackgroundInItsCorners) {
+  const ReadPng read = read_png(drawn("a.png"));
+  EXPECT_EQ(read.width, 200);
+  EXPECT_EQ(read.height, 150);
+  EXPECT_EQ(read.at(1, 148), (std::array{255, 255, 255, 255}));
+  options.background = PictureBackground::kTransparent;
+  EXPECT_EQ(read_png(drawn("b.png")).at(1, 148)[3], 0);
+  options.background = PictureBackground::kDark;
+  EXPECT_LT(read_png(drawn("c.png")).at(1, 148)[0], 40);
+}
+
+TEST_F(Picture, HasTheSameBytesOnAnyNumberOfThreads) {
+  options.cut = PictureOptions::Cut{1, std::nullopt};
+  options.colour = PictureColour::kEnergy;
+  std::set<std::string> contents;
+  for (const int threads : {1, 2, 3}) {
+    const ThreadLimit limit(threads);
+    contents.insert(content_of(drawn("a.png")));
+  }
+  EXPECT_EQ(contents.size(), 1u);
+}
+
+TEST_F(Picture, IsAnotherFromEverySide) {
+  std::set<std::string> contents;
+  for (const char* view : {"iso", "front", "back", "left", "right", "top", "bottom"}) {
+    set_view(options, view);
+    contents.insert(content_of(drawn("a.png")));
+  }
+  EXPECT_EQ(contents.size(), 7u);
+}
+
+TEST_F(Picture, IsAnotherForEveryOption) {
+  std::set<std::string> contents{content_of(drawn("a.png"))};
+  const auto with = [&](const auto& change) {
+    const PictureOptions before = options;
+    change();
+    contents.insert(content_of(drawn("a.png")));
+    options = before;
+  };
+  with([&] { options.colour = PictureColour::kAlignment; });
+  with([&] { options.colour = PictureColour::kEnergy; });
+  with([&] { options.colour = PictureColour::kConstraint; });
+  with([&] { options.cut = PictureOptions::Cut{0, std::nullopt}; });
+  with([&] { options.cut = PictureOptions::Cut{2, std::nullopt}, options.frames = PictureFrames::kCrosses; });
+  with([&] { options.cut = PictureOptions::Cut{2, std::nullopt}, options.frames = PictureFrames::kNone; });
+  with([&] { options.lines = false; });
+  with([&] { options.creases = false; });
+  with([&] { options.opacity = 0.5; });
+  with([&] { options.up_axis = 1; });
+  EXPECT_EQ(contents.size(), 11u);
+}
+
+TEST_F(Picture, HasALegendWhereThereIsRoomForOne) {
+  const std::string small = content_of(drawn("a.png"));
+  options.legend = false;
+  EXPECT_EQ(content_of(drawn("a.png")), small) << "letters would take half of it";
+  options.width = 800, options.height = 600;
+  const std::string without = content_of(drawn("a.png"));
+  options.legend = true;
+  EXPECT_NE(content_of(drawn("a.png")), without);
+}
+
+TEST_F(Picture, OfWrongSizesViewsAndCutsIsRefused) {
+  const auto refused = [&](const auto& change) {
+    const PictureOptions before = options;
+    change();
+    EXPECT_EQ(error(), ErrorKind::kUsage);
+    options = before;
+  };
+  refused([&] { options.width = 63; });
+  refused([&] { options.height = 10001; });
+  refused([&] { options.width = options.height = 9000; });
+  refused([&] { options.elevation_deg = 91; });
+  refused([&] { options.azimuth_deg = NAN; });
+  refused([&] { options.cut = PictureOptions::Cut{1, 1e6}; });
+  refused([&] { options.cut = PictureOptions::Cut{3, std::nullopt}; });
+  refused([&] { set_view(options, "front"), options.cut = PictureOptions::Cut{0, std::nullopt}; });
+  refused([&] { options.range = {0, 1}; });
+  refused([&] { options.range = {0, 1}, options.colour = PictureColour::kEnergy; });
+  EXPECT_THROW(set_view(options, "inside"), Error);
+}
+
+TEST_F(Picture, NeedsTheSurface) {
+  const TemporaryFolder other;
+  std::filesystem::copy(solved_folder(), other.path() / "field");
+  std::filesystem::remove(other.path() / "field" / "surface.vtu");
+  try {
+    render_picture(other.path() / "field", folder.path() / "a.png", options);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kInput);
+    EXPECT_NE(std::string(error.what()).find("surface.vtu"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("solve again"), std::string::npos);
+  }
+}
+
+TEST_F(Picture, LeavesNothingWhereItIsCancelled) {
+  Monitor monitor;
+  monitor.cancel();
+  EXPECT_THROW(render_picture(solved_folder(), folder.path() / "a.png", options, monitor), Error);
+  EXPECT_EQ(folder.names(), std::vector<std::string>{});
+}
+
+TEST_F(Picture, OfPartOfAFieldIsDrawnToo) {
+  const FrameField field = read_field(solved_folder());
+  const Box box = field.report().model.bounding_box;
+  const TemporaryFolder other;
+  OutputOptions part;
+  part.clip = Box{box.low, 0.5 * (box.low + box.high)};
+  write_field(field, other.path(), {}, part);
+  options.colour = PictureColour::kConstraint;
+  options.cut = PictureOptions::Cut{1, std::nullopt};
+  render_picture(other.path(), folder.path() / "a.png", options);
+  EXPECT_EQ(read_png(folder.path() / "a.png").width, 200);
+}
+
+}  // namespace
+}  // namespace crossgrain
