@@ -25,7 +25,8 @@ namespace {
 
 constexpr const char* kFooter =
     "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 output cannot be written;\n"
-    "5 no convergence or out of a stated limit; 130 interrupted.";
+    "5 no convergence or out of a stated limit; 130 interrupted: Ctrl-C ends a solve with\n"
+    "the last level that is finished, a second one with nothing written.";
 
 void add_degree(CLI::App& command, Degree& degree) {
   command
@@ -443,6 +444,20 @@ CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
   return command;
 }
 
+CLI::App* add_view(CLI::App& app, ViewArguments& arguments) {
+  CLI::App* command = app.add_subcommand(
+      "view", "Shows the page of a field in a browser, until Ctrl-C; to this machine only");
+  constexpr int kMostPort = 65535;
+  command->add_option("DIR", arguments.folder, "The folder that 'crossgrain solve' wrote")
+      ->required()
+      ->type_name("");
+  command->add_option("--port", arguments.port, "Port on 127.0.0.1 (default: a free one)")
+      ->check(CLI::Range(1, kMostPort))
+      ->type_name("N");
+  command->add_flag("--no-browser", arguments.no_browser, "Start no browser, only print the address");
+  return command;
+}
+
 [[noreturn]] void refuse(const std::string& message, const CLI::App* command) {
   std::string line = message.substr(0, message.find_last_not_of('\n') + 1);
   std::replace(line.begin(), line.end(), '\n', ' ');
@@ -513,12 +528,14 @@ Arguments parse_arguments(int argc, char** argv) {
   CheckArguments check;
   StreamlinesArguments streamlines;
   RenderArguments render;
+  ViewArguments view;
   const CLI::App* solve_command = add_solve(app, solve);
   const CLI::App* sample_command = add_sample(app, sample);
   const CLI::App* spectrum_command = add_spectrum(app, spectrum);
   const CLI::App* check_command = add_check(app, check);
   const CLI::App* streamlines_command = add_streamlines(app, streamlines);
   const CLI::App* render_command = add_render(app, render);
+  const CLI::App* view_command = add_view(app, view);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -535,6 +552,10 @@ Arguments parse_arguments(int argc, char** argv) {
   }
   if (*sample_command) return sample;
   if (*check_command) return check;
+  if (*view_command) {
+    if (view.folder.empty()) refuse("DIR is empty", view_command);
+    return view;
+  }
   if (*streamlines_command) {
     check_arguments(streamlines, streamlines_command);
     return streamlines;

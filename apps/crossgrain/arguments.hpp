@@ -62,13 +62,19 @@ struct CheckArguments {
   bool json = false;
 };
 
+struct ViewArguments {
+  std::string folder;
+  int port = 0;  ///< 0 for a free one
+  bool no_browser = false;
+};
+
 /// Nothing is left to do but to end with `exit_code`; what there was to say has been said.
 struct Finished {
   int exit_code;
 };
 
 using Arguments = std::variant<Finished, SolveArguments, SampleArguments, SpectrumArguments, CheckArguments,
-                               StreamlinesArguments, RenderArguments>;
+                               StreamlinesArguments, RenderArguments, ViewArguments>;
 
 /// Prints help and version on standard output; throws Error(kUsage) for a command line that makes no sense.
 Arguments parse_arguments(int argc, char** argv);

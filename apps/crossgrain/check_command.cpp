@@ -59,6 +59,19 @@ std::string verdict_of(const Singularity& graph) {
   return "MESHABLE: a hexahedral mesh can have each of these arcs and nodes";
 }
 
+/// Where the solve was stopped, what is missing.
+std::string unfinished_line(const SolveReport& report) {
+  if (!report.unfinished) return "";
+  const SolveReport::Unfinished& unfinished = *report.unfinished;
+  std::string missing;
+  if (unfinished.levels_missing > 0)
+    missing = fmt::format("{} level{} missing, {:.4g} cells along the longest side in place of {:.4g}",
+                          unfinished.levels_missing, unfinished.levels_missing == 1 ? "" : "s",
+                          report.resolution, unfinished.resolution_asked);
+  if (unfinished.tets_missing) missing += std::string(missing.empty() ? "" : "; ") + "no field on the tets";
+  return "UNFINISHED, for the solve was stopped: " + missing + "\n";
+}
+
 std::string text_of(const Graphs& graphs, std::size_t cells) {
   const auto count = [](std::size_t number) { return fmt::format("{}", number); };
   std::string text = graphs.size() > 1
@@ -90,7 +103,7 @@ void run_check(const CheckArguments& arguments) {
   if (arguments.json)
     print_result(singularity_json(graphs.back(), graphs.size() > 1 ? &graphs.front() : nullptr));
   else
-    print_result(text_of(graphs, field.size()));
+    print_result(unfinished_line(field.report()) + text_of(graphs, field.size()));
 }
 
 }  // namespace crossgrain::app

@@ -1,17 +1,60 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interruption.hpp"
 
+#include <time.h>
+#include <unistd.h>
+
 #include <atomic>
+#include <cerrno>
+#include <cstdint>
+#include <string_view>
 
 namespace crossgrain::app {
 namespace {
 
-// A signal handler can be told what to do by a global only.
-std::atomic<Monitor*> monitor_to_cancel = nullptr;
-static_assert(std::atomic<Monitor*>::is_always_lock_free);
+// A signal handler can be told what to do by globals only.
+std::atomic<Monitor*> monitor_of_signals = nullptr;
+std::atomic<std::int64_t> last_signal_ns = 0;
+std::atomic<bool> clears_line = false;
+static_assert(std::atomic<Monitor*>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
 
-extern "C" void cancel_monitor(int) {
-  if (Monitor* monitor = monitor_to_cancel.load()) monitor->cancel();
+constexpr std::int64_t kSameSignal_ns = 100'000'000;
+
+std::int64_t now_ns() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+/// As far as a handler may: nothing is allocated, no lock taken.
+void say(std::string_view text) {
+  if (clears_line.load() && write(STDERR_FILENO, "\r\x1b[K", 4) < 0) return;
+  // A terminal that is gone takes no words, and needs none.
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+}
+
+void stop(Monitor& monitor) {
+  monitor.stop();
+  // Computing ends in a moment and says then which level is written.
+  if (!monitor.heeds_stops())
+    say("crossgrain: interrupted: the field is solved and goes on to its files; Ctrl-C again to drop it\n");
+}
+
+extern "C" void on_signal(int signal) {
+  const int error_before = errno;
+  const std::int64_t now = now_ns(), last = last_signal_ns.exchange(now);
+  Monitor* const monitor = monitor_of_signals.load();
+  if (monitor == nullptr || (last != 0 && now - last < kSameSignal_ns)) {
+    // Nothing to do.
+  } else if (monitor->cancelled()) {
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
+  } else if (monitor->may_be_stopped() && !monitor->stopped()) {
+    stop(*monitor);
+  } else {
+    monitor->cancel();
+  }
+  errno = error_before;
 }
 
 /// A signal that is ignored (a process under nohup, say) stays so.
@@ -19,22 +62,24 @@ void install(int signal, struct sigaction& before) {
   sigaction(signal, nullptr, &before);
   if (before.sa_handler == SIG_IGN) return;
   struct sigaction action {};
-  action.sa_handler = cancel_monitor;
+  action.sa_handler = on_signal;
   sigemptyset(&action.sa_mask);
-  action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
+  action.sa_flags = SA_RESTART;
   sigaction(signal, &action, nullptr);
 }
 
 }  // namespace
 
-Interruption::Interruption(Monitor& monitor) {
-  monitor_to_cancel = &monitor;
+Interruption::Interruption(Monitor& monitor, bool on_terminal) {
+  last_signal_ns = 0;
+  clears_line = on_terminal;
+  monitor_of_signals = &monitor;
   for (std::size_t k = 0; k < kSignals.size(); ++k) install(kSignals[k], before_[k]);
 }
 
 Interruption::~Interruption() {
   for (std::size_t k = 0; k < kSignals.size(); ++k) sigaction(kSignals[k], &before_[k], nullptr);
-  monitor_to_cancel = nullptr;
+  monitor_of_signals = nullptr;
 }
 
 }  // namespace crossgrain::app

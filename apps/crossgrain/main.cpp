@@ -22,12 +22,13 @@ constexpr int kInternalError = 1;
 
 struct Run {
   int operator()(const Finished& finished) const { return finished.exit_code; }
-  int operator()(const SolveArguments& arguments) const { return run_solve(arguments), 0; }
+  int operator()(const SolveArguments& arguments) const { return run_solve(arguments); }
   int operator()(const SampleArguments& arguments) const { return run_sample(arguments), 0; }
   int operator()(const SpectrumArguments& arguments) const { return run_spectrum(arguments), 0; }
   int operator()(const CheckArguments& arguments) const { return run_check(arguments), 0; }
   int operator()(const StreamlinesArguments& arguments) const { return run_streamlines(arguments), 0; }
   int operator()(const RenderArguments& arguments) const { return run_render(arguments), 0; }
+  int operator()(const ViewArguments& arguments) const { run_view(arguments); }
 };
 
 /// The file that a command is about, for errors that name none.
@@ -39,6 +40,7 @@ struct Subject {
   std::string operator()(const CheckArguments& arguments) const { return arguments.field + ": "; }
   std::string operator()(const StreamlinesArguments& arguments) const { return arguments.field + ": "; }
   std::string operator()(const RenderArguments& arguments) const { return arguments.field + ": "; }
+  std::string operator()(const ViewArguments& arguments) const { return arguments.folder + ": "; }
 };
 
 int fail(int exit_code, const std::string& message) {

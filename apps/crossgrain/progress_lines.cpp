@@ -2,10 +2,12 @@
 #include "progress_lines.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <string_view>
 
 namespace crossgrain::app {
@@ -14,54 +16,143 @@ namespace {
 /// Often enough to look alive, seldom enough to cost nothing.
 constexpr std::chrono::milliseconds kRewritingInterval{100};
 
-/// What is being worked on: a level of the octree, all cells, or the vertices of tets.
-std::string extent_of(const Progress& progress) {
-  const std::string_view phase = progress.phase;
-  if (phase == "tets") return fmt::format("{} vertices", progress.cells);
-  if (phase == "analysis") return fmt::format("{} cells", progress.cells);
-  return fmt::format("level {}, {} cells", progress.depth, progress.cells);
+/// The same where nothing is reported, so that seconds go on.
+constexpr std::chrono::milliseconds kMovingInterval{500};
+
+/// Of terminals that do not say.
+constexpr std::size_t kUsualWidth = 80;
+
+bool can_move_lines() {
+  const char* const terminal = std::getenv("TERM");
+  return isatty(STDERR_FILENO) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
 }
 
-std::string text_of(const Progress& progress) {
+/// Asked anew for every line, for windows change. One less than there is: some terminals begin a new line
+/// when the last column is written to.
+std::size_t room_on_line() {
+  winsize size{};
+  const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return (is_known ? size.ws_col : kUsualWidth) - 1;
+}
+
+std::string cells_text(std::size_t cells) {
+  constexpr double kMillion = 1e6;
+  if (static_cast<double>(cells) < kMillion) return fmt::format("{} cells", cells);
+  return fmt::format("{:.3g} million cells", static_cast<double>(cells) / kMillion);
+}
+
+std::string level_text(const Progress& progress, double seconds) {
+  std::string text = fmt::format("level {} of {}: ", progress.level, progress.levels);
+  text += progress.cells == 0 ? "making cells" : cells_text(progress.cells);
+  if (progress.sweep > 0 && std::isfinite(progress.energy))
+    text += fmt::format(", energy {:.6g}", progress.energy);
+  return text + fmt::format(", {:.1f} s", seconds);
+}
+
+std::string phase_text(const Progress& progress) {
   if (progress.cells == 0) return progress.phase;
-  std::string text = fmt::format("{}: {}", progress.phase, extent_of(progress));
+  const bool is_tets = std::string_view(progress.phase) == "tets";
+  std::string text = fmt::format("{}: {} {}", progress.phase, progress.cells, is_tets ? "vertices" : "cells");
   if (progress.sweep > 0) text += fmt::format(", sweep {}", progress.sweep);
   if (std::isfinite(progress.energy)) text += fmt::format(", energy {:.6g}", progress.energy);
   return text;
+}
+
+/// Of a level the grid is made and the frames are found: one line.
+bool is_of_level(const Progress& progress) {
+  const std::string_view phase = progress.phase;
+  return progress.level > 0 && (phase == "grid" || phase == "solve");
+}
+
+bool same_line(const Progress& a, const Progress& b) {
+  if (is_of_level(a) || is_of_level(b)) return is_of_level(a) && is_of_level(b) && a.level == b.level;
+  return std::string_view(a.phase) == b.phase;
 }
 
 void write(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-bool same_line(const Progress& a, const Progress& b) {
-  return std::string_view(a.phase) == b.phase && a.depth == b.depth;
+double seconds_of(std::chrono::steady_clock::duration duration) {
+  return std::chrono::duration<double>(duration).count();
 }
 
 }  // namespace
 
-ProgressLines::ProgressLines(bool shown) : shown_(shown), terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressLines::ProgressLines(bool shown) : shown_(shown), moving_(shown && can_move_lines()) {
+  if (moving_) mover_ = std::thread([this] { keep_moving(); });
+}
 
 ProgressLines::~ProgressLines() {
-  end_line();
+  leave_line();
+  if (!mover_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  over_changed_.notify_all();
+  mover_.join();
 }
 
 void ProgressLines::show(const Progress& progress) {
   if (!shown_) return;
+  const std::lock_guard lock(mutex_);
   const bool continues = current_ && same_line(*current_, progress);
-  if (!continues) end_line();
+  if (!continues) {
+    end(/*done=*/true);
+    begun_ = Clock::now();
+  }
   current_ = progress;
-  if (!terminal_) return;
-  const auto now = Clock::now();
-  if (continues && now - rewritten_ < kRewritingInterval) return;
-  rewritten_ = now;
-  write("\r\x1b[K" + text_of(progress));
+  if (moving_ && (!continues || Clock::now() - rewritten_ >= kRewritingInterval)) rewrite();
+}
+
+void ProgressLines::expect(double total_seconds) {
+  const std::lock_guard lock(mutex_);
+  remaining_.expect(total_seconds);
+}
+
+void ProgressLines::leave_line() {
+  const std::lock_guard lock(mutex_);
+  end(/*done=*/false);
 }
 
 void ProgressLines::end_line() {
+  const std::lock_guard lock(mutex_);
+  end(/*done=*/true);
+}
+
+std::string ProgressLines::text(bool done) const {
+  const auto now = Clock::now();
+  const double of_line = seconds_of(now - begun_);
+  std::string text = is_of_level(*current_) ? level_text(*current_, of_line) : phase_text(*current_);
+  if (!done) {
+    if (const auto left = remaining_.seconds(*current_, seconds_of(now - start_), of_line))
+      text += fmt::format(", about {} left", duration_text(*left));
+  }
+  return moving_ ? text.substr(0, room_on_line()) : text;
+}
+
+void ProgressLines::rewrite() {
+  rewritten_ = Clock::now();
+  write(fmt::format("\r{}\x1b[K", text(/*done=*/false)));
+}
+
+void ProgressLines::end(bool done) {
   if (!current_) return;
-  write((terminal_ ? "\r\x1b[K" : "") + text_of(*current_) + "\n");
+  if (moving_)
+    write(fmt::format("\r{}\x1b[K\n", text(/*done=*/true)));
+  else if (done)
+    write(text(/*done=*/true) + "\n");
+  if (done && is_of_level(*current_)) remaining_.add_level(seconds_of(Clock::now() - begun_));
   current_.reset();
+}
+
+void ProgressLines::keep_moving() {
+  std::unique_lock lock(mutex_);
+  while (!over_) {
+    over_changed_.wait_for(lock, kMovingInterval);
+    if (!over_ && current_ && Clock::now() - rewritten_ >= kMovingInterval) rewrite();
+  }
 }
 
 }  // namespace crossgrain::app

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -218,10 +219,36 @@ ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& op
   return result;
 }
 
+/// Of what a stop leaves, on standard error.
+void tell_of_stop(const std::string& what_is_written) {
+  print_message("interrupted: writing " + what_is_written + "; Ctrl-C again to drop it");
+}
+
+std::string millions(std::size_t cells) {
+  if (cells < 1000000) return fmt::format("{} cells", cells);
+  return fmt::format("{:.3g} million cells", static_cast<double>(cells) / 1e6);
+}
+
+/// The field on the tets; none where a stop comes before it is finished.
+std::optional<TetFrameField> carried(const SolveArguments& arguments, const SolveOptions& options,
+                                     const FrameField& field, const TetDomain& domain, const Monitor& monitor,
+                                     const std::function<void()>& leave_line) {
+  if (monitor.stopped()) return std::nullopt;
+  try {
+    return naming(arguments.onto.empty() ? arguments.model : arguments.onto, arguments,
+                  [&] { return carry_onto(field, domain, options, monitor); });
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kInterrupted || monitor.cancelled()) throw;
+    leave_line();
+    tell_of_stop(fmt::format("the field on the grid, {}, and none on the tets", millions(field.size())));
+    return std::nullopt;
+  }
+}
+
 /// Solves, carries onto the tets where there are any, and writes all files. `warn` is told what reading has
 /// found, before the solve.
 SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point start, const Monitor& monitor,
-                            const Warn& warn) {
+                            const Warn& warn, const std::function<void()>& leave_line) {
   check_start(arguments);
   monitor.report({"read", 0, 0, 0, 0});
   SolveOptions options = arguments.options;
@@ -238,10 +265,7 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   monitor.check();
   const FrameField field = solve_model(arguments, options, mesh, monitor);
   std::optional<TetFrameField> tet_field;
-  if (domain) {
-    tet_field = naming(arguments.onto.empty() ? arguments.model : arguments.onto, arguments,
-                       [&] { return carry_onto(field, *domain, options, monitor); });
-  }
+  if (domain) tet_field = carried(arguments, options, field, *domain, monitor, leave_line);
 
   monitor.report({"write", 0, 0, 0, 0});
   SolveReport report = tet_field ? tet_field->report() : field.report();
@@ -254,12 +278,15 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
     report.expected->seconds += read_seconds;
   }
   if (tet_field) return write_field(*tet_field, report, arguments.output, monitor, arguments.output_options);
-  return write_field(field, report, arguments.output, monitor, arguments.output_options);
+  OutputOptions output_options = arguments.output_options;
+  output_options.formats.clear();  // of fields on tets
+  if (domain) mark_tets_missing(report);
+  return write_field(field, report, arguments.output, monitor, output_options);
 }
 
 }  // namespace
 
-void run_solve(const SolveArguments& arguments) {
+int run_solve(const SolveArguments& arguments) {
   const auto start = Clock::now();
   const ThreadLimit thread_limit(arguments.options.threads);
   if (arguments.onto.empty() && !is_tet_file(arguments.model)) {
@@ -272,23 +299,37 @@ void run_solve(const SolveArguments& arguments) {
   {
     ProgressLines lines(!arguments.quiet && (arguments.progress || isatty(STDERR_FILENO)));
     const auto expect = [&](Expectation expected) {
+      expected.seconds += seconds_since(start) - expected.after_seconds;
+      lines.expect(expected.seconds);
       if (arguments.quiet) return;
       lines.end_line();
-      expected.seconds += seconds_since(start) - expected.after_seconds;
       print_result(expected_line(expected));
     };
-    Monitor monitor([&lines](const Progress& progress) { lines.show(progress); }, expect);
-    const Interruption interruption(monitor);
+    const auto show = [&lines](const Progress& progress) {
+      const bool is_stopped_level =
+          std::string_view(progress.phase) == "analysis" && progress.level < progress.levels;
+      if (is_stopped_level) {
+        lines.leave_line();
+        tell_of_stop(
+            fmt::format("level {} of {}, {}", progress.level, progress.levels, millions(progress.cells)));
+      }
+      lines.show(progress);
+    };
+    Monitor monitor(show, expect);
+    monitor.allow_stops();
+    const Interruption interruption(monitor, lines.is_moving());
     const auto warn = [&](const std::string& file, const std::string& warning) {
       told.insert(warning);
       lines.end_line();
       print_message("warning: " + file + ": " + warning);
     };
-    report = solve_and_write(arguments, start, monitor, warn);
+    report = solve_and_write(arguments, start, monitor, warn, [&lines] { lines.leave_line(); });
+    lines.end_line();
   }
   for (const auto& [file, warning] : warnings_of_input(report, arguments))
     if (told.insert(warning).second) print_message("warning: " + file + ": " + warning);
   if (!arguments.quiet) print_result(summary_of(report, arguments, told));
+  return report.unfinished ? static_cast<int>(ErrorKind::kInterrupted) : 0;
 }
 
 }  // namespace crossgrain::app

@@ -20,10 +20,14 @@ struct Progress {
   /// What the sweeps lower, after that sweep, in the degree of the solve; with what the report calls
   /// unavoidable still in it. In degree 3 an upper bound of that. Not finite where none is known yet.
   double energy;
+
+  int level = 0;   ///< that level, from 1 for the coarsest on; 0 where there is none
+  int levels = 0;  ///< how many there are going to be, as far as is known
 };
 
 /// Carries cancellation into a computation and progress out of it. The only object that may be shared between
-/// the thread that computes and another: `cancel` may be called from any thread and from a signal handler.
+/// the thread that computes and another: `cancel` and `stop` may be called from any thread and from a signal
+/// handler.
 class Monitor {
  public:
   Monitor() = default;
@@ -33,6 +37,23 @@ class Monitor {
 
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
   bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+
+  /// Asks a solve that was told so (`allow_stops`) to be content with the last level that is finished: it
+  /// returns that field, with SolveReport::unfinished, and what follows, such as `write_field`, goes on to
+  /// its end. Where no level is finished, or nothing can be made of half the work, as `cancel`; where the
+  /// finest level is solved already it changes nothing. `cancel` still ends what follows.
+  void stop() noexcept { stopped_.store(true, std::memory_order_relaxed); }
+  bool stopped() const noexcept { return stopped_.load(std::memory_order_relaxed); }
+
+  /// Before a solve: it may be stopped. It keeps the finished level then while the next one is made, which
+  /// takes some 4 per cent more memory (docs/performance.md).
+  void allow_stops() noexcept { may_be_stopped_ = true; }
+  bool may_be_stopped() const noexcept { return may_be_stopped_; }
+
+  /// For computations: whether a stop ends what they are doing. It does unless they say otherwise: once there
+  /// is a field, telling of it and writing it go on.
+  void heed_stops(bool heeded) const noexcept { heeds_stops_.store(heeded, std::memory_order_relaxed); }
+  bool heeds_stops() const noexcept { return heeds_stops_.load(std::memory_order_relaxed); }
 
   /// Tells the listener, always from the thread that called the computation.
   void report(const Progress& progress) const {
@@ -45,11 +66,13 @@ class Monitor {
     if (on_expectation_) on_expectation_(expectation);
   }
 
-  /// Throws Error(kInterrupted) once cancelled.
+  /// Throws Error(kInterrupted) once cancelled, or stopped where that is heeded.
   void check() const;
 
  private:
-  std::atomic<bool> cancelled_{false};
+  std::atomic<bool> cancelled_{false}, stopped_{false};
+  mutable std::atomic<bool> heeds_stops_{true};
+  bool may_be_stopped_ = false;
   std::function<void(const Progress&)> on_progress_;
   std::function<void(const Expectation&)> on_expectation_;
 };

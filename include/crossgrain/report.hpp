@@ -55,6 +55,14 @@ struct SolveReport {
   };
   std::optional<Limited> limited;
 
+  /// Only where the solve was stopped (Monitor::stop) before it had done what was asked.
+  struct Unfinished {
+    double resolution_asked = 0;  ///< finest cells along the longest side
+    int levels_missing = 0;       ///< each of cells half as large
+    bool tets_missing = false;    ///< the field was to be carried onto a tet mesh, and was not
+  };
+  std::optional<Unfinished> unfinished;
+
   /// Of degree 4, whatever degree was solved.
   struct Energy {
     double smoothness = 0;     ///< 1/2 sum over pairs of neighbours of w |h_i - h_j|^2
@@ -227,6 +235,10 @@ struct SingularityGraph;
 
 /// A graph in the report's words.
 SolveReport::Singularity summary_of(const SingularityGraph& graph);
+
+/// Marks the report of a field on the grid that was to be carried onto a tet mesh and was not, since a stop
+/// came before: `unfinished`, and the sentence on it in `warnings`.
+void mark_tets_missing(SolveReport& report);
 
 /// A finding as one of SolveReport::warnings: what, how many, where, and what became of them.
 std::string sentence_of(const SolveReport::Finding& finding);

@@ -61,7 +61,9 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
   report.resolution = std::ldexp(resolution_asked, -field.levels_left_out);
   report.levels = field.levels;
   report.expected = field.expected;
-  if (field.levels_left_out > 0)
+  if (field.stopped)
+    report.unfinished = SolveReport::Unfinished{resolution_asked, field.levels_left_out, false};
+  else if (field.levels_left_out > 0)
     report.limited =
         SolveReport::Limited{resolution_asked, allowed_memory_bytes(options), field.memory_needed};
   report.energy.smoothness = field.energy.smoothness;
@@ -107,6 +109,7 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, Solved
   data.report.regions = std::move(found.regions);
 
   std::vector<std::string>& warnings = data.report.warnings;
+  if (data.report.unfinished) warnings.push_back(unfinished_warning(data.report));
   if (data.report.limited) warnings.push_back(memory_warning(data.report));
   append(warnings, mesh.warnings);
   for (const SolveReport::Finding& finding : data.report.input.findings)
@@ -139,11 +142,16 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   Stopwatch watch;
   watch.start();
   const ThreadLimit thread_limit(options.threads);
+  const WatchedLoops watched(monitor);
+  monitor.heed_stops(true);
   PreparedModel model(mesh, options);
   SolvedField solved = nested_solve(model.solid(), options, monitor, initial_frame, watch.restart());
   check_interior(solved.level, model.mended());
 
-  monitor.report({"analysis", 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN()});
+  monitor.heed_stops(false);
+  const int level = static_cast<int>(solved.levels.size());
+  monitor.report({"analysis", 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN(), level,
+                  level + (solved.stopped ? solved.levels_left_out : 0)});
   monitor.check();
   auto data = std::make_shared<FieldData>();
   data->degree = options.degree;

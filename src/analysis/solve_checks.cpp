@@ -210,6 +210,24 @@ std::string memory_warning(const SolveReport& report) {
       static_cast<double>(limited.memory_bytes) / 1e9);
 }
 
+std::string unfinished_warning(const SolveReport& report) {
+  const SolveReport::Unfinished& unfinished = *report.unfinished;
+  const std::string missing =
+      unfinished.levels_missing == 0
+          ? "the field was not carried onto the tets"
+          : fmt::format("{:.4g} cells along the longest side in place of {:.4g}{}", report.resolution,
+                        unfinished.resolution_asked,
+                        unfinished.tets_missing ? ", and not carried onto the tets" : "");
+  return "unfinished: stopped before the end, " + missing + "; a solve with --from goes on from here";
+}
+
+void mark_tets_missing(SolveReport& report) {
+  if (report.unfinished) std::erase(report.warnings, unfinished_warning(report));
+  if (!report.unfinished) report.unfinished = SolveReport::Unfinished{report.resolution, 0, false};
+  report.unfinished->tets_missing = true;
+  report.warnings.insert(report.warnings.begin(), unfinished_warning(report));
+}
+
 std::string outside_warning(std::size_t outside, std::size_t vertices) {
   return fmt::format(
       "vertices of the tet mesh in no cell: {} of {}; they began with the frame of the nearest cell of their "

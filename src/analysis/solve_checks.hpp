@@ -33,6 +33,9 @@ std::vector<std::string> resolution_warnings(const SolveReport& report);
 /// A warning that the cells are larger than was asked for; where report.limited.
 std::string memory_warning(const SolveReport& report);
 
+/// A warning that the solve was stopped; where report.unfinished.
+std::string unfinished_warning(const SolveReport& report);
+
 /// A warning of vertices of a tet mesh outside every cell.
 std::string outside_warning(std::size_t outside, std::size_t vertices);
 

@@ -11,6 +11,7 @@
 #include "analysis/tet_evaluation.hpp"
 #include "analysis/tet_field.hpp"
 #include "analysis/tet_matchings.hpp"
+#include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/solve.hpp"
@@ -47,6 +48,8 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   check_constraints(options.constraints);
   check_scale(domain.data().box);
   const ThreadLimit thread_limit(options.threads);
+  const WatchedLoops watched(monitor);
+  monitor.heed_stops(true);
   Stopwatch stopwatch;
   stopwatch.start();
   const TetDomainData& tets = domain.data();

@@ -6,7 +6,7 @@
 namespace crossgrain {
 
 void Monitor::check() const {
-  if (cancelled()) throw Error(ErrorKind::kInterrupted, "interrupted");
+  if (cancelled() || (stopped() && heeds_stops())) throw Error(ErrorKind::kInterrupted, "interrupted");
 }
 
 }  // namespace crossgrain

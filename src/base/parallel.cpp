@@ -12,7 +12,32 @@ int at_most_all(int threads) {
   return std::min(threads, std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
 }
 
+/// Of the loops that this thread starts, not of those inside them on other threads.
+thread_local const Monitor* t_watching = nullptr;
+
+using ChunkBody = std::function<void(std::size_t, std::size_t)>;
+
+/// Runs `loop` on the body, or on one that asks the monitor first where there is one.
+template <class Loop>
+void run_watched(const ChunkBody& body, const Loop& loop) {
+  const Monitor* const monitor = t_watching;
+  if (monitor == nullptr) return loop(body);
+  loop([&body, monitor](std::size_t begin, std::size_t end) {
+    monitor->check();
+    body(begin, end);
+  });
+}
+
 }  // namespace
+
+WatchedLoops::WatchedLoops(const Monitor& monitor) : before_(t_watching) {
+  t_watching = &monitor;
+}
+
+WatchedLoops::~WatchedLoops() {
+  t_watching = before_;
+}
+
 }  // namespace crossgrain
 
 #ifdef CROSSGRAIN_STD_THREADS
@@ -35,8 +60,9 @@ int thread_count() {
 
 }  // namespace
 
-void parallel_for_chunks(std::size_t count, std::size_t grain,
-                         const std::function<void(std::size_t, std::size_t)>& body) {
+namespace {
+
+void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex failure_mutex;
@@ -58,6 +84,8 @@ void parallel_for_chunks(std::size_t count, std::size_t grain,
   if (failure) std::rethrow_exception(failure);
 }
 
+}  // namespace
+
 ThreadLimit::ThreadLimit(int threads) : control_(new int(g_thread_limit.load())) {
   g_thread_limit.store(at_most_all(threads));
 }
@@ -78,9 +106,9 @@ ThreadLimit::~ThreadLimit() {
 #include <algorithm>
 
 namespace crossgrain {
+namespace {
 
-void parallel_for_chunks(std::size_t count, std::size_t grain,
-                         const std::function<void(std::size_t, std::size_t)>& body) {
+void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
   const std::size_t chunks = (count + grain - 1) / grain;
   if (chunks <= 1) {
     if (count > 0) body(0, count);
@@ -94,6 +122,8 @@ void parallel_for_chunks(std::size_t count, std::size_t grain,
   });
 }
 
+}  // namespace
+
 ThreadLimit::ThreadLimit(int threads)
     : control_(threads > 0 ? new tbb::global_control(tbb::global_control::max_allowed_parallelism,
                                                      static_cast<std::size_t>(at_most_all(threads)))
@@ -106,3 +136,11 @@ ThreadLimit::~ThreadLimit() {
 }  // namespace crossgrain
 
 #endif
+
+namespace crossgrain {
+
+void parallel_for_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
+  run_watched(body, [&](const ChunkBody& watched) { run_chunks(count, grain, watched); });
+}
+
+}  // namespace crossgrain

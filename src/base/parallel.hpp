@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+#include "crossgrain/monitor.hpp"
 #include "crossgrain/thread_limit.hpp"
 
 namespace crossgrain {
@@ -19,6 +20,19 @@ inline constexpr std::size_t kParallelGrain = 256;
 /// number of threads. The first exception thrown by a body is rethrown here.
 void parallel_for_chunks(std::size_t count, std::size_t grain,
                          const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+/// While it lives, loops that this thread starts ask a monitor before each chunk whether to go on, and throw
+/// Error(kInterrupted) where not. So a solve ends within a moment wherever it is, on any number of cells.
+class WatchedLoops {
+ public:
+  explicit WatchedLoops(const Monitor& monitor);
+  ~WatchedLoops();
+  WatchedLoops(const WatchedLoops&) = delete;
+  WatchedLoops& operator=(const WatchedLoops&) = delete;
+
+ private:
+  const Monitor* before_;
+};
 
 /// Runs body(i) for every i in [0, count).
 template <class Body>

@@ -71,6 +71,11 @@ inline constexpr MemoryLine kEnergyDensity{
     .structure = "energy density", .per_cell = 4, .held = kWhileComparing};
 inline constexpr MemoryLine kSharpTurns{.structure = "sharp turns", .per_cell = 1, .held = kWhileComparing};
 
+/// Of a solve that may be stopped: the finished level before the one that is made, a quarter to three eighths
+/// as large, with its tree, surface, frames and energy density. Not in `kAll`.
+inline constexpr MemoryLine kKeptLevel{
+    .structure = "the level before", .per_cell = 9, .per_piece = 2, .held = kAlways};
+
 inline constexpr std::array kAll{
     kTree,         kPieceBegin,    kPieces,    kWinding,      kFaceNeighbours, kParents,
     kFaceWeights,  kOpenFaces,     kAdjacency, kSweepOrder,   kFormSlots,      kPlaneForms,

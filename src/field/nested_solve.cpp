@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
@@ -30,12 +31,12 @@ template <int D>
 class LevelSolver {
  public:
   LevelSolver(const GridLevel& level, const Solid& solid, Connectivity connectivity,
-              const SolveOptions& options, const Monitor& monitor, int depth)
+              const SolveOptions& options, const Monitor& monitor, const Progress& place)
       : level_(level),
         solid_(solid),
         options_(options.solver),
         monitor_(monitor),
-        depth_(depth),
+        progress_(place),
         connectivity_(std::make_shared<Connectivity>(std::move(connectivity))) {
     graph_ = {connectivity_, boundary_forms<D>(level, solid, options_.boundary_weight, Shift::kNone)};
   }
@@ -70,7 +71,7 @@ class LevelSolver {
   }
 
   const Adjacency& adjacency() const { return connectivity_->adjacency; }
-  int sweeps() const { return sweeps_; }
+  int sweeps() const { return progress_.sweep; }
 
  private:
   template <int R>
@@ -83,21 +84,21 @@ class LevelSolver {
   }
 
   void advance(double energy) {
-    ++sweeps_;
+    ++progress_.sweep;
+    progress_.energy = energy;
     monitor_.check();
-    monitor_.report({"solve", depth_, level_.size(), sweeps_, energy});
+    monitor_.report(progress_);
   }
 
   const GridLevel& level_;
   const Solid& solid_;
   const SolverOptions& options_;
   const Monitor& monitor_;
-  int depth_;
+  Progress progress_;
   std::shared_ptr<Connectivity> connectivity_;
   FieldGraph<D> graph_;
   FieldGraph<3> relaxed_graph3_;
   FieldGraph<4> relaxed_graph4_;
-  int sweeps_ = 0;
 };
 
 /// Each leaf takes the frame of the leaf it came from.
@@ -131,30 +132,59 @@ class NestedSolver {
   SolvedField run() {
     level_watch_.start();
     grid_watch_.start();
-    const auto [root, finest_depth] =
-        frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
-    const int coarsest_depth = std::max(0, finest_depth - levels_above_finest());
-    SolveForecast forecast(options_, finest_depth, current_memory_bytes());
-    result_.level = uniform_level(solid_, root, coarsest_depth, monitor_);
-    for (int depth = coarsest_depth;; ++depth) {
-      if (result_.level.size() == 0)
-        throw Error(ErrorKind::kInput,
-                    "the parts of the surface are too small for the cells; raise the resolution");
-      result_.levels_left_out = finest_depth - depth;
-      const LevelGrowth growth(result_.level, solid_, options_.refinement);
-      const bool finest = depth == finest_depth || !next_fits(forecast, growth);
-      solve_level(depth, depth == coarsest_depth, finest);
-      if (finest) break;
-      foretell(forecast, growth);
-      refine(finest_depth);
+    try {
+      solve_levels();
+      result_.frames = std::move(candidates_.front().frames);
+    } catch (const Error& error) {
+      const bool is_stop = error.kind() == ErrorKind::kInterrupted && !monitor_.cancelled();
+      if (!is_stop || !monitor_.may_be_stopped() || !can_stand_alone(coarser_)) throw;
+      result_ = std::move(coarser_);
+      result_.stopped = true;
     }
-    result_.frames = std::move(candidates_.front().frames);
     result_.grid_seconds = grid_watch_.seconds();
     result_.solve_seconds = solve_watch_.seconds();
     return std::move(result_);
   }
 
  private:
+  void solve_levels() {
+    monitor_.check();
+    const auto [root, finest_depth] =
+        frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
+    coarsest_depth_ = std::max(0, finest_depth - levels_above_finest());
+    level_count_ = finest_depth - coarsest_depth_ + 1;
+    SolveForecast forecast(options_, finest_depth, current_memory_bytes(), monitor_.may_be_stopped());
+    report("grid", coarsest_depth_, 0);
+    result_.level = uniform_level(solid_, root, coarsest_depth_, monitor_);
+    for (int depth = coarsest_depth_;; ++depth) {
+      if (result_.level.size() == 0)
+        throw Error(ErrorKind::kInput,
+                    "the parts of the surface are too small for the cells; raise the resolution");
+      result_.levels_left_out = finest_depth - depth;
+      const LevelGrowth growth(result_.level, solid_, options_.refinement);
+      const bool finest = depth == finest_depth || !next_fits(forecast, growth);
+      if (finest) level_count_ = number_of(depth);
+      solve_level(depth, depth == coarsest_depth_, finest);
+      if (finest) return;
+      foretell(forecast, growth);
+      refine(depth, finest_depth);
+    }
+  }
+
+  /// Of a level, from 1.
+  int number_of(int depth) const { return depth - coarsest_depth_ + 1; }
+
+  void report(const char* phase, int depth, std::size_t cells) const {
+    monitor_.report(
+        {phase, depth, cells, 0, std::numeric_limits<double>::quiet_NaN(), number_of(depth), level_count_});
+  }
+
+  /// Whether a finished level was kept, and has an inside: very coarse ones may have none.
+  static bool can_stand_alone(const SolvedField& field) {
+    const auto& winding = field.level.centre_winding;
+    return std::any_of(winding.begin(), winding.end(), [](int w) { return w > 0; });
+  }
+
   int levels_above_finest() const {
     const double ratio = finest_resolution() / options_.refinement.coarsest_cells;
     // The margin keeps powers of two what they are.
@@ -192,13 +222,16 @@ class NestedSolver {
         level.depth, growth, level.sweeps, level.seconds, seconds_so_far_, finest_resolution());
     if (!expected) return;
     result_.expected = expected;
+    const double left_out = std::log2(finest_resolution() / expected->resolution);
+    level_count_ = number_of(level.depth + result_.levels_left_out) - static_cast<int>(std::lround(left_out));
     monitor_.expect(*expected);
   }
 
   void solve_level(int depth, bool coarsest, bool finest) {
     GridLevel& level = result_.level;
-    monitor_.report({"grid", depth, level.size(), 0, std::numeric_limits<double>::quiet_NaN()});
-    LevelSolver<D> solver(level, solid_, connect(level, finest), options_, monitor_, depth);
+    report("grid", depth, level.size());
+    const Progress place{"solve", depth, level.size(), 0, 0, number_of(depth), level_count_};
+    LevelSolver<D> solver(level, solid_, connect(level, finest), options_, monitor_, place);
     grid_watch_.stop();
 
     solve_watch_.start();
@@ -237,9 +270,12 @@ class NestedSolver {
         const std::uint64_t seed = options_.seed * 0x9e3779b97f4a7c15 + start;
         candidates_[start].frames = random_frames(result_.level.size(), seed);
       }
+    } else if (candidates_.size() == 1) {
+      candidates_[0].frames = inherited(coarser_.frames, result_.level);
     } else {
       for (Candidate& candidate : candidates_) candidate.frames = inherited(candidate.frames, result_.level);
     }
+    if (!monitor_.may_be_stopped()) coarser_ = {};
   }
 
   int relaxation_sweeps(std::size_t start, bool coarsest) const {
@@ -252,7 +288,7 @@ class NestedSolver {
 
   /// Brings the candidate of lowest energy to the front, and ends the race if told to.
   void keep_best(const LevelSolver<D>& solver, bool end_race, bool finest) {
-    std::size_t best = 0;
+    best_ = 0;
     const SharpTurns sharp_turns = finest ? SharpTurns::kLookedFor : SharpTurns::kLeftOut;
     std::vector<std::uint8_t> turns_sharply;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
@@ -263,33 +299,52 @@ class NestedSolver {
         result_.energy_density = std::move(energy.neighbours.energy_density);
         turns_sharply = std::move(energy.neighbours.turns_sharply);
         result_.settled = candidates_[c].settled;
-        best = c;
+        best_ = c;
       }
     }
     if (finest) result_.near_sharp_turn = near_sharp_turns(solver.adjacency(), turns_sharply);
     if (end_race) {
-      if (best > 0) candidates_[0] = std::move(candidates_[best]);
+      if (best_ > 0) candidates_[0] = std::move(candidates_[std::exchange(best_, 0)]);
       candidates_.resize(1);
     }
   }
 
-  void refine(int finest_depth) {
-    is_uniform_ = is_uniform_ && 8 * result_.level.size() <= options_.solver.relaxed_cells;
+  /// What is solved becomes `coarser_`, and `result_` the level to solve next.
+  void refine(int depth, int finest_depth) {
+    coarser_ = std::exchange(result_, {});
+    result_.levels = coarser_.levels;
+    result_.expected = coarser_.expected;
+    // Of several candidates each is inherited, so that they keep their frames: on small levels only.
+    Frames& frames = candidates_[best_].frames;
+    coarser_.frames = candidates_.size() == 1 ? std::move(frames) : frames;
+
+    report("grid", depth + 1, 0);
+    GridLevel& level = coarser_.level;
+    is_uniform_ = is_uniform_ && 8 * level.size() <= options_.solver.relaxed_cells;
     // While several fields are in the race no single one says where to refine.
-    const Marks marks = is_uniform_ || candidates_.size() > 1
-                            ? Marks(result_.level.size(), true)
-                            : refinement_marks(result_.level, solid_, result_.energy_density, finest_depth,
-                                               options_.refinement);
-    std::vector<float>().swap(result_.energy_density);
-    result_.level = refined(result_.level, solid_, marks, monitor_);
+    const Marks marks =
+        is_uniform_ || candidates_.size() > 1
+            ? Marks(level.size(), true)
+            : refinement_marks(level, solid_, coarser_.energy_density, finest_depth, options_.refinement);
+    if (!monitor_.may_be_stopped()) std::vector<float>().swap(coarser_.energy_density);
+    result_.level = refined(level, solid_, marks, monitor_);
+    std::vector<FaceNeighbours>().swap(level.neighbours);
+    if (monitor_.may_be_stopped()) return;
+    Frames kept = std::move(coarser_.frames);
+    coarser_ = {};
+    coarser_.frames = std::move(kept);
   }
 
   const Solid& solid_;
   const SolveOptions& options_;
   const Monitor& monitor_;
   const InitialFrame& initial_frame_;
-  SolvedField result_;
+  SolvedField result_;   ///< the level that is made or solved
+  SolvedField coarser_;  ///< the finished one before it; its frames only unless the solve may be stopped
   std::vector<Candidate> candidates_;
+  std::size_t best_ = 0;  ///< the candidate of lowest energy on the last level
+  int coarsest_depth_ = 0;
+  int level_count_ = 0;  ///< as far as is known
   Stopwatch grid_watch_, solve_watch_, level_watch_;
   double seconds_so_far_;
   bool is_uniform_ = true;  ///< the level: small enough to be of cells of one size, and relaxed

@@ -30,8 +30,9 @@ struct SolvedField {
   bool settled =
       true;  ///< false: the finest level was still falling by more than the tolerance when sweeps ran out
   std::vector<LevelStatistics> levels;  ///< from the coarsest on
-  int levels_left_out = 0;              ///< for want of memory
-  std::size_t memory_needed = 0;        ///< where levels were left out, bytes of the next one, about
+  int levels_left_out = 0;              ///< for want of memory, or since the solve was stopped
+  bool stopped = false;                 ///< before its last level was finished
+  std::size_t memory_needed = 0;        ///< where memory did not last, bytes of the next level, about
   std::optional<Expectation> expected;  ///< what the monitor was told to expect
   double grid_seconds = 0;
   double solve_seconds = 0;
@@ -49,7 +50,8 @@ using InitialFrame = std::function<Quaternion(const Vector3& point)>;
 /// Solves level by level. `initial_frame`, if given, replaces the starts on the coarsest level and what finer
 /// levels inherit; nothing is relaxed then. `seconds_before` is what the solve has taken so far. Throws
 /// Error(kLimit) where the grid cannot be had or memory allows only much coarser cells, Error(kInput) where
-/// the solid has no cell, Error(kInterrupted) once the monitor is cancelled.
+/// the solid has no cell, Error(kInterrupted) once the monitor is cancelled. Stopped, it returns the last
+/// level that is finished, to the bit what a solve gives that memory ends there.
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
                          const InitialFrame& initial_frame = {}, double seconds_before = 0);
 

@@ -54,13 +54,16 @@ std::size_t allowed_memory_bytes(const SolveOptions& options) {
   return static_cast<std::size_t>(kDefaultShare * static_cast<double>(memory_limit_bytes()));
 }
 
-SolveForecast::SolveForecast(const SolveOptions& options, int finest_depth, std::size_t memory_before_bytes)
+SolveForecast::SolveForecast(const SolveOptions& options, int finest_depth, std::size_t memory_before_bytes,
+                             bool keeps_levels)
     : finest_depth_(finest_depth),
       memory_before_(static_cast<double>(memory_before_bytes)),
+      keeps_levels_(keeps_levels),
       memory_limit_(allowed_memory_bytes(options)) {}
 
 double SolveForecast::peak_memory(const LevelCounts& counts) const {
-  return memory_before_ + kMemoryOfOther + peak_memory_bytes(counts);
+  const double kept = keeps_levels_ ? memory_lines::kKeptLevel.bytes(counts) : 0;
+  return memory_before_ + kMemoryOfOther + kept + peak_memory_bytes(counts);
 }
 
 bool SolveForecast::fits(const LevelCounts& counts) const {

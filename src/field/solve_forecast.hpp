@@ -20,8 +20,10 @@ struct LevelWork {
 /// Reckons for one solve.
 class SolveForecast {
  public:
-  /// `memory_before_bytes` is what the process holds before the first level.
-  SolveForecast(const SolveOptions& options, int finest_depth, std::size_t memory_before_bytes);
+  /// `memory_before_bytes` is what the process holds before the first level; `keeps_levels`: each finished
+  /// level is kept while the next one is made (Monitor::allow_stops).
+  SolveForecast(const SolveOptions& options, int finest_depth, std::size_t memory_before_bytes,
+                bool keeps_levels = false);
 
   /// Of the process, with a level of such counts as its finest.
   double peak_memory(const LevelCounts& counts) const;
@@ -39,6 +41,7 @@ class SolveForecast {
  private:
   int finest_depth_;
   double memory_before_;
+  bool keeps_levels_;
   std::size_t memory_limit_;
   bool told_ = false;
 };

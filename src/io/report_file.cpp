@@ -176,6 +176,13 @@ void describe_limited(File& file, Limited& limited) {
   file.member("memory_needed_bytes", limited.memory_needed_bytes);
 }
 
+template <class File, class Unfinished>
+void describe_unfinished(File& file, Unfinished& unfinished) {
+  file.member("resolution_asked", unfinished.resolution_asked);
+  file.member("levels_missing", unfinished.levels_missing);
+  file.member("tets_missing", unfinished.tets_missing);
+}
+
 template <class File, class Report>
 void describe_creases(File& file, Report& report) {
   file.object("creases", [&](auto& creases) {
@@ -276,6 +283,8 @@ void describe_doubts(File& file, Report& report) {
                        [](auto& inner, auto& expected) { describe_expected(inner, expected); });
   file.optional_object("limited", report.limited,
                        [](auto& inner, auto& limited) { describe_limited(inner, limited); });
+  file.optional_object("unfinished", report.unfinished,
+                       [](auto& inner, auto& unfinished) { describe_unfinished(inner, unfinished); });
   file.optional_object("onto", report.onto, [](auto& inner, auto& onto) { describe_onto(inner, onto); });
   file.member("warnings", report.warnings);
 }

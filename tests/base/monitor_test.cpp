@@ -42,6 +42,18 @@ TEST(Monitor, IsCancelledFromAnotherThread) {
   EXPECT_THROW(monitor.check(), Error);
 }
 
+TEST(Monitor, ThatIsStoppedThrowsOnlyWhereStopsAreHeeded) {
+  Monitor monitor;
+  monitor.stop();
+  EXPECT_TRUE(monitor.stopped());
+  EXPECT_FALSE(monitor.cancelled());
+  EXPECT_THROW(monitor.check(), Error);
+  monitor.heed_stops(false);
+  EXPECT_NO_THROW(monitor.check());
+  monitor.cancel();
+  EXPECT_THROW(monitor.check(), Error);
+}
+
 TEST(Monitor, HandsReportsToItsListener) {
   std::vector<Progress> reports;
   const Monitor monitor([&](const Progress& progress) { reports.push_back(progress); });

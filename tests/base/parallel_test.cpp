@@ -9,6 +9,9 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
+
+#include "crossgrain/error.hpp"
 
 namespace crossgrain {
 namespace {
@@ -72,6 +75,32 @@ TEST(ParallelLoop, LetsAnExceptionThrough) {
 TEST(ParallelLoop, RunsAgainAfterAnException) {
   EXPECT_THROW(parallel_for(10000, [](std::size_t) { throw std::runtime_error("always"); }),
                std::runtime_error);
+  EXPECT_EQ(parallel_sum(10000, [](std::size_t) { return 1.0; }), 10000);
+}
+
+TEST(WatchedLoops, EndOnceTheMonitorSaysSo) {
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    Monitor monitor;
+    std::atomic<std::size_t> visits = 0;
+    const WatchedLoops watched(monitor);
+    EXPECT_THROW(parallel_for(10000000,
+                              [&](std::size_t) {
+                                if (++visits == 1000) monitor.cancel();
+                              }),
+                 Error);
+    EXPECT_LT(visits, 100000u);
+  }
+}
+
+TEST(WatchedLoops, AreThoseOfThisThreadWhileItIsWatched) {
+  Monitor monitor;
+  monitor.cancel();
+  {
+    const WatchedLoops watched(monitor);
+    EXPECT_THROW(parallel_sum(10000, [](std::size_t) { return 1.0; }), Error);
+    std::thread([] { EXPECT_EQ(parallel_sum(10000, [](std::size_t) { return 1.0; }), 10000); }).join();
+  }
   EXPECT_EQ(parallel_sum(10000, [](std::size_t) { return 1.0; }), 10000);
 }
 

@@ -1,18 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What `crossgrain solve` does besides errors: files, streams, determinism, interruption."""
+"""What `crossgrain solve` does besides errors: files, streams, determinism."""
 
 import json
 import os
-import pty
-import signal
-import subprocess
-import time
 import unittest
 
-from program import PROGRAM, CommandTest, box_triangles, sphere_triangles, stl_bytes, torus_triangles
-
-INTERRUPTED = 130
+from program import CommandTest, box_triangles, sphere_triangles, stl_bytes, torus_triangles
 
 
 class Solve(CommandTest):
@@ -90,16 +84,6 @@ class Solve(CommandTest):
         self.assertAlmostEqual(expected["resolution"], 96)
         self.assertLess(expected["depth"], report["levels"][-1]["depth"])
 
-    def test_shows_progress_on_a_terminal(self):
-        master, terminal = pty.openpty()
-        result = subprocess.run([PROGRAM, "solve", "torus.stl", "--resolution", "8"], stdout=subprocess.DEVNULL,
-                                stderr=terminal, cwd=self.folder, timeout=60, check=False)
-        os.close(terminal)
-        shown = os.read(master, 100000)
-        os.close(master)
-        self.assertEqual(result.returncode, 0)
-        self.assertIn(b"level", shown)
-
     def field_bytes(self, model, *arguments):
         self.assert_succeeds(self.run_here("solve", model, "-o", "out", *arguments))
         return (self.folder / "out" / "field.vtu").read_bytes()
@@ -137,22 +121,6 @@ class Solve(CommandTest):
                 option = ["--crease-angle", angle] if angle else []
                 self.assert_succeeds(self.run_here("solve", "box.stl", "-o", "out", "--resolution", "8", *option))
                 self.assertEqual(self.report("out")["creases"]["curves"], curves)
-
-    def test_interrupting_leaves_nothing(self):
-        for number in (signal.SIGINT, signal.SIGTERM):
-            with self.subTest(signal=number.name):
-                process = subprocess.Popen([PROGRAM, "solve", "torus.stl", "--resolution", "400", "-o", "out/deep",
-                                            "--progress"], stderr=subprocess.PIPE, cwd=self.folder)
-                while b"level" not in process.stderr.readline():
-                    pass
-                process.send_signal(number)
-                asked = time.monotonic()
-                lines = process.communicate(timeout=60)[1].decode().splitlines()
-                self.assertEqual(process.returncode, INTERRUPTED)
-                self.assertEqual([line for line in lines if line.startswith("crossgrain:")], lines[-1:])
-                self.assertIn("interrupted", lines[-1])
-                self.assertLess(time.monotonic() - asked, 20)
-                self.assertEqual(self.names(), ["torus.stl"])
 
 
 if __name__ == "__main__":

@@ -58,6 +58,7 @@ inline SolveReport sample_report() {
   report.peak_memory_bytes = 1;
   report.expected = Expectation{5, 0.125, 6.5, 100, 200, 1.75};
   report.limited = SolveReport::Limited{14.6, 300, 400};
+  report.unfinished = SolveReport::Unfinished{14.6, 2, true};
   report.warnings = {"one", "two"};
   return report;
 }

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one source that includes cpp-httplib, which takes seconds to compile.
+#include "view/folder_server.hpp"
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include <array>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "crossgrain/error.hpp"
+#include "view/page_name.hpp"
+
+namespace crossgrain::app {
+namespace {
+
+constexpr const char* kAddress = "127.0.0.1";
+
+enum Status { kRedirect = 302, kForbidden = 403, kNotFound = 404 };
+
+/// The library's own would let two servers have one port.
+void set_socket_options(socket_t socket) {
+  const int yes = 1;
+  ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+}
+
+std::string content_type_of(const std::filesystem::path& file) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 9> kTypes{
+      {{".html", "text/html; charset=utf-8"},
+       {".json", "application/json"},
+       {".js", "text/javascript; charset=utf-8"},
+       {".css", "text/css; charset=utf-8"},
+       {".svg", "image/svg+xml"},
+       {".png", "image/png"},
+       {".wasm", "application/wasm"},
+       {".vtu", "application/xml"},
+       {".frames", "text/plain; charset=utf-8"}}};
+  for (const auto& [extension, type] : kTypes)
+    if (file.extension() == extension) return type;
+  return "application/octet-stream";
+}
+
+void answer(httplib::Response& response, Status status, const std::string& text) {
+  response.status = status;
+  response.set_content(text + "\n", "text/plain; charset=utf-8");
+}
+
+/// Reads part of a file for the library, block by block, so that no file needs to fit into memory.
+httplib::ContentProvider provider_of(const std::shared_ptr<std::ifstream>& file) {
+  return [file](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+    constexpr std::size_t kBlock = std::size_t{1} << 18;
+    std::string block(std::min(length, kBlock), '\0');
+    file->seekg(static_cast<std::streamoff>(offset));
+    file->read(block.data(), static_cast<std::streamsize>(block.size()));
+    const auto count = static_cast<std::size_t>(file->gcount());
+    return count > 0 && sink.write(block.data(), count);
+  };
+}
+
+}  // namespace
+
+class FolderServer::Files {
+ public:
+  explicit Files(const std::filesystem::path& folder) : folder_(std::filesystem::canonical(folder)) {
+    server.set_socket_options(set_socket_options);
+    server.set_tcp_nodelay(true);
+    server.set_default_headers({{"Cache-Control", "no-store"},
+                                {"X-Content-Type-Options", "nosniff"},
+                                {"Cross-Origin-Resource-Policy", "same-origin"}});
+    server.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+      if (is_for_this_machine(request)) return httplib::Server::HandlerResponse::Unhandled;
+      answer(response, kForbidden, "for 127.0.0.1 and localhost only");
+      return httplib::Server::HandlerResponse::Handled;
+    });
+    server.Get("/", [](const httplib::Request&, httplib::Response& response) {
+      response.set_redirect(std::string("/") + kPageName, kRedirect);
+    });
+    server.Get("/([^/]+)", [this](const httplib::Request& request, httplib::Response& response) {
+      serve_file(request.matches[1].str(), response);
+    });
+  }
+
+  httplib::Server server;
+  int port = 0;
+
+ private:
+  bool is_for_this_machine(const httplib::Request& request) const {
+    if (request.get_header_value_count("Host") != 1) return false;
+    const std::string host = request.get_header_value("Host");
+    for (const char* name : {kAddress, "localhost"})
+      if (host == fmt::format("{}:{}", name, port)) return true;
+    return false;
+  }
+
+  /// The path of a regular file in the folder itself; none of anything else.
+  std::optional<std::filesystem::path> file_of(const std::string& name) const {
+    if (name.empty() || name.front() == '.' || name.find_first_of(std::string_view("/\0", 2)) != name.npos)
+      return std::nullopt;
+    std::error_code failure;
+    std::filesystem::path file = std::filesystem::canonical(folder_ / name, failure);
+    if (failure || file.parent_path() != folder_ || !std::filesystem::is_regular_file(file, failure))
+      return std::nullopt;
+    return file;
+  }
+
+  void serve_file(const std::string& name, httplib::Response& response) const {
+    const auto path = file_of(name);
+    const auto file = std::make_shared<std::ifstream>();
+    if (path) file->open(*path, std::ios::binary | std::ios::ate);
+    if (!path || !*file) return answer(response, kNotFound, "no such file");
+    const auto size = static_cast<std::size_t>(file->tellg());
+    const std::string type = content_type_of(*path);
+    if (size == 0) return response.set_content("", type);
+    response.set_content_provider(size, type, provider_of(file));
+  }
+
+  std::filesystem::path folder_;
+};
+
+FolderServer::FolderServer(const std::filesystem::path& folder) : files_(std::make_unique<Files>(folder)) {}
+
+FolderServer::~FolderServer() = default;
+
+int FolderServer::bind(int port) {
+  httplib::Server& server = files_->server;
+  const bool is_bound =
+      port > 0 ? server.bind_to_port(kAddress, port) : (port = server.bind_to_any_port(kAddress)) > 0;
+  if (!is_bound)
+    throw Error(
+        ErrorKind::kOutput,
+        fmt::format("port {} of {}: is taken, or not for everyone; choose another with --port, or none", port,
+                    kAddress));
+  return files_->port = port;
+}
+
+void FolderServer::serve() {
+  files_->server.listen_after_bind();
+}
+
+void FolderServer::stop() {
+  files_->server.stop();
+}
+
+}  // namespace crossgrain::app

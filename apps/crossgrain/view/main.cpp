@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `crossgrain view` becomes: crossgrain_view FOLDER PORT browser|no-browser
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <array>
+#include <atomic>
+#include <exception>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "crossgrain/error.hpp"
+#include "output.hpp"
+#include "view/browser.hpp"
+#include "view/folder_server.hpp"
+#include "view/page_name.hpp"
+
+namespace crossgrain::app {
+namespace {
+
+constexpr int kInternalError = 1;
+
+/// SIGINT, SIGTERM and SIGHUP, blocked in this thread and those that it starts: `wait` takes them.
+class EndingSignals {
+ public:
+  EndingSignals() {
+    sigemptyset(&signals_);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals_, signal);
+    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+  }
+
+  /// Until one comes, or `is_over`.
+  void wait(const std::atomic<bool>& is_over) const {
+    const timespec interval{0, 200'000'000};
+    while (!is_over && sigtimedwait(&signals_, nullptr, &interval) < 0) {
+    }
+  }
+
+ private:
+  sigset_t signals_{};
+};
+
+void serve(const std::string& folder, int port, bool with_browser) {
+  const EndingSignals signals;
+  FolderServer server(folder);
+  const std::string address = fmt::format("http://127.0.0.1:{}/{}", server.bind(port), kPageName);
+  std::atomic<bool> is_over = false;
+  std::thread serving([&] {
+    server.serve();
+    is_over = true;
+  });
+  try {
+    print_result(address + "\n");
+    if (with_browser && !open_in_browser(address))
+      print_message("open this address in a browser; Ctrl-C ends");
+    signals.wait(is_over);
+  } catch (...) {
+    server.stop();
+    serving.join();
+    throw;
+  }
+  server.stop();
+  serving.join();
+}
+
+int run(int argc, char** argv) {
+  if (argc != 4) return static_cast<int>(ErrorKind::kUsage);
+  try {
+    serve(argv[1], std::stoi(argv[2]), std::string_view(argv[3]) == "browser");
+    return 0;
+  } catch (const Error& error) {
+    print_message(error.what());
+    return static_cast<int>(error.kind());
+  } catch (const std::exception& error) {
+    print_message(std::string(argv[1]) + ": unexpected: " + error.what() + "; please report this");
+    return kInternalError;
+  }
+}
+
+}  // namespace
+}  // namespace crossgrain::app
+
+int main(int argc, char** argv) {
+  return crossgrain::app::run(argc, argv);
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include "commands.hpp"
+#include "crossgrain/error.hpp"
+#include "view/page_name.hpp"
+
+namespace crossgrain::app {
+namespace {
+
+/// How many folders above the program there may be libexec/: bin/crossgrain in an installed tree,
+/// apps/crossgrain/crossgrain in a build tree.
+constexpr int kFoldersAbove = 2;
+
+/// The server of pages is a program of its own: the library that it is made with takes 6 MB and six
+/// milliseconds to load, which no other command is to pay for.
+std::filesystem::path find_view_program() {
+  std::error_code failure;
+  std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", failure).parent_path();
+  for (int above = 0; above <= kFoldersAbove && !folder.empty(); ++above, folder = folder.parent_path()) {
+    std::filesystem::path program = folder / CROSSGRAIN_HELPER_FOLDER / "crossgrain_view";
+    if (std::filesystem::exists(program, failure)) return program;
+  }
+  return {};
+}
+
+void check_folder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  const auto fail = [&](const std::string& message) {
+    throw Error(ErrorKind::kInput, folder.string() + message);
+  };
+  const std::filesystem::file_status status = std::filesystem::status(folder, failure);
+  if (!std::filesystem::exists(status))
+    fail(": no such folder; name one that 'crossgrain solve' has written");
+  if (!std::filesystem::is_directory(status))
+    fail(": is no folder; name one that 'crossgrain solve' has written");
+  if (!std::filesystem::is_regular_file(folder / kPageName, failure))
+    fail(fmt::format(": has no {}; solve again without --no-report", kPageName));
+}
+
+}  // namespace
+
+void run_view(const ViewArguments& arguments) {
+  check_folder(arguments.folder);
+  const std::string program = find_view_program().string();
+  const std::string port = std::to_string(arguments.port);
+  if (!program.empty()) {
+    ::execl(program.c_str(), "crossgrain_view", arguments.folder.c_str(), port.c_str(),
+            arguments.no_browser ? "no-browser" : "browser", static_cast<char*>(nullptr));
+  }
+  throw Error(
+      ErrorKind::kInput,
+      fmt::format("{}/crossgrain_view: cannot be run: {}; install Crossgrain again", CROSSGRAIN_HELPER_FOLDER,
+                  std::generic_category().message(program.empty() ? ENOENT : errno)));
+}
+
+}  // namespace crossgrain::app

@@ -1,0 +1,234 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Signals to `solve`: the first leaves the last level that is finished, the second nothing."""
+
+import json
+import signal
+import subprocess
+import time
+import unittest
+
+from field_reader import Field
+from program import PROGRAM, CommandTest, medit_text, stl_bytes, tet_box, torus_triangles
+
+INTERRUPTED = 130
+
+# Its finest level takes far longer than what happens here.
+LARGE = ("--resolution", "1500")
+LEVELS = 9
+
+# Signals that follow each other faster count as one.
+APART = 0.2
+
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+class Solve:
+    """A running `solve --progress`, and the lines that it has said so far."""
+
+    def __init__(self, folder, *arguments):
+        self.lines = []
+        self.process = subprocess.Popen([PROGRAM, "solve", *map(str, arguments), "--progress"], stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE, cwd=folder)
+
+    def wait_for(self, word):
+        while word not in (self.lines[-1] if self.lines else ""):
+            line = self.process.stderr.readline().decode()
+            if not line:
+                raise AssertionError(f"ended without '{word}': {self.lines}")
+            self.lines.append(line)
+        return self.lines[-1]
+
+    def send(self, number=signal.SIGINT):
+        self.process.send_signal(number)
+
+    def send_while_halted(self, number=signal.SIGINT):
+        """So that it does not get any further between."""
+        self.process.send_signal(signal.SIGSTOP)
+        time.sleep(APART)
+        self.process.send_signal(number)
+        self.process.send_signal(signal.SIGCONT)
+
+    def end(self):
+        """Exit code, standard output, all of standard error."""
+        output, errors = self.process.communicate(timeout=100)
+        return self.process.returncode, output.decode(), "".join(self.lines) + errors.decode()
+
+
+class InterruptionTest(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.write("torus.stl", stl_bytes(torus_triangles()))
+
+    def start(self, *arguments):
+        solve = Solve(self.folder, *arguments)
+        self.addCleanup(lambda: solve.process.poll() is None and solve.process.kill())
+        return solve
+
+    def report(self, name="out"):
+        return json.loads((self.folder / name / "report.json").read_text())
+
+    def files(self, name="out"):
+        return {path.name: path.read_bytes() for path in (self.folder / name).iterdir()}
+
+    def stopped_solve(self, level=4, number=signal.SIGINT, arguments=()):
+        """Stopped once that level is finished; exit code, standard output and standard error."""
+        solve = self.start("torus.stl", "-o", "out", *LARGE, *arguments)
+        solve.wait_for(f"level {level} of {LEVELS}:")
+        solve.send(number)
+        return solve.end()
+
+
+class Stopped(InterruptionTest):
+    def test_leaves_the_last_finished_level_marked_as_unfinished(self):
+        code, output, errors = self.stopped_solve()
+        self.assertEqual(code, INTERRUPTED)
+        report = self.report()
+        finished = len(report["levels"])
+        self.assertGreaterEqual(finished, 4)
+        self.assertEqual(report["unfinished"], {"resolution_asked": 1500, "levels_missing": LEVELS - finished,
+                                                "tets_missing": False})
+        self.assertAlmostEqual(report["resolution"], 1500 / 2 ** (LEVELS - finished))
+        self.assertNotIn("limited", report)
+        self.assertIn("unfinished", report["warnings"][0])
+        self.assertIn("unfinished", output)
+        cells = report["levels"][-1]["active_cells"]
+        self.assertIn(f"crossgrain: interrupted: writing level {finished} of {LEVELS}, {cells} cells; Ctrl-C again to drop it\n",
+                      errors)
+        field = Field(self.folder / "out" / "field.vtu")
+        self.assertEqual(len(field), cells)
+        self.assertEqual(field.depth.max(), report["levels"][-1]["depth"])
+
+    def test_shows_no_line_of_the_level_that_is_dropped(self):
+        _, _, errors = self.stopped_solve()
+        shown = sum(line.startswith("level ") for line in errors.splitlines())
+        self.assertEqual(shown, len(self.report()["levels"]))
+
+    def test_by_any_of_the_signals_that_end_programs(self):
+        for number in SIGNALS:
+            with self.subTest(signal=number.name):
+                self.assertEqual(self.stopped_solve(number=number)[0], INTERRUPTED)
+                self.assertIn("unfinished", self.report())
+
+    def test_by_a_signal_that_comes_twice_at_once(self):
+        # As `timeout` sends it, to the process and to its group.
+        solve = self.start("torus.stl", "-o", "out", *LARGE)
+        solve.wait_for(f"level 4 of {LEVELS}:")
+        solve.send(signal.SIGTERM)
+        solve.send(signal.SIGINT)
+        self.assertEqual(solve.end()[0], INTERRUPTED)
+        self.assertIn("unfinished", self.report())
+
+    def test_gives_a_field_that_a_solve_starts_from_and_others_read(self):
+        self.stopped_solve()
+        result = self.run_here("check", "out")
+        self.assert_succeeds(result)
+        self.assertTrue(result.stdout.startswith("UNFINISHED"), result.stdout)
+        self.assert_succeeds(self.run_here("sample", "out", "-", stdin=b"0.6 0 0\n"))
+        self.assert_succeeds(self.run_here("solve", "torus.stl", "--from", "out", "-o", "again", "--resolution", 64))
+        again = self.report("again")
+        self.assertNotIn("unfinished", again)
+        self.assertFalse(any("unfinished" in warning for warning in again["warnings"]))
+
+    def test_replaces_an_earlier_result_as_a_whole(self):
+        self.assert_succeeds(self.run_here("solve", "torus.stl", "-o", "out", "--resolution", 16))
+        before = self.files()
+        self.stopped_solve()
+        after = self.files()
+        self.assertEqual(before.keys(), after.keys())
+        self.assertTrue(all(before[name] != after[name] for name in before))
+
+    def test_before_any_level_is_finished_leaves_nothing(self):
+        solve = self.start("torus.stl", "-o", "out", *LARGE)
+        solve.send_while_halted()
+        code, output, errors = solve.end()
+        if (self.folder / "out").exists():
+            self.skipTest("the first level was finished before the process could be halted")
+        # The very first moment, before the program has said what to do with signals, is the system's.
+        self.assertIn(code, (INTERRUPTED, -signal.SIGINT))
+        self.assertEqual(output, "")
+        self.assertNotIn("writing", errors)
+        self.assertEqual(self.names(), ["torus.stl"])
+
+
+class AfterTheFinestLevel(InterruptionTest):
+    def test_a_stop_changes_nothing_but_to_say_so(self):
+        self.assert_succeeds(self.run_here("solve", "torus.stl", "-o", "whole", "--resolution", 160))
+        solve = self.start("torus.stl", "-o", "out", "--resolution", 160)
+        levels = len(self.report("whole")["levels"])
+        solve.wait_for(f"level {levels} of {levels}:")
+        solve.send_while_halted()
+        code, _, errors = solve.end()
+        self.assertEqual(code, 0)
+        self.assertIn("interrupted: the field is solved", errors)
+        self.assertNotIn("unfinished", self.report())
+        self.assertTrue(self.files()["field.vtu"] == self.files("whole")["field.vtu"])
+
+
+class Cancelled(InterruptionTest):
+    def cancel_while_writing(self):
+        solve = self.start("torus.stl", "-o", "out", *LARGE)
+        solve.wait_for(f"level 6 of {LEVELS}:")
+        solve.send()
+        solve.wait_for("interrupted: writing level")
+        solve.send_while_halted()
+        return solve.end()
+
+    def test_a_second_signal_leaves_nothing(self):
+        code, output, errors = self.cancel_while_writing()
+        self.assertEqual(code, INTERRUPTED)
+        self.assertNotIn("result", output)
+        self.assertTrue(errors.endswith("crossgrain: interrupted\n"), errors)
+        self.assertEqual(self.names(), ["torus.stl"])
+
+    def test_a_second_signal_leaves_an_earlier_result_as_it_was(self):
+        self.assert_succeeds(self.run_here("solve", "torus.stl", "-o", "out", "--resolution", 16))
+        before = self.files()
+        self.assertEqual(self.cancel_while_writing()[0], INTERRUPTED)
+        self.assertEqual(self.files(), before)
+
+    def test_a_second_signal_while_the_finest_level_is_written_leaves_nothing(self):
+        solve = self.start("torus.stl", "-o", "out", "--resolution", 160)
+        solve.wait_for("analysis")
+        solve.send_while_halted()
+        solve.wait_for("interrupted: the field is solved")
+        solve.send_while_halted()
+        code, _, errors = solve.end()
+        self.assertEqual(code, INTERRUPTED, errors)
+        self.assertEqual(self.names(), ["torus.stl"])
+
+
+class OnTets(InterruptionTest):
+    def setUp(self):
+        super().setUp()
+        self.write("box.mesh", medit_text(*tet_box((24, 20, 20))))
+
+    def test_a_stop_while_the_field_is_carried_leaves_that_on_the_grid(self):
+        solve = self.start("box.mesh", "-o", "out", "--write", "fra", "--resolution", 16)
+        solve.wait_for("analysis")
+        solve.send()
+        code, output, errors = solve.end()
+        self.assertEqual(code, INTERRUPTED)
+        self.assertIn("interrupted: writing the field on the grid", errors)
+        report = self.report()
+        self.assertEqual(report["unfinished"], {"resolution_asked": 16, "levels_missing": 0, "tets_missing": True})
+        self.assertNotIn("onto", report)
+        self.assertIn("not carried onto the tets", report["warnings"][0])
+        self.assertIn("not carried onto the tets", output)
+        self.assertEqual(sorted(self.files()), ["field.vtu", "report.json", "singularities.vtu"])
+        self.assertIn("no field on the tets", self.run_here("check", "out").stdout)
+
+    def test_a_stop_while_levels_are_solved_leaves_the_grid_too(self):
+        solve = self.start("box.mesh", "-o", "out", *LARGE)
+        solve.wait_for(f"level 4 of {LEVELS}:")
+        solve.send()
+        code, _, errors = solve.end()
+        self.assertEqual(code, INTERRUPTED)
+        self.assertEqual(errors.count("interrupted:"), 1, errors)
+        unfinished = self.report()["unfinished"]
+        self.assertTrue(unfinished["tets_missing"])
+        self.assertGreater(unfinished["levels_missing"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
