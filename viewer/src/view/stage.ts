@@ -23,7 +23,7 @@ import { line_material, segments_of } from "./thin_lines.ts";
 import { kViewColors, scene_color, shader_color } from "./view_colors.ts";
 
 // A glyph needs this many pixels to be told from its neighbour.
-const kGlyphPixels = 26;
+const kGlyphPixels = 23;
 
 export class Stage {
   readonly octree: Octree;
