@@ -60,7 +60,9 @@ test("a thinned page says so", async () => {
 
 test("every control changes the picture", async () => {
   const { page, context, problems } = await open(browser, scene_file("plate"));
-  await page.evaluate(() => window.crossgrain.change({ cut: { axis: "y", flip: true, position: 0.3 } }));
+  await page.evaluate(() => window.crossgrain.change({ cut: { axis: "z", flip: false, position: 0.5 } }));
+  // From above the cells are large enough for their lines.
+  await page.evaluate(() => window.crossgrain.setView("top"));
   let last = await picture(page);
   const changes = async (name, act) => {
     await act();
@@ -72,6 +74,8 @@ test("every control changes the picture", async () => {
   // Clicked where the user clicks: on the label.
   const click = (name) => changes(name, () => page.locator("label", { has: page.locator(by_test(name)) }).click());
   for (const name of ["show-streamlines", "show-part", "show-part", "show-creases", "show-arcs", "show-nodes", "show-glyphs", "show-glyphs", "show-cells", "cut-clip"]) await click(name);
+  await page.evaluate(() => window.crossgrain.setView("iso"));
+  last = await picture(page);
   for (const name of ["map-alignment", "map-energy", "map-class", "map-none", "glyph-shape-cube", "cut-axis-x", "cut-axis-z", "cut-axis-view", "cut-axis-y"]) await click(name);
   await click("cut-clip");
   await changes("cut-flip", () => page.locator(by_test("cut-flip")).click());

@@ -6,7 +6,7 @@ import { subtract, type Vector } from "./math/frame.ts";
 import type { Degree } from "./math/harmonics.ts";
 import type { Report } from "./scene/report.ts";
 import { cell_count, cell_box, cell_center, type Scene } from "./scene/scene.ts";
-import { SettingsStore, type Settings } from "./settings.ts";
+import { SettingsStore, type CutAxis, type Settings } from "./settings.ts";
 import { Stage } from "./view/stage.ts";
 import { kViewNames, type ViewName } from "./view/camera_rig.ts";
 import { by_id, counted, measured } from "./ui/dom.ts";
@@ -40,7 +40,7 @@ export class Application {
     const axis = widest_cut(scene);
     // The half that is taken away is the one towards the first view, which looks from the front, the right and above.
     this.store.change({ cut: { axis, flip: axis === "y" } });
-    this.follow = make_controls(by_id("panel-view"), this.store, scene, { camera_direction: () => this.stage.rig.direction });
+    this.follow = make_controls(by_id("panel-view"), this.store, scene, { cut_across: (axis) => this.cut_across(axis) });
     const groups = place_groups(report, scene);
     this.places = groups.flatMap((group) => group.places).filter((place) => place.point !== null);
     by_id("places").replaceChildren(...place_lists(groups, scene.origin, (place) => this.visit(place)));
@@ -75,6 +75,13 @@ export class Application {
 
   help(): void {
     this.keyboard.help();
+  }
+
+  /** Cuts across an axis, or across the view; the half towards the camera is taken away. */
+  cut_across(axis: CutAxis): void {
+    const { direction } = this.stage.rig;
+    const along = axis === "view" ? 1 : direction[["x", "y", "z"].indexOf(axis)];
+    this.store.change({ cut: { axis, on: true, flip: along < 0, ...(axis === "view" ? { normal: direction } : {}) } });
   }
 
   view(name: ViewName): void {

@@ -3,7 +3,7 @@
 
 import type { Vector } from "../math/frame.ts";
 import type { Scene } from "../scene/scene.ts";
-import { cut_normal, cut_offset, type Layer, type Settings, type SettingsStore } from "../settings.ts";
+import { cut_normal, cut_offset, type CutAxis, type Layer, type Settings, type SettingsStore } from "../settings.ts";
 import { element, measured } from "./dom.ts";
 
 type Follow = (settings: Settings) => void;
@@ -54,8 +54,7 @@ function group(name: string, ...children: (HTMLElement | null)[]): HTMLElement {
 }
 
 export interface ControlActions {
-  /** The direction from the part to the camera. */
-  camera_direction(): Vector;
+  cut_across(axis: CutAxis): void;
 }
 
 /** Fills a panel with the controls, and returns what makes them follow the settings. */
@@ -72,7 +71,7 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
       bind.check("Cut through the part", "cut-on", (settings) => settings.cut.on, (on) => store.change({ cut: { on } })),
       bind.choice("Direction of the cut", "cut-axis", [["x", "X"], ["y", "Y"], ["z", "Z"], ["view", "View"]],
         (settings) => settings.cut.axis,
-        (axis) => store.change({ cut: { axis, on: true, ...(axis === "view" ? { normal: actions.camera_direction(), flip: false } : {}) } })),
+        (axis) => actions.cut_across(axis)),
       bind.slider("Position", "cut-position", [0, 1, 0.002], (settings) => settings.cut.position, (position) => store.change({ cut: { position, on: true } }),
         (settings) => `${measured(absolute_offset(settings, scene), 4)}${unit}`),
       element("div", { class: "pair" },

@@ -23,7 +23,7 @@ export function key_groups(application: Application): KeyGroup[] {
   });
   const axis = (key: string, name: CutAxis, does: string): Key => ({
     keys: [key], shown: key.toUpperCase(), does,
-    act: () => store.change({ cut: { axis: name, on: true, ...(name === "view" ? { normal: stage.rig.direction, flip: false } : {}) } }),
+    act: () => application.cut_across(name),
   });
   const move = (key: string, direction: number): Key => ({
     keys: direction < 0 ? ["[", "{"] : ["]", "}"], shown: key, does: direction < 0 ? "cut lower; Shift: a little" : "cut higher; Shift: a little",

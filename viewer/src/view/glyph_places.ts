@@ -63,24 +63,26 @@ export function fitting_glyph_places(scene: Scene, octree: Octree, normal: Vecto
   const places = glyph_places(scene, octree, normal, offset, spacing);
   if (spacing < 2 || places.length === 0) return places;
   const squares = places.reduce((sum, place) => sum + (place.side / scene.cells.unit) ** 2, 0);
-  if (cut_area(scene, normal, offset) > kLeastCover * squares) return places;
+  // Rows of glyphs on an inclined cut overlap: each has about half of its room to itself.
+  const own = Math.max(...normal.map(Math.abs)) > 0.999 ? 1 : 0.5;
+  if (cut_area(scene, normal, offset) > kLeastCover * own * squares) return places;
   return glyph_places(scene, octree, normal, offset, spacing / 2);
 }
 
 // Below this share of glyphs' room that is cut, the part is a thin wall there: a wall of half a room's width has 0.5.
 const kLeastCover = 0.55;
 
-/** About the area of the cut, in square lattice units: a cell that it passes counts with a side, inclined ones a little more. */
+/** The area of the cut in square lattice units: each cell that is the one it passes along its steepest axis counts with its shadow. */
 function cut_area(scene: Scene, normal: Vector, offset: number): number {
   const { low, unit } = scene.cells;
   const lattice_offset = (offset - dot(normal, low)) / unit - 1e-3;
-  const reach = Math.max(...normal.map(Math.abs)) / 2;
+  const steepest = Math.max(...normal.map(Math.abs));
   let area = 0;
   for (let cell = 0; cell < cell_count(scene); ++cell) {
     const side = scene.cell_size[cell];
     let distance = -lattice_offset;
     for (let k = 0; k < 3; ++k) distance += normal[k] * (scene.cell_corner[3 * cell + k] + side / 2);
-    if (Math.abs(distance) <= reach * side) area += side * side;
+    if (Math.abs(distance) <= (steepest * side) / 2) area += (side * side) / steepest;
   }
   return area;
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part: its surface, translucent and coloured by the field, and its creases.
 
-import { BackSide, BufferAttribute, BufferGeometry, FrontSide, Group, Mesh, ShaderMaterial, type Side } from "three";
+import { BackSide, BufferAttribute, BufferGeometry, FrontSide, Group, Mesh, Plane, ShaderMaterial, type Color, type Side } from "three";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 
+import type { Vector } from "../math/frame.ts";
 import type { Scene } from "../scene/scene.ts";
 import { shaded_triangles } from "./creased_normals.ts";
 import { kClip, kFieldLookup, kLight } from "./shader_parts.ts";
@@ -15,7 +16,10 @@ export class PartView {
   readonly geometry: BufferGeometry;
   private readonly sides: Mesh<BufferGeometry, ShaderMaterial>[];
   private readonly opacity = { value: 0.35 };
-  readonly creases: LineSegments2;
+  /** On the half that is there, and faintly on the one that is cut away. */
+  private readonly creases: [LineSegments2, LineSegments2];
+  private readonly kept = new Plane();
+  private readonly taken = new Plane();
 
   constructor(scene: Scene, uniforms: SharedUniforms) {
     const { positions, normals } = shaded_triangles(scene);
@@ -29,9 +33,24 @@ export class PartView {
       mesh.renderOrder = 10 + order;
       return mesh;
     });
-    this.creases = new LineSegments2(segments_of(scene.crease_points, scene.crease_starts), line_material(1.2, 0.75));
-    this.creases.renderOrder = 12;
-    this.group.add(...this.sides, this.creases);
+    const segments = segments_of(scene.crease_points, scene.crease_starts);
+    this.creases = [new LineSegments2(segments, line_material(1.2, 0.8)), new LineSegments2(segments, line_material(1, 0.3))];
+    for (const lines of this.creases) lines.renderOrder = 12;
+    this.creases[1].material.clippingPlanes = [this.taken];
+    this.group.add(...this.sides, ...this.creases);
+  }
+
+  recolor(crease: Color): void {
+    for (const lines of this.creases) lines.material.color = crease;
+  }
+
+  cut(normal: Vector, offset: number, clip: boolean): void {
+    this.taken.normal.set(...normal);
+    this.taken.constant = -offset;
+    this.kept.copy(this.taken).negate();
+    const [kept, taken] = this.creases;
+    kept.material.clippingPlanes = clip ? [this.kept] : null;
+    taken.visible = kept.visible && clip;
   }
 
   show(visible: boolean, creases: boolean, opacity: number): void {
@@ -43,7 +62,7 @@ export class PartView {
       mesh.material.transparent = !opaque;
       mesh.material.depthWrite = opaque;
     }
-    this.creases.visible = creases;
+    this.creases[0].visible = creases;
   }
 }
 

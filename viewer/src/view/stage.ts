@@ -23,7 +23,7 @@ import { line_material, segments_of } from "./thin_lines.ts";
 import { kViewColors, scene_color, shader_color } from "./view_colors.ts";
 
 // A glyph needs this many pixels to be told from its neighbour.
-const kGlyphPixels = 26;
+const kGlyphPixels = 23;
 
 export class Stage {
   readonly octree: Octree;
@@ -54,6 +54,7 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, context });
     // Asking whether a shader compiled waits until it has: half a second that is better spent on the rest.
     this.renderer.debug.checkShaderErrors = false;
+    this.renderer.localClippingEnabled = true;
     this.textures = field_textures(scene, this.octree, this.ranges);
     this.uniforms = shared_uniforms(scene, this.octree, this.textures);
     this.rig = new CameraRig(new Box3(new Vector3(...scene.low), new Vector3(...scene.high)), scene.surface_vertices, canvas, () => {
@@ -90,6 +91,7 @@ export class Stage {
     this.uniforms.cut.value.set(...normal, offset);
     this.uniforms.clip.value = cut.on && cut.clip;
     this.part.show(layers.part, layers.creases, settings.opacity);
+    this.part.cut(normal, offset, cut.on && cut.clip);
     this.face.place(normal, offset);
     this.face.show(cut.on, layers.cells);
     this.lines.show(layers.arcs, layers.nodes);
@@ -112,7 +114,7 @@ export class Stage {
     this.uniforms.void_color.value.copy(shader_color(colors.nothing));
     this.uniforms.face_color.value.copy(shader_color(colors.cut));
     this.face.line_color.value.copy(shader_color(colors.cell_line));
-    this.part.creases.material.color = scene_color(colors.crease);
+    this.part.recolor(scene_color(colors.crease));
     this.streams.material.color = scene_color(colors.streamline);
     this.lines.recolor(colors);
     this.marks.recolor(colors);
