@@ -7,7 +7,8 @@ set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 build="$root/build/test"
 
-"$root/cmake/install_packages.sh" build test cad
+"$root/cmake/install_packages.sh" build test cad browser
+command -v npm >/dev/null || "$root/cmake/install_packages.sh" npm
 
 launcher=""
 if command -v ccache >/dev/null; then launcher=ccache; fi

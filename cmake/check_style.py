@@ -11,9 +11,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-FOLDERS = ["include", "src", "apps", "python", "examples", "bench", "tests", "models", "docs", "cmake", "tools"]
+FOLDERS = ["include", "src", "apps", "python", "examples", "bench", "tests", "models", "docs", "cmake", "tools", "viewer"]
 CPP_SUFFIXES = {".hpp", ".cpp"}
-LICENSED_SUFFIXES = CPP_SUFFIXES | {".py", ".sh", ".cmake", ".in"}
+LICENSED_SUFFIXES = CPP_SUFFIXES | {".py", ".sh", ".cmake", ".in", ".ts", ".mjs", ".css"}
+OTHERS_FOLDER = "node_modules"
 LICENSE_LINE = "SPDX-License-Identifier: Apache-2.0"
 
 # Where the licence line must stand: the first line, or the second below a "#!".
@@ -26,7 +27,7 @@ def sources(root, suffixes):
     return sorted(
         path
         for path in [*root.glob("*"), *nested]
-        if path.is_file() and path.suffix in suffixes
+        if path.is_file() and path.suffix in suffixes and OTHERS_FOLDER not in path.parts
     )
 
 

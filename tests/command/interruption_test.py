@@ -215,7 +215,7 @@ class OnTets(InterruptionTest):
         self.assertNotIn("onto", report)
         self.assertIn("not carried onto the tets", report["warnings"][0])
         self.assertIn("not carried onto the tets", output)
-        self.assertEqual(sorted(self.files()), ["field.vtu", "report.json", "singularities.vtu"])
+        self.assertEqual(sorted(self.files()), ["field.vtu", "report.html", "report.json", "singularities.vtu", "surface.vtu"])
         self.assertIn("no field on the tets", self.run_here("check", "out").stdout)
 
     def test_a_stop_while_levels_are_solved_leaves_the_grid_too(self):
