@@ -52,6 +52,16 @@ test("the numbers and the verdict are those of the report", async () => {
   await context.close();
 });
 
+test("a field of a solve that was stopped says what is missing", async () => {
+  const { report, scene } = scene_named("ball");
+  const stopped = { ...report, unfinished: { resolution_asked: 4 * report.resolution, levels_missing: 2, tets_missing: false } };
+  const { page, context, problems } = await open(browser, page_file("stopped", filled_page(template, stopped, scene)));
+  const done = report.levels.length;
+  assert.match(await page.locator(by_test("unfinished")).innerText(), new RegExp(`Unfinished: level ${done} of ${done + 2}\\.[^]* 4 times as fine`));
+  assert.deepEqual(problems, []);
+  await context.close();
+});
+
 test("a thinned page says so", async () => {
   const { page, context } = await open(browser, scene_file("plate"));
   assert.match(await page.locator(by_test("shown")).innerText(), /Cells smaller than 1 mm are shown merged: [\d,]+ of 4,100,000 cells/);

@@ -6,7 +6,7 @@ import type { Report } from "./scene/report.ts";
 import { Application } from "./application.ts";
 import { view_context } from "./view/view_context.ts";
 import { place_groups, place_lists } from "./ui/places.ts";
-import { about, alignment_scale, badge, key_numbers, verdict_card, verdict_of, warnings_list } from "./ui/summary.ts";
+import { about, alignment_scale, badge, key_numbers, unfinished_card, verdict_card, verdict_of, warnings_list } from "./ui/summary.ts";
 import { by_id, element } from "./ui/dom.ts";
 import { levels_chart } from "./ui/levels_chart.ts";
 import { Tabs } from "./ui/tabs.ts";
@@ -22,7 +22,7 @@ function show_report(report: Report): void {
   by_id("badge").replaceChildren(...badge(verdict));
   by_id("badge").className = `badge ${verdict?.judgement ?? ""}`;
   const places = element("div", { id: "places" });
-  const blocks = [verdict_card(verdict), key_numbers(report), alignment_scale(report), places, levels_chart(report), warnings_list(report), about(report)];
+  const blocks = [unfinished_card(report), verdict_card(verdict), key_numbers(report), alignment_scale(report), places, levels_chart(report), warnings_list(report), about(report)];
   by_id("panel-field").replaceChildren(...blocks.filter((block) => block !== null));
   places.replaceChildren(...place_lists(place_groups(report, null), [0, 0, 0], () => {}));
 }

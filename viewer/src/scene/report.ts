@@ -67,5 +67,6 @@ export interface Report {
     crowded_corner_places?: Vector[];
   };
   limited?: { resolution_asked?: number };
+  unfinished?: { resolution_asked?: number; levels_missing?: number; tets_missing?: boolean };
   warnings?: string[];
 }
