@@ -20,16 +20,17 @@ SIZE = "1000x750"
 
 # File, what it shows, further arguments of `render`.
 FIELDS = [
-    ("featuretype.STEP", "A CAD part with nine handles. Lines of index -1/4 run along its fillets.", ["--colour", "alignment"]),
-    ("i10o_simp.step", "A simple bracket, cut open: the frames follow the hole and the flats.", ["--cut", "z"]),
-    ("i02o_m2.step", "MAMBO's M2. Lines that no hexahedral mesh can have are crimson.", []),
-    ("s11o_cube_cyl.stp", "A cube on a cylinder: what frames do between round and square.", ["--cut", "x", "--view", "-60,20"]),
-    ("base_interface_AP214.STEP", "A plate with holes, thin: boxes of frames fit between its faces.", ["--cut", "z", "--view", "-60,40"]),
-    ("1002_tray_bottom.STL", "A folded tray of sheet metal, far thinner than long.", ["--view", "-60,40"]),
-    ("platonic_shelf.obj", "Five solids in one file. Faces that are not at right angles leave no frame in peace.", ["--colour", "class"]),
-    ("spot.ply", "An animal, as scans are: no flat face at all.", ["--up", "y", "--view", "40,15"]),
-    ("torus.obj", "A torus: four closed lines, coloured by the energy density at its surface.", ["--colour", "energy"]),
-    ("sphere_r0.12.mesh", "A ball of tets: eight nodes, twelve lines between them, eight to the surface.", ["--cut", "y"]),
+    ("featuretype.STEP", "A CAD part with nine handles: four lines of index -1/4 around each hole.", ["--colour", "alignment"]),
+    ("i10o_simp.step", "A bracket with a slanted hole, cut open. Where three of its planes meet the cut askew, so do the frames.", ["--cut", "z"]),
+    ("i02o_m2.step", "MAMBO's M2. Two lines, in crimson, turn across themselves: no hexahedral mesh can have them.", []),
+    ("s11o_cube_cyl.stp", "A cylinder on a cube, cut open: the round part's lines bend out to its edge.", ["--cut", "x"]),
+    ("base_interface_AP214.STEP", "A thin plate with holes, cut along its middle.", ["--cut", "z", "--view", "-60,40"]),
+    ("1002_tray_bottom.STL", "A tray of sheet metal with 23 handles, far thinner than wide.", ["--view", "-60,40"]),
+    ("platonic_shelf.obj", "Five solids in one file, most of them with no right angle: what their surfaces ask of each cell.", ["--colour", "class"]),
+    ("spot.ply", "An animal, without any flat face. Five lines, in crimson, no hexahedral mesh can have.",
+     ["--up", "y", "--view", "40,15"]),
+    ("torus.obj", "A torus, cut open: four closed lines along it.", ["--cut", "y"]),
+    ("sphere_r0.12.mesh", "A ball of tets: twelve lines, like the edges of a cube blown up to touch the surface.", []),
 ]
 
 
