@@ -143,7 +143,8 @@ void ProgressLines::end(bool done) {
     write(fmt::format("\r{}\x1b[K\n", text(/*done=*/true)));
   else if (done)
     write(text(/*done=*/true) + "\n");
-  if (done && is_of_level(*current_)) remaining_.add_level(seconds_of(Clock::now() - begun_));
+  if (done && is_of_level(*current_))
+    remaining_.add_level(current_->cells, seconds_of(Clock::now() - begun_));
   current_.reset();
 }
 

@@ -8,8 +8,8 @@
 namespace crossgrain::app {
 namespace {
 
-/// Levels that took less tell nothing of those to come: most of it is not work on cells.
-constexpr double kLeastToTell_s = 0.25;
+/// Levels of fewer cells tell nothing of those to come: most of what they take is not work on cells.
+constexpr std::size_t kFewestCellsToTell = 4000;
 
 /// Cells of the next level for one of a level, where refinement follows the surface.
 constexpr double kGrowth = 4;
@@ -19,8 +19,8 @@ constexpr double kResultShare = 0.5;
 
 }  // namespace
 
-void RemainingTime::add_level(double seconds) {
-  if (seconds >= kLeastToTell_s) last_level_seconds_ = seconds;
+void RemainingTime::add_level(std::size_t cells, double seconds) {
+  if (cells >= kFewestCellsToTell) last_level_seconds_ = seconds;
 }
 
 std::optional<double> RemainingTime::seconds(const Progress& at_work, double so_far, double of_level) const {

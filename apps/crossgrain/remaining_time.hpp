@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -15,9 +16,9 @@ class RemainingTime {
   void expect(double total_seconds) { total_seconds_ = total_seconds; }
 
   /// A level is done.
-  void add_level(double seconds);
+  void add_level(std::size_t cells, double seconds);
 
-  /// Empty where nothing is known: before a level has taken long enough to tell, and where things took longer
+  /// Empty where nothing is known: before a level has enough cells to tell, and where things took longer
   /// than expected. Times in seconds: of all so far, of the level at work so far.
   std::optional<double> seconds(const Progress& at_work, double so_far, double of_level) const;
 

@@ -46,7 +46,7 @@ class Monitor {
   bool stopped() const noexcept { return stopped_.load(std::memory_order_relaxed); }
 
   /// Before a solve: it may be stopped. It keeps the finished level then while the next one is made, which
-  /// takes some 4 per cent more memory (docs/performance.md).
+  /// takes some 7 per cent more memory (docs/performance.md).
   void allow_stops() noexcept { may_be_stopped_ = true; }
   bool may_be_stopped() const noexcept { return may_be_stopped_; }
 

@@ -71,10 +71,10 @@ inline constexpr MemoryLine kEnergyDensity{
     .structure = "energy density", .per_cell = 4, .held = kWhileComparing};
 inline constexpr MemoryLine kSharpTurns{.structure = "sharp turns", .per_cell = 1, .held = kWhileComparing};
 
-/// Of a solve that may be stopped: the finished level before the one that is made, a quarter to three eighths
-/// as large, with its tree, surface, frames and energy density. Not in `kAll`.
+/// Of a solve that may be stopped, and not in `kAll`: the finished level before the one that is made, about a
+/// quarter as large, with its tree, surface, guides, frames and energy density.
 inline constexpr MemoryLine kKeptLevel{
-    .structure = "the level before", .per_cell = 9, .per_piece = 2, .held = kAlways};
+    .structure = "the level before", .per_cell = 10, .per_piece = 2, .held = kAlways};
 
 inline constexpr std::array kAll{
     kTree,         kPieceBegin,    kPieces,    kWinding,      kFaceNeighbours, kParents,

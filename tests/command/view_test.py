@@ -132,7 +132,8 @@ class View(CommandTest):
         self.assertEqual((self.field / "report.json").read_text(), '{"schema": 3}')
 
     def test_signals_end_it_and_that_is_no_error(self):
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        # At once, so that it may not yet have begun to serve.
+        for number in 3 * (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             _, process = self.start("--no-browser")
             process.send_signal(number)
             self.assertEqual(process.wait(timeout=20), 0)

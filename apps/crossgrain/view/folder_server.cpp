@@ -6,10 +6,13 @@
 #include <httplib.h>
 
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "crossgrain/error.hpp"
@@ -85,6 +88,7 @@ class FolderServer::Files {
   }
 
   httplib::Server server;
+  std::atomic<bool> has_served = false;
   int port = 0;
 
  private:
@@ -139,9 +143,13 @@ int FolderServer::bind(int port) {
 
 void FolderServer::serve() {
   files_->server.listen_after_bind();
+  files_->has_served = true;
 }
 
 void FolderServer::stop() {
+  // The library passes over a stop that comes before it has begun.
+  while (!files_->server.is_running() && !files_->has_served)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   files_->server.stop();
 }
 

@@ -18,7 +18,7 @@ class FolderServer {
   /// Takes a port on 127.0.0.1, for 0 a free one, and returns it. Throws Error(kOutput) where it is taken.
   int bind(int port);
 
-  /// Serves until `stop`, which may be called from another thread.
+  /// Serves until `stop`, which is for another thread, once `serve` is called there or is about to be.
   void serve();
   void stop();
 
