@@ -20,7 +20,10 @@ namespace {
 constexpr std::size_t kMostTriangles = 150000;
 
 /// Three lines each, one an axis: a few across any part, not so many that they hide each other.
-constexpr std::size_t kStreamlineSeeds = 60;
+constexpr std::size_t kStreamlineSeeds = 40;
+
+/// Lines go no further each way, in longest sides: they may wind round a part many times, and hide it.
+constexpr double kStreamlineSides = 1;
 
 /// Points of a streamline, at most: tracing takes a point a cell.
 constexpr std::size_t kMostLinePoints = 200;
@@ -157,7 +160,9 @@ void add_streamlines(const FrameField& shown, const SolvedSurface* surface, cons
     mesh.triangles = surface->triangles;
   }
   Polylines lines(origin);
-  const StreamlineTracer tracer(shown, {}, surface ? &mesh : nullptr);
+  StreamlineOptions options;
+  options.longest_sides = kStreamlineSides;
+  const StreamlineTracer tracer(shown, options, surface ? &mesh : nullptr);
   const auto seeds = tracer.spread_seeds(kStreamlineSeeds, monitor);
   for (const Streamline& line : tracer.trace(seeds, monitor).lines) {
     const std::size_t pieces = line.points.size() - 1;
