@@ -9,6 +9,7 @@
 
 #include "analysis/field_data.hpp"
 #include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
 #include "crossgrain/streamlines.hpp"
 #include "io/drawn_surface.hpp"
 #include "io/output_cells.hpp"
@@ -151,18 +152,28 @@ void add_forms(const ShownForms& forms, const FieldData& shown, SceneWriter& sce
   scene.add("form_weight", 1, forms.weights);
 }
 
+/// Lines end on the surface, or with the cells where no surface is known or it is not where the field is.
+StreamlineTracer tracer_of(const FrameField& field, const SolvedSurface* surface) {
+  StreamlineOptions options;
+  options.longest_sides = kStreamlineSides;
+  if (surface) {
+    TriangleMesh mesh;
+    mesh.vertices = surface->vertices;
+    mesh.triangles = surface->triangles;
+    try {
+      return StreamlineTracer(field, options, &mesh);
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::kInput) throw;
+    }
+  }
+  return StreamlineTracer(field, options);
+}
+
 /// Of the cells that are shown, which lines through the cells themselves would hardly differ from.
 void add_streamlines(const FrameField& shown, const SolvedSurface* surface, const Vector3& origin,
                      const Monitor& monitor, SceneWriter& scene) {
-  TriangleMesh mesh;
-  if (surface) {
-    mesh.vertices = surface->vertices;
-    mesh.triangles = surface->triangles;
-  }
   Polylines lines(origin);
-  StreamlineOptions options;
-  options.longest_sides = kStreamlineSides;
-  const StreamlineTracer tracer(shown, options, surface ? &mesh : nullptr);
+  const StreamlineTracer tracer = tracer_of(shown, surface);
   const auto seeds = tracer.spread_seeds(kStreamlineSeeds, monitor);
   for (const Streamline& line : tracer.trace(seeds, monitor).lines) {
     const std::size_t pieces = line.points.size() - 1;

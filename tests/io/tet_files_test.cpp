@@ -155,15 +155,15 @@ TEST(FormatsOfAFolder, AreThoseAskedForAndNoneOfAnotherSolve) {
   const TemporaryFolder folder;
   const Sample sample({2, 2, 2});
   sample.write(folder.path(), every_format());
-  EXPECT_EQ(folder.names().size(), 3 + tet_files().size());
+  EXPECT_EQ(folder.names().size(), 4 + tet_files().size());
   folder.write("onto.notes", "mine");
   sample.write(folder.path(), {"perm", "fra", "perm", "vtu"});
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"field.vtu", "onto.fra", "onto.frames", "onto.notes",
                                                       "onto.perm", "onto.vtu", "onto_singularities.vtu",
-                                                      "report.json", "singularities.vtu"}));
+                                                      "report.html", "report.json", "singularities.vtu"}));
   write_field(field_of(sample_data(Degree::kFour)), folder.path());
-  EXPECT_EQ(folder.names(),
-            (std::vector<std::string>{"field.vtu", "onto.notes", "report.json", "singularities.vtu"}));
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"field.vtu", "onto.notes", "report.html", "report.json",
+                                                      "singularities.vtu"}));
 }
 
 TEST(FormatsOfAFolder, AppearTogetherOrNotAtAll) {
