@@ -37,6 +37,7 @@ mkdir -p "$(dirname "$result")"
 
 show_report "$result/report.json"
 cat <<EOF
+Look at it:  $result/report.html   (in any browser; or: $program view $result)
 The field:   $result/field.vtu   (opens in ParaView)
 The report:  $result/report.json
 Next:        $program solve YOUR_PART.stl --resolution 128
