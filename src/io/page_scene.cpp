@@ -60,8 +60,8 @@ Vector3 middle_of(const Box& box) {
   return 0.5 * (box.low + box.high);
 }
 
-void add_surface(const SolvedSurface& surface, const Vector3& origin, SceneWriter& scene) {
-  const DrawnSurface drawn = drawn_surface(surface, origin, kMostTriangles);
+DrawnSurface add_surface(const SolvedSurface& surface, const Vector3& origin, SceneWriter& scene) {
+  DrawnSurface drawn = drawn_surface(surface, origin, kMostTriangles);
   scene.add("surface_vertices", 3, drawn.positions);
   scene.add("surface_triangles", 3, drawn.vertices);
   scene.header["surface"] = {{"triangles_total", surface.triangles.size()},
@@ -69,6 +69,7 @@ void add_surface(const SolvedSurface& surface, const Vector3& origin, SceneWrite
   Polylines creases(origin);
   for (const std::vector<Vector3>& crease : surface.creases) creases.add(crease);
   creases.write(scene, "crease_points", "crease_starts");
+  return drawn;
 }
 
 template <class T, class Items, class ValueOf>
@@ -152,14 +153,23 @@ void add_forms(const ShownForms& forms, const FieldData& shown, SceneWriter& sce
   scene.add("form_weight", 1, forms.weights);
 }
 
-/// Lines end on the surface, or with the cells where no surface is known or it is not where the field is.
-StreamlineTracer tracer_of(const FrameField& field, const SolvedSurface* surface) {
+TriangleMesh mesh_of(const DrawnSurface& surface, const Vector3& origin) {
+  TriangleMesh mesh;
+  for (std::size_t k = 0; k < surface.positions.size(); k += 3)
+    mesh.vertices.push_back(
+        origin + Vector3{surface.positions[k], surface.positions[k + 1], surface.positions[k + 2]});
+  for (std::size_t k = 0; k < surface.vertices.size(); k += 3)
+    mesh.triangles.push_back({surface.vertices[k], surface.vertices[k + 1], surface.vertices[k + 2]});
+  return mesh;
+}
+
+/// Lines end on the surface as it is drawn, which is quicker to look into than a large one, or with the cells
+/// where no surface is known or it is not where the field is.
+StreamlineTracer tracer_of(const FrameField& field, const DrawnSurface& surface, const Vector3& origin) {
   StreamlineOptions options;
   options.longest_sides = kStreamlineSides;
-  if (surface) {
-    TriangleMesh mesh;
-    mesh.vertices = surface->vertices;
-    mesh.triangles = surface->triangles;
+  if (!surface.vertices.empty()) {
+    const TriangleMesh mesh = mesh_of(surface, origin);
     try {
       return StreamlineTracer(field, options, &mesh);
     } catch (const Error& error) {
@@ -170,10 +180,10 @@ StreamlineTracer tracer_of(const FrameField& field, const SolvedSurface* surface
 }
 
 /// Of the cells that are shown, which lines through the cells themselves would hardly differ from.
-void add_streamlines(const FrameField& shown, const SolvedSurface* surface, const Vector3& origin,
+void add_streamlines(const FrameField& shown, const DrawnSurface& surface, const Vector3& origin,
                      const Monitor& monitor, SceneWriter& scene) {
   Polylines lines(origin);
-  const StreamlineTracer tracer = tracer_of(shown, surface);
+  const StreamlineTracer tracer = tracer_of(shown, surface, origin);
   const auto seeds = tracer.spread_seeds(kStreamlineSeeds, monitor);
   for (const Streamline& line : tracer.trace(seeds, monitor).lines) {
     const std::size_t pieces = line.points.size() - 1;
@@ -197,7 +207,7 @@ std::string page_scene(const FrameField& field, const Monitor& monitor) {
   scene.header["high"] = box.high - origin;
 
   const std::shared_ptr<const SolvedSurface> surface = data.surface.get();
-  add_surface(surface ? *surface : SolvedSurface{}, origin, scene);
+  const DrawnSurface drawn = add_surface(surface ? *surface : SolvedSurface{}, origin, scene);
   monitor.check();
   add_singularities(field.singularities(), origin, scene);
 
@@ -208,7 +218,7 @@ std::string page_scene(const FrameField& field, const Monitor& monitor) {
       shows_all ? field : FrameField(std::make_shared<const FieldData>(output_cells(data, merged, monitor)));
   add_cells(shown.data(), data.tree.size(), shows_all ? std::nullopt : merged.level, origin, scene);
   add_forms(data.shown_forms, shown.data(), scene);
-  add_streamlines(shown, surface.get(), origin, monitor, scene);
+  add_streamlines(shown, drawn, origin, monitor, scene);
   return scene.bytes();
 }
 
