@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# A layer is a folder of src/ built as an object library that links the layers below it only; the library
-# `crossgrain` is all of them. `cmake/check_layers.py` holds the same order for includes.
+# A layer is a folder of src/ built as an object library that links the layers below it only; a component is a
+# library that users link, of one or more layers. `cmake/check_layers.py` holds the same order for includes.
 
 set_property(GLOBAL PROPERTY CROSSGRAIN_LAYERS "")
 
@@ -32,22 +32,25 @@ function(crossgrain_layer name)
   set_property(GLOBAL APPEND PROPERTY CROSSGRAIN_LAYERS ${name})
 endfunction()
 
-# The library that users link: the objects of every layer.
-function(crossgrain_library)
-  get_property(layers GLOBAL PROPERTY CROSSGRAIN_LAYERS)
-  add_library(crossgrain)
-  add_library(crossgrain::crossgrain ALIAS crossgrain)
-  crossgrain_compile_settings(crossgrain)
-  foreach(layer IN LISTS layers)
-    target_sources(crossgrain PRIVATE $<TARGET_OBJECTS:crossgrain_${layer}>)
+# crossgrain_component(NAME LAYERS ... [COMPONENTS ...] [LIBRARIES ...]): the library crossgrain::NAME that users
+# link: the objects of some layers. COMPONENTS are those whose symbols it uses.
+function(crossgrain_component name)
+  cmake_parse_arguments(COMPONENT "" "" "LAYERS;COMPONENTS;LIBRARIES" ${ARGN})
+  set(target "crossgrain-${name}")
+  add_library(${target})
+  add_library(crossgrain::${name} ALIAS ${target})
+  crossgrain_compile_settings(${target})
+  foreach(layer IN LISTS COMPONENT_LAYERS)
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:crossgrain_${layer}>)
   endforeach()
-  set_target_properties(crossgrain PROPERTIES LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION}
-                                              SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  target_include_directories(crossgrain PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
-                                               $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
-                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  target_link_libraries(crossgrain PRIVATE TBB::tbb ZLIB::ZLIB PNG::PNG embree fmt::fmt meshoptimizer::meshoptimizer
-                                           Threads::Threads ${CMAKE_DL_LIBS})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION}
+                                             SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                              $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+                                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  list(TRANSFORM COMPONENT_COMPONENTS PREPEND "crossgrain-")
+  target_link_libraries(${target} PUBLIC ${COMPONENT_COMPONENTS} PRIVATE ${COMPONENT_LIBRARIES})
+  set_property(GLOBAL APPEND PROPERTY CROSSGRAIN_BUILT_COMPONENTS ${name})
 endfunction()
 
 # crossgrain_layer_test(NAME SOURCES ...): one test program for a layer, linked with it and those below.

@@ -6,9 +6,9 @@ Usage: check_layers.py [ROOT]
 
   src/LAYER/            includes itself, the layers before it, and public headers
   include/crossgrain/   includes public headers and the standard library
-  apps/ python/ examples/   include public headers and what stands in their own folder
+  apps/ examples/       include public headers and what stands in their own folder
 
-OpenCASCADE (*.hxx) stands in src/io/cad/ only, which is built as a program apart; only that folder includes its headers.
+OpenCASCADE (*.hxx) stands in src/io/cad/program/ only, which is built as a program apart; only that folder includes its headers.
 """
 
 import re
@@ -16,24 +16,24 @@ import sys
 from pathlib import Path
 
 # From the lowest up, as in CMakeLists.txt.
-LAYERS = ["base", "harmonics", "constraint", "surface", "tets", "grid", "field", "analysis", "io", "picture"]
+LAYERS = ["base", "harmonics", "constraint", "surface", "tets", "grid", "field", "singularity", "sampling", "measure", "solve",
+          "files", "io", "page", "picture"]
 
-# A layer that stands beside one below it, not above: its only exceptions.
-EXTRA_LAYERS = {"distributed": [layer for layer in LAYERS if layer not in ("io", "picture")] + ["distributed"]}
+# Layers below another in the list that it stands beside, not above.
+BESIDE = {"picture": ["io", "page"]}
 
 # The folder of src/ with OpenCASCADE in it.
-CAD_PROGRAM = "io/cad/"
+CAD_PROGRAM = "io/cad/program/"
 
-OUTER_FOLDERS = ["apps", "python", "examples"]
+OUTER_FOLDERS = ["apps", "examples"]
 SUFFIXES = {".hpp", ".cpp", ".h", ".cc", ".in"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD_HEADER = re.compile(r"^[a-z0-9_]+$")
 
 
 def layers_seen_by(layer):
-    if layer in EXTRA_LAYERS:
-        return EXTRA_LAYERS[layer]
-    return LAYERS[: LAYERS.index(layer) + 1]
+    below = LAYERS[: LAYERS.index(layer) + 1]
+    return [name for name in below if name not in BESIDE.get(layer, [])]
 
 
 def includes_of(path):
@@ -53,16 +53,16 @@ def fault_in_layer(layer, inside_cad_program, quote, included):
     if included.endswith(".hxx") and not inside_cad_program:
         return f"OpenCASCADE stands in the program src/{CAD_PROGRAM} only"
     if included.startswith(CAD_PROGRAM) and not inside_cad_program:
-        return "the library sees no more of the program for CAD files than io/cad_messages.hpp"
+        return "the library sees no more of the program for CAD files than io/cad/cad_messages.hpp"
     if first in ("tbb", "oneapi") and layer != "base":
         return "oneTBB stands behind base/parallel.hpp; use parallel_for"
-    if quote == "<" and first != "crossgrain" and first not in LAYERS and first not in EXTRA_LAYERS:
+    if quote == "<" and first != "crossgrain" and first not in LAYERS:
         return None
     if quote == "<":
         return 'headers of the project are included with ""'
     if first == "crossgrain" or first in layers_seen_by(layer):
         return None
-    if first in LAYERS or first in EXTRA_LAYERS:
+    if first in LAYERS:
         return f"layer {layer} may not include layer {first}"
     return 'write "layer/file.hpp" or "crossgrain/file.hpp"'
 
@@ -91,7 +91,7 @@ def faults(root):
     source_root = root / "src"
     for folder in sorted(path for path in source_root.glob("*") if path.is_dir()):
         layer = folder.name
-        if layer not in LAYERS and layer not in EXTRA_LAYERS:
+        if layer not in LAYERS:
             yield f"src/{layer}: unknown layer; add it to LAYERS in cmake/check_layers.py and to CMakeLists.txt"
             continue
         for path in sources_below(folder):

@@ -243,7 +243,7 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   command->add_flag("--quiet", arguments.quiet, "Print no summary and no progress");
   command->add_flag("--progress", arguments.progress,
                     "Show progress on standard error even where that is no terminal");
-  command->add_flag("!--no-report", arguments.output_options.page,
+  command->add_flag("!--no-report", arguments.page,
                     "Write no report.html, the page that shows the field; report.json is always written");
   return command;
 }
@@ -368,8 +368,6 @@ void add_looks(CLI::App& command, PictureOptions& options) {
               {"dark", PictureBackground::kDark},
               {"transparent", PictureBackground::kTransparent}},
              "Behind the part (default light)", "light|dark|transparent");
-  command.add_flag("--streamlines", options.streamlines,
-                   "Draw the lines that 'crossgrain streamlines' has written to the folder too");
   command.add_flag("!--no-lines", options.lines, "Leave out singular lines and nodes");
   command.add_flag("!--no-creases", options.creases, "Leave out sharp edges");
   command.add_flag("!--no-legend", options.legend, "Leave out legend and axes");
@@ -385,6 +383,8 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
       ->type_name("");
   command->add_option("-o,--output", arguments.output, "PNG file to write (default: DIR-stem.png here)")
       ->type_name("FILE");
+  command->add_flag("--streamlines", arguments.streamlines,
+                    "Draw the lines that 'crossgrain streamlines' has written to the folder too");
   add_parsed(
       *command, "--size", parse_size,
       [&options](const auto& size) { options.width = size[0], options.height = size[1]; },

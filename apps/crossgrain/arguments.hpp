@@ -20,6 +20,7 @@ struct SolveArguments {
   std::string constraints;  ///< a file of them; empty for none
   SolveOptions options;
   OutputOptions output_options;
+  bool page = true;  ///< whether to write report.html
   double read_seconds = ReadOptions().read_seconds;
   bool quiet = false;
   bool progress = false;
@@ -46,6 +47,7 @@ struct RenderArguments {
   std::string field;
   std::string output;  ///< the PNG file; never empty
   PictureOptions options;
+  bool streamlines = false;  ///< draw those of kStreamlinesFile in the folder
   int threads = 0;
   bool quiet = false;
 };

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
 #include "crossgrain/picture.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "interruption.hpp"
@@ -17,12 +18,28 @@ namespace {
 
 void check_files(const RenderArguments& arguments) {
   const auto normal = [](const std::filesystem::path& path) { return path.lexically_normal(); };
-  for (const char* name : {"field.vtu", "singularities.vtu", "surface.vtu", "report.json", "streamlines.vtu",
-                           "onto.vtu", "onto.frames", "onto_singularities.vtu"}) {
+  for (const std::string& name : all_result_files()) {
     const std::filesystem::path input = std::filesystem::path(arguments.field) / name;
     if (normal(input) == normal(arguments.output))
       throw Error(ErrorKind::kUsage, input.string() + ": is of the field; name another file for the picture");
   }
+}
+
+std::vector<std::vector<Vector3>> streamlines_in(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / kStreamlinesFile;
+  if (!std::filesystem::exists(path))
+    throw Error(ErrorKind::kInput,
+                path.string() + ": does not exist; run 'crossgrain streamlines' on the folder first");
+  return read_streamline_points(path);
+}
+
+void draw(const RenderArguments& arguments, const Monitor& monitor) {
+  const std::filesystem::path folder = arguments.field;
+  const FrameField field = read_field(folder);
+  const SingularityGraph singularities = read_singularities(folder / "singularities.vtu");
+  PictureCurves curves{&singularities, {}};
+  if (arguments.streamlines) curves.streamlines = streamlines_in(folder);
+  render_picture(field, arguments.output, arguments.options, curves, monitor);
 }
 
 }  // namespace
@@ -33,7 +50,7 @@ void run_render(const RenderArguments& arguments) {
   const Interruption interruption(monitor);
   const ThreadLimit limit(arguments.threads);
   const auto start = std::chrono::steady_clock::now();
-  render_picture(arguments.field, arguments.output, arguments.options, monitor);
+  draw(arguments, monitor);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (arguments.quiet) return;
   print_result(fmt::format("{} x {} pixels, drawn in {:.3g} s\nresult     {}\n", arguments.options.width,

@@ -17,6 +17,7 @@
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
+#include "crossgrain/page.hpp"
 #include "crossgrain/solve.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "interruption.hpp"
@@ -148,23 +149,13 @@ std::string expected_line(const Expectation& expected) {
                      static_cast<double>(expected.peak_memory_bytes) / 1e9, expected.seconds);
 }
 
-bool is_written(const OutputFormat& format, const OutputOptions& options) {
-  const auto& names = options.formats;
-  return format.is_always_written || std::find(names.begin(), names.end(), format.name) != names.end();
-}
-
 std::string files_line(const SolveReport& report, const SolveArguments& arguments) {
-  const std::filesystem::path output = arguments.output;
-  std::vector<std::string> names{"field.vtu", "singularities.vtu", "surface.vtu"};
-  if (report.onto) {
-    for (const OutputFormat& format : output_formats())
-      if (is_written(format, arguments.output_options))
-        names.insert(names.end(), format.files.begin(), format.files.end());
-  }
-  if (arguments.output_options.page) names.insert(names.begin(), "report.html");
-  std::string text;
-  for (const std::string& name : names) text += (output / name).string() + (name == names.back() ? "" : ", ");
-  return text + " and " + (output / "report.json").string();
+  std::vector<std::string> names = result_files(arguments.output_options, report.onto.has_value());
+  if (arguments.page) names.insert(names.begin(), kPageFile);
+  for (std::string& name : names) name = (std::filesystem::path(arguments.output) / name).string();
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("{} and {}", fmt::join(names, ", "), last);
 }
 
 /// What is to be told even where the summary is not: that the solve was not of what was given or asked for.
@@ -252,6 +243,7 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   check_start(arguments);
   monitor.report({"read", 0, 0, 0, 0});
   SolveOptions options = arguments.options;
+  if (arguments.page) keep_forms_for_page(options);
   if (!arguments.constraints.empty()) options.constraints = read_constraints(arguments.constraints);
   const std::optional<TetDomain> domain = read_domain(arguments, warn);
   if (domain) options = sized_for(*domain, std::move(options));
@@ -268,6 +260,8 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   if (domain) tet_field = carried(arguments, options, field, *domain, monitor, leave_line);
 
   monitor.report({"write", 0, 0, 0, 0});
+  OutputOptions output_options = arguments.output_options;
+  if (arguments.page) output_options.companions.push_back(page_of(field, monitor));
   SolveReport report = tet_field ? tet_field->report() : field.report();
   report.model.path = arguments.model;
   report.seconds.read = read_seconds;
@@ -277,8 +271,7 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
     report.expected->after_seconds += read_seconds;
     report.expected->seconds += read_seconds;
   }
-  if (tet_field) return write_field(*tet_field, report, arguments.output, monitor, arguments.output_options);
-  OutputOptions output_options = arguments.output_options;
+  if (tet_field) return write_field(*tet_field, report, arguments.output, monitor, output_options);
   output_options.formats.clear();  // of fields on tets
   if (domain) mark_tets_missing(report);
   return write_field(field, report, arguments.output, monitor, output_options);

@@ -26,8 +26,8 @@ void check_files(const StreamlinesArguments& arguments) {
   const auto normal = [](const std::filesystem::path& path) { return path.lexically_normal(); };
   const std::filesystem::path output = normal(arguments.output), folder = arguments.field;
   std::vector<std::string> inputs{arguments.seeds, arguments.surface};
-  for (const char* name : {"field.vtu", "report.json", "onto.frames", "onto.vtu"})
-    inputs.push_back((folder / name).string());
+  for (const std::string& name : all_result_files())
+    if (name != kStreamlinesFile) inputs.push_back((folder / name).string());
   for (const std::string& input : inputs) {
     if (input.empty() || input == "-" || normal(input) != output) continue;
     throw Error(ErrorKind::kUsage, input + ": is read, or of the field; name another file for the lines");

@@ -8,6 +8,7 @@
 #include "crossgrain/io.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
+#include "crossgrain/page.hpp"
 #include "crossgrain/picture.hpp"
 #include "crossgrain/report.hpp"
 #include "crossgrain/singularity_graph.hpp"

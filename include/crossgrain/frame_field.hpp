@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -43,22 +45,46 @@ class FrameField {
 
   explicit FrameField(std::shared_ptr<const FieldData> data);
 
-  /// Number of active cells, in Morton order.
+  /// Number of active cells.
   std::size_t size() const;
 
-  /// Cell `index` < size().
+  /// Cell `index`. Errors: kUsage unless index < size().
   Cell cell(std::size_t index) const;
+
+  /// Properties of all cells, size() entries each, in the order of `cell` (Morton order). Vectors are computed by
+  /// the call; spans refer to the field and live as long as one of its copies.
+
+  std::vector<Vector3> centres() const;  ///< model units
+  std::vector<double> sizes() const;     ///< sides of the cells, model units
+  std::vector<int> levels() const;       ///< depth in the octree; the root cube has 0
+  std::vector<Frame> frames() const;
+
+  /// The frames as unit quaternions (w, x, y, z), exactly as they are stored: the rotation that takes the
+  /// coordinate axes to those of the frame, v -> q v q*.
+  std::vector<std::array<float, 4>> quaternions() const;
+
+  /// Smoothness energy per volume, model units to the power of -2.
+  std::span<const float> energy_density() const;
+
+  /// Mean angle between the surface's normal and the nearest axis, by area, degrees; 0 in cells without surface.
+  std::span<const float> alignment_deg() const;
+
+  /// Class of the constraints. Empty for a field read from files that do not have it.
+  std::span<const CellConstraint> constraint_classes() const;
+
+  /// Solid that the cell belongs to (SolveReport::regions). Empty where there are not several.
+  std::span<const std::int32_t> regions() const;
 
   /// The frame at a point of finite coordinates: inside an active cell, the coefficients of the cells around
   /// are blended and projected to the nearest frame (cells across an outside gap take no part); elsewhere the
   /// nearest cell's frame.
   Sample sample(const Vector3& point) const;
 
-  /// The same of many points, to the bit and in their order, from several threads and several times as fast.
-  /// It does not matter whether points that follow each other are near each other.
+  /// Samples many points in parallel; bitwise identical to calling `sample` on each. Points may come in any
+  /// order.
   std::vector<Sample> sample(std::span<const Vector3> points) const;
 
-  /// The same into `samples`, as many as points.
+  /// Samples into an array of the caller's. Errors: kUsage unless both spans have the same size.
   void sample(std::span<const Vector3> points, std::span<Sample> samples) const;
 
   /// The lines around which the frames turn. Of the cells alone: arcs end up to a cell short of the surface.

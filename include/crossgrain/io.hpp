@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -102,6 +103,17 @@ struct OutputFormat {
 /// All of them, those first that are always written.
 std::vector<OutputFormat> output_formats();
 
+/// What the page of a field is called in its folder (crossgrain/page.hpp).
+inline constexpr const char* kPageFile = "report.html";
+
+/// A file that `write_field` writes together with its own: all of them appear, or none.
+struct CompanionFile {
+  std::string name;  ///< in the folder; none of the library's own names but kPageFile
+
+  /// The content of the file, given the report as it is written.
+  std::function<std::string(const SolveReport&)> text;
+};
+
 /// How much of a field `write_field` writes to field.vtu, by default all of it, and which formats it writes.
 /// The report, and what is written for tets, are of the whole field in any case.
 struct OutputOptions {
@@ -116,19 +128,19 @@ struct OutputOptions {
   /// order, and any number of times.
   std::vector<std::string> formats = {};
 
-  /// Whether to write the page that shows the field in a browser, of the whole field as the report is.
-  bool page = true;
+  /// Further files to write, such as the page that shows the field in a browser (`page_of`).
+  std::vector<CompanionFile> companions = {};
 };
 
 /// Writes FOLDER/field.vtu, FOLDER/singularities.vtu and FOLDER/surface.vtu (docs/field-file.md), which
 /// ParaView opens, and FOLDER/report.json (docs/report.md), making the folder where it is missing. All are
 /// written beside and then renamed: a failure leaves what was there before. Files of an earlier field on
-/// tets, and kStreamlinesFile, are removed, so that a folder never holds a mix of two solves. The report's
-/// seconds.write is what that took; it is added to seconds.total, and peak_memory_bytes is brought up to
-/// date. Where no cell meets the box of `options`, all are written, with a warning in the report: a solve is
-/// not lost for a box. Returns the report as written. Throws Error(kOutput), Error(kUsage) for options that
-/// make no sense (of formats any, as they are of fields on tets), and Error(kInterrupted) once the monitor is
-/// cancelled.
+/// tets, kStreamlinesFile and a kPageFile that is not written anew are removed, so that a folder never holds
+/// a mix of two solves. The report's seconds.write is what that took; it is added to seconds.total, and
+/// peak_memory_bytes is brought up to date. Where no cell meets the box of `options`, all are written, with a
+/// warning in the report: a solve is not lost for a box. Returns the report as written. Throws
+/// Error(kOutput), Error(kUsage) for options that make no sense (of formats any, as they are of fields on
+/// tets), and Error(kInterrupted) once the monitor is cancelled.
 SolveReport write_field(const FrameField& field, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 
@@ -159,9 +171,17 @@ std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::p
 /// Error(kInput).
 bool is_clipped_field(const std::filesystem::path& folder);
 
+/// The names of the files that `write_field` writes for a field on a grid or, with `on_tets`, on tets too,
+/// for these options; report.json comes last.
+std::vector<std::string> result_files(const OutputOptions& options = {}, bool on_tets = false);
+
+/// The names of all files that the folder of a field may hold, written by `write_field` or `crossgrain
+/// streamlines`.
+std::vector<std::string> all_result_files();
+
 /// Throws Error(kOutput) where `write_field` could not write to a folder; leaves no trace. To be asked before
 /// a solve.
-void check_field_folder(const std::filesystem::path& folder);
+void check_field_folder(const std::filesystem::path& folder, const OutputOptions& options = {});
 
 /// The same for a field on tets, and these options.
 void check_onto_folder(const std::filesystem::path& folder, const OutputOptions& options = {});
@@ -201,9 +221,20 @@ inline constexpr const char* kStreamlinesFile = "streamlines.vtu";
 void write_streamlines(std::span<const Streamline> lines, const std::filesystem::path& path,
                        const Monitor& monitor = {});
 
+/// The points of each line that `write_streamlines` has written to a file, two at least, model units. Throws
+/// Error(kInput).
+std::vector<std::vector<Vector3>> read_streamline_points(const std::filesystem::path& path);
+
+/// The graph in a file singularities.vtu or onto_singularities.vtu that `write_field` has written: that of
+/// the whole field, without the counts of edges and loops, which are in the report. Throws Error(kInput).
+SingularityGraph read_singularities(const std::filesystem::path& path);
+
 /// Throws Error(kOutput) where `write_streamlines` could not write; leaves no trace. To be asked before
 /// tracing.
 void check_streamline_file(const std::filesystem::path& path);
+
+/// A report as the JSON text of report.json (docs/report.md).
+std::string report_json(const SolveReport& report);
 
 /// A spectrum as JSON text: {degree, matrix, eigenvalues, null_space, linear, constant} as in SpectrumReport,
 /// matrices as lists of rows.

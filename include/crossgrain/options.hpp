@@ -140,6 +140,17 @@ struct OntoOptions {
   double sweep_tolerance = 1e-5;
 };
 
+/// Which cells keep the quadratic form of their constraints with the field, for display. A solve whose field
+/// is not displayed needs none.
+struct KeptFormOptions {
+  std::size_t most = 0;  ///< the largest number of forms; 0 keeps none
+
+  /// Forms are those of the field merged as it is displayed: to the greatest depth, up to `deepest`, that
+  /// leaves at most `merged_cells` cells.
+  std::size_t merged_cells = 200000;
+  int deepest = 16;
+};
+
 inline constexpr int kDefaultResolution = 128;
 
 /// Everything that shapes a solve. The same struct stands behind the command line, C++ and Python.
@@ -175,6 +186,7 @@ struct SolveOptions {
   CreaseAngles creases;
   SolverOptions solver;
   OntoOptions onto;
+  KeptFormOptions kept_forms;
 };
 
 }  // namespace crossgrain

@@ -5,8 +5,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "crossgrain/frame_field.hpp"
 #include "crossgrain/monitor.hpp"
+#include "crossgrain/singularity_graph.hpp"
+#include "crossgrain/types.hpp"
 
 namespace crossgrain {
 
@@ -62,9 +66,6 @@ struct PictureOptions {
   bool creases = true;  ///< sharp edges of the part
   bool legend = true;   ///< what colours mean, and the axes of the model
 
-  /// Those of kStreamlinesFile in the folder, which `crossgrain streamlines` writes.
-  bool streamlines = false;
-
   /// Of faces seen at a right angle, 0 to 1; where there is none, what suits the colour.
   std::optional<double> opacity;
 
@@ -75,13 +76,24 @@ struct PictureOptions {
 /// any other. The front is what is seen from -y, with x to the right.
 void set_view(PictureOptions& options, const std::string& name);
 
-/// Draws what `write_field` has written to a folder as a PNG file, which appears complete or not at all. No
-/// display is needed, and no graphics processor. The same options give the same bytes on any number of
-/// threads. Of part of a field (OutputOptions), the rest has no colours and no frames.
+/// Curves to draw that the field itself does not hold.
+struct PictureCurves {
+  /// The singular lines; null for those of the field. Of part of a field (OutputOptions) the lines of the
+  /// whole are in a file (`read_singularities`).
+  const SingularityGraph* singularities = nullptr;
+
+  /// Polylines of two points at least, model units; legend and lines are left out where there are none.
+  std::vector<std::vector<Vector3>> streamlines = {};
+};
+
+/// Draws a field as a PNG file, which appears complete or not at all. Needs no display and no graphics
+/// processor. The same field and options give the same bytes on any number of threads. Cells that were left
+/// out of a field (OutputOptions) have no colours and no frames.
 ///
-/// Throws Error(kUsage) for options out of range; Error(kInput) where a file is missing or damaged, or has
-/// not what is asked for; Error(kOutput); Error(kInterrupted) once the monitor is cancelled.
-void render_picture(const std::filesystem::path& folder, const std::filesystem::path& picture,
-                    const PictureOptions& options = {}, const Monitor& monitor = {});
+/// Errors: kUsage for options out of range; kInput for a field without its surface or without what the
+/// options colour by, as earlier versions wrote; kOutput; kInterrupted.
+void render_picture(const FrameField& field, const std::filesystem::path& picture,
+                    const PictureOptions& options = {}, const PictureCurves& curves = {},
+                    const Monitor& monitor = {});
 
 }  // namespace crossgrain

@@ -98,6 +98,17 @@ struct Frame {
   std::array<Vector3, 3> axes;
 };
 
+/// What the constraints in a cell determine (docs/design.md, "Classes").
+enum class CellConstraint : std::uint8_t {
+  kNoSurface = 0,   ///< the cell holds no surface
+  kPlane = 1,       ///< one axis
+  kAxis = 2,        ///< one axis, as a compromise between normals
+  kFrame = 3,       ///< all three axes
+  kFree = 4,        ///< nothing: all directions are alike
+  kConflicted = 5   ///< no frame meets them
+};
+inline constexpr int kCellConstraintCount = 6;
+
 /// Degree of the spherical harmonics that carry a frame: 3 (octupoles, seven numbers) or 4 (nine numbers).
 enum class Degree : int { kThree = 3, kFour = 4 };
 

@@ -43,7 +43,7 @@ std::string unit_of_density(const std::string& unit) {
 
 }  // namespace
 
-CellColours::CellColours(const FieldData& field, const PictureOptions& options, const std::string& source)
+CellColours::CellColours(const FieldData& field, const PictureOptions& options)
     : field_(field),
       finder_(field.tree),
       what_(options.colour),
@@ -53,7 +53,7 @@ CellColours::CellColours(const FieldData& field, const PictureOptions& options, 
   if (what_ == PictureColour::kConstraint && field.constraints.empty())
     throw Error(
         ErrorKind::kInput,
-        source + ": has no array 'constraint_class', which earlier versions did not write; solve again");
+        "the field has no array 'constraint_class', which earlier versions did not write; solve again");
   int deepest = 0;
   for (const CellAddress leaf : field.tree.leaves()) deepest = std::max(deepest, leaf.depth());
   inwards_ = kInwards * field.tree.root().cell_size(deepest);

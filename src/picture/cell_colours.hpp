@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "analysis/field_data.hpp"
 #include "crossgrain/picture.hpp"
+#include "field/field_data.hpp"
 #include "grid/leaf_finder.hpp"
 #include "picture/drawing.hpp"
 #include "picture/legend.hpp"
@@ -15,8 +15,8 @@ namespace crossgrain {
 /// Refers to the field. Safe to use from any number of threads.
 class CellColours {
  public:
-  /// Throws Error(kInput), naming `source`, where the field has not what is asked for.
-  CellColours(const FieldData& field, const PictureOptions& options, const std::string& source);
+  /// Throws Error(kInput) if the field lacks what the options colour by.
+  CellColours(const FieldData& field, const PictureOptions& options);
 
   bool is_none() const { return what_ == PictureColour::kNone; }
 

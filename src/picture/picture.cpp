@@ -7,13 +7,9 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/field_data.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
-#include "io/output_file.hpp"
-#include "io/singularity_file.hpp"
-#include "io/streamline_file.hpp"
-#include "io/surface_file.hpp"
+#include "field/field_data.hpp"
+#include "files/output_file.hpp"
 #include "picture/axis_cross.hpp"
 #include "picture/canvas.hpp"
 #include "picture/cell_colours.hpp"
@@ -58,22 +54,12 @@ void check_options(const PictureOptions& options) {
         "the colour scale has no such range; give the lower end first, above 0 of energy");
 }
 
-std::shared_ptr<const SolvedSurface> surface_of(const FieldData& field, const std::filesystem::path& folder) {
+std::shared_ptr<const SolvedSurface> surface_of(const FieldData& field) {
   auto surface = field.surface.get();
-  if (!surface)
-    throw Error(ErrorKind::kInput, (folder / kSurfaceFile).string() +
-                                       ": is not there, as earlier versions did not write it; solve again");
-  if (surface->triangles.empty())
-    throw Error(ErrorKind::kInput, (folder / kSurfaceFile).string() + ": has no triangles; solve again");
-  return surface;
-}
-
-std::vector<std::vector<Vector3>> streamlines_in(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / kStreamlinesFile;
-  if (!std::filesystem::exists(path))
+  if (!surface || surface->triangles.empty())
     throw Error(ErrorKind::kInput,
-                path.string() + ": is not there; trace lines with 'crossgrain streamlines' first");
-  return read_streamline_points(path);
+                "the field has no surface, which earlier versions did not write; solve again");
+  return surface;
 }
 
 /// Where the part, the legend and the axes are.
@@ -128,13 +114,13 @@ void draw_legend(const std::vector<LegendBlock>& blocks, const Layout& layout, c
 }
 
 std::vector<LegendBlock> legend_blocks(const CellColours& colours, const SingularityGraph& graph,
-                                       const PictureOptions& options) {
+                                       const PictureOptions& options, const PictureCurves& curves) {
   std::vector<LegendBlock> blocks;
   if (!options.legend) return blocks;
   if (const auto block = colours.legend()) blocks.push_back(*block);
   if (options.lines)
     if (const auto block = legend_of(graph, ink_on(options.background))) blocks.push_back(*block);
-  if (options.streamlines) {
+  if (!curves.streamlines.empty()) {
     LegendBlock block{"Streamlines"};
     block.signs.push_back({Sign::Shape::kLine, kStreamlineColour, "along an axis"});
     blocks.push_back(std::move(block));
@@ -167,23 +153,21 @@ void set_view(PictureOptions& options, const std::string& name) {
               "'" + name + "' is no view; choose iso, front, back, left, right, top or bottom");
 }
 
-void render_picture(const std::filesystem::path& folder, const std::filesystem::path& picture,
-                    const PictureOptions& options, const Monitor& monitor) {
+void render_picture(const FrameField& field, const std::filesystem::path& picture,
+                    const PictureOptions& options, const PictureCurves& curves, const Monitor& monitor) {
   check_options(options);
   OutputFile file(picture);
-  const FrameField field = read_field(folder);
   const FieldData& data = field.data();
-  const auto surface = surface_of(data, folder);
-  const SingularityGraph graph = read_singularities(folder / "singularities.vtu");
+  const auto surface = surface_of(data);
+  const SingularityGraph& graph = curves.singularities ? *curves.singularities : field.singularities();
   monitor.check();
 
-  const CellColours colours(data, options, (folder / "field.vtu").string());
-  const std::vector<LegendBlock> blocks = legend_blocks(colours, graph, options);
+  const CellColours colours(data, options);
+  const std::vector<LegendBlock> blocks = legend_blocks(colours, graph, options, curves);
   const Layout layout(options, *surface, blocks);
   const Camera& camera = *layout.camera;
-  std::vector<std::vector<Vector3>> streamlines;
-  if (options.streamlines) streamlines = streamlines_in(folder);
-  const Drawing drawing = field_drawing({data, *surface, graph, colours, streamlines}, options, camera);
+  const Drawing drawing =
+      field_drawing({data, *surface, graph, colours, curves.streamlines}, options, camera);
 
   const bool is_transparent = options.background == PictureBackground::kTransparent;
   Image image(options.width, options.height,

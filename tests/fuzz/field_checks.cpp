@@ -11,13 +11,12 @@
 #include "fuzz/input_folder.hpp"
 #include "fuzz/mesh_promises.hpp"
 #include "fuzz/reader_checks.hpp"
-#include "io/field_arrays.hpp"
-#include "io/json_file.hpp"
-#include "io/report_file.hpp"
+#include "io/json/json_file.hpp"
+#include "io/result/field_arrays.hpp"
+#include "io/result/report_file.hpp"
+#include "io/result/singularity_file.hpp"
+#include "io/result/surface_file.hpp"
 #include "io/sample_field.hpp"
-#include "io/singularity_file.hpp"
-#include "io/streamline_file.hpp"
-#include "io/surface_file.hpp"
 #include "io/vtk_files.hpp"
 
 namespace crossgrain {
@@ -125,7 +124,7 @@ void sample_everywhere(const FrameField& field) {
 
 /// `field_vtu` beside a report without fault.
 bool check_field_of(std::string_view field_vtu) {
-  static const std::string report = report_json(sample_report()).dump();
+  static const std::string report = json_of(sample_report()).dump();
   as_file("report.json", report);
   as_file("field.vtu", field_vtu);
   std::optional<FrameField> field;
@@ -223,9 +222,9 @@ bool check_report(std::string_view bytes) {
   SolveReport report;
   if (!succeeds([&] { report = read_report(path); })) return false;
   // Written and read again it is the same.
-  const std::string text = json_text(report_json(report));
+  const std::string text = report_json(report);
   const auto again = as_file("again.json", text);
-  require(json_text(report_json(read_report(again))) == text, "a report that changes when written");
+  require(report_json(read_report(again)) == text, "a report that changes when written");
   return true;
 }
 

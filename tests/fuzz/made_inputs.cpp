@@ -9,7 +9,7 @@
 
 #include "io/gmsh_files.hpp"
 #include "io/medit_files.hpp"
-#include "io/report_file.hpp"
+#include "io/result/report_file.hpp"
 #include "io/sample_field.hpp"
 #include "io/vtk_files.hpp"
 #include "tets/tet_meshes.hpp"
@@ -177,7 +177,7 @@ std::vector<std::string> made_inputs(std::string_view reader) {
   if (reader == "surface_arrays") return {surface_bytes()};
   if (reader == "singularity_arrays") return {singularity_bytes()};
   if (reader == "streamline_arrays") return {streamline_bytes()};
-  if (reader == "report") return {report_json(sample_report()).dump(1)};
+  if (reader == "report") return {json_of(sample_report()).dump(1)};
   if (reader == "points") return {"0 0 0\n1.5 -2e3 .25 # a point\n\n# none\n3 4 5"};
   if (reader == "normals") return {"0 0 1\n1 0 0 2.5\n# none\n0.3 -4 1e-3 7\n"};
   if (reader == "constraints") return made_constraints();

@@ -7,24 +7,22 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/solve.hpp"
-#include "io/temporary_folder.hpp"
+#include "field/field_data.hpp"
+#include "files/temporary_folder.hpp"
 #include "picture/read_png.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {
 namespace {
 
-/// The folder of a small field, solved once.
-const std::filesystem::path& solved_folder() {
-  static const TemporaryFolder folder;
-  static const bool is_solved = [] {
+/// A small field, solved once.
+const FrameField& solved_field() {
+  static const FrameField field = [] {
     SolveOptions options;
     options.resolution = 16;
-    write_field(solve(make_bracket(16), options), folder.path());
-    return true;
+    return solve(make_bracket(16), options);
   }();
-  (void)is_solved;
-  return folder.path();
+  return field;
 }
 
 class Picture : public testing::Test {
@@ -32,13 +30,13 @@ class Picture : public testing::Test {
   Picture() { options.width = 200, options.height = 150; }
 
   std::filesystem::path drawn(const char* name) {
-    render_picture(solved_folder(), folder.path() / name, options);
+    render_picture(solved_field(), folder.path() / name, options);
     return folder.path() / name;
   }
 
   ErrorKind error() {
     try {
-      render_picture(solved_folder(), folder.path() / "none.png", options);
+      render_picture(solved_field(), folder.path() / "none.png", options);
     } catch (const Error& error) {
       EXPECT_EQ(folder.names(), std::vector<std::string>{});
       return error.kind();
@@ -134,36 +132,55 @@ TEST_F(Picture, OfWrongSizesViewsAndCutsIsRefused) {
 }
 
 TEST_F(Picture, NeedsTheSurface) {
-  const TemporaryFolder other;
-  std::filesystem::copy(solved_folder(), other.path() / "field");
-  std::filesystem::remove(other.path() / "field" / "surface.vtu");
+  auto without = std::make_shared<FieldData>(solved_field().data());
+  without->surface = {};
   try {
-    render_picture(other.path() / "field", folder.path() / "a.png", options);
+    render_picture(FrameField(without), folder.path() / "a.png", options);
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kInput);
-    EXPECT_NE(std::string(error.what()).find("surface.vtu"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("solve again"), std::string::npos);
   }
+}
+
+TEST_F(Picture, OfAFieldInMemoryIsThatOfTheFieldReadFromItsFiles) {
+  const TemporaryFolder other;
+  write_field(solved_field(), other.path());
+  options.cut = PictureOptions::Cut{1, std::nullopt};
+  options.colour = PictureColour::kEnergy;
+  const std::string in_memory = content_of(drawn("a.png"));
+  render_picture(read_field(other.path()), folder.path() / "b.png", options);
+  EXPECT_EQ(content_of(folder.path() / "b.png"), in_memory);
+}
+
+TEST_F(Picture, ShowsTheCurvesThatItIsGiven) {
+  const std::string plain = content_of(drawn("a.png"));
+  const Box box = solved_field().report().model.bounding_box;
+  PictureCurves curves;
+  curves.streamlines = {{box.low, box.high}};
+  render_picture(solved_field(), folder.path() / "b.png", options, curves);
+  EXPECT_NE(content_of(folder.path() / "b.png"), plain);
+  const SingularityGraph none;
+  render_picture(solved_field(), folder.path() / "c.png", options, {&none, {}});
+  EXPECT_NE(content_of(folder.path() / "c.png"), plain);
 }
 
 TEST_F(Picture, LeavesNothingWhereItIsCancelled) {
   Monitor monitor;
   monitor.cancel();
-  EXPECT_THROW(render_picture(solved_folder(), folder.path() / "a.png", options, monitor), Error);
+  EXPECT_THROW(render_picture(solved_field(), folder.path() / "a.png", options, {}, monitor), Error);
   EXPECT_EQ(folder.names(), std::vector<std::string>{});
 }
 
 TEST_F(Picture, OfPartOfAFieldIsDrawnToo) {
-  const FrameField field = read_field(solved_folder());
-  const Box box = field.report().model.bounding_box;
+  const Box box = solved_field().report().model.bounding_box;
   const TemporaryFolder other;
   OutputOptions part;
   part.clip = Box{box.low, 0.5 * (box.low + box.high)};
-  write_field(field, other.path(), {}, part);
+  write_field(solved_field(), other.path(), {}, part);
   options.colour = PictureColour::kConstraint;
   options.cut = PictureOptions::Cut{1, std::nullopt};
-  render_picture(other.path(), folder.path() / "a.png", options);
+  render_picture(read_field(other.path()), folder.path() / "a.png", options);
   EXPECT_EQ(read_png(folder.path() / "a.png").width, 200);
 }
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "crossgrain/frame_field.hpp"
+#include "crossgrain/io.hpp"
+#include "crossgrain/monitor.hpp"
+#include "crossgrain/options.hpp"
+
+namespace crossgrain {
+
+/// Makes a solve keep the constraint forms that the page shows for a cell (SolveOptions::kept_forms). Without
+/// them, and for fields read from files, the page leaves that panel empty.
+void keep_forms_for_page(SolveOptions& options);
+
+/// The page that shows a field in a browser (docs/page.md), as a file for `write_field` to write with its own
+/// (OutputOptions::companions): the surface, singular arcs, frames and energies of at most 200,000 cells, and
+/// 120 streamlines, which are traced by this call. Independent of the number of threads. Errors:
+/// kInterrupted.
+CompanionFile page_of(const FrameField& field, const Monitor& monitor = {});
+
+/// Writes the page as a single HTML file that needs no other. The file appears complete or not at all.
+/// Errors: kOutput; kInterrupted.
+void write_page(const FrameField& field, const std::filesystem::path& path, const Monitor& monitor = {});
+
+}  // namespace crossgrain

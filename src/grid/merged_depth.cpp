@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "grid/merged_depth.hpp"
+
+#include <array>
+
+namespace crossgrain {
+namespace {
+
+/// The depth of the smallest cell that holds both.
+int common_depth(CellAddress a, CellAddress b) {
+  while (!a.contains(b)) a = a.parent();
+  return a.depth();
+}
+
+}  // namespace
+
+int merged_depth(const Octree& tree, std::size_t most, int deepest) {
+  // A leaf is the first of a new cell at every depth below the one that it shares with the leaf before.
+  std::array<std::size_t, kMaxDepth + 2> first_at{};
+  for (CellIndex i = 1; i < tree.size(); ++i) ++first_at[common_depth(tree[i - 1], tree[i]) + 1];
+  std::size_t cells = 1;
+  int depth = 0;
+  while (depth < deepest && cells + first_at[depth + 1] <= most) cells += first_at[++depth];
+  return depth;
+}
+
+}  // namespace crossgrain

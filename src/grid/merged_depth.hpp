@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "grid/octree.hpp"
+
+namespace crossgrain {
+
+/// The greatest depth, up to `deepest`, at which at most `most` cells remain when all deeper leaves are
+/// merged into their ancestors of that depth; 0 where there is none.
+int merged_depth(const Octree& tree, std::size_t most, int deepest = kMaxDepth);
+
+}  // namespace crossgrain

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The names of the files in a result folder.
+#pragma once
+
+namespace crossgrain {
+
+inline constexpr const char* kFieldFile = "field.vtu";
+inline constexpr const char* kSingularityFile = "singularities.vtu";
+inline constexpr const char* kSurfaceFile = "surface.vtu";
+inline constexpr const char* kReportFile = "report.json";
+
+inline constexpr const char* kTetFramesFile = "onto.frames";
+inline constexpr const char* kTetGridFile = "onto.vtu";
+inline constexpr const char* kTetSingularityFile = "onto_singularities.vtu";
+
+}  // namespace crossgrain

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crossgrain/page.hpp"
+
+#include <zlib.h>
+
+#include <cassert>
+#include <cstdint>
+#include <new>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "files/output_file.hpp"
+#include "page/page_scene.hpp"
+#include "page/page_template.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Floats hardly pack better for more effort.
+constexpr int kZlibLevel = 5;
+
+/// Largest window, and a gzip header, which browsers unpack on their own.
+constexpr int kGzipWindow = 15 + 16;
+
+/// Forms take ten times the bytes of everything else that is known of a cell.
+constexpr std::size_t kMostForms = 8000;
+
+constexpr std::string_view kReportPlace = "/*REPORT*/", kScenePlace = "/*SCENE*/";
+
+std::string gzipped(std::string_view bytes) {
+  z_stream stream{};
+  if (deflateInit2(&stream, kZlibLevel, Z_DEFLATED, kGzipWindow, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::bad_alloc();
+  std::string packed(deflateBound(&stream, bytes.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  [[maybe_unused]] const int result = deflate(&stream, Z_FINISH);
+  assert(result == Z_STREAM_END);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
+}
+
+/// RFC 4648, section 4.
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    const auto at = [&](std::size_t i) {
+      return i < bytes.size() ? std::uint32_t{static_cast<unsigned char>(bytes[i])} : 0;
+    };
+    const std::uint32_t three = at(k) << 16 | at(k + 1) << 8 | at(k + 2);
+    for (std::size_t digit = 0; digit < 4; ++digit)
+      text.push_back(k + digit <= bytes.size() ? kDigits[three >> (18 - 6 * digit) & 63] : '=');
+  }
+  return text;
+}
+
+/// JSON that no element of a page ends within: '<' stands in strings only.
+std::string inside_page(std::string_view json) {
+  std::string text;
+  for (const char c : json) c == '<' ? text += "\\u003c" : text += c;
+  return text;
+}
+
+std::string page_text(std::string_view report, std::string_view packed_scene) {
+  const std::string_view page = page_template();
+  const std::size_t report_at = page.find(kReportPlace), scene_at = page.find(kScenePlace);
+  assert(report_at < scene_at && scene_at != std::string_view::npos);
+  std::string text;
+  text.reserve(page.size() + report.size() + packed_scene.size());
+  text += page.substr(0, report_at);
+  text += inside_page(report);
+  text += page.substr(report_at + kReportPlace.size(), scene_at - report_at - kReportPlace.size());
+  text += packed_scene;
+  return text += page.substr(scene_at + kScenePlace.size());
+}
+
+}  // namespace
+
+void keep_forms_for_page(SolveOptions& options) {
+  options.kept_forms = {kMostForms, kMostShownCells, kDeepestShown};
+}
+
+CompanionFile page_of(const FrameField& field, const Monitor& monitor) {
+  // There is a field: who stops a solve wants to see it.
+  monitor.heed_stops(false);
+  return {kPageFile, [scene = base64(gzipped(page_scene(field, monitor)))](const SolveReport& report) {
+            return page_text(report_json(report), scene);
+          }};
+}
+
+void write_page(const FrameField& field, const std::filesystem::path& path, const Monitor& monitor) {
+  OutputFile file(path);
+  file.write(page_of(field, monitor).text(field.report()));
+  monitor.check();
+  file.commit();
+}
+
+}  // namespace crossgrain

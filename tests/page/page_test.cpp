@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crossgrain/page.hpp"
+
+#include <gtest/gtest.h>
+
+#include "crossgrain/error.hpp"
+#include "crossgrain/solve.hpp"
+#include "field/field_data.hpp"
+#include "files/temporary_folder.hpp"
+#include "support/shapes.hpp"
+
+namespace crossgrain {
+namespace {
+
+FrameField solved(bool keeps_forms) {
+  SolveOptions options;
+  options.resolution = 16;
+  if (keeps_forms) keep_forms_for_page(options);
+  return solve(make_bracket(16), options);
+}
+
+TEST(Page, NeedsFormsThatASolveKeepsOnlyWhereItIsAskedTo) {
+  EXPECT_TRUE(solved(false).data().kept_forms.cells.empty());
+  EXPECT_FALSE(solved(true).data().kept_forms.cells.empty());
+}
+
+TEST(Page, IsWrittenTogetherWithTheFieldAndGoesWithTheNextOne) {
+  const TemporaryFolder folder;
+  const FrameField field = solved(true);
+  OutputOptions options;
+  options.companions = {page_of(field)};
+  write_field(field, folder.path(), {}, options);
+  const std::string page = content_of(folder.path() / kPageFile);
+  EXPECT_TRUE(page.starts_with("<!"));
+  EXPECT_NE(page.find("\"alignment_deg\""), std::string::npos) << "the report is in it";
+  write_field(field, folder.path());
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / kPageFile));
+}
+
+TEST(Page, OfAFieldInMemoryStandsAlone) {
+  const TemporaryFolder folder;
+  const FrameField field = solved(false);
+  write_page(field, folder.path() / "field.html");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"field.html"});
+  EXPECT_EQ(content_of(folder.path() / "field.html"), page_of(field).text(field.report()));
+}
+
+TEST(Page, LeavesNothingWhereItIsCancelled) {
+  const TemporaryFolder folder;
+  Monitor monitor;
+  monitor.cancel();
+  EXPECT_THROW(write_page(solved(false), folder.path() / "field.html", monitor), Error);
+  EXPECT_EQ(folder.names(), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace crossgrain
