@@ -51,8 +51,8 @@ class FrameField {
   /// Cell `index`. Errors: kUsage unless index < size().
   Cell cell(std::size_t index) const;
 
-  /// Properties of all cells, size() entries each, in the order of `cell` (Morton order). Vectors are computed by
-  /// the call; spans refer to the field and live as long as one of its copies.
+  /// Properties of all cells, size() entries each, in the order of `cell` (Morton order). Vectors are
+  /// computed by the call; spans refer to the field and live as long as one of its copies.
 
   std::vector<Vector3> centres() const;  ///< model units
   std::vector<double> sizes() const;     ///< sides of the cells, model units
@@ -66,7 +66,8 @@ class FrameField {
   /// Smoothness energy per volume, model units to the power of -2.
   std::span<const float> energy_density() const;
 
-  /// Mean angle between the surface's normal and the nearest axis, by area, degrees; 0 in cells without surface.
+  /// Mean angle between the surface's normal and the nearest axis, by area, degrees; 0 in cells without
+  /// surface.
   std::span<const float> alignment_deg() const;
 
   /// Class of the constraints. Empty for a field read from files that do not have it.

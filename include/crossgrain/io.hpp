@@ -162,6 +162,12 @@ SolveReport write_field(const TetFrameField& field, const std::filesystem::path&
 /// Error(kInput).
 FrameField read_field(const std::filesystem::path& folder);
 
+/// The field on tets in a folder that `write_field` has written, with the one on the grid that it was carried
+/// over from; none where the folder has no tets. Frames of vertices are those that were written to rounding,
+/// frames of tets are computed from them. The mesh has vertices, tets and regions; what its file tagged is
+/// not in the folder. Throws Error(kInput).
+std::optional<TetFrameField> read_tet_field(const std::filesystem::path& folder);
+
 /// The lines around which the frames of tets turn, worked out anew from the onto.vtu that `write_field` has
 /// written to a folder; none where there is none. Throws Error(kInput).
 std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::path& folder);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/report.hpp"
@@ -24,12 +26,22 @@ class TetFrameField {
   const TetDomain& domain() const { return domain_; }
 
   /// The frame of vertex `index` of domain().mesh(). At a smooth boundary vertex one axis is the
-  /// area-weighted normal of its faces, to rounding. Also of vertices that no tet uses.
+  /// area-weighted normal of its faces, to rounding. Vertices that no tet uses have frames too. Errors:
+  /// kUsage for an index out of range.
   Frame vertex_frame(std::size_t index) const;
 
   /// The frame of tet `index` of domain().mesh(): nearest to the mean of the degree-4 coefficients of its
-  /// four vertices.
+  /// four vertices. Errors: kUsage for an index out of range.
   Frame tet_frame(std::size_t index) const;
+
+  /// The frames of all vertices or tets, in the order of domain().mesh().
+  std::vector<Frame> vertex_frames() const;
+  std::vector<Frame> tet_frames() const;
+
+  /// The same as unit quaternions (w, x, y, z), exactly as they are stored: v -> q v q* takes the coordinate
+  /// axes to those of the frame.
+  std::vector<std::array<double, 4>> vertex_quaternions() const;
+  std::vector<std::array<double, 4>> tet_quaternions() const;
 
   /// The lines around which the frames of tets turn, along their edges.
   const SingularityGraph& singularities() const;

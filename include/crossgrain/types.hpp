@@ -100,12 +100,12 @@ struct Frame {
 
 /// What the constraints in a cell determine (docs/design.md, "Classes").
 enum class CellConstraint : std::uint8_t {
-  kNoSurface = 0,   ///< the cell holds no surface
-  kPlane = 1,       ///< one axis
-  kAxis = 2,        ///< one axis, as a compromise between normals
-  kFrame = 3,       ///< all three axes
-  kFree = 4,        ///< nothing: all directions are alike
-  kConflicted = 5   ///< no frame meets them
+  kNoSurface = 0,  ///< the cell holds no surface
+  kPlane = 1,      ///< one axis
+  kAxis = 2,       ///< one axis, as a compromise between normals
+  kFrame = 3,      ///< all three axes
+  kFree = 4,       ///< nothing: all directions are alike
+  kConflicted = 5  ///< no frame meets them
 };
 inline constexpr int kCellConstraintCount = 6;
 

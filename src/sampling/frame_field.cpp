@@ -12,6 +12,7 @@
 #include "base/parallel.hpp"
 #include "field/field_data.hpp"
 #include "sampling/arc_distance.hpp"
+#include "sampling/index_arrays.hpp"
 #include "sampling/orthonormal_frame.hpp"
 #include "sampling/point_order.hpp"
 #include "sampling/sampling.hpp"
@@ -79,11 +80,53 @@ std::size_t FrameField::size() const {
 }
 
 FrameField::Cell FrameField::cell(std::size_t index) const {
-  assert(index < size());
+  check_index(index, size(), "cell");
   const auto i = static_cast<CellIndex>(index);
   const Octree& tree = data_->tree;
   return {tree.centre(i), tree.cell_size(i), tree[i].depth(), data_->on_boundary[i] != 0,
           orthonormal_frame(from_stored(data_->frames[i]))};
+}
+
+std::vector<Vector3> FrameField::centres() const {
+  return for_each_index(size(), [&](std::size_t i) { return data_->tree.centre(static_cast<CellIndex>(i)); });
+}
+
+std::vector<double> FrameField::sizes() const {
+  return for_each_index(size(),
+                        [&](std::size_t i) { return data_->tree.cell_size(static_cast<CellIndex>(i)); });
+}
+
+std::vector<int> FrameField::levels() const {
+  return for_each_index(size(),
+                        [&](std::size_t i) { return data_->tree[static_cast<CellIndex>(i)].depth(); });
+}
+
+std::vector<Frame> FrameField::frames() const {
+  return for_each_index(size(),
+                        [&](std::size_t i) { return orthonormal_frame(from_stored(data_->frames[i])); });
+}
+
+std::vector<std::array<float, 4>> FrameField::quaternions() const {
+  return for_each_index(size(), [&](std::size_t i) {
+    const StoredQuaternion& q = data_->frames[i];
+    return std::array{q.w, q.x, q.y, q.z};
+  });
+}
+
+std::span<const float> FrameField::energy_density() const {
+  return data_->energy_density;
+}
+
+std::span<const float> FrameField::alignment_deg() const {
+  return data_->alignment_deg;
+}
+
+std::span<const CellConstraint> FrameField::constraint_classes() const {
+  return data_->constraints;
+}
+
+std::span<const std::int32_t> FrameField::regions() const {
+  return data_->regions;
 }
 
 const FrameField::Lazy& FrameField::ready_to_sample() const {
@@ -107,7 +150,8 @@ std::vector<FrameField::Sample> FrameField::sample(std::span<const Vector3> poin
 
 void FrameField::sample(std::span<const Vector3> points, std::span<Sample> samples) const {
   if (points.size() != samples.size())
-    throw Error(ErrorKind::kUsage, fmt::format("{} points and room for {} samples; give equal numbers", points.size(), samples.size()));
+    throw Error(ErrorKind::kUsage, fmt::format("{} points and room for {} samples; give equal numbers",
+                                               points.size(), samples.size()));
   const Lazy& ready = ready_to_sample();
   for (std::size_t begin = 0; begin < points.size(); begin += kPointsInOrder) {
     const std::size_t count = std::min(kPointsInOrder, points.size() - begin);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crossgrain/tet_frame_field.hpp"
 
-#include <cassert>
-
+#include "sampling/index_arrays.hpp"
 #include "sampling/orthonormal_frame.hpp"
 #include "singularity/singularity_graph.hpp"
 #include "singularity/tet_matchings.hpp"
@@ -10,6 +9,20 @@
 #include "solve/tet_field.hpp"
 
 namespace crossgrain {
+namespace {
+
+std::vector<Frame> frames_of(const std::vector<Quaternion>& quaternions) {
+  return for_each_index(quaternions.size(), [&](std::size_t i) { return orthonormal_frame(quaternions[i]); });
+}
+
+std::vector<std::array<double, 4>> numbers_of(const std::vector<Quaternion>& quaternions) {
+  return for_each_index(quaternions.size(), [&](std::size_t i) {
+    const Quaternion& q = quaternions[i];
+    return std::array{q.w, q.x, q.y, q.z};
+  });
+}
+
+}  // namespace
 
 TetFrameField::TetFrameField(FrameField grid, TetDomain domain, std::shared_ptr<const TetField> field,
                              SolveReport report)
@@ -19,13 +32,29 @@ TetFrameField::TetFrameField(FrameField grid, TetDomain domain, std::shared_ptr<
       report_(std::make_shared<const SolveReport>(std::move(report))) {}
 
 Frame TetFrameField::vertex_frame(std::size_t index) const {
-  assert(index < field_->vertex_frames.size());
+  check_index(index, field_->vertex_frames.size(), "vertex");
   return orthonormal_frame(field_->vertex_frames[index]);
 }
 
 Frame TetFrameField::tet_frame(std::size_t index) const {
-  assert(index < field_->tet_frames.size());
+  check_index(index, field_->tet_frames.size(), "tet");
   return orthonormal_frame(field_->tet_frames[index]);
+}
+
+std::vector<Frame> TetFrameField::vertex_frames() const {
+  return frames_of(field_->vertex_frames);
+}
+
+std::vector<Frame> TetFrameField::tet_frames() const {
+  return frames_of(field_->tet_frames);
+}
+
+std::vector<std::array<double, 4>> TetFrameField::vertex_quaternions() const {
+  return numbers_of(field_->vertex_frames);
+}
+
+std::vector<std::array<double, 4>> TetFrameField::tet_quaternions() const {
+  return numbers_of(field_->tet_frames);
 }
 
 const SingularityGraph& TetFrameField::singularities() const {

@@ -16,6 +16,7 @@
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
+#include "crossgrain/solve.hpp"
 #include "files/temporary_folder.hpp"
 #include "io/sample_field.hpp"
 #include "io/vtu/vtu_reader.hpp"
@@ -98,6 +99,46 @@ TEST(OntoGrid, HasTheTetsAndTheFramesOnVerticesAndTets) {
   const auto in_cells = file.read<float>(VtuSection::kCellData, "axis_u", 3);
   EXPECT_EQ(at_points[3 * 7 + 2], static_cast<float>(axes_of(sample.onto.vertex_frames[7])[2][2]));
   EXPECT_EQ(in_cells[3 * 50 + 1], static_cast<float>(axes_of(sample.onto.tet_frames[50])[0][1]));
+}
+
+TEST(OntoFiles, GiveTheFieldOnTetsBack) {
+  const TemporaryFolder folder;
+  TetMesh mesh = tet_box({3, 2, 2}, 0.2);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) mesh.regions.push_back(t < 20 ? 4 : 9);
+  const TetFrameField field = solve_onto(TetDomain(mesh));
+  write_field(field, folder.path());
+  const auto read = read_tet_field(folder.path());
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->domain().mesh().vertices, field.domain().mesh().vertices);
+  EXPECT_EQ(read->domain().mesh().tets, field.domain().mesh().tets);
+  EXPECT_EQ(read->domain().mesh().regions, field.domain().mesh().regions);
+  EXPECT_EQ(read->report().onto->dirichlet, field.report().onto->dirichlet);
+  EXPECT_EQ(read->grid().quaternions(), field.grid().quaternions());
+  const auto expect_near = [](const std::vector<Frame>& a, const std::vector<Frame>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_LT(norm(a[i].axes[axis] - b[i].axes[axis]), 1e-12);
+  };
+  expect_near(read->vertex_frames(), field.vertex_frames());
+  expect_near(read->tet_frames(), field.tet_frames());
+}
+
+TEST(OntoFiles, OfAFolderWithoutTetsGiveNoField) {
+  const TemporaryFolder folder;
+  write_field(field_of(sample_data(Degree::kFour)), folder.path());
+  EXPECT_FALSE(read_tet_field(folder.path()));
+}
+
+TEST(OntoFiles, ThatDoNotBelongTogetherAreRefused) {
+  const TemporaryFolder folder;
+  const TetFrameField field = solve_onto(TetDomain(tet_box({2, 2, 2}, 0.2)));
+  write_field(field, folder.path());
+  const std::string frames = content_of(folder.path() / "onto.frames");
+  for (const std::string& damaged : {frames + "1 0 0 0 1 0 0 0 1\n", frames.substr(0, frames.size() / 2),
+                                     "1 0 0 0 1 0 0 0 2\n" + frames.substr(frames.find('\n') + 1)}) {
+    folder.write("onto.frames", damaged);
+    EXPECT_THROW(read_tet_field(folder.path()), Error);
+  }
 }
 
 TEST(OntoFiles, HaveTheSameBytesForAnyNumberOfThreads) {

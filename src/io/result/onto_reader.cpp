@@ -9,10 +9,14 @@
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
+#include "io/result/field_arrays.hpp"
 #include "io/result/result_files.hpp"
+#include "io/text/text_scanner.hpp"
 #include "io/vtu/vtu_reader.hpp"
 #include "singularity/singularity_graph.hpp"
 #include "singularity/tet_matchings.hpp"
+#include "solve/tet_domain_data.hpp"
+#include "solve/tet_field.hpp"
 #include "tets/tet_solid.hpp"
 
 namespace crossgrain {
@@ -57,7 +61,37 @@ TetMesh read_mesh(const VtuFile& file) {
   else
     read_corners<std::int32_t>(file, mesh.tets);
   if (mesh.tets.size() != file.cells()) fail_damaged(file.name());
+  if (file.find(VtuSection::kCellData, field_arrays::kRegion))
+    mesh.regions = file.read<std::int32_t>(VtuSection::kCellData, field_arrays::kRegion, 1);
   return mesh;
+}
+
+/// Tets that were written make a solid as they are.
+TetDomain domain_in(const std::filesystem::path& path) {
+  TetMesh mesh = read_mesh(VtuFile(path));
+  const std::size_t tets = mesh.tets.size();
+  try {
+    TetDomain domain(std::move(mesh));
+    if (domain.mesh().tets.size() == tets) return domain;
+  } catch (const Error&) {
+  }
+  fail_damaged(path);
+}
+
+std::vector<Quaternion> read_vertex_frames(const std::filesystem::path& path, std::size_t vertices) {
+  const InputFile file(path);
+  TextScanner scanner(file, {});
+  std::vector<Quaternion> frames;
+  frames.reserve(vertices);
+  while (frames.size() < vertices) {
+    std::array<Vector3, 3> axes;
+    for (Vector3& axis : axes)
+      for (double& number : axis) number = scanner.number(scanner.word_anywhere(), "an axis");
+    if (!are_orthonormal(axes)) fail_damaged(path);
+    frames.push_back(quaternion_of(axes));
+  }
+  if (!scanner.word_anywhere().empty()) fail_damaged(path);
+  return frames;
 }
 
 }  // namespace
@@ -76,6 +110,19 @@ OntoTets read_onto_tets(const std::filesystem::path& path) {
     tets.frames[t] = quaternion_of(frame);
   }
   return tets;
+}
+
+std::optional<TetFrameField> read_tet_field(const std::filesystem::path& folder) {
+  const std::filesystem::path grid_path = folder / kTetGridFile;
+  if (!std::filesystem::exists(grid_path)) return std::nullopt;
+  FrameField grid = read_field(folder);
+  TetDomain domain = domain_in(grid_path);
+  auto field = std::make_shared<TetField>();
+  field->vertex_frames = read_vertex_frames(folder / kTetFramesFile, domain.mesh().vertices.size());
+  field->tet_frames = tet_frames_of(domain.mesh(), field->vertex_frames);
+  field->singularities = singularity_graph(singular_tet_edges(domain.data().solid, field->tet_frames));
+  SolveReport report = grid.report();
+  return TetFrameField(std::move(grid), std::move(domain), std::move(field), std::move(report));
 }
 
 std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::path& folder) {

@@ -7,8 +7,9 @@
 #include "crossgrain/version.hpp"
 
 int main() {
-  const crossgrain::TetMesh cube{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}},
-                                 {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
+  const crossgrain::TetMesh cube{
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}},
+      {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
   crossgrain::SolveOptions options;
   options.resolution = 8;
   const crossgrain::TetFrameField field = crossgrain::solve_onto(crossgrain::TetDomain(cube), options);
