@@ -90,7 +90,7 @@ TEST(FrameField, RefusesCellsAndSpansThatDoNotFit) {
 }
 
 TEST(TetFrameField, GivesArraysOfWhatItsVerticesAndTetsHave) {
-  const TetDomain domain(tet_box({2, 2, 2}, 0.2));
+  const TetDomain domain(TetBox{{2, 2, 2}}.mesh(0.1));
   const TetFrameField field = solve_onto(domain);
   const auto vertices = field.vertex_frames(), tets = field.tet_frames();
   ASSERT_EQ(vertices.size(), domain.mesh().vertices.size());
