@@ -9,133 +9,134 @@
 
 namespace crossgrain {
 
-/// Which cells a level refines into the next, finer one. Lengths are in cells, energies per unit as stated.
+/// Which cells are refined for the next, finer level. Lengths are in cells.
 struct RefinementOptions {
-  /// Cells that hold surface or constraints.
+  /// Refine cells that hold surface or constraints.
   bool by_surface = true;
 
-  /// Cells whose constraints no frame meets (docs/design.md section 3, class *conflicted* or *compromised*)
-  /// and the cells that touch them: geometry that the level does not resolve.
+  /// Refine cells whose constraints no frame meets (CellConstraint::kConflicted) and their neighbours: the
+  /// level does not resolve the geometry there.
   bool by_spectral_conflict = true;
 
-  /// Cells with less than `thickness_cells` cells of solid across them, measured along the inward normal.
+  /// Refine cells where the solid is less than `thickness_cells` cells thick along the inward normal.
   bool by_thickness = true;
 
-  /// Cells of an energy density above `energy_density_threshold`, that is: near singular arcs.
+  /// Refine cells with an energy density above `energy_density_threshold`, that is, near singular arcs.
   bool by_energy_density = true;
 
-  /// A wall counts as resolved with this many cells across it: two boundary cells and two between them.
+  /// Number of cells across a wall from which it counts as resolved: two boundary cells and two between them.
   double thickness_cells = 4;
 
-  /// Energy density times the squared cell size (dimensionless: the squared turn across a cell, 10/3 t^2 / 2)
-  /// above which a cell is refined.
+  /// Threshold on the energy density times the squared cell size; dimensionless. A rotation of t radians
+  /// across a cell gives 10/3 t^2 / 2.
   double energy_density_threshold = 0.2;
 
-  /// Cells across the longest side of the bounding box on the coarsest level, at least.
+  /// Smallest number of cells along the longest side of the bounding box on the coarsest level.
   int coarsest_cells = 4;
 };
 
-/// Which edges of a surface count as creases, in degrees from above 0 to 180.
+/// Which edges of a surface count as creases. Angles are in degrees, above 0 and at most 180.
 struct CreaseAngles {
-  /// An edge is sharp where the normals beside it are further apart; with 180 none is. CAD files and other
-  /// meshes that bring their creases along (TriangleMesh::creases) are taken at their word.
+  /// Smallest angle between the normals beside a sharp edge; 180 makes no edge sharp. Ignored for meshes that
+  /// bring their creases along (TriangleMesh::creases), such as those of CAD files.
   double least_deg = 35;
 
-  /// Two sharp edges are one curve where its direction turns by less from one to the other.
+  /// Two consecutive sharp edges belong to one curve if its direction changes by less than this.
   double corner_deg = 45;
 
-  /// Below this angle between two faces, measured in the solid, no frame is near to both.
+  /// Edges with a smaller angle between their faces, measured inside the solid, are reported as knife edges:
+  /// no frame is close to both faces.
   double knife_deg = 45;
 };
 
-/// The coarse-to-fine solve. The defaults are those of the sweeps in docs/solver.md.
+/// The coarse-to-fine solve. The sweeps in docs/notes/solver.md chose the defaults.
 struct SolverOptions {
-  /// kappa: the boundary form counts kappa / (cell size) times (docs/design.md section 7).
+  /// kappa: the weight of the boundary form is kappa / (cell size) (docs/design.md, "Energy").
   double boundary_weight = 10;
 
-  /// A crease in a cell counts like so many times its length times the size of the cell of surface whose
-  /// normal is the crease's tangent.
+  /// Weight of creases. A crease of length L in a cell of size dx adds the form of a surface with area
+  /// crease_weight * L * dx whose normal is the tangent of the crease.
   double crease_weight = 0.25;
 
-  /// The same of edges that a file of tets tags where the surface is not sharp: nothing else speaks for them
-  /// there. A quarter, and at some resolutions 1, leave frames 45 degrees off along a diagonal through a
-  /// block; from 1.75 on some end in fields of three times the energy.
+  /// The same weight for tagged edges of a tet mesh where the surface is not sharp. It is larger because no
+  /// surface constrains the frames there: 0.25, and at some resolutions 1, leave frames 45 degrees off along
+  /// a diagonal through a block; from 1.75 on some fields end with three times the energy.
   double tagged_weight = 1.5;
 
-  /// Share of a face's weight that smoothness moves to each diagonal across each of its edges, from 0 to 1/4:
-  /// so that a singular arc costs the same in all directions through the grid. Rounded to a multiple of
-  /// 1/320.
+  /// Share of a face's smoothness weight that goes to each of the diagonals across its edges, 0 to 1/4. It
+  /// makes a singular arc cost the same in all directions of the grid. Rounded to a multiple of 1/320.
   double diagonal_share = 0.2;
 
-  /// Starts from random frames. Each is carried through all levels of up to `start_cells` active cells, then
-  /// the one of lowest energy goes on alone.
+  /// Number of random starts. Each is solved on all levels of up to `start_cells` active cells; only the one
+  /// with the lowest energy continues to finer levels.
   int starts = 3;
   std::size_t start_cells = 1000;
 
-  /// Relaxation sweeps of the first start on the coarsest level: enough of them forget the random frames.
-  /// Later starts take a third of the sweeps of the one before, so that they differ.
+  /// Relaxation sweeps of the first start on the coarsest level; enough of them make the result independent
+  /// of the random frames. Each later start takes a third of the sweeps of the one before, so that starts
+  /// differ.
   int start_relaxation = 150;
 
-  /// Relaxation sweeps on every later level of cells of one size: all levels up to the last that is
-  /// certain to have no more than `relaxed_cells` active cells. Levels after them refine where
-  /// RefinementOptions say, and are not relaxed: arcs would leave the cells that were refined for them, for a
-  /// core costs less in larger cells (docs/solver.md).
+  /// Relaxation sweeps on every later uniform level, and the size of those levels: all levels are uniform
+  /// that are certain to have no more than `relaxed_cells` active cells. Finer levels refine where
+  /// RefinementOptions say and are not relaxed: a singular arc costs less in larger cells, so relaxation
+  /// would move it out of the cells that were refined for it.
   int level_relaxation = 40;
   std::size_t relaxed_cells = 40000;
 
-  /// In which degree relaxed problems are solved, whatever the degree of the field. In degree 4 they are
-  /// quadratic but for the penalty, so that long relaxation forgets where it started; the degree-3 energy has
-  /// many poor minima (docs/solver.md).
+  /// Degree of the relaxed problems, whatever the degree of the field. In degree 4 they are quadratic but for
+  /// the penalty, so that a long relaxation becomes independent of its start; the degree-3 energy has many
+  /// poor minima.
   Degree relaxation_degree = Degree::kFour;
 
-  /// Strength of the symmetrisation penalty at the end of a relaxation: how many steps down it, each as long
-  /// as is stable, follow on a sweep. It grows from 0 in equal parts, sweep by sweep.
+  /// Strength of the symmetrisation penalty at the end of a relaxation: the number of gradient steps on it,
+  /// each as long as is stable, after a sweep. It grows linearly from 0 over the sweeps.
   double symmetrisation = 1;
 
-  /// How many times as far as to its own minimum a cell goes in a sweep, from 1 to below 2.
+  /// Over-relaxation factor of sweeps, from 1 to below 2.
   double over_relaxation = 1.4;
 
-  /// Whether relaxed levels use forms shifted so that they penalise only what the constraints of a cell
-  /// exclude (crossgrain/spectrum.hpp). It takes more time and has not lowered an energy:
-  /// docs/solver.md.
+  /// Whether relaxed levels use spectrally shifted forms, which penalise only what the constraints of a cell
+  /// exclude (crossgrain/spectrum.hpp). Takes more time and has not lowered an energy.
   bool shift_relaxed_forms = false;
 
-  /// Manifold sweeps at most, on every level.
+  /// Largest number of manifold sweeps on each level.
   int most_sweeps = 40;
 
-  /// Sweeping ends when a sweep lowers the energy by less than this fraction.
+  /// Sweeps end when one lowers the energy by less than this fraction.
   double sweep_tolerance = 1e-4;
 };
 
-/// Which boundary vertices of a tet mesh are held to the surface.
+/// Which boundary vertices of a tet mesh are constrained.
 enum class TetBoundary {
-  kAll,        ///< smooth ones exactly, creases and corners by a weighted form
-  kSmoothOnly  ///< smooth ones exactly, creases and corners are free
+  kAll,        ///< smooth vertices exactly, vertices of creases and corners by a weighted form
+  kSmoothOnly  ///< smooth vertices exactly; those of creases and corners are free
 };
 
-/// How a field is carried from the grid onto a tet mesh and finished there. The defaults are those of the
-/// sweeps in docs/solver.md.
+/// How a field on the grid is transferred to a tet mesh and finished there. The sweeps in
+/// docs/notes/solver.md chose the defaults.
 struct OntoOptions {
   TetBoundary boundary = TetBoundary::kAll;
 
   /// Size of the finest octree cells in typical edge lengths of the tets (TetDomain::typical_edge_length),
-  /// where no resolution and no cell size is given; but at least `fewest_cells` along the longest side.
+  /// used if neither a resolution nor a cell size is given, and the smallest number of cells along the
+  /// longest side.
   double cell_size_edges = 2;
   int fewest_cells = 8;
 
-  /// Weight of the form of a crease or corner vertex, in units of the sum of its edge weights: the larger,
-  /// the closer to the creases and the less smooth.
+  /// Weight of the form of a crease or corner vertex, in units of the sum of its edge weights. Larger values
+  /// follow creases more closely and are less smooth.
   double crease_weight = 0.4;
 
-  /// Relaxation sweeps on the tets, and the penalty at their end, as in SolverOptions.
+  /// Relaxation sweeps on the tets and the penalty at their end, as in SolverOptions.
   int relaxation_sweeps = 45;
   double symmetrisation = 6;
 
   /// As in SolverOptions.
   double over_relaxation = 1.5;
 
-  /// Manifold sweeps at most, and the fraction of the energy by which a sweep must lower it for another to
-  /// follow.
+  /// Largest number of manifold sweeps; sweeps end when one lowers the energy by less than `sweep_tolerance`,
+  /// as a fraction of it.
   int most_sweeps = 80;
   double sweep_tolerance = 1e-5;
 };
@@ -153,33 +154,33 @@ struct KeptFormOptions {
 
 inline constexpr int kDefaultResolution = 128;
 
-/// Everything that shapes a solve. The same struct stands behind the command line, C++ and Python.
+/// All options of a solve.
 struct SolveOptions {
   Degree degree = Degree::kFour;
 
-  /// Cells along the longest side of the bounding box at the finest level; at least 4. 0: kDefaultResolution,
-  /// or what suits a tet mesh (OntoOptions::cell_size_edges).
+  /// Cells along the longest side of the bounding box at the finest level, at least 4. 0 stands for
+  /// kDefaultResolution or, with `sized_for`, for cells that suit a tet mesh (OntoOptions::cell_size_edges).
   int resolution = 0;
 
-  /// Size of the finest cells in model units; where positive it replaces `resolution`.
+  /// Size of the finest cells in model units. Replaces `resolution` if positive.
   double cell_size = 0;
 
-  /// Threads of the parallel loops; 0 for all there are. The result does not depend on it.
+  /// Number of threads; 0 for all processors. The result does not depend on it.
   int threads = 0;
 
-  /// Memory that the process may take, bytes; 0 for nine tenths of what the machine or the container has.
-  /// Where the finest cells would take more, refinement ends up to three levels above them
-  /// (SolveReport::limited); where that takes more too, solves throw Error(kLimit).
+  /// Largest memory of the process in bytes; 0 for nine tenths of what the machine or the container has. If
+  /// the finest cells need more, refinement ends up to three levels earlier (SolveReport::limited); if that
+  /// still needs more, the solve throws Error(kLimit).
   std::size_t max_memory_bytes = 0;
 
-  /// Of a model of several solids, or regions of tets: whether the faces between them are passed over, as if
-  /// all were one solid. Cells have their regions all the same.
+  /// Whether several solids, or regions of tets, are solved as one: faces between them do not constrain
+  /// frames. Cells have their region in both cases.
   bool unite_solids = false;
 
-  /// Changes the initial frames of every start.
+  /// Seed of the random frames of all starts.
   std::uint64_t seed = 0;
 
-  /// What frames are to follow besides the surface.
+  /// Directions to follow besides the surface.
   Constraints constraints;
 
   RefinementOptions refinement;

@@ -11,58 +11,56 @@
 
 namespace crossgrain {
 
-/// The lines of a field around which its frames turn, as a graph: arcs, and the nodes that they end at.
+/// The singular graph of a field: arcs, and the nodes where they end.
 ///
-/// Arcs are smooth curves near the edges of cells or tets that they stand for, off them by no more than
-/// SingularityOptions::shift_cells. Nodes closer together than the cells can tell apart count as one. Lists
-/// are in an order that depends on the field only.
+/// Arcs are smooth curves within SingularityOptions::shift_cells of the singular edges of cells or tets.
+/// Nodes that the cells cannot resolve are merged. The order of the lists depends on the field only.
 struct SingularityGraph {
-  /// What a frame that follows its neighbours once around an arc has become.
+  /// The rotation of a frame that is carried once around an arc.
   enum class ArcType : std::uint8_t {
-    kRegular = 0,   ///< turned about the arc, by a quarter or a half: the only ones that hexahedra can have
-    kAcross = 1,    ///< turned about an axis of the frame, which is not the one along the arc
-    kChanging = 2,  ///< turned one way about one part of the arc and the other way about another
-    kNoAxis = 3,    ///< turned about a diagonal of the frame, by a third or a half
+    kRegular = 0,   ///< by a quarter or half turn about the axis along the arc, as in a hexahedral mesh
+    kAcross = 1,    ///< about an axis of the frame other than the one along the arc
+    kChanging = 2,  ///< in different senses on different parts of the arc
+    kNoAxis = 3,    ///< by a third or half turn about a diagonal of the frame
   };
 
-  /// Whether a hexahedral mesh can be like that, locally.
+  /// Whether a hexahedral mesh can have such an arc or node, locally.
   enum class Verdict : std::uint8_t {
     kMeshable = 0,
     kNotMeshable = 1,
-    kUndecided = 2,  ///< not known to this program
+    kUndecided = 2,  ///< not in the program's tables
   };
 
   struct Arc {
-    std::vector<Vector3> points;  ///< model units; a closed arc has its first point again as its last
+    std::vector<Vector3> points;  ///< model units; a closed arc ends with its first point
 
-    /// Of each point the vertex of the tet mesh that it was, or -1: on grids, and where it is a node's.
+    /// The vertex of the tet mesh behind each point; -1 on grids and at nodes.
     std::vector<std::int64_t> vertices;
 
     ArcType type = ArcType::kRegular;
 
-    /// The turn of the frames about the arc over a full turn, in the way of the right-hand rule either way
-    /// along it: +1/4 where three hexahedra meet, -1/4 where five do, -1/2 where six do; +1/2 would be two.
-    /// Of other types than kRegular 0.
+    /// Rotation of the frames around the arc in full turns, right-handed about either direction of the arc:
+    /// +1/4 for valence 3, -1/4 for valence 5, -1/2 for valence 6, +1/2 for valence 2. 0 unless kRegular.
     double index = 0;
 
     Verdict verdict = Verdict::kMeshable;
-    double length = 0;         ///< of the smooth curve, model units
-    double across_length = 0;  ///< of the part where the turn is not about the arc
+    double length = 0;         ///< length of the smooth curve, model units
+    double across_length = 0;  ///< length of the part where the rotation is not about the arc
 
-    /// Nodes at its first and last point; none of a closed arc without any.
+    /// Nodes at the first and the last point; none for a closed arc without nodes.
     std::optional<std::array<std::uint32_t, 2>> nodes;
 
     bool is_closed() const { return !nodes; }
   };
 
-  /// Where arcs end: inside, where several meet, or on the surface.
+  /// An end of arcs: inside, where several meet, or on the surface.
   struct Node {
-    Vector3 place;                    ///< model units
-    bool on_boundary = false;         ///< an arc reaches the surface here
-    std::vector<std::uint32_t> arcs;  ///< that end here, ascending; one that begins and ends here twice
+    Vector3 place;             ///< model units
+    bool on_boundary = false;  ///< an arc reaches the surface here
+    std::vector<std::uint32_t>
+        arcs;  ///< arcs that end here, ascending; one with both ends here is listed twice
 
-    /// Of a node inside: whether there is a way for hexahedra to meet that has these arcs. On the boundary
-    /// kMeshable.
+    /// For an inner node, whether hexahedra can meet with these arcs; kMeshable on the boundary.
     Verdict verdict = Verdict::kMeshable;
 
     std::size_t degree() const { return arcs.size(); }
@@ -71,37 +69,36 @@ struct SingularityGraph {
   std::vector<Arc> arcs;
   std::vector<Node> nodes;
 
-  /// The edges of the grid, or of tets, that are singular, and the sum of their lengths: of the staircase, up
-  /// to sqrt(3) times that of the curves.
+  /// Number of singular edges of the grid or the tets, and the sum of their lengths. The staircase of edges
+  /// is up to sqrt(3) times as long as the curves.
   std::size_t edges = 0;
   double edge_length = 0;
 
-  /// Closed arcs so short that they say no more than that cells do not resolve the field there; they are not
-  /// among the arcs.
+  /// Number of closed arcs too short to be resolved (SingularityOptions::loop_cells); not among the arcs.
   std::size_t unresolved_loops = 0;
 
-  bool is_meshable() const;  ///< whether no arc and no node is known not to be
+  bool is_meshable() const;  ///< true unless an arc or a node is kNotMeshable
 };
 
-/// How singular edges become a graph. Lengths are in cells: of the grid's at the place, or in mean edges of
-/// the tets there.
+/// How singular edges become a graph. Lengths are in sizes of the local cells, or in mean edge lengths of the
+/// local tets.
 struct SingularityOptions {
-  /// Arcs at a node that are not longer are part of it: where several lines meet within a cell or two, edges
-  /// show the meeting as a few nodes with short arcs between.
+  /// Largest length of an arc that is merged into its node: where several lines meet within a cell or two,
+  /// the singular edges form a few nodes joined by short arcs.
   double merge_cells = 2.5;
 
-  /// Closed arcs that are not longer are left out: where frames of neighbours differ by more than 45 degrees
-  /// a matching is a guess, and a wrong one shows as a loop around its face.
+  /// Largest length of a closed arc that is left out: where frames of neighbours differ by more than 45
+  /// degrees the matching is ambiguous, and a wrong one produces a loop around its face.
   double loop_cells = 6;
 
-  /// How far smoothing moves a point at most. A straight line is nowhere further than sqrt(1/2) from the
-  /// nearest staircase of unit cells.
+  /// Largest distance by which smoothing moves a point. A straight line is nowhere further than sqrt(1/2)
+  /// from the nearest staircase of unit cells.
   double shift_cells = 0.75;
 
   /// Rounds of averaging over neighbours: enough to straighten steps every ten cells.
   int smoothing_rounds = 100;
 
-  /// A turn across the arc over no more than this is not told from the grid's own steps.
+  /// Largest length over which a rotation across the arc is attributed to the steps of the grid.
   double across_cells = 6;
 };
 

@@ -5,24 +5,24 @@
 
 namespace crossgrain {
 
-/// What happened on one level of the nested iteration.
+/// Result of one level of the nested iteration.
 struct LevelStatistics {
-  int depth;                 ///< of its finest cells
-  std::size_t cells;         ///< leaves of the complete octree, outside ones too
+  int depth;                 ///< octree depth of the finest cells
+  std::size_t cells;         ///< leaves of the complete octree, including those outside the solid
   std::size_t active_cells;  ///< leaves that hold surface or have their centre inside
   int sweeps;                ///< relaxation and manifold sweeps over all cells
   double energy;             ///< SolveReport::Energy::total at the end; not comparable between levels
   double seconds;            ///< wall time, grid construction included
 };
 
-/// What a whole solve is expected to come to, told by a coarse level.
+/// Forecast for a whole solve, made on a coarse level.
 struct Expectation {
-  int depth;                      ///< octree depth of the level that told it
-  double after_seconds;           ///< wall time that had passed by then
-  double resolution;              ///< finest cells along the longest side that there will be
-  std::size_t active_cells;       ///< of the finest level
-  std::size_t peak_memory_bytes;  ///< of the whole process
-  double seconds;  ///< wall time of everything, analysis and writing of the whole field included
+  int depth;                      ///< octree depth of the level that made the forecast
+  double after_seconds;           ///< wall time until then
+  double resolution;              ///< finest cells along the longest side at the end
+  std::size_t active_cells;       ///< active cells of the finest level
+  std::size_t peak_memory_bytes;  ///< peak memory of the whole process
+  double seconds;  ///< wall time of the whole run, including analysis and writing of the whole field
 };
 
 }  // namespace crossgrain

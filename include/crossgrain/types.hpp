@@ -17,44 +17,44 @@ struct Box {
   Vector3 high;
 };
 
-/// A curve on a surface that frames are to run along: a polyline with the tangent of the true curve at each
-/// of its points.
+/// A curve that frames should follow: a polyline with the tangent of the true curve at each of its points.
 struct CreaseCurve {
   std::vector<Vector3> points;
-  std::vector<Vector3> tangents;  ///< unit vectors, one a point
-  std::int32_t tag = 0;           ///< the number of the edge in the file that it comes from
+  std::vector<Vector3> tangents;  ///< unit vectors, one per point
+  std::int32_t tag = 0;           ///< number of the edge in the file that it comes from
 
-  /// The file asks for it where the surface is not sharp, or inside (SolverOptions::tagged_weight).
+  /// Whether the file tags it although the surface is not sharp there, or it lies inside the solid
+  /// (SolverOptions::tagged_weight).
   bool is_tagged = false;
 };
 
-/// A surface: triangles that index vertices. Nothing is required of it but that indices are in range and
-/// coordinates are finite; it may be open, flipped, non-manifold or a soup.
+/// A surface: triangles that index vertices. Indices must be in range and coordinates finite; the surface may
+/// be open, flipped, non-manifold or a triangle soup.
 ///
-/// The other members say what the file knew besides. Those of triangles are empty, or have an entry for each.
+/// All other members are optional. Those that belong to triangles are empty or have one entry per triangle.
 struct TriangleMesh {
   std::vector<Vector3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 
-  /// The number of the face of the CAD model, or the tag, that a triangle belongs to.
+  /// Number of the face of the CAD model, or tag, that the triangle belongs to.
   std::vector<std::int32_t> faces = {};
 
-  /// The solid that a triangle bounds, counted from 0, seen from inside against the right-hand rule. A face
-  /// between two solids is there twice, once for each, in opposite orientation.
-  /// Numbers need not follow one another.
+  /// Number of the solid that the triangle bounds, 0 or more, not necessarily consecutive. Triangles point
+  /// out of their solid. A face between two solids is present twice, once for each, in opposite orientations.
   std::vector<std::int32_t> solids = {};
 
-  /// Unit normals of the true surface at a triangle's corners, on the side of the right-hand rule.
+  /// Unit normals of the true surface at the corners of the triangle, on the side given by the right-hand
+  /// rule.
   std::vector<std::array<Vector3, 3>> corner_normals = {};
 
-  /// Sharp edges that the file knows. Not one a triangle: any number.
+  /// Sharp edges that the file knows; any number of them.
   std::vector<CreaseCurve> creases = {};
 
-  /// Triangles inside a solid, either way round, that frames are to have an axis across. They bound nothing.
+  /// Triangles inside a solid, in either orientation, whose normal frames should follow. They bound nothing.
   std::vector<std::array<std::uint32_t, 3>> inner_faces = {};
 
-  /// The unit of the coordinates, such as "mm", and the one that the file itself is in, from which they were
-  /// converted. Empty where the file does not say.
+  /// Unit of the coordinates, such as "mm", and unit of the file, from which they were converted. Empty if
+  /// the file does not say.
   std::string unit = {};
   std::string file_unit = {};
 
@@ -63,17 +63,16 @@ struct TriangleMesh {
   std::vector<std::string> warnings = {};
 };
 
-/// A solid cut into tets that index vertices, of either orientation.
+/// A solid cut into tets that index vertices, in either orientation.
 ///
-/// What a file tags are features: frames are to run along tagged edges, and to have an axis across tagged
-/// faces.
+/// Tagged edges and faces are features: frames should follow the edges and the normals of the faces.
 struct TetMesh {
   struct Edge {
     std::array<std::uint32_t, 2> vertices;
     std::int32_t tag = 0;
 
-    /// Someone asked for it. Otherwise it may be any curve of the model that was meshed, a seam too: on a
-    /// face it counts only where the face is sharp, as if it were not there, and inside the solid in full.
+    /// Whether the file marks the edge as a feature. Otherwise it may be any curve of the meshed model, even
+    /// a seam: on the surface it counts only where the surface is sharp, inside the solid always.
     bool is_stated = true;
   };
   struct Face {
@@ -84,7 +83,7 @@ struct TetMesh {
   std::vector<Vector3> vertices;
   std::vector<std::array<std::uint32_t, 4>> tets;
 
-  std::vector<std::int32_t> regions = {};  ///< the number of each tet's region; empty where the file has none
+  std::vector<std::int32_t> regions = {};  ///< region number of each tet; empty if the file has none
   std::vector<Edge> feature_edges = {};
   std::vector<Face> feature_faces = {};
 
@@ -92,8 +91,8 @@ struct TetMesh {
   std::vector<std::string> warnings = {};
 };
 
-/// Three orthonormal axes, right-handed. As an octahedral frame it stands for itself and the 23 other
-/// rotations that permute the axes and flip their signs.
+/// Three orthonormal axes, right-handed. An octahedral frame is the class of the 24 such triples that differ
+/// by permutations and signs of the axes; each of them represents it.
 struct Frame {
   std::array<Vector3, 3> axes;
 };
@@ -109,7 +108,8 @@ enum class CellConstraint : std::uint8_t {
 };
 inline constexpr int kCellConstraintCount = 6;
 
-/// Degree of the spherical harmonics that carry a frame: 3 (octupoles, seven numbers) or 4 (nine numbers).
+/// Degree of the spherical harmonics that represent a frame: 3 (octupoles, seven numbers) or 4 (nine
+/// numbers).
 enum class Degree : int { kThree = 3, kFour = 4 };
 
 }  // namespace crossgrain
