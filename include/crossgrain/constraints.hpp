@@ -11,26 +11,27 @@
 
 namespace crossgrain {
 
-/// What frames are to follow besides the surface (docs/constraints.md). None of it is met exactly: each adds
-/// to the energy as surface does, and takes part in the compromise.
+/// Directions to follow besides the surface (docs/constraints.md). Constraints are soft: each adds to the
+/// energy like a piece of surface, so that none is met exactly.
 ///
-/// `axes`, wherever there are such, are directions of any length but zero whose signs mean nothing: one, and
-/// frames are to have an axis along it; three at right angles, and frames are to be that frame. Three that
-/// are off the right angle by up to kFrameToleranceDeg count as the nearest ones that are not.
+/// `axes` are directions of any length except zero; their signs do not matter. One direction asks for an axis
+/// along it, three orthogonal directions ask for that frame. Three directions that are off a right angle by
+/// up to kFrameToleranceDeg are replaced by the nearest orthogonal ones.
 ///
-/// Weights are dimensionless, positive and at most kLargestConstraintWeight: with 1 an axis counts as much in
-/// its cell as surface across it that fills the cell's width, with 2 as twice so much.
+/// Weights are dimensionless, positive and at most kLargestConstraintWeight. An axis of weight 1 counts in
+/// its cell like a piece of surface across the width of the cell with that normal, one of weight 2 twice as
+/// much.
 struct Constraints {
   struct Point {
     Vector3 at;
     std::vector<Vector3> axes;
     double weight = 1;
-    std::size_t line = 0;  ///< of `source`, for messages; 0 where there is none
+    std::size_t line = 0;  ///< line of `source`, for messages; 0 if there is none
   };
 
   struct Polyline {
-    std::vector<Vector3> points;     ///< two at least, not all equal
-    std::vector<Vector3> axes = {};  ///< none: along each of its straight pieces
+    std::vector<Vector3> points;     ///< at least two, not all equal
+    std::vector<Vector3> axes = {};  ///< none: the direction of each segment
     double weight = 1;
     std::size_t line = 0;
   };
@@ -38,15 +39,15 @@ struct Constraints {
   /// All triangles with this number (TriangleMesh::faces).
   struct Face {
     std::int32_t face;
-    std::vector<Vector3> axes = {};  ///< none: across the face, as the surface itself asks
+    std::vector<Vector3> axes = {};  ///< none: the normal of the face, as for any surface
     double weight = 1;
     std::size_t line = 0;
   };
 
-  /// Frames are to have axes along the eigenvectors of a symmetric tensor. Each eigenvector has as its weight
-  /// the gap between its eigenvalue and the nearest other one, over the length of the shortest interval that
-  /// holds all three and 0, times `weight`: so much is it determined. An isotropic tensor says nothing, one
-  /// with two equal eigenvalues fixes one axis. Units and scale mean nothing.
+  /// Axes along the eigenvectors of a symmetric tensor. The weight of an eigenvector is `weight` times the
+  /// gap between its eigenvalue and the nearest other one, divided by the length of the shortest interval
+  /// that holds all three and 0: a measure of how well it is determined. An isotropic tensor has no effect,
+  /// one with two equal eigenvalues determines one axis. Units and scale do not matter.
   struct Stress {
     Vector3 at;
     std::array<double, 6> tensor;  ///< xx, yy, zz, yz, xz, xy
@@ -59,21 +60,21 @@ struct Constraints {
   std::vector<Face> faces = {};
   std::vector<Stress> stresses = {};
 
-  std::string source = {};  ///< the file that they come from, for messages; empty for none
+  std::string source = {};  ///< file of the constraints, for messages; empty if there is none
 
   bool empty() const { return points.empty() && polylines.empty() && faces.empty() && stresses.empty(); }
 };
 
-/// Degrees that any two of the three axes of a frame may be off the right angle: coordinates rounded to two
+/// Largest deviation from a right angle, in degrees, between two axes of a frame. Coordinates rounded to two
 /// digits are up to half a degree off.
 inline constexpr double kFrameToleranceDeg = 1;
 
-/// Up to this weight rounding of forms in single precision stays far below the weights of smoothness.
+/// Up to this weight the rounding of forms in single precision stays far below the weights of smoothness.
 inline constexpr double kLargestConstraintWeight = 1e4;
 
-/// Throws Error(kInput) for the first constraint that makes no sense by itself: numbers that are not finite,
+/// Throws Error(kInput) for the first constraint that is invalid by itself: numbers that are not finite,
 /// weights out of range, directions of length zero, axes that are neither one nor three at right angles,
-/// polylines without length. Whether the model has the faces, only a solve knows.
+/// polylines without length. Only a solve checks whether the model has the faces.
 void check_constraints(const Constraints& constraints);
 
 }  // namespace crossgrain

@@ -20,13 +20,13 @@ struct FieldData;
 /// interpolation. Immutable and cheap to copy; all members are safe to call from any number of threads.
 class FrameField {
  public:
-  /// One cell. Which of the 24 equivalent frames stands for it carries no meaning; neighbouring cells may
-  /// differ.
+  /// One cell. Any of the 24 equivalent frames may represent it; neighbouring cells may differ in that
+  /// choice.
   struct Cell {
     Vector3 centre;    ///< model units
     double size;       ///< side, model units
-    int depth;         ///< of the octree; the root cube has 0
-    bool on_boundary;  ///< whether it holds surface
+    int depth;         ///< depth in the octree; the root cube has 0
+    bool on_boundary;  ///< whether the cell holds surface
     Frame frame;
   };
 
@@ -34,12 +34,12 @@ class FrameField {
     Frame frame;
     bool in_active_cell;  ///< false: the frame is that of the nearest active cell
 
-    /// How little the cells around agree: E_sym of the degree-4 coefficients that were blended, scaled to
-    /// unit length. 0 where frames agree, up to 200/3 on a line that they turn about; 0 outside active cells.
+    /// Disagreement of the surrounding cells: E_sym of the blended degree-4 coefficients, scaled to unit
+    /// length. 0 where the frames agree, up to 200/3 on a singular line; 0 outside active cells.
     double deviation;
 
-    /// To the nearest point of the arcs of singularities(), model units, inside and outside alike; infinity
-    /// where there are no arcs.
+    /// Distance to the nearest arc of singularities(), model units, inside and outside; infinity if there are
+    /// no arcs.
     double singular_distance;
   };
 
@@ -76,9 +76,9 @@ class FrameField {
   /// Solid that the cell belongs to (SolveReport::regions). Empty where there are not several.
   std::span<const std::int32_t> regions() const;
 
-  /// The frame at a point of finite coordinates: inside an active cell, the coefficients of the cells around
-  /// are blended and projected to the nearest frame (cells across an outside gap take no part); elsewhere the
-  /// nearest cell's frame.
+  /// Samples the field at a point with finite coordinates. Inside an active cell the coefficients of the
+  /// surrounding cells are blended and projected to the nearest frame; cells across a gap in the solid take
+  /// no part. Elsewhere the result is the frame of the nearest cell.
   Sample sample(const Vector3& point) const;
 
   /// Samples many points in parallel; bitwise identical to calling `sample` on each. Points may come in any
@@ -88,7 +88,7 @@ class FrameField {
   /// Samples into an array of the caller's. Errors: kUsage unless both spans have the same size.
   void sample(std::span<const Vector3> points, std::span<Sample> samples) const;
 
-  /// The lines around which the frames turn. Of the cells alone: arcs end up to a cell short of the surface.
+  /// The singular graph of the cells. Arcs end up to one cell before the surface.
   const SingularityGraph& singularities() const;
   SingularityGraph singularities(const SingularityOptions& options) const;
 

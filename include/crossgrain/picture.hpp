@@ -14,12 +14,12 @@
 
 namespace crossgrain {
 
-/// What the surface is coloured by: numbers of the cells at the surface.
+/// What the surface is coloured by.
 enum class PictureColour {
   kNone,        ///< one colour for all of it
   kAlignment,   ///< mean angle between the normal and the nearest axis, degrees
   kEnergy,      ///< smoothness energy per volume, on a logarithmic scale
-  kConstraint,  ///< what the surface asks of a frame: plane, axis, frame, free, conflicted
+  kConstraint,  ///< class of the constraints (CellConstraint)
 };
 
 enum class PictureBackground { kLight, kDark, kTransparent };
@@ -27,53 +27,52 @@ enum class PictureBackground { kLight, kDark, kTransparent };
 /// How frames on the cut are drawn.
 enum class PictureFrames { kBoxes, kCrosses, kNone };
 
-/// What a picture shows, and from where. The defaults show the whole part, translucent, with its singular
-/// lines.
+/// Content and view of a picture. The defaults show the whole part, translucent, with its singular lines.
 struct PictureOptions {
-  /// Pixels, 64 to 10000 each, and at most 64 million in all.
+  /// Size in pixels, 64 to 10000 each and at most 64 million in all.
   int width = 1600, height = 1200;
 
-  /// Of the viewer, in degrees: about +z from +x towards +y, and above the xy plane (-90 to 90). The picture
-  /// is upright in z, in parallel projection. By default from the front, above and the right.
+  /// Position of the viewer in degrees: about +z from +x towards +y, and above the xy plane (-90 to 90). The
+  /// projection is parallel with z upright. The default looks from the front, above and the right.
   double azimuth_deg = -55, elevation_deg = 28;
 
-  /// The axis of the model that points up: 0 x, 1 y, 2 z. The angles above are as if it were z; where it is
-  /// y, the front is what is seen from +z, where it is x, from -z, with y to the right.
+  /// Axis of the model that points up: 0 x, 1 y, 2 z. The angles above treat it as z. With y up, the front is
+  /// the side seen from +z; with x up, the side seen from -z, with y to the right.
   int up_axis = 2;
 
   PictureColour colour = PictureColour::kNone;
 
-  /// Ends of the colour scale, degrees or length^-2; by default they follow from the field. Of kEnergy both
-  /// positive.
+  /// Ends of the colour scale in degrees or length^-2, both positive for kEnergy; derived from the field by
+  /// default.
   std::optional<std::array<double, 2>> range;
 
-  /// A plane across an axis: what is before it, seen from the viewer, is taken away, and the frames on it are
-  /// drawn.
+  /// A plane across an axis. The part in front of it is removed and the frames on it are drawn.
   struct Cut {
     int axis = 0;  ///< 0 x, 1 y, 2 z
 
-    /// Coordinate along that axis, model units; the middle of the part where there is none.
+    /// Coordinate along that axis, model units; the middle of the part by default.
     std::optional<double> position;
   };
   std::optional<Cut> cut;
 
   PictureFrames frames = PictureFrames::kBoxes;
 
-  /// Distance of frames on the cut, in pixels of a picture 1200 high; larger pictures have as many.
+  /// Distance between frames on the cut, in pixels of a picture 1200 high; larger pictures show as many
+  /// frames.
   double frame_spacing = 30;
 
   bool lines = true;    ///< singular lines and their nodes
   bool creases = true;  ///< sharp edges of the part
-  bool legend = true;   ///< what colours mean, and the axes of the model
+  bool legend = true;   ///< meaning of the colours, and the axes of the model
 
-  /// Of faces seen at a right angle, 0 to 1; where there is none, what suits the colour.
+  /// Opacity of faces seen at a right angle, 0 to 1; chosen by colour by default.
   std::optional<double> opacity;
 
   PictureBackground background = PictureBackground::kLight;
 };
 
-/// A view by its name: iso, front, back, left, right, top, bottom; sets both angles. Throws Error(kUsage) for
-/// any other. The front is what is seen from -y, with x to the right.
+/// Sets both angles for a named view: iso, front, back, left, right, top or bottom. The front is the side
+/// seen from -y, with x to the right. Throws Error(kUsage) for any other name.
 void set_view(PictureOptions& options, const std::string& name);
 
 /// Curves to draw that the field itself does not hold.

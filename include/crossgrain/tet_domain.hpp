@@ -12,26 +12,26 @@ namespace crossgrain {
 
 struct TetDomainData;
 
-/// A tet mesh made ready to carry a field: checked, its tets turned the right way round, its boundary found.
-/// Immutable and cheap to copy; all members are safe to call from any number of threads.
+/// A tet mesh prepared for a field: validated, its tets oriented, its boundary extracted. Immutable and cheap
+/// to copy; all members are safe to call from any number of threads.
 class TetDomain {
  public:
-  /// Tets that are inverted are turned; tets without volume, and those named twice, are left out; vertices
-  /// that no tet uses stay and get frames all the same. `warnings` tells of each. Throws Error(kInput) naming
-  /// the vertex, tet or face, counted from 0: coordinates that are not finite, indices out of range, no tet
-  /// with a volume, a face of three tets or more.
+  /// Reorients inverted tets and drops tets without volume and duplicates; keeps vertices that no tet uses,
+  /// which get frames too. `warnings` lists all of this. Throws Error(kInput) naming the vertex, tet or face,
+  /// counted from 0, for coordinates that are not finite, indices out of range, a mesh without a tet of
+  /// positive volume and faces of three or more tets.
   explicit TetDomain(TetMesh mesh);
 
-  /// Vertices as given; the tets that carry frames, in the order given, of positive volume.
+  /// All vertices, and the tets that have frames, in the order given and with positive volume.
   const TetMesh& mesh() const;
 
-  /// The boundary as a surface of its own, outward, with only the vertices that it uses, and what is tagged:
-  /// regions are its solids (TriangleMesh::solids), where there are several; tagged faces within a region its
-  /// inner faces. Where edges are tagged, its creases are these and all sharp edges.
+  /// The boundary as a surface that points outward, with the vertices that it uses and the tags: several
+  /// regions become its solids (TriangleMesh::solids), tagged faces inside a region its inner faces. If edges
+  /// are tagged, its creases are these and all sharp edges.
   TriangleMesh boundary() const;
 
-  /// Edge of a regular tet with the mean volume of the tets, model units. Many tiny tets in a corner do not
-  /// make it tiny.
+  /// Edge of a regular tet with the mean volume of the tets, model units. Unlike the mean edge, it is not
+  /// dominated by many tiny tets in a corner.
   double typical_edge_length() const;
 
   /// One sentence each for what was mended or is odd, ready for a reader; those of the mesh first.

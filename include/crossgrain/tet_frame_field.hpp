@@ -16,8 +16,8 @@ namespace crossgrain {
 
 struct TetField;
 
-/// A frame field on the vertices and tets of a mesh, with the field on the grid that it was carried over
-/// from. Immutable and cheap to copy; all members are safe to call from any number of threads.
+/// A frame field on the vertices and tets of a mesh, with the field on the grid from which it started.
+/// Immutable and cheap to copy; all members are safe to call from any number of threads.
 class TetFrameField {
  public:
   TetFrameField(FrameField grid, TetDomain domain, std::shared_ptr<const TetField> field, SolveReport report);
@@ -43,12 +43,12 @@ class TetFrameField {
   std::vector<std::array<double, 4>> vertex_quaternions() const;
   std::vector<std::array<double, 4>> tet_quaternions() const;
 
-  /// The lines around which the frames of tets turn, along their edges.
+  /// The singular graph of the frames of tets, along edges of the mesh.
   const SingularityGraph& singularities() const;
   SingularityGraph singularities(const SingularityOptions& options) const;
 
-  /// That of grid(), with `onto`, the domain's warnings and the time that the tets took; without warnings of
-  /// what the grid's cells do not resolve.
+  /// The report of grid() with the section `onto`, the warnings of the domain and the time for the tets. The
+  /// grid only provides a starting field, so its resolution warnings are left out.
   const SolveReport& report() const { return *report_; }
 
   /// The representation behind the field, for the library itself.
