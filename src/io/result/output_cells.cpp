@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "base/parallel.hpp"
@@ -186,11 +187,30 @@ void shut_towards_missing(FieldData& part) {
 
 }  // namespace
 
+namespace {
+
+/// Companions have names of their own, or that of the page.
+void check_companions(const std::vector<CompanionFile>& companions) {
+  std::vector<std::string> taken = all_result_files();
+  std::erase(taken, kPageFile);
+  for (const CompanionFile& file : companions) {
+    const bool is_name = !file.name.empty() && file.name != "." && file.name != ".." &&
+                         std::filesystem::path(file.name).filename() == file.name;
+    if (!is_name || std::find(taken.begin(), taken.end(), file.name) != taken.end())
+      throw Error(ErrorKind::kUsage,
+                  "'" + file.name + "' cannot be the name of a further file; choose another");
+    taken.push_back(file.name);
+  }
+}
+
+}  // namespace
+
 void check_output_options(const OutputOptions& options) {
   if (options.level && (*options.level < 0 || *options.level > kMaxDepth))
     throw Error(ErrorKind::kUsage,
                 fmt::format("output level {}: choose one from 0 to {}, a depth of the octree", *options.level,
                             kMaxDepth));
+  check_companions(options.companions);
   if (!options.clip) return;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = options.clip->low[axis], high = options.clip->high[axis];
