@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "crossgrain/io.hpp"
-#include "io/frame_lines.hpp"
+#include "io/frame_files.hpp"
 #include "io/output_file.hpp"
 
 namespace crossgrain {
