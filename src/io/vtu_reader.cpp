@@ -106,7 +106,7 @@ void VtuFile::parse_header(const std::string& header) {
     } else if (tag->name == "AppendedData") {
       is_raw = tag->attribute("encoding") == "raw";
     } else if (tag->name == "DataArray") {
-      const auto type = vtu_type_named(tag->attribute("type"));
+      const auto type = type_named(kVtuTypeNames, tag->attribute("type"));
       const auto offset = parse_count(tag->attribute("offset"));
       // One component is what VTK takes where none is stated.
       const std::string_view stated = tag->attribute("NumberOfComponents");
@@ -128,7 +128,7 @@ const VtuFile::Array* VtuFile::find(VtuSection section, std::string_view name) c
   return found == arrays_.end() ? nullptr : &*found;
 }
 
-const VtuFile::Array& VtuFile::require(VtuSection section, std::string_view name, VtuType type,
+const VtuFile::Array& VtuFile::require(VtuSection section, std::string_view name, NumberType type,
                                        std::size_t components) const {
   const Array* array = find(section, name);
   if (array == nullptr)
@@ -136,7 +136,7 @@ const VtuFile::Array& VtuFile::require(VtuSection section, std::string_view name
                      name_of(section)));
   if (array->type != type || array->components != components)
     fail(fmt::format("array '{}' holds {} x {} where {} x {} should be; solve again", name, array->components,
-                     info_of(array->type).name, components, info_of(type).name));
+                     vtu_name_of(array->type), components, vtu_name_of(type)));
   return *array;
 }
 
@@ -159,7 +159,7 @@ ZlibBlocks VtuFile::locate(const Array& array) const {
   std::optional<ZlibBlocks> blocks = zlib_blocks(head, sizes, sizes_begin + count * kWord, file_bytes_);
   check(blocks.has_value());
 
-  const std::uint64_t row_bytes = array.components * info_of(array.type).bytes;
+  const std::uint64_t row_bytes = array.components * size_of(array.type);
   check(blocks->raw_bytes % row_bytes == 0);
   const std::uint64_t rows = blocks->raw_bytes / row_bytes;
   if (array.section == VtuSection::kPoints || array.section == VtuSection::kPointData) check(rows == points_);

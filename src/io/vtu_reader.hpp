@@ -21,7 +21,7 @@ class VtuFile {
   struct Array {
     VtuSection section;
     std::string name;
-    VtuType type;
+    NumberType type;
     std::size_t components;
     std::uint64_t offset;  ///< from the begin of the data
   };
@@ -43,7 +43,7 @@ class VtuFile {
   /// number of components, damaged, or of another length than the grid.
   template <class T>
   std::vector<T> read(VtuSection section, std::string_view name, std::size_t components) const {
-    const Array& array = require(section, name, vtu_type_of<T>(), components);
+    const Array& array = require(section, name, number_type_of<T>(), components);
     const ZlibBlocks blocks = locate(array);
     std::vector<T> values(blocks.raw_bytes / sizeof(T));
     inflate(array, blocks, reinterpret_cast<char*>(values.data()));
@@ -53,7 +53,8 @@ class VtuFile {
  private:
   void parse_header(const std::string& header);
   std::string read_header() const;
-  const Array& require(VtuSection section, std::string_view name, VtuType type, std::size_t components) const;
+  const Array& require(VtuSection section, std::string_view name, NumberType type,
+                       std::size_t components) const;
   ZlibBlocks locate(const Array& array) const;
   void inflate(const Array& array, const ZlibBlocks& blocks, char* out) const;
   void read_at(std::uint64_t offset, void* out, std::size_t bytes) const;

@@ -129,7 +129,7 @@ class VtuTetReader {
     const std::string name(tag.attribute("Name"));
     if (section == VtuSection::kFieldData && name == field_arrays::kSchema)
       fail(position, "a frame field that crossgrain has written, no mesh; name the mesh or surface itself");
-    const auto type = vtu_type_named(tag.attribute("type"));
+    const auto type = type_named(kVtuTypeNames, tag.attribute("type"));
     // Of strings, which are for people, there is nothing to tell.
     if (!type) return;
     DataArray array{section, name, *type, 0, std::string(tag.attribute("format")), 0, position, position};
