@@ -41,18 +41,9 @@ VtuFile::VtuFile(const std::filesystem::path& path) : name_(path.string()) {
     fail(std::generic_category().message(errno) + "; check the path, or solve again");
   if (!S_ISREG(status.st_mode)) fail("is not a regular file; name the .vtu file of a field");
   file_bytes_ = static_cast<std::uint64_t>(status.st_size);
-  descriptor_ = ::open(name_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor_ < 0) fail(std::generic_category().message(errno) + "; make it readable (chmod +r)");
-  try {
-    parse_header(read_header());
-  } catch (...) {
-    ::close(descriptor_);
-    throw;
-  }
-}
-
-VtuFile::~VtuFile() {
-  ::close(descriptor_);
+  descriptor_ = Descriptor(::open(name_.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!descriptor_.is_open()) fail(std::generic_category().message(errno) + "; make it readable (chmod +r)");
+  parse_header(read_header());
 }
 
 void VtuFile::fail(const std::string& message) const {
@@ -62,7 +53,7 @@ void VtuFile::fail(const std::string& message) const {
 void VtuFile::read_at(std::uint64_t offset, void* out, std::size_t bytes) const {
   auto* to = static_cast<char*>(out);
   while (bytes > 0) {
-    const ssize_t got = ::pread(descriptor_, to, bytes, static_cast<off_t>(offset));
+    const ssize_t got = ::pread(descriptor_.number(), to, bytes, static_cast<off_t>(offset));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail("cannot be read: " + std::generic_category().message(errno) + "; check the disk");
     if (got == 0) fail("is cut short; copy it again, or solve again");

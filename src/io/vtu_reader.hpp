@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/descriptor.hpp"
 #include "io/vtu_types.hpp"
 #include "io/zlib_blocks.hpp"
 
@@ -27,9 +28,6 @@ class VtuFile {
   };
 
   explicit VtuFile(const std::filesystem::path& path);
-  ~VtuFile();
-  VtuFile(const VtuFile&) = delete;
-  VtuFile& operator=(const VtuFile&) = delete;
 
   const std::string& name() const { return name_; }
   std::size_t points() const { return points_; }
@@ -61,7 +59,7 @@ class VtuFile {
   [[noreturn]] void fail(const std::string& message) const;
 
   std::string name_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::uint64_t file_bytes_ = 0;
   std::uint64_t data_begin_ = 0;
   std::size_t points_ = 0;
