@@ -9,14 +9,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <optional>
 #include <system_error>
 #include <utility>
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
-#include "io/xml_tags.hpp"
 
 namespace crossgrain {
 namespace {
@@ -25,13 +23,6 @@ namespace {
 constexpr std::size_t kLongestHeader = 1 << 20;
 
 constexpr std::string_view kDataTag = "<AppendedData";
-
-std::optional<std::uint64_t> parse_count(std::string_view text) {
-  std::uint64_t value = 0;
-  const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc() || stop != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 }  // namespace
 
@@ -74,49 +65,21 @@ std::string VtuFile::read_header() const {
   return header;
 }
 
-void VtuFile::parse_header(const std::string& header) {
+void VtuFile::parse_header(const std::string& text) {
   const char* const kForeign =
       "is no field written by crossgrain; solve again, or give the folder that it wrote";
-  data_begin_ = header.size();
-  XmlTags tags(header);
-  std::optional<VtuSection> section;
-  bool has_layout = false, has_piece = false, is_raw = false;
-  while (const auto tag = tags.next()) {
-    if (tag->name == "VTKFile") {
-      has_layout = tag->attribute("type") == "UnstructuredGrid" &&
-                   tag->attribute("byte_order") == "LittleEndian" &&
-                   tag->attribute("header_type") == "UInt64" &&
-                   tag->attribute("compressor") == "vtkZLibDataCompressor";
-    } else if (tag->name == "Piece") {
-      const auto points = parse_count(tag->attribute("NumberOfPoints"));
-      const auto cells = parse_count(tag->attribute("NumberOfCells"));
-      if (!points || !cells || has_piece) fail(kForeign);
-      points_ = *points;
-      cells_ = *cells;
-      has_piece = true;
-    } else if (tag->name == "AppendedData") {
-      is_raw = tag->attribute("encoding") == "raw";
-    } else if (tag->name == "DataArray") {
-      const auto type = type_named(kVtuTypeNames, tag->attribute("type"));
-      const auto offset = parse_count(tag->attribute("offset"));
-      // One component is what VTK takes where none is stated.
-      const std::string_view stated = tag->attribute("NumberOfComponents");
-      const auto components = parse_count(stated.empty() ? "1" : stated);
-      if (!section || !type || !offset || !components || *components == 0 || *components > file_bytes_)
-        fail(kForeign);
-      arrays_.push_back({*section, std::string(tag->attribute("Name")), *type, *components, *offset});
-    } else if (const auto opened = vtu_section_named(tag->name)) {
-      section = opened;
-    }
+  try {
+    header_ = read_vtu_header(text);
+  } catch (const VtuHeaderFault&) {
+    fail(kForeign);
   }
-  if (!has_layout || !has_piece || !is_raw) fail(kForeign);
-}
-
-const VtuFile::Array* VtuFile::find(VtuSection section, std::string_view name) const {
-  const auto found = std::find_if(arrays_.begin(), arrays_.end(), [&](const Array& array) {
-    return array.section == section && array.name == name;
-  });
-  return found == arrays_.end() ? nullptr : &*found;
+  const VtuPackage& package = header_.package;
+  if (!package.is_compressed || package.is_swapped || package.header_type != NumberType::kUint64 ||
+      !header_.appended || header_.appended->is_base64)
+    fail(kForeign);
+  for (const Array& array : header_.arrays) {
+    if (array.format != "appended" || array.components == 0 || array.components > file_bytes_) fail(kForeign);
+  }
 }
 
 const VtuFile::Array& VtuFile::require(VtuSection section, std::string_view name, NumberType type,
@@ -138,14 +101,14 @@ ZlibBlocks VtuFile::locate(const Array& array) const {
           fmt::format("array '{}' is damaged or cut short; copy the file again, or solve again", array.name));
   };
   constexpr std::uint64_t kWord = sizeof(std::uint64_t);
-  const std::uint64_t data_bytes = file_bytes_ - data_begin_;
+  const std::uint64_t data_begin = header_.appended->begin, data_bytes = file_bytes_ - data_begin;
   check(array.offset <= data_bytes && data_bytes - array.offset >= 3 * kWord);
   std::array<std::uint64_t, 3> head;  // blocks, bytes of a block, bytes of a shorter last block
-  read_at(data_begin_ + array.offset, head.data(), sizeof head);
+  read_at(data_begin + array.offset, head.data(), sizeof head);
   const std::uint64_t count = head[0];
   check(count <= (data_bytes - array.offset - 3 * kWord) / kWord);
   std::vector<std::uint64_t> sizes(count);
-  const std::uint64_t sizes_begin = data_begin_ + array.offset + 3 * kWord;
+  const std::uint64_t sizes_begin = data_begin + array.offset + 3 * kWord;
   read_at(sizes_begin, sizes.data(), count * kWord);
   std::optional<ZlibBlocks> blocks = zlib_blocks(head, sizes, sizes_begin + count * kWord, file_bytes_);
   check(blocks.has_value());
@@ -153,8 +116,9 @@ ZlibBlocks VtuFile::locate(const Array& array) const {
   const std::uint64_t row_bytes = array.components * size_of(array.type);
   check(blocks->raw_bytes % row_bytes == 0);
   const std::uint64_t rows = blocks->raw_bytes / row_bytes;
-  if (array.section == VtuSection::kPoints || array.section == VtuSection::kPointData) check(rows == points_);
-  if (array.section == VtuSection::kCellData) check(rows == cells_);
+  if (array.section == VtuSection::kPoints || array.section == VtuSection::kPointData)
+    check(rows == header_.points);
+  if (array.section == VtuSection::kCellData) check(rows == header_.cells);
   // All blocks but the last claim one size, for which memory will be taken.
   if (blocks->count() > 0) {
     std::vector<unsigned char> first(blocks->begins[1] - blocks->begins[0]);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/descriptor.hpp"
-#include "io/vtu_types.hpp"
+#include "io/vtu_header.hpp"
 #include "io/zlib_blocks.hpp"
 
 namespace crossgrain {
@@ -19,23 +19,17 @@ namespace crossgrain {
 /// in another encoding, and a file cut short throw Error(kInput).
 class VtuFile {
  public:
-  struct Array {
-    VtuSection section;
-    std::string name;
-    NumberType type;
-    std::size_t components;
-    std::uint64_t offset;  ///< from the begin of the data
-  };
+  using Array = VtuHeader::Array;
 
   explicit VtuFile(const std::filesystem::path& path);
 
   const std::string& name() const { return name_; }
-  std::size_t points() const { return points_; }
-  std::size_t cells() const { return cells_; }
-  const std::vector<Array>& arrays() const { return arrays_; }
+  std::size_t points() const { return header_.points; }
+  std::size_t cells() const { return header_.cells; }
+  const std::vector<Array>& arrays() const { return header_.arrays; }
 
   /// Null where there is none.
-  const Array* find(VtuSection section, std::string_view name) const;
+  const Array* find(VtuSection section, std::string_view name) const { return header_.find(section, name); }
 
   /// All values of an array, row after row. Throws Error(kInput) where it is missing, of another type or
   /// number of components, damaged, or of another length than the grid.
@@ -49,7 +43,7 @@ class VtuFile {
   }
 
  private:
-  void parse_header(const std::string& header);
+  void parse_header(const std::string& text);
   std::string read_header() const;
   const Array& require(VtuSection section, std::string_view name, NumberType type,
                        std::size_t components) const;
@@ -61,10 +55,7 @@ class VtuFile {
   std::string name_;
   Descriptor descriptor_;
   std::uint64_t file_bytes_ = 0;
-  std::uint64_t data_begin_ = 0;
-  std::size_t points_ = 0;
-  std::size_t cells_ = 0;
-  std::vector<Array> arrays_;
+  VtuHeader header_;
 };
 
 }  // namespace crossgrain
