@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "crossgrain/error.hpp"
+#include "files/descriptor.hpp"
 #include "files/read_memory.hpp"
 
 namespace crossgrain {
@@ -32,11 +33,7 @@ std::size_t read_fully(int descriptor, char* out, std::size_t size, const std::s
     const ssize_t got = ::read(descriptor, out + done, size - done);
     if (got == 0) break;
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) {
-      const int code = errno;
-      ::close(descriptor);
-      fail_to_open(name, code);
-    }
+    if (got < 0) fail_to_open(name, errno);
     done += static_cast<std::size_t>(got);
   }
   return done;
@@ -61,10 +58,9 @@ InputFile::InputFile(const std::filesystem::path& path) : name_(path.string()) {
     throw Error(ErrorKind::kLimit,
                 fmt::format("{}: its {} bytes do not fit into memory; simplify the surface", name_, size));
   }
-  const int descriptor = ::open(name_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) fail_to_open(name_, errno);
-  size_ = read_fully(descriptor, bytes_.get(), size, name_);
-  ::close(descriptor);
+  const Descriptor descriptor(::open(name_.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!descriptor.is_open()) fail_to_open(name_, errno);
+  size_ = read_fully(descriptor.number(), bytes_.get(), size, name_);
 }
 
 InputFile InputFile::standard_input() {

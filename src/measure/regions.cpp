@@ -18,13 +18,6 @@ namespace {
 
 constexpr std::uint32_t kNone = UINT32_MAX;
 
-double volume_of(const Surface& surface) {
-  double volume = 0;
-  for (std::size_t t = 0; t < surface.size(); ++t)
-    volume += surface.areas[t] * dot(surface.normals[t], surface.corners(t)[0] - surface.box.low) / 3;
-  return std::abs(volume);
-}
-
 bool holds(const Box& box, const Vector3& point) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (point[axis] < box.low[axis] || point[axis] > box.high[axis]) return false;
@@ -45,7 +38,7 @@ struct SolidBody {
         surface(prepare_surface(std::move(mesh))),
         bvh(surface),
         winding(surface, bvh),
-        volume(volume_of(surface)) {}
+        volume(enclosed_volume(surface)) {}
   SolidBody(const SolidBody&) = delete;
   SolidBody& operator=(const SolidBody&) = delete;
 };

@@ -76,17 +76,23 @@ bool faces_viewer(const RayHit& hit, const Ray& ray) {
 
 }  // namespace
 
+RayDevice::RayDevice() : device_(rtcNewDevice(kEveryProcessor), rtcReleaseDevice) {
+  if (!device_) throw std::bad_alloc();
+}
+
 struct RayScene::Embree {
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+  RTCDevice device;
+  RTCScene scene;
   std::uint32_t shapes = 0;
   bool is_empty = true;
   std::map<std::uint32_t, std::vector<RodPiece>> pieces;  ///< of the shapes that are rods
 
-  ~Embree() {
-    if (scene) rtcReleaseScene(scene);
-    if (device) rtcReleaseDevice(device);
+  explicit Embree(RTCDevice of) : device(of), scene(rtcNewScene(of)) {
+    if (!scene) throw std::bad_alloc();
   }
+  ~Embree() { rtcReleaseScene(scene); }
+  Embree(const Embree&) = delete;
+  Embree& operator=(const Embree&) = delete;
 
   /// Fills a buffer of `geometry` with rows of T.
   template <class T>
@@ -107,10 +113,8 @@ struct RayScene::Embree {
   }
 };
 
-RayScene::RayScene(const RaySpace& space) : space_(space), embree_(std::make_unique<Embree>()) {
-  embree_->device = rtcNewDevice(kEveryProcessor);
-  if (!embree_->device) throw std::bad_alloc();
-  embree_->scene = rtcNewScene(embree_->device);
+RayScene::RayScene(const RayDevice& device, const RaySpace& space)
+    : space_(space), embree_(std::make_unique<Embree>(device.device_.get())) {
   rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
 }
 

@@ -90,9 +90,9 @@ RayTracing::RayTracing(const Drawing& drawing, const Camera& camera, const Rende
       camera_(camera),
       options_(options),
       space_(space_around(drawing)),
-      cut_(space_),
-      whole_(space_),
-      ghosts_(space_) {
+      cut_(device_, space_),
+      whole_(device_, space_),
+      ghosts_(device_, space_) {
   for (const DrawnMesh& mesh : drawing.meshes) (mesh.is_whole ? whole_ : cut_).add(mesh);
   for (const DrawnRods& rods : drawing.rods) (rods.is_whole ? whole_ : cut_).add(rods);
   if (drawing.section) ghosts_.add_rods(drawing.section->ghosts);

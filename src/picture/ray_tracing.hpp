@@ -38,7 +38,7 @@ class RayTracing {
  private:
   /// The meshes, or the rods and balls, that a section cuts or leaves whole.
   struct Shapes {
-    explicit Shapes(const RaySpace& space) : meshes(space), rods(space) {}
+    Shapes(const RayDevice& device, const RaySpace& space) : meshes(device, space), rods(device, space) {}
     void add(const DrawnMesh& mesh);
     void add(const DrawnRods& rods);
 
@@ -68,6 +68,7 @@ class RayTracing {
   const Camera& camera_;
   RenderOptions options_;
   RaySpace space_;
+  RayDevice device_;
   Shapes cut_, whole_;
   RayScene ghosts_;
   double first_depth_, last_depth_;  ///< distances along a ray of the nearest and the farthest of the model

@@ -63,14 +63,6 @@ double total_area(const Surface& surface) {
   return std::accumulate(surface.areas.begin(), surface.areas.end(), 0.0);
 }
 
-double enclosed_volume(const Surface& surface) {
-  double volume = 0;
-  for (std::size_t t = 0; t < surface.size(); ++t) {
-    volume += surface.areas[t] * dot(surface.normals[t], surface.corners(t)[0] - surface.box.low) / 3;
-  }
-  return std::abs(volume);
-}
-
 void demand(bool met, const char* message) {
   if (!met) refuse(ErrorKind::kUsage, message);
 }

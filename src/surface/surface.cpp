@@ -131,6 +131,13 @@ Vector3 Surface::blended_normal(std::size_t triangle, const Vector3& point) cons
   return length > 0 ? (1 / length) * blended : normals[triangle];
 }
 
+double enclosed_volume(const Surface& surface) {
+  double volume = 0;
+  for (std::size_t t = 0; t < surface.size(); ++t)
+    volume += surface.areas[t] * dot(surface.normals[t], surface.corners(t)[0] - surface.box.low) / 3;
+  return std::abs(volume);
+}
+
 Surface prepare_surface(TriangleMesh mesh) {
   check_mesh(mesh);
   const std::size_t count = mesh.triangles.size();

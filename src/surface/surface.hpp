@@ -55,6 +55,9 @@ TriangleShape shape_of(const std::array<Vector3, 3>& corners);
 /// Of the corners of all triangles that have an area; empty where none has. Indices must be in range.
 Box box_of_solid_triangles(const TriangleMesh& mesh);
 
+/// The volume that a closed surface encloses, in cubed model units, whichever way its normals point.
+double enclosed_volume(const Surface& surface);
+
 /// The mesh as a Surface. Throws Error(kInput) as `check_mesh` does, and where no triangle has a positive
 /// area.
 Surface prepare_surface(TriangleMesh mesh);

@@ -56,7 +56,7 @@ TetMesh read_mesh(const VtuFile& file) {
   mesh.vertices.resize(points.size() / 3);
   for (std::size_t k = 0; k < points.size(); ++k) mesh.vertices[k / 3][k % 3] = points[k];
   const VtuFile::Array* connectivity = file.find(VtuSection::kCells, "connectivity");
-  if (connectivity && connectivity->type == vtu_type_of<std::int64_t>())
+  if (connectivity && connectivity->type == number_type_of<std::int64_t>())
     read_corners<std::int64_t>(file, mesh.tets);
   else
     read_corners<std::int32_t>(file, mesh.tets);

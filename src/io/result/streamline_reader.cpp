@@ -41,7 +41,7 @@ std::vector<std::vector<Vector3>> lines_of(const VtuFile& file) {
 std::vector<std::vector<Vector3>> read_streamline_points(const std::filesystem::path& path) {
   const VtuFile file(path);
   const VtuFile::Array* ends = file.find(VtuSection::kCells, "offsets");
-  const bool is_wide = ends != nullptr && ends->type == vtu_type_of<std::int64_t>();
+  const bool is_wide = ends != nullptr && ends->type == number_type_of<std::int64_t>();
   return is_wide ? lines_of<std::int64_t>(file) : lines_of<std::int32_t>(file);
 }
 

@@ -104,7 +104,7 @@ class SurfaceReader {
 
   SolvedSurface read() const {
     const VtuFile::Array* connectivity = file_.find(VtuSection::kCells, "connectivity");
-    const bool is_wide = connectivity != nullptr && connectivity->type == vtu_type_of<std::int64_t>();
+    const bool is_wide = connectivity != nullptr && connectivity->type == number_type_of<std::int64_t>();
     return is_wide ? read_cells<std::int64_t>() : read_cells<std::int32_t>();
   }
 

@@ -11,26 +11,19 @@
 namespace crossgrain {
 namespace {
 
-struct TypeName {
-  std::string_view name;
-  PlyType type;
-};
-
 constexpr std::array kTypeNames = {
-    TypeName{"char", PlyType::kInt8},      TypeName{"int8", PlyType::kInt8},
-    TypeName{"uchar", PlyType::kUint8},    TypeName{"uint8", PlyType::kUint8},
-    TypeName{"short", PlyType::kInt16},    TypeName{"int16", PlyType::kInt16},
-    TypeName{"ushort", PlyType::kUint16},  TypeName{"uint16", PlyType::kUint16},
-    TypeName{"int", PlyType::kInt32},      TypeName{"int32", PlyType::kInt32},
-    TypeName{"uint", PlyType::kUint32},    TypeName{"uint32", PlyType::kUint32},
-    TypeName{"float", PlyType::kFloat32},  TypeName{"float32", PlyType::kFloat32},
-    TypeName{"double", PlyType::kFloat64}, TypeName{"float64", PlyType::kFloat64},
+    NumberTypeName{"char", NumberType::kInt8},      NumberTypeName{"int8", NumberType::kInt8},
+    NumberTypeName{"uchar", NumberType::kUint8},    NumberTypeName{"uint8", NumberType::kUint8},
+    NumberTypeName{"short", NumberType::kInt16},    NumberTypeName{"int16", NumberType::kInt16},
+    NumberTypeName{"ushort", NumberType::kUint16},  NumberTypeName{"uint16", NumberType::kUint16},
+    NumberTypeName{"int", NumberType::kInt32},      NumberTypeName{"int32", NumberType::kInt32},
+    NumberTypeName{"uint", NumberType::kUint32},    NumberTypeName{"uint32", NumberType::kUint32},
+    NumberTypeName{"float", NumberType::kFloat32},  NumberTypeName{"float32", NumberType::kFloat32},
+    NumberTypeName{"double", NumberType::kFloat64}, NumberTypeName{"float64", NumberType::kFloat64},
 };
 
-PlyType parse_type(const TextScanner& scanner, std::string_view word) {
-  for (const TypeName& entry : kTypeNames) {
-    if (entry.name == word) return entry.type;
-  }
+NumberType parse_type(const TextScanner& scanner, std::string_view word) {
+  if (const auto type = type_named(kTypeNames, word)) return *type;
   scanner.fail(in_quotes(word) + " is no type of PLY; repair the header");
 }
 
@@ -56,7 +49,7 @@ PlyProperty parse_property(TextScanner& scanner) {
   if (word == "list") {
     property.is_list = true;
     property.count_type = parse_type(scanner, scanner.word());
-    if (property.count_type == PlyType::kFloat32 || property.count_type == PlyType::kFloat64)
+    if (!is_integer(property.count_type))
       scanner.fail("a list whose length is no whole number; repair the header");
     word = scanner.word();
   }
@@ -66,24 +59,6 @@ PlyProperty parse_property(TextScanner& scanner) {
 }
 
 }  // namespace
-
-std::size_t size_of(PlyType type) {
-  switch (type) {
-    case PlyType::kInt8:
-    case PlyType::kUint8:
-      return 1;
-    case PlyType::kInt16:
-    case PlyType::kUint16:
-      return 2;
-    case PlyType::kInt32:
-    case PlyType::kUint32:
-    case PlyType::kFloat32:
-      return 4;
-    case PlyType::kFloat64:
-      return 8;
-  }
-  return 0;
-}
 
 std::size_t PlyElement::least_row_bytes() const {
   std::size_t bytes = 0;

@@ -20,27 +20,22 @@ namespace {
 
 constexpr bool kSwapped = std::endian::native == std::endian::little;
 
-struct TypeName {
-  std::string_view name;
-  NumberType type;
-};
-
 // "long" is that of Linux and macOS; VTK writes its own ids with 32 bits under the name vtkIdType.
 constexpr std::array kTypeNames = {
-    TypeName{"char", NumberType::kInt8},
-    TypeName{"signed_char", NumberType::kInt8},
-    TypeName{"unsigned_char", NumberType::kUint8},
-    TypeName{"short", NumberType::kInt16},
-    TypeName{"unsigned_short", NumberType::kUint16},
-    TypeName{"int", NumberType::kInt32},
-    TypeName{"unsigned_int", NumberType::kUint32},
-    TypeName{"long", NumberType::kInt64},
-    TypeName{"unsigned_long", NumberType::kUint64},
-    TypeName{"vtktypeint64", NumberType::kInt64},
-    TypeName{"vtktypeuint64", NumberType::kUint64},
-    TypeName{"vtkIdType", NumberType::kInt32},
-    TypeName{"float", NumberType::kFloat32},
-    TypeName{"double", NumberType::kFloat64},
+    NumberTypeName{"char", NumberType::kInt8},
+    NumberTypeName{"signed_char", NumberType::kInt8},
+    NumberTypeName{"unsigned_char", NumberType::kUint8},
+    NumberTypeName{"short", NumberType::kInt16},
+    NumberTypeName{"unsigned_short", NumberType::kUint16},
+    NumberTypeName{"int", NumberType::kInt32},
+    NumberTypeName{"unsigned_int", NumberType::kUint32},
+    NumberTypeName{"long", NumberType::kInt64},
+    NumberTypeName{"unsigned_long", NumberType::kUint64},
+    NumberTypeName{"vtktypeint64", NumberType::kInt64},
+    NumberTypeName{"vtktypeuint64", NumberType::kUint64},
+    NumberTypeName{"vtkIdType", NumberType::kInt32},
+    NumberTypeName{"float", NumberType::kFloat32},
+    NumberTypeName{"double", NumberType::kFloat64},
 };
 
 /// Attributes of one array each, by their keyword, with their numbers a point or cell.
@@ -138,16 +133,9 @@ class VtkReader {
     return static_cast<std::uint64_t>(count);
   }
 
-  static std::optional<NumberType> type_named(std::string_view name) {
-    for (const TypeName& entry : kTypeNames) {
-      if (equals_ignoring_case(entry.name, name)) return entry.type;
-    }
-    return std::nullopt;
-  }
-
   NumberType read_type() {
     const std::string_view name = scanner_.word();
-    const auto type = type_named(name);
+    const auto type = type_named(kTypeNames, name, equals_ignoring_case);
     if (!type) fail(fmt::format("{} is no type of numbers; export the file again", in_quotes(name)));
     return *type;
   }
@@ -287,7 +275,7 @@ class VtkReader {
       }
       return true;
     }
-    const std::optional<NumberType> type = type_named(type_name);
+    const std::optional<NumberType> type = type_named(kTypeNames, type_name, equals_ignoring_case);
     if (!type) return leave_the_rest(type_name);
     const VtkNumbers numbers = take_rows(*type, rows_, components, shown.c_str());
     if (!in_cell_data_ || !may_be_tags) return true;

@@ -13,7 +13,7 @@ namespace crossgrain {
 void NumberStream::fail(const std::string& message) const {
   if (scanner_) scanner_->fail(message);
   if (!array_.empty()) fail_input(*file_, {}, fmt::format("array {}: {}", in_quotes(array_), message));
-  fail_input(*file_, {"byte", position_}, message);
+  fail_input(*file_, element_.unit != nullptr ? element_ : Place{"byte", position_}, message);
 }
 
 template <class T>
@@ -68,24 +68,22 @@ void NumberStream::skip(NumberType type, std::uint64_t count) {
   }
   if (count > most_left(type))
     fail(fmt::format("{} numbers should follow, but there are only {} bytes; copy or export the file again",
-                     count, bytes_.size() - position_));
+                     count, bytes_left()));
   position_ += count * size_of(type);
 }
 
 std::uint64_t NumberStream::most_left(NumberType type) const {
   // In text a digit and a blank each; one byte more, since the last line may lack its end.
-  if (scanner_) return (scanner_->bytes_left() + 1) / 2;
-  return (bytes_.size() - position_) / size_of(type);
+  return scanner_ ? (bytes_left() + 1) / 2 : bytes_left() / size_of(type);
 }
 
 std::uint64_t NumberStream::checked_count(std::int64_t count, std::uint64_t least, NumberType type,
                                           const std::string& what) const {
   if (count < 0) fail(fmt::format("{} is {}; repair the file", what, count));
   if (static_cast<std::uint64_t>(count) > most_left(type) / least) {
-    const std::size_t left = scanner_ ? scanner_->bytes_left() : bytes_.size() - position_;
     fail(fmt::format(
         "{} is {}, but only {} bytes follow: cut short, or damaged; copy or export the file again", what,
-        count, left));
+        count, bytes_left()));
   }
   return static_cast<std::uint64_t>(count);
 }
