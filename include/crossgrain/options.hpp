@@ -48,7 +48,7 @@ struct CreaseAngles {
   double knife_deg = 45;
 };
 
-/// The coarse-to-fine solve. The defaults are those of the sweeps in docs/solver.md.
+/// The coarse-to-fine solve. The defaults are those of the sweeps in docs/notes/solver.md.
 struct SolverOptions {
   /// kappa: the boundary form counts kappa / (cell size) times (docs/design.md section 7).
   double boundary_weight = 10;
@@ -85,7 +85,7 @@ struct SolverOptions {
 
   /// In which degree relaxed problems are solved, whatever the degree of the field. In degree 4 they are
   /// quadratic but for the penalty, so that long relaxation forgets where it started; the degree-3 energy has
-  /// many poor minima (docs/solver.md).
+  /// many poor minima (docs/notes/solver.md).
   Degree relaxation_degree = Degree::kFour;
 
   /// Strength of the symmetrisation penalty at the end of a relaxation: how many steps down it, each as long
@@ -97,7 +97,7 @@ struct SolverOptions {
 
   /// Whether relaxed levels use forms shifted so that they penalise only what the constraints of a cell
   /// exclude (crossgrain/spectrum.hpp). It takes more time and has not lowered an energy:
-  /// docs/solver.md.
+  /// docs/notes/solver.md.
   bool shift_relaxed_forms = false;
 
   /// Manifold sweeps at most, on every level.
@@ -114,7 +114,7 @@ enum class TetBoundary {
 };
 
 /// How a field is carried from the grid onto a tet mesh and finished there. The defaults are those of the
-/// sweeps in docs/solver.md.
+/// sweeps in docs/notes/solver.md.
 struct OntoOptions {
   TetBoundary boundary = TetBoundary::kAll;
 
