@@ -15,7 +15,7 @@
 namespace crossgrain {
 
 /// How streamlines are traced. "Cells" is a length: the side of the cell that holds the point. The sweeps
-/// that chose the defaults are in docs/streamlines.md.
+/// that chose the defaults are in docs/notes/streamlines.md.
 struct StreamlineOptions {
   /// Which axes of the frame at a seed are followed, each both ways. Of the 24 equivalent frames the one
   /// nearest to the coordinate axes counts: axis 0 is the one that goes with x, as far as one does.
