@@ -18,7 +18,6 @@
 #include "io/cad_messages.hpp"
 #include "io/cad_program.hpp"
 #include "io/helper_process.hpp"
-#include "io/read_memory.hpp"
 #include "io/surface_reader.hpp"
 
 namespace crossgrain {
