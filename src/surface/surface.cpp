@@ -105,8 +105,8 @@ TriangleShape shape_of(const std::array<Vector3, 3>& corners) {
 
 Box box_of_solid_triangles(const TriangleMesh& mesh) {
   Box box = empty_box();
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const std::array<Vector3, 3> corners{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+  for (const auto& triangle : mesh.triangles) {
+    const std::array<Vector3, 3> corners = corners_of(triangle, mesh.vertices);
     if (shape_of(corners).area == 0) continue;
     for (const Vector3& corner : corners) include(box, corner);
   }
