@@ -8,8 +8,8 @@
 #include <charconv>
 #include <utility>
 
-#include "io/input_file.hpp"
-#include "io/xml_tags.hpp"
+#include "files/input_file.hpp"
+#include "io/vtu/xml_tags.hpp"
 
 namespace crossgrain {
 namespace {

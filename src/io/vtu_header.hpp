@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/vtu_data.hpp"
-#include "io/vtu_types.hpp"
+#include "io/vtu/vtu_data.hpp"
+#include "io/vtu/vtu_types.hpp"
 
 namespace crossgrain {
 

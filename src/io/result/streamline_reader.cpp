@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdint>
+
+#include "crossgrain/error.hpp"
+#include "io/result/streamline_file.hpp"
+#include "io/vtu/vtu_reader.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr double kLargestCoordinate = 1e102;
+
+/// Lines have their points to themselves, one after the other.
+template <class Index>
+std::vector<std::vector<Vector3>> lines_of(const VtuFile& file) {
+  const auto require = [&](bool sound) {
+    if (!sound)
+      throw Error(ErrorKind::kInput, file.name() + ": its arrays make no streamlines; trace them again");
+  };
+  const std::vector<Vector3> points = file.read_points(kLargestCoordinate);
+  const auto ends = file.read<Index>(VtuSection::kCells, "offsets", 1);
+  require(ends.size() == file.cells());
+  std::vector<std::vector<Vector3>> lines(ends.size());
+  std::size_t next = 0;
+  for (std::size_t line = 0; line < lines.size(); ++line) {
+    const auto end = static_cast<std::size_t>(ends[line]);
+    require(end >= next + 2 && end <= file.points());
+    for (; next < end; ++next) lines[line].push_back(points[next]);
+  }
+  require(next == file.points());
+  return lines;
+}
+
+}  // namespace
+
+std::vector<std::vector<Vector3>> read_streamline_points(const std::filesystem::path& path) {
+  const VtuFile file(path);
+  return file.has_wide_indices() ? lines_of<std::int64_t>(file) : lines_of<std::int32_t>(file);
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tets in VTK XML files of unstructured grids (.vtu), whoever wrote them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/result/field_arrays.hpp"
+#include "io/tets/tet_builder.hpp"
+#include "io/tets/tet_reader.hpp"
+#include "io/tets/vtk_cells.hpp"
+#include "io/text/text_scanner.hpp"
+#include "io/vtu_header.hpp"
+
+namespace crossgrain {
+namespace {
+
+using DataArray = VtuHeader::Array;
+
+class VtuTetReader {
+ public:
+  explicit VtuTetReader(const InputFile& file) : file_(&file), builder_(file) {}
+
+  TetMesh read() {
+    read_header();
+    if (const DataArray* schema = header_.find(VtuSection::kFieldData, field_arrays::kSchema))
+      fail(schema->begin,
+           "a frame field that crossgrain has written, no mesh; name the mesh or surface itself");
+    if (header_.cells == 0)
+      fail(file_->bytes().size(), "no <Piece> with cells: cut short, or empty; export it again");
+    add_points();
+    add_cells();
+    return builder_.finish({});
+  }
+
+ private:
+  /// Names the line of a byte that is part of the XML.
+  [[noreturn]] void fail(std::size_t position, const std::string& message) const {
+    fail_input(*file_, at_line(line_of(position)), message);
+  }
+
+  std::size_t line_of(std::size_t position) const {
+    const std::string_view before = file_->bytes().substr(0, position);
+    return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+  }
+
+  void read_header() {
+    try {
+      header_ = read_vtu_header(file_->bytes());
+    } catch (const VtuHeaderFault& fault) {
+      fail(fault.position, fault.message);
+    }
+    if (!header_.appended) return;
+    appended_ = file_->bytes().substr(header_.appended->begin);
+    if (header_.appended->is_base64) appended_ = appended_.substr(0, appended_.find('<'));
+  }
+
+  /// By its name, or the first of the section where that is empty.
+  const DataArray& require(VtuSection section, std::string_view name) const {
+    const DataArray* array = header_.find(section, name);
+    if (array == nullptr)
+      fail_input(*file_, {},
+                 fmt::format("no array {} in {}: cut short, or no mesh; export the file again",
+                             name.empty() ? "of coordinates" : in_quotes(name), name_of(section)));
+    return *array;
+  }
+
+  /// The numbers of an array, `count` of them where that is given. Unpacked bytes are kept for as long as the
+  /// reader lives.
+  VtkNumbers numbers(const DataArray& array, std::optional<std::uint64_t> count) {
+    if (array.format == "ascii" || array.format.empty()) {
+      const TextScanner scanner(*file_, {}, array.begin, line_of(array.begin), array.end);
+      const VtkNumbers numbers{NumberStream(scanner), array.type};
+      if (count && *count > numbers.stream.most_left(array.type))
+        fail(array.begin,
+             fmt::format("array {} should have {} numbers, but only {} bytes are here: cut short, or "
+                         "damaged; copy or export the file again",
+                         in_quotes(array.name), *count, array.end - array.begin));
+      return numbers;
+    }
+    auto bytes = unpack(array);
+    if (!bytes)
+      fail_input(*file_, {},
+                 fmt::format("array {} is damaged or cut short; copy or export the file again",
+                             in_quotes(array.name)));
+    if (bytes->size() % size_of(array.type) != 0 || (count && *count != bytes->size() / size_of(array.type)))
+      fail_input(*file_, {},
+                 fmt::format("array {} has {} numbers where {} should be; export the file again",
+                             in_quotes(array.name), bytes->size() / size_of(array.type), count.value_or(0)));
+    unpacked_.push_back(std::make_unique<std::string>(std::move(*bytes)));
+    return {NumberStream(*file_, array.name, *unpacked_.back(), header_.package.is_swapped), array.type};
+  }
+
+  std::optional<std::string> unpack(const DataArray& array) const {
+    const std::string_view bytes = file_->bytes();
+    if (array.format == "binary")
+      return unpack_vtu_data(bytes.substr(array.begin, array.end - array.begin), true, header_.package);
+    if (array.format != "appended" || !header_.appended || array.offset > appended_.size())
+      return std::nullopt;
+    return unpack_vtu_data(appended_.substr(array.offset), header_.appended->is_base64, header_.package);
+  }
+
+  void add_points() {
+    const DataArray& array = require(VtuSection::kPoints, "");
+    if (array.components != 3)
+      fail(array.begin,
+           fmt::format("points of {} coordinates, not 3; export the file again", array.components));
+    if (header_.points > file_->bytes().size() * kMostNumbersAByte / 3)
+      fail(array.begin,
+           fmt::format("{} points are more than the file can hold; copy or export it again", header_.points));
+    VtkNumbers points = numbers(array, 3 * header_.points);
+    builder_.reserve_vertices(header_.points);
+    for (std::uint64_t i = 0; i < header_.points; ++i) {
+      Vector3 position;
+      for (double& coordinate : position) coordinate = points.stream.real(points.type, "a coordinate");
+      builder_.add_vertex(position, points.stream.place("point", i));
+    }
+    unpacked_.clear();
+  }
+
+  void add_cells() {
+    VtkCells cells{header_.cells, numbers(require(VtuSection::kCells, "connectivity"), std::nullopt),
+                   numbers(require(VtuSection::kCells, "offsets"), header_.cells),
+                   numbers(require(VtuSection::kCells, "types"), header_.cells), std::nullopt};
+    if (const DataArray* tags = find_tags()) cells.tags = numbers(*tags, header_.cells);
+    add_vtk_cells(std::move(cells), builder_);
+  }
+
+  const DataArray* find_tags() const {
+    const DataArray* best = nullptr;
+    std::size_t best_rank = 0;
+    for (const DataArray& array : header_.arrays) {
+      if (array.section != VtuSection::kCellData) continue;
+      const auto rank = vtk_tag_rank(array.name, array.type, array.components);
+      if (!rank || (best != nullptr && *rank >= best_rank)) continue;
+      best = &array;
+      best_rank = *rank;
+    }
+    return best;
+  }
+
+  /// Zlib packs a thousand bytes into one, and a number takes one at least.
+  static constexpr std::uint64_t kMostNumbersAByte = 1040;
+
+  const InputFile* file_;
+  TetBuilder builder_;
+  VtuHeader header_;
+  std::string_view appended_;
+  std::vector<std::unique_ptr<std::string>> unpacked_;
+};
+
+}  // namespace
+
+TetMesh read_vtu_tets(const InputFile& file) {
+  return VtuTetReader(file).read();
+}
+
+}  // namespace crossgrain
