@@ -3,19 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
-
 #include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
 
 namespace crossgrain {
-
-std::size_t allowed_memory_bytes(std::size_t max_memory_bytes) {
-  constexpr double kShareOfMemory = 0.9;
-  if (max_memory_bytes > 0) return max_memory_bytes;
-  const std::size_t there = memory_limit_bytes();
-  return there > 0 ? static_cast<std::size_t>(kShareOfMemory * static_cast<double>(there)) : SIZE_MAX;
-}
 
 void check_read_memory(const std::string& name, std::size_t file_bytes, double times,
                        std::size_t max_memory_bytes) {

@@ -47,8 +47,7 @@ struct SolidBody {
 std::vector<std::unique_ptr<SolidBody>> bodies_of(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> order;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    if (shape_of({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}).area > 0) order.push_back(t);
+    if (shape_of(corners_of(mesh.triangles[t], mesh.vertices)).area > 0) order.push_back(t);
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return mesh.solids[a] < mesh.solids[b]; });

@@ -32,15 +32,9 @@ constexpr double kClearance = 0.3;
 constexpr Colour kBoxColour = colour_of(0x74a9dc), kCrossColour = colour_of(0x2c6db3);
 
 Box box_of(const SolvedSurface& surface) {
-  Box box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-  for (const auto& corners : surface.triangles) {
-    for (const std::uint32_t vertex : corners) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], surface.vertices[vertex][k]);
-        box.high[k] = std::max(box.high[k], surface.vertices[vertex][k]);
-      }
-    }
-  }
+  Box box = empty_box();
+  for (const auto& corners : surface.triangles)
+    for (const std::uint32_t vertex : corners) include(box, surface.vertices[vertex]);
   return box;
 }
 

@@ -14,19 +14,14 @@ constexpr double kHeadStart = 0.25;
 constexpr float kOpaque = 0.996f;
 
 RaySpace space_around(const Drawing& drawing) {
-  Vector3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  const auto take = [&](const Vector3& point) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], point[k]);
-      high[k] = std::max(high[k], point[k]);
-    }
-  };
+  Box box = empty_box();
   for (const DrawnMesh& mesh : drawing.meshes)
-    for (const Vector3& vertex : mesh.vertices) take(vertex);
+    for (const Vector3& vertex : mesh.vertices) include(box, vertex);
   for (const DrawnRods& rods : drawing.rods) {
-    for (const Rod& rod : rods.rods) take(rod.from), take(rod.to);
-    for (const Ball& ball : rods.balls) take(ball.centre);
+    for (const Rod& rod : rods.rods) include(box, rod.from), include(box, rod.to);
+    for (const Ball& ball : rods.balls) include(box, ball.centre);
   }
+  const auto& [low, high] = box;
   if (!(low[0] <= high[0])) return {};
   const double size = norm(high - low);
   return {0.5 * (low + high), size > 0 ? size : 1};

@@ -50,13 +50,11 @@ Quaternion nearest_to_coordinate_axes(const Quaternion& frame) {
 
 /// Around all leaves.
 Box bounds_of(const Octree& tree) {
-  Box bounds{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+  Box bounds = empty_box();
   for (const CellAddress leaf : tree.leaves()) {
     const Box box = tree.root().box(leaf);
-    for (int axis = 0; axis < 3; ++axis) {
-      bounds.low[axis] = std::min(bounds.low[axis], box.low[axis]);
-      bounds.high[axis] = std::max(bounds.high[axis], box.high[axis]);
-    }
+    include(bounds, box.low);
+    include(bounds, box.high);
   }
   return bounds;
 }

@@ -11,6 +11,7 @@
 #include "base/lanes.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "base/system_memory.hpp"
 #include "field/field_data.hpp"
 #include "field/nested_solve.hpp"
 #include "field/solve_forecast.hpp"
@@ -64,8 +65,8 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
   if (field.stopped)
     report.unfinished = SolveReport::Unfinished{resolution_asked, field.levels_left_out, false};
   else if (field.levels_left_out > 0)
-    report.limited =
-        SolveReport::Limited{resolution_asked, allowed_memory_bytes(options), field.memory_needed};
+    report.limited = SolveReport::Limited{resolution_asked, allowed_memory_bytes(options.max_memory_bytes),
+                                          field.memory_needed};
   report.energy.smoothness = field.energy.smoothness;
   report.energy.boundary = field.energy.boundary;
   report.energy.unavoidable = field.energy.unavoidable;

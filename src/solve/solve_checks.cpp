@@ -148,8 +148,8 @@ void check_size(const Surface& surface, const SolveOptions& options) {
   const double cells = kCellsPerFace * total_area(surface) / (largest * largest);
   const LevelCounts counts{cells, kSurfaceShare * cells, 0, kSurfaceShare * cells};
   const double needed = static_cast<double>(current_memory_bytes()) + peak_memory_bytes(counts);
-  const auto allowed = static_cast<double>(allowed_memory_bytes(options));
-  if (cells < kNoCell && (allowed == 0 || needed <= allowed)) return;
+  const auto allowed = static_cast<double>(allowed_memory_bytes(options.max_memory_bytes));
+  if (cells < kNoCell && needed <= allowed) return;
   refuse(ErrorKind::kLimit,
          fmt::format(
              "even with cells {} times as large, about {:.3g} million of them, {:.3g} GB would be needed, "

@@ -47,11 +47,10 @@ void shorten(std::vector<T>& entries, std::size_t size) {
 }
 
 Box box_of_triangles(const TriangleMesh& mesh) {
-  std::vector<Vector3> used;
-  used.reserve(3 * mesh.triangles.size());
+  Box box = empty_box();
   for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t vertex : triangle) used.push_back(mesh.vertices[vertex]);
-  return box_of(used);
+    for (const std::uint32_t vertex : triangle) include(box, mesh.vertices[vertex]);
+  return box;
 }
 
 }  // namespace
@@ -105,16 +104,11 @@ TriangleShape shape_of(const std::array<Vector3, 3>& corners) {
 }
 
 Box box_of_solid_triangles(const TriangleMesh& mesh) {
-  Box box = box_of({});
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const std::array<Vector3, 3> corners{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+  Box box = empty_box();
+  for (const auto& triangle : mesh.triangles) {
+    const std::array<Vector3, 3> corners = corners_of(triangle, mesh.vertices);
     if (shape_of(corners).area == 0) continue;
-    for (const Vector3& corner : corners) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        box.low[axis] = std::min(box.low[axis], corner[axis]);
-        box.high[axis] = std::max(box.high[axis], corner[axis]);
-      }
-    }
+    for (const Vector3& corner : corners) include(box, corner);
   }
   return box;
 }

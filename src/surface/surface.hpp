@@ -4,11 +4,18 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
+
+/// Where the corners of a triangle with these indices are.
+inline std::array<Vector3, 3> corners_of(const std::array<std::uint32_t, 3>& triangle,
+                                         const std::vector<Vector3>& vertices) {
+  return {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
+}
 
 /// Triangles of positive area, each with its unit normal. Plain data that nothing changes after
 /// `prepare_surface`; safe to read from any number of threads.
@@ -22,8 +29,7 @@ struct Surface {
   std::size_t size() const { return mesh.triangles.size(); }
 
   std::array<Vector3, 3> corners(std::size_t triangle) const {
-    const auto& [a, b, c] = mesh.triangles[triangle];
-    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+    return corners_of(mesh.triangles[triangle], mesh.vertices);
   }
 
   /// The unit normal of the true surface at the point of the triangle nearest to `point`, about: blended from

@@ -14,7 +14,6 @@
 #include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/version.hpp"
-#include "files/read_memory.hpp"
 #include "io/cad/cad_checks.hpp"
 #include "io/cad/cad_messages.hpp"
 #include "io/cad/cad_program.hpp"

@@ -91,7 +91,6 @@ void add_cells(const LeafCorners& corners, std::size_t cells, std::vector<VtuArr
                                     [&corners](std::size_t begin, std::size_t end, Index* out) {
                                       corners.write_indices(begin, end, out);
                                     }));
-  constexpr std::uint8_t kVtkVoxel = 11;
   add_uniform_cells<Index>(cells, 8, kVtkVoxel, arrays);
 }
 
@@ -104,16 +103,6 @@ void add_grid(const LeafCorners& corners, std::size_t cells, std::vector<VtuArra
     add_cells<std::int32_t>(corners, cells, arrays);
   else
     add_cells<std::int64_t>(corners, cells, arrays);
-}
-
-/// Numbers that belong to the field as a whole.
-template <class T>
-VtuArray constant_array(const char* name, std::vector<T> values) {
-  const std::size_t count = values.size();
-  return vtu_array<T>(VtuSection::kFieldData, name, count, 1,
-                      [values = std::move(values)](std::size_t begin, std::size_t end, T* out) {
-                        if (begin < end) std::ranges::copy(values, out);
-                      });
 }
 
 void add_field_data(const FieldData& data, std::vector<VtuArray>& arrays) {

@@ -31,11 +31,6 @@ struct ChosenCells {
   std::vector<CellIndex> first_leaves;
 };
 
-CellAddress ancestor_at(CellAddress cell, int level) {
-  while (cell.depth() > level) cell = cell.parent();
-  return cell;
-}
-
 /// Whether two boxes have a point in common.
 bool meet(const Box& a, const Box& b) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -51,7 +46,7 @@ ChosenCells chosen_cells(const Octree& tree, const OutputOptions& options, const
     monitor.check();
     ChosenCells& run = runs[begin / kLeavesAtOnce];
     for (std::size_t i = begin; i < end; ++i) {
-      const CellAddress cell = ancestor_at(tree.leaves()[i], level);
+      const CellAddress cell = tree.leaves()[i].ancestor_at(level);
       const bool is_first = i == 0 || !cell.contains(tree.leaves()[i - 1]);
       if (!is_first || (options.clip && !meet(tree.root().box(cell), *options.clip))) continue;
       run.addresses.push_back(cell);

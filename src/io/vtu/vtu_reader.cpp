@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cmath>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -92,6 +93,25 @@ const VtuFile::Array& VtuFile::require(VtuSection section, std::string_view name
     fail(fmt::format("array '{}' holds {} x {} where {} x {} should be; solve again", name, array->components,
                      vtu_name_of(array->type), components, vtu_name_of(type)));
   return *array;
+}
+
+std::vector<Vector3> VtuFile::read_points(double limit) const {
+  const Array& array = require(VtuSection::kPoints, "Points", NumberType::kFloat64, 3);
+  const ZlibBlocks blocks = locate(array);
+  std::vector<Vector3> points(blocks.raw_bytes / sizeof(Vector3));
+  inflate(array, blocks, reinterpret_cast<char*>(points.data()));
+  for (const Vector3& point : points) {
+    for (const double coordinate : point) {
+      if (!(std::abs(coordinate) < limit))
+        fail(fmt::format("a point has a coordinate {}; copy the file again, or solve again", coordinate));
+    }
+  }
+  return points;
+}
+
+bool VtuFile::has_wide_indices() const {
+  const Array* offsets = find(VtuSection::kCells, "offsets");
+  return offsets != nullptr && offsets->type == NumberType::kInt64;
 }
 
 ZlibBlocks VtuFile::locate(const Array& array) const {

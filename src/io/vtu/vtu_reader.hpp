@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "crossgrain/types.hpp"
 #include "files/descriptor.hpp"
 #include "io/vtu/vtu_header.hpp"
 #include "io/vtu/zlib_blocks.hpp"
@@ -41,6 +42,13 @@ class VtuFile {
     inflate(array, blocks, reinterpret_cast<char*>(values.data()));
     return values;
   }
+
+  /// The positions of all points. Throws Error(kInput) as `read` does, and where a coordinate is not a number
+  /// or not of a size below `limit`.
+  std::vector<Vector3> read_points(double limit) const;
+
+  /// Whether numbers of points and offsets of cells have 64 bits; 32 where they fit (fits_32_bits).
+  bool has_wide_indices() const;
 
  private:
   void parse_header(const std::string& text);
