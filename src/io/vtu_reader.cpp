@@ -118,7 +118,7 @@ void VtuFile::parse_header(const std::string& header) {
       section = opened;
     }
   }
-  if (!has_layout || !has_piece || !is_raw) fail(kForeign);
+  if (tags.malformed() || !has_layout || !has_piece || !is_raw) fail(kForeign);
 }
 
 const VtuFile::Array* VtuFile::find(VtuSection section, std::string_view name) const {
