@@ -113,7 +113,9 @@ class RegionFinder {
   Claim claim(CellIndex leaf) const {
     const Claim around =
         level_.centre_inside(leaf) ? around_centre(level_.tree.centre(leaf)) : Claim{kNone, false};
-    return around.body != kNone ? around : Claim{of_most_surface(leaf), false};
+    if (around.body != kNone) return around;
+    return {level_.holds_surface(leaf) ? of_most_surface(leaf) : likeliest_at(level_.tree.centre(leaf)),
+            false};
   }
 
  private:
@@ -139,6 +141,13 @@ class RegionFinder {
     }
     if (claim.body == kNone) claim.body = likeliest;
     return claim;
+  }
+
+  /// Beside the cap over a hole, where a point may be in no solid: the one that winds around it most.
+  std::uint32_t likeliest_at(const Vector3& point) const {
+    std::vector<double> windings;
+    for (const auto& body : bodies_) windings.push_back(body->winding.at(point));
+    return static_cast<std::uint32_t>(std::max_element(windings.begin(), windings.end()) - windings.begin());
   }
 
   std::uint32_t of_most_surface(CellIndex leaf) const {

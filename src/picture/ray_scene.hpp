@@ -29,7 +29,7 @@ struct Ray {
 };
 
 /// Where a ray meets a shape.
-struct RayHit {
+struct ShapeHit {
   float distance;
   std::uint32_t shape;          ///< index of what was added to the scene
   std::uint32_t primitive;      ///< of the shape: triangle, rod or ball
@@ -68,10 +68,10 @@ class RayScene {
   void commit();
 
   /// Whether anything is met, and then the nearest.
-  bool first_hit(const Ray& ray, RayHit& hit) const;
+  bool first_hit(const Ray& ray, ShapeHit& hit) const;
 
   /// All that is met, by distance; an edge that two triangles of the same side share counts once.
-  void all_hits(const Ray& ray, std::vector<RayHit>& hits) const;
+  void all_hits(const Ray& ray, std::vector<ShapeHit>& hits) const;
 
  private:
   struct Embree;

@@ -88,6 +88,25 @@ TEST(VtuTetReader, RefusesBase64ThatIsNone) {
   expect_tet_error({"", ".vtu", broken}, "array 'Points' is damaged or cut short");
 }
 
+TEST(VtuTetReader, TakesBlanksAroundTheSignBetweenAnAttributeAndItsValue) {
+  MadeFile file = one_cell(10, {0, 1, 2, 3});
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = file.content.find("=\"", at)) != std::string::npos; at += 4, ++count)
+    file.content.replace(at, 2, " =\n\"");
+  EXPECT_GT(count, 10u);
+  EXPECT_EQ(read_made(file).tets.size(), 1u);
+}
+
+TEST(VtuTetReader, NamesTheLineOfATagThatIsNoXml) {
+  const MadeFile file = one_cell(10, {0, 1, 2, 3});
+  const std::size_t at = file.content.find("Name=\"offsets\"");
+  const std::string before = file.content.substr(0, at);
+  const std::string expected = fmt::format("{}: no XML, or cut short inside a tag",
+                                           1 + std::count(before.begin(), before.end(), '\n'));
+  expect_tet_error(replaced(file, "Name=\"offsets\"", "Name=offsets"), expected);
+  expect_tet_error({"", ".vtu", before + "Name="}, expected);
+}
+
 TEST(VtuTetReader, RefusesOtherXml) {
   expect_tet_error({"", ".vtu", "<?xml version=\"1.0\"?>\n<svg></svg>"}, "begins like an XML file");
   expect_tet_error({"", ".vtu", "<VTKFile type=\"UnstructuredGrid\">"}, "no <Piece> with cells");

@@ -48,6 +48,8 @@ class VtuHeaderReader {
         section = opened;
       }
     }
+    if (tags.malformed())
+      fail(tags.position(), "no XML, or cut short inside a tag; copy or export the file again");
   }
 
   void read_layout(const XmlTag& tag, std::size_t position) {
