@@ -25,9 +25,14 @@ struct Progress {
   int levels = 0;  ///< how many there are going to be, as far as is known
 };
 
-/// Carries cancellation into a computation and progress out of it. The only object that may be shared between
-/// the thread that computes and another: `cancel` and `stop` may be called from any thread and from a signal
-/// handler.
+/// Carries cancellation into a computation and progress out of it.
+///
+/// Concurrency: `cancel`, `stop` and all const members may be called from any thread at any time, `cancel`,
+/// `stop` and what only asks (`cancelled`, `stopped`, `may_be_stopped`) from a signal handler too.
+/// `allow_stops` is called before the monitor is handed to anything. Several computations at once may share
+/// one monitor: all of them end when it is cancelled or stopped, and its listeners are called from the thread
+/// of each, at the same time if it so happens. A computation keeps nothing in its monitor, so that what one
+/// does is never seen by another.
 class Monitor {
  public:
   Monitor() = default;
@@ -39,9 +44,10 @@ class Monitor {
   bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
 
   /// Asks a solve that was told so (`allow_stops`) to be content with the last level that is finished: it
-  /// returns that field, with SolveReport::unfinished, and what follows, such as `write_field`, goes on to
-  /// its end. Where no level is finished, or nothing can be made of half the work, as `cancel`; where the
-  /// finest level is solved already it changes nothing. `cancel` still ends what follows.
+  /// returns that field, with SolveReport::unfinished. Where no level is finished, or nothing can be made of
+  /// half the work, as when reading a model, as `cancel`; where the finest level is solved already it changes
+  /// nothing. What is done with a field (tracing, drawing, `write_field`) goes on to its end: only `cancel`
+  /// ends it.
   void stop() noexcept { stopped_.store(true, std::memory_order_relaxed); }
   bool stopped() const noexcept { return stopped_.load(std::memory_order_relaxed); }
 
@@ -49,11 +55,6 @@ class Monitor {
   /// takes some 7 per cent more memory (docs/performance.md).
   void allow_stops() noexcept { may_be_stopped_ = true; }
   bool may_be_stopped() const noexcept { return may_be_stopped_; }
-
-  /// For computations: whether a stop ends what they are doing. It does unless they say otherwise: once there
-  /// is a field, telling of it and writing it go on.
-  void heed_stops(bool heeded) const noexcept { heeds_stops_.store(heeded, std::memory_order_relaxed); }
-  bool heeds_stops() const noexcept { return heeds_stops_.load(std::memory_order_relaxed); }
 
   /// Tells the listener, always from the thread that called the computation.
   void report(const Progress& progress) const {
@@ -66,12 +67,14 @@ class Monitor {
     if (on_expectation_) on_expectation_(expectation);
   }
 
-  /// Throws Error(kInterrupted) once cancelled, or stopped where that is heeded.
+  /// Throws Error(kInterrupted) once cancelled.
   void check() const;
+
+  /// Throws Error(kInterrupted) once cancelled or stopped: for work that a stop ends.
+  void check_stop() const;
 
  private:
   std::atomic<bool> cancelled_{false}, stopped_{false};
-  mutable std::atomic<bool> heeds_stops_{true};
   bool may_be_stopped_ = false;
   std::function<void(const Progress&)> on_progress_;
   std::function<void(const Expectation&)> on_expectation_;

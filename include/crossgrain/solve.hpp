@@ -10,6 +10,15 @@
 
 namespace crossgrain {
 
+// Concurrency of all functions here. Any number of threads may call them at once, on the same meshes,
+// domains, fields, options and monitors or on different ones, as long as nobody changes those meanwhile. Each
+// call computes with the threads that its own `options.threads` asks for, or with fewer where a ThreadLimit
+// of the calling thread says so. Neither what it computes nor when it ends depends on the others, but for one
+// thing: memory belongs to the process. A solve reckons with what the process holds when it begins, not with
+// what others take afterwards; give each of several solves at once a smaller `max_memory_bytes`. Peaks of
+// memory in reports are those of the process. Listeners of a monitor are called from the thread that called
+// the function.
+
 /// The octahedral frame field inside a surface: smooth, and with an axis along the surface's normal
 /// (arXiv 2309.13477). The surface is immersed in an octree and the field found coarse to fine. The same
 /// input and options give the same bits, whatever `options.threads` is.

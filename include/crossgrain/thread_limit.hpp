@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+
 namespace crossgrain {
 
-/// Bounds the threads of the library's parallel loops while it lives; 0 means all that the machine has. Of
-/// nested limits the smallest counts. Results do not depend on it. One thread at a time may hold limits.
+struct ThreadArena;
+
+/// Bounds the threads of the parallel loops that the calling thread starts while it lives; 0 means no bound
+/// of its own. Of nested limits the smallest counts. Results do not depend on it.
+///
+/// Concurrency: each thread has limits of its own, which loops of other threads do not see: any number of
+/// threads may hold limits at once, and each computes with as many threads as its own limit says. A limit
+/// ends on the thread that made it, the last one first, as local variables do. Without a limit loops run in
+/// the oneTBB arena of the calling thread, and no limit exceeds what that arena has.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -13,7 +22,8 @@ class ThreadLimit {
   ThreadLimit& operator=(const ThreadLimit&) = delete;
 
  private:
-  void* control_;
+  ThreadArena* before_;                 ///< what counts again when this ends
+  std::unique_ptr<ThreadArena> arena_;  ///< none where an enclosing limit is as small
 };
 
 }  // namespace crossgrain
