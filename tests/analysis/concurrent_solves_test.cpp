@@ -13,10 +13,10 @@
 #include <optional>
 #include <string_view>
 
-#include "analysis/field_data.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/solve.hpp"
 #include "crossgrain/streamlines.hpp"
+#include "field/field_data.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {
