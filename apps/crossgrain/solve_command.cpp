@@ -226,6 +226,7 @@ std::optional<TetFrameField> carried(const SolveArguments& arguments, const Solv
                                      const std::function<void()>& leave_line) {
   if (monitor.stopped()) return std::nullopt;
   try {
+    Interruption::set_has_field(false);
     return naming(arguments.onto.empty() ? arguments.model : arguments.onto, arguments,
                   [&] { return carry_onto(field, domain, options, monitor); });
   } catch (const Error& error) {
@@ -254,7 +255,7 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   if (!arguments.onto.empty()) check_same_unit(arguments, mesh, *domain);
   check_clip(arguments, mesh);
   const double read_seconds = seconds_since(start);
-  monitor.check();
+  monitor.check_stop();
   const FrameField field = solve_model(arguments, options, mesh, monitor);
   std::optional<TetFrameField> tet_field;
   if (domain) tet_field = carried(arguments, options, field, *domain, monitor, leave_line);
@@ -299,8 +300,9 @@ int run_solve(const SolveArguments& arguments) {
       print_result(expected_line(expected));
     };
     const auto show = [&lines](const Progress& progress) {
-      const bool is_stopped_level =
-          std::string_view(progress.phase) == "analysis" && progress.level < progress.levels;
+      const std::string_view phase = progress.phase;
+      if (phase == "analysis" || phase == "write") Interruption::set_has_field(true);
+      const bool is_stopped_level = phase == "analysis" && progress.level < progress.levels;
       if (is_stopped_level) {
         lines.leave_line();
         tell_of_stop(

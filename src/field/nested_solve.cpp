@@ -86,7 +86,7 @@ class LevelSolver {
   void advance(double energy) {
     ++progress_.sweep;
     progress_.energy = energy;
-    monitor_.check();
+    monitor_.check_stop();
     monitor_.report(progress_);
   }
 
@@ -148,7 +148,7 @@ class NestedSolver {
 
  private:
   void solve_levels() {
-    monitor_.check();
+    monitor_.check_stop();
     const auto [root, finest_depth] =
         frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
     coarsest_depth_ = std::max(0, finest_depth - levels_above_finest());

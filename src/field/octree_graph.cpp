@@ -232,7 +232,7 @@ LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const
   result.open_faces.resize(level.size());
   result.weights = sized_vector<FaceWeights>(level.size());
   parallel_for_chunks(level.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
-    monitor.check();
+    monitor.check_stop();
     for (std::size_t i = begin; i < end; ++i) {
       result.weights[i] = connector.owned(static_cast<CellIndex>(i));
       for (int face = 0; face < kFaceCount; ++face)

@@ -235,7 +235,7 @@ GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> 
   const Refiner refiner(level, solid);
   std::vector<RefinedRun> runs((level.size() + kRefineGrain - 1) / kRefineGrain);
   parallel_for_chunks(level.size(), kRefineGrain, [&](std::size_t begin, std::size_t end) {
-    monitor.check();
+    monitor.check_stop();
     runs[begin / kRefineGrain] =
         refiner.refine(static_cast<CellIndex>(begin), static_cast<CellIndex>(end), marked);
   });

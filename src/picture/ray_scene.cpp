@@ -9,7 +9,7 @@
 #include <new>
 #include <tuple>
 
-#include "crossgrain/thread_limit.hpp"
+#include "base/parallel.hpp"
 
 namespace crossgrain {
 namespace {
@@ -173,7 +173,7 @@ void RayScene::add_balls(const std::vector<Ball>& balls) {
 
 void RayScene::commit() {
   const ThreadLimit one_thread(1);
-  rtcCommitScene(embree_->scene);
+  run_within_limit([&] { rtcCommitScene(embree_->scene); });
   if (rtcGetDeviceError(embree_->device) != RTC_ERROR_NONE) throw std::bad_alloc();
 }
 

@@ -145,13 +145,13 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   Stopwatch watch;
   watch.start();
   const ThreadLimit thread_limit(options.threads);
-  const WatchedLoops watched(monitor);
-  monitor.heed_stops(true);
+  const WatchedLoops watched(monitor, Stops::kHeeded);
   PreparedModel model(mesh, options);
   SolvedField solved = nested_solve(model.solid(), options, monitor, initial_frame, watch.restart());
   check_interior(solved.level, model.mended());
 
-  monitor.heed_stops(false);
+  // There is a field: a stop changes nothing any more.
+  const WatchedLoops watched_to_the_end(monitor, Stops::kIgnored);
   const int level = static_cast<int>(solved.levels.size());
   monitor.report({"analysis", 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN(), level,
                   level + (solved.stopped ? solved.levels_left_out : 0)});

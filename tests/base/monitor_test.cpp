@@ -42,16 +42,20 @@ TEST(Monitor, IsCancelledFromAnotherThread) {
   EXPECT_THROW(monitor.check(), Error);
 }
 
-TEST(Monitor, ThatIsStoppedThrowsOnlyWhereStopsAreHeeded) {
+TEST(Monitor, ThatIsStoppedThrowsOnlyWhereAStopEndsTheWork) {
   Monitor monitor;
+  EXPECT_NO_THROW(monitor.check_stop());
   monitor.stop();
   EXPECT_TRUE(monitor.stopped());
   EXPECT_FALSE(monitor.cancelled());
-  EXPECT_THROW(monitor.check(), Error);
-  monitor.heed_stops(false);
+  EXPECT_THROW(monitor.check_stop(), Error);
   EXPECT_NO_THROW(monitor.check());
+}
+
+TEST(Monitor, ThatIsCancelledThrowsWhereAStopWouldToo) {
+  Monitor monitor;
   monitor.cancel();
-  EXPECT_THROW(monitor.check(), Error);
+  EXPECT_THROW(monitor.check_stop(), Error);
 }
 
 TEST(Monitor, HandsReportsToItsListener) {

@@ -165,7 +165,7 @@ HelperOutcome run_helper(const HelperRun& run, const Monitor& monitor) {
   Descriptor out(ends[1]);
   const Clock::time_point start = Clock::now();
   const auto is_late = [&] {
-    monitor.check();
+    monitor.check_stop();
     return std::chrono::duration<double>(Clock::now() - start).count() > run.seconds;
   };
   Child child(run, out.number());

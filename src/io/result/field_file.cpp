@@ -184,8 +184,6 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
                             const std::function<void(OutputFolder&)>& add_files) {
   check_output_options(options);
   check_formats(options.formats);
-  // There is a field: who stops a solve wants it written.
-  monitor.heed_stops(false);
   Stopwatch stopwatch;
   stopwatch.start();
   OutputFolder output(folder);
