@@ -21,7 +21,8 @@ void check_files(const RenderArguments& arguments) {
                            "onto.vtu", "onto.frames", "onto_singularities.vtu"}) {
     const std::filesystem::path input = std::filesystem::path(arguments.field) / name;
     if (normal(input) == normal(arguments.output))
-      throw Error(ErrorKind::kUsage, input.string() + ": is of the field; name another file for the picture");
+      throw Error(ErrorKind::kUsage,
+                  {input.string(), "", "is of the field; name another file for the picture"});
   }
 }
 

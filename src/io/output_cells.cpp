@@ -189,16 +189,15 @@ void shut_towards_missing(FieldData& part) {
 void check_output_options(const OutputOptions& options) {
   if (options.level && (*options.level < 0 || *options.level > kMaxDepth))
     throw Error(ErrorKind::kUsage,
-                fmt::format("output level {}: choose one from 0 to {}, a depth of the octree", *options.level,
-                            kMaxDepth));
+                fmt::format("the output level is {}, but must be from 0 to {}, a depth of the octree",
+                            *options.level, kMaxDepth));
   if (!options.clip) return;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = options.clip->low[axis], high = options.clip->high[axis];
     if (!(low <= high))
       throw Error(ErrorKind::kUsage,
-                  fmt::format("clip box: along {} it reaches from {} to {}, so holds nothing; "
-                              "give the lower bound first",
-                              "xyz"[axis], low, high));
+                  fmt::format("the clip box reaches from {} to {} along {}, so it holds nothing", low, high,
+                              "xyz"[axis]));
   }
 }
 

@@ -27,15 +27,16 @@ class AsciiValues {
 
   void skip(PlyType, std::uint64_t values) {
     for (std::uint64_t i = 0; i < values; ++i) {
-      if (scanner_.word_anywhere().empty())
-        fail("the file ends too early: cut short; copy or export it again");
+      if (scanner_.word_anywhere().empty()) fail("the file ends too early: cut short", Remedy::kCopyAgain);
     }
   }
 
   std::size_t bytes_left() const { return scanner_.bytes_left(); }
   Place place(const char*, std::size_t) const { return scanner_.place(); }
   void start_row(const char*, std::size_t) {}
-  [[noreturn]] void fail(const std::string& message) const { scanner_.fail(message); }
+  [[noreturn]] void fail(const std::string& text, Remedy remedy = Remedy::kRepairFile) const {
+    scanner_.fail(text, remedy);
+  }
 
   /// A digit and a blank or line end for each value.
   static std::size_t least_bytes(const PlyElement& element) { return 2 * element.properties.size(); }
@@ -79,8 +80,7 @@ class BinaryValues {
       case PlyType::kUint32:
         return take<std::uint32_t>();
       default:
-        fail(
-            "a number with decimals where a whole one should stand; export the surface with integer indices");
+        fail("a number with decimals where a whole one should stand", Remedy::kExportAgain);
     }
   }
 
@@ -92,12 +92,14 @@ class BinaryValues {
   std::size_t bytes_left() const { return file_.bytes().size() - position_; }
   Place place(const char* element, std::size_t row) const { return {element, row}; }
   void start_row(const char* element, std::size_t row) { here_ = {element, row}; }
-  [[noreturn]] void fail(const std::string& message) const { fail_input(file_, here_, message); }
+  [[noreturn]] void fail(const std::string& text, Remedy remedy = Remedy::kRepairFile) const {
+    fail_input(file_, here_, text, remedy);
+  }
 
   static std::size_t least_bytes(const PlyElement& element) { return element.least_row_bytes(); }
 
  private:
-  [[noreturn]] void fail_truncated() const { fail("the file ends here: cut short; copy or export it again"); }
+  [[noreturn]] void fail_truncated() const { fail("the file ends here: cut short", Remedy::kCopyAgain); }
 
   template <class T>
   T take() {
@@ -137,8 +139,8 @@ class PlyBodyReader {
         has_vertices = true;
       } else if (element.name == "face") {
         if (!has_vertices && element.count > 0)
-          fail_input(file_, {},
-                     "faces come before the vertices; put element vertex first in the header and data");
+          fail_input(file_, {}, "faces come before the vertices: element vertex must be first",
+                     Remedy::kExportAgain);
         read_faces(element);
       } else {
         skip_rows(element);
@@ -154,11 +156,11 @@ class PlyBodyReader {
     if (row_bytes == 0) return;
     // One more, since the last line of text may lack its end.
     if (element.count > values_.bytes_left() / row_bytes + 1)
-      fail_input(
-          file_, {},
-          fmt::format("the header announces {} of element {}, but only {} bytes follow: cut short, or a "
-                      "damaged header; copy or export it again",
-                      element.count, in_quotes(element.name), values_.bytes_left()));
+      fail_input(file_, {},
+                 fmt::format("the header announces {} of element {}, but only {} bytes follow: cut short, or "
+                             "a damaged header",
+                             element.count, in_quotes(element.name), values_.bytes_left()),
+                 Remedy::kCopyAgain);
   }
 
   void skip_property(const PlyProperty& property) {
@@ -167,7 +169,7 @@ class PlyBodyReader {
 
   std::uint64_t list_length(const PlyProperty& property) {
     const std::int64_t length = values_.integer(property.count_type);
-    if (length < 0) values_.fail(fmt::format("a list of {} items; repair or export the file again", length));
+    if (length < 0) values_.fail(fmt::format("a list of {} items", length));
     return static_cast<std::uint64_t>(length);
   }
 
@@ -182,7 +184,7 @@ class PlyBodyReader {
   void read_vertices(const PlyElement& element) {
     const auto x = find_property(element, "x", false), y = find_property(element, "y", false),
                z = find_property(element, "z", false);
-    if (!x || !y || !z) fail_input(file_, {}, "element vertex lacks x, y or z; export the surface again");
+    if (!x || !y || !z) fail_input(file_, {}, "element vertex lacks x, y or z");
     builder_.reserve(element.count, 0);
     for (std::uint64_t row = 0; row < element.count; ++row) {
       values_.start_row("vertex", row);
@@ -202,8 +204,7 @@ class PlyBodyReader {
   void read_faces(const PlyElement& element) {
     auto corners = find_property(element, "vertex_indices", true);
     if (!corners) corners = find_property(element, "vertex_index", true);
-    if (!corners)
-      fail_input(file_, {}, "element face lacks the list vertex_indices; export the surface again");
+    if (!corners) fail_input(file_, {}, "element face lacks the list vertex_indices");
     builder_.reserve(builder_.vertex_count(), element.count);
     for (std::uint64_t row = 0; row < element.count; ++row) {
       values_.start_row("face", row);

@@ -16,7 +16,8 @@ template <class Index>
 std::vector<std::vector<Vector3>> lines_of(const VtuFile& file) {
   const auto require = [&](bool sound) {
     if (!sound)
-      throw Error(ErrorKind::kInput, file.name() + ": its arrays make no streamlines; trace them again");
+      throw Error(ErrorKind::kInput,
+                  {file.name(), "", "its arrays make no streamlines", Remedy::kTraceStreamlines});
   };
   const auto numbers = file.read<double>(VtuSection::kPoints, "Points", 3);
   const auto ends = file.read<Index>(VtuSection::kCells, "offsets", 1);

@@ -37,12 +37,11 @@ std::optional<std::uint64_t> parse_count(std::string_view text) {
 
 VtuFile::VtuFile(const std::filesystem::path& path) : name_(path.string()) {
   struct stat status {};
-  if (::stat(name_.c_str(), &status) != 0)
-    fail(std::generic_category().message(errno) + "; check the path, or solve again");
-  if (!S_ISREG(status.st_mode)) fail("is not a regular file; name the .vtu file of a field");
+  if (::stat(name_.c_str(), &status) != 0) fail(std::generic_category().message(errno), Remedy::kCheckPath);
+  if (!S_ISREG(status.st_mode)) fail("is not a regular file", Remedy::kGiveFieldFolder);
   file_bytes_ = static_cast<std::uint64_t>(status.st_size);
   descriptor_ = ::open(name_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor_ < 0) fail(std::generic_category().message(errno) + "; make it readable (chmod +r)");
+  if (descriptor_ < 0) fail(std::generic_category().message(errno), Remedy::kAllowReading);
   try {
     parse_header(read_header());
   } catch (...) {
@@ -55,8 +54,8 @@ VtuFile::~VtuFile() {
   ::close(descriptor_);
 }
 
-void VtuFile::fail(const std::string& message) const {
-  throw Error(ErrorKind::kInput, name_ + ": " + message);
+void VtuFile::fail(const std::string& text, Remedy remedy) const {
+  throw Error(ErrorKind::kInput, {name_, "", text, remedy});
 }
 
 void VtuFile::read_at(std::uint64_t offset, void* out, std::size_t bytes) const {
@@ -64,8 +63,8 @@ void VtuFile::read_at(std::uint64_t offset, void* out, std::size_t bytes) const 
   while (bytes > 0) {
     const ssize_t got = ::pread(descriptor_, to, bytes, static_cast<off_t>(offset));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail("cannot be read: " + std::generic_category().message(errno) + "; check the disk");
-    if (got == 0) fail("is cut short; copy it again, or solve again");
+    if (got < 0) fail("cannot be read: " + std::generic_category().message(errno) + "", Remedy::kCheckDisk);
+    if (got == 0) fail("is cut short", Remedy::kCopyOrSolveAgain);
     to += got;
     offset += static_cast<std::uint64_t>(got);
     bytes -= static_cast<std::size_t>(got);
@@ -78,14 +77,13 @@ std::string VtuFile::read_header() const {
   const std::size_t data_tag = header.find(kDataTag);
   const std::size_t mark = data_tag == std::string::npos ? data_tag : header.find('_', data_tag);
   if (mark == std::string::npos)
-    fail("is no field written by crossgrain (it has no appended data), or is cut short; solve again");
+    fail("is no field written by crossgrain (it has no appended data), or is cut short", Remedy::kSolveAgain);
   header.resize(mark + 1);
   return header;
 }
 
 void VtuFile::parse_header(const std::string& header) {
-  const char* const kForeign =
-      "is no field written by crossgrain; solve again, or give the folder that it wrote";
+  const char* const kForeign = "is no field written by crossgrain";
   data_begin_ = header.size();
   XmlTags tags(header);
   std::optional<VtuSection> section;
@@ -99,7 +97,7 @@ void VtuFile::parse_header(const std::string& header) {
     } else if (tag->name == "Piece") {
       const auto points = parse_count(tag->attribute("NumberOfPoints"));
       const auto cells = parse_count(tag->attribute("NumberOfCells"));
-      if (!points || !cells || has_piece) fail(kForeign);
+      if (!points || !cells || has_piece) fail(kForeign, Remedy::kGiveFieldFolder);
       points_ = *points;
       cells_ = *cells;
       has_piece = true;
@@ -112,13 +110,13 @@ void VtuFile::parse_header(const std::string& header) {
       const std::string_view stated = tag->attribute("NumberOfComponents");
       const auto components = parse_count(stated.empty() ? "1" : stated);
       if (!section || !type || !offset || !components || *components == 0 || *components > file_bytes_)
-        fail(kForeign);
+        fail(kForeign, Remedy::kGiveFieldFolder);
       arrays_.push_back({*section, std::string(tag->attribute("Name")), *type, *components, *offset});
     } else if (const auto opened = vtu_section_named(tag->name)) {
       section = opened;
     }
   }
-  if (!has_layout || !has_piece || !is_raw) fail(kForeign);
+  if (!has_layout || !has_piece || !is_raw) fail(kForeign, Remedy::kGiveFieldFolder);
 }
 
 const VtuFile::Array* VtuFile::find(VtuSection section, std::string_view name) const {
@@ -132,19 +130,18 @@ const VtuFile::Array& VtuFile::require(VtuSection section, std::string_view name
                                        std::size_t components) const {
   const Array* array = find(section, name);
   if (array == nullptr)
-    fail(fmt::format("has no array '{}' in {}; solve again, or give the folder that crossgrain wrote", name,
-                     name_of(section)));
+    fail(fmt::format("has no array '{}' in {}", name, name_of(section)), Remedy::kGiveFieldFolder);
   if (array->type != type || array->components != components)
-    fail(fmt::format("array '{}' holds {} x {} where {} x {} should be; solve again", name, array->components,
-                     info_of(array->type).name, components, info_of(type).name));
+    fail(fmt::format("array '{}' holds {} x {} where {} x {} should be", name, array->components,
+                     info_of(array->type).name, components, info_of(type).name),
+         Remedy::kSolveAgain);
   return *array;
 }
 
 ZlibBlocks VtuFile::locate(const Array& array) const {
   const auto check = [&](bool sound) {
     if (!sound)
-      fail(
-          fmt::format("array '{}' is damaged or cut short; copy the file again, or solve again", array.name));
+      fail(fmt::format("array '{}' is damaged or cut short", array.name), Remedy::kCopyOrSolveAgain);
   };
   constexpr std::uint64_t kWord = sizeof(std::uint64_t);
   const std::uint64_t data_bytes = file_bytes_ - data_begin_;
@@ -185,8 +182,8 @@ void VtuFile::inflate(const Array& array, const ZlibBlocks& blocks, char* out) c
       },
       1);
   if (!sound)
-    fail(fmt::format("array '{}' is damaged: its blocks do not inflate; copy the file again, or solve again",
-                     array.name));
+    fail(fmt::format("array '{}' is damaged: its blocks do not inflate", array.name),
+         Remedy::kCopyOrSolveAgain);
 }
 
 }  // namespace crossgrain

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "crossgrain/message.hpp"
 #include "io/vtu_types.hpp"
 #include "io/zlib_blocks.hpp"
 
@@ -57,7 +58,7 @@ class VtuFile {
   ZlibBlocks locate(const Array& array) const;
   void inflate(const Array& array, const ZlibBlocks& blocks, char* out) const;
   void read_at(std::uint64_t offset, void* out, std::size_t bytes) const;
-  [[noreturn]] void fail(const std::string& message) const;
+  [[noreturn]] void fail(const std::string& text, Remedy remedy = Remedy::kSolveAgain) const;
 
   std::string name_;
   int descriptor_ = -1;

@@ -41,9 +41,9 @@ class VtuTetReader {
 
   TetMesh read() {
     read_tags();
-    if (!has_grid_) fail(0, "no <VTKFile>; this is no VTK XML file, export it again as one");
+    if (!has_grid_) fail(0, "no <VTKFile>: this is no VTK XML file", Remedy::kExportAgain);
     if (!has_piece_)
-      fail(file_->bytes().size(), "no <Piece> with cells: cut short, or empty; export it again");
+      fail(file_->bytes().size(), "no <Piece> with cells: cut short, or empty", Remedy::kExportAgain);
     add_points();
     add_cells();
     return builder_.finish({});
@@ -51,8 +51,9 @@ class VtuTetReader {
 
  private:
   /// Names the line of a byte that is part of the XML.
-  [[noreturn]] void fail(std::size_t position, const std::string& message) const {
-    fail_input(*file_, at_line(line_of(position)), message);
+  [[noreturn]] void fail(std::size_t position, const std::string& text,
+                         Remedy remedy = Remedy::kRepairFile) const {
+    fail_input(*file_, at_line(line_of(position)), text, remedy);
   }
 
   std::size_t line_of(std::size_t position) const {
@@ -85,8 +86,8 @@ class VtuTetReader {
     const std::string_view kind = tag.attribute("type");
     if (kind != "UnstructuredGrid")
       fail(position,
-           fmt::format("a VTK file of type {}, where tets are in an UnstructuredGrid; export it as one",
-                       in_quotes(kind)));
+           fmt::format("a VTK file of type {}, where tets are in an UnstructuredGrid", in_quotes(kind)),
+           Remedy::kExportAgain);
     const bool is_big = tag.attribute("byte_order") == "BigEndian";
     package_.is_swapped = is_big != (std::endian::native == std::endian::big);
     const std::string_view header = tag.attribute("header_type");
@@ -96,8 +97,8 @@ class VtuTetReader {
     const std::string_view compressor = tag.attribute("compressor");
     package_.is_compressed = !compressor.empty();
     if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-      fail(position, fmt::format("compressed by {}; save it again with zlib, or without compression",
-                                 in_quotes(compressor)));
+      fail(position, fmt::format("compressed by {}, where zlib or none is known", in_quotes(compressor)),
+           Remedy::kExportAgain);
     has_grid_ = true;
   }
 
@@ -108,8 +109,7 @@ class VtuTetReader {
     std::uint64_t value = 0;
     const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (code != std::errc() || stop != text.data() + text.size())
-      fail(position,
-           fmt::format("{} is {}, no whole number; export the file again", attribute, in_quotes(text)));
+      fail(position, fmt::format("{} is {}, no whole number", attribute, in_quotes(text)));
     return value;
   }
 
@@ -119,7 +119,9 @@ class VtuTetReader {
     takes_arrays_ = cells > 0;
     if (!takes_arrays_) return;
     if (has_piece_)
-      fail(position, "a second piece with cells; merge the pieces into one grid (in ParaView: Merge Blocks)");
+      fail(position,
+           "a second piece with cells, where one is known (in ParaView, Merge Blocks makes one of them)",
+           Remedy::kExportAgain);
     has_piece_ = true;
     point_count_ = points;
     cell_count_ = cells;
@@ -128,7 +130,7 @@ class VtuTetReader {
   void read_array(VtuSection section, const XmlTag& tag, std::size_t position) {
     const std::string name(tag.attribute("Name"));
     if (section == VtuSection::kFieldData && name == field_arrays::kSchema)
-      fail(position, "a frame field that crossgrain has written, no mesh; name the mesh or surface itself");
+      fail(position, "a frame field that crossgrain has written, no mesh", Remedy::kGiveModel);
     const auto type = vtu_type_named(tag.attribute("type"));
     // Of strings, which are for people, there is nothing to tell.
     if (!type) return;
@@ -139,8 +141,7 @@ class VtuTetReader {
     } else {
       array.end = file_->bytes().find('<', position);
       if (array.end == std::string_view::npos)
-        fail(position,
-             fmt::format("array {} has no end: cut short; copy or export the file again", in_quotes(name)));
+        fail(position, fmt::format("array {} has no end: cut short", in_quotes(name)), Remedy::kCopyAgain);
     }
     arrays_.push_back(std::move(array));
   }
@@ -152,7 +153,7 @@ class VtuTetReader {
       fail(position, fmt::format("appended data in {}, where raw and base64 are known", in_quotes(encoding)));
     const std::size_t mark = file_->bytes().find('_', position);
     if (mark == std::string_view::npos)
-      fail(position, "no '_' before the appended data: cut short; copy it again");
+      fail(position, "no '_' before the appended data: cut short", Remedy::kCopyAgain);
     appended_ = file_->bytes().substr(mark + 1);
     if (appended_base64_) appended_ = appended_.substr(0, appended_.find('<'));
   }
@@ -169,7 +170,7 @@ class VtuTetReader {
     const DataArray* array = find(section, name);
     if (array == nullptr)
       fail_input(*file_, {},
-                 fmt::format("no array {} in {}: cut short, or no mesh; export the file again",
+                 fmt::format("no array {} in {}: cut short, or no mesh",
                              name.empty() ? "of coordinates" : in_quotes(name), name_of(section)));
     return *array;
   }
@@ -182,20 +183,19 @@ class VtuTetReader {
       const VtkNumbers numbers{NumberStream(scanner), array.type};
       if (count && *count > numbers.stream.most_left(array.type))
         fail(array.begin,
-             fmt::format("array {} should have {} numbers, but only {} bytes are here: cut short, or "
-                         "damaged; copy or export the file again",
-                         in_quotes(array.name), *count, array.end - array.begin));
+             fmt::format("array {} should have {} numbers, but only {} bytes are here: cut short, or damaged",
+                         in_quotes(array.name), *count, array.end - array.begin),
+             Remedy::kCopyAgain);
       return numbers;
     }
     auto bytes = unpack(array);
     if (!bytes)
-      fail_input(*file_, {},
-                 fmt::format("array {} is damaged or cut short; copy or export the file again",
-                             in_quotes(array.name)));
+      fail_input(*file_, {}, fmt::format("array {} is damaged or cut short", in_quotes(array.name)),
+                 Remedy::kCopyAgain);
     if (bytes->size() % size_of(array.type) != 0 || (count && *count != bytes->size() / size_of(array.type)))
       fail_input(*file_, {},
-                 fmt::format("array {} has {} numbers where {} should be; export the file again",
-                             in_quotes(array.name), bytes->size() / size_of(array.type), count.value_or(0)));
+                 fmt::format("array {} has {} numbers where {} should be", in_quotes(array.name),
+                             bytes->size() / size_of(array.type), count.value_or(0)));
     unpacked_.push_back(std::make_unique<std::string>(std::move(*bytes)));
     return {NumberStream(*file_, array.name, *unpacked_.back(), package_.is_swapped), array.type};
   }
@@ -211,11 +211,10 @@ class VtuTetReader {
   void add_points() {
     const DataArray& array = require(VtuSection::kPoints, "");
     if (array.components != 3)
-      fail(array.begin,
-           fmt::format("points of {} coordinates, not 3; export the file again", array.components));
+      fail(array.begin, fmt::format("points of {} coordinates, not 3", array.components));
     if (point_count_ > file_->bytes().size() * kMostNumbersAByte / 3)
-      fail(array.begin,
-           fmt::format("{} points are more than the file can hold; copy or export it again", point_count_));
+      fail(array.begin, fmt::format("{} points are more than the file can hold", point_count_),
+           Remedy::kCopyAgain);
     VtkNumbers points = numbers(array, 3 * point_count_);
     builder_.reserve_vertices(point_count_);
     for (std::uint64_t i = 0; i < point_count_; ++i) {
