@@ -204,11 +204,11 @@ class NestedSolver {
     if (result_.levels_left_out > kMostLevelsLeftOut) {
       throw Error(
           ErrorKind::kLimit,
-          fmt::format("{:.3g} cells along the longest side would need {:.3g} GB, and {:.3g} GB are allowed; "
-                      "lower the resolution, take larger cells or allow more memory",
+          fmt::format("{:.3g} cells along the longest side would need {:.3g} GB, and {:.3g} GB are allowed",
                       std::ldexp(finest_resolution(), 1 - result_.levels_left_out),
                       forecast.peak_memory(next) / 1e9,
-                      static_cast<double>(forecast.memory_limit_bytes()) / 1e9));
+                      static_cast<double>(forecast.memory_limit_bytes()) / 1e9),
+          Remedy::kUseLessMemory);
     }
     return false;
   }

@@ -26,27 +26,28 @@ constexpr std::size_t kBufferBytes = 1 << 18;
 constexpr mode_t kFileMode = 0666;
 constexpr mode_t kFolderMode = 0777;
 
-const char* mend_for(int code) {
+Remedy remedy_for(int code) {
   switch (code) {
     case EACCES:
     case EPERM:
     case EROFS:
-      return "choose a place you may write to with -o";
+      return Remedy::kChooseWritablePlace;
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
-      return "free some space or choose another disk with -o";
+      return Remedy::kFreeSpace;
     case ENOENT:
     case ENOTDIR:
-      return "make that folder or choose another with -o";
+      return Remedy::kMakeFolder;
     default:
-      return "check the disk or choose another place with -o";
+      return Remedy::kCheckOutputDisk;
   }
 }
 
 [[noreturn]] void fail_output(const std::string& name, const std::string& doing, int code) {
-  throw Error(ErrorKind::kOutput, fmt::format("{}: cannot be {}: {}; {}", name, doing,
-                                              std::generic_category().message(code), mend_for(code)));
+  throw Error(ErrorKind::kOutput,
+              {name, "", fmt::format("cannot be {}: {}", doing, std::generic_category().message(code)),
+               remedy_for(code)});
 }
 
 /// Removes a regular file or a link, where there is one.
@@ -70,12 +71,11 @@ Descriptor open_temporary(const std::filesystem::path& target, std::string& temp
 
 OutputFile::OutputFile(const std::filesystem::path& target) : name_(target.string()) {
   if (target.filename().empty())
-    throw Error(ErrorKind::kOutput, fmt::format("'{}': names no file to write; name one with -o", name_));
+    throw Error(ErrorKind::kOutput, {"'" + name_ + "'", "", "names no file to write", Remedy::kNameOutput});
   struct stat status {};
   const bool exists = ::stat(name_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode))
-    throw Error(ErrorKind::kOutput,
-                name_ + ": is a folder where a file should go; remove it or choose another");
+    throw Error(ErrorKind::kOutput, {name_, "", "is a folder where a file should go", Remedy::kClearPlace});
   if (exists && ::access(name_.c_str(), W_OK) != 0) fail("written", errno);
   if (exists && !S_ISREG(status.st_mode)) {
     descriptor_ = Descriptor(::open(name_.c_str(), O_WRONLY | O_CLOEXEC));
@@ -172,7 +172,8 @@ void OutputFile::commit() {
 }
 
 NewFolders::NewFolders(const std::filesystem::path& folder) {
-  if (folder.empty()) throw Error(ErrorKind::kOutput, "'': names no folder to write into; name one with -o");
+  if (folder.empty())
+    throw Error(ErrorKind::kOutput, {"''", "", "names no folder to write into", Remedy::kNameOutput});
   try {
     make(folder);
   } catch (...) {
@@ -193,9 +194,8 @@ void NewFolders::make(const std::filesystem::path& folder) {
     struct stat status {};
     if (::stat(reached.c_str(), &status) != 0) fail_output(reached.string(), "created", code);
     if (!S_ISDIR(status.st_mode))
-      throw Error(
-          ErrorKind::kOutput,
-          reached.string() + ": is a file where a folder should be; remove it or choose another with -o");
+      throw Error(ErrorKind::kOutput,
+                  {reached.string(), "", "is a file where a folder should be", Remedy::kClearPlace});
   }
 }
 

@@ -17,9 +17,10 @@ void check_read_memory(const std::string& name, std::size_t file_bytes, double t
   const double needed = static_cast<double>(current_memory_bytes()) + times * static_cast<double>(file_bytes);
   if (needed <= allowed) return;
   throw Error(ErrorKind::kLimit,
-              fmt::format("{}: reading its {:.3g} GB takes {:.3g} GB of memory, and {:.3g} GB are allowed; "
-                          "simplify it, or allow more where there is more (--max-memory)",
-                          name, static_cast<double>(file_bytes) / 1e9, needed / 1e9, allowed / 1e9));
+              {name, "",
+               fmt::format("reading its {:.3g} GB takes {:.3g} GB of memory, and {:.3g} GB are allowed",
+                           static_cast<double>(file_bytes) / 1e9, needed / 1e9, allowed / 1e9),
+               Remedy::kSimplifyOrAllowMemory});
 }
 
 }  // namespace crossgrain

@@ -159,7 +159,7 @@ GridLevel joined(const RootCube& root, std::vector<RefinedRun> runs, std::size_t
     split += run.split;
   }
   if (std::max(leaf_begin.back(), piece_begin.back()) >= kNoCell) {
-    throw Error(ErrorKind::kLimit, "the grid needs more than 4 billion cells: lower the resolution");
+    throw Error(ErrorKind::kLimit, "the grid needs more than 4 billion cells", Remedy::kLowerResolution);
   }
   GridLevel level;
   auto leaves = sized_vector<CellAddress>(leaf_begin.back());
@@ -213,7 +213,7 @@ GridFrame frame_around(const Box& box, double cell_size) {
   int depth = 0;
   while (depth <= kMaxDepth && std::ldexp(1.0, depth) < cells + 2) ++depth;
   if (depth > kMaxDepth) {
-    throw Error(ErrorKind::kLimit, "more than 524286 cells across the model: lower the resolution");
+    throw Error(ErrorKind::kLimit, "more than 524286 cells across the model", Remedy::kLowerResolution);
   }
   const double size = std::ldexp(cell_size, depth);
   const Vector3 centre = 0.5 * (box.low + box.high);

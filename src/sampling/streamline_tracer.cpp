@@ -25,7 +25,7 @@ constexpr std::size_t kLineGrain = 4;
 
 void check(const StreamlineOptions& options) {
   const auto demand = [](bool holds, const char* what) {
-    if (!holds) throw Error(ErrorKind::kUsage, fmt::format("streamlines: {}", what));
+    if (!holds) throw Error(ErrorKind::kUsage, {"", "streamlines", what});
   };
   const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
   demand(is_positive(options.tolerance), "the tolerance is no positive number");
@@ -86,8 +86,7 @@ void check_place(const ModelBoundary& boundary, const FieldData& data) {
     }
   }
   if (fits) return;
-  throw Error(ErrorKind::kInput,
-              "the surface lies elsewhere than the field; give the one that the field was solved for");
+  throw Error(ErrorKind::kInput, "the surface lies elsewhere than the field", Remedy::kGiveSolvedSurface);
 }
 
 /// The two halves as one line, from the end of the second to the end of the first.

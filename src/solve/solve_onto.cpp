@@ -54,8 +54,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   const TetDomainData& tets = domain.data();
   CarriedFrames start = carried_frames(grid.data(), tets.solid);
   if (start.outside == tets.solid.mesh.vertices.size() - tets.solid.unused_vertices)
-    throw Error(ErrorKind::kInput,
-                "no vertex of the tets lies in the field's solid; give both in the same unit and place");
+    throw Error(ErrorKind::kInput, "no vertex of the tets lies in the field's solid", Remedy::kMatchUnits);
   monitor.check_stop();
   auto field = std::make_shared<TetField>();
   // The domain's own, unless it knows of walls that are to be passed over.

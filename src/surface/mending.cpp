@@ -223,8 +223,7 @@ class Mender {
     } else {
       what = "it is an open sheet of " + all;
     }
-    throw Error(ErrorKind::kInput,
-                "the surface encloses nothing: " + what + "; close it, or give it thickness");
+    throw Error(ErrorKind::kInput, "the surface encloses nothing: " + what, Remedy::kCloseSurface);
   }
 
   void finish() {

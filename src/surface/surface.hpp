@@ -42,6 +42,12 @@ struct Surface {
   Vector3 blended_normal(std::size_t triangle, const Vector3& point) const;
 };
 
+/// A place of a Message, such as "vertex 7 (counted from 0)".
+std::string counted_from_0(const char* what, std::size_t index);
+
+/// Throws Error(kInput) for the index of a vertex that is not below `vertices`.
+[[noreturn]] void fail_index(const std::string& place, std::uint32_t vertex, std::size_t vertices);
+
 /// Throws Error(kInput) unless every coordinate is finite and below 1e100 (squares and cubes of lengths must
 /// not overflow). The message names the vertex, counted from 0.
 void check_vertices(const std::vector<Vector3>& vertices);

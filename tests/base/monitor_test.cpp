@@ -74,14 +74,5 @@ TEST(Monitor, WithoutListenerTakesReportsToo) {
   EXPECT_NO_THROW(Monitor().report({"grid", 0, 0, 0, 0}));
 }
 
-TEST(Error, CarriesTheExitCodeOfItsKind) {
-  // The codes of the command line (README): scripts rely on them.
-  EXPECT_EQ(static_cast<int>(ErrorKind::kUsage), 2);
-  EXPECT_EQ(static_cast<int>(ErrorKind::kInput), 3);
-  EXPECT_EQ(static_cast<int>(ErrorKind::kOutput), 4);
-  EXPECT_EQ(static_cast<int>(ErrorKind::kLimit), 5);
-  EXPECT_EQ(static_cast<int>(ErrorKind::kInterrupted), 130);
-}
-
 }  // namespace
 }  // namespace crossgrain

@@ -160,7 +160,7 @@ class Errors(RenderTest):
             with self.subTest(option=option, value=value):
                 self.refused(2, "part.frames", f"{option}={value}" if option.startswith("--") else option,
                              *([] if option.startswith("--") else [value]))
-        self.refused(2, "part.frames", "--cut", "x=100", words=("beside the part",))
+        self.refused(2, "part.frames", "--cut", "x=100", words=("outside the part",))
         self.refused(2, "part.frames", "--view", "front", "--cut", "x", words=("edge",))
         self.refused(2, "part.frames", "--range", "0,1", words=("colour",))
 

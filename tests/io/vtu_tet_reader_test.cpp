@@ -60,7 +60,7 @@ TEST(VtuTetReader, RefusesWrongCounts) {
 TEST(VtuTetReader, RefusesPackingsThatItDoesNotKnow) {
   const MadeFile file = vtu(made_tet_mesh(), {"base64", true});
   expect_tet_error(replaced(file, "vtkZLib", "vtkLZ4"),
-                   "2: compressed by 'vtkLZ4DataCompressor'; save it again");
+                   "2: compressed by 'vtkLZ4DataCompressor', where zlib or none is known; export it again");
   expect_tet_error(replaced(file, "encoding=\"base64\"", "encoding=\"hex\""), "appended data in 'hex'");
   expect_tet_error(replaced(file, "\"UnstructuredGrid\"", "\"PolyData\""),
                    "2: a VTK file of type 'PolyData'");

@@ -11,9 +11,8 @@ namespace {
 
 void check_finite(const nlohmann::ordered_json& value, const std::string& path) {
   if (value.is_number_float() && !std::isfinite(value.get<double>()))
-    throw Error(ErrorKind::kLimit, path +
-                                       ": is not a finite number and cannot be reported; please report the "
-                                       "model that brought it about");
+    throw Error(ErrorKind::kLimit,
+                {"", path, "is not a finite number and cannot be reported", Remedy::kReportModel});
   if (!value.is_structured()) return;
   for (const auto& [key, member] : value.items()) check_finite(member, path + "/" + key);
 }

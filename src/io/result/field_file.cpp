@@ -209,9 +209,8 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
 SolveReport write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                         const Monitor& monitor, const OutputOptions& options) {
   if (!options.formats.empty())
-    throw Error(ErrorKind::kUsage, "'" + options.formats.front() +
-                                       "' is a format of fields on tets, and this one has none; leave "
-                                       "OutputOptions::formats empty");
+    throw Error(ErrorKind::kUsage,
+                "'" + options.formats.front() + "' is a format of fields on tets, and this field has none");
   // A field that was read from a folder with tets tells of them, and files of an earlier field with tets
   // would pass for this one's.
   report.onto.reset();

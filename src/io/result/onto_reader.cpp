@@ -27,7 +27,7 @@ constexpr double kAxesTolerance = 1e-5;
 
 [[noreturn]] void fail_damaged(const std::filesystem::path& path) {
   throw Error(ErrorKind::kInput,
-              path.string() + ": is damaged or was not written by crossgrain; solve again");
+              {path.string(), "", "is damaged or was not written by crossgrain", Remedy::kSolveAgain});
 }
 
 bool are_orthonormal(const std::array<Vector3, 3>& axes) {

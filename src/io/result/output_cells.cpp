@@ -192,8 +192,8 @@ void check_companions(const std::vector<CompanionFile>& companions) {
     const bool is_name = !file.name.empty() && file.name != "." && file.name != ".." &&
                          std::filesystem::path(file.name).filename() == file.name;
     if (!is_name || std::find(taken.begin(), taken.end(), file.name) != taken.end())
-      throw Error(ErrorKind::kUsage,
-                  "'" + file.name + "' cannot be the name of a further file; choose another");
+      throw Error(ErrorKind::kUsage, "'" + file.name + "' cannot be the name of a further file",
+                  Remedy::kNameOutput);
     taken.push_back(file.name);
   }
 }
@@ -203,17 +203,16 @@ void check_companions(const std::vector<CompanionFile>& companions) {
 void check_output_options(const OutputOptions& options) {
   if (options.level && (*options.level < 0 || *options.level > kMaxDepth))
     throw Error(ErrorKind::kUsage,
-                fmt::format("output level {}: choose one from 0 to {}, a depth of the octree", *options.level,
-                            kMaxDepth));
+                fmt::format("the output level is {}, but must be from 0 to {}, a depth of the octree",
+                            *options.level, kMaxDepth));
   check_companions(options.companions);
   if (!options.clip) return;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = options.clip->low[axis], high = options.clip->high[axis];
     if (!(low <= high))
       throw Error(ErrorKind::kUsage,
-                  fmt::format("clip box: along {} it reaches from {} to {}, so holds nothing; "
-                              "give the lower bound first",
-                              "xyz"[axis], low, high));
+                  fmt::format("the clip box reaches from {} to {} along {}, so it holds nothing", low, high,
+                              "xyz"[axis]));
   }
 }
 

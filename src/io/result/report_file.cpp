@@ -407,7 +407,7 @@ class JsonReader {
     return json_.at(key);
   }
   [[noreturn]] void fail(const char* key) const {
-    fail_input(file_, {}, fmt::format("'{}' is missing or of another type; solve again", key));
+    fail_input(file_, {}, fmt::format("'{}' is missing or of another type", key), Remedy::kSolveAgain);
   }
 
   const Json& json_;
@@ -449,13 +449,13 @@ std::string singularity_json(const SolveReport::Singularity& grid, const SolveRe
 SolveReport read_report(const std::filesystem::path& path) {
   const InputFile file(path);
   const Json json = Json::parse(file.bytes(), nullptr, false);
-  if (json.is_discarded()) fail_input(file, {}, "is no JSON; copy the file again, or solve again");
+  if (json.is_discarded()) fail_input(file, {}, "is no JSON", Remedy::kCopyOrSolveAgain);
   JsonReader reader(json, file);
   int schema = 0;
   reader.member("schema", schema);
   if (schema != kReportSchema)
-    fail_input(file, {},
-               fmt::format("has schema {} and this program reads {}; solve again", schema, kReportSchema));
+    fail_input(file, {}, fmt::format("has schema {} and this program reads {}", schema, kReportSchema),
+               Remedy::kSolveAgain);
   SolveReport report;
   describe(reader, report);
   describe_doubts(reader, report);

@@ -85,7 +85,7 @@ class SingularityReader {
   void require(bool sound) const {
     if (!sound)
       throw Error(ErrorKind::kInput,
-                  file_.name() + ": its arrays make no singular lines; copy the file again, or solve again");
+                  {file_.name(), "", "its arrays make no singular lines", Remedy::kCopyOrSolveAgain});
   }
 
   VtuFile file_;

@@ -15,7 +15,8 @@ template <class Index>
 std::vector<std::vector<Vector3>> lines_of(const VtuFile& file) {
   const auto require = [&](bool sound) {
     if (!sound)
-      throw Error(ErrorKind::kInput, file.name() + ": its arrays make no streamlines; trace them again");
+      throw Error(ErrorKind::kInput,
+                  {file.name(), "", "its arrays make no streamlines", Remedy::kTraceStreamlines});
   };
   const std::vector<Vector3> points = file.read_points(kLargestCoordinate);
   const auto ends = file.read<Index>(VtuSection::kCells, "offsets", 1);

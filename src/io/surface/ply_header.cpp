@@ -24,7 +24,7 @@ constexpr std::array kTypeNames = {
 
 NumberType parse_type(const TextScanner& scanner, std::string_view word) {
   if (const auto type = type_named(kTypeNames, word)) return *type;
-  scanner.fail(in_quotes(word) + " is no type of PLY; repair the header");
+  scanner.fail(in_quotes(word) + " is no type of PLY");
 }
 
 PlyEncoding parse_encoding(const TextScanner& scanner, std::string_view word) {
@@ -38,7 +38,7 @@ PlyElement parse_element(TextScanner& scanner) {
   PlyElement element;
   element.name = scanner.word();
   const std::int64_t count = scanner.integer(scanner.word(), "the number of elements");
-  if (count < 0) scanner.fail(fmt::format("{} elements; repair the header", count));
+  if (count < 0) scanner.fail(fmt::format("{} elements", count));
   element.count = static_cast<std::uint64_t>(count);
   return element;
 }
@@ -49,8 +49,7 @@ PlyProperty parse_property(TextScanner& scanner) {
   if (word == "list") {
     property.is_list = true;
     property.count_type = parse_type(scanner, scanner.word());
-    if (!is_integer(property.count_type))
-      scanner.fail("a list whose length is no whole number; repair the header");
+    if (!is_integer(property.count_type)) scanner.fail("a list whose length is no whole number");
     word = scanner.word();
   }
   property.type = parse_type(scanner, word);
@@ -74,12 +73,11 @@ bool PlyElement::has_list() const {
 PlyHeader read_ply_header(const InputFile& file) {
   TextScanner scanner(file, {});
   if (scanner.word() != "ply")
-    scanner.fail("the first line is not 'ply'; this is no PLY file, export it again");
+    scanner.fail("the first line is not 'ply': this is no PLY file", Remedy::kExportAgain);
   PlyHeader header;
   bool has_format = false;
   for (;;) {
-    if (!scanner.next_line())
-      scanner.fail("the header has no end_header; cut short, copy or export it again");
+    if (!scanner.next_line()) scanner.fail("the header has no end_header", Remedy::kCopyAgain);
     const std::string_view keyword = scanner.word();
     if (keyword == "end_header") break;
     if (keyword == "format") {
@@ -88,13 +86,13 @@ PlyHeader read_ply_header(const InputFile& file) {
     } else if (keyword == "element") {
       header.elements.push_back(parse_element(scanner));
     } else if (keyword == "property") {
-      if (header.elements.empty()) scanner.fail("a property of no element; repair the header");
+      if (header.elements.empty()) scanner.fail("a property of no element");
       header.elements.back().properties.push_back(parse_property(scanner));
     } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-      scanner.fail(in_quotes(keyword) + " is no word of a PLY header; export the file again");
+      scanner.fail(in_quotes(keyword) + " is no word of a PLY header");
     }
   }
-  if (!has_format) scanner.fail("the header names no format; add 'format ascii 1.0' or what it is");
+  if (!has_format) scanner.fail("the header names no format, such as 'format ascii 1.0'");
   scanner.next_line();
   header.body_begin = scanner.position();
   header.body_line = scanner.line();

@@ -44,8 +44,8 @@ class PlyBodyReader {
         has_vertices = true;
       } else if (element.name == "face") {
         if (!has_vertices && element.count > 0)
-          fail_input(file_, {},
-                     "faces come before the vertices; put element vertex first in the header and data");
+          fail_input(file_, {}, "faces come before the vertices: element vertex must be first",
+                     Remedy::kExportAgain);
         read_faces(element);
       } else {
         skip_rows(element);
@@ -63,11 +63,11 @@ class PlyBodyReader {
     if (row_bytes == 0) return;
     // One more, since the last line of text may lack its end.
     if (element.count > values_.bytes_left() / row_bytes + 1)
-      fail_input(
-          file_, {},
-          fmt::format("the header announces {} of element {}, but only {} bytes follow: cut short, or a "
-                      "damaged header; copy or export it again",
-                      element.count, in_quotes(element.name), values_.bytes_left()));
+      fail_input(file_, {},
+                 fmt::format("the header announces {} of element {}, but only {} bytes follow: cut short, or "
+                             "a damaged header",
+                             element.count, in_quotes(element.name), values_.bytes_left()),
+                 Remedy::kCopyAgain);
   }
 
   void skip_property(const PlyProperty& property) {
@@ -76,7 +76,7 @@ class PlyBodyReader {
 
   std::uint64_t list_length(const PlyProperty& property) {
     const std::int64_t length = values_.integer(property.count_type, "the length of a list");
-    if (length < 0) values_.fail(fmt::format("a list of {} items; repair or export the file again", length));
+    if (length < 0) values_.fail(fmt::format("a list of {} items", length));
     return static_cast<std::uint64_t>(length);
   }
 
@@ -91,7 +91,7 @@ class PlyBodyReader {
   void read_vertices(const PlyElement& element) {
     const auto x = find_property(element, "x", false), y = find_property(element, "y", false),
                z = find_property(element, "z", false);
-    if (!x || !y || !z) fail_input(file_, {}, "element vertex lacks x, y or z; export the surface again");
+    if (!x || !y || !z) fail_input(file_, {}, "element vertex lacks x, y or z");
     builder_.reserve(element.count, 0);
     for (std::uint64_t row = 0; row < element.count; ++row) {
       values_.begin_element("vertex", row);
@@ -111,8 +111,7 @@ class PlyBodyReader {
   void read_faces(const PlyElement& element) {
     auto corners = find_property(element, "vertex_indices", true);
     if (!corners) corners = find_property(element, "vertex_index", true);
-    if (!corners)
-      fail_input(file_, {}, "element face lacks the list vertex_indices; export the surface again");
+    if (!corners) fail_input(file_, {}, "element face lacks the list vertex_indices");
     builder_.reserve(builder_.vertex_count(), element.count);
     for (std::uint64_t row = 0; row < element.count; ++row) {
       values_.begin_element("face", row);

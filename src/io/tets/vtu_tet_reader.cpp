@@ -29,10 +29,9 @@ class VtuTetReader {
   TetMesh read() {
     read_header();
     if (const DataArray* schema = header_.find(VtuSection::kFieldData, field_arrays::kSchema))
-      fail(schema->begin,
-           "a frame field that crossgrain has written, no mesh; name the mesh or surface itself");
+      fail(schema->begin, "a frame field that crossgrain has written, no mesh", Remedy::kGiveModel);
     if (header_.cells == 0)
-      fail(file_->bytes().size(), "no <Piece> with cells: cut short, or empty; export it again");
+      fail(file_->bytes().size(), "no <Piece> with cells: cut short, or empty", Remedy::kExportAgain);
     add_points();
     add_cells();
     return builder_.finish({});
@@ -40,8 +39,9 @@ class VtuTetReader {
 
  private:
   /// Names the line of a byte that is part of the XML.
-  [[noreturn]] void fail(std::size_t position, const std::string& message) const {
-    fail_input(*file_, at_line(line_of(position)), message);
+  [[noreturn]] void fail(std::size_t position, const std::string& text,
+                         Remedy remedy = Remedy::kRepairFile) const {
+    fail_input(*file_, at_line(line_of(position)), text, remedy);
   }
 
   std::size_t line_of(std::size_t position) const {
@@ -53,7 +53,7 @@ class VtuTetReader {
     try {
       header_ = read_vtu_header(file_->bytes());
     } catch (const VtuHeaderFault& fault) {
-      fail(fault.position, fault.message);
+      fail(fault.position, fault.text, fault.remedy);
     }
     if (!header_.appended) return;
     appended_ = file_->bytes().substr(header_.appended->begin);
@@ -65,7 +65,7 @@ class VtuTetReader {
     const DataArray* array = header_.find(section, name);
     if (array == nullptr)
       fail_input(*file_, {},
-                 fmt::format("no array {} in {}: cut short, or no mesh; export the file again",
+                 fmt::format("no array {} in {}: cut short, or no mesh",
                              name.empty() ? "of coordinates" : in_quotes(name), name_of(section)));
     return *array;
   }
@@ -78,20 +78,19 @@ class VtuTetReader {
       const VtkNumbers numbers{NumberStream(scanner), array.type};
       if (count && *count > numbers.stream.most_left(array.type))
         fail(array.begin,
-             fmt::format("array {} should have {} numbers, but only {} bytes are here: cut short, or "
-                         "damaged; copy or export the file again",
-                         in_quotes(array.name), *count, array.end - array.begin));
+             fmt::format("array {} should have {} numbers, but only {} bytes are here: cut short, or damaged",
+                         in_quotes(array.name), *count, array.end - array.begin),
+             Remedy::kCopyAgain);
       return numbers;
     }
     auto bytes = unpack(array);
     if (!bytes)
-      fail_input(*file_, {},
-                 fmt::format("array {} is damaged or cut short; copy or export the file again",
-                             in_quotes(array.name)));
+      fail_input(*file_, {}, fmt::format("array {} is damaged or cut short", in_quotes(array.name)),
+                 Remedy::kCopyAgain);
     if (bytes->size() % size_of(array.type) != 0 || (count && *count != bytes->size() / size_of(array.type)))
       fail_input(*file_, {},
-                 fmt::format("array {} has {} numbers where {} should be; export the file again",
-                             in_quotes(array.name), bytes->size() / size_of(array.type), count.value_or(0)));
+                 fmt::format("array {} has {} numbers where {} should be", in_quotes(array.name),
+                             bytes->size() / size_of(array.type), count.value_or(0)));
     unpacked_.push_back(std::make_unique<std::string>(std::move(*bytes)));
     return {NumberStream(*file_, array.name, *unpacked_.back(), header_.package.is_swapped), array.type};
   }
@@ -108,11 +107,10 @@ class VtuTetReader {
   void add_points() {
     const DataArray& array = require(VtuSection::kPoints, "");
     if (array.components != 3)
-      fail(array.begin,
-           fmt::format("points of {} coordinates, not 3; export the file again", array.components));
+      fail(array.begin, fmt::format("points of {} coordinates, not 3", array.components));
     if (header_.points > file_->bytes().size() * kMostNumbersAByte / 3)
-      fail(array.begin,
-           fmt::format("{} points are more than the file can hold; copy or export it again", header_.points));
+      fail(array.begin, fmt::format("{} points are more than the file can hold", header_.points),
+           Remedy::kCopyAgain);
     VtkNumbers points = numbers(array, 3 * header_.points);
     builder_.reserve_vertices(header_.points);
     for (std::uint64_t i = 0; i < header_.points; ++i) {

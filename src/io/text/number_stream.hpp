@@ -64,7 +64,7 @@ class NumberStream {
   const TextScanner& scanner() const { return *scanner_; }
 
   /// Throws Error(kInput) that names this line, this byte or element, or the array.
-  [[noreturn]] void fail(const std::string& message) const;
+  [[noreturn]] void fail(const std::string& text, Remedy remedy = Remedy::kRepairFile) const;
 
  private:
   double binary_real(NumberType type);

@@ -123,7 +123,7 @@ bool TextScanner::next_line() {
 }
 
 double TextScanner::number(std::string_view word, const char* what) const {
-  if (word.empty()) fail(fmt::format("{} is missing; the file is cut short or damaged", what));
+  if (word.empty()) fail(fmt::format("{} is missing: cut short, or damaged", what));
   // from_chars takes a minus sign but no plus sign.
   const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
   double value = 0;
@@ -131,21 +131,19 @@ double TextScanner::number(std::string_view word, const char* what) const {
   const auto [stop, code] = std::from_chars(digits.data(), end, value);
   if (code == std::errc::result_out_of_range) value = out_of_range_value(digits);
   if (code == std::errc::invalid_argument || stop != end)
-    fail(fmt::format("{} where {} should stand; write it as a number with a decimal point", in_quotes(word),
-                     what));
-  if (!std::isfinite(value))
-    fail(fmt::format("{} is {}, not a finite number; repair the file", what, in_quotes(word)));
+    fail(fmt::format("{} where {} should stand, a number with a decimal point", in_quotes(word), what));
+  if (!std::isfinite(value)) fail(fmt::format("{} is {}, not a finite number", what, in_quotes(word)));
   return value;
 }
 
 std::int64_t TextScanner::integer(std::string_view word, const char* what) const {
-  if (word.empty()) fail(fmt::format("{} is missing; the file is cut short or damaged", what));
+  if (word.empty()) fail(fmt::format("{} is missing: cut short, or damaged", what));
   std::int64_t value = 0;
   const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
   const char* end = digits.data() + digits.size();
   const auto [stop, code] = std::from_chars(digits.data(), end, value);
   if (code != std::errc() || stop != end)
-    fail(fmt::format("{} where {} should stand; write it as a whole number", in_quotes(word), what));
+    fail(fmt::format("{} where {} should stand, a whole number", in_quotes(word), what));
   return value;
 }
 

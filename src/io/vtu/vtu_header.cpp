@@ -14,8 +14,8 @@
 namespace crossgrain {
 namespace {
 
-[[noreturn]] void fail(std::size_t position, std::string message) {
-  throw VtuHeaderFault{position, std::move(message)};
+[[noreturn]] void fail(std::size_t position, std::string text, Remedy remedy = Remedy::kRepairFile) {
+  throw VtuHeaderFault{position, std::move(text), remedy};
 }
 
 class VtuHeaderReader {
@@ -24,8 +24,8 @@ class VtuHeaderReader {
 
   VtuHeader read() {
     read_tags();
-    if (!has_grid_) fail(0, "no <VTKFile>; this is no VTK XML file, export it again as one");
-    if (!has_piece_) fail(text_.size(), "no <Piece>: cut short, or empty; export it again");
+    if (!has_grid_) fail(0, "no <VTKFile>: this is no VTK XML file", Remedy::kExportAgain);
+    if (!has_piece_) fail(text_.size(), "no <Piece>: cut short, or empty", Remedy::kExportAgain);
     return std::move(header_);
   }
 
@@ -48,23 +48,21 @@ class VtuHeaderReader {
         section = opened;
       }
     }
-    if (tags.malformed())
-      fail(tags.position(), "no XML, or cut short inside a tag; copy or export the file again");
+    if (tags.malformed()) fail(tags.position(), "no XML, or cut short inside a tag", Remedy::kCopyAgain);
   }
 
   void read_layout(const XmlTag& tag, std::size_t position) {
     const std::string_view kind = tag.attribute("type");
     if (kind != "UnstructuredGrid")
       fail(position,
-           fmt::format("a VTK file of type {}, where tets are in an UnstructuredGrid; export it as one",
-                       in_quotes(kind)));
+           fmt::format("a VTK file of type {}, where tets are in an UnstructuredGrid", in_quotes(kind)),
+           Remedy::kExportAgain);
     VtuPackage& package = header_.package;
     const std::string_view order = tag.attribute("byte_order");
     if (!order.empty() && order != "BigEndian" && order != "LittleEndian")
       fail(position,
-           fmt::format("a byte order {}, where LittleEndian and BigEndian are known; export the file "
-                       "again",
-                       in_quotes(order)));
+           fmt::format("a byte order {}, where LittleEndian and BigEndian are known", in_quotes(order)),
+           Remedy::kExportAgain);
     const bool is_big = order == "BigEndian";
     package.is_swapped = is_big != (std::endian::native == std::endian::big);
     const std::string_view header = tag.attribute("header_type");
@@ -74,8 +72,8 @@ class VtuHeaderReader {
     const std::string_view compressor = tag.attribute("compressor");
     package.is_compressed = !compressor.empty();
     if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-      fail(position, fmt::format("compressed by {}; save it again with zlib, or without compression",
-                                 in_quotes(compressor)));
+      fail(position, fmt::format("compressed by {}, where zlib or none is known", in_quotes(compressor)),
+           Remedy::kExportAgain);
     has_grid_ = true;
   }
 
@@ -86,8 +84,7 @@ class VtuHeaderReader {
     std::uint64_t value = 0;
     const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (code != std::errc() || stop != text.data() + text.size())
-      fail(position,
-           fmt::format("{} is {}, no whole number; export the file again", attribute, in_quotes(text)));
+      fail(position, fmt::format("{} is {}, no whole number", attribute, in_quotes(text)));
     return value;
   }
 
@@ -99,7 +96,9 @@ class VtuHeaderReader {
     takes_arrays_ = cells > 0 || !has_piece_;
     if (!takes_arrays_) return;
     if (header_.cells > 0)
-      fail(position, "a second piece with cells; merge the pieces into one grid (in ParaView: Merge Blocks)");
+      fail(position,
+           "a second piece with cells, where one is known (in ParaView, Merge Blocks makes one of them)",
+           Remedy::kExportAgain);
     std::erase_if(header_.arrays,
                   [](const VtuHeader::Array& array) { return array.section != VtuSection::kFieldData; });
     has_piece_ = true;
@@ -120,8 +119,7 @@ class VtuHeaderReader {
     } else {
       array.end = text_.find('<', position);
       if (array.end == std::string_view::npos)
-        fail(position,
-             fmt::format("array {} has no end: cut short; copy or export the file again", in_quotes(name)));
+        fail(position, fmt::format("array {} has no end: cut short", in_quotes(name)), Remedy::kCopyAgain);
     }
     header_.arrays.push_back(std::move(array));
   }
@@ -132,7 +130,7 @@ class VtuHeaderReader {
       fail(position, fmt::format("appended data in {}, where raw and base64 are known", in_quotes(encoding)));
     const std::size_t mark = text_.find('_', position);
     if (mark == std::string_view::npos)
-      fail(position, "no '_' before the appended data: cut short; copy it again");
+      fail(position, "no '_' before the appended data: cut short", Remedy::kCopyAgain);
     header_.appended = {mark + 1, encoding == "base64"};
   }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "crossgrain/message.hpp"
 #include "io/vtu/vtu_data.hpp"
 #include "io/vtu/vtu_types.hpp"
 
@@ -43,7 +44,8 @@ struct VtuHeader {
 /// What is wrong with a header, at a byte of its text.
 struct VtuHeaderFault {
   std::size_t position;
-  std::string message;
+  std::string text;
+  Remedy remedy;
 };
 
 /// Reads tags up to the appended data, which may hold anything. Counts and offsets are as the text claims

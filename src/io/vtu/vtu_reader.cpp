@@ -29,17 +29,16 @@ constexpr std::string_view kDataTag = "<AppendedData";
 
 VtuFile::VtuFile(const std::filesystem::path& path) : name_(path.string()) {
   struct stat status {};
-  if (::stat(name_.c_str(), &status) != 0)
-    fail(std::generic_category().message(errno) + "; check the path, or solve again");
-  if (!S_ISREG(status.st_mode)) fail("is not a regular file; name the .vtu file of a field");
+  if (::stat(name_.c_str(), &status) != 0) fail(std::generic_category().message(errno), Remedy::kCheckPath);
+  if (!S_ISREG(status.st_mode)) fail("is not a regular file", Remedy::kGiveFieldFolder);
   file_bytes_ = static_cast<std::uint64_t>(status.st_size);
   descriptor_ = Descriptor(::open(name_.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!descriptor_.is_open()) fail(std::generic_category().message(errno) + "; make it readable (chmod +r)");
+  if (!descriptor_.is_open()) fail(std::generic_category().message(errno), Remedy::kAllowReading);
   parse_header(read_header());
 }
 
-void VtuFile::fail(const std::string& message) const {
-  throw Error(ErrorKind::kInput, name_ + ": " + message);
+void VtuFile::fail(const std::string& text, Remedy remedy) const {
+  throw Error(ErrorKind::kInput, {name_, "", text, remedy});
 }
 
 void VtuFile::read_at(std::uint64_t offset, void* out, std::size_t bytes) const {
@@ -47,8 +46,8 @@ void VtuFile::read_at(std::uint64_t offset, void* out, std::size_t bytes) const 
   while (bytes > 0) {
     const ssize_t got = ::pread(descriptor_.number(), to, bytes, static_cast<off_t>(offset));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail("cannot be read: " + std::generic_category().message(errno) + "; check the disk");
-    if (got == 0) fail("is cut short; copy it again, or solve again");
+    if (got < 0) fail("cannot be read: " + std::generic_category().message(errno) + "", Remedy::kCheckDisk);
+    if (got == 0) fail("is cut short", Remedy::kCopyOrSolveAgain);
     to += got;
     offset += static_cast<std::uint64_t>(got);
     bytes -= static_cast<std::size_t>(got);
@@ -61,25 +60,24 @@ std::string VtuFile::read_header() const {
   const std::size_t data_tag = header.find(kDataTag);
   const std::size_t mark = data_tag == std::string::npos ? data_tag : header.find('_', data_tag);
   if (mark == std::string::npos)
-    fail("is no field written by crossgrain (it has no appended data), or is cut short; solve again");
+    fail("is no field written by crossgrain (it has no appended data), or is cut short", Remedy::kSolveAgain);
   header.resize(mark + 1);
   return header;
 }
 
 void VtuFile::parse_header(const std::string& text) {
-  const char* const kForeign =
-      "is no field written by crossgrain; solve again, or give the folder that it wrote";
+  const auto fail_foreign = [&] { fail("is no field written by crossgrain", Remedy::kGiveFieldFolder); };
   try {
     header_ = read_vtu_header(text);
   } catch (const VtuHeaderFault&) {
-    fail(kForeign);
+    fail_foreign();
   }
   const VtuPackage& package = header_.package;
   if (!package.is_compressed || package.is_swapped || package.header_type != NumberType::kUint64 ||
       !header_.appended || header_.appended->is_base64)
-    fail(kForeign);
+    fail_foreign();
   for (const Array& array : header_.arrays) {
-    if (array.format != "appended" || array.components == 0 || array.components > file_bytes_) fail(kForeign);
+    if (array.format != "appended" || array.components == 0 || array.components > file_bytes_) fail_foreign();
   }
 }
 
@@ -87,11 +85,11 @@ const VtuFile::Array& VtuFile::require(VtuSection section, std::string_view name
                                        std::size_t components) const {
   const Array* array = find(section, name);
   if (array == nullptr)
-    fail(fmt::format("has no array '{}' in {}; solve again, or give the folder that crossgrain wrote", name,
-                     name_of(section)));
+    fail(fmt::format("has no array '{}' in {}", name, name_of(section)), Remedy::kGiveFieldFolder);
   if (array->type != type || array->components != components)
-    fail(fmt::format("array '{}' holds {} x {} where {} x {} should be; solve again", name, array->components,
-                     vtu_name_of(array->type), components, vtu_name_of(type)));
+    fail(fmt::format("array '{}' holds {} x {} where {} x {} should be", name, array->components,
+                     vtu_name_of(array->type), components, vtu_name_of(type)),
+         Remedy::kSolveAgain);
   return *array;
 }
 
@@ -103,7 +101,7 @@ std::vector<Vector3> VtuFile::read_points(double limit) const {
   for (const Vector3& point : points) {
     for (const double coordinate : point) {
       if (!(std::abs(coordinate) < limit))
-        fail(fmt::format("a point has a coordinate {}; copy the file again, or solve again", coordinate));
+        fail(fmt::format("a point has a coordinate {}", coordinate), Remedy::kCopyAgain);
     }
   }
   return points;
@@ -117,8 +115,7 @@ bool VtuFile::has_wide_indices() const {
 ZlibBlocks VtuFile::locate(const Array& array) const {
   const auto check = [&](bool sound) {
     if (!sound)
-      fail(
-          fmt::format("array '{}' is damaged or cut short; copy the file again, or solve again", array.name));
+      fail(fmt::format("array '{}' is damaged or cut short", array.name), Remedy::kCopyOrSolveAgain);
   };
   constexpr std::uint64_t kWord = sizeof(std::uint64_t);
   const std::uint64_t data_begin = header_.appended->begin, data_bytes = file_bytes_ - data_begin;
@@ -160,8 +157,8 @@ void VtuFile::inflate(const Array& array, const ZlibBlocks& blocks, char* out) c
       },
       1);
   if (!sound)
-    fail(fmt::format("array '{}' is damaged: its blocks do not inflate; copy the file again, or solve again",
-                     array.name));
+    fail(fmt::format("array '{}' is damaged: its blocks do not inflate", array.name),
+         Remedy::kCopyOrSolveAgain);
 }
 
 }  // namespace crossgrain

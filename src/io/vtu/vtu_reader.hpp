@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "crossgrain/message.hpp"
 #include "crossgrain/types.hpp"
 #include "files/descriptor.hpp"
 #include "io/vtu/vtu_header.hpp"
@@ -58,7 +59,7 @@ class VtuFile {
   ZlibBlocks locate(const Array& array) const;
   void inflate(const Array& array, const ZlibBlocks& blocks, char* out) const;
   void read_at(std::uint64_t offset, void* out, std::size_t bytes) const;
-  [[noreturn]] void fail(const std::string& message) const;
+  [[noreturn]] void fail(const std::string& text, Remedy remedy = Remedy::kSolveAgain) const;
 
   std::string name_;
   Descriptor descriptor_;
