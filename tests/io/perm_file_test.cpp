@@ -19,7 +19,7 @@
 #include "crossgrain/io.hpp"
 #include "crossgrain/solve.hpp"
 #include "files/temporary_folder.hpp"
-#include "io/result/frame_files.hpp"
+#include "io/frame_files.hpp"
 #include "io/result/onto_files.hpp"
 #include "io/sample_field.hpp"
 #include "measure/made_tets.hpp"

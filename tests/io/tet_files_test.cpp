@@ -13,7 +13,7 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "files/temporary_folder.hpp"
-#include "io/result/frame_files.hpp"
+#include "io/frame_files.hpp"
 #include "io/result/onto_files.hpp"
 #include "io/sample_field.hpp"
 #include "io/vtu/vtu_reader.hpp"
