@@ -212,6 +212,7 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
   report.seconds.write = stopwatch.restart();
   report.seconds.total += report.seconds.write;
   report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());
+  warn_of_numbers_not_finite(report);
   const std::string report_text = json_text(report_json(report));
   output.create(kReportFile).write(report_text);
   if (options.page)
