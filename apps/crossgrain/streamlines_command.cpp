@@ -46,8 +46,8 @@ std::optional<TriangleMesh> read_model(const StreamlinesArguments& arguments, co
     mesh = naming(file, [&] { return TetDomain(std::move(tets)).boundary(); });
   } else {
     ReadOptions options;
-    constexpr double kCoarsest = 4;
-    options.resolution = static_cast<int>(std::lround(std::max(field.report().resolution, kCoarsest)));
+    constexpr double kCoarsest = 4;  // also where the report has null
+    options.resolution = static_cast<int>(std::lround(std::max(kCoarsest, field.report().resolution)));
     mesh = read_surface(file, options, monitor);
   }
   for (const std::string& warning : mesh.warnings) print_message("warning: " + file + ": " + warning);

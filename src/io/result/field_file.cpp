@@ -199,6 +199,7 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
   report.seconds.write = stopwatch.restart();
   report.seconds.total += report.seconds.write;
   report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());
+  warn_of_numbers_not_finite(report);
   output.create(kReportFile).write(report_json(report));
   for (const CompanionFile& file : options.companions) output.create(file.name).write(file.text(report));
   monitor.check();
