@@ -166,7 +166,7 @@ class Errors(RenderTest):
 
     def test_a_folder_without_a_surface_is_told_in_one_line(self):
         (self.folder / "part.frames" / "surface.vtu").unlink()
-        self.refused(3, "part.frames", words=("surface.vtu", "solve again"))
+        self.refused(3, "part.frames", words=("no surface", "solve again"))
 
     def test_other_missing_or_damaged_files_are_code_3(self):
         self.refused(3, "nothing", words=("nothing",))

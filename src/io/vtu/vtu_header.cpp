@@ -25,7 +25,7 @@ class VtuHeaderReader {
   VtuHeader read() {
     read_tags();
     if (!has_grid_) fail(0, "no <VTKFile>: this is no VTK XML file", Remedy::kExportAgain);
-    if (!has_piece_) fail(text_.size(), "no <Piece>: cut short, or empty", Remedy::kExportAgain);
+    if (!has_piece_) fail(text_.size(), "no <Piece> with cells: cut short, or empty", Remedy::kExportAgain);
     return std::move(header_);
   }
 
@@ -96,9 +96,8 @@ class VtuHeaderReader {
     takes_arrays_ = cells > 0 || !has_piece_;
     if (!takes_arrays_) return;
     if (header_.cells > 0)
-      fail(position,
-           "a second piece with cells, where one is known (in ParaView, Merge Blocks makes one of them)",
-           Remedy::kExportAgain);
+      fail(position, "a second piece with cells; merge the pieces into one grid (in ParaView: Merge Blocks)",
+           Remedy::kNone);
     std::erase_if(header_.arrays,
                   [](const VtuHeader::Array& array) { return array.section != VtuSection::kFieldData; });
     has_piece_ = true;
