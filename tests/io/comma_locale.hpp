@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <string>
 
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 
 namespace crossgrain {
 

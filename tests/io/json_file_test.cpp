@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/json_file.hpp"
+#include "io/json/json_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 
 namespace crossgrain {
 namespace {

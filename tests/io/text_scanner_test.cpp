@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/text_scanner.hpp"
+#include "io/text/text_scanner.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cstdlib>
 
 #include "crossgrain/error.hpp"
+#include "files/temporary_folder.hpp"
 #include "io/comma_locale.hpp"
-#include "io/temporary_folder.hpp"
 
 namespace crossgrain {
 namespace {

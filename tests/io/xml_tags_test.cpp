@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/xml_tags.hpp"
+#include "io/vtu/xml_tags.hpp"
 
 #include <gtest/gtest.h>
 
