@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/field_graph.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 
 namespace crossgrain {
+namespace {
+
+constexpr const char* kPlanes = "cells with surface of one direction";
+
+void check_count(std::size_t count, std::size_t most, const char* what) {
+  if (count > most)
+    throw Error(ErrorKind::kLimit,
+                fmt::format("more than {} {}; take larger cells, or fewer tets", most, what));
+}
+
+}  // namespace
 
 Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell) {
   const std::size_t colour_count =
@@ -45,6 +58,7 @@ Colouring greedy_colouring(const Adjacency& adjacency) {
 
 template <int D>
 void CellForms<D>::hold_axis(std::size_t cell, const Vector3& unit_axis) {
+  check_count(held_axes_.size() + 1, limits_.held_axes, "vertices of tets that are held along a normal");
   slot_[cell] = kHeld + static_cast<std::uint32_t>(held_axes_.size());
   held_axes_.push_back(unit_axis);
 }
@@ -52,6 +66,7 @@ void CellForms<D>::hold_axis(std::size_t cell, const Vector3& unit_axis) {
 template <int D>
 void CellForms<D>::set_plane(std::size_t cell, const Vector3& unit_normal, double weight) {
   if (empty(cell)) {
+    check_count(planes_.size() + 1, limits_.planes, kPlanes);
     slot_[cell] = static_cast<std::uint32_t>(planes_.size());
     planes_.emplace_back();
   }
@@ -62,12 +77,14 @@ void CellForms<D>::set_plane(std::size_t cell, const Vector3& unit_normal, doubl
 
 template <int D>
 void CellForms<D>::reserve_planes(std::span<const std::uint32_t> cells) {
+  check_count(cells.size(), limits_.planes, kPlanes);
   planes_ = sized_vector<PlaneForm>(cells.size());
   parallel_for(cells.size(), [&](std::size_t k) { slot_[cells[k]] = static_cast<std::uint32_t>(k); });
 }
 
 template <int D>
 void CellForms<D>::reserve_general(std::span<const std::uint32_t> cells) {
+  check_count(cells.size(), limits_.generals, "cells or vertices with surface of several directions");
   generals_ = sized_vector<PackedForm<D>>(cells.size());
   parallel_for(cells.size(),
                [&](std::size_t k) { slot_[cells[k]] = kGeneral + static_cast<std::uint32_t>(k); });

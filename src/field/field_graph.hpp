@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -45,13 +46,22 @@ inline constexpr int kPackedFormSize = D == 3 ? 28 : 45 + 9 + 1;
 template <int D>
 using PackedForm = std::array<float, kPackedFormSize<D>>;
 
+/// How many forms of a kind there may be, by default as many as CellForms can tell apart.
+struct FormLimits {
+  std::size_t planes = std::size_t{1} << 31;
+  std::size_t generals = std::size_t{1} << 30;
+  std::size_t held_axes = (std::size_t{1} << 30) - 1;
+};
+
 /// The boundary forms of a graph, scaled as they stand in the energy: by kappa / dx, and in degree 3 by 5/3
-/// (docs/design.md sections 5 and 7). At most one form a cell.
+/// (docs/design.md sections 5 and 7). At most one form a cell. Setting or making room for more than the
+/// limits allow throws Error(kLimit).
 template <int D>
 class CellForms {
  public:
   CellForms() = default;
-  explicit CellForms(std::size_t cell_count) : slot_(cell_count, kNone) {}
+  explicit CellForms(std::size_t cell_count, const FormLimits& limits = {})
+      : slot_(cell_count, kNone), limits_(limits) {}
 
   void set_plane(std::size_t cell, const Vector3& unit_normal, double weight);
 
@@ -85,10 +95,13 @@ class CellForms {
   static constexpr std::uint32_t kGeneral = std::uint32_t{2} << 30;
   static constexpr std::uint32_t kHeld = std::uint32_t{3} << 30;
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  static_assert(FormLimits{}.planes == kGeneral && FormLimits{}.generals == kHeld - kGeneral &&
+                FormLimits{}.held_axes == kNone - kHeld);
   std::vector<std::uint32_t> slot_;
   std::vector<PlaneForm> planes_;
   std::vector<PackedForm<D>> generals_;
   std::vector<Vector3> held_axes_;
+  FormLimits limits_;
 };
 
 extern template class CellForms<3>;

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <map>
 #include <set>
+#include <string>
 
 #include "constraint/normal_form.hpp"
+#include "crossgrain/error.hpp"
 #include "field/field_state.hpp"
 #include "field/small_solve.hpp"
 #include "harmonics/random_samples.hpp"
@@ -152,6 +155,36 @@ TYPED_TEST(SmallGraphTest, FormsAreFoundWhereTheyWereSet) {
     EXPECT_EQ((*forms.general(4))[e], static_cast<float>(0.5 * form.matrix[e]));
     EXPECT_EQ((*forms.general(1))[e], static_cast<float>(form.matrix[e]));
   }
+}
+
+void expect_limit(const std::function<void()>& set, const std::string& what) {
+  try {
+    set();
+    ADD_FAILURE() << "nothing was thrown: " << what;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kLimit);
+    EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+  }
+}
+
+TYPED_TEST(SmallGraphTest, RefusesMoreFormsThanItCanTellApart) {
+  constexpr int D = TypeParam::value;
+  CellForms<D> forms(9, {.planes = 2, .generals = 1, .held_axes = 1});
+  const std::vector<std::uint32_t> one{0}, two{1, 2}, three{1, 2, 3};
+  forms.reserve_general(one);
+  expect_limit([&] { forms.reserve_general(two); }, "more than 1 cells or vertices with surface of several");
+  forms.reserve_planes(two);
+  expect_limit([&] { forms.reserve_planes(three); }, "more than 2 cells with surface of one direction");
+  forms.set_plane(1, {0, 0, 1}, 1);
+  forms.set_plane(2, {0, 0, 1}, 1);
+  expect_limit([&] { forms.set_plane(3, {0, 0, 1}, 1); }, "more than 2 cells with surface of one direction");
+  forms.hold_axis(4, {1, 0, 0});
+  expect_limit([&] { forms.hold_axis(5, {1, 0, 0}); }, "more than 1 vertices of tets");
+  // What there was before is as it was.
+  EXPECT_NE(forms.general(0), nullptr);
+  EXPECT_NE(forms.plane(2), nullptr);
+  EXPECT_NE(forms.held_axis(4), nullptr);
+  for (const std::size_t cell : {3, 5}) EXPECT_TRUE(forms.empty(cell));
 }
 
 TYPED_TEST(SmallGraphTest, SolvesAShiftedSystem) {
