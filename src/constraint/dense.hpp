@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between forms and Eigen's dense matrices. For sources of this layer only: no header of another layer
-// includes Eigen.
+// Conversion between forms and Eigen's dense matrices. For sources of this layer only: no header of another
+// layer includes Eigen.
 #pragma once
 
 #include <Eigen/Dense>

@@ -2,7 +2,7 @@
 // Notation: x = (1, h) in R^10. A quadratic in h is a symmetric 10 x 10 matrix, here M for E over its weight;
 // Q_k, k = 1 ... 15, for those that vanish on frames, Q_0 = -e_0 e_0^T for the constant -t. W(y) = M + sum
 // y_k Q_k with y_0 = t. The barrier method follows the minimum of -s t - log det W(y) while s grows; at a
-// minimum t is within 10 / s of the best (the matrices have 10 rows; Boyd & Vandenberghe, Convex
+// minimum t is within 10 / s of the optimum (the matrices have 10 rows; Boyd & Vandenberghe, Convex
 // Optimization, section 11.2).
 #include "constraint/log_det_shift.hpp"
 
@@ -30,7 +30,7 @@ using Quadratics = std::array<Matrix10, kMultipliers>;
 
 constexpr double kFirstSharpness = 10;   // s; the forms are of size 1
 constexpr double kLastSharpness = 2e8;   // t to 10 / s = 5e-8
-constexpr double kSharpnessFactor = 20;  // each stage then takes 3 to 6 Newton steps
+constexpr double kSharpnessFactor = 20;  // 3 to 6 Newton steps per stage
 constexpr int kMaxSteps = 200;           // about 40 are taken
 constexpr double kCentred = 0.1;         // Newton decrement at which a stage ends
 
@@ -44,8 +44,8 @@ DenseMatrix<4> generator_matrix(int axis) {
   return matrix;
 }
 
-// (h x h)_4, the degree-4 part of the square of the function h, by integrals of three harmonics, of degree
-// 12; and c = (h~ x h~)_4 . h~.
+// Sets the quadratics (h x h)_4 - c h: (h x h)_4 is the degree-4 part of the square of the function h, by
+// integrals of three harmonics, of degree 12; c = (h~ x h~)_4 . h~.
 void set_products(Quadratics& quadratics) {
   for (const auto& [direction, weight] : sphere_quadrature<12>()) {
     const DenseVector<4> y = to_dense<4>(evaluate_harmonics<4>(direction));
@@ -92,7 +92,7 @@ Matrix10 combination(const Matrix10& m, const Multipliers& y) {
   return w;
 }
 
-// W = M + (|h|^2 - 1) + a constant that makes det W that of A + I: positive definite.
+// Multipliers of W = M + (|h|^2 - 1) + a constant such that det W = det(A + I): W is positive definite.
 Multipliers feasible_start(const Matrix10& m) {
   const DenseMatrix<4> a = m.bottomRightCorner<9, 9>() + DenseMatrix<4>::Identity();
   const DenseVector<4> b = m.bottomLeftCorner<9, 1>();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Notation: h = h(R), r = A h - b half the gradient of E, L_a the generators. Turned by a small rotation
-// vector w, E / 2 grows by w_a r.L_a h + w_a w_b ((L_a h).A (L_b h) + r.L_a L_b h) / 2 + ..., and r.L_a L_b h
-// = -(L_a r).(L_b h).
+// Notation: h = h(R), r = A h - b half the gradient of E, L_a the generators. Under a small rotation vector
+// w, E / 2 grows by w_a r.L_a h + w_a w_b ((L_a h).A (L_b h) + r.L_a L_b h) / 2 + ..., and r.L_a L_b h =
+// -(L_a r).(L_b h).
 #include "constraint/minimising_frame.hpp"
 
 #include <algorithm>
@@ -17,14 +17,14 @@ namespace crossgrain {
 
 namespace {
 
-// As for the nearest frame: the quadratic model holds for no more than about half a radian.
+// The quadratic model holds up to about half a radian, as for the nearest frame.
 constexpr double kMaxStep = 0.5;
 constexpr int kMaxHalvings = 4;
 constexpr double kEnergyRounding = 1e-15;
 // Curvature relative to the largest below which a direction counts as flat. Random cells of three to eight
-// normals get down to 1e-6, and the spectral shift wants their exact minimum.
+// normals go down to 1e-6, and the spectral shift needs their exact minimum.
 constexpr double kFlat = 1e-8;
-// After a step this small a quadratically convergent iteration is at rounding.
+// Length of a step after which a quadratically convergent iteration has reached rounding.
 constexpr double kLastStep = 1e-9;
 constexpr int kStarts = 8;
 
@@ -47,7 +47,7 @@ Vector3 descent_step(const QuadraticForm<D>& form, const Coefficients<D>& h) {
 
 template <int D>
 Quaternion refine_minimising_frame(const QuadraticForm<D>& form, const Quaternion& start, int max_steps) {
-  // Rounding of the energy: near the minimum steps go on below what the energy can tell.
+  // Rounding of the energy: near the minimum steps become smaller than the energy resolves.
   const double rounding = kEnergyRounding * form.weight;
   Quaternion frame = start;
   Coefficients<D> h = frame_coefficients<D>(frame);

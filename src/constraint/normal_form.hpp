@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The constraints that forms are made of: a frame has one axis along a unit vector n (a surface normal or the
+// The constraints that forms are sums of: a frame has one axis along a unit vector n (a surface normal or the
 // tangent of a crease), or is a given frame.
 //
 // Notation (arXiv 2309.13477; docs/design.md section 3): u, v complete n to a right-handed frame. P_n = C C^T
@@ -13,7 +13,7 @@
 
 namespace crossgrain {
 
-/// C, S and b_n about one axis n. Which u, v were taken turns C and S into each other and changes no energy.
+/// C, S and b_n for an axis n. Another choice of u, v rotates C and S into each other and changes no energy.
 template <int D, class Real = double>
 struct NormalBasis;
 
@@ -31,7 +31,7 @@ struct NormalBasis<4, Real> {
 /// |b_n|^2, the constant of E_n in degree 4.
 inline constexpr double kZonalShare = 7.0 / 12;
 
-/// C, S and b_n for a unit vector; even in n.
+/// C, S and b_n for a unit vector n; even in n.
 ///
 /// Degree 3: n (u^2 - v^2) / 2 and u v n, each of unit norm once normalised as a frame is.
 template <int D, class Real = double>
@@ -45,7 +45,7 @@ requires(D == 3) NormalBasis<D, Real> normal_basis(const BasicVector3<Real>& n) 
   return {octupole_of(half_difference, n), octupole_of(product_of(u, v), n)};
 }
 
-/// A complex number whose product is just the formula: std::complex checks every product for NaN.
+/// A complex number with plain products: std::complex checks every product for NaN.
 template <class Real>
 struct PlainComplex {
   Real re, im;
@@ -64,11 +64,11 @@ PlainComplex<Real> operator-(const PlainComplex<Real>& a, const PlainComplex<Rea
 }
 
 /// Degree 4: with w = u + i v, a null vector, (w.x)^4 is harmonic, and its coefficients are proportional to
-/// the harmonics evaluated at w, where x^2 + y^2 + z^2 = 0. So C + i S is evaluate_harmonics<4>(w) with that
-/// term left out, scaled to be e_4 + i e_{-4} for n = z.
+/// the harmonics evaluated at w, where x^2 + y^2 + z^2 = 0. So C + i S is evaluate_harmonics<4>(w) without
+/// that term, scaled to be e_4 + i e_{-4} for n = z.
 template <int D, class Real = double>
 requires(D == 4) NormalBasis<D, Real> normal_basis(const BasicVector3<Real>& n) {
-  constexpr double k3 = 2.828427124746190098 / 8;  // 2 sqrt 2, over the 8 that (w.x)^4 brings
+  constexpr double k3 = 2.828427124746190098 / 8;  // 2 sqrt 2, over the factor 8 of (w.x)^4
   constexpr double k2 = 5.291502622129181181 / 8;  // 2 sqrt 7
   constexpr double k1 = 7.483314773547882772 / 8;  // 2 sqrt 14
   constexpr double k0 = 5.916079783099616042 / 8;  // sqrt 35
@@ -96,7 +96,7 @@ requires(D == 4) NormalBasis<D, Real> normal_basis(const BasicVector3<Real>& n) 
   return basis;
 }
 
-/// E_n(h), n by its basis.
+/// E_n(h) for the n of the basis.
 template <int D>
 inline double normal_value(const NormalBasis<D>& basis, const Coefficients<D>& h) {
   const double along_cosine = dot(basis.cosine, h), along_sine = dot(basis.sine, h);
@@ -119,7 +119,7 @@ void add_normal(QuadraticForm<D>& form, const Vector3& unit_normal, double weigh
   form.weight += weight;
 }
 
-/// weight * E_n.
+/// The form weight * E_n.
 template <int D>
 QuadraticForm<D> normal_form(const Vector3& unit_normal, double weight = 1) {
   QuadraticForm<D> form;
@@ -128,13 +128,14 @@ QuadraticForm<D> normal_form(const Vector3& unit_normal, double weight = 1) {
 }
 
 /// form += weight * E_t: the frame has an axis along t, the tangent of a crease or a direction that the user
-/// asks for. The same energy as for a normal.
+/// prescribes. The same energy as for a normal.
 template <int D>
 void add_axis(QuadraticForm<D>& form, const Vector3& unit_axis, double weight) {
   add_normal(form, unit_axis, weight);
 }
 
-/// form += weight * |h - g|^2 with g = h(R); degree 3: weight * (|h|^2 - (g.h)^2), for -g is the same frame.
+/// form += weight * |h - g|^2 with g = h(R); degree 3: weight * (|h|^2 - (g.h)^2), since -g is the same
+/// frame.
 template <int D>
 void add_frame(QuadraticForm<D>& form, const Quaternion& rotation, double weight) {
   const Coefficients<D> g = frame_coefficients<D>(rotation);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the surface in a cell asks of the frame there: one quadratic form in its coefficients. Forms add.
+// The constraints of a cell as one quadratic form in the coefficients of its frame. Forms can be added.
 //
-// Notation: E(h) = h^T A h - 2 b.h + c, and w the total weight (area) that went into it. In degree 3 every
+// Notation: E(h) = h^T A h - 2 b.h + c, and w the total weight (area) of the constraints. In degree 3 every
 // constraint is even in h, so b = 0 and c = 0 and neither is stored.
 #pragma once
 
@@ -11,18 +11,18 @@
 
 namespace crossgrain {
 
-/// Entries of a symmetric matrix on coefficients, stored as its upper triangle row by row: 28 in degree 3, 45
-/// in 4.
+/// Number of entries of a symmetric matrix on coefficients, stored as its upper triangle row by row: 28 in
+/// degree 3, 45 in 4.
 template <int D>
 inline constexpr int kFormEntryCount = kCoefficientCount<D>*(kCoefficientCount<D> + 1) / 2;
 
-/// Where the entry (row, column) stands, row <= column.
+/// Position of the entry (row, column), row <= column.
 template <int D>
 constexpr int form_entry(int row, int column) {
   return row * kCoefficientCount<D> - row * (row - 1) / 2 + (column - row);
 }
 
-/// The entries of a symmetric matrix.
+/// Entries of a symmetric matrix.
 template <int D, class Real = double>
 using FormMatrix = std::array<Real, kFormEntryCount<D>>;
 
@@ -43,7 +43,7 @@ struct QuadraticForm<4> {
   double weight = 0;
 };
 
-/// b; zero in degree 3.
+/// The linear part b; zero in degree 3.
 inline Coefficients<3> linear_part(const QuadraticForm<3>&) {
   return {};
 }
@@ -51,7 +51,7 @@ inline const Coefficients<4>& linear_part(const QuadraticForm<4>& form) {
   return form.linear;
 }
 
-/// c; zero in degree 3.
+/// The constant part c; zero in degree 3.
 inline double constant_part(const QuadraticForm<3>&) {
   return 0;
 }
@@ -59,7 +59,7 @@ inline double constant_part(const QuadraticForm<4>& form) {
   return form.constant;
 }
 
-/// form += factor * other, weights too.
+/// form += factor * other, including weights.
 template <int D>
 void add_scaled(QuadraticForm<D>& form, double factor, const QuadraticForm<D>& other) {
   add_scaled(form.matrix, factor, other.matrix);
@@ -76,7 +76,7 @@ QuadraticForm<D>& operator+=(QuadraticForm<D>& form, const QuadraticForm<D>& oth
   return form;
 }
 
-/// factor * form, its weight too.
+/// The form factor * form, including its weight.
 template <int D>
 QuadraticForm<D> scaled(const QuadraticForm<D>& form, double factor) {
   QuadraticForm<D> result;
@@ -109,7 +109,8 @@ void add_identity(QuadraticForm<D>& form, double factor) {
   add_identity<D>(form.matrix, factor);
 }
 
-/// A h. The loops are unrolled so that every position in the triangle is a constant: more than twice as fast.
+/// The product A h. The loops are unrolled so that every position in the triangle is a constant: more than
+/// twice as fast.
 template <int D, class Real>
 Coefficients<D, Real> matrix_times(const FormMatrix<D, Real>& matrix, const Coefficients<D, Real>& h) {
   constexpr int n = kCoefficientCount<D>;
@@ -128,7 +129,7 @@ Coefficients<D> matrix_times(const QuadraticForm<D>& form, const Coefficients<D>
   return matrix_times<D>(form.matrix, h);
 }
 
-/// E(h).
+/// The value E(h).
 template <int D>
 inline double value(const QuadraticForm<D>& form, const Coefficients<D>& h) {
   double result = dot(h, matrix_times(form, h));

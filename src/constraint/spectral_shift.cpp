@@ -2,17 +2,17 @@
 // Notation: E(h) = h^T A h - 2 b.h + c, h* = h(R) the frame that minimises it, t = E(h*), r = A h* - b, L_a
 // the generators.
 //
-// Degree 4. Quadratics that vanish on all frames may be added to E - t. The six |h|^2 - 1 and sum S_ab (L_a
-// h).(L_b h), S symmetric and traceless (docs/design.md section 4), already settle most cells, in closed
+// Degree 4. Quadratics that vanish on all frames may be added to E - t. Six of them, |h|^2 - 1 and sum S_ab
+// (L_a h).(L_b h), S symmetric and traceless (docs/design.md section 4), suffice for most cells, in closed
 // form: with multipliers mu and S
 //   W(h) = E(h) - t + mu (|h|^2 - 1) + sum S_ab (L_a h).(L_b h)
 // vanishes at h* together with its gradient, that is W(h) = (h - h*)^T A' (h - h*), if
 //   r + mu h* + sum S_ab L_a^T L_b h* = 0.
 // In nine dimensions h*, the three tangents L_a h*, and the five L_a^T L_b h* are a basis; r has no part
-// along the tangents, since h* is a minimum; so mu and S are unique. mu = -r.h*. Seen in the axes of the
-// frame, S goes by the symmetry of the cube: its diagonal and its off-diagonal part are each mapped by a
-// factor, whose squares are 280/3 and 70/3. W is what is asked for if A' is positive semidefinite. Otherwise
-// log_det_shift.hpp solves the problem in full.
+// along the tangents, since h* is a minimum; so mu and S are unique. mu = -r.h*. In the axes of the frame, S
+// follows from the symmetry of the cube: its diagonal and its off-diagonal part are each multiplied by a
+// factor, whose squares are 280/3 and 70/3. W is the shifted form if A' is positive semidefinite. Otherwise
+// log_det_shift.hpp solves the complete problem.
 #include "constraint/spectral_shift.hpp"
 
 #include <Eigen/Cholesky>
@@ -38,7 +38,7 @@ namespace {
 constexpr double kDiagonalGain = 280.0 / 3;
 constexpr double kOffDiagonalGain = 70.0 / 3;
 
-// Eigenvalues of A' over weight may be this far below zero and count as zero: rounding of h* and of the sums.
+// Eigenvalues of A' over weight this far below zero count as zero: rounding of h* and of the sums.
 constexpr double kNegligible = 1e-9;
 
 using Matrix3 = Eigen::Matrix3d;
@@ -82,8 +82,8 @@ bool is_positive_semidefinite(const QuadraticForm<4>& form, double tolerance) {
   return Eigen::LLT<DenseMatrix<4>>(matrix).info() == Eigen::Success;
 }
 
-/// W above for a minimum at `frame`; nothing where it is negative somewhere, as it is where another frame is
-/// lower.
+/// W above for a minimum at `frame`; nothing if it is negative somewhere, as it is if another frame has a
+/// lower value.
 std::optional<QuadraticForm<4>> shifted_at(const QuadraticForm<4>& form, const Quaternion& frame) {
   const Coefficients<4> h = frame_coefficients<4>(frame);
   const Coefficients<4> r = half_gradient(form, h);
@@ -121,13 +121,13 @@ double least_value(const QuadraticForm<4>& form, const Quaternion& start) {
 
 namespace {
 
-/// Of a unit vector in a coordinate plane of a frame, phi off its axis:
+/// Constants of the energy of a unit vector in a coordinate plane of a frame, at angle phi from its axis:
 ///   E(phi) = kConstant - kFourfold cos(4 phi) - kEightfold cos(8 phi).
 constexpr double kConstant = 1265.0 / 1536, kFourfold = 105.0 / 128, kEightfold = 5.0 / 1536;
 
 /// The value at a minimum of -Re(z1 exp(-i psi)) kFourfold - Re(z2 exp(-2 i psi)) kEightfold near `psi`.
 double minimum_near(double psi, const std::complex<double>& z1, const std::complex<double>& z2) {
-  // Newton's steps turn uphill nowhere near here; the last ones are at rounding.
+  // Newton steps never go uphill near here; the last ones are at rounding.
   constexpr int kSteps = 8;
   for (int step = 0; step < kSteps; ++step) {
     const std::complex<double> first = kFourfold * z1 * std::polar(1.0, -psi),
@@ -148,7 +148,7 @@ double least_value_of_two(const Vector3& a, double weight_a, const Vector3& b, d
   const double between = 4 * std::atan2(norm(cross(a, b)), dot(a, b));
   const std::complex<double> z1 = weight_a + weight_b * std::polar(1.0, between),
                              z2 = weight_a + weight_b * std::polar(1.0, 2 * between);
-  // Where the fourfold parts cancel, at 45 degrees, the eightfold ones decide.
+  // At 45 degrees the fourfold parts cancel and the eightfold ones decide.
   double least = minimum_near(std::arg(z1), z1, z2);
   for (const double turn : {0.0, std::numbers::pi})
     least = std::min(least, minimum_near(std::arg(z2) / 2 + turn, z1, z2));

@@ -15,13 +15,13 @@ namespace crossgrain {
 
 namespace {
 
-// Eigenvalues over weight that differ by less are one: the shift of degree 4 is good to 1e-7 in its hardest
-// cells, and rounding is far below.
+// Largest difference between eigenvalues over weight that count as equal: the shift of degree 4 is accurate
+// to 1e-7 in its hardest cells, and rounding is far below.
 constexpr double kSameEigenvalue = 1e-6;
 
-// An orthonormal basis of the span of orthonormal vectors that depends on the span only, and is as near to
-// the coordinate axes as a greedy choice makes it: the projector's column with the largest diagonal, the
-// first among equals, then the same on what is left.
+// An orthonormal basis of the span of orthonormal vectors that depends on the span only, and is close to the
+// coordinate axes by a greedy choice: the projector's column with the largest diagonal, the first among
+// equals, then again for the rest.
 template <int D>
 std::vector<std::vector<double>> aligned_basis(const std::vector<Coefficients<D>>& vectors) {
   DenseMatrix<D> projector = DenseMatrix<D>::Zero();
@@ -82,7 +82,8 @@ double largest_entry(const Vector3& v) {
   return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
 }
 
-// Divided by its largest entry first: squares of entries near the ends of the range of doubles are not in it.
+// Divided by the largest entry first, since squares of entries near the ends of the range of doubles overflow
+// or vanish.
 Vector3 direction_of(const Vector3& v) {
   const double scale = largest_entry(v);
   return normalised(Vector3{v[0] / scale, v[1] / scale, v[2] / scale});
@@ -95,7 +96,7 @@ SpectrumReport report_of_normals(std::span<const WeightedNormal> normals) {
   return report_of(form);
 }
 
-/// Sums and squares of weights within these stay far from the ends of double precision.
+/// Limits of weights whose sums and squares stay far from the ends of double precision.
 constexpr double kSmallestWeight = 1e-100, kLargestWeight = 1e100;
 
 void check(std::span<const WeightedNormal> normals) {
@@ -118,7 +119,7 @@ std::vector<WeightedNormal> preset_normals(std::string_view name) {
   const Vector3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   if (name == "plane") return {{z, 1}};
   if (name == "cube") return {{x, 1}, {y, 1}, {z, 1}};
-  // The forms are polynomials in the normal, of degree 8 at most, so that these sums are the integrals.
+  // The forms are polynomials in the normal, of degree 8 at most, so these sums are the integrals.
   std::vector<WeightedNormal> normals;
   if (name == "cylinder") {
     for (const auto& [direction, weight] : circle_quadrature<8>()) normals.push_back({direction, weight});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A homogeneous harmonic polynomial of degree D by its coefficients in the real orthonormal spherical
-// harmonics, order m = -D ... D. This is the one place that knows how they are laid out.
+// Coefficients of a homogeneous harmonic polynomial of degree D in the real orthonormal spherical harmonics,
+// order m = -D ... D. Only this file knows their layout.
 #pragma once
 
 #include <array>
@@ -9,16 +9,16 @@
 
 namespace crossgrain {
 
-/// 7 for octupoles (degree 3), 9 for degree 4.
+/// Number of coefficients: 7 for octupoles (degree 3), 9 for degree 4.
 template <int D>
 inline constexpr int kCoefficientCount = 2 * D + 1;
 
-/// Coefficients in the order m = -D ... D. Here as in all of the arithmetic that sweeps are made of, Real is
-/// double, or several doubles side by side (base/lanes.hpp).
+/// Coefficients in the order m = -D ... D. Real is double, or several doubles side by side (base/lanes.hpp),
+/// here and in all arithmetic of the sweeps.
 template <int D, class Real = double>
 using Coefficients = std::array<Real, kCoefficientCount<D>>;
 
-/// Where the coefficient of order m stands.
+/// Position of the coefficient of order m.
 template <int D>
 constexpr int index_of_order(int m) {
   return m + D;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far coefficients are from those of a frame times a factor.
+// Distance of coefficients from the multiples of frames.
 //
 // Notation: G_ab = (L_a h).(L_b h), D = G - (tr G / 3) I, with the generators L_a.
 #pragma once
@@ -22,8 +22,8 @@ std::array<Real, 6> traceless_generator_gram(const std::array<Coefficients<D, Re
 }
 
 /// E_sym(h) = || G - (tr G / 3) I ||_F^2 (arXiv 2301.11925): rotation-invariant, homogeneous of degree 4 in
-/// h, zero exactly on multiples of frames. The sign of the multiple is not seen; in degree 3 it means
-/// nothing, in degree 4 a negative multiple of a frame is no frame.
+/// h, zero exactly on multiples of frames. Independent of the sign of the multiple: in degree 3 the sign has
+/// no meaning, in degree 4 a negative multiple of a frame is not a frame.
 template <int D, class Real>
 Real deviation(const Coefficients<D, Real>& h) {
   const auto d = traceless_generator_gram<D>(apply_generators<D>(h));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Real orthonormal spherical harmonics of degrees 3 and 4 as homogeneous polynomials, without the
-// Condon-Shortley sign: order m > 0 goes with cos(m phi), order -m with sin(m phi), both positive near phi =
+// Condon-Shortley sign: order m > 0 has the factor cos(m phi), order -m sin(m phi), both positive near phi =
 // 0.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace crossgrain {
 
-/// The integral of one harmonic's square is 1 over the unit sphere; the prefactors below are that
-/// normalisation. kSqrt... are spelled out since std::sqrt is not constexpr.
+/// Constants of the prefactors below, which make the integral of the square of a harmonic over the unit
+/// sphere 1. kSqrt... are spelled out since std::sqrt is not constexpr.
 namespace normalisation {
 inline constexpr double kSqrt2 = std::numbers::sqrt2;
 inline constexpr double kSqrt3 = std::numbers::sqrt3;

@@ -13,8 +13,8 @@ constexpr int kCoverSide = 4;
 static_assert(kCoverSide * kCoverSide * kCoverSide == kCoverSize);
 
 // Every frame has a representative whose Rodrigues vector (axis times tan of half the angle) has components
-// within tan(pi/8): the cube whose truncation is the fundamental zone. The centres of 4 x 4 x 4 equal parts
-// of it.
+// within tan(pi/8): the cube whose truncation is the fundamental zone. The cover has the centres of 4 x 4 x 4
+// equal parts of it.
 template <int D>
 std::array<CoverFrame<D>, kCoverSize> build_cover() {
   const double half_side = std::tan(std::numbers::pi / 8);

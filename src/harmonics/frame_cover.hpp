@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fixed set of frames that covers all frames evenly: where searches for a global optimum over frames start.
+// A fixed set of frames that covers all frames evenly: the starts of searches for a global optimum over
+// frames.
 #pragma once
 
 #include <array>
@@ -9,8 +10,8 @@
 
 namespace crossgrain {
 
-/// Frames in the cover; no frame is farther than 19 degrees from one of them (27 frames: 25 degrees; 125:
-/// 15).
+/// Number of frames in the cover; no frame is farther than 19 degrees from one of them (27 frames: 25
+/// degrees; 125: 15).
 inline constexpr int kCoverSize = 64;
 
 template <int D>
@@ -19,7 +20,7 @@ struct CoverFrame {
   Coefficients<D> coefficients;
 };
 
-/// The cover, with the coefficients of each frame. Built on first use.
+/// The cover with the coefficients of each frame. Built on first use.
 template <int D>
 const std::array<CoverFrame<D>, kCoverSize>& frame_cover();
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The generators of rotations acting on coefficients.
 //
-// Notation: L_a, a = x, y, z, is the derivative of D(turn by t about axis a) at t = 0, with (Rf)(x) = f(R^T
-// x) and right-handed turns. Each is antisymmetric, and [L_x, L_y] = L_z. Written out from the table of their
-// non-zero entries, at most two a row, so that applying one costs a dozen multiplications.
+// Notation: L_a, a = x, y, z, is the derivative of D(rotation by t about axis a) at t = 0, with (Rf)(x) =
+// f(R^T x) and right-handed rotations. Each is antisymmetric, and [L_x, L_y] = L_z. Written out from the
+// table of their non-zero entries, at most two a row, so that applying one costs a dozen multiplications.
 #pragma once
 
 #include <array>
@@ -85,8 +85,7 @@ requires(D == 4) Coefficients<D, Real> apply_generator_z(const Coefficients<D, R
   return {4 * h[8], 3 * h[7], 2 * h[6], h[5], 0, -h[3], -2 * h[2], -3 * h[1], -4 * h[0]};
 }
 
-/// L_axis h, axis 0, 1, 2 for x, y, z: the rate at which h changes when it is turned right-handed about the
-/// axis.
+/// L_axis h, axis 0, 1, 2 for x, y, z: the derivative of h under right-handed rotation about the axis.
 template <int D, class Real>
 Coefficients<D, Real> apply_generator(int axis, const Coefficients<D, Real>& h) {
   if (axis == 0) return apply_generator_x<D>(h);
@@ -94,7 +93,7 @@ Coefficients<D, Real> apply_generator(int axis, const Coefficients<D, Real>& h) 
   return apply_generator_z<D>(h);
 }
 
-/// L_x h, L_y h, L_z h.
+/// The products L_x h, L_y h and L_z h.
 template <int D, class Real>
 std::array<Coefficients<D, Real>, 3> apply_generators(const Coefficients<D, Real>& h) {
   return {apply_generator_x<D>(h), apply_generator_y<D>(h), apply_generator_z<D>(h)};

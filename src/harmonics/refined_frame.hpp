@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The climb to a frame from one nearby, for one target or for several side by side (base/lanes.hpp).
+// Newton ascent from a frame to the nearest frame of a target, for one target or for several side by side
+// (base/lanes.hpp).
 //
-// Notation: t the target, h = h(R) the coefficients of the frame now, L_a the generators. Turned by a small
+// Notation: t the target, h = h(R) the coefficients of the current frame, L_a the generators. Under a small
 // rotation vector w, t.h becomes t.h + w_a t.L_a h + w_a w_b t.L_a L_b h / 2 + ..., and t.L_a L_b h = -(L_a
 // t).(L_b h).
 #pragma once
@@ -14,11 +15,11 @@
 namespace crossgrain {
 
 namespace climbing {
-// Beyond half a radian the quadratic model of a polynomial of degree 4 in the axes is worthless.
+// The quadratic model of a polynomial of degree 4 in the axes is worthless beyond half a radian.
 inline constexpr double kMaxStep = 0.5;
 inline constexpr int kMaxHalvings = 4;
 inline constexpr double kScoreRounding = 1e-15;
-// A step after which a quadratically convergent iteration is at rounding.
+// Length of a step after which a quadratically convergent iteration has reached rounding.
 inline constexpr double kLastStep = 1e-8;
 
 template <int D, class Real>
@@ -37,7 +38,7 @@ BasicVector3<Real> ascent_step(const Coefficients<D, Real>& target,
 }
 }  // namespace climbing
 
-/// What refine_frame (harmonics/frame.hpp) returns, in every lane.
+/// The result of refine_frame (harmonics/frame.hpp) in every lane.
 template <int D, class Real>
 BasicQuaternion<Real> refined_frame(const Coefficients<D, Real>& target, const BasicQuaternion<Real>& start,
                                     int max_steps = 20) {
@@ -47,7 +48,7 @@ BasicQuaternion<Real> refined_frame(const Coefficients<D, Real>& target, const B
   Coefficients<D, Real> t = target;
   if (D == 3) t = scaled(t, select(dot(t, frame_coefficients<D>(start)) < 0.0, -1.0, Real(1.0)));
   const auto lt = apply_generators<D>(t);
-  // Rounding of the score: near the maximum steps go on below what the score can tell.
+  // Rounding of the score: near the maximum steps become smaller than the score resolves.
   const Real rounding = kScoreRounding * sqrt(squared_norm(t));
   BasicQuaternion<Real> frame = start;
   Coefficients<D, Real> h = frame_coefficients<D>(frame);
@@ -69,7 +70,7 @@ BasicQuaternion<Real> refined_frame(const Coefficients<D, Real>& target, const B
     }
     climbs = climbs & (next_score >= score - rounding);
     frame = select(climbs, next, frame);
-    h = next_h;  // of no use where the climb has ended
+    h = next_h;  // not used in lanes that have ended
     score = select(climbs, next_score, score);
     climbs = climbs & (norm(step) > kLastStep);
   }

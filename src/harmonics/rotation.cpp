@@ -8,8 +8,8 @@
 
 namespace crossgrain {
 
-// From Y(R x) = D_l(R) Y(x) and the orthonormality of Y: D_l(R) is 4 pi times the mean over the sphere of
-// Y(R x) Y(x)^T, whose entries are polynomials of degree 2 l, which the rule integrates exactly.
+// Y(R x) = D_l(R) Y(x) and the orthonormality of Y give D_l(R) as 4 pi times the mean over the sphere of Y(R
+// x) Y(x)^T, whose entries are polynomials of degree 2 l, which the rule integrates exactly.
 template <int D>
 RotationMatrix<D> rotation_matrix(const Quaternion& rotation) {
   RotationMatrix<D> matrix{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The representation D_l(R) of rotations on coefficients, as a matrix. For checks and for turning arbitrary
-// coefficients; the coefficients of a frame need none of it (harmonics/frame.hpp).
+// The representation D_l(R) of rotations on coefficients, as a matrix. Used for checks and for rotating
+// arbitrary coefficients; the coefficients of a frame do not need it (harmonics/frame.hpp).
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@ namespace crossgrain {
 template <int D>
 using RotationMatrix = std::array<Coefficients<D>, kCoefficientCount<D>>;
 
-/// D_l(R): (D f) are the coefficients of x -> f(R^T x), R active and right-handed; orthogonal, and
-/// D(p * q) = D(p) D(q). Needs a unit quaternion.
+/// D_l(R): (D f) are the coefficients of x -> f(R^T x), R active and right-handed; orthogonal, and D(p * q) =
+/// D(p) D(q). The quaternion must have unit length.
 template <int D>
 RotationMatrix<D> rotation_matrix(const Quaternion& rotation);
 
-/// The matrix times the coefficients.
+/// Product of the matrix and the coefficients.
 template <std::size_t N>
 std::array<double, N> rotated(const std::array<std::array<double, N>, N>& matrix,
                               const std::array<double, N>& h) {

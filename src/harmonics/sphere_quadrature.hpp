@@ -15,7 +15,7 @@ struct QuadraturePoint {
   double weight;      ///< all weights of a rule sum to 1
 };
 
-/// The mean over the circle about z, exact for polynomials up to `Degree`.
+/// Quadrature rule for the mean over the circle about z, exact for polynomials up to `Degree`.
 template <int Degree>
 std::array<QuadraturePoint, Degree + 1> circle_quadrature() {
   std::array<QuadraturePoint, Degree + 1> rule{};
@@ -32,9 +32,9 @@ template <int Count>
 std::array<std::array<double, 2>, Count> gauss_legendre() {
   std::array<std::array<double, 2>, Count> rule{};
   for (int i = 0; i < Count; ++i) {
-    double x = std::cos(std::numbers::pi * (i + 0.75) / (Count + 0.5));  // the asymptotic node, good to 1e-3
+    double x = std::cos(std::numbers::pi * (i + 0.75) / (Count + 0.5));  // asymptotic node, accurate to 1e-3
     double slope = 1;
-    for (int iteration = 0; iteration < 6; ++iteration) {  // Newton doubles its digits: 4 would do
+    for (int iteration = 0; iteration < 6; ++iteration) {  // Newton doubles the digits: 4 suffice
       double previous = 1, value = x;
       for (int k = 2; k <= Count; ++k) {
         const double next = ((2 * k - 1) * x * value - (k - 1) * previous) / k;
@@ -49,7 +49,8 @@ std::array<std::array<double, 2>, Count> gauss_legendre() {
   return rule;
 }
 
-/// The mean over the sphere, exact for polynomials up to `Degree`: Gauss-Legendre in z times circles.
+/// Quadrature rule for the mean over the sphere, exact for polynomials up to `Degree`: Gauss-Legendre in z
+/// times circles.
 template <int Degree>
 std::array<QuadraturePoint, (Degree / 2 + 1) * (Degree + 1)> sphere_quadrature() {
   std::array<QuadraturePoint, (Degree / 2 + 1) * (Degree + 1)> rule{};

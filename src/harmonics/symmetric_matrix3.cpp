@@ -7,8 +7,7 @@ namespace crossgrain {
 
 namespace {
 
-// Jacobi converges quadratically: 3 x 3 matrices are done within 5 sweeps; the bound only ends pathological
-// input.
+// Jacobi converges quadratically, within 5 sweeps for 3 x 3 matrices; the bound only ends pathological input.
 constexpr int kMaxSweeps = 20;
 
 using Matrix3 = std::array<Vector3, 3>;
@@ -68,7 +67,7 @@ Vector3 guarded_spectral_step(const SymmetricMatrix3& hessian, const Vector3& gr
   if (!(slope > 0)) return {0, 0, 0};
   const Eigensystem3 system = eigensystem(hessian);
   const double largest = std::max(std::fabs(system.values[0]), std::fabs(system.values[2]));
-  // Without curvature the step is the whole angle allowed, downhill.
+  // Without curvature the step has the largest angle allowed, downhill.
   const double least = floor * std::max(largest, slope / max_angle_rad);
   Vector3 step{0, 0, 0};
   for (int i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Symmetric 3 x 3 matrices, and the guarded Newton step on so(3) that everything which turns a frame shares.
+// Symmetric 3 x 3 matrices, and the guarded Newton step on so(3) that all searches over frames share.
 #pragma once
 
 #include <array>
@@ -10,18 +10,19 @@
 
 namespace crossgrain {
 
-/// The entries xx, xy, xz, yy, yz, zz.
+/// Entries of a symmetric matrix in the order xx, xy, xz, yy, yz, zz.
 template <class Real>
 using BasicSymmetricMatrix3 = std::array<Real, 6>;
 using SymmetricMatrix3 = BasicSymmetricMatrix3<double>;
 
-/// Eigenvalues ascending, and the orthonormal eigenvectors that belong to them.
+/// Eigenvalues, ascending, and their orthonormal eigenvectors.
 struct Eigensystem3 {
   Vector3 values;
   std::array<Vector3, 3> vectors;
 };
 
-/// By cyclic Jacobi rotations: accurate to rounding for repeated eigenvalues too.
+/// Eigenvalues and eigenvectors by cyclic Jacobi rotations, accurate to rounding even for repeated
+/// eigenvalues.
 Eigensystem3 eigensystem(const SymmetricMatrix3& matrix);
 
 template <class Real>
@@ -30,15 +31,16 @@ BasicVector3<Real> apply(const BasicSymmetricMatrix3<Real>& m, const BasicVector
           m[2] * v[0] + m[4] * v[1] + m[5] * v[2]};
 }
 
-/// Smallest |eigenvalue| of a Hessian that a step divides by, relative to its size: below it the minimum is
-/// flat to rounding or nearly so, and a Newton step would be noise.
+/// Smallest |eigenvalue| of a Hessian, relative to the size of the Hessian, that a step divides by: below it
+/// the minimum is flat to rounding or nearly so, and a Newton step would be noise.
 inline constexpr double kHessianFloor = 1e-3;
 
-/// The part of guarded_newton_step for Hessians that are not safely positive definite.
+/// The result of guarded_newton_step for a Hessian that is not safely positive definite.
 Vector3 guarded_spectral_step(const SymmetricMatrix3& hessian, const Vector3& gradient, double max_angle_rad,
                               double floor = kHessianFloor);
 
-/// -H^-1 g by Cramer's rule, shortened to `max_angle_rad`, and whether H is certainly positive enough for it.
+/// -H^-1 g by Cramer's rule, shortened to `max_angle_rad`, and whether H is certainly positive definite
+/// enough for it.
 template <class Real>
 struct PlainNewtonStep {
   BasicVector3<Real> step;
@@ -62,17 +64,17 @@ struct PlainNewtonStep {
   }
 };
 
-/// The step that a Newton iteration for a minimum takes: -|H|^-1 g with |H| the matrix of absolute
-/// eigenvalues, none below kHessianFloor of the largest, shortened to max_angle_rad. A descent direction for
-/// every H; zero only where g is zero. Plain Newton by Cramer's rule where H is certainly positive enough,
-/// which is nearly always once a field has settled.
+/// The step of a Newton iteration for a minimum: -|H|^-1 g with |H| the matrix of absolute eigenvalues, none
+/// below `floor` times the largest, shortened to max_angle_rad. A descent direction for every H; zero only if
+/// g is zero. Plain Newton by Cramer's rule if H is certainly positive definite enough, as nearly always once
+/// a field has settled.
 inline Vector3 guarded_newton_step(const SymmetricMatrix3& hessian, const Vector3& gradient,
                                    double max_angle_rad, double floor = kHessianFloor) {
   const PlainNewtonStep<double> plain(hessian, gradient, max_angle_rad, floor);
   return plain.certain ? plain.step : guarded_spectral_step(hessian, gradient, max_angle_rad, floor);
 }
 
-/// The same in every lane.
+/// The step of guarded_newton_step in every lane.
 template <class Number, int W>
 BasicVector3<BasicLanes<Number, W>> guarded_newton_step(
     const BasicSymmetricMatrix3<BasicLanes<Number, W>>& hessian,

@@ -16,7 +16,7 @@
 namespace crossgrain {
 namespace {
 
-/// Leaves that one task measures: enough that few turns are worked out by two tasks.
+/// Number of leaves per task: enough that two tasks compute few of the same turns.
 constexpr std::size_t kLeafGrain = 4096;
 
 CellConstraint as_written(ConstraintClass constraint_class) {
@@ -49,7 +49,7 @@ SolveReport::Spectrum spectrum_of(const std::vector<CellConstraint>& constraints
   return spectrum;
 }
 
-/// Measures the pieces of a run of leaves, several side by side.
+/// Measures the pieces of a range of leaves, several side by side.
 class RunOfLeaves {
  public:
   RunOfLeaves(const GridLevel& level, const Solid& solid, const LeafField& field, CellIndex begin,
@@ -64,7 +64,7 @@ class RunOfLeaves {
         leaves_(end - begin),
         terms_(kTermsAtOnce) {}
 
-  /// Writes the angles of all pieces, and the means and constraints of all leaves.
+  /// Sets the angles of all pieces, and the means and constraints of all leaves.
   void measure(std::vector<float>& angles, AlignmentMeasurement& result) {
     for (CellIndex i = begin_; i < end_; ++i) {
       if (!level_.holds_surface(i)) continue;
@@ -91,7 +91,7 @@ class RunOfLeaves {
     CellIndex leaf;
     std::uint32_t piece;
     bool included;
-    Vector3 normal;  ///< of the surface there
+    Vector3 normal;  ///< surface normal at the point
   };
   struct LeafSum {
     double weighted = 0, area = 0;

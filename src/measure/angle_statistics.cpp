@@ -14,12 +14,12 @@
 namespace crossgrain {
 namespace {
 
-/// Pieces that one task sums up: many more than there are bins.
+/// Number of pieces per task: many more than there are bins.
 constexpr std::size_t kPieceGrain = std::size_t{1} << 16;
 
 constexpr double kShareAbove = 0.05;
 
-/// Of the pieces of one task, or of all.
+/// Sums over the pieces of one task, or over all.
 struct AngleSums {
   double included_area = 0, excluded_area = 0, weighted = 0;
   float largest = 0;
@@ -32,7 +32,7 @@ struct AngleSums {
   }
 };
 
-/// part(begin, end) over fixed runs of pieces, added up in their order.
+/// The sum, in order, of part(begin, end) over fixed ranges of pieces.
 template <class Sum, class Part>
 Sum summed_over_runs(std::size_t count, const Part& part) {
   std::vector<Sum> runs((count + kPieceGrain - 1) / kPieceGrain);
@@ -72,8 +72,8 @@ struct AreaBins {
 };
 
 /// The largest angle such that the pieces of that angle or more have more area than `area_above`. Numbers
-/// that are not negative are in the order of their bits: three rounds of bins, each within the bin found
-/// before, leave one angle. Sorting would take longer and one thread.
+/// that are not negative are ordered as their bits: three rounds of bins, each within the bin found before,
+/// determine one angle. Sorting would take longer, and in one thread.
 float angle_below_area(std::span<const SurfacePiece> pieces, std::span<const float> angles,
                        double area_above) {
   constexpr int kBits = AreaBins::kBinBits;

@@ -9,21 +9,22 @@
 
 namespace crossgrain {
 
-/// Stands for the angle of a piece that does not count.
+/// The angle of a piece that is excluded.
 inline constexpr float kExcludedAngle = -1;
 
-/// Mean, 95th percentile and largest of angles that count alike; none where there are none.
+/// Mean, 95th percentile and maximum of equally weighted angles; none without angles.
 SolveReport::AngleSummary summary_of(std::vector<double> angles);
 
 struct WeightedAngle {
   double angle_deg, weight;
 };
 
-/// The same by weight, which is positive; p95 is the smallest angle that 95 % of the weight does not exceed.
+/// Mean, 95th percentile and maximum of angles with positive weights; p95 is the smallest angle that 95 % of
+/// the weight does not exceed.
 SolveReport::AngleSummary summary_of(std::vector<WeightedAngle> angles);
 
-/// The statistics of the angles of `pieces` in degrees, not negative or kExcludedAngle, each weighted by its
-/// piece's area: as AlignmentMeasurement::alignment_deg. The same to the bit for any number of threads.
+/// The statistics of the angles of `pieces`, in degrees, not negative or kExcludedAngle, weighted by the area
+/// of each piece: AlignmentMeasurement::alignment_deg. Bitwise identical for any number of threads.
 SolveReport::Alignment angle_statistics(std::span<const SurfacePiece> pieces, std::span<const float> angles);
 
 }  // namespace crossgrain

@@ -19,7 +19,8 @@
 namespace crossgrain {
 namespace {
 
-/// Below this gap an eigenvector hardly counts, and its angle tells nothing of the field.
+/// Smallest gap at which an eigenvector is measured: below it hardly counts, and its angle says nothing about
+/// the field.
 constexpr double kMeasuredGap = 0.1;
 
 bool has_place(const Box& box, const Vector3& place) {
@@ -30,7 +31,7 @@ std::string in_words(const Vector3& place) {
   return fmt::format("{:.6g} {:.6g} {:.6g}", place[0], place[1], place[2]);
 }
 
-/// Collects what is asked for inside the cells, and counts what is outside.
+/// Collects the axes that constraints prescribe inside the cells, and counts those outside.
 class Collector {
  public:
   Collector(const Solid& solid, const GridLevel& level, double step)
@@ -105,7 +106,7 @@ class Collector {
     if (!asked_.first_outside) asked_.first_outside = place;
   }
 
-  /// Whether all of the piece is inside; adds to `inside` the length that is.
+  /// Adds a piece of a polyline. Returns whether all of it is inside; adds the length inside to `inside`.
   bool add_piece(const std::array<Vector3, 2>& ends, const std::vector<Vector3>& directions, double& inside) {
     const Vector3 along = ends[1] - ends[0];
     const ClippedSegment near = clip_segment(ends, level_.tree.root().box(CellAddress::root()));

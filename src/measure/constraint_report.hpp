@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The user's constraints against the solid, and how well a field meets them.
+// The user's constraints compared with the solid and with a field.
 #pragma once
 
 #include <optional>
@@ -13,32 +13,32 @@
 
 namespace crossgrain {
 
-/// Throws Error(kInput) where constraints of places are all beside the box of the model: they are in another
-/// unit, say.
+/// Throws Error(kInput) if all constraints with places are outside the box of the model, for example in
+/// another unit.
 void check_places(const Constraints& constraints, const Box& model);
 
-/// Frames at `place` were to have an axis along the unit vector `direction`.
+/// A constraint that frames at `place` have an axis along the unit vector `direction`.
 struct AskedAxis {
   Vector3 place, direction;
-  double weight;  ///< among those of its kind: 1, the length or the area that it stands for
+  double weight;  ///< weight among those of its kind: 1, or the length or area that it represents
 };
 
-/// All axes that constraints ask for inside the active cells of a level.
+/// All axes that constraints prescribe inside the active cells of a level.
 struct AskedAxes {
   std::vector<AskedAxis> points, polylines, faces, stresses;
-  SolveReport::Constraints counts;       ///< but for angles
-  std::optional<Vector3> first_outside;  ///< the first place that is in no active cell
+  SolveReport::Constraints counts;       ///< all but the angles
+  std::optional<Vector3> first_outside;  ///< first place that is in no active cell
 };
 
-/// Polylines are asked at the middles of pieces no longer than `step`, model units, faces at the centroids of
-/// their pieces in cells. Stresses with gaps below 0.1 along an axis ask for nothing there that could be
+/// The axes that constraints prescribe: for polylines at the middles of pieces no longer than `step`, model
+/// units, for faces at the centroids of their pieces in cells. Axes of stresses with gaps below 0.1 are not
 /// measured.
 AskedAxes asked_axes(const Constraints& constraints, const Solid& solid, const GridLevel& level, double step);
 
-/// The counts of `asked`, and angles between what is asked for and the nearest axis of the field there.
+/// The counts of `asked`, and the angles between prescribed axes and the nearest axis of the field.
 SolveReport::Constraints constraint_report(const AskedAxes& asked, const Sampler& sampler);
 
-/// One sentence for SolveReport::warnings of what is outside; empty where nothing is.
+/// One sentence for SolveReport::warnings about constraints outside the solid; empty if there are none.
 std::string outside_constraints_warning(const AskedAxes& asked);
 
 }  // namespace crossgrain

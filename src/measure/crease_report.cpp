@@ -15,7 +15,7 @@
 namespace crossgrain {
 namespace {
 
-/// Three faces at right angles have a frame in common; more never do.
+/// Largest number of curves at a corner that one frame can follow: three faces at right angles.
 constexpr std::size_t kCurvesOfAFrame = 3;
 
 bool is_crowded(const CreaseCorner& corner) {
@@ -24,10 +24,10 @@ bool is_crowded(const CreaseCorner& corner) {
 
 struct Place {
   Vector3 position, tangent;
-  double length;  ///< of its part of the curve, above 0
+  double length;  ///< length of its part of the curve, positive
 };
 
-/// The middles of equal parts of all pieces of a curve.
+/// Adds the middles of equal parts of all segments of a curve.
 void add_places(const CreaseCurve& curve, double step, std::vector<Place>& places) {
   for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) {
     const Vector3 along = curve.points[k + 1] - curve.points[k];
@@ -48,7 +48,7 @@ double length_of(const CreaseCurve& curve) {
   return sum;
 }
 
-/// `inner` has the same vertices as the surface.
+/// The sharp curves of the surface and the inner faces. `inner` has the same vertices as the surface.
 std::vector<CreaseCurve> curves_of(const Surface& surface, const TriangleMesh& inner,
                                    const CreaseAngles& angles) {
   if (inner.triangles.empty()) return sharp_curves(surface, angles);
@@ -57,7 +57,7 @@ std::vector<CreaseCurve> curves_of(const Surface& surface, const TriangleMesh& i
   return sharp_curves(prepare_surface(std::move(both)), angles);
 }
 
-/// Solids that share a face in space but not in the file have its edges both.
+/// The curves without duplicates: solids that share a face in space but not in the file have its edges twice.
 std::vector<CreaseCurve> without_repeats(const std::vector<CreaseCurve>& curves) {
   std::set<std::vector<Vector3>> seen;
   std::vector<CreaseCurve> result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The creases of a surface, and how well a field runs along them.
+// The creases of a surface, and the alignment of a field with them.
 #pragma once
 
 #include <span>
@@ -12,22 +12,23 @@
 
 namespace crossgrain {
 
-/// All that is known of the creases of a surface before the solve.
+/// The creases of a surface, as known before the solve.
 struct CreaseNetwork {
   std::vector<CreaseCurve> curves;
   std::vector<CreaseCorner> corners;
   KnifeEdges knives;
 
-  /// Those that the mesh brings along; where it brings none, its sharp edges, those of `inner` faces and
-  /// those where they meet the surface.
+  /// Takes the creases of the mesh; if it has none, its sharp edges, those of `inner` faces and those where
+  /// they meet the surface.
   CreaseNetwork(const Surface& surface, const TriangleMesh& inner, const CreaseAngles& angles,
                 bool inside_out);
 };
 
-/// Angles are taken at the middles of pieces of curves no longer than `step`, model units.
+/// The section `creases` of the report, with angles at the middles of pieces of curves no longer than `step`,
+/// model units.
 SolveReport::Creases crease_report(const CreaseNetwork& creases, const Sampler& sampler, double step);
 
-/// One sentence each, for SolveReport::warnings: of places where no frame is near to all faces.
+/// One sentence each, for SolveReport::warnings, about places where no frame fits all faces.
 std::vector<std::string> crease_warnings(const CreaseNetwork& creases);
 
 }  // namespace crossgrain

@@ -8,7 +8,7 @@
 namespace crossgrain {
 namespace {
 
-/// What stands behind the number of a finding, and what became of the things.
+/// The text after the number of a finding, and what was done about it.
 struct Wording {
   FindingKind kind;
   const char* detail;
@@ -37,7 +37,7 @@ constexpr Wording kWordings[] = {
     {FindingKind::kTouchingComponents, "", "left as they are"},
 };
 
-/// Of a kind of this list.
+/// The wording of a kind in this list.
 const Wording& wording_of(const std::string& kind) {
   return *std::find_if(std::begin(kWordings), std::end(kWordings) - 1,
                        [&](const Wording& wording) { return kind == name_of(wording.kind); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with a surface, in words.
+// The faults of a surface, in words.
 #pragma once
 
 #include "crossgrain/report.hpp"

@@ -12,7 +12,8 @@
 namespace crossgrain {
 namespace {
 
-/// Halvings of a triangle at most: one across a grid of 2^19 cells would else have more parts than memory.
+/// Largest number of halvings of a triangle: without it, one across a grid of 2^19 cells would have more
+/// parts than memory.
 constexpr int kMostHalvings = 18;
 
 struct Place {
@@ -20,8 +21,8 @@ struct Place {
   double area;
 };
 
-/// The centroids of the parts that a triangle is cut into across its longest edge, as long as that is longer
-/// than `step`. Long thin ones, such as those of a cylinder, have no more parts than it takes.
+/// Adds the centroids of the parts of a triangle that is halved across its longest edge while that is longer
+/// than `step`. Long thin triangles, such as those of a cylinder, get no more parts than needed.
 void add_places(const std::array<Vector3, 3>& corners, const std::array<Vector3, 3>& normals, double step,
                 int halvings, std::vector<Place>& places) {
   std::size_t longest = 0;

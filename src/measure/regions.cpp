@@ -25,7 +25,7 @@ bool holds(const Box& box, const Vector3& point) {
   return true;
 }
 
-/// One solid with its own winding number. Not to be moved: the tree refers to the surface.
+/// One solid with its own winding number. Must not be moved: the tree refers to the surface.
 struct SolidBody {
   std::int32_t number;
   Surface surface;
@@ -43,7 +43,7 @@ struct SolidBody {
   SolidBody& operator=(const SolidBody&) = delete;
 };
 
-/// The triangles of each solid, which have an area, with vertices of their own; solids ascending.
+/// The triangles of each solid that have an area, with vertices of their own; solids ascending.
 std::vector<std::unique_ptr<SolidBody>> bodies_of(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> order;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -75,7 +75,7 @@ std::vector<std::unique_ptr<SolidBody>> bodies_of(const TriangleMesh& mesh) {
   return bodies;
 }
 
-/// The body of a leaf, and whether others claim it too.
+/// The body of a leaf, and whether it is also in others.
 struct Claim {
   std::uint32_t body;
   bool contested;
@@ -88,7 +88,7 @@ class RegionFinder {
 
   const std::vector<std::unique_ptr<SolidBody>>& bodies() const { return bodies_; }
 
-  /// Outer triangles whose other side is another solid too: the first of them, and how many.
+  /// Outer triangles with another solid on their other side: their number, and the place of the first.
   struct Contacts {
     std::size_t count = 0;
     Vector3 first{};
@@ -119,7 +119,7 @@ class RegionFinder {
   }
 
  private:
-  /// Of the longest side: above the rounding of coordinates, below all cells.
+  /// Share of the longest side: above the rounding of coordinates, below all cells.
   static constexpr double kBeside = 1e-7;
 
   Vector3 centroid(std::size_t triangle) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which solid of a model each cell belongs to.
+// The solid of a model that each cell belongs to.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ struct CellRegions {
   std::vector<std::int32_t> of_leaf;         ///< numbers as in TriangleMesh::solids; empty for a single solid
   std::vector<SolveReport::Region> regions;  ///< SolveReport::regions
   std::vector<std::string>
-      warnings;  ///< of solids that overlap or touch unglued, and of those without a cell
+      warnings;  ///< solids that overlap or touch without shared triangles, and solids without a cell
 };
 
-/// Each leaf belongs to the solid that its centre is in: of several, to the one of least volume, since a part
-/// that another encloses is often drawn into it. A leaf with its centre outside belongs to the solid that has
-/// most of the surface in it. `mesh` is the model, `outer` what bounds its solids together, `level` the grid
-/// in that. The same for any number of threads; costs nothing for a single solid.
+/// The solid of each leaf: the one that holds its centre, and of several the one with the smallest volume,
+/// since a part enclosed by another is often drawn into it. A leaf with its centre outside belongs to the
+/// solid with most of the surface in it. `mesh` is the model, `outer` the common boundary of its solids,
+/// `level` the grid inside it. The same for any number of threads; free for a single solid.
 CellRegions find_regions(const TriangleMesh& mesh, const Surface& outer, const GridLevel& level);
 
 }  // namespace crossgrain

@@ -26,7 +26,8 @@ double squared_distance(const Coefficients<4>& a, const Coefficients<4>& b) {
   return squared_norm(difference(a, b));
 }
 
-/// Axes of a quaternion of unit norm up to rounding are so too, which an arc cosine near 1 would show.
+/// The angle in degrees between a normal and the nearest axis. Axes are normalised, since the rounding of the
+/// quaternion's norm would show in an arc cosine near 1.
 double angle_deg(const Quaternion& frame, const Vector3& unit_normal) {
   double cosine = 0;
   for (const Vector3& axis : axes_of(frame))
@@ -42,7 +43,7 @@ bool is_singular(const Quaternion& a, const Quaternion& b, const Quaternion& c) 
   return !(matching_of(c, a) * (matching_of(b, c) * matching_of(a, b))).is_identity();
 }
 
-/// How many of the faces vertices_of(k), k < count, are singular.
+/// Number of singular faces among vertices_of(k), k < count.
 template <class VerticesOf>
 std::size_t count_singular(std::size_t count, std::span<const Quaternion> frames,
                            const VerticesOf& vertices_of) {
@@ -80,7 +81,7 @@ void measure_alignment(const BoundaryVertices& boundary, std::span<const Quatern
   result.crease_deg = summary_of(std::move(at_creases));
 }
 
-/// Twice the area, along the normal.
+/// Vector along the normal with twice the area as its length.
 Vector3 area_vector(const TetMesh& mesh, const std::array<std::uint32_t, 3>& face) {
   const auto& [a, b, c] = face;
   return cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);

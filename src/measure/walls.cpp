@@ -14,15 +14,15 @@
 namespace crossgrain {
 namespace {
 
-/// Cosine of the largest angle between the two sides of a wall; holds_two_sheets draws the same line.
+/// Cosine of the largest angle between the two sides of a wall, as in holds_two_sheets.
 constexpr double kOpposite = 0.5;
 
-/// Leaves that one task measures.
+/// Number of leaves per task.
 constexpr std::size_t kLeafGrain = 4096;
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-/// The thickness of the wall behind the surface in leaf i; infinite where there is none up to `thickest`.
+/// The thickness of the wall behind the surface in leaf i; infinite if there is none up to `thickest`.
 double wall_thickness(const GridLevel& level, const Solid& solid, CellIndex i, double thickest) {
   const auto ray = inward_ray(level, solid, i, thickest);
   if (!ray || ray->thickness == kNone) return kNone;
@@ -30,7 +30,7 @@ double wall_thickness(const GridLevel& level, const Solid& solid, CellIndex i, d
   return ray->thickness;
 }
 
-/// Of a run of leaves, or of all.
+/// Sums over a range of leaves, or over all.
 struct WallSums {
   double thinnest = kNone, area = 0, thin_area = 0;
   std::size_t two_sheet_cells = 0;
@@ -47,7 +47,7 @@ void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double th
   if (!level.holds_surface(i)) return;
   double area = 0;
   for (const SurfacePiece& piece : level.pieces_of(i)) area += piece.area;
-  // Of walls that are not thin only the thinnest matters.
+  // Only the thinnest of the walls that are not thin matters.
   const double thickness = wall_thickness(level, solid, i, std::max(thin, sums.thinnest));
   sums.thinnest = std::min(sums.thinnest, thickness);
   sums.area += area;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls that a level's cells do not resolve.
+// Walls that the cells of a level do not resolve.
 #pragma once
 
 #include "crossgrain/report.hpp"
@@ -7,10 +7,9 @@
 
 namespace crossgrain {
 
-/// Measures walls in the finest cells of `level`, by one inward ray from every leaf with surface. A wall is
-/// there where the ray leaves through a side that faces away from the one it came in by, within 60 degrees:
-/// so the tip of a wedge sharper than that is a thin wall, and an edge of a box is none. `tied_cells` is left
-/// 0.
+/// Measures walls in the finest cells of `level`, by one inward ray from every leaf with surface. The ray is
+/// in a wall if it leaves through a side that faces away from the side of entry, within 60 degrees: the tip
+/// of a wedge sharper than that is a thin wall, an edge of a box is not. Leaves `tied_cells` at 0.
 SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid, double thickness_cells);
 
 }  // namespace crossgrain

@@ -10,10 +10,11 @@
 namespace crossgrain {
 namespace {
 
-/// As a share of the surface's extent: any, for what counts is the number of triangles.
+/// Error limit of the simplification, as a share of the surface's extent: no limit, since only the number of
+/// triangles matters.
 constexpr float kAnyError = 1;
 
-/// How many times as many triangles as asked for are few enough.
+/// Largest accepted number of triangles, as a multiple of the number requested.
 constexpr double kEnough = 1.5;
 
 }  // namespace
@@ -43,7 +44,7 @@ DrawnSurface drawn_surface(const SolvedSurface& surface, const Vector3& origin, 
     }
     vertices.swap(fewer);
   }
-  // Vertices in the order of their triangles, those of none left out: fewer bytes, and better packed.
+  // Vertices in the order of their triangles, without unused ones: fewer bytes, and better compression.
   std::vector<float> positions(drawn.positions.size());
   positions.resize(3 * meshopt_optimizeVertexFetch(positions.data(), vertices.data(), vertices.size(),
                                                    drawn.positions.data(), count, stride));

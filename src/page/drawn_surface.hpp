@@ -9,14 +9,14 @@
 
 namespace crossgrain {
 
-/// A surface of few enough triangles to be drawn in a page, relative to an origin.
+/// A surface with few enough triangles to be drawn in a page, relative to an origin.
 struct DrawnSurface {
-  std::vector<float> positions;         ///< three a vertex, model units
-  std::vector<std::uint32_t> vertices;  ///< three a triangle
+  std::vector<float> positions;         ///< three per vertex, model units
+  std::vector<std::uint32_t> vertices;  ///< three per triangle
 };
 
-/// The surface with at most about `most` triangles: where it has more, edges are contracted, those first that
-/// change it least (meshoptimizer); a soup, which has none to contract, is clustered.
+/// The surface with at most about `most` triangles. If it has more, edges are contracted, those that change
+/// it least first (meshoptimizer); a triangle soup, which has no edges to contract, is clustered.
 DrawnSurface drawn_surface(const SolvedSurface& surface, const Vector3& origin, std::size_t most);
 
 }  // namespace crossgrain

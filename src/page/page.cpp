@@ -17,13 +17,13 @@
 namespace crossgrain {
 namespace {
 
-/// Floats hardly pack better for more effort.
+/// Compression level: floats hardly become smaller with a higher one.
 constexpr int kZlibLevel = 5;
 
-/// Largest window, and a gzip header, which browsers unpack on their own.
+/// Largest window, with a gzip header, which browsers decompress by themselves.
 constexpr int kGzipWindow = 15 + 16;
 
-/// Forms take ten times the bytes of everything else that is known of a cell.
+/// Largest number of forms: a form takes ten times the bytes of all other data of a cell.
 constexpr std::size_t kMostForms = 8000;
 
 constexpr std::string_view kReportPlace = "/*REPORT*/", kScenePlace = "/*SCENE*/";
@@ -44,7 +44,7 @@ std::string gzipped(std::string_view bytes) {
   return packed;
 }
 
-/// RFC 4648, section 4.
+/// Base64 (RFC 4648, section 4).
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -60,7 +60,7 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-/// JSON that no element of a page ends within: '<' stands in strings only.
+/// JSON that cannot end an element of a page: '<' occurs in strings only and is escaped.
 std::string inside_page(std::string_view json) {
   std::string text;
   for (const char c : json) c == '<' ? text += "\\u003c" : text += c;

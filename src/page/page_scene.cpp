@@ -21,16 +21,18 @@ namespace {
 
 constexpr std::size_t kMostTriangles = 150000;
 
-/// Three lines each, one an axis: a few across any part, not so many that they hide each other.
+/// Number of seeds, with three lines each, one per axis: a few lines across any part, not so many that they
+/// hide each other.
 constexpr std::size_t kStreamlineSeeds = 40;
 
-/// Lines go no further each way, in longest sides: they may wind round a part many times, and hide it.
+/// Largest length of a line in each direction, in longest sides: lines may wind around a part many times and
+/// hide it.
 constexpr double kStreamlineSides = 1;
 
-/// Points of a streamline, at most: tracing takes a point a cell.
+/// Largest number of points of a streamline: tracing takes one point per cell.
 constexpr std::size_t kMostLinePoints = 200;
 
-/// Polylines as two arrays: points, and where each line begins.
+/// Polylines as two arrays: points, and the start of each line.
 class Polylines {
  public:
   explicit Polylines(const Vector3& origin) : origin_(origin) {}
@@ -104,7 +106,7 @@ void add_singularities(const SingularityGraph& graph, const Vector3& origin, Sce
             }));
 }
 
-/// Cells of `shown`, with corners counted in the smallest of them.
+/// Adds the cells of `shown`, with corners in units of the smallest of them.
 void add_cells(const FieldData& shown, std::size_t total, std::optional<int> merged_to, const Vector3& origin,
                SceneWriter& scene) {
   const auto& leaves = shown.tree.leaves();
@@ -164,8 +166,8 @@ TriangleMesh mesh_of(const DrawnSurface& surface, const Vector3& origin) {
   return mesh;
 }
 
-/// Lines end on the surface as it is drawn, which is quicker to look into than a large one, or with the cells
-/// where no surface is known or it is not where the field is.
+/// A tracer whose lines end on the simplified surface, which is faster to search, or with the cells if no
+/// surface is known or it lies elsewhere than the field.
 StreamlineTracer tracer_of(const FrameField& field, const DrawnSurface& surface, const Vector3& origin) {
   StreamlineOptions options;
   options.longest_sides = kStreamlineSides;
@@ -180,7 +182,7 @@ StreamlineTracer tracer_of(const FrameField& field, const DrawnSurface& surface,
   return StreamlineTracer(field, options);
 }
 
-/// Of the cells that are shown, which lines through the cells themselves would hardly differ from.
+/// Adds streamlines of the cells that are shown; those of all cells would hardly differ.
 void add_streamlines(const FrameField& shown, const DrawnSurface& surface, const Vector3& origin,
                      const Monitor& monitor, SceneWriter& scene) {
   Polylines lines(origin);

@@ -9,15 +9,15 @@
 
 namespace crossgrain {
 
-/// Enough for every cell of a part at the default resolution.
+/// Largest number of cells shown: enough for every cell of a part at the default resolution.
 inline constexpr std::size_t kMostShownCells = 200000;
 
-/// Corners of cells count up to 2^16 along an axis.
+/// Largest depth of cells shown: their corners count up to 2^16 along an axis.
 inline constexpr int kDeepestShown = 16;
 
-/// What a page shows of a field, thinned to what a browser draws at once, in the layout of viewer/README.md:
-/// the surface and its creases, singular arcs, at most kMostShownCells cells, forms of some of them,
-/// streamlines. The same bytes for any number of threads. Throws Error(kInterrupted).
+/// The scene of a page: a field reduced to what a browser can draw at once, in the layout of
+/// viewer/README.md: the surface and its creases, singular arcs, at most kMostShownCells cells, forms of some
+/// of them, streamlines. The same bytes for any number of threads. Throws Error(kInterrupted).
 std::string page_scene(const FrameField& field, const Monitor& monitor = {});
 
 }  // namespace crossgrain

@@ -5,7 +5,7 @@
 
 namespace crossgrain {
 
-/// viewer/dist/report.html, as it was when the library was built (cmake/CrossgrainEmbed.cmake).
+/// The content of viewer/dist/report.html at build time (cmake/CrossgrainEmbed.cmake).
 std::string_view page_template();
 
 }  // namespace crossgrain

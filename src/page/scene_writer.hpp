@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The container of what a page draws (viewer/README.md): a header in JSON, then arrays.
+// The container of the scene of a page (viewer/README.md): a header in JSON, then arrays.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ class SceneWriter {
   std::string data_;
 };
 
-/// The upper half of a number in single precision, rounded to the nearest: three digits.
+/// The upper half of a number in single precision, rounded to nearest: three digits.
 std::uint16_t to_bfloat16(float value);
 
 }  // namespace crossgrain

@@ -18,7 +18,7 @@ constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
 
 void draw_axis_cross(Canvas& canvas, const ViewAxes& axes, double x, double y, double reach,
                      const Colour& ink) {
-  // Those that point away from the viewer are behind the others.
+  // Axes that point away from the viewer are behind the others.
   std::array<std::size_t, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return axes.towards[a] < axes.towards[b]; });

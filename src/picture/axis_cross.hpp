@@ -6,7 +6,7 @@
 
 namespace crossgrain {
 
-/// The axes x, y and z of the model from a point, `reach` pixels long where they are not foreshortened.
+/// Draws the axes x, y and z of the model from a point, `reach` pixels long unless foreshortened.
 void draw_axis_cross(Canvas& canvas, const ViewAxes& axes, double x, double y, double reach,
                      const Colour& ink);
 

@@ -8,7 +8,8 @@
 namespace crossgrain {
 namespace {
 
-/// Exact at multiples of a right angle, so that views along an axis show faces along it as lines.
+/// Sine that is exact at multiples of a right angle, so that views along an axis show faces along it as
+/// lines.
 double sine_deg(double angle_deg) {
   const double quarters = std::remainder(angle_deg, 360.0) / 90;
   if (quarters == std::round(quarters)) return quarters == 1 ? 1 : quarters == -1 ? -1 : 0;
@@ -18,7 +19,7 @@ double cosine_deg(double angle_deg) {
   return sine_deg(angle_deg + 90);
 }
 
-/// A vector of a model whose z axis points up, in one where it is another.
+/// Converts a vector from a model whose z axis points up to one with the given up axis.
 Vector3 in_model(const Vector3& v, int up_axis) {
   if (up_axis == 0) return {v[2], v[0], v[1]};
   if (up_axis == 1) return {v[0], v[2], -v[1]};

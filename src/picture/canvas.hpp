@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flat shapes and text on an image, with smooth edges: legends and scales. Places are in pixels from the
-// upper left corner; what is outside the image is left out.
+// Flat shapes and text with smooth edges on an image: legends and scales. Positions are in pixels from the
+// upper left corner; anything outside the image is clipped.
 #pragma once
 
 #include <string_view>
@@ -18,7 +18,7 @@ class Canvas {
   void line(double x0, double y0, double x1, double y1, double width, const Colour& colour);
   void disc(double x, double y, double radius, const Colour& colour);
 
-  /// `y` is the baseline.
+  /// Draws a text; `y` is the baseline.
   void text(std::string_view text, double x, double y, double size, const Colour& colour);
 
  private:

@@ -11,16 +11,17 @@
 namespace crossgrain {
 namespace {
 
-/// Of the size of the smallest cells: enough for single precision, too little to leave the cell.
+/// Distance of sampled points from the surface, as a share of the smallest cell size: enough for single
+/// precision, too little to leave the cell.
 constexpr double kInwards = 0.02;
 
-/// This share of the cells at the surface is within the scale; what exceeds it has the colour of its end.
+/// Share of the cells at the surface that is within the scale; numbers above it have the colour of its end.
 constexpr double kWithinScale = 0.99;
 
-/// Degrees that a scale of angles has at least: below, a field follows its surface, whatever differs.
+/// Smallest range of a scale of angles, in degrees: below it, a field follows its surface.
 constexpr double kLeastAngles = 5;
 
-/// A logarithmic scale has so many powers of ten at most.
+/// Largest number of powers of ten on a logarithmic scale.
 constexpr double kMostDecades = 4;
 
 struct ClassLook {
@@ -28,7 +29,7 @@ struct ClassLook {
   Colour colour;
 };
 
-/// In the order of CellConstraint.
+/// Names and colours in the order of CellConstraint.
 constexpr std::array<ClassLook, kCellConstraintCount> kClasses{
     {{"no surface", kPlainPart},
      {"plane: an axis along its normal", colour_of(0xbfd0e0)},
@@ -106,7 +107,7 @@ Colour CellColours::of_leaf(CellIndex leaf) const {
 }
 
 Colour CellColours::on_surface(const MeshPoint& point) const {
-  // Surface between two layers of cells is in one of them only.
+  // A surface between two layers of cells is in only one of them.
   CellIndex found = kNoCell;
   for (const double way : {-inwards_, inwards_}) {
     const CellIndex leaf = leaf_at(point.place + way * point.normal);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of a field's cells as colours.
+// Colours of cells by the numbers of a field.
 #pragma once
 
 #include <optional>
@@ -12,26 +12,26 @@
 
 namespace crossgrain {
 
-/// Refers to the field. Safe to use from any number of threads.
+/// Colours of cells. Refers to the field. Safe to use from any number of threads.
 class CellColours {
  public:
-  /// Throws Error(kInput) if the field lacks what the options colour by.
+  /// Chooses colours and scale. Throws Error(kInput) if the field lacks the array to colour by.
   CellColours(const FieldData& field, const PictureOptions& options);
 
   bool is_none() const { return what_ == PictureColour::kNone; }
 
-  /// At a point of the surface: of the leaf that is there, slightly inside.
+  /// Colour at a point of the surface: that of the leaf there, sampled slightly inside.
   Colour on_surface(const MeshPoint& point) const;
 
-  /// At a point on a cut: by energy only, which is all that cells without surface have. None outside: where
-  /// there is no cell, or where the surface, which may have holes, does not enclose a point of a cell with
-  /// some.
+  /// Colour at a point on a cut: by energy only, as cells without surface have no other number. None outside:
+  /// where there is no cell, or in a cell with surface where that, which may have holes, does not enclose the
+  /// point.
   std::optional<Colour> on_cut(const Vector3& point, bool is_enclosed) const;
 
-  /// What the colours mean; none for kNone.
+  /// Legend of the colours; none for kNone.
   std::optional<LegendBlock> legend() const;
 
-  /// The leaf at a point; kNoCell where there is none.
+  /// The leaf at a point; kNoCell if there is none.
   CellIndex leaf_at(const Vector3& point) const;
 
  private:
@@ -41,13 +41,13 @@ class CellColours {
   const FieldData& field_;
   LeafFinder finder_;
   PictureColour what_;
-  double inwards_;  ///< how far a point is moved from the surface, model units
+  double inwards_;  ///< distance by which points are moved from the surface, model units
   ColourMap map_;
   ColourScale scale_;
   bool goes_on_ = false;
 };
 
-/// What a part without colours has.
+/// Colour of a part without colours.
 inline constexpr Colour kPlainPart = colour_of(0xa9b7c6);
 
 }  // namespace crossgrain

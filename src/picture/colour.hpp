@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours of pictures, in sRGB from 0 to 1. They are mixed as they stand: thin dark lines on white keep their
-// weight that way, and nothing is raised to powers, which differ in the last digit from machine to machine.
+// Colours of pictures, in sRGB from 0 to 1. They are mixed without linearisation: thin dark lines on white
+// keep their weight, and no powers are needed, which differ in the last digit between machines.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ struct Colour {
   bool operator==(const Colour&) const = default;
 };
 
-/// 0xRRGGBB.
+/// Colour from 0xRRGGBB.
 constexpr Colour colour_of(std::uint32_t hex) {
   return {static_cast<float>(hex >> 16 & 255) / 255, static_cast<float>(hex >> 8 & 255) / 255,
           static_cast<float>(hex & 255) / 255};
@@ -26,18 +26,18 @@ constexpr Colour operator+(const Colour& a, const Colour& b) {
   return {a.r + b.r, a.g + b.g, a.b + b.b};
 }
 
-/// a where t is 0, b where it is 1.
+/// Mixture of two colours: a for t = 0, b for t = 1.
 constexpr Colour mix(const Colour& a, const Colour& b, float t) {
   return (1 - t) * a + t * b;
 }
 
-/// A colour with its share of a pixel: the colour is multiplied by `opacity` already.
+/// A colour and its share of a pixel. The colour is premultiplied by `opacity`.
 struct Pixel {
   Colour colour;
   float opacity = 0;
 };
 
-/// `front` laid over `behind`.
+/// The composite of `front` over `behind`.
 constexpr Pixel over(const Pixel& front, const Pixel& behind) {
   const float left = 1 - front.opacity;
   return {front.colour + left * behind.colour, front.opacity + left * behind.opacity};

@@ -9,7 +9,7 @@
 namespace crossgrain {
 namespace {
 
-/// "−" and small raised digits.
+/// A power of ten, with its exponent as superscript digits.
 std::string power_of_ten(int exponent) {
   static const char* const kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text = "10";
@@ -39,7 +39,7 @@ ColourMap ColourMap::dawn() {
 
 Colour ColourMap::at(double share) const {
   const auto last = static_cast<double>(colours_.size() - 1);
-  const double place = share > 0 ? std::min(share, 1.0) * last : 0;  // not a number counts as low
+  const double place = share > 0 ? std::min(share, 1.0) * last : 0;  // NaN counts as low
   const auto i = std::min(static_cast<std::size_t>(place), colours_.size() - 2);
   return mix(colours_[i], colours_[i + 1], static_cast<float>(place - static_cast<double>(i)));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as colours, and the marks of a scale.
+// Colour maps, and scales with their marks.
 #pragma once
 
 #include <string>
@@ -9,33 +9,34 @@
 
 namespace crossgrain {
 
-/// Colours at equal distances, mixed between.
+/// A colour map: colours at equal distances, mixed in between.
 class ColourMap {
  public:
   explicit ColourMap(std::vector<Colour> colours) : colours_(std::move(colours)) {}
 
-  /// From light grey over yellow to dark red: what is small is not conspicuous.
+  /// Light grey over yellow to dark red: small numbers are inconspicuous.
   static ColourMap heat();
 
-  /// From light yellow over red to black: matplotlib's magma (CC0) the other way round.
+  /// Light yellow over red to black: matplotlib's magma (CC0), reversed.
   static ColourMap dusk();
 
-  /// The same from black to light yellow.
+  /// Black over red to light yellow.
   static ColourMap dawn();
 
-  /// `share` 0 to 1, clamped.
+  /// Colour at `share` of the map, clamped to 0 to 1.
   Colour at(double share) const;
 
  private:
   std::vector<Colour> colours_;
 };
 
-/// Where a number is between the ends of a scale.
+/// A linear or logarithmic scale.
 struct ColourScale {
   double low = 0, high = 1;
-  bool is_logarithmic = false;  ///< both ends are positive then
+  bool is_logarithmic = false;  ///< if set, both ends are positive
 
-  /// Below 0 and above 1 for numbers beyond the ends; not finite where there is no logarithm.
+  /// Position of a number between the ends, 0 to 1; outside that for numbers beyond the ends, and not finite
+  /// for a number without logarithm.
   double share_of(double value) const;
 
   struct Mark {
@@ -43,14 +44,14 @@ struct ColourScale {
     std::string text;
   };
 
-  /// Round numbers within the scale, five or so; powers of ten where it is logarithmic.
+  /// About five round numbers within the scale; powers of ten if it is logarithmic.
   std::vector<Mark> marks() const;
 };
 
-/// The least round number (1, 2, 2.5 or 5 times a power of ten) that is not below a positive one.
+/// The smallest round number (1, 2, 2.5 or 5 times a power of ten) not below a positive number.
 double round_up(double value);
 
-/// A number as a person writes it: no more digits than it has.
+/// A number as text, without superfluous digits.
 std::string number_text(double value);
 
 }  // namespace crossgrain

@@ -9,7 +9,7 @@
 namespace crossgrain {
 namespace {
 
-/// The triangles at each vertex, one vertex after the other.
+/// The triangles at each vertex, sorted by vertex.
 struct TrianglesOfVertices {
   std::vector<std::uint32_t> begin, triangles;
 

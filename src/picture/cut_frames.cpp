@@ -10,8 +10,8 @@
 namespace crossgrain {
 namespace {
 
-/// Two triangles for each of the six sides of a box, out of it; bit k of a corner's number says on which side
-/// of axis k it is.
+/// Two outward triangles for each of the six sides of a box; bit k of a corner's number is its side along
+/// axis k.
 constexpr std::array<std::array<std::uint32_t, 3>, 12> kBoxTriangles{{{0, 2, 3},
                                                                       {0, 3, 1},
                                                                       {4, 5, 7},
@@ -25,7 +25,7 @@ constexpr std::array<std::array<std::uint32_t, 3>, 12> kBoxTriangles{{{0, 2, 3},
                                                                       {1, 3, 7},
                                                                       {1, 7, 5}}};
 
-/// Points of a plane that are `spacing` apart, less rounding.
+/// Points of a plane at least `spacing` apart, less rounding.
 class PlacedApart {
  public:
   PlacedApart(std::size_t b, std::size_t c, double spacing) : b_(b), c_(c), spacing_(0.999 * spacing) {}
@@ -98,7 +98,7 @@ DrawnRods frame_crosses(const std::vector<PlacedFrame>& frames, double length, c
 std::vector<Vector3> places_on_plane(const Box& box, std::size_t axis, double position, double spacing,
                                      const std::function<bool(const Vector3&)>& is_wanted) {
   const std::size_t b = (axis + 1) % 3, c = (axis + 2) % 3;
-  // Rows begin so that as much is left over at either end.
+  // Rows are centred, with equal margins at both ends.
   const auto first = [&](std::size_t k, double step) {
     const double extent = box.high[k] - box.low[k];
     return box.low[k] + 0.5 * (extent - step * std::floor(extent / step));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames on a plane, evenly spread and so far apart that they do not touch.
+// Frames on a plane, evenly spread and far enough apart not to touch.
 #pragma once
 
 #include <functional>
@@ -21,8 +21,8 @@ DrawnMesh frame_boxes(const std::vector<PlacedFrame>& frames, double side, const
 /// Three rods along the axes of frames, `length` long.
 DrawnRods frame_crosses(const std::vector<PlacedFrame>& frames, double length, const Colour& colour);
 
-/// Places `spacing` apart on the plane square to coordinate axis `axis` at `position`, within `box`, that
-/// `is_wanted`: in rows, and between and beside these wherever there is room, as in thin walls.
+/// Positions at least `spacing` apart on the plane normal to coordinate axis `axis` at `position`, within
+/// `box`, for which `is_wanted` is true: in rows, and wherever else there is room, as in thin walls.
 std::vector<Vector3> places_on_plane(const Box& box, std::size_t axis, double position, double spacing,
                                      const std::function<bool(const Vector3&)>& is_wanted);
 

@@ -10,12 +10,12 @@
 
 namespace crossgrain {
 
-/// Where a plane square to a coordinate axis cuts a surface: its segments, in no order.
+/// The intersection of a surface with a plane normal to a coordinate axis, as unordered segments.
 class CutOutline {
  public:
   struct Segment {
     Vector3 from, to;
-    Vector3 normal;  ///< of the triangle; not of unit length
+    Vector3 normal;  ///< normal of the triangle; not of unit length
   };
 
   CutOutline(const std::vector<Vector3>& vertices, const std::vector<std::array<std::uint32_t, 3>>& triangles,
@@ -23,10 +23,10 @@ class CutOutline {
 
   const std::vector<Segment>& segments() const { return segments_; }
 
-  /// Whether the surface, which looks out, encloses a point of the plane.
+  /// Whether the surface, which is oriented outward, encloses a point of the plane.
   bool encloses(const Vector3& point) const;
 
-  /// From a point of the plane to the nearest segment; infinity where there is none.
+  /// Distance from a point of the plane to the nearest segment; infinity without segments.
   double distance_to(const Vector3& point) const;
 
  private:

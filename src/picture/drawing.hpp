@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is to be drawn, as shapes with colours that know nothing of fields.
+// The content of a picture as coloured shapes, independent of fields.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@
 
 namespace crossgrain {
 
-/// A point of a mesh that a ray meets, model units.
+/// A point at which a ray meets a mesh, model units.
 struct MeshPoint {
   Vector3 place;
-  Vector3 normal;  ///< of the triangle, by the right-hand rule, unit
+  Vector3 normal;  ///< unit normal of the triangle, by the right-hand rule
   std::uint32_t triangle;
 };
 
-/// Triangles of one look. More opaque where they are seen at a grazing angle, as glass is: so the outline of
-/// a translucent part shows, and what is behind its faces too.
+/// Triangles of one look. They are more opaque at a grazing angle, as glass is, so that a translucent part
+/// shows both its outline and what is behind its faces.
 struct DrawnMesh {
   std::vector<Vector3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -31,23 +31,23 @@ struct DrawnMesh {
 
   Colour colour = {0.7f, 0.7f, 0.7f};
 
-  /// Instead of `colour`, where it is set. Called from several threads at once.
+  /// Replaces `colour`, if set. Called from several threads at once.
   std::function<Colour(const MeshPoint&)> colour_at = {};
 
-  float opacity = 1;          ///< seen along its normal
-  float grazing_opacity = 1;  ///< seen from the side
+  float opacity = 1;          ///< opacity seen along the normal
+  float grazing_opacity = 1;  ///< opacity seen from the side
 
-  /// Sides that look away are not there.
+  /// Whether sides that face away from the viewer are omitted.
   bool has_front_only = false;
 
-  /// A section leaves it whole.
+  /// Whether a section leaves it uncut.
   bool is_whole = false;
 
-  /// Makes of the mesh a boundary of the solid that a section shows (Drawing::section): closed, looking out.
+  /// Whether the mesh bounds the solid that a section shows (Drawing::section): closed and oriented outward.
   bool bounds_solid = false;
 };
 
-/// A rod with round ends between two points; polylines are as many.
+/// A rod with round ends between two points. Polylines are drawn as several rods.
 struct Rod {
   Vector3 from, to;
   double radius;  ///< model units
@@ -61,8 +61,8 @@ struct Ball {
 };
 
 enum class RodLook {
-  kSolid,  ///< round, with a dark rim, and seen through everything: never dimmed by much
-  kInk     ///< of its own colour all over: a line
+  kSolid,  ///< round, with a dark rim, and visible through everything: never dimmed by much
+  kInk     ///< a line in one colour
 };
 
 /// Rods and balls of one look.
@@ -71,20 +71,20 @@ struct DrawnRods {
   std::vector<Rod> rods;
   std::vector<Ball> balls;
 
-  /// A section leaves them whole.
+  /// Whether a section leaves them uncut.
   bool is_whole = false;
 };
 
-/// A plane across the picture, which takes away what is in front of it, and what it cuts open.
+/// A plane across the picture: removes everything in front of it and shows what it cuts.
 struct Section {
-  Vector3 normal;  ///< unit; towards what is taken away, on the side of the viewer
-  double offset;   ///< normal . x = offset on the plane
+  Vector3 normal;  ///< unit; towards the removed part, on the side of the viewer
+  double offset;   ///< the plane is normal . x = offset
 
-  /// The colour at a point of the plane, and whether the meshes that bound the solid enclose it; none where
-  /// there is nothing to show. Called from several threads at once.
+  /// Colour at a point of the plane, given whether the meshes that bound the solid enclose it; none where
+  /// nothing is shown. Called from several threads at once.
   std::function<std::optional<Colour>(const Vector3& point, bool is_enclosed)> colour_at;
 
-  /// Rods of which what the section takes away is still drawn, of this opacity.
+  /// Rods whose removed part is still drawn, with `ghost_opacity`.
   std::vector<Rod> ghosts = {};
   float ghost_opacity = 0.25f;
 };

@@ -15,18 +15,18 @@
 namespace crossgrain {
 namespace {
 
-// In units of PictureWeights.
+// Radii in units of PictureWeights.
 constexpr double kSingularRadius = 4.2, kCreaseRadius = 1.0, kGhostRadius = 0.9, kOutlineRadius = 1.5,
                  kStreamlineRadius = 1.6;
 
-/// Faces that meet at less are shaded as one curved face.
+/// Largest angle between faces that are shaded as one curved face.
 constexpr double kSmoothDeg = 32;
 
-/// Sides of boxes and lengths of crosses over the distance between frames: a box turned any way stays within
-/// its place, and so does a cross.
+/// Sides of boxes and lengths of crosses as a share of the distance between frames: in any orientation they
+/// stay within their place.
 constexpr double kBoxShare = 0.58, kCrossShare = 0.84;
 
-/// Frames are so far from the outline, in distances between them.
+/// Distance of frames from the outline, as a share of the distance between frames.
 constexpr double kClearance = 0.3;
 
 constexpr Colour kBoxColour = colour_of(0x74a9dc), kCrossColour = colour_of(0x2c6db3);
@@ -65,7 +65,7 @@ std::vector<Rod> rods_along(const std::vector<std::vector<Vector3>>& lines, doub
   return rods;
 }
 
-/// A plane across the part and the frames on it.
+/// A cut through the part, and the frames on it.
 class Cut {
  public:
   Cut(const PictureSubject& subject, const PictureOptions& options, const Camera& camera)
@@ -106,7 +106,7 @@ class Cut {
         outline.rods.push_back({segment.from, segment.to, kOutlineRadius * unit_, ink});
       drawing.rods.push_back(std::move(outline));
     }
-    if (options_.lines) {  // which stand first
+    if (options_.lines) {  // the lines are the first rods
       DrawnRods crossings{RodLook::kSolid, {}, {}, true};
       crossings.balls = crossings_of(drawing.rods.front(), normal_, section.offset);
       drawing.rods.push_back(std::move(crossings));
@@ -116,7 +116,8 @@ class Cut {
   }
 
  private:
-  /// On a plane that is seen askew frames are further apart and smaller, so that none hides another.
+  /// Adds the frames on the cut. On a plane that is seen obliquely they are further apart and smaller, so
+  /// that none hides another.
   void add_frames(Drawing& drawing) const {
     if (options_.frames == PictureFrames::kNone) return;
     const double askew = std::sqrt(std::max(towards_, 0.1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a picture of a field shows.
+// The drawing of a field.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace crossgrain {
 
-/// What is drawn from; lives as long as the drawing.
+/// The data to draw; must live as long as the drawing.
 struct PictureSubject {
   const FieldData& field;
   const SolvedSurface& surface;
@@ -22,19 +22,19 @@ struct PictureSubject {
   const std::vector<std::vector<Vector3>>& streamlines;  ///< polylines
 };
 
-/// Thickness of things in a picture.
+/// The unit of line widths and sizes in a picture.
 struct PictureWeights {
-  double unit;  ///< model units; a 1200th of the shorter side of the picture
+  double unit;  ///< model units; 1/1200 of the shorter side of the picture
 
   explicit PictureWeights(const PictureOptions& options, const Camera& camera);
 };
 
 inline constexpr Colour kStreamlineColour = colour_of(0x2f9e8f);
 
-/// Throws Error(kUsage) where the options cut beside the part, or the cut is seen from its edge.
+/// The drawing of a field. Throws Error(kUsage) if the cut is beside the part or seen from its edge.
 Drawing field_drawing(const PictureSubject& subject, const PictureOptions& options, const Camera& camera);
 
-/// Colours that go with a background.
+/// Colours of lines and paper for a background.
 Colour ink_on(PictureBackground background);
 Colour paper_of(PictureBackground background);
 

@@ -15,7 +15,7 @@
 namespace crossgrain {
 namespace {
 
-/// The code points of a UTF-8 text; what is none counts as a question mark.
+/// The code points of a UTF-8 text, with question marks for invalid bytes.
 std::vector<int> code_points(std::string_view text) {
   std::vector<int> out;
   for (std::size_t i = 0; i < text.size();) {
@@ -34,7 +34,7 @@ std::vector<int> code_points(std::string_view text) {
 struct Font::Info {
   stbtt_fontinfo font;
 
-  /// Calls use(glyph, place) for every letter, in units of the font; returns where the text ends.
+  /// Calls use(glyph, place) for every letter, in units of the font. Returns the end of the text.
   template <class Use>
   int for_glyphs(std::string_view text, const Use& use) const {
     int place = 0, before = 0;

@@ -5,7 +5,7 @@
 
 namespace crossgrain {
 
-/// DejaVuSans.ttf, as it was when the library was built (cmake/CrossgrainEmbed.cmake).
+/// The content of DejaVuSans.ttf at build time (cmake/CrossgrainEmbed.cmake).
 std::string_view font_file();
 
 }  // namespace crossgrain

@@ -9,7 +9,7 @@
 namespace crossgrain {
 namespace {
 
-/// Whether a triangle and a box have nothing in common, for one of their sides keeps them apart.
+/// Whether a triangle and a box are disjoint, tested by separating lines along their sides.
 bool are_apart(const std::array<std::array<double, 2>, 3>& triangle, const PixelBox& box) {
   const auto [low_x, high_x] = std::minmax({triangle[0][0], triangle[1][0], triangle[2][0]});
   const auto [low_y, high_y] = std::minmax({triangle[0][1], triangle[1][1], triangle[2][1]});

@@ -10,26 +10,26 @@
 
 namespace crossgrain {
 
-/// The parts of a picture that a drawing leaves free.
+/// The corners of a picture that a drawing leaves free.
 class FreeCorners {
  public:
-  /// `triangles` of `vertices` are drawn as `camera` sees them.
+  /// Takes the drawn `triangles` of `vertices`, as seen by `camera`.
   FreeCorners(const std::vector<Vector3>& vertices,
               const std::vector<std::array<std::uint32_t, 3>>& triangles, const Camera& camera,
               const PixelBox& picture);
 
-  /// The first corner (upper right, upper left, lower right, lower left) where a box of that size meets no
-  /// triangle and no earlier box; it is taken then.
+  /// Takes the first corner (upper right, upper left, lower right, lower left) in which a box of that size
+  /// meets no triangle and no earlier box, and returns the box.
   std::optional<PixelBox> take(double width, double height);
 
-  /// What is taken by something else.
+  /// Excludes a box that is used otherwise.
   void keep_free_of(const PixelBox& box) { taken_.push_back(box); }
 
  private:
   bool is_free(const PixelBox& box) const;
 
   using Place = std::array<double, 2>;
-  std::vector<Place> places_;  ///< of the vertices, pixels
+  std::vector<Place> places_;  ///< pixel positions of the vertices
   const std::vector<std::array<std::uint32_t, 3>>* triangles_;
   PixelBox picture_;
   std::vector<PixelBox> taken_;

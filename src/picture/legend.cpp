@@ -8,7 +8,7 @@
 namespace crossgrain {
 namespace {
 
-// In heights of letters.
+// Lengths in heights of letters.
 constexpr double kLine = 1.6, kBetweenBlocks = 1.3, kTitle = 1.75;
 constexpr double kBarHeight = 11, kBarWidth = 1.1, kMark = 0.35, kBarText = 0.7;
 constexpr double kSign = 1.9, kSignText = 0.6;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the colours of a picture mean: a column of blocks, each with a title, a colour bar or a list of signs.
+// The legend of a picture: a column of blocks, each with a title and a colour bar or a list of signs.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace crossgrain {
 struct ColourBar {
   ColourMap map;
   ColourScale scale;
-  bool goes_on = false;  ///< numbers above the scale have the colour of its end
+  bool goes_on = false;  ///< whether there are numbers above the scale, which have the colour of its end
 };
 
 struct Sign {
@@ -26,17 +26,17 @@ struct Sign {
 
 struct LegendBlock {
   std::string title;
-  std::string unit = {};  ///< in brackets behind the title; may be empty
+  std::string unit = {};  ///< shown in brackets after the title; may be empty
   std::optional<ColourBar> bar = {};
   std::vector<Sign> signs = {};
 };
 
 class Legend {
  public:
-  /// `size` of the letters, in pixels.
+  /// A legend with letters of `size` pixels.
   Legend(std::vector<LegendBlock> blocks, double size) : blocks_(std::move(blocks)), size_(size) {}
 
-  /// In pixels; 0 without blocks.
+  /// Size in pixels; 0 without blocks.
   double width() const;
   double height() const;
 

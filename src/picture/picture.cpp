@@ -62,14 +62,14 @@ std::shared_ptr<const SolvedSurface> surface_of(const FieldData& field) {
   return surface;
 }
 
-/// Where the part, the legend and the axes are.
+/// The positions of the part, the legend and the axes.
 struct Layout {
   double text_size, margin;
   std::optional<Camera> camera;
   std::optional<PixelBox> legend, axes;
 
-  /// The part fills the picture, with the legend in a corner that it leaves free; where there is none the
-  /// part makes way, and where the legend would take half of the picture there is none.
+  /// The part fills the picture, with the legend in a free corner. Without a free corner the part is moved
+  /// aside; a legend that would take half of the picture is omitted.
   Layout(const PictureOptions& options, const SolvedSurface& surface,
          const std::vector<LegendBlock>& blocks) {
     text_size = std::max(21 * std::min(options.width, options.height) / 1200.0, 10.0);

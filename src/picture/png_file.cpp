@@ -12,10 +12,12 @@
 namespace crossgrain {
 namespace {
 
-/// Of zlib: higher levels make a picture of lines and smooth shades a tenth smaller in three times the time.
+/// Level of zlib: higher levels make a picture of lines and smooth shades a tenth smaller in three times the
+/// time.
 constexpr int kCompression = 4;
 
-/// What the callbacks of libpng, which is C, need. Exceptions must not pass through it: they wait here.
+/// The data of libpng's callbacks. Exceptions must not pass through libpng, which is C, so they are stored
+/// here.
 struct Destination {
   OutputFile& file;
   std::exception_ptr failure;
@@ -32,14 +34,14 @@ void write_bytes(png_structp png, png_bytep bytes, std::size_t size) {
   png_error(png, "cannot be written");
 }
 
-/// All is written at the end by OutputFile.
+/// Does nothing: OutputFile writes everything at the end.
 void flush_nothing(png_structp) {}
 
 std::uint8_t byte_of(float value) {
   return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255 + 0.5f);
 }
 
-/// Bytes of a row. The colour of a transparent pixel stands beside its opacity, not multiplied by it.
+/// Fills the bytes of a row. Transparent pixels have their colour without the factor of opacity.
 void put_row(const Image& image, int y, bool with_opacity, std::vector<std::uint8_t>& row) {
   row.clear();
   for (int x = 0; x < image.width(); ++x) {
@@ -58,7 +60,7 @@ bool is_transparent_anywhere(const Image& image) {
   return false;
 }
 
-/// Everything that libpng may jump out of; false where it has. Nothing in here has a destructor.
+/// Writes all rows. Returns false if libpng has jumped out of it, so nothing in here has a destructor.
 bool write_rows(png_structp png, png_infop info, const Image& image, bool with_opacity,
                 std::vector<std::uint8_t>& row, const Monitor& monitor, Destination& to) {
   if (setjmp(png_jmpbuf(png))) return false;
@@ -83,7 +85,7 @@ bool write_rows(png_structp png, png_infop info, const Image& image, bool with_o
   return true;
 }
 
-/// Libpng's own would print them.
+/// Replaces libpng's own handlers, which would print errors and warnings.
 [[noreturn]] void jump_on_error(png_structp png, png_const_charp) {
   png_longjmp(png, 1);
 }
@@ -106,7 +108,7 @@ void write_png(OutputFile& file, const Image& image, const Monitor& monitor) {
   const bool is_written = write_rows(png, info, image, with_opacity, row, monitor, to);
   png_destroy_write_struct(&png, &info);
   if (to.failure) std::rethrow_exception(to.failure);
-  if (!is_written) throw std::bad_alloc();  // what else libpng fails of
+  if (!is_written) throw std::bad_alloc();  // the only other failure of libpng
 }
 
 }  // namespace crossgrain

@@ -7,8 +7,8 @@
 
 namespace crossgrain {
 
-/// Writes a PNG file of 8 bits a channel: RGBA, or RGB where no pixel is transparent. The same bytes for the
-/// same image. Throws Error(kOutput), and Error(kInterrupted) once the monitor is cancelled.
+/// Writes a PNG file with 8 bits per channel: RGBA, or RGB if no pixel is transparent. The same image gives
+/// the same bytes. Throws Error(kOutput), and Error(kInterrupted) once the monitor is cancelled.
 void write_png(OutputFile& file, const Image& image, const Monitor& monitor);
 
 }  // namespace crossgrain

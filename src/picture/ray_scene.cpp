@@ -16,16 +16,17 @@ namespace {
 
 constexpr const char* kEveryProcessor = "isa=sse2";
 
-/// Distances of one place, in ray space, whose shapes are about 1 large: rounding of single precision.
+/// Distance within which two hits are at the same place, in ray space, whose shapes are about 1 large:
+/// rounding of single precision.
 constexpr float kSameDistance = 1e-6f;
 
-/// What the filter below fills.
+/// The context of the filter below.
 struct CollectingContext {
-  RTCIntersectContext embree;  // first, so that a pointer to it is one to the whole
+  RTCIntersectContext embree;  // first, so that its address is that of the whole
   std::vector<ShapeHit>* hits;
 };
 
-/// Notes every triangle down that a ray meets, and lets the ray go on.
+/// Records every triangle that a ray meets, and lets the ray continue.
 void collect(const RTCFilterFunctionNArguments* arguments) {
   auto* context = reinterpret_cast<CollectingContext*>(arguments->context);
   const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
@@ -41,10 +42,10 @@ struct RodPiece {
   std::uint32_t rod;
 };
 
-/// Long rods are cut up: the box around one that runs askew is almost empty, and every ray through it would
-/// ask for the rod.
+/// Adds a rod in pieces: the box around a long oblique rod is almost empty, and every ray through it would be
+/// tested against the rod.
 void add_pieces(const Rod& rod, std::uint32_t number, std::vector<RodPiece>& pieces) {
-  constexpr double kLongest = 24, kMostPieces = 512;  // in radii
+  constexpr double kLongest = 24, kMostPieces = 512;  // lengths in radii
   const double wanted = std::ceil(norm(rod.to - rod.from) / (kLongest * rod.radius));
   const int count = static_cast<int>(std::clamp(wanted, 1.0, kMostPieces));
   const Vector3 step = (1.0 / count) * (rod.to - rod.from);
@@ -85,7 +86,7 @@ struct RayScene::Embree {
   RTCScene scene;
   std::uint32_t shapes = 0;
   bool is_empty = true;
-  std::map<std::uint32_t, std::vector<RodPiece>> pieces;  ///< of the shapes that are rods
+  std::map<std::uint32_t, std::vector<RodPiece>> pieces;  ///< pieces of the shapes that are rods
 
   explicit Embree(RTCDevice of) : device(of), scene(rtcNewScene(of)) {
     if (!scene) throw std::bad_alloc();
@@ -94,7 +95,7 @@ struct RayScene::Embree {
   Embree(const Embree&) = delete;
   Embree& operator=(const Embree&) = delete;
 
-  /// Fills a buffer of `geometry` with rows of T.
+  /// A new buffer of `geometry` with rows of T.
   template <class T>
   T* buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t rows) {
     void* memory = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), rows);
@@ -102,7 +103,7 @@ struct RayScene::Embree {
     return static_cast<T*>(memory);
   }
 
-  /// A shape without content has its number all the same.
+  /// Counts a shape without content, which has a number too.
   void pass_over() { ++shapes; }
 
   void add(RTCGeometry geometry) {
@@ -142,7 +143,7 @@ void RayScene::add_rods(const std::vector<Rod>& rods) {
   for (std::size_t i = 0; i < rods.size(); ++i) add_pieces(rods[i], static_cast<std::uint32_t>(i), pieces);
   if (pieces.empty()) return embree_->pass_over();
   RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
-  using End = std::array<float, 4>;  // place and radius
+  using End = std::array<float, 4>;  // position and radius
   auto* ends = embree_->buffer<End>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, 2 * pieces.size());
   auto* first =
       embree_->buffer<std::uint32_t>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, pieces.size());

@@ -7,10 +7,11 @@
 namespace crossgrain {
 namespace {
 
-/// Rays begin so far before the nearest point, in ray space: rods and balls stand out of the model.
+/// Distance of the start of rays before the nearest point, in ray space: rods and balls protrude from the
+/// model.
 constexpr double kHeadStart = 0.25;
 
-/// Behind so much nothing is seen.
+/// Opacity behind which nothing is visible.
 constexpr float kOpaque = 0.996f;
 
 RaySpace space_around(const Drawing& drawing) {
@@ -27,12 +28,12 @@ RaySpace space_around(const Drawing& drawing) {
   return {0.5 * (low + high), size > 0 ? size : 1};
 }
 
-/// Numbers of what layers are, from one to the next.
+/// The signature of layers with one more of this kind.
 std::uint32_t signature_with(std::uint32_t signature, std::uint32_t kind) {
   return (signature ^ (kind + 1)) * 0x9e3779b1u;
 }
 
-/// Positive where a ray comes out of what a mesh bounds.
+/// The component of a hit's normal along the ray: positive where the ray leaves the solid.
 double along(const ShapeHit& hit, const Ray& ray) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) sum += static_cast<double>(hit.normal[k]) * ray.direction[k];
@@ -56,14 +57,14 @@ void RayTracing::Shapes::add(const DrawnRods& drawn) {
   drawn_rods.push_back(&drawn);
 }
 
-/// The layers so far.
+/// The layers along one ray so far.
 class RayTracing::Layers {
  public:
   void add(const Pixel& layer, std::uint32_t kind) {
     seen_ = {over(seen_.pixel, layer), signature_with(seen_.signature, kind)};
   }
 
-  /// A rod, which is seen through what is in front of it to `least` at least.
+  /// Adds a rod, at least `least` of which stays visible through the layers in front of it.
   void add_rod(const Colour& colour, float least) {
     Pixel& front = seen_.pixel;
     if (1 - front.opacity < least) {
@@ -162,7 +163,7 @@ std::optional<RayTracing::RodHit> RayTracing::nearest_rod(const Ray& cut, const 
   return std::nullopt;
 }
 
-/// Whether the beginning of a ray is inside, by how often it comes out of the solid and goes in.
+/// Whether the start of a ray is inside: it leaves the solid more often than it enters it.
 bool RayTracing::is_enclosed(const std::vector<ShapeHit>& hits, const Ray& ray) const {
   int winding = 0;
   for (const ShapeHit& hit : hits) {

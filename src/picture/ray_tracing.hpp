@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is seen at a point of a picture: the layers along one ray, laid over one another.
+// The colour at a point of a picture: the layers along one ray, composited.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@
 
 namespace crossgrain {
 
-/// Casts rays at a drawing, which it refers to. To be used from any number of threads, each with lists of its
-/// own.
+/// Casts rays at a drawing, which it refers to. Safe to use from any number of threads, each with its own
+/// Scratch.
 class RayTracing {
  public:
-  /// What a thread needs from ray to ray.
+  /// Lists that a thread reuses from ray to ray.
   struct Scratch {
     std::vector<ShapeHit> cut_hits, whole_hits;
   };
@@ -26,24 +26,24 @@ class RayTracing {
   struct Seen {
     Pixel pixel;
 
-    /// Of what the layers are: where it changes an edge runs between two rays.
+    /// Hash of the kinds of layers: an edge runs between two rays with different ones.
     std::uint32_t signature = 0;
   };
 
   RayTracing(const Drawing& drawing, const Camera& camera, const RenderOptions& options);
 
-  /// At a point of the picture, in pixels.
+  /// The colour at a point of the picture, in pixels.
   Seen at(double x, double y, Scratch& scratch) const;
 
  private:
-  /// The meshes, or the rods and balls, that a section cuts or leaves whole.
+  /// The meshes, rods and balls that a section cuts, or those that it leaves whole.
   struct Shapes {
     Shapes(const RayDevice& device, const RaySpace& space) : meshes(device, space), rods(device, space) {}
     void add(const DrawnMesh& mesh);
     void add(const DrawnRods& rods);
 
     RayScene meshes, rods;
-    std::vector<const DrawnMesh*> drawn_meshes;  ///< a shape each
+    std::vector<const DrawnMesh*> drawn_meshes;  ///< one shape each
     std::vector<const DrawnRods*> drawn_rods;    ///< two shapes each: rods, balls
   };
 
@@ -61,7 +61,7 @@ class RayTracing {
   SeenNormal seen_normal(const std::array<float, 3>& normal) const;
   float depth_share(float distance) const;
 
-  /// What is seen along one ray so far.
+  /// The layers along one ray.
   class Layers;
 
   const Drawing& drawing_;
@@ -71,7 +71,7 @@ class RayTracing {
   RayDevice device_;
   Shapes cut_, whole_;
   RayScene ghosts_;
-  double first_depth_, last_depth_;  ///< distances along a ray of the nearest and the farthest of the model
+  double first_depth_, last_depth_;  ///< distances along a ray of the model's nearest and farthest point
 };
 
 }  // namespace crossgrain

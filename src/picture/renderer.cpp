@@ -13,16 +13,16 @@
 namespace crossgrain {
 namespace {
 
-/// Rows of pixels that one task takes.
+/// Number of rows of pixels per task.
 constexpr std::size_t kRowsAtOnce = 8;
 
-/// Neighbours that differ by more in any channel have an edge between them: what the eye sees as a step, and
-/// more than the cells of a good field differ by.
+/// Smallest difference in a channel that makes an edge between neighbours: what the eye sees as a step, and
+/// more than the difference between cells of a good field.
 constexpr float kStep = 0.05f;
 
-/// Where the rays of a pixel on an edge go, in sixteenths of it: no two in one row or column, so that edges
-/// near the horizontal and the vertical have as many shades as there are rays. The first of them, one in each
-/// quarter, tell whether the edge is in this pixel at all.
+/// Positions of the rays of a pixel on an edge, in sixteenths of it: no two in one row or column, so that
+/// nearly horizontal and vertical edges have as many shades as there are rays. The first kFirstRays, one in
+/// each quarter, decide whether the edge is in this pixel at all.
 constexpr std::size_t kFirstRays = 4;
 constexpr std::array<std::array<int, 2>, 16> kPlaces{{{5, 4},
                                                       {14, 3},
@@ -93,8 +93,8 @@ class Renderer {
            static_cast<std::size_t>(x);
   }
 
-  /// How many more rays a pixel takes: all where the outline of something runs between it and a neighbour, a
-  /// few where there is only a step in the colour of the same thing, as from cell to cell.
+  /// Number of further rays for a pixel: all if an outline runs between it and a neighbour, a few if only the
+  /// colour of the same shape changes, as from cell to cell.
   std::size_t rays_in(int x, int y) const {
     bool has_step = false;
     for (int there_y = std::max(y - 1, 0); there_y <= std::min(y + 1, first_.height() - 1); ++there_y) {

@@ -9,16 +9,16 @@
 namespace crossgrain {
 
 struct RenderOptions {
-  /// What far-off things fade into, and how much of it the farthest have.
+  /// Colour into which distant things fade, and its share in the farthest.
   Colour haze = {1, 1, 1};
   float haze_share = 0.3f;
 
-  /// The least of a solid rod that is seen through however many translucent faces.
+  /// Smallest part of a solid rod that stays visible through any number of translucent faces.
   float least_seen_through = 0.58f;
 };
 
-/// Casts rays at a drawing and lays what they meet over the image: one a pixel, and many where it changes
-/// from pixel to pixel. The same image to the bit for any number of threads. Throws Error(kInterrupted).
+/// Casts rays at a drawing and composites the result over the image: one ray per pixel, and many where the
+/// picture changes between pixels. Bitwise identical for any number of threads. Throws Error(kInterrupted).
 void render(const Drawing& drawing, const Camera& camera, const RenderOptions& options, Image& image,
             const Monitor& monitor);
 

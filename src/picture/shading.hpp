@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light: soft from above, a key light from the upper left of the viewer and a weak one from the right. Square
-// roots and products only, so that a colour is the same on every machine.
+// Lighting: soft from above, a key light from the upper left of the viewer and a weak one from the right.
+// Uses only square roots and products, so that colours are the same on every machine.
 #pragma once
 
 #include <algorithm>
@@ -23,14 +23,14 @@ inline float seen_dot(const SeenNormal& a, const SeenNormal& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Of a matt surface, about 0.5 to 1.
+/// Brightness of a matt surface, about 0.5 to 1.
 inline float brightness(const SeenNormal& normal) {
   return light::kAmbient + light::kSky * normal[1] +
          light::kKeyShare * std::max(seen_dot(normal, light::kKey), 0.0f) +
          light::kFillShare * std::max(seen_dot(normal, light::kFill), 0.0f);
 }
 
-/// What a glossy surface adds, 0 to 1: a spot where the key light is seen in it.
+/// Highlight of a glossy surface, 0 to 1: the reflection of the key light.
 inline float highlight(const SeenNormal& normal) {
   // The direction half-way between the key light and the viewer.
   constexpr SeenNormal kHalfWay{-0.249f, 0.343f, 0.906f};
@@ -39,7 +39,7 @@ inline float highlight(const SeenNormal& normal) {
   return eighth * eighth * eighth;
 }
 
-/// A round thing's colour: glossy, and dark at the rim, which sets it off from what is behind.
+/// Colour of a round shape: glossy, with a dark rim that sets it off from the background.
 inline Colour solid_shade(const Colour& colour, const SeenNormal& normal) {
   const float rim = std::clamp((normal[2] - 0.10f) / 0.35f, 0.0f, 1.0f);
   const float shade = (0.12f + 0.88f * brightness(normal)) * (0.42f + 0.58f * rim);

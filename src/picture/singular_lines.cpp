@@ -19,10 +19,10 @@ enum NodeKind : std::size_t { kPossibleNode, kUndecidedNode, kImpossibleNode, kE
 struct Look {
   const char* text;
   Colour colour;
-  double thickness;  ///< of the usual radius
+  double thickness;  ///< as a multiple of the usual radius
 };
 
-// Blue and orange are told apart by every eye; what is wrong is thicker besides.
+// Blue and orange are distinguishable with any colour vision; faults are also thicker.
 constexpr std::array<Look, kArcKinds> kArcs{{{"index +1/4: three hexahedra", colour_of(0x1272c4), 1},
                                              {"index −1/4: five hexahedra", colour_of(0xf09a1a), 1},
                                              {"index −1/2: six hexahedra", colour_of(0x12916f), 1},
@@ -46,13 +46,14 @@ NodeKind kind_of(const Node& node) {
   return node.on_boundary ? kEnd : kPossibleNode;
 }
 
-/// A short arc is thinner, down to about half, so that the balls at its ends do not hide it.
+/// Radius of an arc: short ones are thinner, down to about half, so that the balls at their ends do not hide
+/// them.
 double radius_of(const Arc& arc, double usual) {
   constexpr double kShareOfLength = 0.09, kThinnest = 0.5;
   return kArcs[kind_of(arc)].thickness * std::clamp(kShareOfLength * arc.length, kThinnest * usual, usual);
 }
 
-/// By the thinnest arc that ends there.
+/// Radius of a node, from the thinnest arc that ends there.
 double radius_of(const Node& node, const SingularityGraph& graph, double usual) {
   double thinnest = usual;
   for (const std::uint32_t arc : node.arcs)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Singular lines as rods, their nodes as balls.
+// Singular lines as rods, and their nodes as balls.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace crossgrain {
 
-/// `radius` of rods, model units; `ink` of nodes of which there is nothing to say.
+/// Rods and balls of a graph: `radius` of the rods, model units; `ink` is the colour of nodes without fault.
 DrawnRods singular_lines(const SingularityGraph& graph, double radius, const Colour& ink);
 
-/// Where singular lines cross a plane.
+/// Balls at the points where singular lines cross a plane.
 std::vector<Ball> crossings_of(const DrawnRods& lines, const Vector3& normal, double offset);
 
-/// What their colours mean, of those that there are; none where there are none.
+/// Legend of the colours that occur; none if there are no lines.
 std::optional<LegendBlock> legend_of(const SingularityGraph& graph, const Colour& ink);
 
 }  // namespace crossgrain

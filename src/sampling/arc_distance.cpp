@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t kLeafSegments = 4;
 
-/// Boxes are larger than what they hold by this share of the size of all, and looked into where they are
-/// farther than the best so far by this share: far more than rounding, so that the answer is the least of the
-/// distances to all segments as they come out, whichever were looked at.
+/// Enlargement of boxes, as a share of the size of all, and of the best distance below which boxes are
+/// visited: far more than rounding, so that the result is the smallest computed distance to any segment,
+/// whichever are visited.
 constexpr double kMargin = 1e-12;
 
 template <class Real>
@@ -24,7 +24,7 @@ Real larger(const Real& a, const Real& b) {
   return select(a > b, a, b);
 }
 
-/// in_every_lane of three numbers.
+/// A vector of in_every_lane of three numbers.
 template <class Real>
 BasicVector3<Real> vector_at(const double* x) {
   return {in_every_lane<Real>(x), in_every_lane<Real>(x + 1), in_every_lane<Real>(x + 2)};
@@ -32,7 +32,7 @@ BasicVector3<Real> vector_at(const double* x) {
 
 }  // namespace
 
-/// Halves the segments by their middles, along the longest side.
+/// Builds the tree by halving the segments at the median of their centres, along the longest side.
 class ArcDistance::Builder {
  public:
   Builder(std::vector<Segment> segments, ArcDistance& result)
@@ -94,17 +94,17 @@ class ArcDistance::Builder {
   double margin_ = 0;
 };
 
-/// Looks for the nearest segments of as many points as Real has lanes.
+/// Searches the nearest segments of as many points as Real has lanes.
 template <class Real>
 class ArcDistance::Search {
  public:
   explicit Search(const ArcDistance& tree) : tree_(tree) {}
 
-  /// Of points as far apart as they like; `first` is the one in the first lane.
+  /// Distances of the points, at any distance from each other; `first` is the one in the first lane.
   Real distance(const BasicVector3<Real>& point, const Vector3& first) {
     using std::sqrt;
     best_ = std::numeric_limits<double>::infinity();
-    // Near the best of the points before, or where the nearest boxes lead to.
+    // Starts with the last best segment and with the leaf that the nearest boxes lead to.
     visit_segment(point, hint_);
     visit_leaf(point, leaf_towards(first));
     for (std::uint32_t i = 0; i < tree_.nodes_.size();) {

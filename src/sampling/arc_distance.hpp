@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far it is to the nearest singular line.
+// Distance to the nearest singular line.
 //
-// Boxes around segments lie in one array in depth-first order, as those of triangles in surface/bvh.hpp.
+// Boxes around segments are in one array in depth-first order, as those of triangles in surface/bvh.hpp.
 #pragma once
 
 #include <array>
@@ -19,11 +19,11 @@ class ArcDistance {
  public:
   explicit ArcDistance(std::span<const SingularityGraph::Arc> arcs);
 
-  /// From a point of finite coordinates to the nearest point of all arcs; infinity where there is none.
+  /// Distance from a point with finite coordinates to the nearest point of all arcs; infinity without arcs.
   double at(const Vector3& point) const;
 
-  /// The same of many points, to the bit. Several are looked for side by side: fast where points that follow
-  /// each other are near each other.
+  /// Distances of many points, bitwise identical to calling `at` on each. Searches several side by side,
+  /// which is fast if consecutive points are near each other.
   void at(std::span<const Vector3> points, std::span<double> distances) const;
 
  private:
@@ -31,12 +31,12 @@ class ArcDistance {
     Vector3 start, end;
   };
 
-  /// Holds the segments [first, first + count); a leaf if skip is its own index + 1.
+  /// Node over the segments [first, first + count); a leaf if skip is its own index + 1.
   struct Node {
     std::uint32_t skip, first, count;
   };
 
-  static constexpr std::size_t kRow = 8;  ///< doubles of a box or of a segment
+  static constexpr std::size_t kRow = 8;  ///< number of doubles of a box or a segment
 
   class Builder;
   template <class Real>
@@ -44,8 +44,8 @@ class ArcDistance {
 
   std::vector<Node> nodes_;
 
-  /// Of each node low and high corner; of each segment its start, the way to its end, and one over the square
-  /// of that. Rows of kRow, and one more that lets whole vectors be read from any number on.
+  /// Low and high corner of each node; start, vector to the end, and one over its squared length of each
+  /// segment. In rows of kRow, with one extra row so that whole vectors can be read from any position.
   std::vector<double> boxes_, segments_;
 };
 

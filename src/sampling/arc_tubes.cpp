@@ -11,7 +11,7 @@
 namespace crossgrain {
 namespace {
 
-/// Halvings of a way until rounding: a share to 1e-9.
+/// Number of halvings of a path, which give a share to 1e-9.
 constexpr int kHalvings = 30;
 
 double distance_to(const GridEdge& edge, const Vector3& point) {
@@ -35,7 +35,7 @@ ArcTubes::ArcTubes(const LeafFinder& finder, std::vector<GridEdge> edges, double
 }
 
 void ArcTubes::enter(const LeafFinder& finder, std::uint32_t edge) {
-  // A tube reaches no further than the cells of the edge's length that touch it.
+  // A tube stays within the cells of the edge's length that touch it.
   const GridPoint& start = edges_[edge].start;
   const std::int32_t length = edges_[edge].length;
   const int axis = edges_[edge].axis;
@@ -66,8 +66,8 @@ double ArcTubes::share_to(const GridEdge& edge, const Vector3& from, const Vecto
   const double radius = radius_cells_ * edge.length;
   const auto distance = [&](double share) { return distance_to(edge, from + share * (to - from)); };
   if (distance(0) <= radius) return 0;
-  // The distance to a convex set is convex along the way: its least value by golden section, unless the end
-  // is already inside; then the way in.
+  // The distance to a convex set is convex along the path: find its minimum by golden section, unless the end
+  // is inside, and then the point of entry.
   double inside = 1;
   if (distance(1) > radius) {
     constexpr double kGolden = 0.6180339887498949;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a straight way comes near to singular edges of the grid.
+// Tubes around singular edges of the grid.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@
 
 namespace crossgrain {
 
-/// The tubes around singular edges: what is nearer to an edge than a given part of its length, the size of
-/// the smallest cell at it. Takes memory for the leaves at tubes only. Queries are safe from any number of
-/// threads.
+/// Tubes around singular edges: the points nearer to an edge than a given part of its length, which is the
+/// size of the smallest cell at it. Takes memory only for the leaves at tubes. Queries are safe from any
+/// number of threads.
 class ArcTubes {
  public:
-  /// `radius_cells` from 0 to 1.
+  /// Builds the tubes; `radius_cells` is from 0 to 1.
   ArcTubes(const LeafFinder& finder, std::vector<GridEdge> edges, double radius_cells);
 
-  /// The share of the way from `from` to `to` after which it is in a tube that reaches into `leaf`; 1 where
-  /// it comes into none. In units of the smallest possible cell.
+  /// Share of the segment from `from` to `to` at which it enters a tube that reaches into `leaf`; 1 if it
+  /// enters none. In units of the smallest possible cell.
   double share_to(CellIndex leaf, const Vector3& from, const Vector3& to) const;
 
   /// Whether a point of `leaf` is in a tube.

@@ -17,26 +17,26 @@ namespace crossgrain {
 namespace {
 
 /// The pair of orders 3 and 2 of P. Bogacki and L. F. Shampine (1989), Appl. Math. Lett. 2(4), 321-325. The
-/// interpolated field has kinks in planes half a cell apart, over which a higher order neither gains nor
-/// knows its error: docs/notes/streamlines.md has the comparison with orders 5 and 4.
+/// interpolated field has kinks in planes half a cell apart, across which a higher order gains nothing and
+/// cannot estimate its error: docs/notes/streamlines.md has the comparison with orders 5 and 4.
 constexpr std::size_t kStages = 4;
 constexpr std::array<std::array<double, kStages - 1>, kStages - 1> kStageWeights = {
     {{1.0 / 2, 0, 0}, {0, 3.0 / 4, 0}, {2.0 / 9, 1.0 / 3, 4.0 / 9}}};
 
-/// Of the directions in the difference of the two results, over h.
+/// Weights of the directions in the difference of the two results, over h.
 constexpr std::array<double, kStages> kErrorWeights = {-5.0 / 72, 1.0 / 12, 1.0 / 9, -1.0 / 8};
 constexpr double kLowerOrder = 2;
 
-/// Beyond 45 degrees from the direction before, another axis may be as near.
+/// Cosine of 45 degrees: beyond that angle from the previous direction, another axis may be as near.
 constexpr double kLeastCosine = 0.7071067811865476;
 
-/// Steps aim at a little less than the tolerance, so that few are taken twice, and change by factors at most.
+/// Steps aim at slightly less than the tolerance, so that few are repeated, and change by limited factors.
 constexpr double kSafety = 0.9, kLeastFactor = 0.2, kMostFactor = 4;
 
-/// A line is back at its seed only if it points there as it did: this is the cosine of 25 degrees.
+/// Smallest cosine between the directions at the seed and on return to it, of 25 degrees.
 constexpr double kSameDirection = 0.9;
 
-/// The point of the cubic through two points with these tangents, at `share` of the way.
+/// Point at `share` on the cubic through two points with these tangents.
 Vector3 on_cubic(const LineFront& from, const Vector3& to, const Vector3& direction, double h, double share) {
   const double t = share, s = 1 - share;
   return (s * s * (1 + 2 * t)) * from.point + (t * t * (1 + 2 * s)) * to +
@@ -46,17 +46,17 @@ Vector3 on_cubic(const LineFront& from, const Vector3& to, const Vector3& direct
 }  // namespace
 
 struct AxisIntegrator::Step {
-  LineFront front;  ///< at the end
+  LineFront front;  ///< front at the end of the step
   double h;
   double error;       ///< per length
-  bool is_ambiguous;  ///< some stage has no axis within 45 degrees of the first
+  bool is_ambiguous;  ///< a stage has no axis within 45 degrees of the first direction
 };
 
-/// The first thing that keeps a step from its end.
+/// The first obstacle on a step.
 struct AxisIntegrator::Stop {
-  double share = 1;  ///< of the straight way; 1 for nothing
+  double share = 1;  ///< share of the straight segment; 1 without an obstacle
   StreamlineEnd reason = StreamlineEnd::kBoundary;
-  CellIndex leaf = kNoCell;  ///< where the way ends
+  CellIndex leaf = kNoCell;  ///< leaf in which the segment ends
 
   void at(double other_share, StreamlineEnd other_reason) {
     if (!(other_share < share)) return;
@@ -118,8 +118,8 @@ AxisIntegrator::Stop AxisIntegrator::first_stop(const LineFront& from, const Ste
   enter(from.leaf);
   const WalkEnd way =
       walk(field_.leaves, from.leaf, begin, end, [&](const PlacedLeaf& leaf, const PlacedLeaf& next) {
-        // Closed faces stand for a surface that is not known. Where it is, what little of the solid there may
-        // be beside it on such a face is no end.
+        // Closed faces represent an unknown surface. If the surface is known, they are no end: little of the
+        // solid can be beside it on such a face.
         if (!field_.boundary && !joined(leaf, next)) return false;
         enter(next.index);
         return true;
@@ -132,7 +132,7 @@ AxisIntegrator::Stop AxisIntegrator::first_stop(const LineFront& from, const Ste
   return stop;
 }
 
-/// A line while it grows.
+/// A line under construction.
 class AxisIntegrator::Way {
  public:
   Way(const AxisIntegrator& integrator, const LineFront& seed)
@@ -148,7 +148,7 @@ class AxisIntegrator::Way {
 
   HalfLine take() { return std::move(line_); }
 
-  /// Tries one step; whether the line may go on.
+  /// Tries one step. Returns whether the line may continue.
   bool advance() {
     h_ = std::clamp(h_, smallest_h(), options_.largest_step_cells * cell());
     const Step step = of_.step(front_, h_);
@@ -181,7 +181,7 @@ class AxisIntegrator::Way {
     return false;
   }
 
-  /// Of a leaf across a closed face the step knows nothing.
+  /// Enters a leaf behind a closed face, which the step has not seen.
   void enter(CellIndex leaf) {
     front_.leaf = leaf;
     front_.direction = of_.direction_at(front_, front_.point, front_.leaf);
@@ -195,8 +195,8 @@ class AxisIntegrator::Way {
     line_.tangents.push_back(direction);
   }
 
-  /// Steps that are stopped are made shorter until the straight way, on which the stop is, is near to the
-  /// line there: off by half of h |k_4 - k_1| t (1 - t) at share t of a step that bends evenly.
+  /// Shortens a step that is stopped until the straight segment, on which the stop is, is near the line
+  /// there: off by half of h |k_4 - k_1| t (1 - t) at share t of a step that bends evenly.
   bool stopped(const Step& step, const Stop& stop) {
     const Vector3 bend = step.front.direction - front_.direction;
     const double off = 0.5 * h_ * norm(bend) * stop.share * (1 - stop.share);
@@ -208,7 +208,7 @@ class AxisIntegrator::Way {
     return ended(stop.reason);
   }
 
-  /// Whether the step passes by the seed; the line ends there then.
+  /// Whether the step passes the seed; if so, ends the line there.
   bool is_closed_by(const Step& step) {
     const double before = dot(front_.point - seed_.point, seed_.direction);
     const double after = dot(step.front.point - seed_.point, seed_.direction);

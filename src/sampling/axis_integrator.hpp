@@ -13,14 +13,14 @@
 
 namespace crossgrain {
 
-/// Where a line has come to.
+/// The current end of a line.
 struct LineFront {
   Vector3 point;  ///< model units
   Vector3 direction;
-  CellIndex leaf;  ///< that holds the point
+  CellIndex leaf;  ///< leaf that holds the point
 };
 
-/// A line one way from its seed, which is its first point.
+/// The part of a line in one direction from its seed, which is its first point.
 struct HalfLine {
   std::vector<Vector3> points;
   std::vector<Vector3> tangents;
@@ -28,33 +28,33 @@ struct HalfLine {
   StreamlineEnd end = StreamlineEnd::kBoundary;
 };
 
-/// What lines are traced through.
+/// The field in which lines are traced.
 struct LineField {
   const LeafField& leaves;
   const Sampler& sampler;
   const ArcTubes& tubes;
-  const ModelBoundary* boundary;              ///< null where lines end with the leaves
+  const ModelBoundary* boundary;              ///< null if lines end with the leaves
   std::span<const std::uint8_t> on_boundary;  ///< as in FieldData
   double longest_side;                        ///< model units
 };
 
-/// Follows one axis of the frames from step to step: of the six directions along the axes, that nearest to
-/// the one before. Frames' names for their axes play no part. Refers to what it is given; safe from any
+/// Follows one axis of the frames from step to step: of the six directions along the axes, the one nearest to
+/// the previous direction, whatever the frames name their axes. Refers to the field given; safe from any
 /// number of threads.
 ///
-/// Steps are those of an embedded Runge-Kutta pair, as long as the difference of its two results allows. No
-/// stage sees what its straight way from the step's beginning does not reach through open faces: there, the
-/// frame where that way ends stands for those beyond.
+/// Steps are those of an embedded Runge-Kutta pair, as long as the difference of its two results allows. If a
+/// face that is not open blocks the straight segment from the start of the step to a stage, the stage uses
+/// the frame where that segment ends.
 class AxisIntegrator {
  public:
   AxisIntegrator(const LineField& field, const StreamlineOptions& options)
       : field_(field), options_(options) {}
 
-  /// The direction along an axis at the end of the straight way to `point`, nearest to that of `from`.
-  /// `leaf` becomes the one where the way ends.
+  /// The direction along an axis at the end of the straight segment to `point`, nearest to that of `from`.
+  /// Sets `leaf` to the one in which the segment ends.
   Vector3 direction_at(const LineFront& from, const Vector3& point, CellIndex& leaf) const;
 
-  /// Traces until there is a reason to end. Throws Error(kInterrupted).
+  /// Traces a line until it ends. Throws Error(kInterrupted).
   HalfLine follow(const LineFront& seed, const Monitor& monitor) const;
 
  private:

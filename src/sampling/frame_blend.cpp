@@ -17,12 +17,13 @@
 namespace crossgrain {
 namespace {
 
-/// Where h . h(R) reaches this share of |h| at a local maximum R, that is the nearest frame: any other as
-/// near would be within 0.36 rad of R, where there is one maximum only. Else the blend is far from all frames
+/// Smallest share of |h| in h . h(R) at a local maximum R that proves R the nearest frame: any other as near
+/// would be within 0.36 rad of R, where there is only one maximum. Otherwise the blend is far from all frames
 /// (at a singular line).
 constexpr double kCertainlyNearest = 0.95;
 
-/// Blends that are told apart by the number of their terms together: those of about as many go side by side.
+/// Number of blends that are sorted by their number of terms together, so that those with similar numbers are
+/// computed side by side.
 constexpr std::size_t kSortedTogether = 64;
 
 /// One term in each lane.
@@ -32,7 +33,7 @@ struct TermsInLanes {
   BasicVector3<Lanes<W>> turn;
   Lanes<W> weight;
 
-  /// term_of(lane).
+  /// Sets lane k to term_of(k).
   template <class TermOf>
   explicit TermsInLanes(const TermOf& term_of) {
     std::array<const BlendTerm*, W> terms;
@@ -53,7 +54,8 @@ struct TermsInLanes {
     weight = each([](const BlendTerm& t) { return t.weight; });
   }
 
-  /// exp(turn) frame. The series is for turns up to half a radian: that of a quarter of it, four times.
+  /// exp(turn) frame. The series is accurate up to half a radian, so a quarter of the turn is applied four
+  /// times.
   BasicQuaternion<Lanes<W>> extended() const {
     const BasicQuaternion<Lanes<W>> quarter = from_small_rotation_vector(Lanes<W>(0.25) * turn);
     const BasicQuaternion<Lanes<W>> half = quarter * quarter;
@@ -61,7 +63,7 @@ struct TermsInLanes {
   }
 };
 
-/// `deviation` of h scaled to unit length; 0 for h = 0.
+/// The `deviation` of h scaled to unit length; 0 for h = 0.
 template <class Real>
 Real deviation_of_direction(const Coefficients<4, Real>& h) {
   const Real square = squared_norm(h);
@@ -69,7 +71,7 @@ Real deviation_of_direction(const Coefficients<4, Real>& h) {
   return select(square > 0.0, e, Real(0.0));
 }
 
-/// Blends those that `numbers` names, W at most; the last of them fills the other lanes.
+/// Computes the blends with these indices, at most W; the last of them also fills the other lanes.
 template <int W>
 void blend_in_lanes(std::span<const FrameBlend> blends, std::span<const std::size_t> numbers,
                     std::span<Quaternion> frames, std::span<double> deviations) {
@@ -99,7 +101,7 @@ void blend_in_lanes(std::span<const FrameBlend> blends, std::span<const std::siz
   }
 }
 
-/// The numbers from `begin` on of as many blends as there is room for, those of fewest terms first.
+/// Indices of up to kSortedTogether blends from `begin`, those with the fewest terms first.
 std::span<const std::size_t> by_term_count(std::span<const FrameBlend> blends, std::size_t begin,
                                            std::array<std::size_t, kSortedTogether>& numbers) {
   std::array<std::size_t, LeavesAround::kMost + 2> next{};

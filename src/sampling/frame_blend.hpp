@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frame at a point from what the leaves around it say.
+// Interpolation of the frame at a point from the leaves around it.
 #pragma once
 
 #include <span>
@@ -9,28 +9,28 @@
 
 namespace crossgrain {
 
-/// What one leaf says: its frame extended to a point, exp(turn) frame. In one line of the cache, since a term
-/// goes to its lane at once.
+/// The contribution of one leaf: its frame extended to a point, exp(turn) frame. In one cache line, since a
+/// term is copied to its lane at once.
 struct alignas(64) BlendTerm {
-  Quaternion frame;  ///< as it is stored
-  Vector3 turn;      ///< as a rotation vector, up to 2 rad
+  Quaternion frame;  ///< as stored
+  Vector3 turn;      ///< rotation vector, up to 2 rad
   double weight;
 };
 
-/// What there is to blend at one point.
+/// The contributions at one point.
 struct FrameBlend {
   std::span<const BlendTerm> terms;
-  BlendTerm own;  ///< by the leaf that holds the point: where the search begins
+  BlendTerm own;  ///< that of the leaf that holds the point: start of the search
 };
 
-/// For each blend the frame nearest to the weighted sum of its terms' degree-4 coefficients, and where
-/// `deviations` is not empty E_sym of the sum scaled to unit length. Allocates nothing. The same to the bit
-/// wherever in a row of blends one stands.
+/// Computes for each blend the frame nearest to the weighted sum of its terms' degree-4 coefficients, and,
+/// unless `deviations` is empty, E_sym of the sum scaled to unit length. Allocates nothing. Bitwise
+/// independent of the position of a blend among the others.
 void blend_frames(std::span<const FrameBlend> blends, std::span<Quaternion> frames,
                   std::span<double> deviations = {});
 
-/// What the leaves around a point say there, turns by turn_of(leaf): see Sampler. `terms` has room for
-/// LeavesAround::kMost.
+/// The contributions of the leaves around a point, with turns by turn_of(leaf): see Sampler. `terms` has room
+/// for LeavesAround::kMost.
 template <class TurnOf>
 FrameBlend frame_blend(const LeafField& field, const LeavesAround& around, TurnOf&& turn_of,
                        BlendTerm* terms) {

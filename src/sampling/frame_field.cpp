@@ -23,13 +23,13 @@ namespace crossgrain {
 
 namespace {
 
-/// Points that are sorted together: the more, the nearer are those that follow each other. Takes 80 MB.
+/// Number of points that are sorted together: more points bring consecutive ones nearer. Takes 80 MB.
 constexpr std::size_t kPointsInOrder = std::size_t{1} << 22;
 
-/// Points that one task takes, and every step of sampling in turn: their samples fit into a core's cache.
+/// Number of points per task and per step of sampling: their samples fit into a core's cache.
 constexpr std::size_t kPointsAtOnce = 512;
 
-/// Points in no order are asked for so many steps before they are worked on.
+/// Number of steps ahead by which scattered points are prefetched.
 constexpr std::size_t kPrefetched = 16;
 
 template <class T>
@@ -46,15 +46,15 @@ FrameField::Sample sample_of(const Sampler::Result& result, double singular_dist
 
 }  // namespace
 
-/// What is made when it is first asked for.
+/// Data computed on first use.
 struct FrameField::Lazy {
   std::once_flag sampling_once, singularities_once;
   std::optional<Sampler> sampler;
   std::optional<ArcDistance> distance;
   std::shared_ptr<const SingularityGraph> singularities;
 
-  /// Answers for the points that `order` names, kPointsAtOnce at most. Where the answers go to, in no order,
-  /// comes in from memory while they are worked out.
+  /// Samples the points listed in `order`, at most kPointsAtOnce. The scattered samples are prefetched while
+  /// they are computed.
   void sample(std::span<const Vector3> points, std::span<const std::uint32_t> order,
               std::span<Sample> samples) const {
     std::array<Vector3, kPointsAtOnce> row;

@@ -20,7 +20,7 @@ inline void check_index(std::size_t index, std::size_t count, const char* what) 
                 fmt::format("{} {} is out of range; there are {}, counted from 0", what, index, count));
 }
 
-/// value_of(0), ..., value_of(count - 1), computed in parallel.
+/// The array value_of(0), ..., value_of(count - 1), computed in parallel.
 template <class ValueOf>
 auto for_each_index(std::size_t count, const ValueOf& value_of) {
   std::vector<std::invoke_result_t<ValueOf, std::size_t>> values(count);

@@ -12,36 +12,36 @@
 namespace crossgrain {
 namespace {
 
-/// Neighbours that turn by more than 34 degrees say nothing of a gradient: beyond 45 it is not even known
-/// which way they turn, and around a singular line the four cells next to it turn by 22.5 each.
+/// Largest rotation (34 degrees) to a neighbour that enters the gradient: beyond 45 degrees even its sense is
+/// unknown, and around a singular line the four cells next to it rotate by 22.5 each.
 constexpr double kLargestTurn_rad = 0.6;
 
-/// Directions in which the squared distances to the neighbours, added up, stay below this share of those in
-/// the best direction have no neighbour. Four cells of half the size behind one face alone reach 0.11 along
-/// that face.
+/// Smallest sum of the squared distances to the neighbours along a direction, relative to the best direction,
+/// below which there is no neighbour in that direction. Four cells of half the size behind one face alone
+/// reach 0.11 along that face.
 constexpr double kSmallestSpread = 0.02;
 
-/// The square of cos(22.5 deg), and a little. Where two frames as they are named turn by less than 45
-/// degrees, no other names bring them nearer.
+/// The square of cos(22.5 deg), slightly enlarged. If two frames differ by less than 45 degrees as named, no
+/// other names bring them nearer.
 constexpr double kSurelyAlike = 0.86;
 
-/// 2 atan(t) / t by its series, in t^2; good to 1e-8 for turns up to kLargestTurn_rad, which are stored in
-/// single precision.
+/// 2 atan(t) / t by its series, in t^2; accurate to 1e-8 for rotations up to kLargestTurn_rad, which are
+/// stored in single precision.
 double twice_arc_tangent_over(double tt) {
   double sum = 0;
   for (int order = 13; order >= 1; order -= 2) sum = 2.0 / order - tt * sum;
   return sum;
 }
 
-/// The smallest turn that takes frame p to frame q, as a rotation vector in the axes of p; nothing where it
-/// is beyond kLargestTurn_rad. The norms of p and q do not matter.
+/// The smallest rotation from frame p to frame q, as a rotation vector in the axes of p; nothing beyond
+/// kLargestTurn_rad. The norms of p and q do not matter.
 std::optional<Vector3> turn_in_axes(const Quaternion& p, const Quaternion& q) {
   static const double kLargestSquaredTangent = std::pow(std::tan(kLargestTurn_rad / 2), 2);
   Quaternion turn = conjugate(p) * q;
   const double squared_norm = turn.w * turn.w + turn.x * turn.x + turn.y * turn.y + turn.z * turn.z;
   if (turn.w * turn.w < kSurelyAlike * squared_norm)
     turn = turn * to_quaternion(nearest_cube_rotation(conjugate(turn)));
-  const Vector3 tangent = 1 / turn.w * Vector3{turn.x, turn.y, turn.z};  // of half the angle, along the axis
+  const Vector3 tangent = 1 / turn.w * Vector3{turn.x, turn.y, turn.z};  // tan(angle / 2) along the axis
   const double tt = dot(tangent, tangent);
   if (!(tt <= kLargestSquaredTangent)) return std::nullopt;
   return twice_arc_tangent_over(tt) * tangent;
@@ -60,7 +60,7 @@ class TurnFit {
     for (int row = 0; row < 3; ++row) right_[row] += weight * turn[row] * d;
   }
 
-  /// W, zero in directions that no d has a part in.
+  /// W, zero along directions without neighbours.
   std::array<Vector3, 3> solve() const {
     const auto& [xx, xy, xz, yy, yz, zz] = normal_;
     const SymmetricMatrix3 adjugate{yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy,
@@ -68,7 +68,7 @@ class TurnFit {
     const double determinant = xx * adjugate[0] + xy * adjugate[1] + xz * adjugate[2];
     const double trace = xx + yy + zz;
     std::array<Vector3, 3> rows{};
-    // No eigenvalue is below 4 determinant / trace^2: as a rule there are neighbours in all directions.
+    // No eigenvalue is below 4 determinant / trace^2. Usually there are neighbours in all directions.
     if (4 * determinant > kSmallestSpread * trace * trace * trace) {
       for (int row = 0; row < 3; ++row) rows[row] = 1 / determinant * apply(adjugate, right_[row]);
       return rows;
@@ -122,7 +122,7 @@ class LeafTurnFit {
       add(j, d, 1);
       return;
     }
-    // Of several smaller leaves those away from the face are not joined.
+    // Smaller leaves away from the face are not joined.
     for (CellIndex j = across.first; j < across.last; ++j) {
       const PlacedLeaf other = placed(field_, j);
       if (!joined(own_, other)) continue;

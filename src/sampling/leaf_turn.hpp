@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the frame of a leaf varies around it, from the frames of the leaves that it is joined to.
+// The variation of the frame around a leaf, from the frames of the leaves joined to it.
 //
 // Notation: q_i the frame of leaf i as a quaternion, c_i its centre, s_i its side, W_i its turn: the frame
 // near c_i is exp(W_i (x - c_i)) q_i, exp as in from_rotation_vector.
@@ -15,7 +15,7 @@
 
 namespace crossgrain {
 
-/// A field as it is known cell by cell; refers to its arrays.
+/// A field given cell by cell; refers to its arrays.
 struct LeafField {
   const Octree& tree;
   std::span<const StoredQuaternion> frames;
@@ -23,7 +23,7 @@ struct LeafField {
   LeafFinder finder{tree};
 };
 
-/// A leaf with its place, in units of the smallest possible cell.
+/// A leaf with its position, in units of the smallest possible cell.
 struct PlacedLeaf {
   CellIndex index;
   GridPoint corner;
@@ -46,7 +46,7 @@ inline PlacedLeaf placed(const LeafField& field, CellIndex i) {
   return {i, address.corner(), address.width(), field.open_faces[i]};
 }
 
-/// What tells whether two leaves are joined.
+/// The data that determine whether two leaves are joined.
 struct LeafFaces {
   PackedBox box;
   std::int32_t width;
@@ -57,7 +57,7 @@ struct LeafFaces {
       : box(leaf.corner, leaf.width), width(leaf.width), open(leaf.open_faces) {}
 };
 
-/// Whether there is an open face between two leaves.
+/// Whether two leaves have an open face in common.
 inline bool joined(const LeafFaces& a, const LeafFaces& b) {
   const int face = shared_face(a.box, b.box);
   if (face < 0) return false;
@@ -69,10 +69,10 @@ inline bool joined(const PlacedLeaf& a, const PlacedLeaf& b) {
 }
 
 struct LeafTurn {
-  /// s_i W_i row by row: radians of turn about each axis for a move of one cell along each axis.
+  /// s_i W_i row by row: rotation about each axis, in radians, for a move of one cell along each axis.
   std::array<float, 9> per_cell{};
 
-  /// The turn from the leaf's centre to the point at `offset` from it, in cells, as a rotation vector.
+  /// The rotation vector from the leaf's centre to the point at `offset` from it, in cells.
   Vector3 towards(const Vector3& offset) const {
     const auto& [x, y, z] = offset;
     const auto& w = per_cell;
@@ -80,9 +80,9 @@ struct LeafTurn {
   }
 };
 
-/// The least-squares turn of the leaf in the middle of `around`, i: over the leaves j it is joined to, the
-/// sum of (face area / distance) |W_i (c_j - c_i) - w_ij|^2 is least, w_ij the smallest turn that takes frame
-/// i to frame j. Along directions in which there is no neighbour W_i is 0.
+/// The least-squares turn of the centre leaf i of `around`: minimises, over the leaves j that it is joined
+/// to, the sum of (face area / distance) |W_i (c_j - c_i) - w_ij|^2, with w_ij the smallest rotation from
+/// frame i to frame j. W_i is 0 along directions without neighbours.
 LeafTurn leaf_turn(const LeafField& field, const LeafSurroundings& around);
 
 }  // namespace crossgrain

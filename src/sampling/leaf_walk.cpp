@@ -27,7 +27,7 @@ CellIndex LeafExit::next(const LeafField& field) const {
   GridPoint across;
   for (int axis = 0; axis < 3; ++axis) {
     const std::int32_t low = leaf_.corner[axis], high = low + leaf_.width - 1;
-    // Clamped as a number that may be anything, for what is beyond an integer is not to be converted.
+    // Clamped before the conversion, since numbers beyond the range of an integer must not be converted.
     across[axis] = static_cast<std::int32_t>(std::clamp<double>(std::floor(place_[axis]), low, high));
   }
   const int axis = face_axis(face_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way along a straight line from leaf to leaf.
+// A walk along a straight segment from leaf to leaf.
 #pragma once
 
 #include <optional>
@@ -8,36 +8,37 @@
 
 namespace crossgrain {
 
-/// How far a straight way goes.
+/// The end of a walk.
 struct WalkEnd {
-  CellIndex leaf;    ///< the last one reached
-  double share = 1;  ///< of the way: 1 where it arrives, less where it meets a face that it does not pass
+  CellIndex leaf;    ///< last leaf reached
+  double share = 1;  ///< share of the segment: 1 at its end, less at a face that it does not pass
 };
 
-/// The leaf that a way leaves another for: across which face, and after which share of the way.
+/// The exit of a segment from a leaf: the face, the share of the segment there, and the next leaf.
 class LeafExit {
  public:
-  /// `from` and `to` in units of the smallest possible cell, `from` in the closed box of `leaf`.
+  /// Finds the exit; `from` and `to` are in units of the smallest possible cell, `from` in the closed box of
+  /// `leaf`.
   LeafExit(const PlacedLeaf& leaf, const Vector3& from, const Vector3& to);
 
   double share() const { return share_; }
 
-  /// The leaf there; kNoCell where there is none. Only where the share is below 1.
+  /// The leaf behind the exit; kNoCell if there is none. Requires a share below 1.
   CellIndex next(const LeafField& field) const;
 
  private:
   const PlacedLeaf& leaf_;
-  Vector3 place_;  ///< where the way leaves
+  Vector3 place_;  ///< point of the exit
   double share_;
   int face_;
 };
 
 /// Walks from a point of the closed box of `leaf` to another point, in units of the smallest possible cell,
-/// as long as may_pass(leaf, next) lets it pass from one leaf to the next.
+/// while may_pass(leaf, next) allows the step from one leaf to the next.
 template <class MayPass>
 WalkEnd walk(const LeafField& field, CellIndex leaf, const Vector3& from, const Vector3& to,
              const MayPass& may_pass) {
-  // Rounding may put the way out of a leaf before the way into it.
+  // Rounding may put the exit from a leaf before the entry into it.
   double share = 0;
   for (;;) {
     const PlacedLeaf here = placed(field, leaf);
@@ -50,7 +51,7 @@ WalkEnd walk(const LeafField& field, CellIndex leaf, const Vector3& from, const 
   }
 }
 
-/// The same through open faces.
+/// Walks through open faces only.
 inline WalkEnd walk_open(const LeafField& field, CellIndex leaf, const Vector3& from, const Vector3& to) {
   return walk(field, leaf, from, to, [](const PlacedLeaf& a, const PlacedLeaf& b) { return joined(a, b); });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Notation: x the point, A the leaf that holds it. Where all leaves are of one size, those with a weight are
-// at the corners of a cube around x, numbered 0 to 7: bit a says that it is beside A along axis a.
+// Notation: x the point, A the leaf that holds it. If all leaves are of one size, those with a weight are at
+// the corners of a cube around x, numbered 0 to 7: bit a is set for those beside A along axis a.
 #include "sampling/leaves_around.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace crossgrain {
 namespace {
 
-/// Which of the corners are joined to corner 0, bit by bit; links[a] has bit c where corners c and c + 2^a
-/// are.
+/// Bits of the corners that are joined to corner 0; links[a] has bit c set if corners c and c + 2^a are
+/// joined.
 unsigned joined_to_first(const std::array<unsigned, 3>& links) {
   unsigned reached = 1;
   for (unsigned before = 0; before != reached;) {
@@ -26,12 +26,12 @@ unsigned joined_to_first(const std::array<unsigned, 3>& links) {
   return reached;
 }
 
-/// Leaves of several sizes with a weight at the point, and which of them are joined to A, the first.
+/// Leaves of several sizes with a weight at the point, and those of them joined to A, the first.
 class LeavesOfAnySize {
  public:
   using Members = std::array<LeavesAround::Member, LeavesAround::kMost>;
 
-  /// Writes to `members`; `own_offset` is that of the point from A.
+  /// Writes to `members`; `own_offset` is the offset of the point from A.
   LeavesOfAnySize(const LeafField& field, const LeafSurroundings& surroundings, const PlacedLeaf& own,
                   const Vector3& point, const Vector3& own_offset, Members& members)
       : field_(field),
@@ -43,7 +43,7 @@ class LeavesOfAnySize {
     add(own, own_offset_);
   }
 
-  /// A and those of its size.
+  /// Adds the leaves of A's size.
   void add_equal(LeafSurroundings::Slots slots) {
     surroundings_.for_each(slots, [&](const Step& step, const LeafRange& there) {
       if (!surroundings_.is_equal(step) || there.first == own_.index) return;
@@ -59,7 +59,7 @@ class LeavesOfAnySize {
     });
   }
 
-  /// Those in divided cells of A's size.
+  /// Adds the leaves in divided cells of A's size.
   void add_smaller(LeafSurroundings::Slots slots) {
     surroundings_.for_each(slots, [&](const Step& step, const LeafRange& there) {
       if (surroundings_.is_equal(step) || surroundings_.is_larger(step)) return;
@@ -68,7 +68,7 @@ class LeavesOfAnySize {
     });
   }
 
-  /// Keeps those joined to A; their number.
+  /// Keeps the leaves joined to A. Returns their number.
   int keep_joined() {
     const std::uint64_t joined = joined_to_own();
     int kept = 0;
@@ -102,8 +102,9 @@ class LeavesOfAnySize {
     members_[size_++] = {leaf.index, static_cast<double>(leaf.width), offset, hat[0] * hat[1] * hat[2]};
   }
 
-  /// Those of `leaves` that are in `cell`, a divided one. What is in a child reaches no farther than a leaf
-  /// of the child's size would: next to a large cell there may be thousands of small ones.
+  /// Adds those of `leaves` in `cell`, a divided one. A leaf in a child reaches no farther than a leaf of the
+  /// child's size would, so most children are skipped: next to a large cell there may be thousands of small
+  /// leaves.
   void add_inside(LeafRange leaves, CellAddress cell, const GridPoint& corner, std::int32_t width) {
     const std::int32_t half = width / 2;
     for (unsigned octants = reaching_octants(corner, half); octants != 0; octants &= octants - 1) {
@@ -121,9 +122,9 @@ class LeavesOfAnySize {
     }
   }
 
-  /// Children of width `half` of the cell at `corner` that would have a weight as leaves, bit by bit.
+  /// Bits of the children, of width `half`, of the cell at `corner` that would have a weight as leaves.
   unsigned reaching_octants(const GridPoint& corner, std::int32_t half) const {
-    // Where the bits of octants stand that are on the low side along an axis.
+    // Bits of the octants on the low side along each axis.
     constexpr std::array<unsigned, 3> kLow{0b01010101, 0b00110011, 0b00001111};
     const double scale = 1.0 / half;
     unsigned octants = 0xff;
@@ -135,9 +136,9 @@ class LeavesOfAnySize {
     return octants;
   }
 
-  /// The first of `leaves`, those in its parent from some sibling's on, that is in `child`.
+  /// The first leaf in `child`; `leaves` are those of its parent from some sibling on.
   CellIndex first_in(CellAddress child, LeafRange leaves) const {
-    // Where no sibling before it is missing or divided it stands at its number.
+    // If no earlier sibling is missing or divided, it is at its number.
     const CellIndex likely = leaves.first + static_cast<CellIndex>(child.octant());
     if (likely < leaves.last && field_.tree[likely] == child) return likely;
     const auto all = field_.tree.leaves().begin();
@@ -146,7 +147,7 @@ class LeavesOfAnySize {
                                                                 : kNoCell;
   }
 
-  /// Bit by bit.
+  /// Bits of the leaves joined to A.
   std::uint64_t joined_to_own() const {
     std::uint64_t reached = 1, others = (size_ < 64 ? std::uint64_t{1} << size_ : 0) - 2;
     for (std::uint64_t before = 0; before != reached && others != 0; others &= ~reached) {
@@ -182,7 +183,7 @@ LeavesAround::LeavesAround(const LeafField& field, const LeafSurroundings& surro
   const Vector3 offset = own.offset_of(point);
   LeafSurroundings::Step signs;
   for (int axis = 0; axis < 3; ++axis) signs[axis] = (offset[axis] > 0) - (offset[axis] < 0);
-  // On the far sides, more than half a cell away, only a leaf larger than A has a weight.
+  // On the far sides, more than half a cell away, only leaves larger than A have a weight.
   const LeafSurroundings::Slots near = surroundings.towards(signs), larger = surroundings.larger();
   if (larger == 0 && surroundings.are_equal(near)) {
     add_even(field, surroundings, own, offset);
@@ -223,7 +224,7 @@ void LeavesAround::add_even(const LeafField& field, const LeafSurroundings& surr
     for (int axis = 0; axis < 3; ++axis) {
       const int beside = corner & ~(1 << axis);
       if (beside == corner || leaves[beside] == kNoCell) continue;
-      const int face = 2 * axis + (offset[axis] < 0 ? 0 : 1);  // of `beside`
+      const int face = 2 * axis + (offset[axis] < 0 ? 0 : 1);  // face of `beside`
       const bool open = field.open_faces[leaves[beside]] >> face & 1 ||
                         field.open_faces[leaves[corner]] >> opposite_face(face) & 1;
       if (open) links[axis] |= 1u << beside;

@@ -19,7 +19,7 @@ ModelBoundary::ModelBoundary(const TriangleMesh& mesh)
     : mended_(mended_outside(mesh)), bvh_(mended_.surface), winding_(mended_.surface, bvh_) {}
 
 double ModelBoundary::share_to(const Vector3& from, const Vector3& to) const {
-  if (from == to) return 1;  // no ray
+  if (from == to) return 1;  // a ray needs a direction
   const auto hit = bvh_.first_hit(from, to - from, 0, 1);
   return hit ? hit->t : 1;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface of a model, to be asked of whether points are inside and where straight ways meet it.
+// The surface of a model: tests whether points are inside, and finds where segments meet it.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace crossgrain {
 
-/// The outside of all solids together: faces between two are no boundary. Refers to itself, so that it is
-/// neither copied nor moved. Queries are safe from any number of threads.
+/// The outer boundary of all solids together: faces between two solids are not part of it. Refers to itself,
+/// so it can be neither copied nor moved. Queries are safe from any number of threads.
 class ModelBoundary {
  public:
-  /// Throws Error(kInput) for a mesh that makes no sense or encloses nothing.
+  /// Prepares a surface. Throws Error(kInput) for a mesh that is invalid or encloses nothing.
   explicit ModelBoundary(const TriangleMesh& mesh);
   ModelBoundary(const ModelBoundary&) = delete;
   ModelBoundary& operator=(const ModelBoundary&) = delete;
@@ -22,8 +22,8 @@ class ModelBoundary {
   const Box& box() const { return mended_.surface.box; }
   bool inside(const Vector3& point) const { return winding_.inside(point); }
 
-  /// The share of the straight way from one point to another after which it first meets the surface; 1 where
-  /// it does not. No way slips through between two triangles (TriangleBvh::first_hit).
+  /// Share of the segment from one point to another at which it first meets the surface; 1 if it does not. No
+  /// segment slips through between two triangles (TriangleBvh::first_hit).
   double share_to(const Vector3& from, const Vector3& to) const;
 
  private:

@@ -25,7 +25,7 @@ class NearestLeafSearch {
 
   CellIndex best() const { return best_; }
 
-  /// Visits the leaves [first, last), all inside `cell` and not all of it.
+  /// Visits the leaves [first, last), which are in `cell` and need not fill it.
   void visit(CellAddress cell, CellIndex first, CellIndex last) {
     if (first == last) return;
     if (tree_[first] == cell) {

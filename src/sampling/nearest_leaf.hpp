@@ -7,11 +7,11 @@
 
 namespace crossgrain {
 
-/// The leaf whose closed box is nearest to a point, of equally near ones the lowest; kNoCell in an empty
-/// tree. Looks only into cells of the octree that are nearer than the best leaf so far.
+/// The leaf whose closed box is nearest to a point, the lowest of several; kNoCell in an empty tree. Searches
+/// only cells of the octree that are nearer than the best leaf so far.
 CellIndex nearest_leaf(const Octree& tree, const Vector3& point);
 
-/// The same among the leaves that `admissible` says yes to; kNoCell where it does to none.
+/// The nearest of the leaves for which `admissible` is true; kNoCell if there is none.
 CellIndex nearest_leaf(const Octree& tree, const Vector3& point,
                        const std::function<bool(CellIndex)>& admissible);
 

@@ -10,11 +10,11 @@
 namespace crossgrain {
 namespace {
 
-/// Bits of an address that points are sorted by, from the highest: cells of a 1024th of the cube, of which
-/// each is crossed in the order of the points.
+/// Number of leading bits of an address that points are sorted by: cells of 1/1024 of the cube, within which
+/// points keep their order.
 constexpr int kBits = 30;
 
-/// As many as are sorted by at a time: a table that fits into the nearest cache.
+/// Bits per pass: the table fits into the nearest cache.
 constexpr int kDigitBits = 10;
 constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
 

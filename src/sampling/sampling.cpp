@@ -23,7 +23,7 @@ Sampler::Sampler(const Octree& tree, std::span<const StoredQuaternion> frames,
   });
 }
 
-/// Answers for points one after the other, of which kPoints are blended side by side.
+/// Samples points in order, blending up to kPoints of them side by side.
 template <std::size_t kPoints>
 class Sampler::Run {
  public:
@@ -31,7 +31,7 @@ class Sampler::Run {
       : field_(sampler.field_), turns_(sampler.turns_), around_(field_.tree, field_.finder) {}
 
   void answer(std::span<const Vector3> points, std::span<Result> results) {
-    // One search does not wait for what is done with the leaf of the other.
+    // Searches come first, so that none waits for the blending of another point.
     for (std::size_t k = 0; k < points.size(); ++k) {
       const CellIndex before = k > 0 ? results[k - 1].leaf : kNoCell;
       results[k].leaf = leaf_at(points[k], before);
@@ -59,17 +59,17 @@ class Sampler::Run {
   }
 
  private:
-  /// Twice as many as there are for a point between cells of one size.
+  /// Room for a point with all terms and, for the others, twice the terms between cells of one size.
   static constexpr std::size_t kTerms = LeavesAround::kMost + 16 * (kPoints - 1);
 
-  /// Points that follow each other are about as far apart as leaves are.
+  /// Number of leaves tried after the last one: consecutive points are about as far apart as leaves.
   static constexpr CellIndex kLeavesTried = 4;
 
   CellIndex leaf_at(const Vector3& point, CellIndex likely) const {
     const auto address = field_.tree.root().locate(point);
     if (!address) return kNoCell;
     if (likely == kNoCell) return field_.finder.containing(*address);
-    // As a rule in the same leaf or one of the next.
+    // Usually in the same leaf or one of the next.
     const std::size_t end = std::min<std::size_t>(likely + kLeavesTried, field_.tree.size());
     for (CellIndex i = likely; i < end; ++i) {
       if (field_.tree[i].contains(*address)) return i;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kAxes = 3;
 
-/// Lines take some hundred samples each, and very unevenly many.
+/// Number of lines per task: lines take some hundred samples each, with large differences.
 constexpr std::size_t kLineGrain = 4;
 
 void check(const StreamlineOptions& options) {
@@ -42,13 +42,13 @@ void check(const StreamlineOptions& options) {
   demand(options.most_points >= 2, "the most points are fewer than 2");
 }
 
-/// Of the equivalent frames the one nearest to the coordinate axes: no more than 63 degrees from them, so
-/// that axis k has a positive coordinate k.
+/// The equivalent frame nearest to the coordinate axes: at most 63 degrees from them, so that axis k has a
+/// positive coordinate k.
 Quaternion nearest_to_coordinate_axes(const Quaternion& frame) {
   return frame * conjugate(to_quaternion(nearest_cube_rotation(frame)));
 }
 
-/// Around all leaves.
+/// The bounding box of all leaves.
 Box bounds_of(const Octree& tree) {
   Box bounds = empty_box();
   for (const CellAddress leaf : tree.leaves()) {
@@ -70,8 +70,8 @@ double volume_of(const Box& box) {
   return sides[0] * sides[1] * sides[2];
 }
 
-/// Every active cell holds surface or lies inside, and so meets the surface's box; and a field that is read
-/// knows the box of its model.
+/// Throws unless the surface is where the field is: every active cell holds surface or lies inside, and so
+/// meets the surface's box; a field that was read also has the box of its model.
 void check_place(const ModelBoundary& boundary, const FieldData& data) {
   const Box& box = boundary.box();
   bool fits = true;
@@ -89,7 +89,7 @@ void check_place(const ModelBoundary& boundary, const FieldData& data) {
   throw Error(ErrorKind::kInput, "the surface lies elsewhere than the field", Remedy::kGiveSolvedSurface);
 }
 
-/// The two halves as one line, from the end of the second to the end of the first.
+/// The two halves joined to one line, from the end of the second to the end of the first.
 Streamline put_together(HalfLine forward, HalfLine backward) {
   Streamline line;
   line.length = forward.length + backward.length;
@@ -106,7 +106,7 @@ Streamline put_together(HalfLine forward, HalfLine backward) {
 
 }  // namespace
 
-/// Refers to itself.
+/// The data of a tracer. Refers to itself.
 struct StreamlineTracer::Parts {
   Parts(const FrameField& of, const StreamlineOptions& with, const TriangleMesh* surface)
       : field(of),
@@ -135,7 +135,7 @@ struct StreamlineTracer::Parts {
     return tubes.holds(leaf, 1 / root.unit() * (point - root.origin));
   }
 
-  /// The leaf that holds a point of the solid; kNoCell for one outside.
+  /// The leaf that holds a point of the solid; kNoCell for a point outside.
   CellIndex leaf_inside(const Vector3& point) const {
     const auto address = leaves.tree.root().locate(point);
     const CellIndex leaf = address ? leaves.finder.containing(*address) : kNoCell;
@@ -170,9 +170,9 @@ StreamlineTracer::StreamlineTracer(const FrameField& field, const StreamlineOpti
 }
 
 std::vector<Vector3> StreamlineTracer::spread_seeds(std::size_t count, const Monitor& monitor) const {
-  // The real root of g^4 = g + 1; its powers are as far from all fractions as three numbers can be.
+  // The real root of g^4 = g + 1; its powers are as badly approximated by fractions as three numbers can be.
   constexpr double kGenerator = 1.2207440846057594754;
-  // A solid much smaller than its active cells, which are known to be there, is looked for so much longer.
+  // Extra draws, as a factor, for a solid much smaller than its active cells.
   constexpr double kPatience = 100;
   Box box = parts_->bounds;
   if (parts_->boundary) {

@@ -7,8 +7,9 @@
 
 namespace crossgrain {
 
-/// Turns of the leaves asked for, and of their siblings, for a walk through leaves in about their order: the
-/// latest are kept, so that memory does not grow with the field. For one thread; refers to the field.
+/// A cache of turns, filled for the requested leaf and its siblings, for a walk through leaves in roughly
+/// their order. Keeps only the latest, so that memory does not grow with the field. For one thread; refers to
+/// the field.
 class TurnCache {
  public:
   explicit TurnCache(const LeafField& field)
@@ -21,7 +22,7 @@ class TurnCache {
   }
 
  private:
-  /// Several times the leaves that one plane through a few thousand leaves cuts.
+  /// Several times the number of leaves that one plane through a few thousand leaves cuts.
   static constexpr std::size_t kEntries = 8192;
 
   struct Entry {

@@ -11,13 +11,13 @@ namespace {
 
 using Graph = SingularityGraph;
 
-/// Directions along an arc are taken between places so many edges before and after.
+/// Number of edges before and after over which the direction of an arc is taken.
 constexpr std::size_t kReach = 2;
 
-/// Lengths along an arc in cells, by what frames do around it there.
+/// Lengths along an arc in cells, by the rotation of the frames around it.
 struct Stretches {
   double positive = 0, negative = 0;
-  double across = 0;  ///< the longest in one piece
+  double across = 0;  ///< longest connected part
   double all = 0, no_axis = 0, half = 0;
 };
 
@@ -27,8 +27,8 @@ class ArcWalk {
           std::span<const Vector3> positions)
       : arc_(arc), singular_(singular), network_(network), positions_(positions) {}
 
-  /// Calls visit(edge, length, cells, cosine) for each edge in turn: the angle is that between the arc and
-  /// the axis that frames turn about, by the right-hand rule about the arc.
+  /// Calls visit(edge, length, cells, cosine) for each edge in order: the cosine is that of the angle between
+  /// the arc and the axis of rotation of the frames, by the right-hand rule about the arc.
   template <class Visit>
   void visit(const Visit& visit) const {
     for (std::size_t k = 0; k < arc_.edges.size(); ++k) {
@@ -97,7 +97,7 @@ Graph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singula
   out.type = type_of(cells, options);
   if (out.type == Graph::ArcType::kRegular)
     out.index = (sum < 0 ? -1 : 1) * (2 * cells.half > cells.all ? 0.5 : 0.25);
-  // Two hexahedra around an edge have two faces in common.
+  // Two hexahedra around an edge would have two faces in common.
   const bool meshable = out.type == Graph::ArcType::kRegular && out.index != 0.5;
   out.verdict = meshable ? Graph::Verdict::kMeshable : Graph::Verdict::kNotMeshable;
   return out;

@@ -31,7 +31,7 @@ class Chainer {
     for (std::uint32_t v = 0; v < incident_.size(); ++v) {
       if (!goes_through_[v]) trace_all_from(v, found);
     }
-    // What is left are closed ones.
+    // The remaining chains are closed.
     for (std::uint32_t v = 0; v < incident_.size(); ++v) trace_all_from(v, found);
     return found;
   }

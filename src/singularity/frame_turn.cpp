@@ -6,8 +6,7 @@
 namespace crossgrain {
 namespace {
 
-/// About the rotation vector of the small turn that brings one frame to the nearest that stands for the
-/// other.
+/// Rotation vector, to first order, from one frame to the nearest equivalent of the other.
 Vector3 small_turn(const Quaternion& from, const Quaternion& to) {
   const Quaternion turn = to * to_quaternion(matching(from, to)) * conjugate(from);
   const double twice = turn.w < 0 ? -2 : 2;

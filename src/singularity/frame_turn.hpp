@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How frames turn on the way around an edge.
+// The rotation of frames on a path around an edge.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,30 @@
 
 namespace crossgrain {
 
-/// What a frame that keeps to its neighbours on the way once around an edge has become when it is back: one
-/// of the rotations of its cube, but not the identity. The way goes by the right-hand rule about the edge's
-/// direction.
+/// The rotation of a frame that follows its neighbours once around an edge: one of the rotations of its cube
+/// other than the identity. The path is right-handed about the edge's direction.
 struct FrameTurn {
   enum class Kind : std::uint8_t {
-    kQuarter,  ///< by 90 degrees about an axis of the frame
-    kHalf,     ///< by 180 degrees about an axis of the frame
-    kThird,    ///< by 120 degrees about a diagonal of its cube
-    kSwap,     ///< by 180 degrees about the diagonal between two axes, which change places
+    kQuarter,  ///< 90 degrees about an axis of the frame
+    kHalf,     ///< 180 degrees about an axis of the frame
+    kThird,    ///< 120 degrees about a diagonal of its cube
+    kSwap,     ///< 180 degrees about the diagonal between two axes, which are exchanged
   };
   Kind kind = Kind::kQuarter;
 
-  /// Unit vector in space. Frames turn about it by a positive angle; of half turns, which end alike either
-  /// way, by that of the steps between the frames on the way.
+  /// Unit vector in space, about which frames rotate by a positive angle. The rotation by 180 degrees is the
+  /// same in either sense; its sense is that of the steps between the frames on the path.
   Vector3 axis{0, 0, 1};
 
-  /// Whether the turn is about an axis of the frame.
+  /// Whether the rotation is about an axis of the frame.
   bool is_about_an_axis() const { return kind == Kind::kQuarter || kind == Kind::kHalf; }
 
-  /// As CubeRotation::is_odd.
+  /// Whether the rotation is odd (CubeRotation::is_odd).
   bool is_odd() const { return kind == Kind::kQuarter || kind == Kind::kSwap; }
 };
 
-/// The turn along which the frames of `way` go: from the first over all of them in their order back to the
-/// first, with `product` of the matchings not the identity.
+/// The rotation of the frames of `way`, from the first through all of them in order and back to the first.
+/// `product` is that of the matchings and must not be the identity.
 FrameTurn frame_turn(const CubeRotation& product, std::span<const Quaternion> way);
 
 }  // namespace crossgrain

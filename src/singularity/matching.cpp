@@ -9,8 +9,8 @@
 namespace crossgrain {
 namespace {
 
-/// A multiple of a cube rotation's quaternion, by either sign, as it is to be written. Its entries are of one
-/// size or zero, so their signs say all.
+/// The unique form of a cube rotation, from a multiple of its quaternion of either sign. Its non-zero entries
+/// have the same size, so their signs suffice.
 CubeRotation reduced(const std::array<int, 4>& q) {
   const int first = *std::find_if(q.begin(), q.end(), [](int entry) { return entry != 0; });
   const auto sign = [&](int entry) {
@@ -37,8 +37,8 @@ Quaternion to_quaternion(const CubeRotation& a) {
 }
 
 CubeRotation nearest_cube_rotation(const Quaternion& q) {
-  // The nearest unit quaternion has the largest scalar product with q. Of those with one, two or four entries
-  // the best has them where those of q are largest, and with the signs of q.
+  // The nearest unit quaternion has the largest scalar product with q. With one, two or four non-zero
+  // entries, the best has them where those of q are largest, and with the signs of q.
   const std::array<double, 4> entries{q.w, q.x, q.y, q.z};
   std::size_t largest = 0;
   for (std::size_t k = 1; k < 4; ++k) {

@@ -13,13 +13,13 @@ namespace {
 
 using Ends = std::array<std::uint32_t, 2>;
 
-/// The axis of the turn in the direction away from one of the edge's ends.
+/// Axis of rotation for the direction away from one of the edge's ends.
 Vector3 axis_away_from(const SingularEdge& edge, std::uint32_t end) {
   return edge.ends[0] == end ? edge.turn.axis : -1.0 * edge.turn.axis;
 }
 
-/// Whether a line that comes along an edge to one of its ends goes on from `other_end` along the other edge:
-/// frames turn alike around both.
+/// Whether a line along an edge to one of its ends continues from `other_end` along the other edge: frames
+/// rotate alike around both.
 bool is_one_line(const SingularEdge& edge, std::uint32_t end, const SingularEdge& other,
                  std::uint32_t other_end) {
   return edge.turn.kind == other.turn.kind &&
@@ -59,7 +59,7 @@ class Merger {
         kept.push_back(&line);
       }
     }
-    // Nodes that have become one make loops of the arcs between.
+    // Arcs between nodes that were merged have become loops.
     for (const Chain* line : kept) {
       const bool is_loop =
           !line->is_closed() && sets_.root(line->vertices.front()) == sets_.root(line->vertices.back());
@@ -86,7 +86,8 @@ class Merger {
     return chains(ends, goes_through);
   }
 
-  /// Whether two ends on the surface, with an edge of it between, are one line that leaves the tets there.
+  /// Whether two ends on the surface, joined by a surface edge, belong to one line that leaves the tets
+  /// there.
   bool goes_on_over_surface(std::uint32_t a, std::uint32_t b) const {
     if (linked_[a] || linked_[b] || incident_[a].size() != 1 || incident_[b].size() != 1) return false;
     return is_one_line(singular_.edges[incident_[a][0]], a, singular_.edges[incident_[b][0]], b);
@@ -114,7 +115,7 @@ class Merger {
     return length_in_cells(line) <= (line.is_closed() ? options_.loop_cells : options_.merge_cells);
   }
 
-  /// Joins what is left of the lines at places where only two of them meet.
+  /// Joins the remaining lines at places where exactly two of them meet.
   void join(const std::vector<const Chain*>& lines, MergedNetwork& network) {
     std::vector<std::uint32_t>& place_of = network.place_of;
     place_of.resize(singular_.points.size());
@@ -138,7 +139,7 @@ class Merger {
     std::vector<std::uint8_t> goes_through(network.places.size(), 0);
     for (std::size_t k = 0; k < network.places.size(); ++k) {
       MergedNetwork::Place& place = network.places[k];
-      // Where one line arrives, another goes on to the surface without an edge.
+      // At a place with one line, another one continues to the surface without an edge.
       place.on_boundary =
           degrees[k] == 1 || std::any_of(place.points.begin(), place.points.end(),
                                          [&](std::uint32_t p) { return ends_on_boundary(p); });
@@ -148,7 +149,7 @@ class Merger {
       network.arcs.push_back(arc_of(chain, lines, place_of, goes_through[chain.vertices.front()] != 0));
   }
 
-  /// Whether the surface is where something ends, and not only touched in passing.
+  /// Whether a line ends on the surface at this point, rather than touching it.
   bool ends_on_boundary(std::uint32_t p) const {
     const auto& edges = incident_[p];
     return singular_.points[p].on_boundary && !linked_[p] &&
@@ -160,7 +161,7 @@ class Merger {
     MergedNetwork::Arc arc{{chain.vertices.front()}, {}, closed};
     for (std::size_t k = 0; k < chain.edges.size(); ++k) {
       const Chain& line = *lines[chain.edges[k]];
-      // A line from a place to itself is taken as it stands.
+      // A line from a place to itself keeps its direction.
       const bool forward = place_of[line.vertices.front()] == chain.vertices[k];
       for (std::size_t i = 0; i < line.edges.size(); ++i) {
         const std::size_t last = line.edges.size() - 1;
@@ -174,8 +175,8 @@ class Merger {
   const SingularEdges& singular_;
   const SingularityOptions& options_;
   std::vector<std::vector<std::uint32_t>> incident_;  ///< edges at each point
-  std::vector<bool> linked_;                          ///< ends from which a line goes on over the surface
-  DisjointSets sets_;                                 ///< of points that are one place
+  std::vector<bool> linked_;                          ///< ends from which a line continues over the surface
+  DisjointSets sets_;                                 ///< sets of points that are one place
 };
 
 }  // namespace

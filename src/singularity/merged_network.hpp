@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arcs of singular edges without what is shorter than the cells can tell.
+// Arcs of singular edges, without those too short to be resolved by the cells.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +11,25 @@
 
 namespace crossgrain {
 
-/// Arcs between places; a place is a point, or several that short arcs join at a node.
+/// Arcs between places. A place is one point, or several that short arcs join to a node.
 struct MergedNetwork {
   struct Place {
-    std::vector<std::uint32_t> points;  ///< of SingularEdges, ascending
+    std::vector<std::uint32_t> points;  ///< indices into SingularEdges::points, ascending
     bool on_boundary = false;
   };
   struct Arc {
-    std::vector<std::uint32_t> places;  ///< one more than edges; of a closed arc the first is the last, too
-    std::vector<std::uint32_t> edges;   ///< of SingularEdges
+    std::vector<std::uint32_t> places;  ///< one more than edges; a closed arc ends with its first place
+    std::vector<std::uint32_t> edges;   ///< indices into SingularEdges::edges
     bool closed = false;
   };
   std::vector<Place> places;
-  std::vector<std::uint32_t> place_of;  ///< each point of SingularEdges
+  std::vector<std::uint32_t> place_of;  ///< place of each point of SingularEdges
   std::vector<Arc> arcs;
   std::size_t unresolved_loops = 0;
 };
 
-/// Arcs go on through places at which two of them meet, unless one ends there at the surface.
+/// Joins singular edges to arcs and merges short ones (SingularityOptions). Arcs continue through places at
+/// which two of them meet, unless one ends there at the surface.
 MergedNetwork merged(const SingularEdges& singular, const SingularityOptions& options);
 
 }  // namespace crossgrain

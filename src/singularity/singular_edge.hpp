@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The edges around which a field's frames turn, whatever its cells are.
+// Singular edges of a field, on a grid or on tets.
 #pragma once
 
 #include <array>
@@ -12,23 +12,23 @@
 namespace crossgrain {
 
 struct SingularEdge {
-  std::array<std::uint32_t, 2> ends;  ///< among SingularEdges::points
-  FrameTurn turn;                     ///< in the direction from the first end to the second
+  std::array<std::uint32_t, 2> ends;  ///< indices into SingularEdges::points
+  FrameTurn turn;                     ///< rotation for the direction from the first end to the second
 };
 
-/// No two edges have the same ends.
+/// The singular edges of a field. No two edges have the same ends.
 struct SingularEdges {
   struct Point {
     Vector3 place;
-    double cell_size;   ///< of the cells there, model units
+    double cell_size;   ///< size of the cells there, model units
     bool on_boundary;   ///< lines that arrive here reach the surface
-    std::int64_t name;  ///< the vertex of a tet mesh; of a grid -1
+    std::int64_t name;  ///< vertex of the tet mesh; -1 on a grid
   };
   std::vector<Point> points;
   std::vector<SingularEdge> edges;
 
-  /// Edges of the surface of tets between two points. A line may go on over one, which has no tets all around
-  /// and so is not singular.
+  /// Edges of the surface of tets between two points. A line may continue over one, which has no tets all
+  /// around and so is not singular.
   std::vector<std::array<std::uint32_t, 2>> surface_edges = {};
 };
 

@@ -12,7 +12,7 @@
 namespace crossgrain {
 namespace {
 
-/// Leaves that one task looks at.
+/// Number of leaves per task.
 constexpr std::size_t kLeafGrain = 1024;
 
 class SingularEdgeFinder {
@@ -21,8 +21,8 @@ class SingularEdgeFinder {
                      std::span<const std::uint8_t> open_faces)
       : tree_(tree), finder_(tree), frames_(frames), open_faces_(open_faces) {}
 
-  /// Adds the singular edges that leaves [begin, end) own: of the leaves around an edge the smallest, of
-  /// several the first.
+  /// Adds the singular edges owned by leaves [begin, end). The owner is the first of the smallest leaves
+  /// around an edge.
   void find(CellIndex begin, CellIndex end, std::span<const std::uint8_t> owners,
             std::vector<GridEdge>& found) const {
     LeafSurroundings around(tree_, finder_);
@@ -58,8 +58,8 @@ class SingularEdgeFinder {
     }
   }
 
-  /// Whether the leaf in the middle, of that and the one at `step`, is the one to own an edge of both.
-  /// Smaller leaves at `step` own what is left of the edge.
+  /// Whether the centre leaf, rather than the one at `step`, owns an edge of both. Smaller leaves at `step`
+  /// own their parts of the edge.
   static bool comes_before(const LeafSurroundings& around, const Step& step) {
     return around.is_larger(step) || (around.is_equal(step) && around.leaf() < around.over(step).first);
   }
@@ -71,8 +71,8 @@ class SingularEdgeFinder {
     return true;
   }
 
-  /// How the way around over these leaves, leaving ring[s] through faces[s], turns frames; not at all where
-  /// it is not open.
+  /// Product of the matchings on the closed path over these leaves, which leaves ring[s] through faces[s];
+  /// the identity if a face on it is not open.
   CubeRotation turn_around(const std::array<CellIndex, 4>& ring, const std::array<int, 4>& faces) const {
     CubeRotation turn;
     for (std::size_t step = 0; step < 4; ++step) {
@@ -84,20 +84,21 @@ class SingularEdgeFinder {
     return turn;
   }
 
-  /// A face between leaves is open if the smaller of them says so, or either of two equal ones.
+  /// Whether the face between two leaves is open, according to the smaller of them, or to either of two equal
+  /// ones.
   bool are_joined(CellIndex from, int face, CellIndex to) const {
     const int depth_from = tree_[from].depth(), depth_to = tree_[to].depth();
     return (depth_from >= depth_to && (open_faces_[from] >> face & 1)) ||
            (depth_to >= depth_from && (open_faces_[to] >> opposite_face(face) & 1));
   }
 
-  /// Worked out in one direction only: where two rotations are equally near, rounding must not make the way
-  /// back another one.
+  /// The matching across a face. Computed in one direction only: if two rotations are equally near, rounding
+  /// must not make the reverse matching a different one.
   CubeRotation face_matching(CellIndex from, CellIndex to) const {
     return from < to ? matching(frames_[from], frames_[to]) : inverse(matching(frames_[to], frames_[from]));
   }
 
-  /// What a way around turns frames by that goes by the right-hand rule about the edge's axis.
+  /// The rotation of frames on the path around an edge that is right-handed about the edge's axis.
   FrameTurn turn_along_axis(const std::array<CellIndex, 4>& ring, int face_u, int face_v,
                             const CubeRotation& product) const {
     std::array<Quaternion, 4> way;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The grid edges around which a frame field turns by more than nothing.
+// Singular edges of the grid: those around which the frames of a field rotate.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct GridEdge {
   GridPoint start;  ///< its low end
   int axis;
   std::int32_t length;
-  FrameTurn turn = {};  ///< in the direction of the axis
+  FrameTurn turn = {};  ///< rotation for the direction of the axis
 
   GridPoint end() const {
     GridPoint point = start;
@@ -30,32 +30,31 @@ struct GridEdge {
   }
 };
 
-/// The singular edges of a field, each once, in the order of the smallest leaf at each.
+/// The singular edges of a field, each once, in the order of the leaves that own them: the first of the
+/// smallest leaves around each.
 ///
 /// An edge of a leaf counts if no smaller leaf subdivides it and it is interior: the leaves in the four
-/// quadrants around it (two quadrants may belong to one larger leaf) are all there, and each is joined with
-/// the next through an open face. It is singular if the matchings around it compose to more than the
-/// identity.
+/// quadrants around it exist (two quadrants may belong to one larger leaf), and each is joined with the next
+/// through an open face. It is singular if the product of the matchings around it is not the identity.
 ///
-/// Every face between leaves has one matching, used in both directions. So the product of the turns around
-/// all edges that meet at an interior vertex is the identity, and the number of odd ones is even: where just
-/// one edge arrives, or an odd number of odd ones, the vertex is not surrounded by joined leaves.
+/// Every face between leaves has one matching, used in both directions. So the product of the rotations
+/// around all edges that meet at an interior vertex is the identity, and the number of odd ones is even: a
+/// vertex with just one edge, or with an odd number of odd ones, is not surrounded by joined leaves.
 ///
-/// `frames` and `open_faces` (as in LeafConnections) have one entry per leaf. So has `owners`, if given: it
-/// spares looking at leaves that own no singular edge, as from near_sharp_turns
-/// (field/neighbour_comparison.hpp).
+/// `frames` and `open_faces` (as in LeafConnections) have one entry per leaf. So has `owners`, if given:
+/// leaves with 0 own no singular edge and are skipped; see near_sharp_turns in
+/// field/neighbour_comparison.hpp.
 std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                      std::span<const std::uint8_t> open_faces,
                                      std::span<const std::uint8_t> owners = {});
 
-/// The same by their end points, sorted; of points on the surface those where one edge arrives, or several
-/// whose turns can not cancel. That the surface is there needs no test, for neither happens where joined
-/// leaves are all around. The grid's line ends where the solid's does up to the last edge that is not
-/// interior, about one cell short of the surface; where lines meet that near to it, the one that goes on to
-/// the surface has no edge at all, and the point may be a node too.
+/// The singular edges by their end points, sorted. Points with just one edge, or with an odd number of odd
+/// ones, are on the boundary: neither occurs at a vertex surrounded by joined leaves. A line of the grid ends
+/// with its last interior edge, about one cell short of the surface; if lines meet that close to the surface,
+/// the one that continues to it has no edge at all, and the point may also be a node.
 SingularEdges by_end_points(const std::vector<GridEdge>& edges, const RootCube& root);
 
-/// Those of a whole field.
+/// The singular edges of a whole field by their end points.
 SingularEdges singular_grid_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                   std::span<const std::uint8_t> open_faces,
                                   std::span<const std::uint8_t> owners = {});

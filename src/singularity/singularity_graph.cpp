@@ -46,7 +46,7 @@ SolveReport::Singularity::Arc summary_of(const SingularityGraph& graph, const Si
   return summary;
 }
 
-/// The places that arcs end at, in their order.
+/// Adds the places at which arcs end as nodes, in their order.
 void add_nodes(const MergedNetwork& network, const std::vector<Vector3>& positions, SingularityGraph& graph) {
   std::vector<std::uint32_t> node_of(network.places.size(), kNoNode);
   for (const MergedNetwork::Arc& arc : network.arcs) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From singular edges to the graph of arcs and nodes.
+// The graph of arcs and nodes of singular edges.
 #pragma once
 
 #include "crossgrain/singularity_graph.hpp"
@@ -7,7 +7,7 @@
 
 namespace crossgrain {
 
-/// What depends on the order of edges is only the last digits of sums.
+/// The graph of these singular edges. Only the last digits of sums depend on the order of the edges.
 SingularityGraph singularity_graph(const SingularEdges& singular, const SingularityOptions& options = {});
 
 }  // namespace crossgrain

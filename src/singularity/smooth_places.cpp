@@ -13,7 +13,7 @@ struct Position {
   double most_shift = 0;
 };
 
-/// The mean of a place's points, and how far from it smoothing may lead.
+/// Mean of each place's points, and the largest distance from it that smoothing may reach.
 std::vector<Position> means_of(const SingularEdges& singular, const MergedNetwork& network,
                                const SingularityOptions& options) {
   std::vector<Position> means;
@@ -29,10 +29,10 @@ std::vector<Position> means_of(const SingularEdges& singular, const MergedNetwor
   return means;
 }
 
-/// What draws a place: a sum of others' positions.
+/// Weights of the other places whose weighted mean is the target of a place.
 using Pulls = std::vector<std::pair<std::uint32_t, double>>;
 
-/// The end of an arc at the surface of a grid is drawn on in the direction of the two places before it.
+/// Target of the end of an arc at the surface of a grid: the linear continuation of the two places before it.
 Pulls continued(const SingularEdges& singular, const std::vector<Pulls>& pulls,
                 const MergedNetwork::Place& place, std::uint32_t end) {
   const bool on_grid = singular.points[place.points.front()].name < 0;

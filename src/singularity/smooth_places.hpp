@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where singular arcs run, off the edges of cells.
+// Smooth positions of the places on singular arcs.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,9 @@
 
 namespace crossgrain {
 
-/// For each place of the network a position, no further than SingularityOptions::shift_cells from the mean of
-/// its points, so that arcs are smooth: each round moves all half-way to the mean of their neighbours. Ends
-/// on the boundary go on as their arc does on a grid, whose lines end short of the surface, and stay where
-/// they are on tets.
+/// Smooth positions of the places of the network, each within SingularityOptions::shift_cells of the mean of
+/// its points. Each round moves all places half-way to the mean of their neighbours. Ends on the boundary
+/// continue their arc on a grid, whose lines end short of the surface, and stay in place on tets.
 std::vector<Vector3> smooth_places(const SingularEdges& singular, const MergedNetwork& network,
                                    const SingularityOptions& options);
 

@@ -10,16 +10,17 @@
 namespace crossgrain {
 namespace {
 
-/// Faces that one task looks at.
+/// Number of faces per task.
 constexpr std::size_t kFaceGrain = 4096;
 
-/// The corners of a tet so that from each edge, of the first two, the way by the right-hand rule about it
-/// leads through the face opposite the third towards the one opposite the fourth. Also with the first two and
-/// the last two exchanged.
+/// Corners of a tet for each edge, which joins the first two: the right-handed path around it goes through
+/// the face opposite the third towards the one opposite the fourth. Also true with the first two and the last
+/// two exchanged.
 constexpr std::array<std::array<std::uint8_t, 4>, 6> kEdgeCorners = {
     {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
 
-/// An edge of a tet, in the direction that a way around it leaves through one face towards another.
+/// The edge of a tet around which the right-handed path leaves through the face opposite `leave` towards the
+/// one opposite `ahead`.
 std::array<std::uint8_t, 2> edge_between(std::uint8_t leave, std::uint8_t ahead) {
   for (const auto& [a, b, c, d] : kEdgeCorners) {
     if (c == leave && d == ahead) return {a, b};
@@ -28,13 +29,13 @@ std::array<std::uint8_t, 2> edge_between(std::uint8_t leave, std::uint8_t ahead)
   return {};
 }
 
-/// The 24 rotations of the cube by numbers, for long products.
+/// The 24 rotations of the cube as numbers, for long products.
 class CubeGroup {
  public:
   CubeGroup() {
     number_.fill(kNone);
     add({});
-    // A quarter turn about x and one about y give all others.
+    // A quarter turn about x and one about y generate all others.
     for (std::size_t k = 0; k < rotations_.size(); ++k)
       for (const CubeRotation& turn : {CubeRotation{1, 1, 0, 0}, CubeRotation{1, 0, 1, 0}})
         add(turn * rotations_[k]);
@@ -67,7 +68,7 @@ class CubeGroup {
   std::array<std::array<std::uint8_t, kCount>, kCount> products_;
 };
 
-/// Goes around the edges of tets.
+/// Walks around the edges of tets.
 class EdgeWalker {
  public:
   EdgeWalker(const TetSolid& solid, std::span<const CubeRotation> matchings)
@@ -85,15 +86,14 @@ class EdgeWalker {
   }
 
   struct Way {
-    std::array<std::uint32_t, 2>
-        edge;  ///< vertices of the mesh; the way goes by the right-hand rule about it
+    std::array<std::uint32_t, 2> edge;  ///< vertices of the mesh; the path is right-handed about it
     std::vector<std::uint32_t> tets;
     CubeRotation product;
   };
 
-  /// Calls visit(way) for each edge of a face that a way leads all around, if no face before this one on the
-  /// way has a matching other than the identity: then that one is to be asked. Around an edge where all are
-  /// identities so is their product.
+  /// Calls visit(way) for each edge of a face with a closed path around it, unless a face of lower index on
+  /// the path has a matching other than the identity: the edge is visited from that face. If all matchings
+  /// around an edge are the identity, so is their product.
   template <class Visit>
   void visit_edges(std::uint32_t face, Way& way, const Visit& visit) const {
     const std::uint32_t tet = solid_.inner_faces[face].tets[0];
@@ -108,11 +108,11 @@ class EdgeWalker {
   }
 
  private:
-  /// Through a face of a tet.
+  /// Exit from a tet through a face.
   struct WayOut {
-    std::uint32_t tet = kNoTet;  ///< behind it
+    std::uint32_t tet = kNoTet;  ///< tet behind the face
     std::uint32_t face = 0;
-    std::uint8_t corner = 0;  ///< of the tet behind it, opposite the face
+    std::uint8_t corner = 0;  ///< corner of the tet behind it, opposite the face
     std::uint8_t matching = 0;
   };
 
@@ -127,7 +127,7 @@ class EdgeWalker {
       product = group_.product(out.matching, product);
       tet = out.tet;
       if (tet == first) break;
-      // Out of this tet the way goes opposite the vertex ahead, towards the one that is new.
+      // The path leaves this tet opposite the vertex ahead, towards the new one.
       leave = corner_of(tet, ahead);
       ahead = solid_.mesh.tets[tet][out.corner];
       way.tets.push_back(tet);
@@ -151,10 +151,10 @@ class EdgeWalker {
 
   const CubeGroup group_;
   const TetSolid& solid_;
-  std::vector<std::array<WayOut, 4>> ways_out_;  ///< of each tet, opposite each corner
+  std::vector<std::array<WayOut, 4>> ways_out_;  ///< exits of each tet, opposite each corner
 };
 
-/// For now with the mesh's numbers of vertices.
+/// Singular edges, with ends that are still vertices of the mesh.
 std::vector<SingularEdge> edges_of(const TetSolid& solid, std::span<const Quaternion> frames,
                                    std::span<const CubeRotation> matchings) {
   const EdgeWalker walker(solid, matchings);
@@ -177,7 +177,7 @@ std::vector<SingularEdge> edges_of(const TetSolid& solid, std::span<const Quater
   return edges;
 }
 
-/// The mean length of the edges of tets at each of these vertices.
+/// Mean length of the edges of tets at each of these vertices.
 std::vector<double> mean_edge_lengths(const TetSolid& solid, const std::vector<std::uint32_t>& place,
                                       std::size_t count) {
   std::vector<double> sum(count, 0), edges(count, 0);
@@ -225,7 +225,7 @@ SingularEdges singular_tet_edges(const TetSolid& solid, std::span<const Quaterni
     for (std::uint32_t& end : edge.ends) end = place[end];
   for (const auto& face : solid.boundary) {
     for (std::size_t k = 0; k < 3; ++k) {
-      // Each edge of the surface once, as it has two faces that run along it in opposite directions.
+      // Each surface edge is added once, as its two faces run along it in opposite directions.
       const std::uint32_t a = place[face[k]], b = place[face[(k + 1) % 3]];
       if (a < b && b != kNoTet) singular.surface_edges.push_back({a, b});
     }

@@ -9,18 +9,18 @@
 namespace crossgrain {
 namespace {
 
-/// The number of a face's corner at a vertex.
+/// Index of a face's corner at a vertex: 3 * face + corner.
 std::uint32_t corner_at(const BoundaryFaces& boundary, std::uint32_t face, std::uint32_t vertex) {
   const auto& corners = boundary[face];
   const std::uint32_t k = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
   return 3 * face + k;
 }
 
-/// Counts the vertices of more than one fan, but for those that `counted` is set for.
+/// Counts the vertices with more than one fan, except those already set in `counted`.
 void count_vertices(const BoundaryFaces& boundary, DisjointSets& fans, std::vector<std::uint32_t> counted,
                     BoundaryFaults& faults) {
   constexpr std::uint32_t kNone = UINT32_MAX;
-  // Of each vertex the root of its first fan.
+  // Root of the first fan of each vertex.
   std::vector<std::uint32_t> first_fan(counted.size(), kNone);
   for (std::uint32_t corner = 0; corner < 3 * boundary.size(); ++corner) {
     const std::uint32_t vertex = boundary[corner / 3][corner % 3];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the boundary faces of a tet mesh meet along edges and at vertices.
+// Edges and vertices of the boundary of a tet mesh, and the faults where it is not a surface.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@ struct BoundaryEdgeUse {
   bool same_edge(const BoundaryEdgeUse& other) const { return low == other.low && high == other.high; }
 };
 
-/// All three edges of every face, those of the same edge side by side: ascending by (low, high, face).
+/// The three edges of every face, ascending by (low, high, face), so that uses of one edge are adjacent.
 std::vector<BoundaryEdgeUse> boundary_edge_uses(const BoundaryFaces& boundary);
 
-/// Where the boundary of tets is no surface.
+/// Edges and vertices at which the boundary of tets is not a surface.
 struct BoundaryFaults {
-  std::size_t edges = 0;  ///< of more than two faces: parts of the solid touch along them
+  std::size_t edges = 0;  ///< edges with more than two faces: parts of the solid touch along them
   std::array<std::uint32_t, 2> first_edge{};
-  std::size_t vertices = 0;  ///< on no such edge, where more than one fan of faces meet
+  std::size_t vertices = 0;  ///< vertices on no such edge at which more than one fan of faces meet
   std::uint32_t first_vertex = 0;
 };
 

@@ -27,7 +27,7 @@ struct SharpEdges {
   }
 };
 
-/// The faces of the boundary, and then those of walls inside.
+/// Faces of the boundary, followed by those of the walls inside.
 struct AllFaces {
   BoundaryFaces faces;
   std::vector<TriangleShape> shapes;
@@ -42,14 +42,14 @@ struct AllFaces {
 
   bool is_inner(std::size_t face) const { return face >= on_boundary; }
 
-  /// Whether the face runs from one vertex of an edge of it to the other.
+  /// Whether the face has an edge in the direction from one vertex to the other.
   bool runs(std::uint32_t face, std::uint32_t from, std::uint32_t to) const {
     const auto& [a, b, c] = faces[face];
     return (a == from && b == to) || (b == from && c == to) || (c == from && a == to);
   }
 
-  /// Of the angle between the normals of two faces on one side of their common edge. All boundary faces look
-  /// outward.
+  /// Cosine of the angle between the normals of two faces, on one side of their common edge. All boundary
+  /// faces point outward.
   double cosine(const BoundaryEdgeUse& a, const BoundaryEdgeUse& b) const {
     const double between = dot(shapes[a.face].normal, shapes[b.face].normal);
     if (!is_inner(a.face) && !is_inner(b.face)) return between;
@@ -57,7 +57,7 @@ struct AllFaces {
   }
 };
 
-/// Lists the vertices, and at each its faces. Returns the place of each vertex of the solid in that list.
+/// Lists the vertices and the faces at each. Returns the position of each vertex of the solid in that list.
 std::vector<std::uint32_t> gather_faces(std::size_t vertex_count, const AllFaces& all,
                                         const InnerFeatures& features, BoundaryVertices& out) {
   std::vector<std::uint32_t> faces_at(vertex_count, 0), place(vertex_count, 0);
@@ -95,7 +95,7 @@ std::vector<std::uint32_t> gather_faces(std::size_t vertex_count, const AllFaces
 
 using VertexPair = std::array<std::uint32_t, 2>;
 
-/// Edges of two faces with an angle between them, and those of more faces; then the tagged ones. Ascending.
+/// Edges between two faces with an angle, edges of more than two faces, and tagged edges; ascending.
 std::vector<VertexPair> sharp_and_tagged(const AllFaces& all, const InnerFeatures& features,
                                          double sharp_dihedral_deg) {
   std::vector<VertexPair> edges;
@@ -105,8 +105,8 @@ std::vector<VertexPair> sharp_and_tagged(const AllFaces& all, const InnerFeature
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
     const BoundaryEdgeUse& edge = uses[begin];
     while (end < uses.size() && uses[end].same_edge(edge)) ++end;
-    // An edge of one face lies beside a face without area, which hides how the boundary goes on, or is where
-    // a wall ends.
+    // An edge of one face is next to a face without area, which hides how the boundary continues, or is the
+    // end of a wall.
     if (end - begin == 1) continue;
     if (end - begin == 2 && all.cosine(edge, uses[begin + 1]) >= flattest_cosine) continue;
     edges.push_back({edge.low, edge.high});
@@ -119,7 +119,7 @@ std::vector<VertexPair> sharp_and_tagged(const AllFaces& all, const InnerFeature
   return edges;
 }
 
-/// Those at the vertices of `out`.
+/// The sharp edges at each of the listed vertices.
 std::vector<SharpEdges> sharp_edges_at(const std::vector<VertexPair>& edges,
                                        const std::vector<std::uint32_t>& place, std::size_t vertex_count) {
   std::vector<SharpEdges> sharp(vertex_count);
@@ -137,8 +137,8 @@ double spread_deg_of(const Vector3& mean, std::span<const FaceAtVertex> faces) {
   return std::acos(std::max(least_cosine, -1.0)) / kDegree;
 }
 
-/// Along a crease through `vertex`, or along the one that ends there where `ends_count`; {0, 0, 0} where its
-/// sharp edges are none.
+/// Unit tangent of the crease through `vertex`, or, if `ends_count`, of the crease that ends there; {0, 0, 0}
+/// if its sharp edges form no crease.
 Vector3 crease_tangent(const std::vector<Vector3>& vertices, std::uint32_t vertex, const SharpEdges& sharp,
                        double crease_turn_deg, bool ends_count) {
   if (sharp.count == 0 || sharp.count > 2 || (sharp.count == 1 && !ends_count)) return {0, 0, 0};
@@ -149,10 +149,11 @@ Vector3 crease_tangent(const std::vector<Vector3>& vertices, std::uint32_t verte
   return normalised(to_first - to_second);
 }
 
-/// Half of a tangent along the normal of a smooth vertex, and it says nothing beside the normal.
+/// Smallest part of a tangent across the normal of a smooth vertex: below it the tangent adds nothing to the
+/// normal.
 constexpr double kLeastAcross = 0.5;
 
-/// What is left of it across a unit normal.
+/// The part of a tangent across a unit normal, normalised; {0, 0, 0} below kLeastAcross.
 Vector3 across(const Vector3& tangent, const Vector3& normal) {
   const Vector3 part = tangent - dot(tangent, normal) * normal;
   return norm(part) < kLeastAcross ? Vector3{0, 0, 0} : normalised(part);

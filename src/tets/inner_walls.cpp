@@ -27,7 +27,7 @@ std::vector<Face> tagged_faces(const TetMesh& mesh) {
   return faces;
 }
 
-/// The face so that it looks out of the tet.
+/// The face, oriented outward from the tet.
 Face outward_of(const TetMesh& mesh, const Face& face, std::uint32_t tet) {
   const auto& [a, b, c] = face;
   const auto& corners = mesh.tets[tet];
@@ -51,7 +51,7 @@ void warn_of_stray_faces(const TetSolid& solid, const std::vector<Face>& tagged,
                        " of " + std::to_string(tagged.size()));
 }
 
-/// Of faces whose own tet is left out for want of volume, that of any tet at their first corner.
+/// Regions of the boundary faces; for a face whose tet has no volume, that of any tet at its first corner.
 class BoundaryRegions {
  public:
   explicit BoundaryRegions(const TetSolid& solid) : solid_(solid), at_vertex_(solid.mesh.vertices.size(), 0) {
@@ -80,7 +80,7 @@ std::vector<Edge> edges_of_faces(const TetSolid& solid, const std::vector<InnerW
   return edges;
 }
 
-/// Over all vertices of the solid.
+/// Creases of boundary and walls, with indices into all vertices of the solid.
 std::vector<CreaseCurve> creases_of(const TetSolid& solid, const std::vector<InnerWall>& walls,
                                     const std::vector<Edge>& followed) {
   TriangleMesh faces{solid.mesh.vertices, solid.boundary};

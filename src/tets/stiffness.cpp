@@ -13,12 +13,12 @@
 namespace crossgrain {
 namespace {
 
-/// The corners of a tet's six edges.
+/// Corners of the six edges of a tet.
 constexpr std::array<std::array<std::uint8_t, 2>, 6> kEdgeCorners = {
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-/// A tet's share in the weights of its edges: with e_k the edges from corner 0 and J = e_1 . e_2 x e_3,
-/// grad phi_1 = e_2 x e_3 / J and so on around, vol = |J| / 6.
+/// Contribution of a tet to the weights of its edges: with e_k the edges from corner 0 and J = e_1 . e_2 x
+/// e_3, grad phi_1 = e_2 x e_3 / J and cyclically, vol = |J| / 6.
 std::array<double, 6> edge_weights(const std::vector<Vector3>& vertices,
                                    const std::array<std::uint32_t, 4>& tet) {
   std::array<Vector3, 3> e;
@@ -27,7 +27,8 @@ std::array<double, 6> edge_weights(const std::vector<Vector3>& vertices,
     e[k] = vertices[tet[k + 1]] - vertices[tet[0]];
     for (const double component : e[k]) scale = std::max(scale, std::abs(component));
   }
-  // Products of four lengths would leave the range of a double where lengths do not; weights are lengths.
+  // Scaled, since products of four lengths may leave the range of a double where lengths do not; weights are
+  // lengths.
   for (Vector3& edge : e) edge = {edge[0] / scale, edge[1] / scale, edge[2] / scale};
   std::array<Vector3, 4> g = {Vector3{}, cross(e[1], e[2]), cross(e[2], e[0]), cross(e[0], e[1])};
   g[0] = -(g[1] + g[2] + g[3]);
@@ -37,8 +38,8 @@ std::array<double, 6> edge_weights(const std::vector<Vector3>& vertices,
   return weights;
 }
 
-/// For each vertex, which edges of which tets have it for their lower one: the higher vertex above 6 * tet +
-/// edge, in 32 bits each, ascending.
+/// The edges of tets, grouped by their lower vertex: the higher vertex above 6 * tet + edge, in 32 bits each,
+/// ascending.
 struct EdgeUses {
   std::vector<std::size_t> begins;
   std::vector<std::uint64_t> uses;

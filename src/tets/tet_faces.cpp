@@ -11,7 +11,7 @@
 namespace crossgrain {
 namespace {
 
-/// The face's lowest vertex, and the rest of its use.
+/// The lowest vertex of a face, and the rest of its use.
 struct LowestAndUse {
   std::uint32_t lowest;
   FaceUse use;
@@ -39,7 +39,7 @@ TetFaces::TetFaces(std::size_t vertex_count, const std::vector<std::array<std::u
     : begins_(vertex_count + 1, 0) {
   for (std::size_t t = 0; t < tets.size(); ++t) {
     if (!take[t]) continue;
-    // Of the four faces all but one have the lowest of the four vertices, and that one the second lowest.
+    // Three of the four faces have the lowest of the four vertices, the other has the second lowest.
     auto [a, b, c, d] = tets[t];
     const std::uint32_t low_ab = std::min(a, b), low_cd = std::min(c, d);
     const std::uint32_t lowest = std::min(low_ab, low_cd);

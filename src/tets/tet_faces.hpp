@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The faces of tets, each with the tets that have it.
+// The faces of tets, each with its tets.
 #pragma once
 
 #include <array>
@@ -10,22 +10,23 @@
 
 namespace crossgrain {
 
-/// One tet's use of a face, of which the lowest vertex is known from its place in the table.
+/// One tet's use of a face; the position in the table gives the lowest vertex.
 struct FaceUse {
   std::uint64_t other_vertices;  ///< the middle vertex above the highest, in 32 bits each
   std::uint32_t tet;
-  std::uint8_t corner;  ///< of the tet, opposite the face
+  std::uint8_t corner;  ///< corner of the tet opposite the face
   bool even;            ///< whether lowest, middle, highest run outward (kFaceCorners) for this tet
 
   std::uint32_t middle() const { return static_cast<std::uint32_t>(other_vertices >> 32); }
   std::uint32_t highest() const { return static_cast<std::uint32_t>(other_vertices); }
 };
 
-/// Uses sorted by the vertices of their face, then by tet. Sorting only among those of the same lowest vertex
-/// takes a fifth of the time of sorting them all.
+/// Table of uses of faces, sorted by the vertices of the face, then by tet. Sorting only among uses with the
+/// same lowest vertex takes a fifth of the time of sorting them all.
 class TetFaces {
  public:
-  /// Faces of the tets that `take` is not zero for. Their vertices must be distinct and below `vertex_count`.
+  /// Takes the faces of the tets with a non-zero `take`. Their vertices must be distinct and below
+  /// `vertex_count`.
   TetFaces(std::size_t vertex_count, const std::vector<std::array<std::uint32_t, 4>>& tets,
            const std::vector<std::uint8_t>& take);
 
@@ -45,7 +46,7 @@ class TetFaces {
   std::size_t use_count() const { return uses_.size(); }
 
  private:
-  std::vector<std::size_t> begins_;  ///< of the uses of each lowest vertex, and one more
+  std::vector<std::size_t> begins_;  ///< start of the uses of each lowest vertex, and the end
   std::vector<FaceUse> uses_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a tet has a volume, and on which side.
+// Orientation of a tet, and whether it has volume.
 #pragma once
 
 #include <array>
@@ -13,18 +13,18 @@ namespace crossgrain {
 enum class TetShape : std::uint8_t {
   kPositive,   ///< (b - a) x (c - a) . (d - a) > 0 for vertices a, b, c, d
   kInverted,   ///< < 0
-  kFlat,       ///< the four vertices lie in one plane
+  kFlat,       ///< the four vertices are in one plane
   kCollapsed,  ///< a vertex is named twice
 };
 
-/// Six volumes of a tet over its longest edge cubed, below which it is flat. Weights of linear elements grow
-/// as the inverse, and beyond 1e12 energies would keep no more than four digits.
+/// Limit of six volumes of a tet over its longest edge cubed, below which it is flat. Weights of linear
+/// elements grow as the inverse, and beyond 1e12 energies would keep no more than four digits.
 inline constexpr double kFlatness = 1e-12;
 
-/// Coordinates must be below 1e100 (`check_vertices`), so that volumes do not overflow.
+/// Shape of a tet. Coordinates must be below 1e100 (`check_vertices`), so that volumes do not overflow.
 TetShape shape_of_tet(const std::vector<Vector3>& vertices, const std::array<std::uint32_t, 4>& tet);
 
-/// The vertices of the face opposite each corner, outward by the right-hand rule for a positive tet.
+/// Vertices of the face opposite each corner, outward by the right-hand rule for a positive tet.
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kFaceCorners = {
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 

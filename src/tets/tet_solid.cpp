@@ -28,7 +28,7 @@ std::string numbers(std::span<const std::uint32_t> values) {
   return text;
 }
 
-/// How many things of a kind there are, and the first of them.
+/// Number of items of a kind, and the first of them.
 struct Tally {
   std::size_t count = 0;
   std::size_t first = 0;
@@ -54,7 +54,7 @@ void check_indices(const TetMesh& mesh) {
   }
 }
 
-/// Of what is tagged.
+/// Checks the vertex indices of tagged edges or triangles.
 template <class Features>
 void check_features(const Features& features, std::size_t vertex_count, const char* kind) {
   for (std::size_t k = 0; k < features.size(); ++k) {
@@ -65,7 +65,7 @@ void check_features(const Features& features, std::size_t vertex_count, const ch
   }
 }
 
-/// The tets' shapes before inverted ones are turned, which this does.
+/// Exchanges two vertices of inverted tets. Returns the shapes before that.
 std::vector<TetShape> turn_tets(TetMesh& mesh) {
   std::vector<TetShape> shapes(mesh.tets.size());
   parallel_for(shapes.size(), [&](std::size_t t) {
@@ -83,7 +83,7 @@ std::vector<TetShape> turn_tets(TetMesh& mesh) {
                                   Remedy::kRemoveOverlaps});
 }
 
-/// Unsets `take` for tets of the same four vertices as an earlier one.
+/// Unsets `take` for tets with the same four vertices as an earlier one.
 Tally drop_repeated_tets(const TetFaces& faces, const Tets& tets, std::vector<std::uint8_t>& take) {
   Tally repeated;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> apexes;  // opposite vertex and tet
@@ -101,7 +101,7 @@ Tally drop_repeated_tets(const TetFaces& faces, const Tets& tets, std::vector<st
   return repeated;
 }
 
-/// Whether a face has more than two tets, or two of the same vertices.
+/// Whether a face has more than two tets, or two with the same vertices.
 bool has_crowded_face(const TetFaces& faces, const Tets& tets) {
   bool crowded = false;
   faces.visit([&](const auto&, std::span<const FaceUse> uses) {
@@ -111,7 +111,7 @@ bool has_crowded_face(const TetFaces& faces, const Tets& tets) {
   return crowded;
 }
 
-/// All faces of tets that name four vertices, each set of them once. Repeated tets lose their `take`.
+/// The faces of all tets with four distinct vertices. Unsets `take` for repeated tets.
 TetFaces faces_of_solid(const TetMesh& mesh, std::vector<std::uint8_t>& take,
                         std::vector<std::string>& warnings) {
   TetFaces faces(mesh.vertices.size(), mesh.tets, take);
@@ -125,10 +125,10 @@ TetFaces faces_of_solid(const TetMesh& mesh, std::vector<std::uint8_t>& take,
   return faces;
 }
 
-/// Flat tets have no orientation of their own: it is what fits to their neighbours'. Returns for each tet
-/// whether the table's `even` is to be taken the other way round.
+/// Whether to negate `even` of the faces of each tet. Flat tets have no orientation of their own and get the
+/// one that fits their neighbours.
 std::vector<std::uint8_t> orient_flat_tets(const TetFaces& faces, const std::vector<TetShape>& shapes) {
-  // Each pass takes it at least one flat tet farther into a heap of them; deeper ones stay as they are.
+  // Each pass goes at least one flat tet deeper into a cluster of them; deeper ones stay as they are.
   constexpr int kPasses = 16;
   std::vector<std::uint8_t> reversed(shapes.size(), 0);
   std::vector<std::uint8_t> known(shapes.size());
@@ -150,7 +150,7 @@ std::vector<std::uint8_t> orient_flat_tets(const TetFaces& faces, const std::vec
 }
 
 /// Fills in `inner_faces`, `boundary` and `boundary_tets`, and joins tets across faces; `new_index` is kNoTet
-/// for flat tets. Returns the faces that have both their tets on the same side, by the first of these.
+/// for flat tets. Returns the tally of faces with both tets on the same side, with the lowest such tet.
 Tally sort_out_faces(const TetFaces& faces, const std::vector<std::uint32_t>& new_index,
                      const std::vector<std::uint8_t>& reversed, DisjointSets& connected, TetSolid& solid) {
   Tally folded;
@@ -172,7 +172,7 @@ Tally sort_out_faces(const TetFaces& faces, const std::vector<std::uint32_t>& ne
   return folded;
 }
 
-/// Numbers the components in the order of their first tets. Flat tets connect too.
+/// Numbers the components in the order of their first tets. Flat tets also connect.
 void number_components(DisjointSets& connected, const std::vector<std::uint32_t>& new_index,
                        TetSolid& solid) {
   std::vector<std::uint32_t> component_of_root(new_index.size(), kNoComponent);
@@ -188,7 +188,7 @@ void number_components(DisjointSets& connected, const std::vector<std::uint32_t>
   }
 }
 
-/// Moves tets that are kept to the front; returns their new indices, kNoTet for the others.
+/// Moves the tets that are kept to the front. Returns their new indices, kNoTet for the others.
 std::vector<std::uint32_t> keep_tets(TetMesh& mesh, const std::vector<TetShape>& shapes,
                                      const std::vector<std::uint8_t>& take) {
   Tets& tets = mesh.tets;
@@ -224,8 +224,8 @@ void warn_of_boundary_faults(const TetSolid& solid, std::vector<std::string>& wa
        "vertices at which the solid touches itself");
 }
 
-/// Warns of boundary faces of the same place, of vertices that are not the same: the file has those between
-/// two parts twice, so that the field knows nothing of one side on the other.
+/// Warns of boundary faces at the same place with different vertices: the file has the vertices between two
+/// parts twice, so the two sides are not coupled.
 void warn_of_unmerged_vertices(const TetSolid& solid, std::vector<std::string>& warnings) {
   const TriangleMesh surface = boundary_surface(solid);
   const std::vector<std::uint32_t> first = first_equal_vertices(surface.vertices);
