@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where singular arcs come to lie (docs/solver.md): a cylinder of radius 0.55 and height 1.4 has four,
+// Where singular arcs come to lie (docs/notes/solver.md): a cylinder of radius 0.55 and height 1.4 has four,
 // straight and alike, however it stands in the grid.
 //
 //   arc_sweep [RELAXED_CELLS...]      default: that of SolverOptions

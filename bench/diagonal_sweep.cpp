@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep behind SolverOptions::diagonal_share (docs/solver.md): how far energies of turned parts are from
-// those of the upright ones.
+// The sweep behind SolverOptions::diagonal_share (docs/notes/solver.md): how far energies of turned parts are
+// from those of the upright ones.
 //
 //   diagonal_sweep [PART.stl...]      default: the bracket of the tests
 //

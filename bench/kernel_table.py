@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the benchmarks of kernels and prints their rates as the Markdown table of docs/performance.md.
+"""Runs the benchmarks of kernels and prints their rates as the Markdown table of docs/notes/performance.md.
 
     kernel_table.py PROGRAM [--repetitions N] [--filter REGEX]
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep behind the defaults of OntoOptions (docs/solver.md): the Dirichlet energy on tet meshes for one
-// option at a time, each over several seeds.
+// The sweep behind the defaults of OntoOptions (docs/notes/solver.md): the Dirichlet energy on tet meshes for
+// one option at a time, each over several seeds.
 //
 //   onto_sweep SEEDS MESH...      MESH as for `crossgrain solve`
 //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The degree-4 energies of ten seeds on generated solids, with relaxation and without (docs/solver.md).
+// The degree-4 energies of ten seeds on generated solids, with relaxation and without (docs/notes/solver.md).
 #include <algorithm>
 #include <cstdio>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep behind the defaults of SolverOptions (docs/solver.md): the final degree-4 energy on four
+// The sweep behind the defaults of SolverOptions (docs/notes/solver.md): the final degree-4 energy on four
 // generated solids for one option at a time, each over several seeds.
 //
 //   solver_sweep [SEEDS]      default 3

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What tolerance and steps of streamlines cost and buy (docs/streamlines.md).
+// What tolerance and steps of streamlines cost and buy (docs/notes/streamlines.md).
 //
 //   streamline_sweep                  circles about an axis, and how near to a singular line a field holds
 //   streamline_sweep FOLDER [MODEL]   lines of a solved field

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where random frames on the tets themselves end, with creases free: how likely the field of `solve
-// --boundary smooth-only` is the minimum with normals held (docs/comparison.md).
+// --boundary smooth-only` is the minimum with normals held (docs/notes/fields.md).
 //
 //   tet_starts STARTS MESH      MESH as for `crossgrain solve`
 //

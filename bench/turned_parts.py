@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The energies of a part turned by random rotations, over that of the part as it stands (docs/solver.md).
+"""The energies of a part turned by random rotations, over that of the part as it stands (docs/notes/solver.md).
 
     turned_parts.py PROGRAM PART.stl [CELLS] [ROTATIONS] [SIZES]
 

@@ -53,9 +53,23 @@ function(crossgrain_component name)
   set_property(GLOBAL APPEND PROPERTY CROSSGRAIN_BUILT_COMPONENTS ${name})
 endfunction()
 
-# crossgrain_layer_test(NAME SOURCES ...): one test program for a layer, linked with it and those below.
+# crossgrain_gtests(TARGET [SLOW pattern...]): every test of a program as a test of ctest. Those whose names match a
+# pattern of Google Test (Suite.*, *.Name) get the label "slow"; `ctest -LE slow` runs the others.
+function(crossgrain_gtests target)
+  cmake_parse_arguments(GTESTS "" "" "SLOW" ${ARGN})
+  if(NOT GTESTS_SLOW)
+    gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+    return()
+  endif()
+  list(JOIN GTESTS_SLOW ":" slow)
+  gtest_discover_tests(${target} TEST_FILTER "-${slow}" TEST_LIST ${target}_quick DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  gtest_discover_tests(${target} TEST_FILTER "${slow}" TEST_LIST ${target}_slow DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300
+                                                                                                 LABELS slow)
+endfunction()
+
+# crossgrain_layer_test(NAME SOURCES ... [SLOW pattern...]): one test program for a layer, linked with it and those below.
 function(crossgrain_layer_test name)
-  cmake_parse_arguments(TEST "" "" "SOURCES" ${ARGN})
+  cmake_parse_arguments(TEST "" "" "SOURCES;SLOW" ${ARGN})
   get_property(layers GLOBAL PROPERTY CROSSGRAIN_LAYERS)
   add_executable(crossgrain_${name}_tests ${TEST_SOURCES})
   crossgrain_compile_settings(crossgrain_${name}_tests)
@@ -67,5 +81,5 @@ function(crossgrain_layer_test name)
     endif()
   endforeach()
   target_link_libraries(crossgrain_${name}_tests PRIVATE crossgrain_test_support GTest::gtest_main)
-  gtest_discover_tests(crossgrain_${name}_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  crossgrain_gtests(crossgrain_${name}_tests SLOW ${TEST_SLOW})
 endfunction()

@@ -18,6 +18,7 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/version.hpp"
+#include "messages.hpp"
 #include "picture_arguments.hpp"
 
 namespace crossgrain::app {
@@ -569,7 +570,7 @@ Arguments parse_arguments(int argc, char** argv) {
     return spectrum;
   }
   std::cerr << app.help();
-  return Finished{static_cast<int>(ErrorKind::kUsage)};
+  return Finished{exit_code_of(ErrorKind::kUsage)};
 }
 
 }  // namespace crossgrain::app

@@ -16,6 +16,7 @@ namespace {
 std::atomic<Monitor*> monitor_of_signals = nullptr;
 std::atomic<std::int64_t> last_signal_ns = 0;
 std::atomic<bool> clears_line = false;
+std::atomic<bool> has_field = false;
 static_assert(std::atomic<Monitor*>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
 
 constexpr std::int64_t kSameSignal_ns = 100'000'000;
@@ -36,7 +37,7 @@ void say(std::string_view text) {
 void stop(Monitor& monitor) {
   monitor.stop();
   // Computing ends in a moment and says then which level is written.
-  if (!monitor.heeds_stops())
+  if (has_field.load())
     say("crossgrain: interrupted: the field is solved and goes on to its files; Ctrl-C again to drop it\n");
 }
 
@@ -73,6 +74,7 @@ void install(int signal, struct sigaction& before) {
 Interruption::Interruption(Monitor& monitor, bool on_terminal) {
   last_signal_ns = 0;
   clears_line = on_terminal;
+  has_field = false;
   monitor_of_signals = &monitor;
   for (std::size_t k = 0; k < kSignals.size(); ++k) install(kSignals[k], before_[k]);
 }
@@ -80,6 +82,10 @@ Interruption::Interruption(Monitor& monitor, bool on_terminal) {
 Interruption::~Interruption() {
   for (std::size_t k = 0; k < kSignals.size(); ++k) sigaction(kSignals[k], &before_[k], nullptr);
   monitor_of_signals = nullptr;
+}
+
+void Interruption::set_has_field(bool has) {
+  has_field = has;
 }
 
 }  // namespace crossgrain::app

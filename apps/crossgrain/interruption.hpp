@@ -24,6 +24,10 @@ class Interruption {
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
+  /// Whether what is being worked on is a field already, which a stop changes nothing of: the signal that
+  /// stops says so then. It is not until this is called.
+  static void set_has_field(bool has);
+
  private:
   static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
   std::array<struct sigaction, kSignals.size()> before_;

@@ -8,6 +8,7 @@
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
+#include "messages.hpp"
 #include "output.hpp"
 
 #ifdef __GLIBC__
@@ -54,10 +55,12 @@ int run(int argc, char** argv) {
     arguments = parse_arguments(argc, argv);
     return std::visit(Run(), arguments);
   } catch (const Error& error) {
-    return fail(static_cast<int>(error.kind()), error.what());
+    const bool is_solve = std::holds_alternative<SolveArguments>(arguments);
+    return fail(exit_code_of(error.kind()),
+                line_of(error.message(), is_solve ? Command::kSolve : Command::kOther));
   } catch (const std::bad_alloc&) {
     return fail(
-        static_cast<int>(ErrorKind::kLimit),
+        exit_code_of(ErrorKind::kLimit),
         std::visit(Subject(), arguments) + "out of memory; lower --resolution or simplify the surface");
   } catch (const std::exception& error) {
     return fail(kInternalError, std::visit(Subject(), arguments) + "unexpected: " + error.what() +

@@ -14,9 +14,9 @@ namespace crossgrain::app {
 
 void print_result(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
-  throw Error(ErrorKind::kOutput,
-              fmt::format("standard output: cannot be written: {}; free some space or send it elsewhere",
-                          std::generic_category().message(errno)));
+  throw Error(ErrorKind::kOutput, {"standard output", "",
+                                   fmt::format("cannot be written: {}; free some space or send it elsewhere",
+                                               std::generic_category().message(errno))});
 }
 
 void print_message(const std::string& message) {

@@ -14,7 +14,7 @@ constexpr std::size_t kFewestCellsToTell = 4000;
 /// Cells of the next level for one of a level, where refinement follows the surface.
 constexpr double kGrowth = 4;
 
-/// What analysis and writing take for what the last level took (docs/performance.md).
+/// What analysis and writing take for what the last level took (docs/notes/performance.md).
 constexpr double kResultShare = 0.5;
 
 }  // namespace

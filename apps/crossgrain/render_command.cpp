@@ -10,6 +10,7 @@
 #include "crossgrain/picture.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "interruption.hpp"
+#include "messages.hpp"
 #include "output.hpp"
 
 namespace crossgrain::app {
@@ -21,15 +22,15 @@ void check_files(const RenderArguments& arguments) {
   for (const std::string& name : all_result_files()) {
     const std::filesystem::path input = std::filesystem::path(arguments.field) / name;
     if (normal(input) == normal(arguments.output))
-      throw Error(ErrorKind::kUsage, input.string() + ": is of the field; name another file for the picture");
+      throw Error(ErrorKind::kUsage,
+                  {input.string(), "", "is of the field; name another file for the picture"});
   }
 }
 
 std::vector<std::vector<Vector3>> streamlines_in(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / kStreamlinesFile;
   if (!std::filesystem::exists(path))
-    throw Error(ErrorKind::kInput,
-                path.string() + ": does not exist; run 'crossgrain streamlines' on the folder first");
+    throw Error(ErrorKind::kInput, {path.string(), "", "does not exist", Remedy::kTraceStreamlines});
   return read_streamline_points(path);
 }
 
@@ -39,7 +40,8 @@ void draw(const RenderArguments& arguments, const Monitor& monitor) {
   const SingularityGraph singularities = read_singularities(folder / "singularities.vtu");
   PictureCurves curves{&singularities, {}};
   if (arguments.streamlines) curves.streamlines = streamlines_in(folder);
-  render_picture(field, arguments.output, arguments.options, curves, monitor);
+  naming(arguments.field,
+         [&] { render_picture(field, arguments.output, arguments.options, curves, monitor); });
 }
 
 }  // namespace

@@ -19,11 +19,12 @@ void check_files(const SampleArguments& arguments) {
            std::filesystem::path(a).lexically_normal() == std::filesystem::path(b).lexically_normal();
   };
   if (same(arguments.output, arguments.points) || same(arguments.outside, arguments.points)) {
-    throw Error(ErrorKind::kUsage, arguments.points + ": holds the points; name another file for the result");
+    throw Error(ErrorKind::kUsage,
+                {arguments.points, "", "holds the points; name another file for the result"});
   }
   if (same(arguments.output, arguments.outside)) {
     throw Error(ErrorKind::kUsage,
-                arguments.output + ": is named for frames and for outside points; name two files");
+                {arguments.output, "", "is named for frames and for outside points; name two files"});
   }
 }
 

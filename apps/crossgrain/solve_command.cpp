@@ -21,6 +21,7 @@
 #include "crossgrain/solve.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "interruption.hpp"
+#include "messages.hpp"
 #include "output.hpp"
 #include "progress_lines.hpp"
 
@@ -33,20 +34,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Runs `compute`. What it throws of the model gets the name of the file that the model came from.
-template <class Compute>
-auto naming(const std::string& file, const SolveArguments& arguments, const Compute& compute) {
-  try {
-    return compute();
-  } catch (const Error& error) {
-    const bool of_model = error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit;
-    const std::string message = error.what();
-    const auto is_of = [&](const std::string& other) { return !other.empty() && message.starts_with(other); };
-    if (!of_model || is_of(arguments.from) || is_of(arguments.constraints)) throw;
-    throw Error(error.kind(), file + ": " + message);
-  }
-}
-
 /// Is told of a file and what to know of it.
 using Warn = std::function<void(const std::string& file, const std::string& warning)>;
 
@@ -56,7 +43,7 @@ std::optional<TetDomain> read_domain(const SolveArguments& arguments, const Warn
   if (!is_tet_file(file) && arguments.onto.empty()) return std::nullopt;
   TetMesh mesh = read_tets(file);
   for (const std::string& warning : mesh.warnings) warn(file, warning);
-  return naming(file, arguments, [&] { return TetDomain(std::move(mesh)); });
+  return naming(file, [&] { return TetDomain(std::move(mesh)); });
 }
 
 Box bounds_of(const std::vector<Vector3>& points) {
@@ -84,9 +71,10 @@ void check_clip(const SolveArguments& arguments, const TriangleMesh& mesh) {
     if (clip.low[axis] <= model.high[axis] && model.low[axis] <= clip.high[axis]) continue;
     throw Error(
         ErrorKind::kUsage,
-        fmt::format("{}: reaches from {:.6g} to {:.6g} along {}, beside the box of --clip; give the box in "
-                    "the model's unit",
-                    arguments.model, model.low[axis], model.high[axis], "xyz"[axis]));
+        {arguments.model, "",
+         fmt::format("reaches from {:.6g} to {:.6g} along {}, outside the box of --clip; give the box in the "
+                     "model's unit",
+                     model.low[axis], model.high[axis], "xyz"[axis])});
   }
 }
 
@@ -96,15 +84,15 @@ void check_same_unit(const SolveArguments& arguments, const TriangleMesh& surfac
   constexpr double kMostTimes = 5;  // the tets may fill but a part of the solid
   const double size = longest_side(surface.vertices), tets_size = longest_side(domain.boundary().vertices);
   if (std::max(size, tets_size) <= kMostTimes * std::min(size, tets_size)) return;
-  throw Error(
-      ErrorKind::kInput,
-      fmt::format("{}: the tets are {:.3g} across, the surface {} is {:.3g}; give both in the same unit",
-                  arguments.onto, tets_size, arguments.model, size));
+  throw Error(ErrorKind::kInput, {arguments.onto, "",
+                                  fmt::format("the tets are {:.3g} across, the surface {} is {:.3g}",
+                                              tets_size, arguments.model, size),
+                                  Remedy::kMatchUnits});
 }
 
 FrameField solve_model(const SolveArguments& arguments, const SolveOptions& options, const TriangleMesh& mesh,
                        const Monitor& monitor) {
-  return naming(arguments.model, arguments, [&] {
+  return naming(arguments.model, [&] {
     if (arguments.from.empty()) return solve(mesh, options, monitor);
     return solve_from(read_field(arguments.from), mesh, options, monitor);
   });
@@ -197,7 +185,7 @@ void check_start(const SolveArguments& arguments) {
   if (arguments.from.empty() || !is_clipped_field(arguments.from)) return;
   throw Error(
       ErrorKind::kInput,
-      arguments.from + ": holds only part of a field; start from one that was written without --clip");
+      {arguments.from, "", "holds only part of a field; start from one that was written without --clip"});
 }
 
 ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& options) {
@@ -226,7 +214,8 @@ std::optional<TetFrameField> carried(const SolveArguments& arguments, const Solv
                                      const std::function<void()>& leave_line) {
   if (monitor.stopped()) return std::nullopt;
   try {
-    return naming(arguments.onto.empty() ? arguments.model : arguments.onto, arguments,
+    Interruption::set_has_field(false);
+    return naming(arguments.onto.empty() ? arguments.model : arguments.onto,
                   [&] { return carry_onto(field, domain, options, monitor); });
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kInterrupted || monitor.cancelled()) throw;
@@ -254,7 +243,7 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   if (!arguments.onto.empty()) check_same_unit(arguments, mesh, *domain);
   check_clip(arguments, mesh);
   const double read_seconds = seconds_since(start);
-  monitor.check();
+  monitor.check_stop();
   const FrameField field = solve_model(arguments, options, mesh, monitor);
   std::optional<TetFrameField> tet_field;
   if (domain) tet_field = carried(arguments, options, field, *domain, monitor, leave_line);
@@ -299,8 +288,9 @@ int run_solve(const SolveArguments& arguments) {
       print_result(expected_line(expected));
     };
     const auto show = [&lines](const Progress& progress) {
-      const bool is_stopped_level =
-          std::string_view(progress.phase) == "analysis" && progress.level < progress.levels;
+      const std::string_view phase = progress.phase;
+      if (phase == "analysis" || phase == "write") Interruption::set_has_field(true);
+      const bool is_stopped_level = phase == "analysis" && progress.level < progress.levels;
       if (is_stopped_level) {
         lines.leave_line();
         tell_of_stop(
@@ -322,7 +312,7 @@ int run_solve(const SolveArguments& arguments) {
   for (const auto& [file, warning] : warnings_of_input(report, arguments))
     if (told.insert(warning).second) print_message("warning: " + file + ": " + warning);
   if (!arguments.quiet) print_result(summary_of(report, arguments, told));
-  return report.unfinished ? static_cast<int>(ErrorKind::kInterrupted) : 0;
+  return report.unfinished ? exit_code_of(ErrorKind::kInterrupted) : 0;
 }
 
 }  // namespace crossgrain::app

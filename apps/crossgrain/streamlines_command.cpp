@@ -15,6 +15,7 @@
 #include "crossgrain/streamlines.hpp"
 #include "crossgrain/tet_domain.hpp"
 #include "interruption.hpp"
+#include "messages.hpp"
 #include "output.hpp"
 
 namespace crossgrain::app {
@@ -30,18 +31,7 @@ void check_files(const StreamlinesArguments& arguments) {
     if (name != kStreamlinesFile) inputs.push_back((folder / name).string());
   for (const std::string& input : inputs) {
     if (input.empty() || input == "-" || normal(input) != output) continue;
-    throw Error(ErrorKind::kUsage, input + ": is read, or of the field; name another file for the lines");
-  }
-}
-
-/// Runs `compute`. What it throws of the surface gets the name of its file.
-template <class Compute>
-auto naming(const std::string& surface, const Compute& compute) {
-  try {
-    return compute();
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kInput || surface.empty()) throw;
-    throw Error(error.kind(), surface + ": " + error.what());
+    throw Error(ErrorKind::kUsage, {input, "", "is read, or of the field; name another file for the lines"});
   }
 }
 
@@ -56,8 +46,8 @@ std::optional<TriangleMesh> read_model(const StreamlinesArguments& arguments, co
     mesh = naming(file, [&] { return TetDomain(std::move(tets)).boundary(); });
   } else {
     ReadOptions options;
-    constexpr double kCoarsest = 4;
-    options.resolution = static_cast<int>(std::lround(std::max(field.report().resolution, kCoarsest)));
+    constexpr double kCoarsest = 4;  // also where the report has null
+    options.resolution = static_cast<int>(std::lround(std::max(kCoarsest, field.report().resolution)));
     mesh = read_surface(file, options, monitor);
   }
   for (const std::string& warning : mesh.warnings) print_message("warning: " + file + ": " + warning);
@@ -102,9 +92,10 @@ void tell_of_seeds(const Streamlines& traced, std::size_t seeds, const std::stri
   if (traced.lines.empty()) {
     throw Error(
         ErrorKind::kInput,
-        fmt::format("{}: gives no line: of {} seeds {} are outside the field and {} at a singular arc; "
-                    "give points inside, in the model's unit",
-                    source, seeds, traced.outside_seeds, traced.arc_seeds));
+        {source, "",
+         fmt::format("gives no line: of {} seeds {} are outside the field and {} at a singular arc; give "
+                     "points inside, in the model's unit",
+                     seeds, traced.outside_seeds, traced.arc_seeds)});
   }
   if (traced.outside_seeds > 0)
     print_message(fmt::format("{} of {} seeds are outside the field", traced.outside_seeds, seeds));

@@ -32,16 +32,14 @@ std::filesystem::path find_view_program() {
 
 void check_folder(const std::filesystem::path& folder) {
   std::error_code failure;
-  const auto fail = [&](const std::string& message) {
-    throw Error(ErrorKind::kInput, folder.string() + message);
+  const auto fail = [&](const std::string& text, Remedy remedy = Remedy::kNone) {
+    throw Error(ErrorKind::kInput, {folder.string(), "", text, remedy});
   };
   const std::filesystem::file_status status = std::filesystem::status(folder, failure);
-  if (!std::filesystem::exists(status))
-    fail(": no such folder; name one that 'crossgrain solve' has written");
-  if (!std::filesystem::is_directory(status))
-    fail(": is no folder; name one that 'crossgrain solve' has written");
+  if (!std::filesystem::exists(status)) fail("no such folder", Remedy::kGiveFieldFolder);
+  if (!std::filesystem::is_directory(status)) fail("is no folder", Remedy::kGiveFieldFolder);
   if (!std::filesystem::is_regular_file(folder / kPageName, failure))
-    fail(fmt::format(": has no {}; solve again without --no-report", kPageName));
+    fail(fmt::format("has no {}; solve again without --no-report", kPageName));
 }
 
 }  // namespace
@@ -54,10 +52,10 @@ void run_view(const ViewArguments& arguments) {
     ::execl(program.c_str(), "crossgrain_view", arguments.folder.c_str(), port.c_str(),
             arguments.no_browser ? "no-browser" : "browser", static_cast<char*>(nullptr));
   }
-  throw Error(
-      ErrorKind::kInput,
-      fmt::format("{}/crossgrain_view: cannot be run: {}; install Crossgrain again", CROSSGRAIN_HELPER_FOLDER,
-                  std::generic_category().message(program.empty() ? ENOENT : errno)));
+  throw Error(ErrorKind::kInput,
+              {std::string(CROSSGRAIN_HELPER_FOLDER) + "/crossgrain_view", "",
+               "cannot be run: " + std::generic_category().message(program.empty() ? ENOENT : errno),
+               Remedy::kReinstall});
 }
 
 }  // namespace crossgrain::app

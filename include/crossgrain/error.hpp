@@ -3,27 +3,46 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "crossgrain/message.hpp"
 
 namespace crossgrain {
 
-/// What went wrong, as the exit code that the command line program answers with.
+/// What went wrong.
 enum class ErrorKind : int {
-  kUsage = 2,         ///< an option or argument that makes no sense
-  kInput = 3,         ///< an input file or mesh that cannot be used
-  kOutput = 4,        ///< a result that cannot be written
-  kLimit = 5,         ///< out of a stated limit, memory too
-  kInterrupted = 130  ///< cancelled through a Monitor
+  kUsage,       ///< an option or argument that makes no sense
+  kInput,       ///< an input file or mesh that cannot be used
+  kOutput,      ///< a result that cannot be written
+  kLimit,       ///< out of a stated limit, memory too
+  kInterrupted  ///< stopped or cancelled through a Monitor
 };
 
-/// The only exception the library throws for what a user can cause. `what()` is one line that names the file
-/// (or object), the place in it, what is wrong, and the mend.
+/// The only exception the library throws for what a user can cause. `what()` is the sentence of its message:
+/// one line that says the file (where the error is in one), the place in it, what is wrong, and what to do.
 class Error : public std::runtime_error {
  public:
-  Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+  Error(ErrorKind kind, Message message)
+      : std::runtime_error(sentence_of(message)), kind_(kind), message_(std::move(message)) {}
+
+  /// An error of no certain file or place.
+  Error(ErrorKind kind, std::string text, Remedy remedy = Remedy::kNone)
+      : Error(kind, Message{{}, {}, std::move(text), remedy}) {}
+
   ErrorKind kind() const noexcept { return kind_; }
+  const Message& message() const noexcept { return message_; }
+  const std::string& file() const noexcept { return message_.file; }
+  const std::string& place() const noexcept { return message_.place; }
+  const std::string& text() const noexcept { return message_.text; }
+  Remedy remedy() const noexcept { return message_.remedy; }
+
+  /// The same error with the name of the file that the mesh or field came from: the library does not know it
+  /// where they are handed over in memory.
+  Error with_file(std::string file) const;
 
  private:
   ErrorKind kind_;
+  Message message_;
 };
 
 }  // namespace crossgrain

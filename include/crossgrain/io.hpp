@@ -22,88 +22,87 @@
 
 namespace crossgrain {
 
-/// How a surface is read. Of these, files of triangles take notice of max_memory_bytes only; the others say
-/// how CAD files are read and cut into triangles.
+/// How a surface is read. Only max_memory_bytes applies to files of triangles; all other options say how CAD
+/// files are read and triangulated.
 struct ReadOptions {
-  /// The finest cells that the surface is for, as in SolveOptions: along the longest side of the bounding
-  /// box, 0 for kDefaultResolution; or their size in the unit of the mesh, which counts where positive.
+  /// The finest cells of the solve that the surface is for, as in SolveOptions: their number along the
+  /// longest side of the bounding box, 0 for kDefaultResolution; or, if positive, their size in the unit of
+  /// the mesh.
   int resolution = 0;
   double cell_size = 0;
 
-  /// How far triangles may be from the true surface, in cells. Normals come from the true surface, not from
-  /// the triangles, so that a tenth is less than the grid can tell; but at most 1/40 and at least a millionth
-  /// of the longest side, below which no octree reaches.
+  /// Largest distance between triangles and the true surface, in cells, limited to between a millionth and
+  /// 1/40 of the longest side. A tenth is below what the grid resolves, since normals come from the true
+  /// surface.
   double chord_error_cells = 0.1;
 
-  /// The most that the normal may turn along an edge of a triangle: fillets much smaller than a cell keep
+  /// Largest change of the normal along an edge of a triangle, so that fillets much smaller than a cell keep
   /// their directions.
   double facet_angle_deg = 15;
 
-  /// Edges where the true surface turns by more than this somewhere are creases.
+  /// Smallest angle between the faces of an edge, anywhere along it, that makes it a crease.
   double crease_angle_deg = 35;
 
-  /// How long reading a CAD file may take, besides 10 s for each megabyte of it. OpenCASCADE is never done
-  /// with some damaged files; sound ones take less than a second, or a few where they have many thousands of
-  /// faces.
+  /// Time limit for reading a CAD file, plus 10 s per megabyte of it. OpenCASCADE does not terminate on some
+  /// damaged files; sound ones take less than a second, or a few seconds with many thousands of faces.
   double read_seconds = 60;
 
-  /// The most that the process may hold meanwhile, together with the one that reads CAD files; 0 for nine
-  /// tenths of what the machine or the container has.
+  /// Memory limit of the process while reading, together with the one that reads CAD files; 0 for nine tenths
+  /// of what the machine or the container has.
   std::size_t max_memory_bytes = 0;
 
-  /// The program that reads CAD files, crossgrain_cad. Where empty it is looked for beside this library and
-  /// the running program, in libexec/crossgrain/.
+  /// The program crossgrain_cad, which reads CAD files. If empty it is looked for beside this library and the
+  /// running program, in libexec/crossgrain/.
   std::filesystem::path cad_program = {};
 };
 
-/// The surface in a file. The extension names the format, in either case: STL (ASCII or binary), OBJ, PLY
-/// (ASCII or binary) or OFF; STEP (.step, .stp), IGES (.iges, .igs) or OpenCASCADE's BREP (.brep, .brp).
-/// Vertices of equal coordinates become one vertex and vertices that no triangle uses are dropped, so that
-/// neighbouring triangles share indices whatever the format. Throws Error(kInput) naming the file, the place
-/// in it and the mend.
+/// Reads a surface. The extension, in either case, names the format: STL (ASCII or binary), OBJ, PLY (ASCII
+/// or binary) or OFF; STEP (.step, .stp), IGES (.iges, .igs) or OpenCASCADE's BREP (.brep, .brp). Vertices
+/// with equal coordinates are merged and unused vertices dropped, so that neighbouring triangles share
+/// indices in every format. Throws Error(kInput) naming the file, the place in it and the remedy;
+/// Error(kUsage) for options out of range.
 ///
-/// Files of polygons: these are cut into triangles in their own plane; whatever else there is (colours,
-/// normals, materials, groups) is passed over; triangles without area stay in.
+/// Mesh files: polygons are triangulated in their own plane; colours, normals, materials and groups are
+/// ignored; triangles without area are kept.
 ///
-/// CAD files: the mesh has faces, solids, corner normals and creases, in millimetres where the format has
-/// units. Faces look out of their solid; faces and shells of no solid are sewn together where they meet, and
-/// each shell counts as a solid of its own. They are read with OpenCASCADE, where Crossgrain was built with
-/// it, by a process that is started for each file and gone when this returns: where it crashes, hangs or
-/// needs too much memory there is an Error(kInput) as for any damaged file. That process is killed, and
-/// Error(kInterrupted) thrown, once the monitor is cancelled. The result depends on nothing but the file and
-/// the options; of these Error(kUsage) for angles, errors and times out of range.
+/// CAD files: the mesh has faces, solids, corner normals and creases, in millimetres if the format has units.
+/// Faces point out of their solid. Faces and shells without a solid are sewn where they meet, and each shell
+/// becomes a solid. OpenCASCADE reads the file, if Crossgrain was built with it, in a separate process that
+/// ends with this call: a crash, a hang or too much memory there is an Error(kInput), as for any damaged
+/// file. Cancelling the monitor kills that process and throws Error(kInterrupted). The result depends only on
+/// the file and the options.
 TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& options = {},
                           const Monitor& monitor = {});
 
-/// The solid in a tet mesh file. The extension names the format, in either case: Medit (.mesh in text, .meshb
-/// in binary), Gmsh (.msh, version 2 or 4.1), VTK (.vtk, .vtu); text or binary, whatever these formats allow.
-/// Vertices and tets stand in the order of the file, those that are unused, inverted or without volume too.
-/// Tets of higher order count as straight, with a warning. Regions and the tags of edges and triangles are
-/// reference numbers (Medit), physical groups or else entities (Gmsh), or an array of cell data (VTK:
-/// CellEntityIds or the like, docs/command-line.md); all edges and triangles that a file has are features,
-/// unless its Ridges (Medit) choose among the edges. Throws Error(kInput) naming the file, the place in it
-/// and the mend, also where there are no tets or solid elements of other shapes.
+/// Reads a tet mesh. The extension, in either case, names the format: Medit (.mesh in text, .meshb in
+/// binary), Gmsh (.msh, version 2 or 4.1) or VTK (.vtk, .vtu), in text or binary. Vertices and tets keep the
+/// order of the file, including those that are unused, inverted or without volume. Tets of higher order are
+/// read as straight ones, with a warning. Regions and the tags of edges and triangles are reference numbers
+/// (Medit), physical groups or else entities (Gmsh), or an array of cell data (VTK: CellEntityIds or similar,
+/// docs/command-line.md). All edges and triangles of a file are features, unless its Ridges (Medit) choose
+/// among the edges. Throws Error(kInput) naming the file, the place in it and the remedy; also for files
+/// without tets or with other solid elements.
 TetMesh read_tets(const std::filesystem::path& path);
 
-/// Whether `read_tets`, and not `read_surface`, takes a file of this name, by its extension.
+/// Returns whether the extension of a file is one that `read_tets` reads, not `read_surface`.
 bool is_tet_file(const std::filesystem::path& path);
 
-/// The constraints in a JSON file (docs/constraints.md), checked; `source` and lines are those of the file.
-/// Throws Error(kInput) naming the line that is wrong, and where there are none at all.
+/// Reads and checks the constraints in a JSON file (docs/constraints.md), with the file and lines for
+/// messages. Throws Error(kInput) naming the line, and for a file without constraints.
 Constraints read_constraints(const std::filesystem::path& path);
 
-/// A format that a field on tets can be written in (docs/formats.md).
+/// A format for a field on tets (docs/formats.md).
 struct OutputFormat {
   std::string name;
-  std::string description;         ///< for a list of them
-  std::vector<std::string> files;  ///< what they are called in the folder
+  std::string description;         ///< one line for a list of formats
+  std::vector<std::string> files;  ///< names in the folder
   bool is_always_written = false;
 };
 
-/// All of them, those first that are always written.
+/// Returns all formats; those that are always written come first.
 std::vector<OutputFormat> output_formats();
 
-/// What the page of a field is called in its folder (crossgrain/page.hpp).
+/// Name of the page in the folder of a field (crossgrain/page.hpp).
 inline constexpr const char* kPageFile = "report.html";
 
 /// A file that `write_field` writes together with its own: all of them appear, or none.
@@ -114,18 +113,18 @@ struct CompanionFile {
   std::function<std::string(const SolveReport&)> text;
 };
 
-/// How much of a field `write_field` writes to field.vtu, by default all of it, and which formats it writes.
-/// The report, and what is written for tets, are of the whole field in any case.
+/// Which cells `write_field` writes to field.vtu (all by default), and which further files. The report and
+/// the files for tets always describe the whole field.
 struct OutputOptions {
-  /// Depth of the smallest cells written, 0 (the root cube) to 19. Leaves that are deeper become one cell,
-  /// the ancestor of this depth, also where that reaches out of the solid (docs/field-file.md).
+  /// Depth of the smallest cells written, 0 (the root cube) to 19. Deeper leaves are merged into their
+  /// ancestor of this depth, even if that extends beyond the solid (docs/field-file.md).
   std::optional<int> level;
 
-  /// Only cells that have a point in common with this box are written. Model units; bounds may be infinite.
+  /// Box that restricts the output to the cells that touch it. Model units; bounds may be infinite.
   std::optional<Box> clip;
 
-  /// Names of formats (`output_formats`) to write a field on tets in, besides those that always are; in any
-  /// order, and any number of times.
+  /// Names of formats (`output_formats`) for a field on tets, besides those that are always written; in any
+  /// order, repetitions allowed.
   std::vector<std::string> formats = {};
 
   /// Further files to write, such as the page that shows the field in a browser (`page_of`).
@@ -133,121 +132,118 @@ struct OutputOptions {
 };
 
 /// Writes FOLDER/field.vtu, FOLDER/singularities.vtu and FOLDER/surface.vtu (docs/field-file.md), which
-/// ParaView opens, and FOLDER/report.json (docs/report.md), making the folder where it is missing. All are
-/// written beside and then renamed: a failure leaves what was there before. Files of an earlier field on
-/// tets, kStreamlinesFile and a kPageFile that is not written anew are removed, so that a folder never holds
-/// a mix of two solves. The report's seconds.write is what that took; it is added to seconds.total, and
-/// peak_memory_bytes is brought up to date. Where no cell meets the box of `options`, all are written, with a
-/// warning in the report: a solve is not lost for a box. Returns the report as written. Throws
-/// Error(kOutput), Error(kUsage) for options that make no sense (of formats any, as they are of fields on
-/// tets), and Error(kInterrupted) once the monitor is cancelled.
+/// ParaView opens, and FOLDER/report.json (docs/report.md). Creates the folder if it does not exist. Files
+/// are written under temporary names and then renamed, so that a failure leaves the earlier ones. Files of an
+/// earlier field on tets, kStreamlinesFile and a kPageFile that is not written again are removed. Adds the
+/// time to `seconds.write` and `seconds.total` of the report and updates `peak_memory_bytes`. If no cell
+/// touches the box of `options`, all cells are written, with a warning in the report. Returns the report as
+/// written. Throws Error(kOutput); Error(kUsage) for invalid options and for formats of fields on tets;
+/// Error(kInterrupted).
 SolveReport write_field(const FrameField& field, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 
-/// The same with `report`, the field's own with the model's path and the time of reading it filled in, say.
+/// Writes a field with a report of the caller's, for example with the path of the model and the time of
+/// reading added.
 SolveReport write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 
-/// The same with FOLDER/onto.frames, FOLDER/onto.vtu and FOLDER/onto_singularities.vtu and the files of
-/// OutputOptions::formats (docs/formats.md): all files or none. Those of formats that are not asked for are
-/// removed, should an earlier solve have written them. Where tets are left out, and files that number them
-/// are asked for, the report written has a warning. Without `report`, the field's own.
+/// Writes a field on tets: the files above and FOLDER/onto.frames, FOLDER/onto.vtu,
+/// FOLDER/onto_singularities.vtu and the files of OutputOptions::formats (docs/formats.md), all or none.
+/// Files of other formats from an earlier solve are removed. If tets were dropped and a format numbers tets,
+/// the report gets a warning.
 SolveReport write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 SolveReport write_field(const TetFrameField& field, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 
-/// What `write_field` has written to a folder, to the bit; of a field on tets, the one on the grid. Of part
-/// of a field or of merged cells, those: a field like any other, to which the rest is outside. Throws
+/// Reads the field on the grid from a folder that `write_field` has written, bit for bit. A field that was
+/// written in part or with merged cells becomes a field of those cells; everything else is outside. Throws
 /// Error(kInput).
 FrameField read_field(const std::filesystem::path& folder);
 
-/// The field on tets in a folder that `write_field` has written, with the one on the grid that it was carried
-/// over from; none where the folder has no tets. Frames of vertices are those that were written to rounding,
-/// frames of tets are computed from them. The mesh has vertices, tets and regions; what its file tagged is
-/// not in the folder. Throws Error(kInput).
+/// Reads the field on tets from a folder that `write_field` has written; none if the folder has no tets.
+/// Frames of vertices equal those written to rounding; frames of tets are computed from them. The mesh has
+/// vertices, tets and regions; tags of edges and faces are not in the folder. Throws Error(kInput).
 std::optional<TetFrameField> read_tet_field(const std::filesystem::path& folder);
 
-/// The lines around which the frames of tets turn, worked out anew from the onto.vtu that `write_field` has
-/// written to a folder; none where there is none. Throws Error(kInput).
+/// Computes the singular graph of the field on tets from the onto.vtu in a folder, faster than by
+/// `read_tet_field`; none if there is no such file. Throws Error(kInput).
 std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::path& folder);
 
-/// Whether cells are missing from the field in a folder, for it was written with a box (OutputOptions::clip).
-/// Not to be started from: `solve_from` would take the frames of the nearest cells for those. Throws
+/// Returns whether the field in a folder was written with a box (OutputOptions::clip) and so lacks cells. Do
+/// not start from such a field: `solve_from` would use the frames of the nearest cells instead. Throws
 /// Error(kInput).
 bool is_clipped_field(const std::filesystem::path& folder);
 
-/// The names of the files that `write_field` writes for a field on a grid or, with `on_tets`, on tets too,
-/// for these options; report.json comes last.
+/// Returns the names of the files that `write_field` writes with these options for a field on a grid or, with
+/// `on_tets`, on tets; report.json comes last.
 std::vector<std::string> result_files(const OutputOptions& options = {}, bool on_tets = false);
 
-/// The names of all files that the folder of a field may hold, written by `write_field` or `crossgrain
-/// streamlines`.
+/// Returns the names of all files of the folder of a field: those of `write_field`, kPageFile and
+/// kStreamlinesFile.
 std::vector<std::string> all_result_files();
 
-/// Throws Error(kOutput) where `write_field` could not write to a folder; leaves no trace. To be asked before
-/// a solve.
+/// Throws Error(kOutput) if `write_field` could not write to a folder; leaves no trace. Call before a solve
+/// to fail early.
 void check_field_folder(const std::filesystem::path& folder, const OutputOptions& options = {});
 
-/// The same for a field on tets, and these options.
+/// Checks the folder for a field on tets.
 void check_onto_folder(const std::filesystem::path& folder, const OutputOptions& options = {});
 
-/// In the following, the path "-" means standard input or standard output. Text files have one item a line,
-/// its numbers separated by blanks; blank lines, and what follows a word that begins with '#', are passed
-/// over.
+// In the following, the path "-" stands for standard input or standard output. Text files have one item per
+// line, with numbers separated by blanks; blank lines and everything after a word that begins with '#' are
+// ignored.
 
-/// Points, `x y z` a line. Throws Error(kInput) naming the line that is wrong, and where there is no point at
-/// all.
+/// Reads points, `x y z` per line. Throws Error(kInput) naming the line, and for a file without points.
 std::vector<Vector3> read_points(const std::filesystem::path& path);
 
-/// Normals of any length but zero, `nx ny nz [weight]` a line; the weight is 1 where it is left out. Throws
-/// Error(kInput) naming the line that is wrong, and where there is no normal at all.
+/// Reads normals of any length except zero, `nx ny nz [weight]` per line; the default weight is 1. Throws
+/// Error(kInput) naming the line, and for a file without normals.
 std::vector<WeightedNormal> read_normals(const std::filesystem::path& path);
 
-/// Where `write_samples` writes to.
+/// Destinations of `write_samples`.
 struct SampleFiles {
   std::filesystem::path frames = "-";
 
-  /// The points outside, `x y z` a line; none where empty.
+  /// Receives the points outside, `x y z` per line; no such file if empty.
   std::filesystem::path outside;
 };
 
-/// Writes the frame at each point (FrameField::sample): the nine numbers of its three unit axes one after the
-/// other, a line each, of 17 significant digits. Returns how many points are in no active cell. Both files
-/// appear complete or not at all. Throws Error(kOutput), and Error(kInterrupted) once the monitor is
-/// cancelled.
+/// Writes the frame at each point (FrameField::sample), one line per point: the nine numbers of its three
+/// unit axes, with 17 significant digits. Returns the number of points outside all active cells. Both files
+/// appear complete or not at all. Throws Error(kOutput) and Error(kInterrupted).
 std::size_t write_samples(const FrameField& field, std::span<const Vector3> points, const SampleFiles& files,
                           const Monitor& monitor = {});
 
-/// What `crossgrain streamlines` calls its file in the folder of a field, where it is given no other name.
+/// Default name of the file that `crossgrain streamlines` writes to the folder of a field.
 inline constexpr const char* kStreamlinesFile = "streamlines.vtu";
 
-/// Writes streamlines as polylines to a .vtu file (docs/streamlines.md), which ParaView opens. It appears
-/// complete or not at all. Throws Error(kOutput), and Error(kInterrupted) once the monitor is cancelled.
+/// Writes streamlines as polylines to a .vtu file (docs/streamlines.md), which ParaView opens. The file
+/// appears complete or not at all. Throws Error(kOutput) and Error(kInterrupted).
 void write_streamlines(std::span<const Streamline> lines, const std::filesystem::path& path,
                        const Monitor& monitor = {});
 
-/// The points of each line that `write_streamlines` has written to a file, two at least, model units. Throws
-/// Error(kInput).
+/// Reads the points of the lines that `write_streamlines` has written, at least two per line, model units.
+/// Throws Error(kInput).
 std::vector<std::vector<Vector3>> read_streamline_points(const std::filesystem::path& path);
 
-/// The graph in a file singularities.vtu or onto_singularities.vtu that `write_field` has written: that of
-/// the whole field, without the counts of edges and loops, which are in the report. Throws Error(kInput).
+/// Reads the singular graph of the whole field from singularities.vtu or onto_singularities.vtu, without the
+/// numbers of edges and loops, which are in the report. Throws Error(kInput).
 SingularityGraph read_singularities(const std::filesystem::path& path);
 
-/// Throws Error(kOutput) where `write_streamlines` could not write; leaves no trace. To be asked before
-/// tracing.
+/// Throws Error(kOutput) if `write_streamlines` could not write; leaves no trace. Call before tracing to fail
+/// early.
 void check_streamline_file(const std::filesystem::path& path);
 
-/// A report as the JSON text of report.json (docs/report.md).
+/// Returns the text of report.json (docs/report.md).
 std::string report_json(const SolveReport& report);
 
-/// A spectrum as JSON text: {degree, matrix, eigenvalues, null_space, linear, constant} as in SpectrumReport,
-/// matrices as lists of rows.
+/// Returns a spectrum as JSON: {degree, matrix, eigenvalues, null_space, linear, constant} as in
+/// SpectrumReport, with matrices as lists of rows.
 std::string spectrum_json(const SpectrumReport& report);
 
-/// Singularity graphs as JSON text, of a field on the grid and, unless null, of that on tets: {grid, tets},
-/// each as `singularity` in report.json (docs/report.md).
+/// Returns the singular graphs of a field on the grid and, unless null, on tets as JSON: {grid, tets}, each
+/// like `singularity` in report.json (docs/report.md).
 std::string singularity_json(const SolveReport::Singularity& grid, const SolveReport::Singularity* tets);
 
 }  // namespace crossgrain

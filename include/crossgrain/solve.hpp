@@ -10,34 +10,42 @@
 
 namespace crossgrain {
 
-/// The octahedral frame field inside a surface: smooth, and with an axis along the surface's normal (arXiv
-/// 2309.13477). The surface is immersed in an octree and the field found coarse to fine. The same input and
-/// options give the same bits, whatever `options.threads` is.
+// Concurrency: any number of threads may call these functions at once, with the same meshes, domains, fields,
+// options and monitors or different ones, as long as nobody modifies them meanwhile. Each call uses the
+// number of threads in its own `options.threads`, or fewer if a ThreadLimit of the calling thread says so,
+// and its result does not depend on other calls. Memory is shared by the process: a solve accounts for what
+// the process holds when it starts, so give concurrent solves a smaller `max_memory_bytes` each. Peak memory
+// in a report is that of the process. Listeners of a monitor are called on the thread that called the
+// function.
+
+/// Returns the octahedral frame field inside a surface: smooth, with an axis along the normal of the surface
+/// (arXiv 2309.13477). The surface is immersed in an octree and the field is solved coarse to fine. The
+/// result depends only on the input and the options, bit for bit, not on `options.threads`.
 ///
 /// Errors: kUsage for options out of range; kInput for a mesh without triangles, with NaN or an index out of
-/// range, or one that encloses nothing, and for constraints that make no sense, are all beside the model or
-/// on faces that it has not; kLimit where memory or the depth of the octree does not suffice; kInterrupted.
+/// range, or one that encloses nothing, and for constraints that are invalid, all outside the model or on
+/// faces that it does not have; kLimit if memory or the depth of the octree does not suffice; kInterrupted.
 FrameField solve(const TriangleMesh& mesh, const SolveOptions& options = {}, const Monitor& monitor = {});
 
-/// The same, starting from an earlier field (of this or another surface) in place of random frames.
+/// Solves from an earlier field, of this or another surface, instead of random frames.
 FrameField solve_from(const FrameField& earlier, const TriangleMesh& mesh, const SolveOptions& options = {},
                       const Monitor& monitor = {});
 
-/// The options for a field that is to be carried onto tets: where they give neither resolution nor cell size,
-/// with cells of the size of the tets' edges (OntoOptions). Errors: kUsage.
+/// Returns the options for a field that will be transferred to tets: if they give neither resolution nor cell
+/// size, with cells that suit the edges of the tets (OntoOptions). Errors: kUsage.
 SolveOptions sized_for(const TetDomain& domain, SolveOptions options = {});
 
-/// Carries a field onto the vertices of a tet mesh and finishes it there (docs/solver.md): relaxation and
-/// sweeps lower the Dirichlet energy of the degree-4 coefficients, linear in every tet. Smooth boundary
-/// vertices keep an axis along their area-weighted normal exactly and turn about it only; creases and corners
-/// are held as `options.onto` says. Vertices in no cell begin with the frame of the nearest cell of their own
-/// component. The degree is that of `field`. Errors: kUsage; kInput where no vertex lies in a cell, or for
-/// tets of a size or place that leaves single precision; kLimit; kInterrupted.
+/// Transfers a field to the vertices of a tet mesh and finishes it there (docs/solver.md): relaxation and
+/// sweeps lower the Dirichlet energy of the degree-4 coefficients, which are linear in every tet. Smooth
+/// boundary vertices keep an axis exactly along their area-weighted normal; `options.onto` says how creases
+/// and corners are constrained. Vertices outside all cells start with the frame of the nearest cell of their
+/// component. The degree is that of `field`. Errors: kUsage; kInput if no vertex lies in a cell, or for tets
+/// of a size or place beyond single precision; kLimit; kInterrupted.
 TetFrameField carry_onto(const FrameField& field, const TetDomain& domain, const SolveOptions& options = {},
                          const Monitor& monitor = {});
 
-/// The field inside the boundary of a tet mesh, carried onto it: `solve` with the options of `sized_for`, and
-/// `carry_onto`. Errors as those two.
+/// Solves inside the boundary of a tet mesh and transfers the field to it: `solve` with the options of
+/// `sized_for`, then `carry_onto`. Errors: those of both.
 TetFrameField solve_onto(const TetDomain& domain, const SolveOptions& options = {},
                          const Monitor& monitor = {});
 

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+
 namespace crossgrain {
 
-/// Bounds the threads of the library's parallel loops while it lives; 0 means all that the machine has. Of
-/// nested limits the smallest counts. Results do not depend on it. One thread at a time may hold limits.
+struct ThreadArena;
+
+/// Limits the number of threads of parallel loops that the current thread starts during the lifetime of the
+/// object; 0 sets no limit. The smallest of nested limits applies. Results do not depend on it.
+///
+/// Concurrency: limits belong to the thread that creates them and do not affect loops of other threads; any
+/// number of threads may hold limits at once. Destroy a limit on its own thread, in reverse order of
+/// construction, as local variables are. Without a limit, loops run in the oneTBB arena of the calling
+/// thread, whose size no limit exceeds.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -13,7 +22,8 @@ class ThreadLimit {
   ThreadLimit& operator=(const ThreadLimit&) = delete;
 
  private:
-  void* control_;
+  ThreadArena* before_;                 ///< what counts again when this ends
+  std::unique_ptr<ThreadArena> arena_;  ///< none where an enclosing limit is as small
 };
 
 }  // namespace crossgrain

@@ -6,7 +6,11 @@
 namespace crossgrain {
 
 void Monitor::check() const {
-  if (cancelled() || (stopped() && heeds_stops())) throw Error(ErrorKind::kInterrupted, "interrupted");
+  if (cancelled()) throw Error(ErrorKind::kInterrupted, "interrupted");
+}
+
+void Monitor::check_stop() const {
+  if (cancelled() || stopped()) throw Error(ErrorKind::kInterrupted, "interrupted");
 }
 
 }  // namespace crossgrain

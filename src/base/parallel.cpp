@@ -2,71 +2,54 @@
 #include "base/parallel.hpp"
 
 #include <algorithm>
-#include <thread>
-
-namespace crossgrain {
-namespace {
-
-/// More threads than the machine has gain nothing and cost memory each.
-int at_most_all(int threads) {
-  return std::min(threads, std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
-}
-
-/// Of the loops that this thread starts, not of those inside them on other threads.
-thread_local const Monitor* t_watching = nullptr;
-
-using ChunkBody = std::function<void(std::size_t, std::size_t)>;
-
-/// Runs `loop` on the body, or on one that asks the monitor first where there is one.
-template <class Loop>
-void run_watched(const ChunkBody& body, const Loop& loop) {
-  const Monitor* const monitor = t_watching;
-  if (monitor == nullptr) return loop(body);
-  loop([&body, monitor](std::size_t begin, std::size_t end) {
-    monitor->check();
-    body(begin, end);
-  });
-}
-
-}  // namespace
-
-WatchedLoops::WatchedLoops(const Monitor& monitor) : before_(t_watching) {
-  t_watching = &monitor;
-}
-
-WatchedLoops::~WatchedLoops() {
-  t_watching = before_;
-}
-
-}  // namespace crossgrain
-
+#include <cassert>
 #ifdef CROSSGRAIN_STD_THREADS
-
-#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
+#else
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+#endif
 
 namespace crossgrain {
+
+/// Threads that run loops together. One thread starts loops in it: the one whose limit it is.
+struct ThreadArena {
+  int threads;
+#ifndef CROSSGRAIN_STD_THREADS
+  tbb::task_arena tasks{threads};
+#endif
+};
+
 namespace {
 
-std::atomic<int> g_thread_limit{0};
+// Both are those of the loops that this thread starts. Threads of the pool that help with a loop have none of
+// their own, whichever computation they help: nothing leaks from one to another.
+thread_local ThreadArena* t_arena = nullptr;
+thread_local const WatchedLoops* t_watching = nullptr;
 
-int thread_count() {
-  const int limit = g_thread_limit.load();
-  return limit > 0 ? limit : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+using ChunkBody = std::function<void(std::size_t, std::size_t)>;
+
+#ifdef CROSSGRAIN_STD_THREADS
+
+int most_threads() {
+  return t_arena != nullptr ? t_arena->threads
+                            : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-}  // namespace
-
-namespace {
-
 void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
+  if (count <= grain) {
+    if (count > 0) body(0, count);
+    return;
+  }
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex failure_mutex;
   const auto work = [&] {
+    // The threads that the limit allows are at work: loops inside get no more.
+    const ThreadLimit this_thread_only(1);
     for (std::size_t begin; (begin = next.fetch_add(grain)) < count;) {
       try {
         body(begin, std::min(begin + grain, count));
@@ -77,36 +60,18 @@ void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
     }
   };
   std::vector<std::thread> threads;
-  for (int i = 1; i < thread_count() && static_cast<std::size_t>(i) * grain < count; ++i)
+  for (int i = 1; i < most_threads() && static_cast<std::size_t>(i) * grain < count; ++i)
     threads.emplace_back(work);
   work();
   for (std::thread& thread : threads) thread.join();
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace
-
-ThreadLimit::ThreadLimit(int threads) : control_(new int(g_thread_limit.load())) {
-  g_thread_limit.store(at_most_all(threads));
-}
-ThreadLimit::~ThreadLimit() {
-  const auto* before = static_cast<int*>(control_);
-  g_thread_limit.store(*before);
-  delete before;
-}
-
-}  // namespace crossgrain
-
 #else
 
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
-#include <algorithm>
-
-namespace crossgrain {
-namespace {
+int most_threads() {
+  return t_arena != nullptr ? t_arena->threads : tbb::this_task_arena::max_concurrency();
+}
 
 void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
   const std::size_t chunks = (count + grain - 1) / grain;
@@ -114,33 +79,56 @@ void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
     if (count > 0) body(0, count);
     return;
   }
-  // Isolated: a thread that waits for a loop inside a loop must not take up a turn of the outer one, which
-  // may wait for what this thread is making.
-  tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(std::size_t{0}, chunks,
-                      [&](std::size_t chunk) { body(chunk * grain, std::min((chunk + 1) * grain, count)); });
+  run_within_limit([&] {
+    // Isolated: a thread that waits for a loop inside a loop must not take up a turn of the outer one, which
+    // may wait for what this thread is making.
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
+        body(chunk * grain, std::min((chunk + 1) * grain, count));
+      });
+    });
   });
 }
 
-}  // namespace
-
-ThreadLimit::ThreadLimit(int threads)
-    : control_(threads > 0 ? new tbb::global_control(tbb::global_control::max_allowed_parallelism,
-                                                     static_cast<std::size_t>(at_most_all(threads)))
-                           : nullptr) {}
-
-ThreadLimit::~ThreadLimit() {
-  delete static_cast<tbb::global_control*>(control_);
-}
-
-}  // namespace crossgrain
-
 #endif
 
-namespace crossgrain {
+}  // namespace
+
+ThreadLimit::ThreadLimit(int threads) : before_(t_arena) {
+  if (threads <= 0 || (before_ != nullptr && before_->threads <= threads)) return;
+  // More threads than the machine has gain nothing and cost memory each.
+  arena_.reset(new ThreadArena{std::min(threads, most_threads())});
+  t_arena = arena_.get();
+}
+
+ThreadLimit::~ThreadLimit() {
+  assert(t_arena == (arena_ ? arena_.get() : before_));
+  t_arena = before_;
+}
+
+WatchedLoops::WatchedLoops(const Monitor& monitor, Stops stops)
+    : monitor_(monitor), stops_(stops), before_(t_watching) {
+  t_watching = this;
+}
+
+WatchedLoops::~WatchedLoops() {
+  t_watching = before_;
+}
+
+void run_within_limit(const std::function<void()>& work) {
+#ifndef CROSSGRAIN_STD_THREADS
+  if (t_arena != nullptr) return t_arena->tasks.execute(work);
+#endif
+  work();
+}
 
 void parallel_for_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
-  run_watched(body, [&](const ChunkBody& watched) { run_chunks(count, grain, watched); });
+  const WatchedLoops* const watching = t_watching;
+  if (watching == nullptr) return run_chunks(count, grain, body);
+  run_chunks(count, grain, [&body, watching](std::size_t begin, std::size_t end) {
+    watching->check();
+    body(begin, end);
+  });
 }
 
 }  // namespace crossgrain

@@ -21,17 +21,29 @@ inline constexpr std::size_t kParallelGrain = 256;
 void parallel_for_chunks(std::size_t count, std::size_t grain,
                          const std::function<void(std::size_t begin, std::size_t end)>& body);
 
+/// Runs `work` on this thread; loops of other libraries on oneTBB inside it keep to this thread's
+/// ThreadLimit.
+void run_within_limit(const std::function<void()>& work);
+
+/// Whether Monitor::stop ends a computation. It does until there is a field.
+enum class Stops { kHeeded, kIgnored };
+
 /// While it lives, loops that this thread starts ask a monitor before each chunk whether to go on, and throw
-/// Error(kInterrupted) where not. So a solve ends within a moment wherever it is, on any number of cells.
+/// Error(kInterrupted) where not. So a solve ends within a moment wherever it is, on any number of cells. Of
+/// nested ones the innermost counts. Other threads do not see it, nor do loops inside a loop on them.
 class WatchedLoops {
  public:
-  explicit WatchedLoops(const Monitor& monitor);
+  WatchedLoops(const Monitor& monitor, Stops stops);
   ~WatchedLoops();
   WatchedLoops(const WatchedLoops&) = delete;
   WatchedLoops& operator=(const WatchedLoops&) = delete;
 
+  void check() const { stops_ == Stops::kHeeded ? monitor_.check_stop() : monitor_.check(); }
+
  private:
-  const Monitor* before_;
+  const Monitor& monitor_;
+  const Stops stops_;
+  const WatchedLoops* const before_;
 };
 
 /// Runs body(i) for every i in [0, count).

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -78,6 +79,14 @@ std::size_t memory_limit_bytes() {
   std::ifstream file("/proc/self/cgroup");
   const std::string membership{std::istreambuf_iterator<char>(file), {}};
   return smaller_of_known(physical_memory_bytes(), control_group_limit_bytes(membership, "/sys/fs/cgroup"));
+}
+
+std::size_t allowed_memory_bytes(std::size_t max_memory_bytes) {
+  // The rest is left to others.
+  constexpr double kShare = 0.9;
+  if (max_memory_bytes > 0) return max_memory_bytes;
+  const std::size_t there = memory_limit_bytes();
+  return there > 0 ? static_cast<std::size_t>(kShare * static_cast<double>(there)) : SIZE_MAX;
 }
 
 std::size_t current_memory_bytes() {

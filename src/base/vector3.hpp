@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 
 #include "crossgrain/types.hpp"
@@ -68,14 +69,22 @@ BasicVector3<Real> orthogonal_unit(const BasicVector3<Real>& n) {
   return {1 + sign * n[0] * n[0] * a, sign * n[0] * n[1] * a, -sign * n[0]};
 }
 
-inline Box box_of(const std::vector<Vector3>& points) {
-  Box box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-  for (const Vector3& p : points) {
-    for (int axis = 0; axis < 3; ++axis) {
-      box.low[axis] = std::min(box.low[axis], p[axis]);
-      box.high[axis] = std::max(box.high[axis], p[axis]);
-    }
+/// The box around no point: `include` makes it that around one.
+constexpr Box empty_box() {
+  return {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+}
+
+/// Grows a box so that the point is in it.
+inline void include(Box& box, const Vector3& point) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.low[axis] = std::min(box.low[axis], point[axis]);
+    box.high[axis] = std::max(box.high[axis], point[axis]);
   }
+}
+
+inline Box box_of(const std::vector<Vector3>& points) {
+  Box box = empty_box();
+  for (const Vector3& point : points) include(box, point);
   return box;
 }
 

@@ -99,18 +99,17 @@ SpectrumReport report_of_normals(std::span<const WeightedNormal> normals) {
 constexpr double kSmallestWeight = 1e-100, kLargestWeight = 1e100;
 
 void check(std::span<const WeightedNormal> normals) {
-  if (normals.empty()) throw Error(ErrorKind::kUsage, "spectrum: no normals; give at least one");
+  if (normals.empty()) throw Error(ErrorKind::kUsage, "no normals, where at least one is needed");
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const double length = largest_entry(normals[i].normal), weight = normals[i].weight;
     const bool finite = std::all_of(normals[i].normal.begin(), normals[i].normal.end(),
                                     [](double x) { return std::isfinite(x); });
-    const std::string place = "spectrum: normal " + std::to_string(i + 1) + ": ";
+    const std::string place = "normal " + std::to_string(i + 1);
     if (!finite || !(length > 0)) {
-      throw Error(ErrorKind::kUsage, place + "length zero or not finite; give a direction");
+      throw Error(ErrorKind::kUsage, {"", place, "the length is zero or not finite"});
     }
     if (!(weight >= kSmallestWeight && weight <= kLargestWeight)) {
-      throw Error(ErrorKind::kUsage,
-                  place + "weight not between 1e-100 and 1e100; give an area or leave it out");
+      throw Error(ErrorKind::kUsage, {"", place, "the weight is not between 1e-100 and 1e100"});
     }
   }
 }
@@ -126,8 +125,8 @@ std::vector<WeightedNormal> preset_normals(std::string_view name) {
   } else if (name == "sphere") {
     for (const auto& [direction, weight] : sphere_quadrature<8>()) normals.push_back({direction, weight});
   } else {
-    throw Error(ErrorKind::kUsage, "spectrum: unknown preset '" + std::string(name) +
-                                       "'; one of plane, cube, cylinder, sphere is meant");
+    throw Error(ErrorKind::kUsage, {"", "preset '" + std::string(name) + "'",
+                                    "is not known; there are plane, cube, cylinder and sphere"});
   }
   return normals;
 }

@@ -141,9 +141,8 @@ Adjacency::Adjacency(std::size_t cell_count, std::vector<float> units, const Row
 
 Adjacency::Adjacency(std::size_t cell_count, std::span<const WeightedEdge> edges) {
   if (edges.size() > std::numeric_limits<std::uint32_t>::max() / 2) {
-    throw Error(ErrorKind::kLimit,
-                "more than 2 billion pairs of neighbouring cells or edges of tets: lower the resolution or "
-                "take fewer tets");
+    throw Error(ErrorKind::kLimit, "more than 2 billion pairs of neighbouring cells or edges of tets",
+                Remedy::kLowerResolution);
   }
   std::vector<std::uint32_t> begin(cell_count + 1, 0);
   for (const WeightedEdge& edge : edges) {

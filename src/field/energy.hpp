@@ -19,7 +19,7 @@ double graph_energy(const FieldGraph<D>& graph, const FieldState<D>& state);
 ///
 /// Where no frame fits all of the surface in a cell, such as at a crease off the right angle, its form has a
 /// least value that no field can get below. It is a constant of surface and grid that does not shrink with
-/// the cells and jumps with how they cut the surface, so it is counted apart (docs/solver.md, "Rotated
+/// the cells and jumps with how they cut the surface, so it is counted apart (docs/notes/solver.md, "Rotated
 /// parts"; docs/design.md section 3 shifts forms for the same reason).
 struct EnergyParts {
   double smoothness = 0;  ///< 1/2 sum over pairs of neighbours of w |h_i - h_j|^2

@@ -11,11 +11,11 @@ namespace crossgrain {
 /// levels block by block. `level` must have its neighbours.
 ///
 /// With faces alone a singular arc that runs along the grid costs less than a slanted one, by a tenth of the
-/// energy around it (docs/solver.md, "Diagonals"). So wherever four leaves of equal size meet at an edge and
-/// all four faces between them are open, each of the two diagonals takes `diagonal_share` of the smallest of
-/// the four weights, and each of the four faces gives that up. For a field linear across the edge the two
-/// diagonals cost what the four faces gave up, so linear fields cost what they did. `diagonal_share` from 0
-/// to 1/4, for a face takes part in up to four such edges; it is rounded to a multiple of 1/320.
+/// energy around it (docs/notes/solver.md, "Diagonals"). So wherever four leaves of equal size meet at an
+/// edge and all four faces between them are open, each of the two diagonals takes `diagonal_share` of the
+/// smallest of the four weights, and each of the four faces gives that up. For a field linear across the edge
+/// the two diagonals cost what the four faces gave up, so linear fields cost what they did. `diagonal_share`
+/// from 0 to 1/4, for a face takes part in up to four such edges; it is rounded to a multiple of 1/320.
 Connectivity connectivity_of(const GridLevel& level, const LeafConnections& connections,
                              double diagonal_share);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a solve holds at its peaks, structure by structure: the table in docs/performance.md, from which
+// What a solve holds at its peaks, structure by structure: the table in docs/notes/performance.md, from which
 // --max-memory and what is expected of a solve are reckoned. tests/field/memory_budget_test.cpp holds it
 // against what is allocated.
 #pragma once

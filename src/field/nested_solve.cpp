@@ -86,7 +86,7 @@ class LevelSolver {
   void advance(double energy) {
     ++progress_.sweep;
     progress_.energy = energy;
-    monitor_.check();
+    monitor_.check_stop();
     monitor_.report(progress_);
   }
 
@@ -148,7 +148,7 @@ class NestedSolver {
 
  private:
   void solve_levels() {
-    monitor_.check();
+    monitor_.check_stop();
     const auto [root, finest_depth] =
         frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
     coarsest_depth_ = std::max(0, finest_depth - levels_above_finest());
@@ -204,11 +204,11 @@ class NestedSolver {
     if (result_.levels_left_out > kMostLevelsLeftOut) {
       throw Error(
           ErrorKind::kLimit,
-          fmt::format("{:.3g} cells along the longest side would need {:.3g} GB, and {:.3g} GB are allowed; "
-                      "lower the resolution, take larger cells or allow more memory",
+          fmt::format("{:.3g} cells along the longest side would need {:.3g} GB, and {:.3g} GB are allowed",
                       std::ldexp(finest_resolution(), 1 - result_.levels_left_out),
                       forecast.peak_memory(next) / 1e9,
-                      static_cast<double>(forecast.memory_limit_bytes()) / 1e9));
+                      static_cast<double>(forecast.memory_limit_bytes()) / 1e9),
+          Remedy::kUseLessMemory);
     }
     return false;
   }

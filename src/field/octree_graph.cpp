@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
 #include "constraint/spectral_shift.hpp"
 #include "grid/cell_constraints.hpp"
@@ -109,11 +111,14 @@ class SpeckTies {
     const std::vector<std::uint8_t> beside_inside = spread(inside);
     const std::vector<std::uint8_t> near_inside = spread(beside_inside);
     for (CellIndex i = 0; i < level.size(); ++i) {
-      if (!beside_inside[i]) loose_.push_back({i, i, 1, near_inside[i] != 0});
+      if (beside_inside[i]) continue;
+      loose_.push_back(i);
+      components_.push_back({1, near_inside[i] != 0});
     }
-    for (const Loose& leaf : loose_) {
+    sets_ = DisjointSets(loose_.size());
+    for (const CellIndex i : loose_) {
       for (int face = 0; face < kFaceCount; ++face) {
-        if (connections.weights[leaf.leaf][face].joined()) join(leaf.leaf, level.neighbours[leaf.leaf][face]);
+        if (connections.weights[i][face].joined()) join(i, level.neighbours[i][face]);
       }
     }
   }
@@ -122,8 +127,8 @@ class SpeckTies {
   /// this does not reach are tied to any neighbour.
   void tie_all() {
     std::vector<CellIndex> specks;
-    for (const Loose& leaf : loose_) {
-      if (is_speck(leaf.leaf)) specks.push_back(leaf.leaf);
+    for (const CellIndex i : loose_) {
+      if (is_speck(i)) specks.push_back(i);
     }
     bool inwards = true;
     while (!specks.empty()) {
@@ -150,10 +155,8 @@ class SpeckTies {
   /// Leaves of a component: many more than these are a thin plate of its own.
   static constexpr std::uint32_t kLargestSpeck = 8;
 
-  /// A leaf that no leaf with its centre inside is joined to. Of the root of a component, size and whether it
-  /// is part of the solid are those of the component.
-  struct Loose {
-    CellIndex leaf, root;
+  /// Loose leaves that are joined to one another.
+  struct Component {
     std::uint32_t size;
     bool part_of_solid;
   };
@@ -174,38 +177,33 @@ class SpeckTies {
     return result;
   }
 
-  Loose* find(CellIndex i) {
-    const auto at = [&](CellIndex leaf) {
-      const auto found = std::lower_bound(loose_.begin(), loose_.end(), leaf,
-                                          [](const Loose& a, CellIndex b) { return a.leaf < b; });
-      return found != loose_.end() && found->leaf == leaf ? &*found : nullptr;
-    };
-    Loose* loose = at(i);
-    while (loose != nullptr && loose->root != loose->leaf) loose = at(loose->root);
-    return loose;
+  /// The root of a loose leaf's set; nothing for any other leaf, which is part of the solid.
+  std::optional<std::uint32_t> root(CellIndex i) {
+    const auto found = std::lower_bound(loose_.begin(), loose_.end(), i);
+    if (found == loose_.end() || *found != i) return std::nullopt;
+    return sets_.root(static_cast<std::uint32_t>(found - loose_.begin()));
   }
 
   void join(CellIndex a, CellIndex b) {
-    Loose *first = find(a), *second = find(b);
+    std::optional<std::uint32_t> first = root(a), second = root(b);
     if (first == second) return;
-    if (first == nullptr) std::swap(first, second);
-    if (second == nullptr) {
-      first->part_of_solid = true;
+    if (!first) std::swap(first, second);
+    if (!second) {
+      components_[*first].part_of_solid = true;
       return;
     }
-    if (second->leaf < first->leaf) std::swap(first, second);
-    second->root = first->leaf;
-    first->size += second->size;
-    first->part_of_solid |= second->part_of_solid;
+    sets_.join(*first, *second);
+    const Component &one = components_[*first], &other = components_[*second];
+    components_[sets_.root(*first)] = {one.size + other.size, one.part_of_solid || other.part_of_solid};
   }
 
   bool is_speck(CellIndex i) {
-    const Loose* root = find(i);
-    return root != nullptr && !root->part_of_solid && root->size <= kLargestSpeck;
+    const auto at = root(i);
+    return at && !components_[*at].part_of_solid && components_[*at].size <= kLargestSpeck;
   }
   bool is_alone(CellIndex i) {
-    const Loose* root = find(i);
-    return root != nullptr && !root->part_of_solid && root->size == 1;
+    const auto at = root(i);
+    return at && !components_[*at].part_of_solid && components_[*at].size == 1;
   }
 
   void tie(CellIndex i, int face) {
@@ -221,7 +219,9 @@ class SpeckTies {
   const GridLevel& level_;
   const LeafConnector& connector_;
   LeafConnections& connections_;
-  std::vector<Loose> loose_;
+  std::vector<CellIndex> loose_;       ///< leaves that no leaf with its centre inside is joined to, ascending
+  DisjointSets sets_{0};               ///< of places in loose_
+  std::vector<Component> components_;  ///< those at the roots of the sets count
 };
 
 }  // namespace
@@ -232,7 +232,7 @@ LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const
   result.open_faces.resize(level.size());
   result.weights = sized_vector<FaceWeights>(level.size());
   parallel_for_chunks(level.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
-    monitor.check();
+    monitor.check_stop();
     for (std::size_t i = begin; i < end; ++i) {
       result.weights[i] = connector.owned(static_cast<CellIndex>(i));
       for (int face = 0; face < kFaceCount; ++face)

@@ -11,9 +11,6 @@
 namespace crossgrain {
 namespace {
 
-/// What is left to others where the options do not say how much may be taken.
-constexpr double kDefaultShare = 0.9;
-
 /// Three levels above the finest one a solve has taken a few per cent of its time.
 constexpr int kLevelsAhead = 3;
 
@@ -49,17 +46,12 @@ double cost_of_result(const LevelCounts& counts) {
 
 }  // namespace
 
-std::size_t allowed_memory_bytes(const SolveOptions& options) {
-  if (options.max_memory_bytes > 0) return options.max_memory_bytes;
-  return static_cast<std::size_t>(kDefaultShare * static_cast<double>(memory_limit_bytes()));
-}
-
 SolveForecast::SolveForecast(const SolveOptions& options, int finest_depth, std::size_t memory_before_bytes,
                              bool keeps_levels)
     : finest_depth_(finest_depth),
       memory_before_(static_cast<double>(memory_before_bytes)),
       keeps_levels_(keeps_levels),
-      memory_limit_(allowed_memory_bytes(options)) {}
+      memory_limit_(allowed_memory_bytes(options.max_memory_bytes)) {}
 
 double SolveForecast::peak_memory(const LevelCounts& counts) const {
   const double kept = keeps_levels_ ? memory_lines::kKeptLevel.bytes(counts) : 0;
@@ -68,7 +60,7 @@ double SolveForecast::peak_memory(const LevelCounts& counts) const {
 
 bool SolveForecast::fits(const LevelCounts& counts) const {
   if (std::max(counts.cells, counts.pieces) >= kNoCell) return false;
-  return memory_limit_ == 0 || peak_memory(counts) <= static_cast<double>(memory_limit_);
+  return peak_memory(counts) <= static_cast<double>(memory_limit_);
 }
 
 std::optional<Expectation> SolveForecast::told_by(int depth, const LevelGrowth& growth, int sweeps,

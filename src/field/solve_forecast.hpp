@@ -46,10 +46,6 @@ class SolveForecast {
   bool told_ = false;
 };
 
-/// Memory that a solve may take: what the options say, or else nine tenths of what there is; 0 where nobody
-/// knows.
-std::size_t allowed_memory_bytes(const SolveOptions& options);
-
 /// So many levels may be left out for want of memory, cells eight times as large as asked for. Beyond that
 /// the field would tell little of what was asked, and the number was a slip more likely than a wish.
 inline constexpr int kMostLevelsLeftOut = 3;

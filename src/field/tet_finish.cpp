@@ -180,7 +180,7 @@ TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const Boundary
   const Holds holds(boundary, options.boundary);
   int sweeps = 0;
   const SweepMonitor after_sweep = [&](double energy) {
-    monitor.check();
+    monitor.check_stop();
     monitor.report({"tets", 0, start.size(), ++sweeps, energy});
   };
   holds.align(start);

@@ -12,17 +12,20 @@
 #include <system_error>
 
 #include "crossgrain/error.hpp"
+#include "files/descriptor.hpp"
 #include "files/read_memory.hpp"
 
 namespace crossgrain {
 namespace {
 
+[[noreturn]] void refuse(const std::string& name, const std::string& text, Remedy remedy) {
+  throw Error(ErrorKind::kInput, {name, "", text, remedy});
+}
+
 [[noreturn]] void fail_to_open(const std::string& name, int code) {
-  if (code == ENOENT) throw Error(ErrorKind::kInput, name + ": there is no such file; check the path");
-  if (code == EACCES)
-    throw Error(ErrorKind::kInput, name + ": no permission to read it; make it readable (chmod +r)");
-  throw Error(ErrorKind::kInput, fmt::format("{}: cannot be read: {}; check the path and the disk", name,
-                                             std::generic_category().message(code)));
+  if (code == ENOENT) refuse(name, "there is no such file", Remedy::kCheckPath);
+  if (code == EACCES) refuse(name, "no permission to read it", Remedy::kAllowReading);
+  refuse(name, "cannot be read: " + std::generic_category().message(code), Remedy::kCheckDisk);
 }
 
 /// Reads up to `size` bytes; fewer where the file ends earlier.
@@ -32,11 +35,7 @@ std::size_t read_fully(int descriptor, char* out, std::size_t size, const std::s
     const ssize_t got = ::read(descriptor, out + done, size - done);
     if (got == 0) break;
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) {
-      const int code = errno;
-      ::close(descriptor);
-      fail_to_open(name, code);
-    }
+    if (got < 0) fail_to_open(name, errno);
     done += static_cast<std::size_t>(got);
   }
   return done;
@@ -48,10 +47,9 @@ InputFile::InputFile(const std::filesystem::path& path) : name_(path.string()) {
   struct stat status {};
   // Asked before opening, since opening a pipe would wait for its writer.
   if (::stat(name_.c_str(), &status) != 0) fail_to_open(name_, errno);
-  if (S_ISDIR(status.st_mode)) throw Error(ErrorKind::kInput, name_ + ": is a folder; name a file inside it");
-  if (!S_ISREG(status.st_mode))
-    throw Error(ErrorKind::kInput, name_ + ": is not a regular file; copy its content into one");
-  if (status.st_size == 0) throw Error(ErrorKind::kInput, name_ + ": is empty; write or download it again");
+  if (S_ISDIR(status.st_mode)) refuse(name_, "is a folder", Remedy::kGiveFile);
+  if (!S_ISREG(status.st_mode)) refuse(name_, "is not a regular file", Remedy::kGiveFile);
+  if (status.st_size == 0) refuse(name_, "is empty", Remedy::kCopyAgain);
 
   const auto size = static_cast<std::size_t>(status.st_size);
   check_read_memory(name_, size, 1, 0);
@@ -59,12 +57,11 @@ InputFile::InputFile(const std::filesystem::path& path) : name_(path.string()) {
     bytes_ = std::make_unique_for_overwrite<char[]>(size);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::kLimit,
-                fmt::format("{}: its {} bytes do not fit into memory; simplify the surface", name_, size));
+                {name_, "", fmt::format("its {} bytes do not fit into memory", size), Remedy::kSimplify});
   }
-  const int descriptor = ::open(name_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) fail_to_open(name_, errno);
-  size_ = read_fully(descriptor, bytes_.get(), size, name_);
-  ::close(descriptor);
+  const Descriptor descriptor(::open(name_.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!descriptor.is_open()) fail_to_open(name_, errno);
+  size_ = read_fully(descriptor.number(), bytes_.get(), size, name_);
 }
 
 InputFile InputFile::standard_input() {
@@ -79,17 +76,13 @@ InputFile InputFile::standard_input() {
     bytes = std::move(larger);
     capacity *= 2;
   }
-  if (size == 0) throw Error(ErrorKind::kInput, name + ": is empty; pass some lines through it");
+  if (size == 0) refuse(name, "is empty, where some lines should come", Remedy::kNone);
   return {name, std::move(bytes), size};
 }
 
-void fail_input(const InputFile& file, const Place& place, const std::string& message) {
-  std::string where = file.name();
-  if (place.unit != nullptr) {
-    where += std::string_view(place.unit) == "line" ? fmt::format(":{}", place.number)
-                                                    : fmt::format(": {} {}", place.unit, place.number);
-  }
-  throw Error(ErrorKind::kInput, where + ": " + message);
+void fail_input(const InputFile& file, const Place& place, const std::string& text, Remedy remedy) {
+  const std::string where = place.unit == nullptr ? "" : fmt::format("{} {}", place.unit, place.number);
+  throw Error(ErrorKind::kInput, {file.name(), where, text, remedy});
 }
 
 std::string in_quotes(std::string_view word) {

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "crossgrain/message.hpp"
+
 namespace crossgrain {
 
 /// A whole file in memory. It is read, not mapped: a mapped file that another program cuts short meanwhile
@@ -43,8 +45,9 @@ inline Place at_line(std::size_t number) {
   return {"line", number};
 }
 
-/// Throws Error(kInput, "NAME:LINE: message") or Error(kInput, "NAME: UNIT NUMBER: message").
-[[noreturn]] void fail_input(const InputFile& file, const Place& place, const std::string& message);
+/// Throws Error(kInput) naming the file and the place in it.
+[[noreturn]] void fail_input(const InputFile& file, const Place& place, const std::string& text,
+                             Remedy remedy = Remedy::kRepairFile);
 
 /// A word of a file as an error message can show it: in quotes, printable, at most 32 characters.
 std::string in_quotes(std::string_view word);

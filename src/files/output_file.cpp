@@ -26,27 +26,28 @@ constexpr std::size_t kBufferBytes = 1 << 18;
 constexpr mode_t kFileMode = 0666;
 constexpr mode_t kFolderMode = 0777;
 
-const char* mend_for(int code) {
+Remedy remedy_for(int code) {
   switch (code) {
     case EACCES:
     case EPERM:
     case EROFS:
-      return "choose a place you may write to with -o";
+      return Remedy::kChooseWritablePlace;
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
-      return "free some space or choose another disk with -o";
+      return Remedy::kFreeSpace;
     case ENOENT:
     case ENOTDIR:
-      return "make that folder or choose another with -o";
+      return Remedy::kMakeFolder;
     default:
-      return "check the disk or choose another place with -o";
+      return Remedy::kCheckOutputDisk;
   }
 }
 
 [[noreturn]] void fail_output(const std::string& name, const std::string& doing, int code) {
-  throw Error(ErrorKind::kOutput, fmt::format("{}: cannot be {}: {}; {}", name, doing,
-                                              std::generic_category().message(code), mend_for(code)));
+  throw Error(ErrorKind::kOutput,
+              {name, "", fmt::format("cannot be {}: {}", doing, std::generic_category().message(code)),
+               remedy_for(code)});
 }
 
 /// Removes a regular file or a link, where there is one.
@@ -57,12 +58,12 @@ void remove_file(const std::filesystem::path& path) {
 }
 
 /// A name in the same folder (a rename works only within a file system) that no file has.
-int open_temporary(const std::filesystem::path& target, std::string& temporary) {
+Descriptor open_temporary(const std::filesystem::path& target, std::string& temporary) {
   for (int attempt = 0;; ++attempt) {
     const std::string name = fmt::format(".{}.{}-{}.part", target.filename().string(), ::getpid(), attempt);
     temporary = (target.parent_path() / name).string();
-    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kFileMode);
-    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+    Descriptor descriptor(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kFileMode));
+    if (descriptor.is_open() || errno != EEXIST) return descriptor;
   }
 }
 
@@ -70,15 +71,14 @@ int open_temporary(const std::filesystem::path& target, std::string& temporary) 
 
 OutputFile::OutputFile(const std::filesystem::path& target) : name_(target.string()) {
   if (target.filename().empty())
-    throw Error(ErrorKind::kOutput, fmt::format("'{}': names no file to write; name one with -o", name_));
+    throw Error(ErrorKind::kOutput, {"'" + name_ + "'", "", "names no file to write", Remedy::kNameOutput});
   struct stat status {};
   const bool exists = ::stat(name_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode))
-    throw Error(ErrorKind::kOutput,
-                name_ + ": is a folder where a file should go; remove it or choose another");
+    throw Error(ErrorKind::kOutput, {name_, "", "is a folder where a file should go", Remedy::kClearPlace});
   if (exists && ::access(name_.c_str(), W_OK) != 0) fail("written", errno);
   if (exists && !S_ISREG(status.st_mode)) {
-    descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CLOEXEC);
+    descriptor_ = Descriptor(::open(name_.c_str(), O_WRONLY | O_CLOEXEC));
   } else {
     // A link is followed, so that the file it points to is replaced and not the link.
     std::error_code unresolved;
@@ -86,14 +86,14 @@ OutputFile::OutputFile(const std::filesystem::path& target) : name_(target.strin
     if (!unresolved) name_ = resolved.string();
     descriptor_ = open_temporary(name_, temporary_);
   }
-  if (descriptor_ < 0) {
+  if (!descriptor_.is_open()) {
     temporary_.clear();
     fail("created", errno);
   }
 }
 
 OutputFile::OutputFile(std::string name, int descriptor) : name_(std::move(name)), descriptor_(descriptor) {
-  if (descriptor_ < 0) fail("opened", errno);
+  if (!descriptor_.is_open()) fail("opened", errno);
 }
 
 // A copy of the descriptor, so that closing it leaves standard output open to others.
@@ -102,7 +102,6 @@ OutputFile OutputFile::standard_output() {
 }
 
 OutputFile::~OutputFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
@@ -132,18 +131,18 @@ void OutputFile::start_writing_back() {
 #ifdef SYNC_FILE_RANGE_WRITE
   if (temporary_.empty() || flushed_ - sent_ < kSentBytes) return;
   // Only a hint: what goes wrong shows when the file is finished.
-  ::sync_file_range(descriptor_, static_cast<off_t>(sent_), static_cast<off_t>(flushed_ - sent_),
+  ::sync_file_range(descriptor_.number(), static_cast<off_t>(sent_), static_cast<off_t>(flushed_ - sent_),
                     SYNC_FILE_RANGE_WRITE);
   sent_ = flushed_;
 #endif
 }
 
 void OutputFile::write_at(std::uint64_t offset, std::string_view bytes) {
-  assert(descriptor_ >= 0);
+  assert(descriptor_.is_open());
   while (!bytes.empty()) {
-    const ssize_t done = temporary_.empty()
-                             ? ::write(descriptor_, bytes.data(), bytes.size())
-                             : ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    const ssize_t done = temporary_.empty() ? ::write(descriptor_.number(), bytes.data(), bytes.size())
+                                            : ::pwrite(descriptor_.number(), bytes.data(), bytes.size(),
+                                                       static_cast<off_t>(offset));
     if (done < 0 && errno == EINTR) continue;
     if (done < 0) fail("written", errno);
     bytes.remove_prefix(static_cast<std::size_t>(done));
@@ -158,13 +157,11 @@ void OutputFile::patch(std::uint64_t offset, std::string_view bytes) {
 }
 
 void OutputFile::finish() {
-  if (descriptor_ < 0) return;
+  if (!descriptor_.is_open()) return;
   flush();
   // Pipes and terminals cannot be synchronised, and need not be.
-  if (!temporary_.empty() && ::fsync(descriptor_) != 0) fail("written", errno);
-  const int descriptor = descriptor_;
-  descriptor_ = -1;
-  if (::close(descriptor) != 0) fail("closed", errno);
+  if (!temporary_.empty() && ::fsync(descriptor_.number()) != 0) fail("written", errno);
+  if (descriptor_.close() != 0) fail("closed", errno);
 }
 
 void OutputFile::commit() {
@@ -175,7 +172,8 @@ void OutputFile::commit() {
 }
 
 NewFolders::NewFolders(const std::filesystem::path& folder) {
-  if (folder.empty()) throw Error(ErrorKind::kOutput, "'': names no folder to write into; name one with -o");
+  if (folder.empty())
+    throw Error(ErrorKind::kOutput, {"''", "", "names no folder to write into", Remedy::kNameOutput});
   try {
     make(folder);
   } catch (...) {
@@ -196,9 +194,8 @@ void NewFolders::make(const std::filesystem::path& folder) {
     struct stat status {};
     if (::stat(reached.c_str(), &status) != 0) fail_output(reached.string(), "created", code);
     if (!S_ISDIR(status.st_mode))
-      throw Error(
-          ErrorKind::kOutput,
-          reached.string() + ": is a file where a folder should be; remove it or choose another with -o");
+      throw Error(ErrorKind::kOutput,
+                  {reached.string(), "", "is a file where a folder should be", Remedy::kClearPlace});
   }
 }
 

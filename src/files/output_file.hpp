@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "files/descriptor.hpp"
+
 namespace crossgrain {
 
 /// One file to be. Every failure (no permission, disk full, at writing or at closing) throws Error(kOutput)
@@ -55,7 +57,7 @@ class OutputFile {
 
   std::string name_;
   std::string temporary_;  ///< empty where written to directly
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::uint64_t flushed_ = 0;
   std::uint64_t sent_ = 0;  ///< of these, what the disk has been asked to begin with
   std::string buffer_;

@@ -90,6 +90,13 @@ class CellAddress {
     return from_packed(packed_ >> 5 >> low_bits << low_bits << 5 | static_cast<std::uint64_t>(parent_depth));
   }
 
+  /// The cell of the given depth around this one; this one where it is no deeper.
+  constexpr CellAddress ancestor_at(int ancestor_depth) const {
+    CellAddress cell = *this;
+    while (cell.depth() > ancestor_depth) cell = cell.parent();
+    return cell;
+  }
+
   /// Which child of its parent this is.
   constexpr int octant() const { return static_cast<int>(packed_ >> 5 >> 3 * (kMaxDepth - depth()) & 7); }
 

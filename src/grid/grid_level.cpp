@@ -25,6 +25,10 @@ constexpr std::size_t kRefineGrain = 512;
 /// are not near a fraction with a small denominator do.
 constexpr Vector3 kGenericShift{0.3127, 0.3719, 0.4337};
 
+/// Over a hole of an open surface lies a cap, where the winding number passes 1/2 without any surface. The
+/// cap is not in cells without surface at whose centre the number is this near to 0 or 1.
+constexpr double kFarFromCap = 0.1;
+
 /// Leaves made from a run of leaves of the level before.
 struct RefinedRun {
   std::vector<CellAddress> leaves;
@@ -39,9 +43,17 @@ std::int8_t in_byte(int winding) {
   return static_cast<std::int8_t>(std::clamp<int>(winding, INT8_MIN, INT8_MAX));
 }
 
-std::int8_t winding_at(const Solid& solid, const Vector3& point) {
-  if (!solid.closed) return solid.winding.inside(point) ? 1 : 0;
-  return in_byte(static_cast<int>(std::lround(solid.winding.at(point))));
+/// How often the surface winds around a point, and whether that tells of a cap nearby.
+struct Winding {
+  std::int8_t count = 0;
+  bool near_cap = false;
+};
+
+Winding winding_at(const Solid& solid, const Vector3& point) {
+  const double winding = solid.winding.at(point);
+  if (solid.closed) return {in_byte(static_cast<int>(std::lround(winding))), false};
+  return {static_cast<std::int8_t>(winding > 0.5 ? 1 : 0),
+          winding > kFarFromCap && winding < 1 - kFarFromCap};
 }
 
 class Refiner {
@@ -65,11 +77,13 @@ class Refiner {
  private:
   void split(CellIndex i, RefinedRun& run) const {
     ++run.split;
-    const std::array<std::int8_t, 8> windings = windings_of_children(i);
+    const std::array<Winding, 8> windings = windings_of_children(i);
     for (int octant = 0; octant < 8; ++octant) {
       const CellAddress child = level_.tree[i].child(octant);
       const std::size_t piece_count = clip_to(child, level_.pieces_of(i), run.pieces);
-      if (piece_count > 0 || windings[octant] > 0) close_leaf(i, child, piece_count, windings[octant], run);
+      const auto [winding, near_cap] = windings[octant];
+      if (piece_count > 0 || winding > 0 || (near_cap && reaches_inside(child)))
+        close_leaf(i, child, piece_count, winding, run);
     }
   }
 
@@ -87,13 +101,14 @@ class Refiner {
     return clipped.size() - before;
   }
 
-  /// How often the surface winds around the centres of the children of leaf i. From the leaf's centre it
-  /// changes only where the surface that the leaf holds is crossed; where rounding could count that wrong, or
-  /// the surface is open, it is computed anew.
-  std::array<std::int8_t, 8> windings_of_children(CellIndex i) const {
-    std::array<std::int8_t, 8> windings;
-    windings.fill(level_.centre_winding[i]);
-    if (!level_.holds_surface(i)) return windings;
+  /// At the centres of the children of leaf i. From the leaf's centre the number changes only where the
+  /// surface that the leaf holds, or a cap, is crossed; where rounding could count that wrong, or the surface
+  /// is open, it is computed anew.
+  std::array<Winding, 8> windings_of_children(CellIndex i) const {
+    std::array<Winding, 8> windings;
+    windings.fill({level_.centre_winding[i], false});
+    if (!level_.holds_surface(i) && (solid_.closed || !winding_at(solid_, level_.tree.centre(i)).near_cap))
+      return windings;
     PointsByAxis<8> centres;
     for (int octant = 0; octant < 8; ++octant) {
       const Vector3 centre = level_.tree.root().centre(level_.tree[i].child(octant));
@@ -103,10 +118,24 @@ class Refiner {
     if (solid_.closed) found = winding_changes(level_, solid_, i, centres);
     for (int octant = 0; octant < 8; ++octant) {
       const Vector3 centre{centres[0][octant], centres[1][octant], centres[2][octant]};
-      windings[octant] = found.certain[octant] ? in_byte(level_.centre_winding[i] + found.change[octant])
-                                               : winding_at(solid_, centre);
+      windings[octant] = found.certain[octant]
+                             ? Winding{in_byte(level_.centre_winding[i] + found.change[octant]), false}
+                             : winding_at(solid_, centre);
     }
     return windings;
+  }
+
+  /// Whether a corner of a leaf is inside. Where its centre is not, its children may be: it is kept for them.
+  bool reaches_inside(CellAddress leaf) const {
+    const Box box = level_.tree.root().box(leaf);
+    for (int corner = 0; corner < 8; ++corner) {
+      Vector3 place = box.low;
+      for (int axis = 0; axis < 3; ++axis) {
+        if (corner >> axis & 1) place[axis] = box.high[axis];
+      }
+      if (solid_.winding.inside(place)) return true;
+    }
+    return false;
   }
 
   static void close_leaf(CellIndex parent, CellAddress leaf, std::size_t piece_count, std::int8_t winding,
@@ -130,7 +159,7 @@ GridLevel joined(const RootCube& root, std::vector<RefinedRun> runs, std::size_t
     split += run.split;
   }
   if (std::max(leaf_begin.back(), piece_begin.back()) >= kNoCell) {
-    throw Error(ErrorKind::kLimit, "the grid needs more than 4 billion cells: lower the resolution");
+    throw Error(ErrorKind::kLimit, "the grid needs more than 4 billion cells", Remedy::kLowerResolution);
   }
   GridLevel level;
   auto leaves = sized_vector<CellAddress>(leaf_begin.back());
@@ -168,7 +197,7 @@ GridLevel root_level(const Solid& solid, const RootCube& root) {
     level.pieces.push_back({static_cast<std::uint32_t>(t), static_cast<float>(solid.surface.areas[t])});
   }
   level.piece_begin = {0, static_cast<std::uint32_t>(triangle_count)};
-  level.centre_winding = {winding_at(solid, root.centre(CellAddress::root()))};
+  level.centre_winding = {winding_at(solid, root.centre(CellAddress::root())).count};
   level.neighbours = face_neighbours(level.tree);
   if (solid.guides != nullptr) level.guides = LeafGuides(level.tree, *solid.guides);
   level.examined_leaves = 1;
@@ -184,7 +213,7 @@ GridFrame frame_around(const Box& box, double cell_size) {
   int depth = 0;
   while (depth <= kMaxDepth && std::ldexp(1.0, depth) < cells + 2) ++depth;
   if (depth > kMaxDepth) {
-    throw Error(ErrorKind::kLimit, "more than 524286 cells across the model: lower the resolution");
+    throw Error(ErrorKind::kLimit, "more than 524286 cells across the model", Remedy::kLowerResolution);
   }
   const double size = std::ldexp(cell_size, depth);
   const Vector3 centre = 0.5 * (box.low + box.high);
@@ -206,7 +235,7 @@ GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> 
   const Refiner refiner(level, solid);
   std::vector<RefinedRun> runs((level.size() + kRefineGrain - 1) / kRefineGrain);
   parallel_for_chunks(level.size(), kRefineGrain, [&](std::size_t begin, std::size_t end) {
-    monitor.check();
+    monitor.check_stop();
     runs[begin / kRefineGrain] =
         refiner.refine(static_cast<CellIndex>(begin), static_cast<CellIndex>(end), marked);
   });

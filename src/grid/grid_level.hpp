@@ -23,7 +23,8 @@ struct SurfacePiece {
   float area;  ///< of the clipped triangle, model units squared
 };
 
-/// A leaf is active if it holds surface or its centre is inside; only active leaves are kept.
+/// A leaf is active if it holds surface or its centre is inside, beside the cap over a hole also if only a
+/// corner is; only active leaves are kept.
 struct GridLevel {
   Octree tree;
 

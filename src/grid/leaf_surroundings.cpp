@@ -144,8 +144,7 @@ void LeafSurroundings::look_up(int parent_number) {
     occupied_ |= slotted.slots;
     return;
   }
-  CellAddress cell = tree_[leaves.first].parent();
-  while (cell.depth() > parent_.depth()) cell = cell.parent();
+  const CellAddress cell = tree_[leaves.first].ancestor_at(parent_.depth());
   for (const auto& [octant, slot] : children) place(leaves, cell.child(octant), slot);
 }
 

@@ -229,7 +229,7 @@ Constraints read_constraints(const std::filesystem::path& path) {
   for (const Value& value : members.list("faces")) read_faces(value, constraints);
   for (const Value& value : members.list("stresses")) read_stresses(value, constraints);
   if (constraints.empty())
-    members.fail("has no constraints; give some under 'points', 'polylines', 'faces' or 'stresses'");
+    members.fail("has no constraints under 'points', 'polylines', 'faces' or 'stresses'");
   return constraints;
 }
 

@@ -9,7 +9,7 @@
 
 #include "crossgrain/io.hpp"
 #include "files/output_file.hpp"
-#include "io/result/frame_lines.hpp"
+#include "io/result/frame_files.hpp"
 
 namespace crossgrain {
 namespace {

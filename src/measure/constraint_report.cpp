@@ -168,9 +168,10 @@ void check_places(const Constraints& constraints, const Box& model) {
       if (!clip_segment({polyline.points[k], polyline.points[k + 1]}, model).empty()) return;
   }
   throw Error(ErrorKind::kInput,
-              fmt::format("{}all of them lie beside the model, which reaches from {} to {}; give both in the "
-                          "same unit and place",
-                          origin_of(constraints, 0), in_words(model.low), in_words(model.high)));
+              message_on(constraints, 0, "constraints",
+                         fmt::format("all of them lie outside the model, which reaches from {} to {}",
+                                     in_words(model.low), in_words(model.high)),
+                         Remedy::kMatchUnits));
 }
 
 AskedAxes asked_axes(const Constraints& constraints, const Solid& solid, const GridLevel& level,

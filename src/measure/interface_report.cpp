@@ -51,9 +51,8 @@ std::optional<SolveReport::Interfaces> interface_report(const TriangleMesh& inne
   if (inner.triangles.empty()) return std::nullopt;
   std::vector<Place> places;
   for (std::size_t t = 0; t < inner.triangles.size(); ++t) {
-    const auto& [a, b, c] = inner.triangles[t];
-    add_places({inner.vertices[a], inner.vertices[b], inner.vertices[c]}, inner.corner_normals[t], step,
-               kMostHalvings, places);
+    add_places(corners_of(inner.triangles[t], inner.vertices), inner.corner_normals[t], step, kMostHalvings,
+               places);
   }
   std::vector<float> angles_deg(places.size());
   std::vector<SurfacePiece> pieces(places.size());

@@ -18,13 +18,6 @@ namespace {
 
 constexpr std::uint32_t kNone = UINT32_MAX;
 
-double volume_of(const Surface& surface) {
-  double volume = 0;
-  for (std::size_t t = 0; t < surface.size(); ++t)
-    volume += surface.areas[t] * dot(surface.normals[t], surface.corners(t)[0] - surface.box.low) / 3;
-  return std::abs(volume);
-}
-
 bool holds(const Box& box, const Vector3& point) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (point[axis] < box.low[axis] || point[axis] > box.high[axis]) return false;
@@ -45,7 +38,7 @@ struct SolidBody {
         surface(prepare_surface(std::move(mesh))),
         bvh(surface),
         winding(surface, bvh),
-        volume(volume_of(surface)) {}
+        volume(enclosed_volume(surface)) {}
   SolidBody(const SolidBody&) = delete;
   SolidBody& operator=(const SolidBody&) = delete;
 };
@@ -54,8 +47,7 @@ struct SolidBody {
 std::vector<std::unique_ptr<SolidBody>> bodies_of(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> order;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    if (shape_of({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}).area > 0) order.push_back(t);
+    if (shape_of(corners_of(mesh.triangles[t], mesh.vertices)).area > 0) order.push_back(t);
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return mesh.solids[a] < mesh.solids[b]; });
@@ -121,7 +113,9 @@ class RegionFinder {
   Claim claim(CellIndex leaf) const {
     const Claim around =
         level_.centre_inside(leaf) ? around_centre(level_.tree.centre(leaf)) : Claim{kNone, false};
-    return around.body != kNone ? around : Claim{of_most_surface(leaf), false};
+    if (around.body != kNone) return around;
+    return {level_.holds_surface(leaf) ? of_most_surface(leaf) : likeliest_at(level_.tree.centre(leaf)),
+            false};
   }
 
  private:
@@ -147,6 +141,13 @@ class RegionFinder {
     }
     if (claim.body == kNone) claim.body = likeliest;
     return claim;
+  }
+
+  /// Beside the cap over a hole, where a point may be in no solid: the one that winds around it most.
+  std::uint32_t likeliest_at(const Vector3& point) const {
+    std::vector<double> windings;
+    for (const auto& body : bodies_) windings.push_back(body->winding.at(point));
+    return static_cast<std::uint32_t>(std::max_element(windings.begin(), windings.end()) - windings.begin());
   }
 
   std::uint32_t of_most_surface(CellIndex leaf) const {

@@ -87,8 +87,6 @@ void keep_forms_for_page(SolveOptions& options) {
 }
 
 CompanionFile page_of(const FrameField& field, const Monitor& monitor) {
-  // There is a field: who stops a solve wants to see it.
-  monitor.heed_stops(false);
   return {kPageFile, [scene = base64(gzipped(page_scene(field, monitor)))](const SolveReport& report) {
             return page_text(report_json(report), scene);
           }};

@@ -5,7 +5,7 @@
 
 namespace crossgrain {
 
-/// viewer/dist/report.html, as it was when the library was built (cmake/embed_text.cmake).
+/// viewer/dist/report.html, as it was when the library was built (cmake/CrossgrainEmbed.cmake).
 std::string_view page_template();
 
 }  // namespace crossgrain

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace crossgrain {
@@ -40,15 +39,10 @@ ViewAxes::ViewAxes(const ViewDirection& direction) {
 Camera::Camera(const ViewDirection& direction, std::span<const Vector3> points, const PixelBox& window,
                double margin)
     : axes_(direction) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Vector3 low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
-  for (const Vector3& point : points) {
-    const Vector3 seen{dot(point, axes_.right), dot(point, axes_.up), dot(point, axes_.towards)};
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], seen[k]);
-      high[k] = std::max(high[k], seen[k]);
-    }
-  }
+  Box seen = empty_box();
+  for (const Vector3& point : points)
+    include(seen, {dot(point, axes_.right), dot(point, axes_.up), dot(point, axes_.towards)});
+  const auto& [low, high] = seen;
   const double border = margin * std::min(window.width(), window.height());
   pixel_size_ = std::max((high[0] - low[0]) / std::max(window.width() - 2 * border, 1.0),
                          (high[1] - low[1]) / std::max(window.height() - 2 * border, 1.0));

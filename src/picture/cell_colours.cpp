@@ -51,9 +51,9 @@ CellColours::CellColours(const FieldData& field, const PictureOptions& options)
            : options.background == PictureBackground::kDark ? ColourMap::dawn()
                                                             : ColourMap::dusk()) {
   if (what_ == PictureColour::kConstraint && field.constraints.empty())
-    throw Error(
-        ErrorKind::kInput,
-        "the field has no array 'constraint_class', which earlier versions did not write; solve again");
+    throw Error(ErrorKind::kInput,
+                "the field has no array 'constraint_class', which earlier versions did not write",
+                Remedy::kSolveAgain);
   int deepest = 0;
   for (const CellAddress leaf : field.tree.leaves()) deepest = std::max(deepest, leaf.depth());
   inwards_ = kInwards * field.tree.root().cell_size(deepest);

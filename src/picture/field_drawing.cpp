@@ -32,15 +32,9 @@ constexpr double kClearance = 0.3;
 constexpr Colour kBoxColour = colour_of(0x74a9dc), kCrossColour = colour_of(0x2c6db3);
 
 Box box_of(const SolvedSurface& surface) {
-  Box box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-  for (const auto& corners : surface.triangles) {
-    for (const std::uint32_t vertex : corners) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], surface.vertices[vertex][k]);
-        box.high[k] = std::max(box.high[k], surface.vertices[vertex][k]);
-      }
-    }
-  }
+  Box box = empty_box();
+  for (const auto& corners : surface.triangles)
+    for (const std::uint32_t vertex : corners) include(box, surface.vertices[vertex]);
   return box;
 }
 
@@ -85,16 +79,14 @@ class Cut {
     if (!(position_ > box_.low[axis_] && position_ < box_.high[axis_]))
       throw Error(
           ErrorKind::kUsage,
-          fmt::format("the cut at {} = {:.6g} is beside the part; choose one between {:.6g} and {:.6g}",
+          fmt::format("the cut at {} = {:.6g} is outside the part, which reaches from {:.6g} to {:.6g}",
                       "xyz"[axis_], position_, box_.low[axis_], box_.high[axis_]));
     const double towards = camera.axes().towards[axis_];
     towards_ = std::abs(towards);
     constexpr double kFromItsEdge = 0.02;
     if (towards_ < kFromItsEdge)
-      throw Error(ErrorKind::kUsage,
-                  fmt::format("the cut across {} is seen from its edge; choose another view "
-                              "or cut",
-                              "xyz"[axis_]));
+      throw Error(ErrorKind::kUsage, fmt::format("the cut across {} is seen from its edge", "xyz"[axis_]),
+                  Remedy::kTurnView);
     normal_ = {0, 0, 0};
     normal_[axis_] = towards > 0 ? 1 : -1;
   }

@@ -10,17 +10,7 @@
 #define STB_TRUETYPE_IMPLEMENTATION
 #include <stb/stb_truetype.h>
 
-// The font file as it stands among the constants of the program; CMake says where it is.
-asm(".pushsection .rodata\n"
-    ".balign 16\n"
-    ".globl crossgrain_font_file\n"
-    ".hidden crossgrain_font_file\n"
-    "crossgrain_font_file:\n"
-    ".incbin \"" CROSSGRAIN_FONT_FILE
-    "\"\n"
-    ".byte 0\n"
-    ".popsection\n");
-extern "C" const unsigned char crossgrain_font_file[];
+#include "picture/font_file.hpp"
 
 namespace crossgrain {
 namespace {
@@ -65,7 +55,7 @@ struct Font::Info {
 
 Font::Font() {
   static Info info;
-  if (!stbtt_InitFont(&info.font, crossgrain_font_file, 0))
+  if (!stbtt_InitFont(&info.font, reinterpret_cast<const unsigned char*>(font_file().data()), 0))
     throw std::logic_error("the built-in font is damaged");
   info_ = &info;
 }

@@ -9,7 +9,7 @@
 #include <new>
 #include <tuple>
 
-#include "crossgrain/thread_limit.hpp"
+#include "base/parallel.hpp"
 
 namespace crossgrain {
 namespace {
@@ -22,7 +22,7 @@ constexpr float kSameDistance = 1e-6f;
 /// What the filter below fills.
 struct CollectingContext {
   RTCIntersectContext embree;  // first, so that a pointer to it is one to the whole
-  std::vector<RayHit>* hits;
+  std::vector<ShapeHit>* hits;
 };
 
 /// Notes every triangle down that a ray meets, and lets the ray go on.
@@ -68,7 +68,7 @@ RTCRayHit embree_ray(const Ray& ray) {
   return out;
 }
 
-bool faces_viewer(const RayHit& hit, const Ray& ray) {
+bool faces_viewer(const ShapeHit& hit, const Ray& ray) {
   return hit.normal[0] * ray.direction[0] + hit.normal[1] * ray.direction[1] +
              hit.normal[2] * ray.direction[2] <
          0;
@@ -76,17 +76,23 @@ bool faces_viewer(const RayHit& hit, const Ray& ray) {
 
 }  // namespace
 
+RayDevice::RayDevice() : device_(rtcNewDevice(kEveryProcessor), rtcReleaseDevice) {
+  if (!device_) throw std::bad_alloc();
+}
+
 struct RayScene::Embree {
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+  RTCDevice device;
+  RTCScene scene;
   std::uint32_t shapes = 0;
   bool is_empty = true;
   std::map<std::uint32_t, std::vector<RodPiece>> pieces;  ///< of the shapes that are rods
 
-  ~Embree() {
-    if (scene) rtcReleaseScene(scene);
-    if (device) rtcReleaseDevice(device);
+  explicit Embree(RTCDevice of) : device(of), scene(rtcNewScene(of)) {
+    if (!scene) throw std::bad_alloc();
   }
+  ~Embree() { rtcReleaseScene(scene); }
+  Embree(const Embree&) = delete;
+  Embree& operator=(const Embree&) = delete;
 
   /// Fills a buffer of `geometry` with rows of T.
   template <class T>
@@ -107,10 +113,8 @@ struct RayScene::Embree {
   }
 };
 
-RayScene::RayScene(const RaySpace& space) : space_(space), embree_(std::make_unique<Embree>()) {
-  embree_->device = rtcNewDevice(kEveryProcessor);
-  if (!embree_->device) throw std::bad_alloc();
-  embree_->scene = rtcNewScene(embree_->device);
+RayScene::RayScene(const RayDevice& device, const RaySpace& space)
+    : space_(space), embree_(std::make_unique<Embree>(device.device_.get())) {
   rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
 }
 
@@ -169,11 +173,11 @@ void RayScene::add_balls(const std::vector<Ball>& balls) {
 
 void RayScene::commit() {
   const ThreadLimit one_thread(1);
-  rtcCommitScene(embree_->scene);
+  run_within_limit([&] { rtcCommitScene(embree_->scene); });
   if (rtcGetDeviceError(embree_->device) != RTC_ERROR_NONE) throw std::bad_alloc();
 }
 
-bool RayScene::first_hit(const Ray& ray, RayHit& hit) const {
+bool RayScene::first_hit(const Ray& ray, ShapeHit& hit) const {
   if (embree_->is_empty) return false;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -187,7 +191,7 @@ bool RayScene::first_hit(const Ray& ray, RayHit& hit) const {
   return true;
 }
 
-void RayScene::all_hits(const Ray& ray, std::vector<RayHit>& hits) const {
+void RayScene::all_hits(const Ray& ray, std::vector<ShapeHit>& hits) const {
   hits.clear();
   if (embree_->is_empty) return;
   CollectingContext context;
@@ -197,10 +201,10 @@ void RayScene::all_hits(const Ray& ray, std::vector<RayHit>& hits) const {
   RTCRayHit cast = embree_ray(ray);
   rtcIntersect1(embree_->scene, &context.embree, &cast);
   if (hits.size() < 2) return;
-  std::sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) {
+  std::sort(hits.begin(), hits.end(), [](const ShapeHit& a, const ShapeHit& b) {
     return std::tie(a.distance, a.shape, a.primitive) < std::tie(b.distance, b.shape, b.primitive);
   });
-  const auto is_repeated = [&](const RayHit& a, const RayHit& b) {
+  const auto is_repeated = [&](const ShapeHit& a, const ShapeHit& b) {
     return a.shape == b.shape && b.distance - a.distance < kSameDistance &&
            faces_viewer(a, ray) == faces_viewer(b, ray);
   };

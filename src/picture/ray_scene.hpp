@@ -9,6 +9,8 @@
 
 #include "picture/drawing.hpp"
 
+struct RTCDeviceTy;
+
 namespace crossgrain {
 
 /// Where shapes are in single precision: moved and scaled so that all are within about 1 of the origin.
@@ -27,7 +29,7 @@ struct Ray {
 };
 
 /// Where a ray meets a shape.
-struct RayHit {
+struct ShapeHit {
   float distance;
   std::uint32_t shape;          ///< index of what was added to the scene
   std::uint32_t primitive;      ///< of the shape: triangle, rod or ball
@@ -35,11 +37,22 @@ struct RayHit {
   std::array<float, 3> normal;  ///< not of unit length
 };
 
+/// What scenes of one picture share: Embree's device.
+class RayDevice {
+ public:
+  RayDevice();
+
+ private:
+  friend class RayScene;
+  std::unique_ptr<RTCDeviceTy, void (*)(RTCDeviceTy*)> device_;
+};
+
 /// Shapes of one kind in ray space. Embree casts the rays, on the instruction set that every x86 processor
 /// has and with a tree built by one thread: so that every machine meets the same shapes at the same places.
 class RayScene {
  public:
-  explicit RayScene(const RaySpace& space);
+  /// The device must outlive the scene.
+  RayScene(const RayDevice& device, const RaySpace& space);
   ~RayScene();
   RayScene(RayScene&&) noexcept;
   RayScene(const RayScene&) = delete;
@@ -55,10 +68,10 @@ class RayScene {
   void commit();
 
   /// Whether anything is met, and then the nearest.
-  bool first_hit(const Ray& ray, RayHit& hit) const;
+  bool first_hit(const Ray& ray, ShapeHit& hit) const;
 
   /// All that is met, by distance; an edge that two triangles of the same side share counts once.
-  void all_hits(const Ray& ray, std::vector<RayHit>& hits) const;
+  void all_hits(const Ray& ray, std::vector<ShapeHit>& hits) const;
 
  private:
   struct Embree;

@@ -14,19 +14,14 @@ constexpr double kHeadStart = 0.25;
 constexpr float kOpaque = 0.996f;
 
 RaySpace space_around(const Drawing& drawing) {
-  Vector3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  const auto take = [&](const Vector3& point) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], point[k]);
-      high[k] = std::max(high[k], point[k]);
-    }
-  };
+  Box box = empty_box();
   for (const DrawnMesh& mesh : drawing.meshes)
-    for (const Vector3& vertex : mesh.vertices) take(vertex);
+    for (const Vector3& vertex : mesh.vertices) include(box, vertex);
   for (const DrawnRods& rods : drawing.rods) {
-    for (const Rod& rod : rods.rods) take(rod.from), take(rod.to);
-    for (const Ball& ball : rods.balls) take(ball.centre);
+    for (const Rod& rod : rods.rods) include(box, rod.from), include(box, rod.to);
+    for (const Ball& ball : rods.balls) include(box, ball.centre);
   }
+  const auto& [low, high] = box;
   if (!(low[0] <= high[0])) return {};
   const double size = norm(high - low);
   return {0.5 * (low + high), size > 0 ? size : 1};
@@ -38,7 +33,7 @@ std::uint32_t signature_with(std::uint32_t signature, std::uint32_t kind) {
 }
 
 /// Positive where a ray comes out of what a mesh bounds.
-double along(const RayHit& hit, const Ray& ray) {
+double along(const ShapeHit& hit, const Ray& ray) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) sum += static_cast<double>(hit.normal[k]) * ray.direction[k];
   return sum;
@@ -90,9 +85,9 @@ RayTracing::RayTracing(const Drawing& drawing, const Camera& camera, const Rende
       camera_(camera),
       options_(options),
       space_(space_around(drawing)),
-      cut_(space_),
-      whole_(space_),
-      ghosts_(space_) {
+      cut_(device_, space_),
+      whole_(device_, space_),
+      ghosts_(device_, space_) {
   for (const DrawnMesh& mesh : drawing.meshes) (mesh.is_whole ? whole_ : cut_).add(mesh);
   for (const DrawnRods& rods : drawing.rods) (rods.is_whole ? whole_ : cut_).add(rods);
   if (drawing.section) ghosts_.add_rods(drawing.section->ghosts);
@@ -127,7 +122,7 @@ RayTracing::Seen RayTracing::at(double x, double y, Scratch& scratch) const {
   if (drawing_.section) {
     Ray taken_away = whole;
     taken_away.farthest = cut.nearest;
-    RayHit ghost;
+    ShapeHit ghost;
     if (ghosts_.first_hit(taken_away, ghost))
       layers.add(pixel_of(drawing_.section->ghosts[ghost.primitive].colour, drawing_.section->ghost_opacity),
                  0);
@@ -144,7 +139,7 @@ RayTracing::Seen RayTracing::at(double x, double y, Scratch& scratch) const {
     const auto colour = drawing_.section->colour_at(place, is_enclosed(scratch.cut_hits, cut));
     if (colour) layers.add(pixel_of(*colour), 2);
   }
-  for (const RayHit& hit : scratch.cut_hits) {
+  for (const ShapeHit& hit : scratch.cut_hits) {
     if (layers.is_opaque() || hit.distance > rod_distance) break;
     add_whole_before(hit.distance);
     const DrawnMesh& mesh = *cut_.drawn_meshes[hit.shape];
@@ -158,7 +153,7 @@ RayTracing::Seen RayTracing::at(double x, double y, Scratch& scratch) const {
 }
 
 std::optional<RayTracing::RodHit> RayTracing::nearest_rod(const Ray& cut, const Ray& whole) const {
-  RayHit of_cut, of_whole;
+  ShapeHit of_cut, of_whole;
   const bool meets_cut = cut_.rods.first_hit(cut, of_cut);
   const bool meets_whole = whole_.rods.first_hit(whole, of_whole);
   if (meets_whole && (!meets_cut || of_whole.distance < of_cut.distance))
@@ -168,16 +163,16 @@ std::optional<RayTracing::RodHit> RayTracing::nearest_rod(const Ray& cut, const 
 }
 
 /// Whether the beginning of a ray is inside, by how often it comes out of the solid and goes in.
-bool RayTracing::is_enclosed(const std::vector<RayHit>& hits, const Ray& ray) const {
+bool RayTracing::is_enclosed(const std::vector<ShapeHit>& hits, const Ray& ray) const {
   int winding = 0;
-  for (const RayHit& hit : hits) {
+  for (const ShapeHit& hit : hits) {
     if (!cut_.drawn_meshes[hit.shape]->bounds_solid) continue;
     winding += along(hit, ray) > 0 ? 1 : -1;
   }
   return winding > 0;
 }
 
-Vector3 RayTracing::place_of(const RayHit& hit, const Ray& ray) const {
+Vector3 RayTracing::place_of(const ShapeHit& hit, const Ray& ray) const {
   return space_.to_model(ray.origin + static_cast<double>(hit.distance) * ray.direction);
 }
 
@@ -190,7 +185,7 @@ SeenNormal RayTracing::seen_normal(const std::array<float, 3>& normal) const {
           static_cast<float>(dot(wide, axes.towards) / length)};
 }
 
-Pixel RayTracing::mesh_pixel(const DrawnMesh& mesh, const RayHit& hit, const Ray& ray) const {
+Pixel RayTracing::mesh_pixel(const DrawnMesh& mesh, const ShapeHit& hit, const Ray& ray) const {
   const SeenNormal flat = seen_normal(hit.normal);
   SeenNormal normal = flat;
   if (!mesh.corner_normals.empty()) {

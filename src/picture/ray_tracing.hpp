@@ -20,7 +20,7 @@ class RayTracing {
  public:
   /// What a thread needs from ray to ray.
   struct Scratch {
-    std::vector<RayHit> cut_hits, whole_hits;
+    std::vector<ShapeHit> cut_hits, whole_hits;
   };
 
   struct Seen {
@@ -38,7 +38,7 @@ class RayTracing {
  private:
   /// The meshes, or the rods and balls, that a section cuts or leaves whole.
   struct Shapes {
-    explicit Shapes(const RaySpace& space) : meshes(space), rods(space) {}
+    Shapes(const RayDevice& device, const RaySpace& space) : meshes(device, space), rods(device, space) {}
     void add(const DrawnMesh& mesh);
     void add(const DrawnRods& rods);
 
@@ -48,16 +48,16 @@ class RayTracing {
   };
 
   struct RodHit {
-    RayHit hit;
+    ShapeHit hit;
     const DrawnRods* rods;
   };
 
   Ray ray_at(double x, double y) const;
   std::optional<RodHit> nearest_rod(const Ray& cut, const Ray& whole) const;
-  bool is_enclosed(const std::vector<RayHit>& hits, const Ray& ray) const;
-  Pixel mesh_pixel(const DrawnMesh& mesh, const RayHit& hit, const Ray& ray) const;
+  bool is_enclosed(const std::vector<ShapeHit>& hits, const Ray& ray) const;
+  Pixel mesh_pixel(const DrawnMesh& mesh, const ShapeHit& hit, const Ray& ray) const;
   Colour rod_colour(const RodHit& rod) const;
-  Vector3 place_of(const RayHit& hit, const Ray& ray) const;
+  Vector3 place_of(const ShapeHit& hit, const Ray& ray) const;
   SeenNormal seen_normal(const std::array<float, 3>& normal) const;
   float depth_share(float distance) const;
 
@@ -68,6 +68,7 @@ class RayTracing {
   const Camera& camera_;
   RenderOptions options_;
   RaySpace space_;
+  RayDevice device_;
   Shapes cut_, whole_;
   RayScene ghosts_;
   double first_depth_, last_depth_;  ///< distances along a ray of the nearest and the farthest of the model

@@ -60,12 +60,12 @@ class ArcDistance::Builder {
   }
 
   Box box_of_run(std::size_t begin, std::size_t end) const {
-    std::vector<Vector3> points;
+    Box box = empty_box();
     for (std::size_t k = begin; k < end; ++k) {
-      points.push_back(segments_[k].start);
-      points.push_back(segments_[k].end);
+      include(box, segments_[k].start);
+      include(box, segments_[k].end);
     }
-    return box_of(points);
+    return box;
   }
 
   void add_node(std::size_t begin, std::size_t end) {

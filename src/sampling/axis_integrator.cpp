@@ -18,7 +18,7 @@ namespace {
 
 /// The pair of orders 3 and 2 of P. Bogacki and L. F. Shampine (1989), Appl. Math. Lett. 2(4), 321-325. The
 /// interpolated field has kinks in planes half a cell apart, over which a higher order neither gains nor
-/// knows its error: docs/streamlines.md has the comparison with orders 5 and 4.
+/// knows its error: docs/notes/streamlines.md has the comparison with orders 5 and 4.
 constexpr std::size_t kStages = 4;
 constexpr std::array<std::array<double, kStages - 1>, kStages - 1> kStageWeights = {
     {{1.0 / 2, 0, 0}, {0, 3.0 / 4, 0}, {2.0 / 9, 1.0 / 3, 4.0 / 9}}};

@@ -150,7 +150,7 @@ std::vector<FrameField::Sample> FrameField::sample(std::span<const Vector3> poin
 
 void FrameField::sample(std::span<const Vector3> points, std::span<Sample> samples) const {
   if (points.size() != samples.size())
-    throw Error(ErrorKind::kUsage, fmt::format("{} points and room for {} samples; give equal numbers",
+    throw Error(ErrorKind::kUsage, fmt::format("{} points and room for {} samples; the numbers must be equal",
                                                points.size(), samples.size()));
   const Lazy& ready = ready_to_sample();
   for (std::size_t begin = 0; begin < points.size(); begin += kPointsInOrder) {

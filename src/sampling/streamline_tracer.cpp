@@ -25,7 +25,7 @@ constexpr std::size_t kLineGrain = 4;
 
 void check(const StreamlineOptions& options) {
   const auto demand = [](bool holds, const char* what) {
-    if (!holds) throw Error(ErrorKind::kUsage, fmt::format("streamlines: {}", what));
+    if (!holds) throw Error(ErrorKind::kUsage, {"", "streamlines", what});
   };
   const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
   demand(is_positive(options.tolerance), "the tolerance is no positive number");
@@ -50,13 +50,11 @@ Quaternion nearest_to_coordinate_axes(const Quaternion& frame) {
 
 /// Around all leaves.
 Box bounds_of(const Octree& tree) {
-  Box bounds{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+  Box bounds = empty_box();
   for (const CellAddress leaf : tree.leaves()) {
     const Box box = tree.root().box(leaf);
-    for (int axis = 0; axis < 3; ++axis) {
-      bounds.low[axis] = std::min(bounds.low[axis], box.low[axis]);
-      bounds.high[axis] = std::max(bounds.high[axis], box.high[axis]);
-    }
+    include(bounds, box.low);
+    include(bounds, box.high);
   }
   return bounds;
 }
@@ -88,8 +86,7 @@ void check_place(const ModelBoundary& boundary, const FieldData& data) {
     }
   }
   if (fits) return;
-  throw Error(ErrorKind::kInput,
-              "the surface lies elsewhere than the field; give the one that the field was solved for");
+  throw Error(ErrorKind::kInput, "the surface lies elsewhere than the field", Remedy::kGiveSolvedSurface);
 }
 
 /// The two halves as one line, from the end of the second to the end of the first.

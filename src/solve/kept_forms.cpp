@@ -10,11 +10,6 @@
 namespace crossgrain {
 namespace {
 
-CellAddress ancestor_at(CellAddress cell, int depth) {
-  while (cell.depth() > depth) cell = cell.parent();
-  return cell;
-}
-
 /// A cell of the merged field with its leaves [first, last).
 struct Cell {
   CellAddress address;
@@ -29,7 +24,7 @@ CellsWithSurface cells_with_surface(const Octree& tree, std::span<const CellCons
                                     int depth) {
   CellsWithSurface result;
   for (CellIndex first = 0; first < tree.size();) {
-    const CellAddress address = ancestor_at(tree[first], depth);
+    const CellAddress address = tree[first].ancestor_at(depth);
     CellIndex last = first;
     bool has_surface = false, only_planes = true;
     for (; last < tree.size() && address.contains(tree[last]); ++last) {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "crossgrain/options.hpp"
-#include "field/cell_constraint.hpp"
+#include "crossgrain/types.hpp"
 #include "field/kept_forms.hpp"
 #include "grid/grid_level.hpp"
 

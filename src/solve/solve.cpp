@@ -11,6 +11,7 @@
 #include "base/lanes.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "base/system_memory.hpp"
 #include "field/field_data.hpp"
 #include "field/nested_solve.hpp"
 #include "field/solve_forecast.hpp"
@@ -64,8 +65,8 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
   if (field.stopped)
     report.unfinished = SolveReport::Unfinished{resolution_asked, field.levels_left_out, false};
   else if (field.levels_left_out > 0)
-    report.limited =
-        SolveReport::Limited{resolution_asked, allowed_memory_bytes(options), field.memory_needed};
+    report.limited = SolveReport::Limited{resolution_asked, allowed_memory_bytes(options.max_memory_bytes),
+                                          field.memory_needed};
   report.energy.smoothness = field.energy.smoothness;
   report.energy.boundary = field.energy.boundary;
   report.energy.unavoidable = field.energy.unavoidable;
@@ -144,13 +145,13 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   Stopwatch watch;
   watch.start();
   const ThreadLimit thread_limit(options.threads);
-  const WatchedLoops watched(monitor);
-  monitor.heed_stops(true);
+  const WatchedLoops watched(monitor, Stops::kHeeded);
   PreparedModel model(mesh, options);
   SolvedField solved = nested_solve(model.solid(), options, monitor, initial_frame, watch.restart());
   check_interior(solved.level, model.mended());
 
-  monitor.heed_stops(false);
+  // There is a field: a stop changes nothing any more.
+  const WatchedLoops watched_to_the_end(monitor, Stops::kIgnored);
   const int level = static_cast<int>(solved.levels.size());
   monitor.report({"analysis", 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN(), level,
                   level + (solved.stopped ? solved.levels_left_out : 0)});

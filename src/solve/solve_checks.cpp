@@ -51,10 +51,6 @@ constexpr double kExcludedShareToWarnOf = 0.1;
 /// Relative difference of bounding boxes below which two models count as the same part.
 constexpr double kSameBox = 0.01;
 
-[[noreturn]] void refuse(ErrorKind kind, const std::string& message) {
-  throw Error(kind, message);
-}
-
 bool is_degree(Degree degree) {
   return degree == Degree::kThree || degree == Degree::kFour;
 }
@@ -63,16 +59,8 @@ double total_area(const Surface& surface) {
   return std::accumulate(surface.areas.begin(), surface.areas.end(), 0.0);
 }
 
-double enclosed_volume(const Surface& surface) {
-  double volume = 0;
-  for (std::size_t t = 0; t < surface.size(); ++t) {
-    volume += surface.areas[t] * dot(surface.normals[t], surface.corners(t)[0] - surface.box.low) / 3;
-  }
-  return std::abs(volume);
-}
-
 void demand(bool met, const char* message) {
-  if (!met) refuse(ErrorKind::kUsage, message);
+  if (!met) throw Error(ErrorKind::kUsage, message);
 }
 
 /// What the solver's options and those for tets have in common.
@@ -129,17 +117,19 @@ void check_options(const SolveOptions& options) {
 void check_scale(const Box& box) {
   const double size = longest_side(box);
   if (!(size >= kSmallestModel && size <= kLargestModel)) {
-    refuse(ErrorKind::kInput, fmt::format("the model is {:.3g} across; rescale it to between {:g} and {:g}",
-                                          size, kSmallestModel, kLargestModel));
+    throw Error(ErrorKind::kInput,
+                fmt::format("the model is {:.3g} across, which is not between {:g} and {:g}", size,
+                            kSmallestModel, kLargestModel),
+                Remedy::kRescale);
   }
   double farthest = 0;
   for (int axis = 0; axis < 3; ++axis) {
     farthest = std::max({farthest, std::abs(box.low[axis]), std::abs(box.high[axis])});
   }
   if (farthest > kFarthestModel * size) {
-    refuse(ErrorKind::kInput,
-           fmt::format("the model is {:.3g} across but {:.3g} away from the origin; move it there", size,
-                       farthest));
+    throw Error(ErrorKind::kInput,
+                fmt::format("the model is {:.3g} across but {:.3g} away from the origin", size, farthest),
+                Remedy::kMoveToOrigin);
   }
 }
 
@@ -147,22 +137,25 @@ void check_size(const Surface& surface, const SolveOptions& options) {
   check_scale(surface.box);
   const double size = longest_side(surface.box), asked = finest_cell_size(surface.box, options);
   if (asked > size / kSmallestResolution * (1 + 1e-9)) {
-    refuse(ErrorKind::kUsage,
-           fmt::format("cells of {:.3g} are too large for a model {:.3g} across; it takes {} along "
-                       "the longest side at least",
-                       asked, size, kSmallestResolution));
+    throw Error(
+        ErrorKind::kUsage,
+        fmt::format("cells of {:.3g} are too large for a model {:.3g} across, which needs {} along the "
+                    "longest side",
+                    asked, size, kSmallestResolution),
+        Remedy::kRaiseResolution);
   }
   const double largest = std::ldexp(asked, kMostLevelsLeftOut);
   const double cells = kCellsPerFace * total_area(surface) / (largest * largest);
   const LevelCounts counts{cells, kSurfaceShare * cells, 0, kSurfaceShare * cells};
   const double needed = static_cast<double>(current_memory_bytes()) + peak_memory_bytes(counts);
-  const auto allowed = static_cast<double>(allowed_memory_bytes(options));
-  if (cells < kNoCell && (allowed == 0 || needed <= allowed)) return;
-  refuse(ErrorKind::kLimit,
-         fmt::format(
-             "even with cells {} times as large, about {:.3g} million of them, {:.3g} GB would be needed, "
-             "and {:.3g} GB are allowed; lower the resolution, take larger cells or allow more memory",
-             1 << kMostLevelsLeftOut, cells / 1e6, needed / 1e9, allowed / 1e9));
+  const auto allowed = static_cast<double>(allowed_memory_bytes(options.max_memory_bytes));
+  if (cells < kNoCell && needed <= allowed) return;
+  throw Error(
+      ErrorKind::kLimit,
+      fmt::format("even with cells {} times as large, about {:.3g} million of them, {:.3g} GB would be "
+                  "needed, and {:.3g} GB are allowed",
+                  1 << kMostLevelsLeftOut, cells / 1e6, needed / 1e9, allowed / 1e9),
+      Remedy::kUseLessMemory);
 }
 
 void check_interior(const GridLevel& finest, const MendedSurface& mended) {
@@ -176,10 +169,11 @@ void check_interior(const GridLevel& finest, const MendedSurface& mended) {
             ? ""
             : fmt::format(", with an opening {:.3g} around at {:.6g} {:.6g} {:.6g}", hole->length.value_or(0),
                           hole->place[0], hole->place[1], hole->place[2]);
-    refuse(ErrorKind::kInput, "the surface is open" + where + ", and encloses nothing; close it");
+    throw Error(ErrorKind::kInput, "the surface is open" + where + ", and encloses nothing",
+                Remedy::kCloseSurface);
   }
   if (2 * enclosed_volume(surface) < kFlat * total_area(surface) * longest_side(surface.box)) {
-    refuse(ErrorKind::kInput, "the surface is flat and encloses nothing; give it thickness");
+    throw Error(ErrorKind::kInput, "the surface is flat and encloses nothing", Remedy::kCloseSurface);
   }
 }
 

@@ -48,16 +48,14 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   check_constraints(options.constraints);
   check_scale(domain.data().box);
   const ThreadLimit thread_limit(options.threads);
-  const WatchedLoops watched(monitor);
-  monitor.heed_stops(true);
+  const WatchedLoops watched(monitor, Stops::kHeeded);
   Stopwatch stopwatch;
   stopwatch.start();
   const TetDomainData& tets = domain.data();
   CarriedFrames start = carried_frames(grid.data(), tets.solid);
   if (start.outside == tets.solid.mesh.vertices.size() - tets.solid.unused_vertices)
-    throw Error(ErrorKind::kInput,
-                "no vertex of the tets lies in the field's solid; give both in the same unit and place");
-  monitor.check();
+    throw Error(ErrorKind::kInput, "no vertex of the tets lies in the field's solid", Remedy::kMatchUnits);
+  monitor.check_stop();
   auto field = std::make_shared<TetField>();
   // The domain's own, unless it knows of walls that are to be passed over.
   std::optional<InnerFeatures> united_features;
@@ -76,7 +74,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   field->vertex_frames = std::move(finished.frames);
   field->tet_frames = tet_frames_of(tets.solid.mesh, field->vertex_frames);
   field->singularities = singularity_graph(singular_tet_edges(tets.solid, field->tet_frames));
-  monitor.check();
+  monitor.check_stop();
 
   SolveReport report = grid.report();
   // Tets have cells of their own: the grid is only where they start (docs/solver.md, "On tets").

@@ -28,10 +28,8 @@ class ItemCheck {
 
   void demand(const std::string& fault) const {
     if (fault.empty()) return;
-    // A line says enough; without one items are counted.
-    std::string message = origin_of(constraints_, line_).append(what_);
-    if (line_ == 0) message.append(" ").append(std::to_string(index_));
-    throw Error(ErrorKind::kInput, message.append(": ").append(fault));
+    const std::string item = counted_from_0(("constraint " + what_).c_str(), index_);
+    throw Error(ErrorKind::kInput, message_on(constraints_, line_, item, fault));
   }
 
  private:
@@ -85,10 +83,10 @@ std::string fault_of_tensor(const std::array<double, 6>& tensor) {
   return all_finite(tensor) ? "" : "a stress tensor must be of finite numbers";
 }
 
-std::string origin_of(const Constraints& constraints, std::size_t line) {
-  std::string text = constraints.source.empty() ? "constraints" : constraints.source;
-  if (line > 0) text.append(":").append(std::to_string(line));
-  return text.append(": ");
+Message message_on(const Constraints& constraints, std::size_t line, const std::string& item,
+                   const std::string& text, Remedy remedy) {
+  if (line > 0) return {constraints.source, "line " + std::to_string(line), text, remedy};
+  return {constraints.source, item, text, remedy};
 }
 
 void check_constraints(const Constraints& constraints) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "crossgrain/constraints.hpp"
+#include "crossgrain/message.hpp"
 
 namespace crossgrain {
 
@@ -21,7 +22,9 @@ std::string fault_of_polyline(std::span<const Vector3> points);
 
 std::string fault_of_tensor(const std::array<double, 6>& tensor);
 
-/// "FILE:LINE: " where a constraint comes from; "constraints: " where it comes from no file.
-std::string origin_of(const Constraints& constraints, std::size_t line);
+/// What is wrong with a constraint of `line` of its file, or with all of them where that is 0. `item` is the
+/// place where constraints come from no file.
+Message message_on(const Constraints& constraints, std::size_t line, const std::string& item,
+                   const std::string& text, Remedy remedy = Remedy::kNone);
 
 }  // namespace crossgrain

@@ -50,10 +50,10 @@ std::string in_words(const TrianglesOfFace& faces) {
 
 [[noreturn]] void fail_face(const Constraints& constraints, const Constraints::Face& face,
                             const TrianglesOfFace& faces) {
-  const std::string mend = faces.empty()
-                               ? "has no numbered faces; give a format that numbers them, such as STEP"
-                               : "has no face " + std::to_string(face.face) + ", only " + in_words(faces);
-  throw Error(ErrorKind::kInput, origin_of(constraints, face.line) + "the model " + mend);
+  const std::string text =
+      faces.empty() ? "the model has no numbered faces, as files in STEP and other CAD formats have"
+                    : "the model has no face " + std::to_string(face.face) + ", only " + in_words(faces);
+  throw Error(ErrorKind::kInput, message_on(constraints, face.line, "constraints", text));
 }
 
 void add_polyline(const Constraints::Polyline& polyline, Guides& guides) {

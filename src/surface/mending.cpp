@@ -89,7 +89,9 @@ class Mender {
  public:
   explicit Mender(TriangleMesh mesh) : mesh_(std::move(mesh)) {
     areas_.resize(mesh_.triangles.size());
-    parallel_for(areas_.size(), [&](std::size_t t) { areas_[t] = shape_of(corners(t)).area; });
+    parallel_for(areas_.size(), [&](std::size_t t) {
+      areas_[t] = shape_of(corners_of(mesh_.triangles[t], mesh_.vertices)).area;
+    });
   }
 
   MendedSurface mend(const SurfaceTopology& topology) {
@@ -104,11 +106,6 @@ class Mender {
   }
 
  private:
-  std::array<Vector3, 3> corners(std::size_t t) const {
-    const auto& [a, b, c] = mesh_.triangles[t];
-    return {mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]};
-  }
-
   /// Of the triangles that are surface and, where `left_out` is there, not left out.
   std::vector<EdgeUse> edge_uses() const {
     std::vector<Corners> triangles = mesh_.triangles;
@@ -226,8 +223,7 @@ class Mender {
     } else {
       what = "it is an open sheet of " + all;
     }
-    throw Error(ErrorKind::kInput,
-                "the surface encloses nothing: " + what + "; close it, or give it thickness");
+    throw Error(ErrorKind::kInput, "the surface encloses nothing: " + what, Remedy::kCloseSurface);
   }
 
   void finish() {
@@ -277,9 +273,8 @@ MendedSurface as_it_is(const TriangleMesh& mesh, const SurfaceTopology& topology
   Tally degenerate, inside_out;
   std::vector<bool> has_area(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    has_area[t] = shape_of({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}).area > 0;
-    if (!has_area[t]) degenerate.add(mesh.vertices[a]);
+    has_area[t] = shape_of(corners_of(mesh.triangles[t], mesh.vertices)).area > 0;
+    if (!has_area[t]) degenerate.add(mesh.vertices[mesh.triangles[t][0]]);
   }
   result.surface = prepare_surface(mesh);
   if (orientation < 0) inside_out.add(centroid_of(mesh, 0), parts.count);

@@ -83,14 +83,10 @@ std::vector<Pair> separating_pairs(const TriangleMesh& mesh, std::vector<bool>& 
   return pairs;
 }
 
-std::array<Vector3, 3> corners_of(const TriangleMesh& mesh, const Triangle& triangle) {
-  return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
-}
-
 /// Those without area are left out: they have no normal.
 void append_inner(const TriangleMesh& mesh, const Triangle& triangle,
                   const std::array<Vector3, 3>* corner_normals, TriangleMesh& inner) {
-  const TriangleShape shape = shape_of(corners_of(mesh, triangle));
+  const TriangleShape shape = shape_of(corners_of(triangle, mesh.vertices));
   if (shape.area == 0) return;
   inner.triangles.push_back(triangle);
   inner.corner_normals.push_back(
@@ -126,7 +122,7 @@ std::set<Piece> sharp_pieces(const TriangleMesh& mesh) {
   const double least_cosine = std::cos(CreaseAngles{}.least_deg * std::numbers::pi / 180);
   const std::vector<EdgeUse> all_uses = sorted_edge_uses(mesh.triangles);
   const auto normal_along = [&](const EdgeUse& use) {
-    const Vector3 normal = shape_of(corners_of(mesh, mesh.triangles[use.triangle])).normal;
+    const Vector3 normal = shape_of(corners_of(mesh.triangles[use.triangle], mesh.vertices)).normal;
     return use.forward ? normal : -normal;
   };
   std::set<Piece> pieces;
@@ -192,7 +188,7 @@ SolidSplit split_solids(const TriangleMesh& mesh, bool unite) {
 std::vector<GuideFace> guides_across(const TriangleMesh& inner) {
   std::vector<GuideFace> guides;
   for (std::size_t t = 0; t < inner.triangles.size(); ++t)
-    guides.push_back({corners_of(inner, inner.triangles[t]), inner.corner_normals[t], 1});
+    guides.push_back({corners_of(inner.triangles[t], inner.vertices), inner.corner_normals[t], 1});
   return guides;
 }
 

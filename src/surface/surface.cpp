@@ -30,9 +30,10 @@ double largest_component(const Vector3& a, const Vector3& b) {
 template <class T>
 void check_count(const std::vector<T>& entries, std::size_t triangles, const char* name) {
   if (entries.empty() || entries.size() == triangles) return;
-  throw Error(ErrorKind::kInput, std::string(name) + " has " + std::to_string(entries.size()) +
-                                     " entries for " + std::to_string(triangles) +
-                                     " triangles; give one for each, or none");
+  throw Error(ErrorKind::kInput,
+              {"", name,
+               "has " + std::to_string(entries.size()) + " entries for " + std::to_string(triangles) +
+                   " triangles, where there must be one for each or none"});
 }
 
 /// Moves the entry of triangle `from` to `to`, where there are entries.
@@ -47,23 +48,34 @@ void shorten(std::vector<T>& entries, std::size_t size) {
 }
 
 Box box_of_triangles(const TriangleMesh& mesh) {
-  std::vector<Vector3> used;
-  used.reserve(3 * mesh.triangles.size());
+  Box box = empty_box();
   for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t vertex : triangle) used.push_back(mesh.vertices[vertex]);
-  return box_of(used);
+    for (const std::uint32_t vertex : triangle) include(box, mesh.vertices[vertex]);
+  return box;
 }
 
 }  // namespace
+
+std::string counted_from_0(const char* what, std::size_t index) {
+  return std::string(what) + " " + std::to_string(index) + " (counted from 0)";
+}
+
+void fail_index(const std::string& place, std::uint32_t vertex, std::size_t vertices) {
+  throw Error(ErrorKind::kInput, {"", place,
+                                  "vertex index " + std::to_string(vertex) + " is out of range, there are " +
+                                      std::to_string(vertices) + " vertices",
+                                  Remedy::kRemoveElement});
+}
 
 void check_vertices(const std::vector<Vector3>& vertices) {
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     for (const double coordinate : vertices[v]) {
       if (std::abs(coordinate) < kLargestCoordinate) continue;  // false for NaN
       throw Error(ErrorKind::kInput,
-                  "vertex " + std::to_string(v) + " (counted from 0): coordinate " +
-                      (std::isfinite(coordinate) ? "beyond 1e100" : "that is not a finite number") +
-                      "; export the mesh again or remove that vertex");
+                  {"", counted_from_0("vertex", v),
+                   std::string("coordinate ") +
+                       (std::isfinite(coordinate) ? "beyond 1e100" : "that is not a finite number"),
+                   Remedy::kRemoveElement});
     }
   }
 }
@@ -73,17 +85,13 @@ void check_mesh(const TriangleMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const std::uint32_t vertex : mesh.triangles[t]) {
       if (vertex < mesh.vertices.size()) continue;
-      throw Error(ErrorKind::kInput, "triangle " + std::to_string(t) + " (counted from 0): vertex index " +
-                                         std::to_string(vertex) + " is out of range, there are " +
-                                         std::to_string(mesh.vertices.size()) +
-                                         " vertices; export the mesh again or remove that triangle");
+      fail_index(counted_from_0("triangle", t), vertex, mesh.vertices.size());
     }
   }
   for (std::size_t t = 0; t < mesh.inner_faces.size(); ++t) {
     for (const std::uint32_t vertex : mesh.inner_faces[t]) {
       if (vertex < mesh.vertices.size()) continue;
-      throw Error(ErrorKind::kInput, "inner face " + std::to_string(t) + " (counted from 0): vertex index " +
-                                         std::to_string(vertex) + " is out of range; remove that face");
+      fail_index(counted_from_0("inner face", t), vertex, mesh.vertices.size());
     }
   }
   check_count(mesh.faces, mesh.triangles.size(), "faces");
@@ -105,16 +113,11 @@ TriangleShape shape_of(const std::array<Vector3, 3>& corners) {
 }
 
 Box box_of_solid_triangles(const TriangleMesh& mesh) {
-  Box box = box_of({});
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const std::array<Vector3, 3> corners{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+  Box box = empty_box();
+  for (const auto& triangle : mesh.triangles) {
+    const std::array<Vector3, 3> corners = corners_of(triangle, mesh.vertices);
     if (shape_of(corners).area == 0) continue;
-    for (const Vector3& corner : corners) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        box.low[axis] = std::min(box.low[axis], corner[axis]);
-        box.high[axis] = std::max(box.high[axis], corner[axis]);
-      }
-    }
+    for (const Vector3& corner : corners) include(box, corner);
   }
   return box;
 }
@@ -129,6 +132,13 @@ Vector3 Surface::blended_normal(std::size_t triangle, const Vector3& point) cons
   const Vector3 blended = share(b, c) * at[0] + share(c, a) * at[1] + share(a, b) * at[2];
   const double length = norm(blended);
   return length > 0 ? (1 / length) * blended : normals[triangle];
+}
+
+double enclosed_volume(const Surface& surface) {
+  double volume = 0;
+  for (std::size_t t = 0; t < surface.size(); ++t)
+    volume += surface.areas[t] * dot(surface.normals[t], surface.corners(t)[0] - surface.box.low) / 3;
+  return std::abs(volume);
 }
 
 Surface prepare_surface(TriangleMesh mesh) {
@@ -161,10 +171,9 @@ Surface prepare_surface(TriangleMesh mesh) {
   shorten(corner_normals, triangles.size());
   surface.degenerate_triangles = count - triangles.size();
   if (triangles.empty()) {
-    throw Error(ErrorKind::kInput, count == 0
-                                       ? "no triangles; a surface is needed to make a frame field inside it"
-                                       : "none of the " + std::to_string(count) +
-                                             " triangles has an area; export the surface again");
+    if (count == 0) throw Error(ErrorKind::kInput, "no triangles, where a surface is needed");
+    throw Error(ErrorKind::kInput, "none of the " + std::to_string(count) + " triangles has an area",
+                Remedy::kExportAgain);
   }
   surface.box = box_of_triangles(surface.mesh);
   return surface;

@@ -4,11 +4,18 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
+
+/// Where the corners of a triangle with these indices are.
+inline std::array<Vector3, 3> corners_of(const std::array<std::uint32_t, 3>& triangle,
+                                         const std::vector<Vector3>& vertices) {
+  return {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
+}
 
 /// Triangles of positive area, each with its unit normal. Plain data that nothing changes after
 /// `prepare_surface`; safe to read from any number of threads.
@@ -22,8 +29,7 @@ struct Surface {
   std::size_t size() const { return mesh.triangles.size(); }
 
   std::array<Vector3, 3> corners(std::size_t triangle) const {
-    const auto& [a, b, c] = mesh.triangles[triangle];
-    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+    return corners_of(mesh.triangles[triangle], mesh.vertices);
   }
 
   /// The unit normal of the true surface at the point of the triangle nearest to `point`, about: blended from
@@ -35,6 +41,12 @@ struct Surface {
  private:
   Vector3 blended_normal(std::size_t triangle, const Vector3& point) const;
 };
+
+/// A place of a Message, such as "vertex 7 (counted from 0)".
+std::string counted_from_0(const char* what, std::size_t index);
+
+/// Throws Error(kInput) for the index of a vertex that is not below `vertices`.
+[[noreturn]] void fail_index(const std::string& place, std::uint32_t vertex, std::size_t vertices);
 
 /// Throws Error(kInput) unless every coordinate is finite and below 1e100 (squares and cubes of lengths must
 /// not overflow). The message names the vertex, counted from 0.
@@ -54,6 +66,9 @@ TriangleShape shape_of(const std::array<Vector3, 3>& corners);
 
 /// Of the corners of all triangles that have an area; empty where none has. Indices must be in range.
 Box box_of_solid_triangles(const TriangleMesh& mesh);
+
+/// The volume that a closed surface encloses, in cubed model units, whichever way its normals point.
+double enclosed_volume(const Surface& surface);
 
 /// The mesh as a Surface. Throws Error(kInput) as `check_mesh` does, and where no triangle has a positive
 /// area.

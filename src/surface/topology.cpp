@@ -91,9 +91,7 @@ SurfaceTopology analyse_topology(const TriangleMesh& mesh, std::span<const EdgeU
   });
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& triangle = mesh.triangles[t];
-    const auto& [a, b, c] = triangle;
-    if (shape_of({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}).area == 0)
-      ++topology.degenerate_triangles;
+    if (shape_of(corners_of(triangle, mesh.vertices)).area == 0) ++topology.degenerate_triangles;
     if (!is_collapsed(triangle) && sets.root(static_cast<std::uint32_t>(t)) == t) ++topology.components;
   }
   topology.watertight = topology.components > 0 && topology.open_edges == 0 &&

@@ -36,9 +36,8 @@ struct AllFaces {
   AllFaces(const TetSolid& solid, const InnerFeatures& features)
       : faces(solid.boundary), on_boundary(solid.boundary.size()) {
     faces.insert(faces.end(), features.faces.begin(), features.faces.end());
-    const std::vector<Vector3>& vertices = solid.mesh.vertices;
     shapes.reserve(faces.size());
-    for (const auto& [a, b, c] : faces) shapes.push_back(shape_of({vertices[a], vertices[b], vertices[c]}));
+    for (const auto& face : faces) shapes.push_back(shape_of(corners_of(face, solid.mesh.vertices)));
   }
 
   bool is_inner(std::size_t face) const { return face >= on_boundary; }

@@ -45,15 +45,11 @@ void warn(std::vector<std::string>& warnings, const Tally& tally, const char* ki
 }
 
 void check_indices(const TetMesh& mesh) {
-  if (mesh.tets.empty())
-    throw Error(ErrorKind::kInput, "no tets; a solid cut into tets is needed to put a frame field on them");
+  if (mesh.tets.empty()) throw Error(ErrorKind::kInput, "no tets, where a solid cut into tets is needed");
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     for (const std::uint32_t vertex : mesh.tets[t]) {
       if (vertex < mesh.vertices.size()) continue;
-      throw Error(ErrorKind::kInput, "tet " + std::to_string(t) + " (counted from 0): vertex index " +
-                                         std::to_string(vertex) + " is out of range, there are " +
-                                         std::to_string(mesh.vertices.size()) +
-                                         " vertices; export the mesh again or remove that tet");
+      fail_index(counted_from_0("tet", t), vertex, mesh.vertices.size());
     }
   }
 }
@@ -64,10 +60,7 @@ void check_features(const Features& features, std::size_t vertex_count, const ch
   for (std::size_t k = 0; k < features.size(); ++k) {
     for (const std::uint32_t vertex : features[k].vertices) {
       if (vertex < vertex_count) continue;
-      throw Error(ErrorKind::kInput, std::string(kind) + " " + std::to_string(k) +
-                                         " (counted from 0): vertex index " + std::to_string(vertex) +
-                                         " is out of range, there are " + std::to_string(vertex_count) +
-                                         " vertices; remove it");
+      fail_index(counted_from_0(kind, k), vertex, vertex_count);
     }
   }
 }
@@ -84,10 +77,10 @@ std::vector<TetShape> turn_tets(TetMesh& mesh) {
 
 [[noreturn]] void refuse_face(std::span<const std::uint32_t> vertices, std::span<const FaceUse> uses) {
   const std::array first = {uses[0].tet, uses[1].tet, uses[2].tet};
-  throw Error(ErrorKind::kInput,
-              "the face of vertices " + numbers(vertices) + " belongs to " + std::to_string(uses.size()) +
-                  " tets, among them " + numbers(first) +
-                  " (counted from 0), where a solid has two at most; remove the tets that overlap others");
+  throw Error(ErrorKind::kInput, {"", "face of vertices " + numbers(vertices) + " (counted from 0)",
+                                  "belongs to " + std::to_string(uses.size()) + " tets, among them " +
+                                      numbers(first) + ", where a solid has two at most",
+                                  Remedy::kRemoveOverlaps});
 }
 
 /// Unsets `take` for tets of the same four vertices as an earlier one.
@@ -288,8 +281,9 @@ TetSolid prepare_tets(TetMesh mesh, std::vector<std::string>& warnings) {
     if (shapes[t] == TetShape::kFlat || shapes[t] == TetShape::kCollapsed) flat.add(t);
   }
   if (flat.count == given)
-    throw Error(ErrorKind::kInput, "none of the " + std::to_string(given) +
-                                       " tets has a volume (the first is tet 0); export the mesh again");
+    throw Error(ErrorKind::kInput,
+                "none of the " + std::to_string(given) + " tets has a volume (the first is tet 0)",
+                Remedy::kExportAgain);
   warn(warnings, inverted, "tet", "inverted tets, turned");
   warn(warnings, flat, "tet", "tets without volume, left out");
 
@@ -306,8 +300,8 @@ TetSolid prepare_tets(TetMesh mesh, std::vector<std::string>& warnings) {
   if (solid.boundary.empty())
     throw Error(
         ErrorKind::kInput,
-        "every face has two tets, so there is no boundary (tet 0 is the first); the mesh folds over itself: "
-        "export the mesh again");
+        "every face has two tets, so there is no boundary (tet 0 is the first): the mesh folds over itself",
+        Remedy::kExportAgain);
   number_components(connected, new_index, solid);
   warn_of_unused_vertices(solid, warnings);
   warn_of_boundary_faults(solid, warnings);

@@ -42,16 +42,20 @@ TEST(Monitor, IsCancelledFromAnotherThread) {
   EXPECT_THROW(monitor.check(), Error);
 }
 
-TEST(Monitor, ThatIsStoppedThrowsOnlyWhereStopsAreHeeded) {
+TEST(Monitor, ThatIsStoppedThrowsOnlyWhereAStopEndsTheWork) {
   Monitor monitor;
+  EXPECT_NO_THROW(monitor.check_stop());
   monitor.stop();
   EXPECT_TRUE(monitor.stopped());
   EXPECT_FALSE(monitor.cancelled());
-  EXPECT_THROW(monitor.check(), Error);
-  monitor.heed_stops(false);
+  EXPECT_THROW(monitor.check_stop(), Error);
   EXPECT_NO_THROW(monitor.check());
+}
+
+TEST(Monitor, ThatIsCancelledThrowsWhereAStopWouldToo) {
+  Monitor monitor;
   monitor.cancel();
-  EXPECT_THROW(monitor.check(), Error);
+  EXPECT_THROW(monitor.check_stop(), Error);
 }
 
 TEST(Monitor, HandsReportsToItsListener) {
@@ -68,15 +72,6 @@ TEST(Monitor, HandsReportsToItsListener) {
 
 TEST(Monitor, WithoutListenerTakesReportsToo) {
   EXPECT_NO_THROW(Monitor().report({"grid", 0, 0, 0, 0}));
-}
-
-TEST(Error, CarriesTheExitCodeOfItsKind) {
-  // The codes of the command line (README): scripts rely on them.
-  EXPECT_EQ(static_cast<int>(ErrorKind::kUsage), 2);
-  EXPECT_EQ(static_cast<int>(ErrorKind::kInput), 3);
-  EXPECT_EQ(static_cast<int>(ErrorKind::kOutput), 4);
-  EXPECT_EQ(static_cast<int>(ErrorKind::kLimit), 5);
-  EXPECT_EQ(static_cast<int>(ErrorKind::kInterrupted), 130);
 }
 
 }  // namespace

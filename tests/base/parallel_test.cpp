@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -83,7 +85,7 @@ TEST(WatchedLoops, EndOnceTheMonitorSaysSo) {
     const ThreadLimit limit(threads);
     Monitor monitor;
     std::atomic<std::size_t> visits = 0;
-    const WatchedLoops watched(monitor);
+    const WatchedLoops watched(monitor, Stops::kIgnored);
     EXPECT_THROW(parallel_for(10000000,
                               [&](std::size_t) {
                                 if (++visits == 1000) monitor.cancel();
@@ -97,11 +99,111 @@ TEST(WatchedLoops, AreThoseOfThisThreadWhileItIsWatched) {
   Monitor monitor;
   monitor.cancel();
   {
-    const WatchedLoops watched(monitor);
+    const WatchedLoops watched(monitor, Stops::kIgnored);
     EXPECT_THROW(parallel_sum(10000, [](std::size_t) { return 1.0; }), Error);
     std::thread([] { EXPECT_EQ(parallel_sum(10000, [](std::size_t) { return 1.0; }), 10000); }).join();
   }
   EXPECT_EQ(parallel_sum(10000, [](std::size_t) { return 1.0; }), 10000);
+}
+
+TEST(WatchedLoops, GoOnAfterAStopWhereTheInnermostWatchIgnoresIt) {
+  Monitor monitor;
+  monitor.stop();
+  const WatchedLoops watched(monitor, Stops::kHeeded);
+  EXPECT_THROW(parallel_sum(10000, [](std::size_t) { return 1.0; }), Error);
+  {
+    const WatchedLoops watched_to_the_end(monitor, Stops::kIgnored);
+    EXPECT_EQ(parallel_sum(10000, [](std::size_t) { return 1.0; }), 10000);
+  }
+  EXPECT_THROW(parallel_sum(10000, [](std::size_t) { return 1.0; }), Error);
+}
+
+/// The threads that a loop runs on, each of whose two chunks waits until the other is at work on one of its
+/// own, or for so long.
+std::set<std::thread::id> threads_of_two_chunks(std::chrono::milliseconds longest) {
+  std::set<std::thread::id> ids;
+  std::mutex mutex;
+  std::condition_variable changed;
+  parallel_for(
+      2,
+      [&](std::size_t) {
+        std::unique_lock lock(mutex);
+        ids.insert(std::this_thread::get_id());
+        changed.notify_all();
+        changed.wait_for(lock, longest, [&] { return ids.size() == 2; });
+      },
+      1);
+  return ids;
+}
+
+/// A loop keeps to one thread if chunks that wait for a second one wait in vain.
+constexpr std::chrono::milliseconds kInVain{200}, kUntilItComes{60000};
+
+bool has_two_processors() {
+  return std::thread::hardware_concurrency() >= 2;
+}
+
+TEST(ThreadLimit, OfOneThreadLeavesOtherThreadsTheirs) {
+  if (!has_two_processors()) GTEST_SKIP() << "one processor has one thread";
+  const ThreadLimit one(1);
+  std::size_t of_another_thread = 0, of_this_thread = 0;
+  std::thread other([&] {
+    const ThreadLimit two(2);
+    of_another_thread = threads_of_two_chunks(kUntilItComes).size();
+  });
+  of_this_thread = threads_of_two_chunks(kInVain).size();
+  other.join();
+  EXPECT_EQ(of_this_thread, 1u);
+  EXPECT_EQ(of_another_thread, 2u);
+}
+
+TEST(ThreadLimit, InsideASmallerOneChangesNothing) {
+  const ThreadLimit one(1);
+  for (const int threads : {0, 1, 2}) {
+    const ThreadLimit limit(threads);
+    EXPECT_EQ(threads_of_two_chunks(kInVain).size(), 1u) << threads << " threads";
+  }
+}
+
+TEST(ThreadLimit, EndsWithItsScope) {
+  if (!has_two_processors()) GTEST_SKIP() << "one processor has one thread";
+  const ThreadLimit two(2);
+  {
+    const ThreadLimit one(1);
+    EXPECT_EQ(threads_of_two_chunks(kInVain).size(), 1u);
+  }
+  EXPECT_EQ(threads_of_two_chunks(kUntilItComes).size(), 2u);
+}
+
+TEST(ThreadLimit, HoldsForLoopsInsideLoops) {
+  const ThreadLimit two(2);
+  std::atomic<int> at_work = 0, most_at_work = 0;
+  const auto work = [&](std::size_t) {
+    const int now = ++at_work;
+    int most = most_at_work;
+    while (now > most && !most_at_work.compare_exchange_weak(most, now)) {
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    --at_work;
+  };
+  parallel_for(
+      8, [&](std::size_t) { parallel_for(8, work, 1); }, 1);
+  EXPECT_LE(most_at_work, 2);
+}
+
+TEST(ThreadLimit, OfALoopBodyHoldsForTheLoopsOfThatBody) {
+  const ThreadLimit two(2);
+  std::atomic<int> on_other_threads = 0;
+  parallel_for(
+      8,
+      [&](std::size_t) {
+        const ThreadLimit one(1);
+        const std::thread::id id = std::this_thread::get_id();
+        parallel_for(
+            8, [&](std::size_t) { on_other_threads += std::this_thread::get_id() != id; }, 1);
+      },
+      1);
+  EXPECT_EQ(on_other_threads, 0);
 }
 
 TEST(ParallelLoop, MayRunInsideAnother) {

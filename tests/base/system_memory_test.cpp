@@ -60,6 +60,12 @@ TEST(SystemMemory, LimitsTheProcessToNoMoreThanTheMachineHas) {
   EXPECT_LE(memory_limit_bytes(), physical_memory_bytes());
 }
 
+TEST(SystemMemory, IsAllowedAsTheOptionSaysOrElseNineTenthsOfTheLimit) {
+  EXPECT_EQ(allowed_memory_bytes(12345), 12345u);
+  EXPECT_NEAR(static_cast<double>(allowed_memory_bytes(0)), 0.9 * static_cast<double>(memory_limit_bytes()),
+              1);
+}
+
 TEST(SystemMemory, HeldNowIsNoMoreThanAtThePeakAndGrowsWithUse) {
   constexpr std::size_t kMuch = std::size_t{64} << 20, kBatch = std::size_t{1} << 20;
   const std::size_t before = current_memory_bytes();

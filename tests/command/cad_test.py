@@ -116,7 +116,7 @@ class WithTheReader(CommandTest):
         self.assertLess(faces["angle_deg"]["mean"], 5)
         self.write("c.json", '{"schema": 1,\n"faces": [{"face": 999, "axis": "normal"}]}')
         result = self.run_here("solve", "plate.step", "--constraints", "c.json")
-        self.assert_fails(result, INPUT, "crossgrain: c.json:2: ", "no face 999, only 1 to")
+        self.assert_fails(result, INPUT, "crossgrain: c.json: line 2: ", "no face 999, only 1 to")
 
     def test_the_report_names_the_units(self):
         model = self.solve("inch.stp", "--resolution", "8")[1]["model"]

@@ -93,11 +93,11 @@ class Constraints(CommandTest):
 
     def test_faults_name_the_line_and_leave_nothing(self):
         self.write("c.json", '{\n"schema": 1,\n"points": [\n{"at": [0, 0, 0], "axis": [1, 0, 0], "weight": -1}]}')
-        self.assert_fails(self.solve(), INPUT, "c.json:4: ", "weight", "positive")
+        self.assert_fails(self.solve(), INPUT, "c.json: line 4: ", "weight", "positive")
         self.write("c.json", '{\n"schema": 1,\n]')
-        self.assert_fails(self.solve(), INPUT, "c.json:3: ", "no JSON")
+        self.assert_fails(self.solve(), INPUT, "c.json: line 3: ", "no JSON")
         self.constrain(faces=[{"face": 3, "axis": "normal"}])
-        self.assert_fails(self.solve(), INPUT, "crossgrain: c.json:1: ", "no numbered faces")
+        self.assert_fails(self.solve(), INPUT, "crossgrain: c.json: line 1: ", "no numbered faces")
         self.constrain(points=[{"at": [1000, 500, 700], "axis": [1, 0, 0]}])
         self.assert_fails(self.solve(), INPUT, "crossgrain: c.json: ", "same unit")
         self.assert_fails(self.run_here("solve", "box.stl", "--constraints", "none.json"), INPUT, "none.json")
@@ -123,7 +123,7 @@ class Constraints(CommandTest):
         frames = np.loadtxt(self.folder / "box.frames" / "onto.frames")
         self.assertLess(nearest_axis_deg(frames[middle], [1, 1, 0]), 3)
         self.constrain(faces=[{"face": 6, "axis": "normal"}])
-        self.assert_fails(self.run_here("solve", "box.mesh", "--constraints", "c.json"), INPUT, "c.json:1: ",
+        self.assert_fails(self.run_here("solve", "box.mesh", "--constraints", "c.json"), INPUT, "c.json: line 1: ",
                           "has no face 6, only 0 and 5")
 
 

@@ -67,11 +67,11 @@ class WrongSizes(CommandTest):
 
     def test_what_cannot_fit_into_memory_is_refused_at_once(self):
         for arguments in (["--resolution", "400000"], ["--cell-size", "1e-300"]):
-            self.assert_fails(self.run_here("solve", "box.stl", *arguments), LIMIT, "lower the resolution")
+            self.assert_fails(self.run_here("solve", "box.stl", *arguments), LIMIT, "lower --resolution")
         self.assertEqual(self.names(), ["box.stl"])
 
     def test_where_even_much_larger_cells_need_more_memory_than_allowed_it_is_refused(self):
-        self.assert_fails(self.run_here("solve", "box.stl", "--resolution", "512", "--max-memory", "5MB"), LIMIT, "memory")
+        self.assert_fails(self.run_here("solve", "box.stl", "--resolution", "512", "--max-memory", "5MB"), LIMIT, "--max-memory")
         self.assertEqual(self.names(), ["box.stl"])
 
     def test_any_number_of_threads_will_do(self):
@@ -115,6 +115,14 @@ class BadModels(CommandTest):
         self.refuse("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "encloses nothing")
         self.refuse("flat.stl", stl_bytes(box_triangles((1.0, 1.0, 1e-12))), "encloses nothing")
 
+    def test_an_error_of_the_model_names_its_file_whatever_other_files_are_called(self):
+        # "the surface ..." begins like the name of the folder.
+        self.write("box.stl", stl_bytes(box_triangles()))
+        self.assert_succeeds(self.run_here("solve", "box.stl", "--resolution", 4, "--no-report", "--quiet", "-o", "t"))
+        self.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.assert_fails(self.run_here("solve", "sheet.obj", "--from", "t"), INPUT,
+                          "crossgrain: sheet.obj: the surface encloses nothing")
+
     def test_models_of_a_size_or_at_a_place_that_numbers_cannot_hold(self):
         self.refuse("small.stl", stl_bytes(1e-12 * box_triangles()), "rescale")
         self.refuse("large.stl", stl_bytes(1e15 * box_triangles()), "rescale")
@@ -124,12 +132,12 @@ class BadModels(CommandTest):
         triangles = box_triangles()
         triangles[3, 1, 2] = float("nan")
         self.refuse("a.stl", stl_bytes(triangles), "3")
-        self.refuse("b.obj", "v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n", ":2")
-        self.refuse("c.off", "OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n", ":4")
+        self.refuse("b.obj", "v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n", "line 2: ")
+        self.refuse("c.off", "OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n", "line 4: ")
 
     def test_indices_out_of_range(self):
-        self.refuse("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", ":4")
-        self.refuse("b.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", ":6")
+        self.refuse("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "line 4: ")
+        self.refuse("b.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "line 6: ")
 
     def test_headers_that_claim_more_than_there_is(self):
         header = "ply\nformat binary_little_endian 1.0\nelement vertex 353535235358\nproperty float x\n" \
@@ -151,8 +159,8 @@ class UnwritableOutput(CommandTest):
 
     def test_a_file_where_the_folder_should_be(self):
         self.write("taken", "precious")
-        self.assert_fails(self.run_here("solve", "box.stl", "-o", "taken"), OUTPUT, "taken")
-        self.assert_fails(self.run_here("solve", "box.stl", "-o", "taken/below"), OUTPUT, "taken")
+        self.assert_fails(self.run_here("solve", "box.stl", "-o", "taken"), OUTPUT, "taken", "with -o")
+        self.assert_fails(self.run_here("solve", "box.stl", "-o", "taken/below"), OUTPUT, "taken", "with -o")
         self.assertEqual(self.names(), ["box.stl", "taken"])
         self.assertEqual((self.folder / "taken").read_text(), "precious")
 

@@ -310,7 +310,7 @@ class Faults(OntoTest):
         for value in (float("nan"), float("inf")):
             vertices[17, 1] = value
             # The header has four lines.
-            self.refuse(medit_text(vertices, tets), f":{4 + 17 + 1}")
+            self.refuse(medit_text(vertices, tets), f"line {4 + 17 + 1}: ")
 
     def test_a_coordinate_too_large_to_square(self):
         vertices, tets = tet_box()
@@ -321,7 +321,7 @@ class Faults(OntoTest):
         vertices, tets = tet_box()
         for index in (len(vertices), -1):
             tets[5, 2] = index
-            self.refuse(medit_text(vertices, tets), f":{4 + len(vertices) + 2 + 5 + 1}", str(index + 1))
+            self.refuse(medit_text(vertices, tets), f"line {4 + len(vertices) + 2 + 5 + 1}: ", str(index + 1))
 
     def test_a_face_of_three_tets(self):
         vertices, tets = tet_box()

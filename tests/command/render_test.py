@@ -10,7 +10,7 @@ import unittest
 import zlib
 
 import numpy as np
-from program import PROGRAM, CommandTest, box_triangles, cylinder_triangles, run, stl_bytes
+from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, cylinder_triangles, run, stl_bytes
 
 
 def read_png(path):
@@ -160,7 +160,7 @@ class Errors(RenderTest):
             with self.subTest(option=option, value=value):
                 self.refused(2, "part.frames", f"{option}={value}" if option.startswith("--") else option,
                              *([] if option.startswith("--") else [value]))
-        self.refused(2, "part.frames", "--cut", "x=100", words=("beside the part",))
+        self.refused(2, "part.frames", "--cut", "x=100", words=("outside the part",))
         self.refused(2, "part.frames", "--view", "front", "--cut", "x", words=("edge",))
         self.refused(2, "part.frames", "--range", "0,1", words=("colour",))
 
@@ -187,7 +187,13 @@ class Errors(RenderTest):
     def test_an_interrupt_ends_it_with_130_and_nothing_written(self):
         process = subprocess.Popen([PROGRAM, "render", "part.frames", "--size", "8000x8000", "-o", "a.png"], cwd=self.folder,
                                    stderr=subprocess.PIPE, stdout=subprocess.PIPE)
-        time.sleep(1.5)
+        self.addCleanup(process.kill)
+        deadline = time.monotonic() + TIME_LIMIT
+        # Its file is there before anything is drawn, which takes far longer than a signal.
+        while not any(name.startswith(".a.png.") for name in self.names()):
+            self.assertIsNone(process.poll())
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130, errors)

@@ -61,7 +61,7 @@ class Sample(CommandTest):
             with self.subTest(text=text):
                 self.write("points.txt", text)
                 result = self.run_here("sample", "box", "points.txt", "-o", "frames.txt", "--outside", "o.txt")
-                self.assert_fails(result, INPUT, f"points.txt:{line}:")
+                self.assert_fails(result, INPUT, f"points.txt: line {line}:")
                 self.assertEqual(self.names(), ["box", "box.stl", "points.txt"])
 
     def test_files_that_are_missing_or_wrong(self):
@@ -116,7 +116,7 @@ class Spectrum(CommandTest):
         for text in ("1 0\n", "0 0 0\n", "1 0 0 0\n", "1 0 0 -1\n", "1 0 0 1 1\n", "1 0 x\n"):
             with self.subTest(text=text):
                 self.write("normals.txt", "1 1 1\n" + text)
-                self.assert_fails(self.run_here("spectrum", "normals.txt"), INPUT, "normals.txt:2:")
+                self.assert_fails(self.run_here("spectrum", "normals.txt"), INPUT, "normals.txt: line 2:")
 
 
 if __name__ == "__main__":

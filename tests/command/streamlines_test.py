@@ -202,7 +202,7 @@ class Streamlines(CommandTest):
         self.assert_fails(self.run_here("streamlines", "none"), INPUT, "none")
         self.assert_fails(self.trace("none.txt"), INPUT, "none.txt")
         self.assert_fails(self.trace("--surface", "none.stl"), INPUT, "none.stl")
-        self.assert_fails(self.trace("-", stdin=b"0 0 0\n1 2\n"), INPUT, "standard input:2:")
+        self.assert_fails(self.trace("-", stdin=b"0 0 0\n1 2\n"), INPUT, "standard input: line 2:")
         self.assert_fails(self.trace("-o", "none/lines.vtu"), OUTPUT, "none/lines.vtu")
         (self.folder / "box" / "field.vtu").write_bytes(b"<VTKFile>")
         self.assert_fails(self.trace(), INPUT, "field.vtu")

@@ -142,6 +142,59 @@ TEST(GridLevel, CountsHowOftenTheSurfaceWindsAroundACentre) {
   }
 }
 
+/// A turned box without its top. The cap over the hole is as flat as the top was: from nowhere else do the
+/// other five sides fill half of all directions.
+class OpenBox {
+ public:
+  TriangleMesh mesh() const {
+    TriangleMesh box = make_box(size_);
+    std::erase_if(box.triangles, [&](const auto& triangle) {
+      return std::all_of(triangle.begin(), triangle.end(), [&](auto v) { return box.vertices[v][2] > 0; });
+    });
+    return rotate_mesh(box, turn_);
+  }
+
+  bool holds(const Vector3& point) const {
+    const Vector3 p = rotate(conjugate(turn_), point);
+    return std::abs(p[0]) < size_[0] / 2 && std::abs(p[1]) < size_[1] / 2 && std::abs(p[2]) < size_[2] / 2;
+  }
+
+  bool holds_corner_of(const Box& cell) const {
+    for (unsigned k = 0; k < 8; ++k) {
+      Vector3 corner = cell.low;
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        if (k >> axis & 1) corner[axis] = cell.high[axis];
+      }
+      if (holds(corner)) return true;
+    }
+    return false;
+  }
+
+ private:
+  Vector3 size_{0.9, 0.7, 0.5};
+  Quaternion turn_ = RandomSamples(8).rotation();
+};
+
+TEST(GridLevel, FollowsTheCapOverALargeHoleAtEveryCellSize) {
+  const OpenBox box;
+  const TestSolid solid(box.mesh());
+  ASSERT_EQ(solid.surface().size(), 10u);
+  for (const int depth : {2, 3, 4, 5}) {
+    const GridLevel level = uniform_level(solid.solid(), kRoundRoot, depth);
+    const std::int32_t cells = std::int32_t{1} << depth, width = std::int32_t{1} << (kMaxDepth - depth);
+    for (std::int32_t cell = 0; cell < cells * cells * cells; ++cell) {
+      const GridPoint place{cell % cells, cell / cells % cells, cell / (cells * cells)};
+      const CellAddress address({place[0] * width, place[1] * width, place[2] * width}, depth);
+      const Box bounds = kRoundRoot.box(address);
+      const CellIndex leaf = level.tree.find_containing(address);
+      const bool has_surface = !pieces_from_scratch(solid.surface(), bounds).empty();
+      ASSERT_EQ(leaf != kNoCell, has_surface || box.holds_corner_of(bounds)) << "depth " << depth;
+      if (leaf == kNoCell) continue;
+      ASSERT_EQ(level.centre_inside(leaf), box.holds(level.tree.centre(leaf))) << "depth " << depth;
+    }
+  }
+}
+
 TEST(GridLevel, KeepsTrianglesMuchSmallerThanItsCells) {
   // A speck of a box inside nothing: its triangles are far below a billionth of a cell's face.
   const TestSolid solid(

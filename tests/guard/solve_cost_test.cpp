@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guards the speed of a whole solve (docs/performance.md, "The guard"): its CPU time a cell over that of a
-// plain loop a cell update, both measured in the same run and by turns, so that neither a slow machine nor a
-// loaded one matters.
+// Guards the speed of a whole solve (docs/notes/performance.md, "The guard"): its CPU time a cell over that
+// of a plain loop a cell update, both measured in the same run and by turns, so that neither a slow machine
+// nor a loaded one matters.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ TEST(SolveCost, StaysBelowTwiceItsUsualMultipleOfAPlainLoop) {
   std::printf("%zu cells, %.2f us a cell: as much as %.1f updates of the plain loop, %.3f us each\n", cells,
               1e6 * solve_seconds / static_cast<double>(cells), ratio, 1e6 * seconds_per_update);
   EXPECT_LT(ratio, kMostPlainUpdatesPerCell)
-      << "a solve takes twice as long as it should, or more: see docs/performance.md, \"The guard\"";
+      << "a solve takes twice as long as it should, or more: see docs/notes/performance.md, \"The guard\"";
 }
 
 TEST(PlainBox, LowersTheEnergyWithEverySweep) {

@@ -12,7 +12,7 @@ class ConstraintsReader : public ::testing::Test {
  protected:
   Constraints read(const std::string& text) const { return read_constraints(folder_.write("c.json", text)); }
 
-  /// The message without the folder: "c.json:LINE: ...".
+  /// The message without the folder: "c.json: line LINE: ...".
   std::string fault_of(const std::string& text) const {
     try {
       read(text);
@@ -27,7 +27,7 @@ class ConstraintsReader : public ::testing::Test {
 
   void expect_fault(const std::string& text, const std::string& place, const std::string& words) const {
     const std::string fault = fault_of(text);
-    EXPECT_TRUE(fault.starts_with("c.json" + place + ": ")) << fault;
+    EXPECT_TRUE(fault.starts_with("c.json: " + (place.empty() ? "" : place + ": "))) << fault;
     EXPECT_NE(fault.find(words), fault.npos) << fault;
   }
 
@@ -88,77 +88,79 @@ TEST_F(ConstraintsReader, ReadsEveryKind) {
 }
 
 TEST_F(ConstraintsReader, NamesTheLineOfWhatIsNoJson) {
-  expect_fault("{\"schema\": 1,\n\"points\": [\n{]\n}", ":3", "is no JSON at column 2");
-  expect_fault("{\"schema\": 1\n\"points\": []}", ":2", "is no JSON");
-  expect_fault("{\"schema\": 1,\r\n\r\n!}", ":3", "column 1");
-  expect_fault("{\"schema\": 1,\r\r!}", ":3", "column 1");
-  expect_fault("{\"schema\": 1,\n\"points\": [\n", ":2", "unexpected end of input");
-  expect_fault("{\"schema\": 1} 2", ":1", "expected end of input");
-  expect_fault("{\"schema\": NaN}", ":1", "invalid literal");
-  expect_fault("\xff\xfe{", ":1", "is no JSON");
-  expect_fault("\n\n{\"a\xff\": 1}", ":3", "UTF-8");
-  expect_fault("{\n\"a\": \"b\n\"}", ":2", "control character");
-  expect_fault(with_point("\"at\": [0, 0, 1e999]"), ":3", "'1e999' is too large");
+  expect_fault("{\"schema\": 1,\n\"points\": [\n{]\n}", "line 3", "is no JSON at column 2");
+  expect_fault("{\"schema\": 1\n\"points\": []}", "line 2", "is no JSON");
+  expect_fault("{\"schema\": 1,\r\n\r\n!}", "line 3", "column 1");
+  expect_fault("{\"schema\": 1,\r\r!}", "line 3", "column 1");
+  expect_fault("{\"schema\": 1,\n\"points\": [\n", "line 2", "unexpected end of input");
+  expect_fault("{\"schema\": 1} 2", "line 1", "expected end of input");
+  expect_fault("{\"schema\": NaN}", "line 1", "invalid literal");
+  expect_fault("\xff\xfe{", "line 1", "is no JSON");
+  expect_fault("\n\n{\"a\xff\": 1}", "line 3", "UTF-8");
+  expect_fault("{\n\"a\": \"b\n\"}", "line 2", "control character");
+  expect_fault(with_point("\"at\": [0, 0, 1e999]"), "line 3", "'1e999' is too large");
 }
 
 TEST_F(ConstraintsReader, NamesTheLineOfANumberThatEndsItsLine) {
-  expect_fault("{\"schema\":\n2\n\n}", ":2", "'schema' must be 1");
+  expect_fault("{\"schema\":\n2\n\n}", "line 2", "'schema' must be 1");
 }
 
 TEST_F(ConstraintsReader, RefusesWhatNestsDeeply) {
-  expect_fault("{\"schema\": 1,\n\"points\": " + std::string(100000, '['), ":2", "nested more than 32 deep");
+  expect_fault("{\"schema\": 1,\n\"points\": " + std::string(100000, '['), "line 2",
+               "nested more than 32 deep");
 }
 
 TEST_F(ConstraintsReader, RefusesKeysThatAreThereTwice) {
-  expect_fault("{\"schema\": 1,\n\"points\": [],\n\n\"points\": []}", ":4", "twice, first on line 2");
-  expect_fault(with_point("\"at\": [0, 0, 0], \"at\": [0, 0, 0]"), ":3", "'at' is there twice");
+  expect_fault("{\"schema\": 1,\n\"points\": [],\n\n\"points\": []}", "line 4", "twice, first on line 2");
+  expect_fault(with_point("\"at\": [0, 0, 0], \"at\": [0, 0, 0]"), "line 3", "'at' is there twice");
 }
 
 TEST_F(ConstraintsReader, RefusesUnknownKeys) {
-  expect_fault("{\"schema\": 1,\n\"point\": []}", ":2", "'point' is no key of the file, which may have");
-  expect_fault(with_point("\"at\": [0, 0, 0],\n\"axes\": [1, 0, 0]"), ":4", "'axes' is no key of a point");
+  expect_fault("{\"schema\": 1,\n\"point\": []}", "line 2", "'point' is no key of the file, which may have");
+  expect_fault(with_point("\"at\": [0, 0, 0],\n\"axes\": [1, 0, 0]"), "line 4",
+               "'axes' is no key of a point");
 }
 
 TEST_F(ConstraintsReader, RefusesAnotherSchema) {
-  expect_fault("{\n\"points\": []}", ":1", "'schema' is missing");
-  expect_fault("{\n\"schema\": 2}", ":2", "must be 1");
-  expect_fault("{\n\"schema\": \"1\"}", ":2", "must be 1");
-  expect_fault("[1]", ":1", "must be an object");
-  expect_fault("\n3", ":2", "must be an object");
+  expect_fault("{\n\"points\": []}", "line 1", "'schema' is missing");
+  expect_fault("{\n\"schema\": 2}", "line 2", "must be 1");
+  expect_fault("{\n\"schema\": \"1\"}", "line 2", "must be 1");
+  expect_fault("[1]", "line 1", "must be an object");
+  expect_fault("\n3", "line 2", "must be an object");
 }
 
 TEST_F(ConstraintsReader, RefusesFilesWithoutConstraints) {
-  expect_fault("{\"schema\": 1}", ":1", "no constraints");
-  expect_fault("{\"schema\": 1, \"points\": []}", ":1", "no constraints");
-  expect_fault("{\"schema\": 1,\n\"points\": {}}", ":2", "'points' must be a list");
+  expect_fault("{\"schema\": 1}", "line 1", "no constraints");
+  expect_fault("{\"schema\": 1, \"points\": []}", "line 1", "no constraints");
+  expect_fault("{\"schema\": 1,\n\"points\": {}}", "line 2", "'points' must be a list");
 }
 
 TEST_F(ConstraintsReader, NamesTheLineOfAFaultyPoint) {
   const std::string at = "\"at\": [0, 0, 0],\n", axis = "\"axis\": [1, 0, 0]";
-  expect_fault(with_point(axis), ":3", "'at' is missing");
-  expect_fault(with_point("\n\n\"at\": [0, 0], " + axis), ":5", "'at' must be three numbers");
-  expect_fault(with_point("\"at\": [0, 0, \"0\"], " + axis), ":3", "'at' must be three numbers");
-  expect_fault(with_point("\"at\": [], " + axis), ":3", "'at' must be three numbers");
-  expect_fault(with_point("\"at\": [[0, 0, 0],\n[1, 1]], " + axis), ":4", "'at' must be three numbers");
-  expect_fault(with_point("\"at\": [1e101, 0, 0], " + axis), ":3", "below 1e100");
-  expect_fault(with_point("\"at\": [0, 0, 0]"), ":3", "either 'axis' or 'frame'");
-  expect_fault(with_point(at + axis + ", \"frame\": []"), ":3", "either 'axis' or 'frame'");
-  expect_fault(with_point(at + "\"axis\": [0, 0, 0]"), ":4", "must not be zero");
-  expect_fault(with_point(at + "\"axis\": \"tangent\""), ":4", "'axis' must be three numbers");
-  expect_fault(with_point(at + "\"axis\": null"), ":4", "'axis' must be three numbers");
+  expect_fault(with_point(axis), "line 3", "'at' is missing");
+  expect_fault(with_point("\n\n\"at\": [0, 0], " + axis), "line 5", "'at' must be three numbers");
+  expect_fault(with_point("\"at\": [0, 0, \"0\"], " + axis), "line 3", "'at' must be three numbers");
+  expect_fault(with_point("\"at\": [], " + axis), "line 3", "'at' must be three numbers");
+  expect_fault(with_point("\"at\": [[0, 0, 0],\n[1, 1]], " + axis), "line 4", "'at' must be three numbers");
+  expect_fault(with_point("\"at\": [1e101, 0, 0], " + axis), "line 3", "below 1e100");
+  expect_fault(with_point("\"at\": [0, 0, 0]"), "line 3", "either 'axis' or 'frame'");
+  expect_fault(with_point(at + axis + ", \"frame\": []"), "line 3", "either 'axis' or 'frame'");
+  expect_fault(with_point(at + "\"axis\": [0, 0, 0]"), "line 4", "must not be zero");
+  expect_fault(with_point(at + "\"axis\": \"tangent\""), "line 4", "'axis' must be three numbers");
+  expect_fault(with_point(at + "\"axis\": null"), "line 4", "'axis' must be three numbers");
   for (const char* weight : {"0", "-1", "10001", "\"1\"", "true", "null", "[1]"})
-    expect_fault(with_point(at + axis + ",\n\"weight\": " + weight), ":5", "positive number");
-  expect_fault(with_point("\"at\": [[0, 0, 0]], \n\"weight\": [1, 2], " + axis), ":4",
+    expect_fault(with_point(at + axis + ",\n\"weight\": " + weight), "line 5", "positive number");
+  expect_fault(with_point("\"at\": [[0, 0, 0]], \n\"weight\": [1, 2], " + axis), "line 4",
                "2 numbers for 1 places");
-  expect_fault(with_point("\"at\": [[0, 0, 0]], \n\"weight\": [\n0], " + axis), ":5", "positive number");
+  expect_fault(with_point("\"at\": [[0, 0, 0]], \n\"weight\": [\n0], " + axis), "line 5", "positive number");
 }
 
 TEST_F(ConstraintsReader, NamesTheLineOfAFaultyFrame) {
   const std::string begin = "\"at\": [0, 0, 0],\n\"frame\": ";
-  expect_fault(with_point(begin + "[1, 0, 0]"), ":4", "'frame' must be three axes");
-  expect_fault(with_point(begin + "[[1, 0, 0], [0, 1, 0]]"), ":4", "'frame' must be three axes");
-  expect_fault(with_point(begin + "[[1, 0, 0],\n[0, 0, 0], [0, 0, 1]]"), ":5", "must not be zero");
-  expect_fault(with_point(begin + "[[1, 0, 0],\n[0.1, 1, 0], [0, 0, 1]]"), ":4", "at right angles");
+  expect_fault(with_point(begin + "[1, 0, 0]"), "line 4", "'frame' must be three axes");
+  expect_fault(with_point(begin + "[[1, 0, 0], [0, 1, 0]]"), "line 4", "'frame' must be three axes");
+  expect_fault(with_point(begin + "[[1, 0, 0],\n[0, 0, 0], [0, 0, 1]]"), "line 5", "must not be zero");
+  expect_fault(with_point(begin + "[[1, 0, 0],\n[0.1, 1, 0], [0, 0, 1]]"), "line 4", "at right angles");
   EXPECT_EQ(fault_of(with_point(begin + "[[1, 0.01, 0], [0, 1, 0], [0, 0, -1]]")), "");
 }
 
@@ -166,23 +168,24 @@ TEST_F(ConstraintsReader, NamesTheLineOfAFaultyPolylineFaceOrStress) {
   const auto with = [](const char* kind, const char* members) {
     return std::string("{\"schema\": 1, \"") + kind + "\": [\n{" + members + "}]}";
   };
-  expect_fault(with("polylines", "\"points\":\n[0, 0, 0], \"axis\": \"tangent\""), ":3", "list of places");
-  expect_fault(with("polylines", "\"points\":\n[[0, 0, 0]], \"axis\": \"tangent\""), ":3", "two points");
-  expect_fault(with("polylines", "\"points\": [[0, 0, 0], [0, 0, 0]], \"axis\": \"tangent\""), ":2",
+  expect_fault(with("polylines", "\"points\":\n[0, 0, 0], \"axis\": \"tangent\""), "line 3",
+               "list of places");
+  expect_fault(with("polylines", "\"points\":\n[[0, 0, 0]], \"axis\": \"tangent\""), "line 3", "two points");
+  expect_fault(with("polylines", "\"points\": [[0, 0, 0], [0, 0, 0]], \"axis\": \"tangent\""), "line 2",
                "at one place");
-  expect_fault(with("polylines", "\"points\": [[0, 0, 0], [1, 0, 0]],\n\"axis\": \"normal\""), ":3",
+  expect_fault(with("polylines", "\"points\": [[0, 0, 0], [1, 0, 0]],\n\"axis\": \"normal\""), "line 3",
                "\"tangent\"");
-  expect_fault(with("polylines", "\"points\": [[0, 0, 0], [1, 0, 0]]"), ":2", "either 'axis' or 'frame'");
+  expect_fault(with("polylines", "\"points\": [[0, 0, 0], [1, 0, 0]]"), "line 2", "either 'axis' or 'frame'");
   for (const char* face : {"1.5", "\"1\"", "[]", "3000000000", "[1, [2]]"})
-    expect_fault(with("faces", ("\"axis\": \"normal\", \"face\":\n" + std::string(face)).c_str()), ":3",
+    expect_fault(with("faces", ("\"axis\": \"normal\", \"face\":\n" + std::string(face)).c_str()), "line 3",
                  "'face' must be a whole number");
-  expect_fault(with("faces", "\"face\": 1, \"axis\":\n\"tangent\""), ":3", "\"normal\"");
-  expect_fault(with("stresses", "\"at\": [0, 0, 0], \"stress\":\n[1, 2, 3]"), ":3", "six numbers");
+  expect_fault(with("faces", "\"face\": 1, \"axis\":\n\"tangent\""), "line 3", "\"normal\"");
+  expect_fault(with("stresses", "\"at\": [0, 0, 0], \"stress\":\n[1, 2, 3]"), "line 3", "six numbers");
   expect_fault(with("stresses", "\"at\": [[0, 0, 0]], \"stress\":\n[[1, 2, 3, 4, 5, 6], [1, 2, 3, 4, 5, 6]]"),
-               ":3", "2 tensors for 1 places");
-  expect_fault(with("stresses", "\"at\": [0, 0, 0]"), ":2", "'stress' is missing");
+               "line 3", "2 tensors for 1 places");
+  expect_fault(with("stresses", "\"at\": [0, 0, 0]"), "line 2", "'stress' is missing");
   expect_fault(with("stresses", "\"at\": [0, 0, 0], \"stress\": [1, 2, 3, 4, 5, 6], \"axis\":\n[1, 0, 0]"),
-               ":3", "no key of a stress");
+               "line 3", "no key of a stress");
 }
 
 TEST_F(ConstraintsReader, ReadsManyStresses) {

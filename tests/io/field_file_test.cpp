@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <random>
 #include <set>
@@ -158,6 +159,50 @@ TEST(ReportFile, GivesTheReportBack) {
   EXPECT_EQ(read.unfinished->resolution_asked, written.unfinished->resolution_asked);
   EXPECT_EQ(read.unfinished->levels_missing, written.unfinished->levels_missing);
   EXPECT_TRUE(read.unfinished->tets_missing);
+}
+
+TEST(ReportFile, HasNullAndAWarningWhereANumberIsNotFinite) {
+  const TemporaryFolder folder;
+  SolveReport report = sample_report();
+  report.energy.total = NAN;
+  report.levels[1].energy = INFINITY;
+  report.model.bounding_box.high[2] = -INFINITY;
+  report.creases.knife_edge_places = {{1, NAN, 3}};
+  report.creases.tangent_deg = {1, NAN, 3};
+  const SolveReport written = write_field(field_of(sample_data(Degree::kFour)), report, folder.path());
+  ASSERT_EQ(written.warnings.size(), report.warnings.size() + 1);
+  EXPECT_EQ(
+      written.warnings.back(),
+      "numbers that are not finite, null in report.json: 5, the first is model.bounding_box.high[2]; please "
+      "report the model");
+
+  const SolveReport read = read_field(folder.path()).report();
+  EXPECT_EQ(read.warnings, written.warnings);
+  EXPECT_TRUE(std::isnan(read.energy.total));
+  EXPECT_EQ(read.energy.smoothness, report.energy.smoothness);
+  EXPECT_TRUE(std::isnan(read.levels[1].energy));
+  EXPECT_TRUE(std::isnan(read.model.bounding_box.high[2]));
+  EXPECT_EQ(read.model.bounding_box.high[1], report.model.bounding_box.high[1]);
+  ASSERT_EQ(read.creases.knife_edge_places.size(), 1u);
+  EXPECT_TRUE(std::isnan(read.creases.knife_edge_places[0][1]));
+  EXPECT_EQ(read.creases.knife_edge_places[0][2], 3);
+  EXPECT_FALSE(read.creases.tangent_deg.p95);
+  EXPECT_EQ(read.creases.tangent_deg.max, 3);
+}
+
+TEST(ReportFile, HasNoNullForAnythingButNumbers) {
+  const TemporaryFolder folder;
+  for (const char* member :
+       {"\"degree\": 3", "\"watertight\": true", "\"cells\": 100", "\"type\": \"across\""}) {
+    write_field(field_of(sample_data(Degree::kFour)), sample_report(), folder.path());
+    std::string text = content_of(folder.path() / "report.json");
+    const std::size_t at = text.find(member);
+    ASSERT_NE(at, std::string::npos) << member;
+    const std::string key(member, std::string_view(member).find(": "));
+    text.replace(at, std::strlen(member), key + ": null");
+    folder.write("report.json", text);
+    EXPECT_THROW(read_field(folder.path()), Error) << member;
+  }
 }
 
 TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {

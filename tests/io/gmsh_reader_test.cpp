@@ -52,7 +52,7 @@ TEST(GmshReader, RefusesOtherSolidElements) {
   expect_tet_error(text(kFormat2 + kNodes2 +
                         elements_2({"1 4 2 0 1 1 2 3 4", "2 6 2 0 1 1 2 3 4 9 9", "3 7 2 0 1 1 2 3 4 9",
                                     "4 6 2 0 1 1 2 3 4 9 9"})),
-                   "15: 2 prisms and 1 pyramids, where only tets can be used; cut them into tets");
+                   "15: 2 prisms and 1 pyramids, where only tets can be used; cut the solid into tets");
 }
 
 TEST(GmshReader, SaysWhatItMissesInASurfaceMesh) {
@@ -64,8 +64,7 @@ TEST(GmshReader, SaysHowToSaveOtherVersionsAgain) {
   for (const char* version : {"4.0", "4", "1", "3", "5.2"})
     expect_tet_error(
         text(fmt::format("$MeshFormat\n{} 0 8\n$EndMeshFormat\n", version)),
-        fmt::format("2: MSH '{}', where 2.2 and 4.1 are known; save it again with 'gmsh -save -format "
-                    "msh41",
+        fmt::format("2: MSH '{}', where 2.2 and 4.1 are known (to convert: gmsh -save -format msh41 ",
                     version));
   expect_tet_error(text("$NOD\n1\n1 0 0 0\n$ENDNOD\n"), "MSH '1'");
 }

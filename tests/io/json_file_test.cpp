@@ -6,7 +6,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "crossgrain/error.hpp"
 #include "files/temporary_folder.hpp"
 
 namespace crossgrain {
@@ -27,16 +26,19 @@ TEST(JsonText, WritesDoublesThatReadBackAsTheSameBits) {
   EXPECT_NE(json_text(value).find("58.26,"), std::string::npos);
 }
 
-TEST(JsonText, NamesTheMemberThatIsNotFinite) {
-  nlohmann::ordered_json value;
+TEST(JsonText, HasNullForNumbersThatAreNotFinite) {
+  const nlohmann::ordered_json value = {NAN, INFINITY, -INFINITY, 1.5};
+  EXPECT_EQ(json_text(value), "[\n  null,\n  null,\n  null,\n  1.5\n]\n");
+}
+
+TEST(NumbersNotFinite, AreNamedByTheirPlaces) {
+  nlohmann::ordered_json value = {{"seconds", 1.5}, {"length", nullptr}};
+  EXPECT_TRUE(numbers_not_finite(value).empty());
   value["energy"]["total"] = std::nan("");
-  try {
-    json_text(value);
-    FAIL() << "no error";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::kLimit);
-    EXPECT_EQ(std::string(error.what()).find("/energy/total: "), 0u) << error.what();
-  }
+  value["levels"] = {{{"energy", 1}}, {{"energy", INFINITY}}};
+  value["boxes"] = {{0, 1}, {2, -INFINITY}};
+  EXPECT_EQ(numbers_not_finite(value),
+            (std::vector<std::string>{"energy.total", "levels[1].energy", "boxes[1][1]"}));
 }
 
 TEST(JsonText, ReplacesBytesThatAreNoUtf8) {

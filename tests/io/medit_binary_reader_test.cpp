@@ -38,7 +38,8 @@ TEST(MeditBinaryReader, RefusesOtherSolidElements) {
   out.section(8, 5, {1, 2, 3, 4, 0});
   out.section(10, 9, {1, 2, 3, 4, 1, 2, 3, 4, 0});
   out.section(9, 7, {1, 2, 3, 4, 1, 2, 0, 1, 2, 3, 4, 1, 2, 0});
-  expect_tet_error(binary(out), "1 hexahedra and 2 prisms, where only tets can be used; cut them into tets");
+  expect_tet_error(binary(out),
+                   "1 hexahedra and 2 prisms, where only tets can be used; cut the solid into tets");
 }
 
 TEST(MeditBinaryReader, NamesTheTetWithAVertexOutOfRange) {
@@ -70,7 +71,8 @@ TEST(MeditBinaryReader, RefusesMoreRowsThanTheFileCanHold) {
 TEST(MeditBinaryReader, RefusesWhatItDoesNotKnow) {
   expect_tet_error({"", ".meshb", std::string("\2\0\0\0\2\0\0\0", 8)}, "does not begin with the number 1");
   expect_tet_error({"", ".meshb", std::string("\1\0\0\0\7\0\0\0", 8)}, "version 7");
-  expect_tet_error({"", ".meshb", medit_text(made_tet_mesh()).content}, "name it *.mesh");
+  expect_tet_error({"", ".meshb", medit_text(made_tet_mesh()).content},
+                   "begins like a Medit mesh (.mesh); rename it");
   MadeFile plane = medit_binary(made_tet_mesh(), 2, false);
   plane.content[16] = 2;
   expect_tet_error(plane, "not a mesh in three dimensions");

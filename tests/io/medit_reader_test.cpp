@@ -108,7 +108,7 @@ TEST(MeditReader, TakesOnlyEdgesThatAreRidges) {
   EXPECT_EQ(read_text(edges + "Ridges 0\n").feature_edges.size(), 3u);
   for (const char* number : {"0", "4"})
     expect_error(edges + "Ridges\n1\n" + number + "\n",
-                 fmt::format("a.mesh:15: Ridges name edge {}", number));
+                 fmt::format("a.mesh: line 15: Ridges name edge {}", number));
 }
 
 TEST(MeditReader, TakesTheCornersOfCurvedTetsAndWarns) {
@@ -119,14 +119,15 @@ TEST(MeditReader, TakesTheCornersOfCurvedTetsAndWarns) {
 }
 
 TEST(MeditReader, RefusesTagsBeyond32Bits) {
-  expect_error(kVertices + "Tetrahedra 1\n1 2 3 4 2147483648\n", "a.mesh:8: the tag 2147483648 does not fit");
+  expect_error(kVertices + "Tetrahedra 1\n1 2 3 4 2147483648\n",
+               "a.mesh: line 8: the tag 2147483648 does not fit");
 }
 
 TEST(MeditReader, RefusesMoreRowsThanTheFileCanHold) {
   for (const char* count : {"353535235358", "99999999999999999999", "9", "-1", "4.5", "many"}) {
-    expect_error(fmt::format("Vertices\n{}\n0 0 0 1\n1 0 0 1\n", count), "a.mesh:2: ");
-    expect_error(fmt::format("{}Tetrahedra\n{}\n1 2 3 4 1\n", kVertices, count), "a.mesh:8: ");
-    expect_error(fmt::format("{}Hexahedra\n{}\n1 2 3 4 1\n", kVertices, count), "a.mesh:8: ");
+    expect_error(fmt::format("Vertices\n{}\n0 0 0 1\n1 0 0 1\n", count), "a.mesh: line 2: ");
+    expect_error(fmt::format("{}Tetrahedra\n{}\n1 2 3 4 1\n", kVertices, count), "a.mesh: line 8: ");
+    expect_error(fmt::format("{}Hexahedra\n{}\n1 2 3 4 1\n", kVertices, count), "a.mesh: line 8: ");
   }
 }
 
@@ -140,8 +141,8 @@ TEST(MeditReader, RefusesAFileCutShortAnywhere) {
 TEST(MeditReader, NamesTheLineOfAVertexOutOfRange) {
   for (const char* number : {"5", "0", "-1", "4294967297", "1.5", "x"}) {
     const std::string tets = fmt::format("Tetrahedra\n2\n1 2 3 4 0\n1 2 3 {} 0\n", number);
-    expect_error(kVertices + tets, "a.mesh:10: ");
-    expect_error(tets + kVertices, "a.mesh:4: ");
+    expect_error(kVertices + tets, "a.mesh: line 10: ");
+    expect_error(tets + kVertices, "a.mesh: line 4: ");
   }
 }
 
@@ -152,17 +153,19 @@ TEST(MeditReader, RefusesTheLeastNumberOf64BitsForAVertex) {
 
 TEST(MeditReader, NamesTheLineOfACoordinateThatIsNoNumber) {
   for (const char* bad : {"nan", "inf", "-1e999", "0,5", "1.0D0"})
-    expect_error(fmt::format("Vertices 2\n0 0 0 1\n0 {} 0 1\nTetrahedra 1\n1 1 1 1 1\n", bad), "a.mesh:3: ");
+    expect_error(fmt::format("Vertices 2\n0 0 0 1\n0 {} 0 1\nTetrahedra 1\n1 1 1 1 1\n", bad),
+                 "a.mesh: line 3: ");
 }
 
 TEST(MeditReader, RefusesRowsOfAnotherLength) {
-  expect_error("Vertices\n3\n0 0 0\n0.5 1 0\n0 1 0\n" + kTets, "a.mesh:4: '0.5' where the reference number");
+  expect_error("Vertices\n3\n0 0 0\n0.5 1 0\n0 1 0\n" + kTets,
+               "a.mesh: line 4: '0.5' where the reference number");
   expect_error("Vertices\n2\n0 0 0 1\n1 0 0 1\n0 1 0 1\n" + kTets, "after the last row of Vertices");
 }
 
 TEST(MeditReader, RefusesOtherSolidElements) {
   const std::string hexahedra = "Hexahedra\n1\n1 2 3 4 1 2 3 4 0\n";
-  expect_error(kHeader + kVertices + hexahedra + "End\n", "a.mesh:10: 1 hexahedra, where only tets");
+  expect_error(kHeader + kVertices + hexahedra + "End\n", "a.mesh: line 10: 1 hexahedra, where only tets");
   expect_error(kHeader + kVertices + kTets + hexahedra + "End\n", "1 hexahedra");
 }
 
@@ -173,14 +176,15 @@ TEST(MeditReader, SaysWhatItMissesInASurfaceMesh) {
 }
 
 TEST(MeditReader, RefusesASecondSectionOfTheSameKind) {
-  expect_error(kVertices + kVertices + kTets, "a.mesh:8: a second section Vertices");
+  expect_error(kVertices + kVertices + kTets, "a.mesh: line 8: a second section Vertices");
   expect_error(kVertices + kTets + kTets, "a second section Tetrahedra");
 }
 
 TEST(MeditReader, RefusesPlaneMeshesAndOtherFiles) {
-  expect_error("MeshVersionFormatted 1\nDimension 2\n" + kVertices, "a.mesh:2: ");
+  expect_error("MeshVersionFormatted 1\nDimension 2\n" + kVertices, "a.mesh: line 2: ");
   expect_error("cube\n", "no Medit mesh");
-  expect_error(std::string_view("\x01\0\0\0\x03\0\0\0", 8), "name it *.meshb");
+  expect_error(std::string_view("\x01\0\0\0\x03\0\0\0", 8),
+               "begins like a Medit mesh in binary (.meshb); rename it");
   expect_error(" \n", "no Medit mesh");
 }
 

@@ -57,19 +57,19 @@ TEST(ObjReader, CutsPolygons) {
 TEST(ObjReader, NamesTheLineOfAnIndexOutOfRange) {
   for (const char* index : {"5", "-5", "99999999999", "-9223372036854775808", "9223372036854775807"}) {
     const std::string message = input_error_as("a.obj", kVertices + "f 1 2 3\nf 1 2 " + index + "\n");
-    EXPECT_NE(message.find("a.obj:6: a face refers to vertex "), std::string::npos) << message;
+    EXPECT_NE(message.find("a.obj: line 6: a face refers to vertex "), std::string::npos) << message;
     EXPECT_NE(message.find("numbered 1 to 4"), std::string::npos) << message;
   }
 }
 
 TEST(ObjReader, RefusesIndexZero) {
   const std::string message = input_error_as("a.obj", kVertices + "f 0 1 2\n");
-  EXPECT_NE(message.find("a.obj:5: a face refers to vertex 0"), std::string::npos) << message;
+  EXPECT_NE(message.find("a.obj: line 5: a face refers to vertex 0"), std::string::npos) << message;
 }
 
 TEST(ObjReader, RefusesAVertexOfTwoCoordinates) {
   const std::string message = input_error_as("a.obj", "v 0 0\nv 1 0 0\n");
-  EXPECT_NE(message.find("a.obj:1: a coordinate is missing"), std::string::npos) << message;
+  EXPECT_NE(message.find("a.obj: line 1: a coordinate is missing"), std::string::npos) << message;
 }
 
 TEST(ObjReader, RefusesPointsWithoutFaces) {

@@ -37,7 +37,7 @@ TEST(OffReader, RefusesCountsThatTheFileCannotHold) {
   for (const char* counts : {"353535235358 4 0", "4 353535235358 0", "99999999999999999999 4 0", "-1 4 0"}) {
     const std::string message =
         input_error_as("a.off", std::string("OFF\n") + counts + "\n" + kVertices + kFaces);
-    EXPECT_NE(message.find("a.off:2: "), std::string::npos) << message;
+    EXPECT_NE(message.find("a.off: line 2: "), std::string::npos) << message;
   }
 }
 
@@ -47,7 +47,7 @@ TEST(OffReader, RefusesACornerCountThatTheFileCannotHold) {
 
 TEST(OffReader, NamesTheLineOfAnIndexOutOfRange) {
   const std::string message = input_error_as("a.off", "OFF\n4 2 6\n" + kVertices + "3 0 2 1\n3 0 1 4\n");
-  EXPECT_NE(message.find("a.off:8: a face refers to vertex 4"), std::string::npos) << message;
+  EXPECT_NE(message.find("a.off: line 8: a face refers to vertex 4"), std::string::npos) << message;
 }
 
 TEST(OffReader, RefusesAFileCutShort) {

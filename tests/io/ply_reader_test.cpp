@@ -115,7 +115,7 @@ TEST(PlyReader, RefusesEveryBeginningOfABinaryFile) {
 
 TEST(PlyReader, NamesTheVertexOfACoordinateThatIsNotFinite) {
   const std::string message = input_error_as("a.ply", kHeader + replaced(kBody, "0 1 0", "0 inf 0"));
-  EXPECT_NE(message.find("a.ply:13: "), std::string::npos) << message;
+  EXPECT_NE(message.find("a.ply: line 13: "), std::string::npos) << message;
   std::string bytes = binary_tetrahedron(false);
   const double infinity = std::numeric_limits<double>::infinity();
   const std::size_t first_vertex = bytes.find("end_header\n") + 11 + 2 * 10 + 6;
@@ -126,7 +126,7 @@ TEST(PlyReader, NamesTheVertexOfACoordinateThatIsNotFinite) {
 
 TEST(PlyReader, NamesTheFaceOfAnIndexOutOfRange) {
   const std::string message = input_error_as("a.ply", kHeader + replaced(kBody, "3 0 3 2", "3 0 4 2"));
-  EXPECT_NE(message.find("a.ply:17: a face refers to vertex 4"), std::string::npos) << message;
+  EXPECT_NE(message.find("a.ply: line 17: a face refers to vertex 4"), std::string::npos) << message;
   input_error_as("a.ply", kHeader + replaced(kBody, "3 0 3 2", "3 0 -1 2"));
 }
 
@@ -138,7 +138,7 @@ TEST(PlyReader, RefusesAHeaderThatLacksSomething) {
 
 TEST(PlyReader, NamesTheLineOfAWrongHeader) {
   const std::string message = input_error_as("a.ply", replaced(kHeader, "float y", "real y") + kBody);
-  EXPECT_NE(message.find("a.ply:6: 'real' is no type"), std::string::npos) << message;
+  EXPECT_NE(message.find("a.ply: line 6: 'real' is no type"), std::string::npos) << message;
 }
 
 }  // namespace

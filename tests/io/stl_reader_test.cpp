@@ -93,7 +93,7 @@ TEST(StlReader, NamesTheLineOfAWordThatIsNoNumber) {
   std::string text = ascii_tetrahedron();
   text.replace(text.find("1.000000e+00"), 4, "1,00");
   const std::string message = input_error_as("a.stl", text);
-  EXPECT_NE(message.find("a.stl:5: '1,00"), std::string::npos) << message;
+  EXPECT_NE(message.find("a.stl: line 5: '1,00"), std::string::npos) << message;
 }
 
 TEST(StlReader, NamesTheLineOfACoordinateThatIsNotFinite) {
@@ -101,7 +101,7 @@ TEST(StlReader, NamesTheLineOfACoordinateThatIsNotFinite) {
     std::string text = ascii_tetrahedron();
     text.replace(text.find("0.000000e+00"), 12, word);
     const std::string message = input_error_as("a.stl", text);
-    EXPECT_NE(message.find("a.stl:4: a coordinate is"), std::string::npos) << message;
+    EXPECT_NE(message.find("a.stl: line 4: a coordinate is"), std::string::npos) << message;
   }
 }
 
@@ -134,7 +134,7 @@ TEST(StlReader, RefusesAFacetOfFourCorners) {
   std::string text = ascii_tetrahedron();
   text.insert(text.find("    endloop"), "vertex 1 1 1\n");
   const std::string message = input_error_as("a.stl", text);
-  EXPECT_NE(message.find("a.stl:9: a facet of 4 corners"), std::string::npos) << message;
+  EXPECT_NE(message.find("a.stl: line 9: a facet of 4 corners"), std::string::npos) << message;
 }
 
 TEST(StlReader, RefusesEveryBeginningOfAnAsciiFileOrReadsWholeFacets) {

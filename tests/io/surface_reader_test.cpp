@@ -50,7 +50,7 @@ TEST(ReadSurface, RefusesAnExtensionItDoesNotKnow) {
 
 TEST(ReadSurface, SaysWhatAFileUnderAWrongNameIs) {
   const std::string message = input_error_as("a.stl", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  EXPECT_NE(message.find("begins like an OFF file; name it *.off"), std::string::npos) << message;
+  EXPECT_NE(message.find("begins like an OFF file (.off); rename it"), std::string::npos) << message;
   EXPECT_NE(input_error_as("a.obj", "PK\x03\x04 and so on").find("ZIP"), std::string::npos);
 }
 
@@ -121,7 +121,7 @@ TEST(ReadSurface, GivesUpOnAPolygonThatWouldTakeForever) {
   text += "f";
   for (int i = 1; i <= corners; ++i) text += fmt::format(" {}", i);
   const std::string message = input_error_as("a.obj", text);
-  EXPECT_NE(message.find("a.obj:60001: this polygon of"), std::string::npos) << message;
+  EXPECT_NE(message.find("a.obj: line 60001: this polygon of"), std::string::npos) << message;
 }
 
 // The models of the shared folder.

@@ -81,7 +81,7 @@ TEST(ReadTets, GoesByTheExtension) {
     EXPECT_FALSE(is_tet_file(name)) << name;
   const TemporaryFolder folder;
   EXPECT_THROW(read_tets(folder.path() / "missing.mesh"), Error);
-  expect_tet_error({"", ".stl", "solid a\nendsolid\n"}, "give them as .mesh, .meshb, .msh, .vtk or .vtu");
+  expect_tet_error({"", ".stl", "solid a\nendsolid\n"}, "only in .mesh, .meshb, .msh, .vtk or .vtu");
 }
 
 TEST(ReadTets, SaysWhatAFileUnderAWrongNameIs) {
@@ -90,11 +90,12 @@ TEST(ReadTets, SaysWhatAFileUnderAWrongNameIs) {
     file.extension = extension;
     return file;
   };
-  expect_tet_error(renamed(medit_text(mesh), ".msh"), "begins like a Medit mesh; name it *.mesh");
-  expect_tet_error(renamed(medit_binary(mesh, 2, false), ".mesh"), "a Medit mesh in binary; name it *.meshb");
-  expect_tet_error(renamed(gmsh_2(mesh, {}), ".mesh"), "begins like a Gmsh mesh; name it *.msh");
-  expect_tet_error(renamed(vtk_legacy<float>(mesh, "2.0", true), ".vtu"), "name it *.vtk");
-  expect_tet_error(renamed(vtu(mesh, {"ascii"}), ".vtk"), "name it *.vtu");
+  expect_tet_error(renamed(medit_text(mesh), ".msh"), "begins like a Medit mesh (.mesh); rename it");
+  expect_tet_error(renamed(medit_binary(mesh, 2, false), ".mesh"),
+                   "a Medit mesh in binary (.meshb); rename it");
+  expect_tet_error(renamed(gmsh_2(mesh, {}), ".mesh"), "begins like a Gmsh mesh (.msh); rename it");
+  expect_tet_error(renamed(vtk_legacy<float>(mesh, "2.0", true), ".vtu"), "a VTK file (.vtk); rename it");
+  expect_tet_error(renamed(vtu(mesh, {"ascii"}), ".vtk"), "a VTK XML file (.vtu); rename it");
 }
 
 TEST(ReadSurface, SendsTetsToWhereTheyAreRead) {

@@ -68,7 +68,7 @@ TEST(VtkReader, TakesTheCornersOfCurvedTetsAndWarns) {
 TEST(VtkReader, RefusesOtherSolidElements) {
   expect_tet_error(
       text(kHeader + kPoints + "CELLS 2 14\n4 0 1 2 3\n8 0 1 2 3 0 1 2 3\nCELL_TYPES 2\n10\n12\n"),
-      "10: 1 hexahedra, where only tets can be used; cut them into tets");
+      "10: 1 hexahedra, where only tets can be used; cut the solid into tets");
 }
 
 TEST(VtkReader, RefusesCellsOfAnotherSizeOrUnknownType) {
@@ -111,7 +111,8 @@ TEST(VtkReader, ShowsNamesOfArraysAsOnePrintableLine) {
 TEST(VtkReader, RefusesOtherDataSetsAndFiles) {
   expect_tet_error(text("# vtk DataFile Version 3.0\nmade\nASCII\nDATASET POLYDATA\n"),
                    "4: DATASET 'POLYDATA', where tets are in an UNSTRUCTURED_GRID");
-  expect_tet_error(text("# vtk DataFile Version 7.0\nmade\nASCII\n"), "export it as version 4.2 or 5.1");
+  expect_tet_error(text("# vtk DataFile Version 7.0\nmade\nASCII\n"),
+                   "not known, unlike 4.2 and 5.1; export it again");
   expect_tet_error(text("anything\n"), "this is no VTK file");
   expect_tet_error(text(kHeader), "no POINTS up to here");
   expect_tet_error(text(kHeader + kPoints), "no CELLS up to here");

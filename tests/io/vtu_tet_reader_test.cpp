@@ -60,7 +60,7 @@ TEST(VtuTetReader, RefusesWrongCounts) {
 TEST(VtuTetReader, RefusesPackingsThatItDoesNotKnow) {
   const MadeFile file = vtu(made_tet_mesh(), {"base64", true});
   expect_tet_error(replaced(file, "vtkZLib", "vtkLZ4"),
-                   "2: compressed by 'vtkLZ4DataCompressor'; save it again");
+                   "2: compressed by 'vtkLZ4DataCompressor', where zlib or none is known; export it again");
   expect_tet_error(replaced(file, "encoding=\"base64\"", "encoding=\"hex\""), "appended data in 'hex'");
   expect_tet_error(replaced(file, "\"UnstructuredGrid\"", "\"PolyData\""),
                    "2: a VTK file of type 'PolyData'");
@@ -86,6 +86,25 @@ TEST(VtuTetReader, RefusesBase64ThatIsNone) {
   const std::size_t at = broken.find("format=\"binary\">", broken.find("<Points>")) + 20;
   broken[at] = '!';
   expect_tet_error({"", ".vtu", broken}, "array 'Points' is damaged or cut short");
+}
+
+TEST(VtuTetReader, TakesBlanksAroundTheSignBetweenAnAttributeAndItsValue) {
+  MadeFile file = one_cell(10, {0, 1, 2, 3});
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = file.content.find("=\"", at)) != std::string::npos; at += 4, ++count)
+    file.content.replace(at, 2, " =\n\"");
+  EXPECT_GT(count, 10u);
+  EXPECT_EQ(read_made(file).tets.size(), 1u);
+}
+
+TEST(VtuTetReader, NamesTheLineOfATagThatIsNoXml) {
+  const MadeFile file = one_cell(10, {0, 1, 2, 3});
+  const std::size_t at = file.content.find("Name=\"offsets\"");
+  const std::string before = file.content.substr(0, at);
+  const std::string expected = fmt::format("{}: no XML, or cut short inside a tag",
+                                           1 + std::count(before.begin(), before.end(), '\n'));
+  expect_tet_error(replaced(file, "Name=\"offsets\"", "Name=offsets"), expected);
+  expect_tet_error({"", ".vtu", before + "Name="}, expected);
 }
 
 TEST(VtuTetReader, RefusesOtherXml) {

@@ -37,6 +37,21 @@ TEST(Page, IsWrittenTogetherWithTheFieldAndGoesWithTheNextOne) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / kPageFile));
 }
 
+TEST(CompanionFile, HasANameOfItsOwn) {
+  const TemporaryFolder folder;
+  const FrameField field = solved(false);
+  const auto text = [](const SolveReport&) { return std::string("text"); };
+  for (const char* name : {"", "field.vtu", "report.json", "a/b", ".."}) {
+    OutputOptions options;
+    options.companions = {{name, text}};
+    EXPECT_THROW(write_field(field, folder.path(), {}, options), Error) << name;
+  }
+  OutputOptions options;
+  options.companions = {{"notes.txt", text}};
+  write_field(field, folder.path(), {}, options);
+  EXPECT_EQ(content_of(folder.path() / "notes.txt"), "text");
+}
+
 TEST(Page, OfAFieldInMemoryStandsAlone) {
   const TemporaryFolder folder;
   const FrameField field = solved(false);

@@ -229,6 +229,26 @@ TEST(Regions, ThatTouchByOtherTrianglesAreReportedAndSolvedAsOneField) {
   for (const Vector3& axis : below.axes) EXPECT_LT(angle_deg(field, {0.1, 0, 0.58}, axis), 6);
 }
 
+TEST(Regions, HaveTheCellsAtTheCapsOverTheirHoles) {
+  TriangleMesh box = make_box({1, 1, 1});
+  std::erase_if(box.triangles, [&](const auto& triangle) {
+    return std::all_of(triangle.begin(), triangle.end(), [&](auto v) { return box.vertices[v][2] > 0; });
+  });
+  TriangleMesh model = join_meshes(box, translate_mesh(box, {1.5, 0, 0}));
+  model.solids.assign(model.triangles.size(), 3);
+  std::fill_n(model.solids.begin(), box.triangles.size(), 5);
+  const Quaternion turn = RandomSamples(9).rotation();
+  const FrameField field = solve(rotate_mesh(model, turn), cells_across(40));
+  ASSERT_FALSE(field.report().input.closed);
+  std::size_t beyond_cap = 0;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const Vector3 centre = rotate(conjugate(turn), field.cell(i).centre);
+    ASSERT_EQ(field.data().regions[i], centre[0] < 0.75 ? 5 : 3);
+    beyond_cap += centre[2] > 0.5 && std::abs(centre[0] - 1.5) < 0.4 && std::abs(centre[1]) < 0.4;
+  }
+  EXPECT_GT(beyond_cap, 50u);
+}
+
 TEST(Regions, TooSmallForACellAreReported) {
   TriangleMesh model = make_box({1, 1, 1});
   TriangleMesh speck = translate_mesh(scale_mesh(make_box({1, 1, 1}), 1e-4), {0.011, 0.012, 0.013});

@@ -148,7 +148,7 @@ std::string message_of(const Constraints& constraints) {
 TEST(ConstraintGuides, NameFacesThatTheModelHasNotAndThoseThatItHas) {
   EXPECT_EQ(message_of({.faces = {{1}, {17}}}), "constraints: the model has no face 17, only 1 to 6");
   EXPECT_EQ(message_of({.faces = {{7, {}, 1, 12}}, .source = "c.json"}),
-            "c.json:12: the model has no face 7, only 1 to 6");
+            "c.json: line 12: the model has no face 7, only 1 to 6");
 }
 
 TEST(Constraints, ThatMakeNoSenseAreRefused) {
@@ -157,7 +157,7 @@ TEST(Constraints, ThatMakeNoSenseAreRefused) {
   const auto expect = [](const Constraints& constraints, const char* words) {
     EXPECT_NE(message_of(constraints).find(words), std::string::npos) << message_of(constraints);
   };
-  expect({.points = {{{0, 0, 0}, x}, {{kNaN, 0, 0}, x}}}, "constraints: point 1: coordinates");
+  expect({.points = {{{0, 0, 0}, x}, {{kNaN, 0, 0}, x}}}, "constraint point 1 (counted from 0): coordinates");
   expect({.points = {{{0, 0, 0}, {{0, 0, 0}}}}}, "must not be zero");
   expect({.points = {{{0, 0, 0}, {{kNaN, 0, 1}}}}}, "finite");
   expect({.points = {{{0, 0, 0}, {}}}}, "one, or the three");
@@ -166,9 +166,10 @@ TEST(Constraints, ThatMakeNoSenseAreRefused) {
   for (const double weight : {0.0, -1.0, kNaN, 2e4}) expect({.points = {{{0, 0, 0}, x, weight}}}, "weight");
   expect({.polylines = {{{{0, 0, 0}}}}}, "two points");
   expect({.polylines = {{{{0, 0, 0}, {0, 0, 0}}}}}, "at one place");
-  expect({.polylines = {{{{0, 0, 0}, {0, kNaN, 0}}}}}, "polyline 0: coordinates");
-  expect({.faces = {{1, {}, 0}}}, "face 0: a weight");
-  expect({.stresses = {{{0, 0, 0}, {kNaN, 0, 0, 0, 0, 0}}}}, "stress 0: a stress tensor");
+  expect({.polylines = {{{{0, 0, 0}, {0, kNaN, 0}}}}}, "constraint polyline 0 (counted from 0): coordinates");
+  expect({.faces = {{1, {}, 0}}}, "constraint face 0 (counted from 0): a weight");
+  expect({.stresses = {{{0, 0, 0}, {kNaN, 0, 0, 0, 0, 0}}}},
+         "constraint stress 0 (counted from 0): a stress tensor");
   EXPECT_EQ(message_of({.points = {{{0, 0, 0}, {{1, 0.01, 0}, {0, 1, 0}, {0, 0, 1}}}}}), "");
 }
 

@@ -75,7 +75,7 @@ TEST(Surface, KeepsInStepWhatAFileKnowsOfTriangles) {
 TEST(Surface, RefusesEntriesThatAreNotOneATriangle) {
   TriangleMesh mesh = one_triangle();
   mesh.faces = {1, 2};
-  EXPECT_NE(complaint(mesh).find("faces has 2 entries for 1 triangles"), std::string::npos);
+  EXPECT_NE(complaint(mesh).find("faces: has 2 entries for 1 triangles"), std::string::npos);
 }
 
 TEST(Surface, KeepsANeedleThatHasADirection) {

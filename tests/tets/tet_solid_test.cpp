@@ -229,7 +229,8 @@ TEST(TetSolid, RefusesAFaceOfThreeTets) {
   mesh.vertices.push_back({0.1, 0.1, -2});
   mesh.tets.push_back({0, 1, 2, 4});
   mesh.tets.push_back({0, 2, 1, 5});
-  expect_error(mesh, "the face of vertices 0, 1 and 2 belongs to 3 tets, among them 0, 1 and 2 ");
+  expect_error(mesh,
+               "face of vertices 0, 1 and 2 (counted from 0): belongs to 3 tets, among them 0, 1 and 2, ");
 }
 
 TEST(TetSolid, RefusesCoordinatesThatAreNoNumbers) {

@@ -62,6 +62,20 @@ test("a field of a solve that was stopped says what is missing", async () => {
   await context.close();
 });
 
+test("numbers that are not finite, null in the report, are dashes", async () => {
+  const { report, scene } = scene_named("ball");
+  const levels = report.levels.map((level) => ({ ...level, energy: null, seconds: null }));
+  const nothing = { mean: null, p95: null, max: null };
+  const broken = { ...report, levels, alignment_deg: { ...nothing, excluded_share: null }, energy: { smoothness: null, boundary: null, total: null }, seconds: { total: null } };
+  const { page, context, problems } = await open(browser, page_file("null", filled_page(template, broken, scene)));
+  assert.equal(await page.locator(by_test("number-energy")).innerText(), "–");
+  assert.equal(await page.locator(by_test("alignment-max")).innerText(), "–");
+  assert.match(await page.locator(by_test("numbers")).innerText(), /Time\s+–/i);
+  assert.ok(await page.locator(by_test("levels")).isVisible());
+  assert.deepEqual(problems, []);
+  await context.close();
+});
+
 test("a thinned page says so", async () => {
   const { page, context } = await open(browser, scene_file("plate"));
   assert.match(await page.locator(by_test("shown")).innerText(), /Cells smaller than 1 mm are shown merged: [\d,]+ of 4,100,000 cells/);

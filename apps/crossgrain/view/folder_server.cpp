@@ -134,10 +134,8 @@ int FolderServer::bind(int port) {
   const bool is_bound =
       port > 0 ? server.bind_to_port(kAddress, port) : (port = server.bind_to_any_port(kAddress)) > 0;
   if (!is_bound)
-    throw Error(
-        ErrorKind::kOutput,
-        fmt::format("port {} of {}: is taken, or not for everyone; choose another with --port, or none", port,
-                    kAddress));
+    throw Error(ErrorKind::kOutput, {fmt::format("port {} of {}", port, kAddress), "",
+                                     "is taken, or not for everyone; choose another with --port, or none"});
   return files_->port = port;
 }
 

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "crossgrain/error.hpp"
+#include "messages.hpp"
 #include "output.hpp"
 #include "view/browser.hpp"
 #include "view/folder_server.hpp"
@@ -65,13 +66,13 @@ void serve(const std::string& folder, int port, bool with_browser) {
 }
 
 int run(int argc, char** argv) {
-  if (argc != 4) return static_cast<int>(ErrorKind::kUsage);
+  if (argc != 4) return exit_code_of(ErrorKind::kUsage);
   try {
     serve(argv[1], std::stoi(argv[2]), std::string_view(argv[3]) == "browser");
     return 0;
   } catch (const Error& error) {
-    print_message(error.what());
-    return static_cast<int>(error.kind());
+    print_message(line_of(error.message(), Command::kOther));
+    return exit_code_of(error.kind());
   } catch (const std::exception& error) {
     print_message(std::string(argv[1]) + ": unexpected: " + error.what() + "; please report this");
     return kInternalError;

@@ -38,9 +38,9 @@ bool is_shape_reference(std::string_view line) {
 
 void check_step_file(const InputFile& file) {
   if (!begins_with(file, "ISO-10303-21"))
-    fail_input(file, {}, "is no STEP file: it does not begin with 'ISO-10303-21'; export it again");
+    fail_input(file, {}, "is no STEP file: it does not begin with 'ISO-10303-21'", Remedy::kExportAgain);
   if (!ends_with(file, "END-ISO-10303-21"))
-    fail_input(file, {}, "does not end with 'END-ISO-10303-21': cut short; copy or export it again");
+    fail_input(file, {}, "does not end with 'END-ISO-10303-21': cut short", Remedy::kCopyAgain);
 }
 
 /// Column 73 of every line of an IGES file names its section: S, G, D and P, in this order, and T at last.
@@ -57,9 +57,10 @@ void check_iges_file(const InputFile& file) {
     if (here == std::string_view::npos || here < section || (number == 1 && here > 0))
       fail_input(
           file, at_line(number),
-          fmt::format("no {} in column 73, where IGES names its sections: damaged, cut short or no IGES "
-                      "file in text; copy or export it again",
-                      kSections[section]));
+          fmt::format(
+              "no {} in column 73, where IGES names its sections: damaged, cut short or no IGES file in text",
+              kSections[section]),
+          Remedy::kCopyAgain);
     section = here;
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
   }
@@ -67,10 +68,10 @@ void check_iges_file(const InputFile& file) {
 
 void check_brep_file(const InputFile& file) {
   if (!begins_with(file, "CASCADE Topology V"))
-    fail_input(file, {}, "is no BREP file: it does not name a 'CASCADE Topology'; export it again");
+    fail_input(file, {}, "is no BREP file: it does not name a 'CASCADE Topology'", Remedy::kExportAgain);
   const bool is_binary = begins_with(file, "Open CASCADE Topology V");
   if (!is_binary && !is_shape_reference(last_line(file)))
-    fail_input(file, {}, "does not end with the shape that it is of: cut short; copy or export it again");
+    fail_input(file, {}, "does not end with the shape that it is of: cut short", Remedy::kCopyAgain);
 }
 
 }  // namespace crossgrain

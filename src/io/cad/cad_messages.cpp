@@ -113,7 +113,8 @@ class Reader {
 template <class Stream, class Answer>
 void exchange(Stream& stream, Answer& answer) {
   stream.value(answer.end);
-  stream.items(answer.fault);
+  stream.items(answer.fault.text);
+  stream.value(answer.fault.remedy);
   auto& mesh = answer.mesh;
   stream.items(mesh.vertices);
   stream.items(mesh.triangles);

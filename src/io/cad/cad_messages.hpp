@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "crossgrain/io.hpp"
+#include "crossgrain/message.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -33,10 +34,16 @@ enum class CadEnd : std::uint8_t {
   kOutOfMemory,  ///< not within CadRequest::options.max_memory_bytes
 };
 
+/// What is wrong with a file, as in Message.
+struct CadFault {
+  std::string text;
+  Remedy remedy = Remedy::kNone;
+};
+
 struct CadAnswer {
   CadEnd end = CadEnd::kMesh;
   TriangleMesh mesh;  ///< vertices shared by neighbouring triangles; all indices in range
-  std::string fault;  ///< what is wrong with the file, and the mend
+  CadFault fault;
 };
 
 /// The request as the arguments of the program, and back; nothing where they are none.

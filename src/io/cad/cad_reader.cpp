@@ -14,7 +14,6 @@
 #include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/version.hpp"
-#include "files/read_memory.hpp"
 #include "io/cad/cad_checks.hpp"
 #include "io/cad/cad_messages.hpp"
 #include "io/cad/cad_program.hpp"
@@ -26,14 +25,6 @@ namespace {
 
 using End = HelperOutcome::End;
 
-constexpr const char* kMend =
-    "install libocct-data-exchange-dev and libocct-modeling-algorithms-dev, build Crossgrain again and "
-    "install it as a whole, or export the model as STL";
-
-constexpr const char* kLibrariesMend =
-    "install libocct-data-exchange-7.6, or build Crossgrain again where another version of OpenCASCADE is "
-    "installed";
-
 /// What the dynamic linker ends a program with whose libraries are missing.
 constexpr int kLibrariesMissing = 127;
 
@@ -44,8 +35,8 @@ std::filesystem::path cad_program(const InputFile& file, const ReadOptions& opti
       options.cad_program.empty() ? find_cad_program() : options.cad_program;
   if (program.empty())
     fail_input(file, {},
-               fmt::format("this Crossgrain has no reader of CAD files: there is no {}; {}", kCadProgramName,
-                           kMend));
+               fmt::format("this Crossgrain has no reader of CAD files: there is no {}", kCadProgramName),
+               Remedy::kInstallCadReader);
   return program;
 }
 
@@ -54,42 +45,43 @@ std::size_t memory_for_helper(const InputFile& file, const ReadOptions& options)
   const std::size_t most = allowed_memory_bytes(options.max_memory_bytes), held = current_memory_bytes();
   if (held >= most)
     throw Error(ErrorKind::kLimit,
-                fmt::format("{}: no memory is left to read it: {:.3g} GB are allowed and {:.3g} GB held; "
-                            "allow more (--max-memory)",
-                            file.name(), static_cast<double>(most) / 1e9, static_cast<double>(held) / 1e9));
+                {file.name(), "",
+                 fmt::format("no memory is left to read it: {:.3g} GB are allowed and {:.3g} GB held",
+                             static_cast<double>(most) / 1e9, static_cast<double>(held) / 1e9),
+                 Remedy::kAllowMemory});
   return most - held;
 }
 
-std::string out_of_memory(std::size_t allowed) {
-  return fmt::format(
-      "OpenCASCADE needs more than the {:.3g} GB of memory that it may take; simplify the model and export "
-      "it "
-      "again, or allow more (--max-memory)",
-      static_cast<double>(allowed) / 1e9);
+CadFault out_of_memory(std::size_t allowed) {
+  return {fmt::format("OpenCASCADE needs more than the {:.3g} GB of memory that it may take",
+                      static_cast<double>(allowed) / 1e9),
+          Remedy::kSimplifyOrAllowMemory};
 }
 
 /// What an outcome without an answer means for the file.
-std::string fault_of(const HelperRun& run, const HelperOutcome& outcome) {
+CadFault fault_of(const HelperRun& run, const HelperOutcome& outcome) {
   if (outcome.end == End::kTimedOut)
-    return fmt::format(
-        "OpenCASCADE was not done with it after {:.3g} s and was stopped: it is damaged or very complex; "
-        "repair it and export it again, or give it more time (--read-seconds)",
-        run.seconds);
+    return {
+        fmt::format(
+            "OpenCASCADE was not done with it after {:.3g} s and was stopped: it is damaged or very complex",
+            run.seconds),
+        Remedy::kAllowReadTime};
   if (outcome.end == End::kTooLong) return out_of_memory(run.max_answer_bytes);
   if (outcome.end == End::kExited && outcome.number == kLibrariesMissing)
-    return fmt::format("the reader of CAD files, {}, misses libraries of OpenCASCADE; {}",
-                       run.program.string(), kLibrariesMend);
+    return {fmt::format("the reader of CAD files, {}, misses libraries of OpenCASCADE", run.program.string()),
+            Remedy::kInstallOpenCascade};
   if (outcome.end == End::kExited && !is_cad_greeting(outcome.answer))
-    return fmt::format("{} is not of Crossgrain {}; install Crossgrain again as a whole",
-                       run.program.string(), kVersion);
+    return {fmt::format("{} is not of Crossgrain {}", run.program.string(), kVersion), Remedy::kReinstall};
   if (outcome.end == End::kKilled && outcome.number == SIGKILL)
-    return "the system stopped OpenCASCADE while that read it, as a rule because memory ran out; close other "
-           "programs, or simplify the model and export it again";
-  return fmt::format(
-      "OpenCASCADE crashed on it ({}): it is damaged, or has what OpenCASCADE cannot take; repair it in a "
-      "CAD "
-      "program and export it again",
-      outcome.end == End::kKilled ? ::strsignal(outcome.number) : "no complete answer");
+    return {"the system stopped OpenCASCADE while it read the file, usually because memory ran out",
+            Remedy::kFreeMemory};
+  return {fmt::format("OpenCASCADE crashed on it ({}): it is damaged, or has what OpenCASCADE cannot take",
+                      outcome.end == End::kKilled ? ::strsignal(outcome.number) : "no complete answer"),
+          Remedy::kRepairFile};
+}
+
+[[noreturn]] void fail_input(const InputFile& file, const CadFault& fault) {
+  fail_input(file, {}, fault.text, fault.remedy);
 }
 
 HelperOutcome outcome_of(const InputFile& file, const HelperRun& run, const Monitor& monitor) {
@@ -97,14 +89,16 @@ HelperOutcome outcome_of(const InputFile& file, const HelperRun& run, const Moni
     return run_helper(run, monitor);
   } catch (const std::system_error& error) {
     fail_input(file, {},
-               fmt::format("the reader of CAD files, {}, cannot be started: {}; {}", run.program.string(),
-                           error.code().message(), kMend));
+               fmt::format("the reader of CAD files, {}, cannot be started: {}", run.program.string(),
+                           error.code().message()),
+               Remedy::kInstallCadReader);
   }
 }
 
 void check_range(double value, double most, const char* name) {
   if (value > 0 && value <= most) return;
-  throw Error(ErrorKind::kUsage, fmt::format("{} is {}; it is above 0 and at most {}", name, value, most));
+  throw Error(ErrorKind::kUsage,
+              fmt::format("{} is {}, but must be above 0 and at most {}", name, value, most));
 }
 
 TriangleMesh read_cad(const InputFile& file, CadFormat format, const ReadOptions& options,
@@ -120,10 +114,9 @@ TriangleMesh read_cad(const InputFile& file, CadFormat format, const ReadOptions
                       request.options.max_memory_bytes};
   const HelperOutcome outcome = outcome_of(file, run, monitor);
   std::optional<CadAnswer> answer = cad_answer_in(outcome.answer);
-  if (!answer) fail_input(file, {}, fault_of(run, outcome));
-  if (answer->end == CadEnd::kOutOfMemory)
-    fail_input(file, {}, out_of_memory(request.options.max_memory_bytes));
-  if (answer->end == CadEnd::kFault) fail_input(file, {}, answer->fault);
+  if (!answer) fail_input(file, fault_of(run, outcome));
+  if (answer->end == CadEnd::kOutOfMemory) fail_input(file, out_of_memory(request.options.max_memory_bytes));
+  if (answer->end == CadEnd::kFault) fail_input(file, answer->fault);
   return std::move(answer->mesh);
 }
 

@@ -16,6 +16,8 @@
 #include <thread>
 #include <utility>
 
+#include "files/descriptor.hpp"
+
 namespace crossgrain {
 namespace {
 
@@ -28,23 +30,6 @@ constexpr int kMillisecondsToWait = 50;
 void require(int code) {
   if (code != 0) throw std::system_error(code, std::generic_category());
 }
-
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 /// What posix_spawn is to do to the files of the new process.
 class FileActions {
@@ -180,7 +165,7 @@ HelperOutcome run_helper(const HelperRun& run, const Monitor& monitor) {
   Descriptor out(ends[1]);
   const Clock::time_point start = Clock::now();
   const auto is_late = [&] {
-    monitor.check();
+    monitor.check_stop();
     return std::chrono::duration<double>(Clock::now() - start).count() > run.seconds;
   };
   Child child(run, out.number());

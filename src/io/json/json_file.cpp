@@ -4,24 +4,28 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "crossgrain/error.hpp"
-
 namespace crossgrain {
 namespace {
 
-void check_finite(const nlohmann::ordered_json& value, const std::string& path) {
-  if (value.is_number_float() && !std::isfinite(value.get<double>()))
-    throw Error(ErrorKind::kLimit, path +
-                                       ": is not a finite number and cannot be reported; please report the "
-                                       "model that brought it about");
+void find_not_finite(const nlohmann::ordered_json& value, const std::string& place,
+                     std::vector<std::string>& found) {
+  if (value.is_number_float() && !std::isfinite(value.get<double>())) found.push_back(place);
   if (!value.is_structured()) return;
-  for (const auto& [key, member] : value.items()) check_finite(member, path + "/" + key);
+  for (const auto& [key, member] : value.items()) {
+    const std::string step = value.is_array() ? "[" + key + "]" : (place.empty() ? "" : ".") + key;
+    find_not_finite(member, place + step, found);
+  }
 }
 
 }  // namespace
 
+std::vector<std::string> numbers_not_finite(const nlohmann::ordered_json& value) {
+  std::vector<std::string> found;
+  find_not_finite(value, "", found);
+  return found;
+}
+
 std::string json_text(const nlohmann::ordered_json& value) {
-  check_finite(value, "");
   constexpr int kIndent = 2;
   return value.dump(kIndent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "files/output_file.hpp"
 
@@ -11,8 +12,11 @@ namespace crossgrain {
 
 /// Members in the order in which they were set; two blanks of indentation; doubles in the fewest digits that
 /// read back as the same bits; ends in a line end. Bytes that are no UTF-8 (in a path, say) become U+FFFD.
-/// Throws Error(kLimit) naming the member where a number is not finite, since JSON has none such.
+/// Numbers that are not finite become null, since JSON has none such.
 std::string json_text(const nlohmann::ordered_json& value);
+
+/// Where in it numbers are not finite, as "energy.total" or "levels[2].energy", in the order of the text.
+std::vector<std::string> numbers_not_finite(const nlohmann::ordered_json& value);
 
 /// Writes json_text(value).
 void write_json(OutputFile& file, const nlohmann::ordered_json& value);

@@ -104,8 +104,7 @@ class LocatedJsonBuilder {
     const std::size_t line = position_.line();
     const auto [before, is_new] = open_.back().keys.emplace(value, line);
     if (!is_new)
-      fail(fmt::format("the key {} is there twice, first on line {}; leave one of them", in_quotes(value),
-                       before->second));
+      fail(fmt::format("the key {} is there twice, first on line {}", in_quotes(value), before->second));
     key_ = place_of(value);
     return true;
   }
@@ -148,8 +147,8 @@ class LocatedJsonBuilder {
     return found->second;
   }
 
-  [[noreturn]] void fail(const std::string& message) {
-    fail_input(*json_.file_, at_line(position_.line()), message);
+  [[noreturn]] void fail(const std::string& text) {
+    fail_input(*json_.file_, at_line(position_.line()), text, Remedy::kNone);
   }
 
   LocatedJson& json_;
@@ -161,7 +160,7 @@ class LocatedJsonBuilder {
 
 LocatedJson::LocatedJson(const InputFile& file) : file_(&file) {
   const std::string_view bytes = file.bytes();
-  if (bytes.size() > kMostBytes) fail_input(file, {}, "is larger than 1 GiB; leave out what is not needed");
+  if (bytes.size() > kMostBytes) fail_input(file, {}, "is larger than 1 GiB", Remedy::kSimplify);
   ReadPosition position(bytes);
   LocatedJsonBuilder builder(*this, position);
   nlohmann::json::sax_parse(WatchedBytes(bytes.data(), &position),
@@ -178,8 +177,8 @@ std::vector<LocatedJson::Value> LocatedJson::Value::values() const {
   return result;
 }
 
-void LocatedJson::Value::fail(const std::string& message) const {
-  fail_input(json_->file(), at_line(line()), message);
+void LocatedJson::Value::fail(const std::string& text) const {
+  fail_input(json_->file(), at_line(line()), text, Remedy::kNone);
 }
 
 }  // namespace crossgrain

@@ -21,7 +21,7 @@ class LocatedJson {
   /// A value; for a member of an object its key is known too.
   class Value;
 
-  /// Throws Error(kInput, "NAME:LINE: ...") for what is no JSON, numbers beyond double precision, more than
+  /// Throws Error(kInput) naming the line for what is no JSON, numbers beyond double precision, more than
   /// kDeepest levels of nesting, keys that an object has twice, and files of more than kMostBytes. The file
   /// must outlive it.
   explicit LocatedJson(const InputFile& file);
@@ -66,7 +66,7 @@ class LocatedJson::Value {
   std::vector<Value> values() const;
 
   /// Throws Error(kInput) that names this line.
-  [[noreturn]] void fail(const std::string& message) const;
+  [[noreturn]] void fail(const std::string& text) const;
 
  private:
   friend class LocatedJson;

@@ -27,11 +27,11 @@ class FieldArraysReader {
 
   FieldData read() const {
     using namespace field_arrays;
-    if (!file_.find(VtuSection::kFieldData, kSchema))
-      fail("holds no frame field; name a folder that crossgrain solve has written");
+    if (!file_.find(VtuSection::kFieldData, kSchema)) fail("holds no frame field", Remedy::kGiveFieldFolder);
     const std::uint32_t schema = one(values<std::uint32_t>(VtuSection::kFieldData, kSchema));
     if (schema != kSchemaNumber)
-      fail(fmt::format("has schema {} and this program reads {}; solve again", schema, kSchemaNumber));
+      fail(fmt::format("has schema {} and this program reads {}", schema, kSchemaNumber),
+           Remedy::kSolveAgain);
     FieldData data;
     data.degree = degree();
     data.tree = tree();
@@ -128,12 +128,10 @@ class FieldArraysReader {
     if (!sound) fail_damaged();
   }
 
-  [[noreturn]] void fail(const std::string& message) const {
-    throw Error(ErrorKind::kInput, file_.name() + ": " + message);
+  [[noreturn]] void fail(const std::string& text, Remedy remedy) const {
+    throw Error(ErrorKind::kInput, {file_.name(), "", text, remedy});
   }
-  [[noreturn]] void fail_damaged() const {
-    fail("its arrays make no field; copy the file again, or solve again");
-  }
+  [[noreturn]] void fail_damaged() const { fail("its arrays make no field", Remedy::kCopyOrSolveAgain); }
 
   VtuFile file_;
 };

@@ -91,7 +91,6 @@ void add_cells(const LeafCorners& corners, std::size_t cells, std::vector<VtuArr
                                     [&corners](std::size_t begin, std::size_t end, Index* out) {
                                       corners.write_indices(begin, end, out);
                                     }));
-  constexpr std::uint8_t kVtkVoxel = 11;
   add_uniform_cells<Index>(cells, 8, kVtkVoxel, arrays);
 }
 
@@ -104,16 +103,6 @@ void add_grid(const LeafCorners& corners, std::size_t cells, std::vector<VtuArra
     add_cells<std::int32_t>(corners, cells, arrays);
   else
     add_cells<std::int64_t>(corners, cells, arrays);
-}
-
-/// Numbers that belong to the field as a whole.
-template <class T>
-VtuArray constant_array(const char* name, std::vector<T> values) {
-  const std::size_t count = values.size();
-  return vtu_array<T>(VtuSection::kFieldData, name, count, 1,
-                      [values = std::move(values)](std::size_t begin, std::size_t end, T* out) {
-                        if (begin < end) std::ranges::copy(values, out);
-                      });
 }
 
 void add_field_data(const FieldData& data, std::vector<VtuArray>& arrays) {
@@ -195,8 +184,6 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
                             const std::function<void(OutputFolder&)>& add_files) {
   check_output_options(options);
   check_formats(options.formats);
-  // There is a field: who stops a solve wants it written.
-  monitor.heed_stops(false);
   Stopwatch stopwatch;
   stopwatch.start();
   OutputFolder output(folder);
@@ -212,6 +199,7 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
   report.seconds.write = stopwatch.restart();
   report.seconds.total += report.seconds.write;
   report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());
+  warn_of_numbers_not_finite(report);
   output.create(kReportFile).write(report_json(report));
   for (const CompanionFile& file : options.companions) output.create(file.name).write(file.text(report));
   monitor.check();
@@ -222,9 +210,8 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
 SolveReport write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                         const Monitor& monitor, const OutputOptions& options) {
   if (!options.formats.empty())
-    throw Error(ErrorKind::kUsage, "'" + options.formats.front() +
-                                       "' is a format of fields on tets, and this one has none; leave "
-                                       "OutputOptions::formats empty");
+    throw Error(ErrorKind::kUsage,
+                "'" + options.formats.front() + "' is a format of fields on tets, and this field has none");
   // A field that was read from a folder with tets tells of them, and files of an earlier field with tets
   // would pass for this one's.
   report.onto.reset();

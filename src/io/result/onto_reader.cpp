@@ -27,7 +27,7 @@ constexpr double kAxesTolerance = 1e-5;
 
 [[noreturn]] void fail_damaged(const std::filesystem::path& path) {
   throw Error(ErrorKind::kInput,
-              path.string() + ": is damaged or was not written by crossgrain; solve again");
+              {path.string(), "", "is damaged or was not written by crossgrain", Remedy::kSolveAgain});
 }
 
 bool are_orthonormal(const std::array<Vector3, 3>& axes) {
@@ -52,11 +52,9 @@ void read_corners(const VtuFile& file, std::vector<std::array<std::uint32_t, 4>>
 
 TetMesh read_mesh(const VtuFile& file) {
   TetMesh mesh;
-  const std::vector<double> points = file.read<double>(VtuSection::kPoints, "Points", 3);
-  mesh.vertices.resize(points.size() / 3);
-  for (std::size_t k = 0; k < points.size(); ++k) mesh.vertices[k / 3][k % 3] = points[k];
-  const VtuFile::Array* connectivity = file.find(VtuSection::kCells, "connectivity");
-  if (connectivity && connectivity->type == vtu_type_of<std::int64_t>())
+  // Preparing the tets refuses what is too large.
+  mesh.vertices = file.read_points(INFINITY);
+  if (file.has_wide_indices())
     read_corners<std::int64_t>(file, mesh.tets);
   else
     read_corners<std::int32_t>(file, mesh.tets);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "base/parallel.hpp"
@@ -30,11 +31,6 @@ struct ChosenCells {
   std::vector<CellIndex> first_leaves;
 };
 
-CellAddress ancestor_at(CellAddress cell, int level) {
-  while (cell.depth() > level) cell = cell.parent();
-  return cell;
-}
-
 /// Whether two boxes have a point in common.
 bool meet(const Box& a, const Box& b) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -50,7 +46,7 @@ ChosenCells chosen_cells(const Octree& tree, const OutputOptions& options, const
     monitor.check();
     ChosenCells& run = runs[begin / kLeavesAtOnce];
     for (std::size_t i = begin; i < end; ++i) {
-      const CellAddress cell = ancestor_at(tree.leaves()[i], level);
+      const CellAddress cell = tree.leaves()[i].ancestor_at(level);
       const bool is_first = i == 0 || !cell.contains(tree.leaves()[i - 1]);
       if (!is_first || (options.clip && !meet(tree.root().box(cell), *options.clip))) continue;
       run.addresses.push_back(cell);
@@ -186,19 +182,37 @@ void shut_towards_missing(FieldData& part) {
 
 }  // namespace
 
+namespace {
+
+/// Companions have names of their own, or that of the page.
+void check_companions(const std::vector<CompanionFile>& companions) {
+  std::vector<std::string> taken = all_result_files();
+  std::erase(taken, kPageFile);
+  for (const CompanionFile& file : companions) {
+    const bool is_name = !file.name.empty() && file.name != "." && file.name != ".." &&
+                         std::filesystem::path(file.name).filename() == file.name;
+    if (!is_name || std::find(taken.begin(), taken.end(), file.name) != taken.end())
+      throw Error(ErrorKind::kUsage, "'" + file.name + "' cannot be the name of a further file",
+                  Remedy::kNameOutput);
+    taken.push_back(file.name);
+  }
+}
+
+}  // namespace
+
 void check_output_options(const OutputOptions& options) {
   if (options.level && (*options.level < 0 || *options.level > kMaxDepth))
     throw Error(ErrorKind::kUsage,
-                fmt::format("output level {}: choose one from 0 to {}, a depth of the octree", *options.level,
-                            kMaxDepth));
+                fmt::format("the output level is {}, but must be from 0 to {}, a depth of the octree",
+                            *options.level, kMaxDepth));
+  check_companions(options.companions);
   if (!options.clip) return;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = options.clip->low[axis], high = options.clip->high[axis];
     if (!(low <= high))
       throw Error(ErrorKind::kUsage,
-                  fmt::format("clip box: along {} it reaches from {} to {}, so holds nothing; "
-                              "give the lower bound first",
-                              "xyz"[axis], low, high));
+                  fmt::format("the clip box reaches from {} to {} along {}, so it holds nothing", low, high,
+                              "xyz"[axis]));
   }
 }
 

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
@@ -355,7 +357,7 @@ class JsonReader {
       fits = json.is_number_unsigned() && json.get<std::uint64_t>() <= std::numeric_limits<T>::max();
     if (!fits) fail(key);
     try {
-      value = json.get<T>();
+      take(json, value);
     } catch (const nlohmann::json::exception&) {
       fail(key);
     }
@@ -402,12 +404,30 @@ class JsonReader {
   }
 
  private:
+  /// null is a number that was not finite when it was written.
+  static void take(const Json& json, double& value) {
+    value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+  }
+  template <class T, std::size_t N>
+  static void take(const Json& json, std::array<T, N>& values) {
+    for (std::size_t i = 0; i < N; ++i) take(json.at(i), values[i]);
+  }
+  template <class T>
+  static void take(const Json& json, std::vector<T>& values) {
+    values.clear();
+    for (const Json& item : json.get_ref<const Json::array_t&>()) take(item, values.emplace_back());
+  }
+  template <class T>
+  static void take(const Json& json, T& value) {
+    value = json.get<T>();
+  }
+
   const Json& require(const char* key) const {
     if (!json_.is_object() || !json_.contains(key)) fail(key);
     return json_.at(key);
   }
   [[noreturn]] void fail(const char* key) const {
-    fail_input(file_, {}, fmt::format("'{}' is missing or of another type; solve again", key));
+    fail_input(file_, {}, fmt::format("'{}' is missing or of another type", key), Remedy::kSolveAgain);
   }
 
   const Json& json_;
@@ -438,6 +458,14 @@ Json json_of(const SolveReport& report) {
   return json;
 }
 
+void warn_of_numbers_not_finite(SolveReport& report) {
+  const std::vector<std::string> places = numbers_not_finite(json_of(report));
+  if (places.empty()) return;
+  report.warnings.push_back(fmt::format(
+      "numbers that are not finite, null in report.json: {}, the first is {}; please report the model",
+      places.size(), places.front()));
+}
+
 std::string singularity_json(const SolveReport::Singularity& grid, const SolveReport::Singularity* tets) {
   Json json;
   JsonWriter writer(json);
@@ -449,13 +477,13 @@ std::string singularity_json(const SolveReport::Singularity& grid, const SolveRe
 SolveReport read_report(const std::filesystem::path& path) {
   const InputFile file(path);
   const Json json = Json::parse(file.bytes(), nullptr, false);
-  if (json.is_discarded()) fail_input(file, {}, "is no JSON; copy the file again, or solve again");
+  if (json.is_discarded()) fail_input(file, {}, "is no JSON", Remedy::kCopyOrSolveAgain);
   JsonReader reader(json, file);
   int schema = 0;
   reader.member("schema", schema);
   if (schema != kReportSchema)
-    fail_input(file, {},
-               fmt::format("has schema {} and this program reads {}; solve again", schema, kReportSchema));
+    fail_input(file, {}, fmt::format("has schema {} and this program reads {}", schema, kReportSchema),
+               Remedy::kSolveAgain);
   SolveReport report;
   describe(reader, report);
   describe_doubts(reader, report);

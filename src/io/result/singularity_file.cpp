@@ -12,8 +12,6 @@
 namespace crossgrain {
 namespace {
 
-constexpr std::uint8_t kVtkPolyLine = 4;
-
 /// The graph as columns of the file.
 struct Polylines {
   struct Points {
@@ -96,18 +94,11 @@ std::vector<VtuArray> arrays_of(const Polylines& lines) {
   add(VtuSection::kCellData, "across_length", lines.arcs.across_lengths);
   add(VtuSection::kCellData, "on_boundary", lines.arcs.on_boundary);
   add(VtuSection::kCellData, "closed", lines.arcs.closed);
-  arrays.push_back(vtu_array<double>(
-      VtuSection::kPoints, "Points", 3, lines.points.places.size(),
-      [&lines](std::size_t begin, std::size_t end, double* out) {
-        for (std::size_t i = begin; i < end; ++i, out += 3) std::ranges::copy(lines.points.places[i], out);
-      },
-      VtuPacking::kMeasured));
+  arrays.push_back(
+      points_array(lines.points.places.size(), [&lines](std::size_t i) { return lines.points.places[i]; }));
   add(VtuSection::kCells, "connectivity", lines.connectivity);
   add(VtuSection::kCells, "offsets", lines.offsets);
-  arrays.push_back(vtu_array<std::uint8_t>(VtuSection::kCells, "types", 1, lines.offsets.size(),
-                                           [](std::size_t begin, std::size_t end, std::uint8_t* out) {
-                                             std::fill_n(out, end - begin, kVtkPolyLine);
-                                           }));
+  arrays.push_back(uniform_types(lines.offsets.size(), kVtkPolyLine));
   return arrays;
 }
 

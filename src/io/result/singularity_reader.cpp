@@ -19,7 +19,7 @@ class SingularityReader {
 
   SingularityGraph read() const {
     SingularityGraph graph;
-    const std::vector<Vector3> places = read_places();
+    const std::vector<Vector3> places = file_.read_points(kLargestCoordinate);
     add_nodes(places, graph);
     add_arcs(places, graph);
     return graph;
@@ -28,16 +28,6 @@ class SingularityReader {
  private:
   using Verdict = SingularityGraph::Verdict;
   using ArcType = SingularityGraph::ArcType;
-
-  std::vector<Vector3> read_places() const {
-    const auto numbers = file_.read<double>(VtuSection::kPoints, "Points", 3);
-    std::vector<Vector3> places(numbers.size() / 3);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      require(std::abs(numbers[i]) < kLargestCoordinate);
-      places[i / 3][i % 3] = numbers[i];
-    }
-    return places;
-  }
 
   /// The first points are the nodes.
   void add_nodes(const std::vector<Vector3>& places, SingularityGraph& graph) const {
@@ -95,7 +85,7 @@ class SingularityReader {
   void require(bool sound) const {
     if (!sound)
       throw Error(ErrorKind::kInput,
-                  file_.name() + ": its arrays make no singular lines; copy the file again, or solve again");
+                  {file_.name(), "", "its arrays make no singular lines", Remedy::kCopyOrSolveAgain});
   }
 
   VtuFile file_;

@@ -102,11 +102,7 @@ void add_polylines(const LinesInFile& lines, std::vector<VtuArray>& arrays) {
                                       for (std::size_t k = begin; k < end; ++k)
                                         *out++ = static_cast<Index>(lines.points_before(k + 1));
                                     }));
-  arrays.push_back(vtu_array<std::uint8_t>(VtuSection::kCells, "types", 1, lines.size(),
-                                           [](std::size_t begin, std::size_t end, std::uint8_t* out) {
-                                             constexpr std::uint8_t kVtkPolyLine = 4;
-                                             std::fill_n(out, end - begin, kVtkPolyLine);
-                                           }));
+  arrays.push_back(uniform_types(lines.size(), kVtkPolyLine));
 }
 
 /// Parts of a VTU file are filled in afterwards.
@@ -115,7 +111,7 @@ void check_regular(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path, unknown) || std::filesystem::is_regular_file(path, unknown) ||
       std::filesystem::is_directory(path, unknown))
     return;
-  throw Error(ErrorKind::kOutput, path.string() + ": is no regular file; name one with -o");
+  throw Error(ErrorKind::kOutput, {path.string(), "", "is no regular file", Remedy::kNameOutput});
 }
 
 }  // namespace

@@ -17,8 +17,6 @@
 namespace crossgrain {
 namespace {
 
-constexpr std::uint8_t kVtkPolyLine = 4, kVtkTriangle = 5;
-
 /// Coordinates of a surface (surface/surface.hpp).
 constexpr double kLargestCoordinate = 1e100;
 
@@ -70,16 +68,8 @@ void add_cells(const SurfaceRows& rows, std::vector<VtuArray>& arrays) {
 
 std::vector<VtuArray> arrays_of(const SurfaceRows& rows) {
   std::vector<VtuArray> arrays;
-  arrays.push_back(vtu_array<std::uint32_t>(VtuSection::kFieldData, field_arrays::kSchema, 1, 1,
-                                            [](std::size_t begin, std::size_t end, std::uint32_t* out) {
-                                              std::fill_n(out, end - begin, field_arrays::kSchemaNumber);
-                                            }));
-  arrays.push_back(vtu_array<double>(
-      VtuSection::kPoints, "Points", 3, rows.points(),
-      [&rows](std::size_t begin, std::size_t end, double* out) {
-        for (std::size_t i = begin; i < end; ++i, out += 3) std::ranges::copy(rows.point(i), out);
-      },
-      VtuPacking::kMeasured));
+  arrays.push_back(constant_array<std::uint32_t>(field_arrays::kSchema, {field_arrays::kSchemaNumber}));
+  arrays.push_back(points_array(rows.points(), [&rows](std::size_t i) { return rows.point(i); }));
   if (fits_32_bits(rows.points(), rows.entries()))
     add_cells<std::int32_t>(rows, arrays);
   else
@@ -103,9 +93,7 @@ class SurfaceReader {
   }
 
   SolvedSurface read() const {
-    const VtuFile::Array* connectivity = file_.find(VtuSection::kCells, "connectivity");
-    const bool is_wide = connectivity != nullptr && connectivity->type == vtu_type_of<std::int64_t>();
-    return is_wide ? read_cells<std::int64_t>() : read_cells<std::int32_t>();
+    return file_.has_wide_indices() ? read_cells<std::int64_t>() : read_cells<std::int32_t>();
   }
 
  private:
@@ -120,9 +108,9 @@ class SurfaceReader {
         types.begin());
     require(std::all_of(types.begin() + static_cast<std::ptrdiff_t>(triangles), types.end(),
                         [](auto type) { return type == kVtkPolyLine; }));
-    require(3 * triangles <= entries.size());
+    require(3 * triangles <= entries.size() && file_.points() <= UINT32_MAX);
 
-    const std::vector<Vector3> points = read_points();
+    const std::vector<Vector3> points = file_.read_points(kLargestCoordinate);
     const std::size_t crease_points = entries.size() - 3 * triangles;
     require(crease_points <= points.size());
     SolvedSurface surface;
@@ -151,23 +139,10 @@ class SurfaceReader {
     return surface;
   }
 
-  std::vector<Vector3> read_points() const {
-    const auto numbers = file_.read<double>(VtuSection::kPoints, "Points", 3);
-    require(numbers.size() == 3 * file_.points() && file_.points() <= UINT32_MAX);
-    std::vector<Vector3> points(file_.points());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        require(std::abs(numbers[3 * i + k]) < kLargestCoordinate);
-        points[i][k] = numbers[3 * i + k];
-      }
-    }
-    return points;
-  }
-
   void require(bool sound) const {
     if (!sound)
       throw Error(ErrorKind::kInput,
-                  file_.name() + ": is no surface written by crossgrain; solve again, or remove it");
+                  {file_.name(), "", "is no surface written by crossgrain", Remedy::kSolveAgain});
   }
 
   const VtuFile& file_;

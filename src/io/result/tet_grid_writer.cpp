@@ -12,16 +12,9 @@
 namespace crossgrain {
 namespace {
 
-constexpr std::uint8_t kVtkLine = 3, kVtkTriangle = 5, kVtkTet = 10;
-
 /// The vertices of the mesh in its order, used or not, so that their numbers are those of its file.
 void add_points(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
-  arrays.push_back(vtu_array<double>(
-      VtuSection::kPoints, "Points", 3, mesh.vertices.size(),
-      [&mesh](std::size_t begin, std::size_t end, double* out) {
-        for (std::size_t i = begin; i < end; ++i, out += 3) std::ranges::copy(mesh.vertices[i], out);
-      },
-      VtuPacking::kMeasured));
+  arrays.push_back(points_array(mesh.vertices.size(), [&mesh](std::size_t i) { return mesh.vertices[i]; }));
 }
 
 template <class Index>

@@ -50,10 +50,7 @@ class ObjReader {
     corners_.clear();
     for (std::string_view word = scanner.word(); !word.empty(); word = scanner.word()) {
       const std::int64_t index = scanner.integer(word.substr(0, word.find('/')), "the number of a vertex");
-      if (index == 0)
-        fail_input(file_, place,
-                   "a face refers to vertex 0, but vertices are numbered from 1; "
-                   "repair or export the surface again");
+      if (index == 0) fail_input(file_, place, "a face refers to vertex 0, but vertices are numbered from 1");
       corners_.push_back(index > 0 ? index - 1 : static_cast<std::int64_t>(vertices_so_far) + index);
     }
     builder_.add_polygon(corners_, place);

@@ -40,29 +40,29 @@ class OffReader {
     if (found == std::string_view::npos ||
         word.substr(0, found).find_first_not_of("STCN4n") != std::string_view::npos) {
       if (word.empty() || word[0] < '0' || word[0] > '9')
-        scanner_.fail(in_quotes(word) + " where 'OFF' should stand; this is no OFF file, export it again");
+        scanner_.fail(in_quotes(word) + " where 'OFF' should stand: this is no OFF file",
+                      Remedy::kExportAgain);
       return word;
     }
     const std::string_view prefix = word.substr(0, found);
     if (prefix.find_first_of("4n") != std::string_view::npos)
-      scanner_.fail(in_quotes(word) +
-                    ": vertices of other than three dimensions; export the surface in three");
+      scanner_.fail(in_quotes(word) + ": vertices of other than three dimensions", Remedy::kExportAgain);
     word = word.substr(found + 3);
     if (word.empty()) word = scanner_.word_anywhere();
     if (equals_ignoring_case(word, "BINARY"))
-      scanner_.fail("binary OFF has no reader; export it as text, or as PLY");
+      scanner_.fail("binary OFF has no reader, only OFF in text", Remedy::kExportAgain);
     return word;
   }
 
   std::size_t read_count(std::string_view word, const char* what, std::size_t bytes_each) {
     const std::int64_t count = scanner_.integer(word, what);
-    if (count < 0) scanner_.fail(fmt::format("{} is {}; repair the header", what, count));
+    if (count < 0) scanner_.fail(fmt::format("{} is {}", what, count));
     // One more, since the last line may lack its end.
     if (static_cast<std::uint64_t>(count) > scanner_.bytes_left() / bytes_each + 1)
       scanner_.fail(
-          fmt::format("the header gives {} as {}, but only {} bytes follow: cut short, or a damaged "
-                      "header; copy or export it again",
-                      what, count, scanner_.bytes_left()));
+          fmt::format("the header gives {} as {}, but only {} bytes follow: cut short, or a damaged header",
+                      what, count, scanner_.bytes_left()),
+          Remedy::kCopyAgain);
     return static_cast<std::size_t>(count);
   }
 
@@ -78,7 +78,7 @@ class OffReader {
   /// The number of corners and the corners; the rest of the line may hold a colour.
   void read_face() {
     const std::int64_t count = scanner_.integer(scanner_.word_anywhere(), "the number of a face's corners");
-    if (count < 0) scanner_.fail(fmt::format("a face of {} corners; repair the file", count));
+    if (count < 0) scanner_.fail(fmt::format("a face of {} corners", count));
     corners_.clear();
     for (std::int64_t i = 0; i < count; ++i)
       corners_.push_back(scanner_.integer(scanner_.word_anywhere(), "the number of a vertex"));

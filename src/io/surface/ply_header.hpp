@@ -8,18 +8,15 @@
 #include <vector>
 
 #include "files/input_file.hpp"
+#include "io/text/number_type.hpp"
 
 namespace crossgrain {
 
-enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
-
-std::size_t size_of(PlyType type);
-
 struct PlyProperty {
   std::string name;
-  PlyType type;          ///< of the value, or of each item of a list
+  NumberType type;       ///< of the value, or of each item of a list
   bool is_list = false;  ///< a count of `count_type`, then as many items
-  PlyType count_type{};
+  NumberType count_type{};
 };
 
 struct PlyElement {

@@ -119,25 +119,27 @@ TriangleMesh read_binary(const InputFile& file) {
   if (bytes.size() < kHeaderBytes)
     fail_input(file, {},
                fmt::format("is no STL file: it does not begin with 'solid', and its {} bytes are too few for "
-                           "the binary form; export it again",
-                           bytes.size()));
+                           "the binary form",
+                           bytes.size()),
+               Remedy::kExportAgain);
   const std::uint64_t announced = announced_triangles(bytes);
   const std::uint64_t present = (bytes.size() - kHeaderBytes) / kTriangleBytes;
   if (announced > present)
     fail_input(file, {},
-               fmt::format("the header announces {} triangles but only {} follow: cut short, or no STL file; "
-                           "copy or export it again",
-                           announced, present));
+               fmt::format("the header announces {} triangles but only {} follow: cut short, or no STL file",
+                           announced, present),
+               Remedy::kCopyAgain);
   if (announced == 0 && present > 0)
-    fail_input(file, {},
-               fmt::format("the header announces no triangles though {} bytes follow; export it again",
-                           bytes.size() - kHeaderBytes));
+    fail_input(
+        file, {},
+        fmt::format("the header announces no triangles though {} bytes follow", bytes.size() - kHeaderBytes),
+        Remedy::kExportAgain);
 
   constexpr std::uint64_t kMostTriangles = UINT32_MAX / 3;
   if (announced > kMostTriangles)
     fail_input(file, {},
-               fmt::format("{} triangles, of which {} can be read at most; simplify the surface", announced,
-                           kMostTriangles));
+               fmt::format("{} triangles, of which {} can be read at most", announced, kMostTriangles),
+               Remedy::kSimplify);
   if (announced == 0) SurfaceBuilder(file).finish();
   const BinaryTriangles triangles(bytes, announced);
   check_finite(file, triangles);
@@ -156,7 +158,7 @@ class AsciiStlReader {
       if (word.empty()) break;
       take(word);
     }
-    if (in_facet_) scanner_.fail("the file ends inside a facet: cut short; copy or export it again");
+    if (in_facet_) scanner_.fail("the file ends inside a facet: cut short", Remedy::kCopyAgain);
     return builder_.finish();
   }
 
@@ -165,7 +167,7 @@ class AsciiStlReader {
     if (equals_ignoring_case(word, "vertex")) {
       take_vertex();
     } else if (equals_ignoring_case(word, "facet")) {
-      if (in_facet_) scanner_.fail("a facet begins inside another one; export the file again");
+      if (in_facet_) scanner_.fail("a facet begins inside another one");
       in_facet_ = true;
       corners_ = 0;
     } else if (equals_ignoring_case(word, "normal")) {
@@ -174,16 +176,16 @@ class AsciiStlReader {
     } else if (equals_ignoring_case(word, "endfacet")) {
       take_end_of_facet();
     } else if (equals_ignoring_case(word, "solid") || equals_ignoring_case(word, "endsolid")) {
-      if (in_facet_) scanner_.fail("a facet without 'endfacet': cut short; export the file again");
+      if (in_facet_) scanner_.fail("a facet without 'endfacet': cut short", Remedy::kCopyAgain);
       while (!scanner_.word().empty()) continue;
     } else if (!equals_ignoring_case(word, "outer") && !equals_ignoring_case(word, "loop") &&
                !equals_ignoring_case(word, "endloop")) {
-      scanner_.fail(in_quotes(word) + " is no word of an STL file; export the file again");
+      scanner_.fail(in_quotes(word) + " is no word of an STL file");
     }
   }
 
   void take_vertex() {
-    if (!in_facet_) scanner_.fail("a vertex outside of any facet; export the file again");
+    if (!in_facet_) scanner_.fail("a vertex outside of any facet");
     Vector3 position;
     for (double& coordinate : position)
       coordinate = scanner_.number(scanner_.word_anywhere(), "a coordinate");
@@ -192,8 +194,7 @@ class AsciiStlReader {
   }
 
   void take_end_of_facet() {
-    if (!in_facet_ || corners_ != 3)
-      scanner_.fail(fmt::format("a facet of {} corners, not 3; export the file again", corners_));
+    if (!in_facet_ || corners_ != 3) scanner_.fail(fmt::format("a facet of {} corners, not 3", corners_));
     const auto end = static_cast<std::int64_t>(builder_.vertex_count());
     builder_.add_polygon(std::array{end - 3, end - 2, end - 1}, scanner_.place());
     in_facet_ = false;

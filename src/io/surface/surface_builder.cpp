@@ -17,12 +17,10 @@ void SurfaceBuilder::reserve(std::size_t vertices, std::size_t triangles) {
 
 void SurfaceBuilder::add_vertex(const Vector3& position, const Place& place) {
   for (const double coordinate : position) {
-    if (!std::isfinite(coordinate))
-      fail_input(*file_, place,
-                 fmt::format("a coordinate is {}; repair or export the surface again", coordinate));
+    if (!std::isfinite(coordinate)) fail_input(*file_, place, fmt::format("a coordinate is {}", coordinate));
   }
   if (mesh_.vertices.size() >= std::numeric_limits<std::uint32_t>::max())
-    fail_input(*file_, place, "more than 4294967295 vertices; simplify the surface");
+    fail_input(*file_, place, "more than 4294967295 vertices", Remedy::kSimplify);
   mesh_.vertices.push_back(position);
 }
 
@@ -39,27 +37,24 @@ void SurfaceBuilder::add_polygon(std::span<const std::int64_t> corners, const Pl
   }
   if (corners_.size() < 3) return;
   if (!triangulator_.triangulate(corners_, mesh_.vertices, mesh_.triangles))
-    fail_input(*file_, place,
-               fmt::format("this polygon of {} corners takes too long to cut into triangles; triangulate the "
-                           "surface where it was made",
-                           corners_.size()));
+    fail_input(
+        *file_, place,
+        fmt::format("this polygon of {} corners takes too long to cut into triangles", corners_.size()),
+        Remedy::kTriangulate);
 }
 
 void SurfaceBuilder::fail_out_of_range(std::int64_t corner, const Place& place) const {
-  if (mesh_.vertices.empty()) fail_input(*file_, place, "a face but no vertices; export the surface again");
+  if (mesh_.vertices.empty()) fail_input(*file_, place, "a face but no vertices");
   // Unsigned, so that a corner at the very end of the 64 bits wraps instead of overflowing.
   const auto shown = static_cast<std::int64_t>(static_cast<std::uint64_t>(corner) +
                                                static_cast<std::uint64_t>(first_index_));
-  fail_input(
-      *file_, place,
-      fmt::format("a face refers to vertex {}, but vertices are numbered {} to {}; repair or export the "
-                  "surface again",
-                  shown, first_index_, static_cast<std::int64_t>(mesh_.vertices.size()) - 1 + first_index_));
+  fail_input(*file_, place,
+             fmt::format("a face refers to vertex {}, but vertices are numbered {} to {}", shown,
+                         first_index_, static_cast<std::int64_t>(mesh_.vertices.size()) - 1 + first_index_));
 }
 
 TriangleMesh SurfaceBuilder::finish() {
-  if (mesh_.triangles.empty())
-    fail_input(*file_, {}, "holds no triangles or polygons; export the surface as a mesh of faces");
+  if (mesh_.triangles.empty()) fail_input(*file_, {}, "holds no triangles or polygons", Remedy::kExportAgain);
   return std::move(mesh_);
 }
 

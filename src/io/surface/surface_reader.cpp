@@ -53,18 +53,19 @@ bool is_read_by(const SurfaceFormat& format, const FileSignature& signature) {
 
 [[noreturn]] void fail_unknown_extension(const InputFile& file, const std::string& extension) {
   if (is_tet_file(file.name()))
-    fail_input(
-        file, {},
-        fmt::format("{} files hold tets, and this should be a surface; give it as STL, OBJ, PLY or OFF",
-                    in_quotes(extension)));
+    fail_input(file, {},
+               fmt::format("{} files hold tets, and this should be a surface (STL, OBJ, PLY or OFF)",
+                           in_quotes(extension)),
+               Remedy::kConvertFile);
   const std::string what = extension.empty() ? "its name has no extension"
                                              : fmt::format("no reader for {} files", in_quotes(extension));
   if (const FileSignature* signature = signature_of(file.bytes()))
-    fail_input(file, {},
-               fmt::format("{}; it begins like {}: {}", what, signature->kind, mend_for(*signature)));
+    fail_input(file, {}, fmt::format("{}, but it begins like {}", what, kind_of(*signature)),
+               remedy_for(*signature));
   fail_input(file, {},
-             fmt::format("{}; give a surface as .stl, .obj, .ply, .off, .step, .iges or .brep, or tets as {}",
-                         what, tet_extensions()));
+             fmt::format("{}: surfaces are .stl, .obj, .ply, .off, .step, .iges or .brep, tets {}", what,
+                         tet_extensions()),
+             Remedy::kConvertFile);
 }
 
 /// Of files of triangles, the file and the mesh together over the file (bench/read_surfaces, rounded).

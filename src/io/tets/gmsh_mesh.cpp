@@ -58,8 +58,7 @@ void GmshMesh::read_node(NumberStream& in) {
 
 void GmshMesh::finish_nodes(NumberStream& in) {
   has_nodes_ = true;
-  if (const auto twice = numbers_.finish())
-    in.fail(fmt::format("two nodes have the number {}; save the mesh again", *twice));
+  if (const auto twice = numbers_.finish()) in.fail(fmt::format("two nodes have the number {}", *twice));
 }
 
 void GmshMesh::read_nodes_4(NumberStream& in) {
@@ -80,8 +79,7 @@ void GmshMesh::read_nodes_4(NumberStream& in) {
     }
   }
   if (builder_.vertex_count() != nodes)
-    in.fail(fmt::format("{} nodes are announced and {} are here; save the mesh again", nodes,
-                        builder_.vertex_count()));
+    in.fail(fmt::format("{} nodes are announced and {} are here", nodes, builder_.vertex_count()));
   finish_nodes(in);
 }
 
@@ -98,11 +96,7 @@ void GmshMesh::read_nodes_2(NumberStream& in, std::int64_t count) {
 const CellType& GmshMesh::element_type(NumberStream& in) const {
   const std::int64_t code = in.integer(kInt, "the type of an element");
   const CellType* type = gmsh_element(code);
-  if (type == nullptr)
-    in.fail(
-        fmt::format("elements of type {}, of which is not known how many nodes they have; save the mesh "
-                    "with tets only",
-                    code));
+  if (type == nullptr) in.fail(fmt::format("elements of type {}, whose number of nodes is not known", code));
   return *type;
 }
 
@@ -115,9 +109,7 @@ void GmshMesh::read_element_nodes(NumberStream& in, NumberType type, const CellT
     const std::int64_t number = in.integer(type, "the number of a node");
     const auto node = numbers_.index_of(number);
     if (!node)
-      fail_input(
-          *file_, place,
-          fmt::format("refers to node {}, which the file does not have; repair it or save it again", number));
+      fail_input(*file_, place, fmt::format("refers to node {}, which the file does not have", number));
     nodes[k] = *node;
   }
   if (element.nodes > corners) in.skip(type, element.nodes - corners);
@@ -143,8 +135,7 @@ void GmshMesh::read_elements_4(NumberStream& in) {
     }
   }
   if (elements_ != elements)
-    in.fail(
-        fmt::format("{} elements are announced and {} are here; save the mesh again", elements, elements_));
+    in.fail(fmt::format("{} elements are announced and {} are here", elements, elements_));
 }
 
 /// Physical group, entity; partitions and what else there is come after.
@@ -181,8 +172,7 @@ void GmshMesh::read_elements_2_binary(NumberStream& in, std::uint64_t elements) 
     const std::uint64_t rows = count(in, kInt, 1 + std::uint64_t{type.nodes}, kInt, "the number of elements");
     const std::uint64_t tags = count(in, kInt, 1, kInt, "the number of tags");
     if (rows == 0 || rows > elements - elements_)
-      in.fail(
-          fmt::format("{} elements where {} are to come; save the mesh again", rows, elements - elements_));
+      in.fail(fmt::format("{} elements where {} are to come", rows, elements - elements_));
     if (type.shape == CellShape::kTet) builder_.reserve_tets(rows);
     for (std::uint64_t i = 0; i < rows; ++i) {
       in.skip(kInt, 1);  // the element's number

@@ -31,14 +31,14 @@ class GmshReader {
     GmshMesh mesh(*file_, format_.size_type);
     bool has_elements = false;
     for (std::string name = next_section(); !name.empty(); name = next_section()) {
-      if (name == "Nodes" && mesh.has_nodes()) fail("a second section $Nodes; join the two into one");
-      if (name == "Elements" && !mesh.has_nodes()) fail("$Elements before $Nodes; save the mesh again");
+      if (name == "Nodes" && mesh.has_nodes()) fail("a second section $Nodes");
+      if (name == "Elements" && !mesh.has_nodes()) fail("$Elements before $Nodes");
       has_elements |= name == "Elements";
       read_section(name, mesh);
     }
     if (!mesh.has_nodes() || !has_elements)
-      fail(fmt::format("no section {} up to here: cut short; copy or save the file again",
-                       mesh.has_nodes() ? "$Elements" : "$Nodes"));
+      fail(fmt::format("no section {} up to here: cut short", mesh.has_nodes() ? "$Elements" : "$Nodes"),
+           Remedy::kCopyAgain);
     return mesh.finish(format_.is_binary ? Place{} : scanner_.place());
   }
 
@@ -47,8 +47,8 @@ class GmshReader {
     const std::string_view begin = scanner_.word_anywhere();
     if (begin == "$NOD") fail_version("1");
     if (begin != "$MeshFormat")
-      scanner_.fail(fmt::format(
-          "{} where $MeshFormat should stand; this is no Gmsh mesh, save it again as one", in_quotes(begin)));
+      scanner_.fail(fmt::format("{} where $MeshFormat should stand: this is no Gmsh mesh", in_quotes(begin)),
+                    Remedy::kExportAgain);
     const std::string_view version = scanner_.word_anywhere();
     const bool is_version_2 = version == "2" || version.starts_with("2.");
     format_.is_version_4 = version == "4.1";
@@ -59,7 +59,7 @@ class GmshReader {
     format_.is_binary = kind == 1;
     const std::int64_t size = scanner_.integer(scanner_.word_anywhere(), "the size of numbers");
     if (format_.is_binary && size != 8 && !(size == 4 && format_.is_version_4))
-      scanner_.fail(fmt::format("numbers of {} bytes, where 8 are usual; save the mesh again", size));
+      scanner_.fail(fmt::format("numbers of {} bytes, where 8 are usual", size));
     if (size == 4) format_.size_type = NumberType::kUint32;
     scanner_.next_line();
     if (format_.is_binary) read_byte_order();
@@ -69,22 +69,22 @@ class GmshReader {
   void read_byte_order() {
     NumberStream stream(*file_, scanner_.position(), false);
     const std::int64_t one = stream.integer(NumberType::kInt32, "the number 1");
-    if (one != 1 && one != 1 << 24)
-      stream.fail("no 1 where the byte order should stand; save the mesh again");
+    if (one != 1 && one != 1 << 24) stream.fail("no 1 where the byte order should stand");
     format_.is_swapped = one != 1;
     move_to(stream.position());
   }
 
   [[noreturn]] void fail_version(std::string_view version) const {
-    fail(
-        fmt::format("MSH {}, where 2.2 and 4.1 are known; save it again with 'gmsh -save -format msh41 "
-                    "-o NEW.msh OLD.msh'",
-                    in_quotes(version)));
+    fail(fmt::format(
+             "MSH {}, where 2.2 and 4.1 are known (to convert: gmsh -save -format msh41 -o NEW.msh OLD.msh)",
+             in_quotes(version)),
+         Remedy::kExportAgain);
   }
 
   /// Names the line, or in a binary file the byte.
-  [[noreturn]] void fail(const std::string& message) const {
-    fail_input(*file_, format_.is_binary ? Place{"byte", scanner_.position()} : scanner_.place(), message);
+  [[noreturn]] void fail(const std::string& text, Remedy remedy = Remedy::kRepairFile) const {
+    fail_input(*file_, format_.is_binary ? Place{"byte", scanner_.position()} : scanner_.place(), text,
+               remedy);
   }
 
   /// The name of the section that begins here, without its $; empty at the end of the file.
@@ -92,8 +92,7 @@ class GmshReader {
     const std::string_view word = scanner_.word_anywhere();
     if (word.empty()) return "";
     if (!word.starts_with('$') || word.size() == 1 || word.starts_with("$End"))
-      fail(fmt::format("{} where a section such as $Nodes should begin; save the mesh again",
-                       in_quotes(word)));
+      fail(fmt::format("{} where a section such as $Nodes should begin", in_quotes(word)));
     scanner_.next_line();
     return std::string(word.substr(1));
   }
@@ -138,18 +137,18 @@ class GmshReader {
   void end_section(const std::string& name) {
     const std::string_view word = scanner_.word_anywhere();
     const std::string end = in_quotes("$End" + name);
-    if (word.empty()) fail(fmt::format("no {} up to here: cut short; copy or save the file again", end));
+    if (word.empty()) fail(fmt::format("no {} up to here: cut short", end), Remedy::kCopyAgain);
     if (!word.starts_with("$End") || word.substr(4) != name)
-      fail(fmt::format("{} where {} should stand; mend the numbers of rows of {}, or save the mesh again",
-                       in_quotes(word), end, in_quotes("$" + name)));
+      fail(fmt::format("{} where {} should stand: the number of rows of {} is wrong", in_quotes(word), end,
+                       in_quotes("$" + name)));
     scanner_.next_line();
   }
 
   void skip_section(const std::string& name) {
     const std::size_t end = file_->bytes().find("$End" + name, scanner_.position());
     if (end == std::string_view::npos)
-      fail(fmt::format("{} has no {}: cut short; copy or save the file again", in_quotes("$" + name),
-                       in_quotes("$End" + name)));
+      fail(fmt::format("{} has no {}: cut short", in_quotes("$" + name), in_quotes("$End" + name)),
+           Remedy::kCopyAgain);
     move_to(end);
     end_section(name);
   }

@@ -27,8 +27,8 @@ class MeditBinaryReader {
     NumberStream stream(file, sizeof(std::int32_t), swapped_);
     const std::int64_t version = stream.integer(NumberType::kInt32, "the version");
     if (version < 1 || version > 4)
-      stream.fail(fmt::format(
-          "version {} of the format, where 1 to 4 are known; export the mesh again as one", version));
+      stream.fail(fmt::format("version {} of the format, where 1 to 4 are known", version),
+                  Remedy::kExportAgain);
     position_type_ = version >= 3 ? NumberType::kInt64 : NumberType::kInt32;
     numbers_.real = version == 1 ? NumberType::kFloat32 : NumberType::kFloat64;
     numbers_.integer = version == 4 ? NumberType::kInt64 : NumberType::kInt32;
@@ -42,7 +42,7 @@ class MeditBinaryReader {
         const bool now = (rows.section->content == MeditContent::kVertices) == vertices;
         if (now) mesh.read_rows(rows.stream, *rows.section, rows.count);
       }
-      if (!mesh.has_vertices()) fail_input(*file_, {}, "no vertices; the file is damaged, export it again");
+      if (!mesh.has_vertices()) fail_input(*file_, {}, "no vertices");
     }
     return mesh.finish({});
   }
@@ -57,8 +57,8 @@ class MeditBinaryReader {
   static bool is_swapped(const InputFile& file) {
     const std::int64_t code = NumberStream(file, 0, false).integer(NumberType::kInt32, "the code");
     if (code != kCode && code != kSwappedCode)
-      fail_input(file, {},
-                 "does not begin with the number 1; this is no Medit mesh in binary, export it again as one");
+      fail_input(file, {}, "does not begin with the number 1: this is no binary Medit mesh",
+                 Remedy::kExportAgain);
     return code == kSwappedCode;
   }
 
@@ -73,9 +73,8 @@ class MeditBinaryReader {
       if (next != 0 && (next <= static_cast<std::int64_t>(begin) || static_cast<std::uint64_t>(next) > size))
         fail_input(
             *file_, {"byte", begin},
-            fmt::format("the next keyword should stand at byte {} of {}: cut short, or damaged; copy or "
-                        "export the file again",
-                        next, size));
+            fmt::format("the next keyword should stand at byte {} of {}: cut short, or damaged", next, size),
+            Remedy::kCopyAgain);
       take_keyword(keyword, stream);
       if (next == 0) return;
       stream = NumberStream(*file_, static_cast<std::size_t>(next), swapped_);
@@ -84,12 +83,11 @@ class MeditBinaryReader {
 
   void take_keyword(std::int64_t keyword, NumberStream& stream) {
     if (keyword == kDimension && stream.integer(NumberType::kInt32, "the number of dimensions") != 3)
-      stream.fail("not a mesh in three dimensions; export it with Dimension 3");
+      stream.fail("not a mesh in three dimensions (Dimension 3)", Remedy::kExportAgain);
     const MeditSection* section = medit_section_coded(keyword);
     if (section == nullptr || section->content == MeditContent::kPassedOver) return;
     for (const Rows& rows : sections_) {
-      if (rows.section == section)
-        stream.fail(fmt::format("a second section {}; join the two into one", section->keyword));
+      if (rows.section == section) stream.fail(fmt::format("a second section {}", section->keyword));
     }
     const std::string what = fmt::format("the number of {}", section->keyword);
     const std::int64_t stated = stream.integer(numbers_.integer, what.c_str());

@@ -131,9 +131,8 @@ void MeditMesh::keep_ridges(TetMesh& mesh) const {
   for (const std::int64_t number : ridges_) {
     if (number < 1 || static_cast<std::uint64_t>(number) > mesh.feature_edges.size())
       fail_input(*file_, ridges_place_,
-                 fmt::format("Ridges name edge {}, but there are {} Edges, numbered from 1; repair the file "
-                             "or export it again",
-                             number, mesh.feature_edges.size()));
+                 fmt::format("Ridges name edge {}, but there are {} Edges, numbered from 1", number,
+                             mesh.feature_edges.size()));
     kept.push_back(mesh.feature_edges[static_cast<std::size_t>(number - 1)]);
     kept.back().is_stated = true;
   }

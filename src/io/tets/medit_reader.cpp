@@ -28,12 +28,12 @@ class MeditReader {
     std::string_view word = scanner_.word_anywhere();
     if (medit_section_named(word) == nullptr && !is_header(word))
       scanner_.fail(
-          fmt::format("{} where a keyword such as MeshVersionFormatted should stand; this is no Medit "
-                      "mesh in text, export it again as one",
-                      in_quotes(word)));
+          fmt::format(
+              "{} where a keyword such as MeshVersionFormatted should stand: this is no Medit mesh in text",
+              in_quotes(word)),
+          Remedy::kExportAgain);
     while (!word.empty() && !equals_ignoring_case(word, "End")) word = read_part(word);
-    if (!mesh_.has_vertices())
-      scanner_.fail("no section Vertices so far; the file is cut short, export it again");
+    if (!mesh_.has_vertices()) scanner_.fail("no section Vertices up to here: cut short", Remedy::kCopyAgain);
     for (Rows& rows : postponed_) mesh_.read_rows(rows.stream, *rows.section, rows.count);
     return mesh_.finish(scanner_.place());
   }
@@ -55,15 +55,14 @@ class MeditReader {
       read_section(*section);
       const std::string_view next = scanner_.word_anywhere();
       if (!next.empty() && !begins_like_a_keyword(next))
-        scanner_.fail(
-            fmt::format("{} where a keyword should stand after the last row of {}; mend its count or "
-                        "its rows, which have {} numbers each",
-                        in_quotes(next), section->keyword, section->columns));
+        scanner_.fail(fmt::format(
+            "{} where a keyword should stand after the last row of {}, whose rows have {} numbers each",
+            in_quotes(next), section->keyword, section->columns));
       return next;
     }
     std::string_view word = scanner_.word_anywhere();
     if (equals_ignoring_case(keyword, "Dimension") && scanner_.integer(word, "the number of dimensions") != 3)
-      scanner_.fail("not a mesh in three dimensions; export it with Dimension 3");
+      scanner_.fail("not a mesh in three dimensions (Dimension 3)", Remedy::kExportAgain);
     // MeshVersionFormatted, bounds, names and what nobody knows: up to the next keyword.
     while (!word.empty() && !begins_like_a_keyword(word)) word = scanner_.word_anywhere();
     return word;
@@ -77,7 +76,7 @@ class MeditReader {
                            static_cast<std::uint64_t>(section.columns), NumberType::kInt64, what);
     scanner_ = rows.scanner();
     if (section.content != MeditContent::kPassedOver && !seen_.insert(&section).second)
-      scanner_.fail(fmt::format("a second section {}; join the two into one", section.keyword));
+      scanner_.fail(fmt::format("a second section {}", section.keyword));
     if (section.content != MeditContent::kPassedOver && mesh_.is_ready_for(section)) {
       mesh_.read_rows(rows, section, count);
       scanner_ = rows.scanner();
@@ -90,8 +89,8 @@ class MeditReader {
   void skip_rows(const MeditSection& section, std::uint64_t count) {
     for (std::uint64_t words = count * static_cast<std::uint64_t>(section.columns); words > 0; --words) {
       if (scanner_.word_anywhere().empty())
-        scanner_.fail(fmt::format("the rows of {} end too early; the file is cut short, export it again",
-                                  section.keyword));
+        scanner_.fail(fmt::format("the rows of {} end too early: cut short", section.keyword),
+                      Remedy::kCopyAgain);
     }
   }
 

@@ -33,18 +33,16 @@ void TetBuilder::reserve_vertices(std::size_t more) {
 
 void TetBuilder::reserve_tets(std::size_t more) {
   if (more > kMostTets - std::min(kMostTets, mesh_.tets.size()))
-    fail_input(*file_, {}, fmt::format("more than {} tets; split the mesh", kMostTets));
+    fail_input(*file_, {}, fmt::format("more than {} tets", kMostTets), Remedy::kSimplify);
   reserve_more(mesh_.tets, more);
 }
 
 void TetBuilder::add_vertex(const Vector3& position, const Place& place) {
   for (const double coordinate : position) {
-    if (!std::isfinite(coordinate))
-      fail_input(*file_, place,
-                 fmt::format("a coordinate is {}; repair or export the mesh again", coordinate));
+    if (!std::isfinite(coordinate)) fail_input(*file_, place, fmt::format("a coordinate is {}", coordinate));
   }
   if (mesh_.vertices.size() >= std::numeric_limits<std::uint32_t>::max())
-    fail_input(*file_, place, "more than 4294967295 vertices; split the mesh");
+    fail_input(*file_, place, "more than 4294967295 vertices", Remedy::kSimplify);
   mesh_.vertices.push_back(position);
 }
 
@@ -53,19 +51,17 @@ std::uint32_t TetBuilder::checked_index(std::int64_t node, CellShape shape, cons
     // Unsigned, so that an index at the very end of the 64 bits wraps instead of overflowing.
     const auto shown = static_cast<std::int64_t>(static_cast<std::uint64_t>(node) +
                                                  static_cast<std::uint64_t>(first_index_));
-    fail_input(*file_, place,
-               fmt::format("{} refers to vertex {}, but they are numbered from {} to {}; repair the file or "
-                           "export it again",
-                           singular_of(shape), shown, first_index_,
-                           static_cast<std::int64_t>(mesh_.vertices.size()) - 1 + first_index_));
+    fail_input(
+        *file_, place,
+        fmt::format("{} refers to vertex {}, but they are numbered from {} to {}", singular_of(shape), shown,
+                    first_index_, static_cast<std::int64_t>(mesh_.vertices.size()) - 1 + first_index_));
   }
   return static_cast<std::uint32_t>(node);
 }
 
 std::int32_t TetBuilder::checked_tag(std::int64_t tag, const Place& place) const {
   if (tag < std::numeric_limits<std::int32_t>::min() || tag > std::numeric_limits<std::int32_t>::max())
-    fail_input(*file_, place,
-               fmt::format("the tag {} does not fit into 32 bits; number regions and features anew", tag));
+    fail_input(*file_, place, fmt::format("the tag {} does not fit into 32 bits", tag));
   return static_cast<std::int32_t>(tag);
 }
 
@@ -110,17 +106,17 @@ void TetBuilder::fail_other_solids() const {
     const char* const between = i == 0 ? "" : i + 1 < other_solids_.size() ? ", " : " and ";
     list += fmt::format("{}{} {}", between, other_solids_[i].second, other_solids_[i].first->plural);
   }
-  fail_input(*file_, first_other_solid_, list + ", where only tets can be used; cut them into tets");
+  fail_input(*file_, first_other_solid_, list + ", where only tets can be used", Remedy::kCutIntoTets);
 }
 
 TetMesh TetBuilder::finish(const Place& end) {
   if (!other_solids_.empty()) fail_other_solids();
   if (mesh_.tets.empty() && !mesh_.feature_faces.empty())
     fail_input(*file_, end,
-               fmt::format("{} triangles but no tets; fill the surface with tets, or give it as STL, OBJ, "
-                           "PLY or OFF",
-                           mesh_.feature_faces.size()));
-  if (mesh_.tets.empty()) fail_input(*file_, end, "no tets up to here; export the mesh with its tets");
+               fmt::format("{} triangles but no tets (surfaces are read from STL, OBJ, PLY and OFF)",
+                           mesh_.feature_faces.size()),
+               Remedy::kCutIntoTets);
+  if (mesh_.tets.empty()) fail_input(*file_, end, "no tets up to here", Remedy::kExportAgain);
   if (curved_tets_ > 0)
     warn(fmt::format("tets of higher order: {}; of these only the corners count, as if they were straight",
                      curved_tets_));

@@ -52,8 +52,9 @@ TetMesh read_tets(const std::filesystem::path& path) {
   const TetFormat* format = format_of(path);
   if (format == nullptr)
     fail_input(file, {},
-               fmt::format("no reader for tets in {} files; give them as {}",
-                           in_quotes(path.extension().string()), tet_extensions()));
+               fmt::format("no reader for tets in {} files, only in {}", in_quotes(path.extension().string()),
+                           tet_extensions()),
+               Remedy::kConvertFile);
   try {
     return format->read(file);
   } catch (const Error&) {

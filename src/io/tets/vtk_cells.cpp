@@ -102,8 +102,7 @@ void check_size(const VtkNumbers& points, const CellType& type, std::int64_t siz
   const auto given = static_cast<std::uint64_t>(size);
   const bool fits = type.nodes > 0 ? given == type.nodes : given >= corners_of(type.shape);
   if (size < 0 || !fits || given > points.stream.most_left(points.type))
-    points.stream.fail(fmt::format("a cell of type {} ({}) has {} points; repair the file or export it again",
-                                   type.code, type.plural, size));
+    points.stream.fail(fmt::format("a cell of type {} ({}) has {} points", type.code, type.plural, size));
 }
 
 }  // namespace
@@ -116,8 +115,8 @@ void add_vtk_cells(VtkCells cells, TetBuilder& builder) {
     const std::int64_t code = cells.types.next("the type of a cell");
     const CellType* type = type_of(code);
     if (type == nullptr)
-      cells.types.stream.fail(
-          fmt::format("cell {} has type {}, which is not known; export the mesh with tets only", i, code));
+      cells.types.stream.fail(fmt::format("cell {} has type {}, which is not known", i, code),
+                              Remedy::kCutIntoTets);
     const std::int64_t size = sizes.next();
     check_size(cells.points, *type, size);
     const std::size_t corners = corners_of(type->shape);

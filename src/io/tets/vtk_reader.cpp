@@ -20,27 +20,22 @@ namespace {
 
 constexpr bool kSwapped = std::endian::native == std::endian::little;
 
-struct TypeName {
-  std::string_view name;
-  NumberType type;
-};
-
 // "long" is that of Linux and macOS; VTK writes its own ids with 32 bits under the name vtkIdType.
 constexpr std::array kTypeNames = {
-    TypeName{"char", NumberType::kInt8},
-    TypeName{"signed_char", NumberType::kInt8},
-    TypeName{"unsigned_char", NumberType::kUint8},
-    TypeName{"short", NumberType::kInt16},
-    TypeName{"unsigned_short", NumberType::kUint16},
-    TypeName{"int", NumberType::kInt32},
-    TypeName{"unsigned_int", NumberType::kUint32},
-    TypeName{"long", NumberType::kInt64},
-    TypeName{"unsigned_long", NumberType::kUint64},
-    TypeName{"vtktypeint64", NumberType::kInt64},
-    TypeName{"vtktypeuint64", NumberType::kUint64},
-    TypeName{"vtkIdType", NumberType::kInt32},
-    TypeName{"float", NumberType::kFloat32},
-    TypeName{"double", NumberType::kFloat64},
+    NumberTypeName{"char", NumberType::kInt8},
+    NumberTypeName{"signed_char", NumberType::kInt8},
+    NumberTypeName{"unsigned_char", NumberType::kUint8},
+    NumberTypeName{"short", NumberType::kInt16},
+    NumberTypeName{"unsigned_short", NumberType::kUint16},
+    NumberTypeName{"int", NumberType::kInt32},
+    NumberTypeName{"unsigned_int", NumberType::kUint32},
+    NumberTypeName{"long", NumberType::kInt64},
+    NumberTypeName{"unsigned_long", NumberType::kUint64},
+    NumberTypeName{"vtktypeint64", NumberType::kInt64},
+    NumberTypeName{"vtktypeuint64", NumberType::kUint64},
+    NumberTypeName{"vtkIdType", NumberType::kInt32},
+    NumberTypeName{"float", NumberType::kFloat32},
+    NumberTypeName{"double", NumberType::kFloat64},
 };
 
 /// Attributes of one array each, by their keyword, with their numbers a point or cell.
@@ -69,35 +64,33 @@ class VtkReader {
                                 : !types_        ? "CELL_TYPES"
                                                  : nullptr;
     if (missing != nullptr)
-      fail(fmt::format("no {} up to here: cut short, or no mesh; copy or export the file again", missing));
-    if (cell_count_ != type_count_)
-      fail(fmt::format("{} CELLS and {} CELL_TYPES; export the file again", cell_count_, type_count_));
+      fail(fmt::format("no {} up to here: cut short, or no mesh", missing), Remedy::kCopyAgain);
+    if (cell_count_ != type_count_) fail(fmt::format("{} CELLS and {} CELL_TYPES", cell_count_, type_count_));
     add_points();
     add_vtk_cells({cell_count_, *connectivity_, ends_, *types_, tags_}, builder_);
     return builder_.finish({});
   }
 
  private:
-  [[noreturn]] void fail(const std::string& message) const {
-    fail_input(*file_, is_binary_ ? Place{"byte", scanner_.position()} : scanner_.place(), message);
+  [[noreturn]] void fail(const std::string& text, Remedy remedy = Remedy::kRepairFile) const {
+    fail_input(*file_, is_binary_ ? Place{"byte", scanner_.position()} : scanner_.place(), text, remedy);
   }
 
   void read_header() {
     if (scanner_.word() != "#" || scanner_.word() != "vtk")
-      scanner_.fail(
-          "does not begin with '# vtk DataFile Version'; this is no VTK file, export it again as one");
+      scanner_.fail("does not begin with '# vtk DataFile Version': this is no VTK file",
+                    Remedy::kExportAgain);
     for (int i = 0; i < 2; ++i) scanner_.word();  // DataFile Version
     const double version = scanner_.number(scanner_.word(), "the version");
     if (!(version >= 1 && version < 6))
-      scanner_.fail("a version that is not known; export it as version 4.2 or 5.1");
+      scanner_.fail("a version that is not known, unlike 4.2 and 5.1", Remedy::kExportAgain);
     new_cells_ = version >= 5;
     scanner_.next_line();
     scanner_.next_line();  // the title
     const std::string_view encoding = scanner_.word();
     is_binary_ = equals_ignoring_case(encoding, "BINARY");
     if (!is_binary_ && !equals_ignoring_case(encoding, "ASCII"))
-      scanner_.fail(
-          fmt::format("{} where ASCII or BINARY should stand; export the file again", in_quotes(encoding)));
+      scanner_.fail(fmt::format("{} where ASCII or BINARY should stand", in_quotes(encoding)));
   }
 
   std::string_view next_keyword() { return scanner_.word_anywhere(); }
@@ -128,27 +121,20 @@ class VtkReader {
   void read_dataset() {
     const std::string_view kind = scanner_.word();
     if (!equals_ignoring_case(kind, "UNSTRUCTURED_GRID"))
-      fail(fmt::format("DATASET {}, where tets are in an UNSTRUCTURED_GRID; export the mesh as one",
-                       in_quotes(kind)));
+      fail(fmt::format("DATASET {}, where tets are in an UNSTRUCTURED_GRID", in_quotes(kind)),
+           Remedy::kExportAgain);
   }
 
   std::uint64_t read_count(const char* what) {
     const std::int64_t count = scanner_.integer(scanner_.word(), what);
-    if (count < 0) fail(fmt::format("{} is {}; repair the file", what, count));
+    if (count < 0) fail(fmt::format("{} is {}", what, count));
     return static_cast<std::uint64_t>(count);
-  }
-
-  static std::optional<NumberType> type_named(std::string_view name) {
-    for (const TypeName& entry : kTypeNames) {
-      if (equals_ignoring_case(entry.name, name)) return entry.type;
-    }
-    return std::nullopt;
   }
 
   NumberType read_type() {
     const std::string_view name = scanner_.word();
-    const auto type = type_named(name);
-    if (!type) fail(fmt::format("{} is no type of numbers; export the file again", in_quotes(name)));
+    const auto type = type_named(kTypeNames, name, equals_ignoring_case);
+    if (!type) fail(fmt::format("{} is no type of numbers", in_quotes(name)));
     return *type;
   }
 
@@ -158,10 +144,9 @@ class VtkReader {
     NumberStream stream =
         is_binary_ ? NumberStream(*file_, scanner_.position(), kSwapped) : NumberStream(scanner_);
     if (count > stream.most_left(type))
-      fail(
-          fmt::format("{} should have {} numbers, but only {} bytes follow: cut short, or damaged; copy or "
-                      "export the file again",
-                      what, count, scanner_.bytes_left()));
+      fail(fmt::format("{} should have {} numbers, but only {} bytes follow: cut short, or damaged", what,
+                       count, scanner_.bytes_left()),
+           Remedy::kCopyAgain);
     const VtkNumbers begin{stream, type};
     stream.skip(type, count);
     scanner_ = is_binary_ ? TextScanner(*file_, {}, stream.position(), scanner_.line()) : stream.scanner();
@@ -171,13 +156,13 @@ class VtkReader {
   /// `rows` of `components` numbers, of which the product may be beyond 64 bits.
   VtkNumbers take_rows(NumberType type, std::uint64_t rows, std::uint64_t components, const char* what) {
     if (components > 0 && rows > file_->bytes().size() / components)
-      fail(fmt::format("{} rows of {} numbers are more than the file can hold; copy or export it again", rows,
-                       components));
+      fail(fmt::format("{} rows of {} numbers are more than the file can hold", rows, components),
+           Remedy::kCopyAgain);
     return take_numbers(type, rows * components, what);
   }
 
   void read_points() {
-    if (points_) fail("a second section POINTS; join the two into one");
+    if (points_) fail("a second section POINTS");
     point_count_ = read_count("the number of POINTS");
     const NumberType type = read_type();
     points_ = take_rows(type, point_count_, 3, "POINTS");
@@ -186,7 +171,7 @@ class VtkReader {
   /// Up to version 4 one array, with each cell's number of points before them; then two, where cells begin
   /// and end and their points.
   void read_cells() {
-    if (connectivity_) fail("a second section CELLS; join the two into one");
+    if (connectivity_) fail("a second section CELLS");
     const std::uint64_t first = read_count("the number of CELLS"), second = read_count("the size of CELLS");
     cell_count_ = first;
     if (!new_cells_) {
@@ -197,13 +182,13 @@ class VtkReader {
     connectivity_ = take_named("CONNECTIVITY", second);
     if (first == 0) return;
     cell_count_ = first - 1;
-    if (ends_->next("an offset") != 0) fail("the first of OFFSETS is not 0; export the file again");
+    if (ends_->next("an offset") != 0) fail("the first of OFFSETS is not 0");
   }
 
   VtkNumbers take_named(const char* name, std::uint64_t count) {
     const std::string_view keyword = scanner_.word_anywhere();
     if (!equals_ignoring_case(keyword, name))
-      fail(fmt::format("{} where {} should stand; export the file again", in_quotes(keyword), name));
+      fail(fmt::format("{} where {} should stand", in_quotes(keyword), name));
     const NumberType type = read_type();
     return take_numbers(type, count, name);
   }
@@ -237,7 +222,7 @@ class VtkReader {
     const std::string_view type = scanner_.word();
     const std::string_view stated = scanner_.word();
     const std::int64_t components = stated.empty() ? 1 : scanner_.integer(stated, "the number of components");
-    if (components < 1) fail(fmt::format("{} components; repair the file", components));
+    if (components < 1) fail(fmt::format("{} components", components));
     // Its line is of no other use here. Files without it have numbers in its place.
     TextScanner ahead = scanner_;
     if (equals_ignoring_case(ahead.word_anywhere(), "LOOKUP_TABLE")) {
@@ -287,14 +272,13 @@ class VtkReader {
       }
       return true;
     }
-    const std::optional<NumberType> type = type_named(type_name);
+    const std::optional<NumberType> type = type_named(kTypeNames, type_name, equals_ignoring_case);
     if (!type) return leave_the_rest(type_name);
     const VtkNumbers numbers = take_rows(*type, rows_, components, shown.c_str());
     if (!in_cell_data_ || !may_be_tags) return true;
     const auto rank = vtk_tag_rank(name, *type, components);
     if (!rank || (tags_ && *rank >= tag_rank_)) return true;
-    if (rows_ != cell_count_)
-      fail(fmt::format("{} rows of cell data for {} cells; export the file again", rows_, cell_count_));
+    if (rows_ != cell_count_) fail(fmt::format("{} rows of cell data for {} cells", rows_, cell_count_));
     tags_ = numbers;
     tag_rank_ = *rank;
     return true;
@@ -303,7 +287,7 @@ class VtkReader {
   /// What cannot be passed over, strings say, is no harm where the mesh is complete.
   bool leave_the_rest(std::string_view word) {
     if (!points_ || !connectivity_ || !types_)
-      fail(fmt::format("{}, which is not known here; export the file without it", in_quotes(word)));
+      fail(fmt::format("{}, which is not known here", in_quotes(word)), Remedy::kExportAgain);
     builder_.warn(fmt::format("{} is not known, and data after it were passed over", in_quotes(word)));
     return false;
   }

@@ -51,17 +51,20 @@ const FileSignature* signature_of(std::string_view bytes) {
   return nullptr;
 }
 
-std::string mend_for(const FileSignature& signature) {
-  return signature.extension.empty() ? "export it as STL, OBJ, PLY or OFF"
-                                     : fmt::format("name it *{}", signature.extension);
+std::string kind_of(const FileSignature& signature) {
+  if (signature.extension.empty()) return std::string(signature.kind);
+  return fmt::format("{} ({})", signature.kind, signature.extension);
+}
+
+Remedy remedy_for(const FileSignature& signature) {
+  return signature.extension.empty() ? Remedy::kConvertFile : Remedy::kRename;
 }
 
 void fail_if_misnamed(const InputFile& file, std::string_view extension) {
   const FileSignature* signature = signature_of(file.bytes());
   if (signature == nullptr || signature->extension == extension) return;
-  fail_input(
-      file, {},
-      fmt::format("is named {} but begins like {}; {}", extension, signature->kind, mend_for(*signature)));
+  fail_input(file, {}, fmt::format("is named {} but begins like {}", extension, kind_of(*signature)),
+             remedy_for(*signature));
 }
 
 }  // namespace crossgrain

@@ -18,8 +18,11 @@ struct FileSignature {
 /// Null where a file begins in no way that is known.
 const FileSignature* signature_of(std::string_view bytes);
 
-/// What to do with such a file.
-std::string mend_for(const FileSignature& signature);
+/// "an STL file (.stl)".
+std::string kind_of(const FileSignature& signature);
+
+/// What to do with such a file that has another name.
+Remedy remedy_for(const FileSignature& signature);
 
 /// Throws Error(kInput) where a file, whose name ends in `extension`, begins like one of another kind.
 void fail_if_misnamed(const InputFile& file, std::string_view extension);

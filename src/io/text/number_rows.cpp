@@ -38,15 +38,16 @@ void for_each_row(const InputFile& file, const Columns& columns, const Take& tak
     std::size_t count = 0;
     for (std::string_view word = scanner.word(); !word.empty(); word = scanner.word()) {
       if (count == columns.count)
-        scanner.fail(fmt::format("{} after the {} numbers of a line; write one item a line", in_quotes(word),
-                                 columns.count));
+        scanner.fail(fmt::format("{} after the {} numbers of a line", in_quotes(word), columns.count),
+                     Remedy::kCorrectLine);
       numbers[count] = scanner.number(word, columns.names[count]);
       ++count;
     }
     if (count == 0) continue;
     if (count < columns.needed)
       scanner.fail(
-          fmt::format("{} is missing; write {} numbers a line", columns.names[count], columns.needed));
+          fmt::format("{} is missing: a line needs {} numbers", columns.names[count], columns.needed),
+          Remedy::kCorrectLine);
     take(scanner, numbers, count);
   } while (scanner.next_line());
 }
@@ -59,7 +60,7 @@ std::vector<Vector3> read_points(const std::filesystem::path& path) {
   for_each_row(file, {{"x", "y", "z", ""}, 3, 3}, [&](const TextScanner&, const auto& row, std::size_t) {
     points.push_back({row[0], row[1], row[2]});
   });
-  if (points.empty()) fail_input(file, {}, "holds no point; write 'x y z' a line");
+  if (points.empty()) fail_input(file, {}, "holds no point ('x y z' on a line)", Remedy::kNone);
   return points;
 }
 
@@ -71,15 +72,16 @@ std::vector<WeightedNormal> read_normals(const std::filesystem::path& path) {
                  const WeightedNormal normal{{row[0], row[1], row[2]}, count == 4 ? row[3] : 1};
                  const double length = norm(normal.normal);
                  if (!(length > 0) || std::isinf(length))
-                   scanner.fail("the normal's length is zero or too large; write a direction");
-                 if (!(normal.weight > 0))
-                   scanner.fail("the weight is not positive; write an area, or leave it out");
+                   scanner.fail("the normal's length is zero or too large", Remedy::kCorrectLine);
+                 if (!(normal.weight > 0)) scanner.fail("the weight is not positive", Remedy::kCorrectLine);
                  if (normal.weight < 1 / kLargestWeight || normal.weight > kLargestWeight)
-                   scanner.fail(fmt::format("the weight is not between {} and {}; write it in other units",
-                                            1 / kLargestWeight, kLargestWeight));
+                   scanner.fail(
+                       fmt::format("the weight is not between {} and {}", 1 / kLargestWeight, kLargestWeight),
+                       Remedy::kCorrectLine);
                  normals.push_back(normal);
                });
-  if (normals.empty()) fail_input(file, {}, "holds no normal; write 'nx ny nz' or 'nx ny nz weight' a line");
+  if (normals.empty())
+    fail_input(file, {}, "holds no normal ('nx ny nz' or 'nx ny nz weight' on a line)", Remedy::kNone);
   return normals;
 }
 

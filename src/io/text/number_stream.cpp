@@ -8,19 +8,22 @@
 #include <bit>
 #include <cstring>
 
+#include "crossgrain/error.hpp"
+
 namespace crossgrain {
 
-void NumberStream::fail(const std::string& message) const {
-  if (scanner_) scanner_->fail(message);
-  if (!array_.empty()) fail_input(*file_, {}, fmt::format("array {}: {}", in_quotes(array_), message));
-  fail_input(*file_, {"byte", position_}, message);
+void NumberStream::fail(const std::string& text, Remedy remedy) const {
+  if (scanner_) scanner_->fail(text, remedy);
+  if (!array_.empty())
+    throw Error(ErrorKind::kInput, {file_->name(), "array " + in_quotes(array_), text, remedy});
+  fail_input(*file_, element_.unit != nullptr ? element_ : Place{"byte", position_}, text, remedy);
 }
 
 template <class T>
 T NumberStream::take() {
   if (bytes_.size() - position_ < sizeof(T))
-    fail(array_.empty() ? "the file ends here: cut short; copy or export it again"
-                        : "holds fewer numbers than it should; export the file again");
+    fail(array_.empty() ? "the file ends here: cut short" : "holds fewer numbers than it should",
+         Remedy::kCopyAgain);
   std::array<char, sizeof(T)> raw;
   std::memcpy(raw.data(), bytes_.data() + position_, sizeof(T));
   if (swapped_) std::reverse(raw.begin(), raw.end());
@@ -54,38 +57,34 @@ std::int64_t NumberStream::binary_integer(NumberType type) {
       // Beyond 63 bits they turn negative, which no index or count may be either.
       return static_cast<std::int64_t>(take<std::uint64_t>());
     default:
-      fail("numbers with decimals where whole ones should stand; export the file again");
+      fail("numbers with decimals where whole ones should stand");
   }
 }
 
 void NumberStream::skip(NumberType type, std::uint64_t count) {
   if (scanner_) {
     for (std::uint64_t i = 0; i < count; ++i) {
-      if (scanner_->word_anywhere().empty())
-        fail("the file ends too early: cut short; copy or export it again");
+      if (scanner_->word_anywhere().empty()) fail("the file ends too early: cut short", Remedy::kCopyAgain);
     }
     return;
   }
   if (count > most_left(type))
-    fail(fmt::format("{} numbers should follow, but there are only {} bytes; copy or export the file again",
-                     count, bytes_.size() - position_));
+    fail(fmt::format("{} numbers should follow, but there are only {} bytes", count, bytes_left()),
+         Remedy::kCopyAgain);
   position_ += count * size_of(type);
 }
 
 std::uint64_t NumberStream::most_left(NumberType type) const {
   // In text a digit and a blank each; one byte more, since the last line may lack its end.
-  if (scanner_) return (scanner_->bytes_left() + 1) / 2;
-  return (bytes_.size() - position_) / size_of(type);
+  return scanner_ ? (bytes_left() + 1) / 2 : bytes_left() / size_of(type);
 }
 
 std::uint64_t NumberStream::checked_count(std::int64_t count, std::uint64_t least, NumberType type,
                                           const std::string& what) const {
-  if (count < 0) fail(fmt::format("{} is {}; repair the file", what, count));
+  if (count < 0) fail(fmt::format("{} is {}", what, count));
   if (static_cast<std::uint64_t>(count) > most_left(type) / least) {
-    const std::size_t left = scanner_ ? scanner_->bytes_left() : bytes_.size() - position_;
-    fail(fmt::format(
-        "{} is {}, but only {} bytes follow: cut short, or damaged; copy or export the file again", what,
-        count, left));
+    fail(fmt::format("{} is {}, but only {} bytes follow: cut short, or damaged", what, count, bytes_left()),
+         Remedy::kCopyAgain);
   }
   return static_cast<std::uint64_t>(count);
 }

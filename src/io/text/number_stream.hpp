@@ -55,12 +55,16 @@ class NumberStream {
     return scanner_ ? scanner_->place() : Place{unit, number};
   }
 
+  /// From here on errors in a binary file name this element instead of a byte.
+  void begin_element(const char* unit, std::size_t number) { element_ = {unit, number}; }
+
   bool is_text() const { return scanner_.has_value(); }
+  std::size_t bytes_left() const { return scanner_ ? scanner_->bytes_left() : bytes_.size() - position_; }
   std::size_t position() const { return scanner_ ? scanner_->position() : position_; }
   const TextScanner& scanner() const { return *scanner_; }
 
-  /// Throws Error(kInput) that names this line, this byte or the array.
-  [[noreturn]] void fail(const std::string& message) const;
+  /// Throws Error(kInput) that names this line, this byte or element, or the array.
+  [[noreturn]] void fail(const std::string& text, Remedy remedy = Remedy::kRepairFile) const;
 
  private:
   double binary_real(NumberType type);
@@ -74,6 +78,7 @@ class NumberStream {
   std::size_t position_ = 0;
   bool swapped_ = false;
   std::string array_;
+  Place element_;
 };
 
 }  // namespace crossgrain

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <type_traits>
 
 namespace crossgrain {
 
@@ -39,6 +45,39 @@ constexpr std::size_t size_of(NumberType type) {
 
 constexpr bool is_integer(NumberType type) {
   return type != NumberType::kFloat32 && type != NumberType::kFloat64;
+}
+
+/// The type that holds values of T.
+template <class T>
+constexpr NumberType number_type_of() {
+  static_assert(std::is_arithmetic_v<T> && sizeof(T) <= 8);
+  if constexpr (std::is_floating_point_v<T>) {
+    return sizeof(T) == 4 ? NumberType::kFloat32 : NumberType::kFloat64;
+  } else if constexpr (std::is_signed_v<T>) {
+    constexpr NumberType kBySize[] = {NumberType::kInt8, NumberType::kInt16, NumberType::kInt32,
+                                      NumberType::kInt64};
+    return kBySize[std::bit_width(sizeof(T)) - 1];
+  } else {
+    constexpr NumberType kBySize[] = {NumberType::kUint8, NumberType::kUint16, NumberType::kUint32,
+                                      NumberType::kUint64};
+    return kBySize[std::bit_width(sizeof(T)) - 1];
+  }
+}
+
+/// What a format calls a type.
+struct NumberTypeName {
+  std::string_view name;
+  NumberType type;
+};
+
+/// The type that a format calls so; nothing where it has none of this name.
+template <class Equal = std::equal_to<>>
+constexpr std::optional<NumberType> type_named(std::span<const NumberTypeName> names, std::string_view name,
+                                               const Equal& equal = {}) {
+  for (const NumberTypeName& entry : names) {
+    if (equal(entry.name, name)) return entry.type;
+  }
+  return std::nullopt;
 }
 
 }  // namespace crossgrain

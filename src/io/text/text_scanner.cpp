@@ -7,7 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 
 namespace crossgrain {
 namespace {
@@ -34,9 +34,27 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// What std::from_chars refuses to round: beyond the range of a double, or below its smallest.
-double out_of_range_value(std::string_view word) {
-  return std::strtod(std::string(word).c_str(), nullptr);
+/// The power of ten behind the 'e' of a number; far out of range where it does not fit into 64 bits.
+std::int64_t power_of_ten(std::string_view digits) {
+  constexpr std::int64_t kFarOut = std::int64_t{1} << 60;
+  if (digits.starts_with('+')) digits.remove_prefix(1);
+  std::int64_t power = 0;
+  const auto [stop, code] = std::from_chars(digits.data(), digits.data() + digits.size(), power);
+  if (code == std::errc::result_out_of_range) power = digits.starts_with('-') ? -kFarOut : kFarOut;
+  return std::clamp(power, -kFarOut, kFarOut);
+}
+
+/// The value of a number that std::from_chars finds out of range, without a value: infinity if it is too
+/// large, zero if it is too small. Not by std::strtod, which follows the locale of the program.
+double out_of_range_value(std::string_view number) {
+  const std::string_view digits = number.substr(0, number.find_first_of("eE"));
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  const std::size_t first = std::min(digits.find_first_of("123456789"), digits.size());
+  // The largest double is near 1e308, the smallest near 5e-324: give or take one, the sign tells.
+  std::int64_t power = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
+  if (digits.size() < number.size()) power += power_of_ten(number.substr(digits.size() + 1));
+  const double magnitude = power > 0 ? std::numeric_limits<double>::infinity() : 0;
+  return number.starts_with('-') ? -magnitude : magnitude;
 }
 
 }  // namespace
@@ -105,7 +123,7 @@ bool TextScanner::next_line() {
 }
 
 double TextScanner::number(std::string_view word, const char* what) const {
-  if (word.empty()) fail(fmt::format("{} is missing; the file is cut short or damaged", what));
+  if (word.empty()) fail(fmt::format("{} is missing: cut short, or damaged", what));
   // from_chars takes a minus sign but no plus sign.
   const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
   double value = 0;
@@ -113,21 +131,19 @@ double TextScanner::number(std::string_view word, const char* what) const {
   const auto [stop, code] = std::from_chars(digits.data(), end, value);
   if (code == std::errc::result_out_of_range) value = out_of_range_value(digits);
   if (code == std::errc::invalid_argument || stop != end)
-    fail(fmt::format("{} where {} should stand; write it as a number with a decimal point", in_quotes(word),
-                     what));
-  if (!std::isfinite(value))
-    fail(fmt::format("{} is {}, not a finite number; repair the file", what, in_quotes(word)));
+    fail(fmt::format("{} where {} should stand, a number with a decimal point", in_quotes(word), what));
+  if (!std::isfinite(value)) fail(fmt::format("{} is {}, not a finite number", what, in_quotes(word)));
   return value;
 }
 
 std::int64_t TextScanner::integer(std::string_view word, const char* what) const {
-  if (word.empty()) fail(fmt::format("{} is missing; the file is cut short or damaged", what));
+  if (word.empty()) fail(fmt::format("{} is missing: cut short, or damaged", what));
   std::int64_t value = 0;
   const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
   const char* end = digits.data() + digits.size();
   const auto [stop, code] = std::from_chars(digits.data(), end, value);
   if (code != std::errc() || stop != end)
-    fail(fmt::format("{} where {} should stand; write it as a whole number", in_quotes(word), what));
+    fail(fmt::format("{} where {} should stand, a whole number", in_quotes(word), what));
   return value;
 }
 

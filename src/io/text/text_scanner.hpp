@@ -44,7 +44,9 @@ class TextScanner {
   const InputFile& file() const { return *file_; }
 
   /// Throws Error(kInput) that names this line.
-  [[noreturn]] void fail(const std::string& message) const { fail_input(*file_, place(), message); }
+  [[noreturn]] void fail(const std::string& text, Remedy remedy = Remedy::kRepairFile) const {
+    fail_input(*file_, place(), text, remedy);
+  }
 
  private:
   bool at_line_end() const;

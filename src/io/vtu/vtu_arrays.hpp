@@ -53,6 +53,38 @@ void add_axes(VtuSection section, std::size_t count, const FrameOf& frame_of, st
   }
 }
 
+/// Where the points of the grid are: point_of(i), i < count.
+template <class PointOf>
+VtuArray points_array(std::size_t count, PointOf point_of) {
+  return vtu_array<double>(
+      VtuSection::kPoints, "Points", 3, count,
+      [point_of = std::move(point_of)](std::size_t begin, std::size_t end, double* out) {
+        for (std::size_t i = begin; i < end; ++i, out += 3) std::ranges::copy(point_of(i), out);
+      },
+      VtuPacking::kMeasured);
+}
+
+/// Numbers that belong to the grid as a whole.
+template <class T>
+VtuArray constant_array(const char* name, std::vector<T> values) {
+  const std::size_t count = values.size();
+  return vtu_array<T>(VtuSection::kFieldData, name, count, 1,
+                      [values = std::move(values)](std::size_t begin, std::size_t end, T* out) {
+                        if (begin < end) std::ranges::copy(values, out);
+                      });
+}
+
+// Types of cells (vtkCellType.h).
+inline constexpr std::uint8_t kVtkLine = 3, kVtkPolyLine = 4, kVtkTriangle = 5, kVtkTet = 10, kVtkVoxel = 11;
+
+/// The types of `cells` cells that are all of one.
+inline VtuArray uniform_types(std::size_t cells, std::uint8_t vtk_type) {
+  return vtu_array<std::uint8_t>(VtuSection::kCells, "types", 1, cells,
+                                 [vtk_type](std::size_t begin, std::size_t end, std::uint8_t* out) {
+                                   std::fill_n(out, end - begin, vtk_type);
+                                 });
+}
+
 /// Whether 32 bits do for a connectivity of `entries` numbers of `points` points, and for its offsets: it
 /// takes half the time then, and less space.
 inline bool fits_32_bits(std::size_t points, std::size_t entries) {
@@ -69,10 +101,7 @@ void add_uniform_cells(std::size_t cells, std::size_t corners, std::uint8_t vtk_
                                       for (std::size_t i = begin; i < end; ++i)
                                         *out++ = static_cast<Index>(corners * (i + 1));
                                     }));
-  arrays.push_back(vtu_array<std::uint8_t>(VtuSection::kCells, "types", 1, cells,
-                                           [vtk_type](std::size_t begin, std::size_t end, std::uint8_t* out) {
-                                             std::fill_n(out, end - begin, vtk_type);
-                                           }));
+  arrays.push_back(uniform_types(cells, vtk_type));
 }
 
 /// Makes the arrays ask the monitor between blocks whether to go on. It must outlive them.

@@ -9,7 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "io/vtu/vtu_types.hpp"
+#include "crossgrain/message.hpp"
+#include "crossgrain/types.hpp"
+#include "files/descriptor.hpp"
+#include "io/vtu/vtu_header.hpp"
 #include "io/vtu/zlib_blocks.hpp"
 
 namespace crossgrain {
@@ -18,54 +21,50 @@ namespace crossgrain {
 /// in another encoding, and a file cut short throw Error(kInput).
 class VtuFile {
  public:
-  struct Array {
-    VtuSection section;
-    std::string name;
-    VtuType type;
-    std::size_t components;
-    std::uint64_t offset;  ///< from the begin of the data
-  };
+  using Array = VtuHeader::Array;
 
   explicit VtuFile(const std::filesystem::path& path);
-  ~VtuFile();
-  VtuFile(const VtuFile&) = delete;
-  VtuFile& operator=(const VtuFile&) = delete;
 
   const std::string& name() const { return name_; }
-  std::size_t points() const { return points_; }
-  std::size_t cells() const { return cells_; }
-  const std::vector<Array>& arrays() const { return arrays_; }
+  std::size_t points() const { return header_.points; }
+  std::size_t cells() const { return header_.cells; }
+  const std::vector<Array>& arrays() const { return header_.arrays; }
 
   /// Null where there is none.
-  const Array* find(VtuSection section, std::string_view name) const;
+  const Array* find(VtuSection section, std::string_view name) const { return header_.find(section, name); }
 
   /// All values of an array, row after row. Throws Error(kInput) where it is missing, of another type or
   /// number of components, damaged, or of another length than the grid.
   template <class T>
   std::vector<T> read(VtuSection section, std::string_view name, std::size_t components) const {
-    const Array& array = require(section, name, vtu_type_of<T>(), components);
+    const Array& array = require(section, name, number_type_of<T>(), components);
     const ZlibBlocks blocks = locate(array);
     std::vector<T> values(blocks.raw_bytes / sizeof(T));
     inflate(array, blocks, reinterpret_cast<char*>(values.data()));
     return values;
   }
 
+  /// The positions of all points. Throws Error(kInput) as `read` does, and where a coordinate is not a number
+  /// or not of a size below `limit`.
+  std::vector<Vector3> read_points(double limit) const;
+
+  /// Whether numbers of points and offsets of cells have 64 bits; 32 where they fit (fits_32_bits).
+  bool has_wide_indices() const;
+
  private:
-  void parse_header(const std::string& header);
+  void parse_header(const std::string& text);
   std::string read_header() const;
-  const Array& require(VtuSection section, std::string_view name, VtuType type, std::size_t components) const;
+  const Array& require(VtuSection section, std::string_view name, NumberType type,
+                       std::size_t components) const;
   ZlibBlocks locate(const Array& array) const;
   void inflate(const Array& array, const ZlibBlocks& blocks, char* out) const;
   void read_at(std::uint64_t offset, void* out, std::size_t bytes) const;
-  [[noreturn]] void fail(const std::string& message) const;
+  [[noreturn]] void fail(const std::string& text, Remedy remedy = Remedy::kSolveAgain) const;
 
   std::string name_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::uint64_t file_bytes_ = 0;
-  std::uint64_t data_begin_ = 0;
-  std::size_t points_ = 0;
-  std::size_t cells_ = 0;
-  std::vector<Array> arrays_;
+  VtuHeader header_;
 };
 
 }  // namespace crossgrain

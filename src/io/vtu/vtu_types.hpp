@@ -24,63 +24,19 @@
 
 namespace crossgrain {
 
-using VtuType = NumberType;
-
-struct VtuTypeInfo {
-  VtuType type;
-  std::string_view name;
-  std::size_t bytes;
+inline constexpr std::array kVtuTypeNames = {
+    NumberTypeName{"Float32", NumberType::kFloat32}, NumberTypeName{"Float64", NumberType::kFloat64},
+    NumberTypeName{"Int32", NumberType::kInt32},     NumberTypeName{"Int64", NumberType::kInt64},
+    NumberTypeName{"UInt8", NumberType::kUint8},     NumberTypeName{"UInt32", NumberType::kUint32},
+    NumberTypeName{"UInt64", NumberType::kUint64},   NumberTypeName{"Int8", NumberType::kInt8},
+    NumberTypeName{"Int16", NumberType::kInt16},     NumberTypeName{"UInt16", NumberType::kUint16},
 };
 
-inline constexpr std::array kVtuTypes = {
-    VtuTypeInfo{VtuType::kFloat32, "Float32", 4}, VtuTypeInfo{VtuType::kFloat64, "Float64", 8},
-    VtuTypeInfo{VtuType::kInt32, "Int32", 4},     VtuTypeInfo{VtuType::kInt64, "Int64", 8},
-    VtuTypeInfo{VtuType::kUint8, "UInt8", 1},     VtuTypeInfo{VtuType::kUint32, "UInt32", 4},
-    VtuTypeInfo{VtuType::kUint64, "UInt64", 8},   VtuTypeInfo{VtuType::kInt8, "Int8", 1},
-    VtuTypeInfo{VtuType::kInt16, "Int16", 2},     VtuTypeInfo{VtuType::kUint16, "UInt16", 2},
-};
-
-constexpr std::optional<VtuType> vtu_type_named(std::string_view name) {
-  for (const VtuTypeInfo& info : kVtuTypes) {
-    if (info.name == name) return info.type;
+constexpr std::string_view vtu_name_of(NumberType type) {
+  for (const NumberTypeName& entry : kVtuTypeNames) {
+    if (entry.type == type) return entry.name;
   }
-  return std::nullopt;
-}
-
-constexpr const VtuTypeInfo& info_of(VtuType type) {
-  return kVtuTypes[static_cast<std::size_t>(type)];
-}
-
-/// The type that holds values of T.
-template <class T>
-constexpr VtuType vtu_type_of();
-template <>
-constexpr VtuType vtu_type_of<float>() {
-  return VtuType::kFloat32;
-}
-template <>
-constexpr VtuType vtu_type_of<double>() {
-  return VtuType::kFloat64;
-}
-template <>
-constexpr VtuType vtu_type_of<std::int32_t>() {
-  return VtuType::kInt32;
-}
-template <>
-constexpr VtuType vtu_type_of<std::int64_t>() {
-  return VtuType::kInt64;
-}
-template <>
-constexpr VtuType vtu_type_of<std::uint8_t>() {
-  return VtuType::kUint8;
-}
-template <>
-constexpr VtuType vtu_type_of<std::uint32_t>() {
-  return VtuType::kUint32;
-}
-template <>
-constexpr VtuType vtu_type_of<std::uint64_t>() {
-  return VtuType::kUint64;
+  return {};
 }
 
 /// Where an array stands in the file, in the order of the file. kPoints holds the one array of positions;

@@ -78,7 +78,7 @@ class VtuWriter {
       const VtuArray& array = arrays_[i];
       if (array.section != section) continue;
       file_.write(fmt::format("      <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" ",
-                              info_of(array.type).name, escaped(array.name), array.components));
+                              vtu_name_of(array.type), escaped(array.name), array.components));
       if (section == VtuSection::kFieldData) file_.write(fmt::format("NumberOfTuples=\"{}\" ", array.tuples));
       file_.write("format=\"appended\" ");
       offset_places_[i] = file_.position();
@@ -88,7 +88,7 @@ class VtuWriter {
   }
 
   void write_data(const VtuArray& array) {
-    const std::size_t row_bytes = array.components * info_of(array.type).bytes;
+    const std::size_t row_bytes = array.components * size_of(array.type);
     // Whole rows, so that a block is a range of rows.
     const std::size_t block_rows = std::max<std::size_t>(1, kBlockBytes / row_bytes);
     const std::size_t blocks = (array.tuples + block_rows - 1) / block_rows;

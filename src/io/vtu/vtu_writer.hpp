@@ -23,7 +23,7 @@ namespace crossgrain {
 struct VtuArray {
   VtuSection section;
   std::string name;
-  VtuType type;
+  NumberType type;
   std::size_t components;
   std::size_t tuples;
   /// Writes rows [begin, end) to `out`; called for disjoint ranges at once from several threads. `out` is
@@ -38,7 +38,7 @@ VtuArray vtu_array(VtuSection section, std::string name, std::size_t components,
                    Produce produce, VtuPacking packing = VtuPacking::kRepetitions) {
   return {section,
           std::move(name),
-          vtu_type_of<T>(),
+          number_type_of<T>(),
           components,
           tuples,
           [produce = std::move(produce)](std::size_t begin, std::size_t end, void* out) {

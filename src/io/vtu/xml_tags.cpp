@@ -9,6 +9,7 @@ namespace crossgrain {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kNameEnds = " \t\r\n=/>";
 
 std::string unescaped(std::string_view text) {
   constexpr std::array<std::pair<std::string_view, char>, 5> kEntities = {
@@ -37,30 +38,36 @@ void XmlTags::skip_blanks() {
 /// Moves behind the next '<' that opens a tag; false at the end of the text.
 bool XmlTags::skip_markup_but_tags() {
   for (;;) {
-    position_ = text_.find('<', position_);
-    if (position_ == std::string_view::npos) break;
+    position_ = std::min(text_.find('<', position_), text_.size());
+    if (position_ == text_.size()) return false;
     const std::string_view rest = text_.substr(position_);
     const std::string_view closing = rest.starts_with("<!--") ? "-->" : rest.starts_with("<?") ? "?>" : "";
     if (closing.empty()) {
       ++position_;
       return true;
     }
-    position_ = text_.find(closing, position_);
-    if (position_ == std::string_view::npos) break;
+    const std::size_t closed = text_.find(closing, position_);
+    malformed_ = closed == std::string_view::npos;
+    if (malformed_) return false;
+    position_ = closed;
   }
-  position_ = text_.size();
-  return false;
 }
 
 std::optional<XmlTag> XmlTags::next() {
-  if (!skip_markup_but_tags()) return std::nullopt;
-  const std::size_t name_end = text_.find_first_of(" \t\r\n/>", position_ + 1);
-  if (name_end == std::string_view::npos) return std::nullopt;
+  if (malformed_ || !skip_markup_but_tags()) return std::nullopt;
   XmlTag tag;
-  tag.name = text_.substr(position_, name_end - position_);
-  position_ = name_end;
-  if (!parse_attributes(tag)) return std::nullopt;
+  malformed_ = !parse_name(tag) || !parse_attributes(tag);
+  if (malformed_) return std::nullopt;
   return tag;
+}
+
+bool XmlTags::parse_name(XmlTag& tag) {
+  const std::size_t letters = position_ + (text_.substr(position_).starts_with('/') ? 1 : 0);
+  const std::size_t end = text_.find_first_of(kNameEnds, letters);
+  if (end == std::string_view::npos || end == letters || text_[end] == '=') return false;
+  tag.name = text_.substr(position_, end - position_);
+  position_ = end;
+  return true;
 }
 
 bool XmlTags::parse_attributes(XmlTag& tag) {
@@ -69,21 +76,30 @@ bool XmlTags::parse_attributes(XmlTag& tag) {
     if (position_ >= text_.size()) return false;
     if (text_[position_] == '/') {
       ++position_;
-      continue;
-    }
-    if (text_[position_] == '>') {
+    } else if (text_[position_] == '>') {
       ++position_;
       return true;
+    } else if (!parse_attribute(tag)) {
+      return false;
     }
-    const std::size_t equals = text_.find('=', position_);
-    if (equals == std::string_view::npos || equals + 1 >= text_.size()) return false;
-    const char quote = text_[equals + 1];
-    const std::size_t end = text_.find(quote, equals + 2);
-    if ((quote != '"' && quote != '\'') || end == std::string_view::npos) return false;
-    tag.attributes[std::string(text_.substr(position_, equals - position_))] =
-        unescaped(text_.substr(equals + 2, end - equals - 2));
-    position_ = end + 1;
   }
+}
+
+/// A name, '=' and a value in quotes; blanks may stand around '='.
+bool XmlTags::parse_attribute(XmlTag& tag) {
+  const std::size_t begin = position_;
+  position_ = std::min(text_.find_first_of(kNameEnds, position_), text_.size());
+  const std::string_view name = text_.substr(begin, position_ - begin);
+  skip_blanks();
+  if (name.empty() || position_ >= text_.size() || text_[position_] != '=') return false;
+  ++position_;
+  skip_blanks();
+  if (position_ >= text_.size() || (text_[position_] != '"' && text_[position_] != '\'')) return false;
+  const std::size_t end = text_.find(text_[position_], position_ + 1);
+  if (end == std::string_view::npos) return false;
+  tag.attributes[std::string(name)] = unescaped(text_.substr(position_ + 1, end - position_ - 1));
+  position_ = end + 1;
+  return true;
 }
 
 }  // namespace crossgrain

@@ -23,19 +23,26 @@ class XmlTags {
  public:
   explicit XmlTags(std::string_view text) : text_(text) {}
 
-  /// The next tag; nothing at the end of the text or where a tag is malformed.
+  /// The next tag; nothing at the end of the text or where it is malformed.
   std::optional<XmlTag> next();
 
-  /// The byte after the last tag.
+  /// Whether `next` ended at what is no XML, or in the middle of a tag or comment, not at the end of the
+  /// text.
+  bool malformed() const { return malformed_; }
+
+  /// The byte after the last tag, or the one where the text is malformed.
   std::size_t position() const { return position_; }
 
  private:
   bool skip_markup_but_tags();
+  bool parse_name(XmlTag& tag);
   bool parse_attributes(XmlTag& tag);
+  bool parse_attribute(XmlTag& tag);
   void skip_blanks();
 
   std::string_view text_;
   std::size_t position_ = 0;
+  bool malformed_ = false;
 };
 
 }  // namespace crossgrain

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The keys of report.json that the page shows; docs/report.md says what each one means. All may be missing: pages of other versions,
-// and of fields made by the library, still show what there is.
+// and of fields made by the library, still show what there is. Numbers that are not finite are null.
 
 import type { Vector } from "../math/frame.ts";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Making elements, and numbers as people read them.
+// Making elements, and numbers as people read them: a dash for those that the report has null for, since they are not finite.
 
 type Child = Node | string | null | undefined | false;
 type Attributes = Record<string, string | number | boolean | undefined | ((event: Event) => void)>;
@@ -44,9 +44,10 @@ export function measured(value: number, digits = 3): string {
 export const superscript = (value: number): string =>
   String(value).replace(/[-0-9]/g, (digit) => (digit === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]));
 
-export const degrees = (value: number): string => `${value.toFixed(value < 10 ? 2 : 1)}°`;
+export const degrees = (value: number): string => (Number.isFinite(value) ? `${value.toFixed(value < 10 ? 2 : 1)}°` : "–");
 
 export function duration(seconds: number): string {
+  if (!Number.isFinite(seconds)) return "–";
   if (seconds < 1) return `${Math.max(1, Math.round(seconds * 1000))} ms`;
   if (seconds < 100) return `${measured(seconds)} s`;
   return `${Math.floor(seconds / 60)} min ${Math.round(seconds % 60)} s`;

@@ -88,7 +88,7 @@ export function key_numbers(report: Report): HTMLElement {
   if (last) list.append(number("Cells", counted(last.active_cells), `depth ${last.depth}`, "number-cells"));
   if (report.energy) {
     const { total, smoothness } = report.energy;
-    list.append(number("Energy", measured(total, 4), `${total > 0 ? Math.round((100 * smoothness) / total) : 100} % smoothness`, "number-energy"));
+    list.append(number("Energy", measured(total, 4), Number.isFinite(total) ? `${total > 0 ? Math.round((100 * smoothness) / total) : 100} % smoothness` : "", "number-energy"));
   }
   const singular = report.singularity;
   if (singular) {

@@ -95,7 +95,7 @@ double longest_side_at_most(const TopoDS_Shape& shape) {
   const bool use_triangulation = false;
   BRepBndLib::Add(shape, box, use_triangulation);
   if (box.IsVoid()) return 0;
-  if (box.IsOpen()) throw Fault("has a face or curve without bounds; trim it and export it again");
+  if (box.IsOpen()) throw Fault("has a face or curve without bounds", Remedy::kExportAgain);
   double low[3], high[3];
   box.Get(low[0], low[1], low[2], high[0], high[1], high[2]);
   return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
@@ -104,7 +104,7 @@ double longest_side_at_most(const TopoDS_Shape& shape) {
 Bodies find_bodies(const TopoDS_Shape& shape) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  if (faces.IsEmpty()) throw Fault("holds no faces, only curves or points; export the part as a solid");
+  if (faces.IsEmpty()) throw Fault("holds no faces, only curves or points", Remedy::kExportAgain);
 
   Bodies result;
   result.whole = shape;

@@ -31,9 +31,10 @@ EdgeNodes::EdgeNodes(const Bodies& bodies)
 std::uint32_t EdgeNodes::add(const gp_Pnt& point) {
   const Vector3 position{point.X(), point.Y(), point.Z()};
   for (const double coordinate : position) {
-    if (!std::isfinite(coordinate)) throw Fault("has a point at infinity; repair it or export it again");
+    if (!std::isfinite(coordinate)) throw Fault("has a point at infinity");
   }
-  if (positions_.size() >= kNone) throw Fault("takes more than 4294967295 vertices; take larger cells");
+  if (positions_.size() >= kNone)
+    throw Fault("takes more than 4294967295 vertices", Remedy::kLowerResolution);
   positions_.push_back(position);
   return static_cast<std::uint32_t>(positions_.size() - 1);
 }

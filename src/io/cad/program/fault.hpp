@@ -2,13 +2,21 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
+
+#include "crossgrain/message.hpp"
 
 namespace crossgrain {
 
-/// What is wrong with a CAD file, and the mend. It does not leave the program.
+/// What is wrong with a CAD file. It does not leave the program.
 class Fault : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Fault(const std::string& text, Remedy remedy = Remedy::kRepairFile)
+      : std::runtime_error(text), remedy_(remedy) {}
+  Remedy remedy() const noexcept { return remedy_; }
+
+ private:
+  Remedy remedy_;
 };
 
 }  // namespace crossgrain

@@ -48,15 +48,16 @@ std::string one_line(std::string text) {
 CadAnswer given_up(const char* reason) {
   return {CadEnd::kFault,
           {},
-          fmt::format("OpenCASCADE gives up on it ({}); repair it or export it again",
-                      reason == nullptr || *reason == '\0' ? "for no reason given" : one_line(reason))};
+          {fmt::format("OpenCASCADE gives up on it ({})",
+                       reason == nullptr || *reason == '\0' ? "for no reason given" : one_line(reason)),
+           Remedy::kRepairFile}};
 }
 
 CadAnswer answer_to(const CadRequest& request) {
   try {
     return {CadEnd::kMesh, read(request), {}};
   } catch (const Fault& fault) {
-    return {CadEnd::kFault, {}, one_line(fault.what())};
+    return {CadEnd::kFault, {}, {one_line(fault.what()), fault.remedy()}};
   } catch (const Standard_OutOfMemory&) {
     return {CadEnd::kOutOfMemory, {}, {}};
   } catch (const Standard_Failure& failure) {

@@ -58,8 +58,7 @@ void refuse_damaged_geometry(const Handle(Interface_InterfaceModel) & model) {
     const std::string_view type = entity->DynamicType()->Name();
     const auto begins = [type](std::string_view beginning) { return type.starts_with(beginning); };
     if (std::none_of(kGeometry.begin(), kGeometry.end(), begins)) continue;
-    throw Fault(fmt::format("entity {} is damaged; repair it or export it again",
-                            model->StringLabel(entity)->ToCString()));
+    throw Fault(fmt::format("entity {} is damaged", model->StringLabel(entity)->ToCString()));
   }
 }
 
@@ -72,7 +71,7 @@ CadShape read_step_shape(const std::string& path) {
   STEPControl_Reader reader;
   ask_for_millimetres();
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    throw Fault("is damaged, or no STEP file that OpenCASCADE can read; export it again");
+    throw Fault("is damaged, or no STEP file that OpenCASCADE can read", Remedy::kExportAgain);
   refuse_damaged_geometry(reader.Model());
   CadShape result;
   result.unit = kUnit;
@@ -103,7 +102,7 @@ CadShape read_iges_shape(const std::string& path) {
   IGESControl_Reader reader;
   ask_for_millimetres();
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    throw Fault("is damaged, or no IGES file that OpenCASCADE can read; export it again");
+    throw Fault("is damaged, or no IGES file that OpenCASCADE can read", Remedy::kExportAgain);
   refuse_damaged_geometry(reader.Model());
   CadShape result;
   result.unit = kUnit;
@@ -129,7 +128,7 @@ CadShape read_brep_shape(const std::string& path) {
   } else {
     done = BRepTools::Read(result.shape, path.c_str(), BRep_Builder());
   }
-  if (!done) throw Fault("is damaged, or no BREP file that OpenCASCADE can read; export it again");
+  if (!done) throw Fault("is damaged, or no BREP file that OpenCASCADE can read", Remedy::kExportAgain);
   return result;
 }
 
@@ -139,7 +138,7 @@ CadShape read_shape(const std::string& path, CadFormat format) {
   CadShape result = format == CadFormat::kStep   ? read_step_shape(path)
                     : format == CadFormat::kIges ? read_iges_shape(path)
                                                  : read_brep_shape(path);
-  if (result.shape.IsNull()) throw Fault("holds no shapes that could be read; export it again, as a solid");
+  if (result.shape.IsNull()) throw Fault("holds no shapes that could be read", Remedy::kExportAgain);
   return result;
 }
 

@@ -78,8 +78,7 @@ class Tessellation {
                use.reversed != inside_out);
       sharp.add(body.shape, inside_out);
     }
-    if (mesh_.triangles.empty())
-      throw Fault("none of its faces could be cut into triangles; repair it or export it again");
+    if (mesh_.triangles.empty()) throw Fault("none of its faces could be cut into triangles");
     mesh_.creases = sharp.creases(nodes_);
     warn_of_missing_faces();
     return std::move(mesh_);

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crossgrain/message.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "crossgrain/error.hpp"
+
+namespace crossgrain {
+namespace {
+
+struct Wording {
+  Remedy remedy;
+  const char* name;
+  const char* words;
+};
+
+constexpr Wording kWordings[] = {
+    {Remedy::kNone, "none", ""},
+    {Remedy::kCheckPath, "check_path", "check the path"},
+    {Remedy::kCheckDisk, "check_disk", "check the path and the disk"},
+    {Remedy::kAllowReading, "allow_reading", "make it readable (chmod +r)"},
+    {Remedy::kGiveFile, "give_file", "give a regular file"},
+    {Remedy::kCopyAgain, "copy_again", "copy or export it again"},
+    {Remedy::kRepairFile, "repair_file", "repair it or export it again"},
+    {Remedy::kExportAgain, "export_again", "export it again"},
+    {Remedy::kCorrectLine, "correct_line", "correct that line"},
+    {Remedy::kRename, "rename", "rename it to match what it holds"},
+    {Remedy::kConvertFile, "convert_file", "export it in a format that can be read"},
+    {Remedy::kTriangulate, "triangulate", "triangulate the surface where it was made"},
+    {Remedy::kCutIntoTets, "cut_into_tets", "cut the solid into tets and export it again"},
+    {Remedy::kSimplify, "simplify", "simplify it"},
+    {Remedy::kSimplifyOrAllowMemory, "simplify_or_allow_memory", "simplify it, or allow more memory"},
+    {Remedy::kAllowMemory, "allow_memory", "allow more memory"},
+    {Remedy::kFreeMemory, "free_memory", "close other programs, or simplify it"},
+    {Remedy::kAllowReadTime, "allow_read_time", "repair it and export it again, or allow more time"},
+    {Remedy::kInstallCadReader, "install_cad_reader",
+     "install libocct-data-exchange-dev and libocct-modeling-algorithms-dev, build Crossgrain again and "
+     "install it as a whole, or export the model as STL"},
+    {Remedy::kInstallOpenCascade, "install_opencascade",
+     "install libocct-data-exchange-7.6, or build Crossgrain again where another version of OpenCASCADE is "
+     "installed"},
+    {Remedy::kReinstall, "reinstall", "install Crossgrain again as a whole"},
+    {Remedy::kSolveAgain, "solve_again", "solve again"},
+    {Remedy::kCopyOrSolveAgain, "copy_or_solve_again", "copy it again, or solve again"},
+    {Remedy::kGiveFieldFolder, "give_field_folder", "give a folder that a field was written to"},
+    {Remedy::kGiveModel, "give_model", "give the mesh or surface itself"},
+    {Remedy::kTraceStreamlines, "trace_streamlines", "trace streamlines and write them to it"},
+    {Remedy::kContinueSolve, "continue_solve", "a solve that starts from this field goes on from here"},
+    {Remedy::kUseWrittenMesh, "use_written_mesh", "take the mesh from onto.vtu"},
+    {Remedy::kCloseSurface, "close_surface", "close it, or give it thickness"},
+    {Remedy::kRescale, "rescale", "rescale it"},
+    {Remedy::kMoveToOrigin, "move_to_origin", "move it to the origin"},
+    {Remedy::kMatchUnits, "match_units", "give both in the same unit and place"},
+    {Remedy::kRemoveElement, "remove_element", "remove it, or export the mesh again"},
+    {Remedy::kRemoveOverlaps, "remove_overlaps", "remove the tets that overlap others"},
+    {Remedy::kMergeVertices, "merge_vertices", "merge equal vertices to join the parts"},
+    {Remedy::kGlueSolids, "glue_solids", "glue the solids"},
+    {Remedy::kSeparateSolids, "separate_solids", "cut one from the other"},
+    {Remedy::kSplitTets, "split_tets", "split the tets around it"},
+    {Remedy::kGiveSolvedSurface, "give_solved_surface", "give the one that the field was solved for"},
+    {Remedy::kRaiseResolution, "raise_resolution", "raise the resolution, or take smaller cells"},
+    {Remedy::kLowerResolution, "lower_resolution", "lower the resolution, or take larger cells"},
+    {Remedy::kUseLessMemory, "use_less_memory",
+     "lower the resolution, take larger cells or allow more memory"},
+    {Remedy::kTurnView, "turn_view", "choose another view or cut"},
+    {Remedy::kNameOutput, "name_output", "name one"},
+    {Remedy::kChooseWritablePlace, "choose_writable_place", "choose a place you may write to"},
+    {Remedy::kFreeSpace, "free_space", "free some space, or choose another disk"},
+    {Remedy::kMakeFolder, "make_folder", "make that folder, or choose another"},
+    {Remedy::kCheckOutputDisk, "check_output_disk", "check the disk, or choose another place"},
+    {Remedy::kClearPlace, "clear_place", "remove it, or choose another place"},
+    {Remedy::kReportModel, "report_model", "please report the model that brought it about"},
+};
+
+constexpr bool has_all_in_order() {
+  for (std::size_t k = 0; k < std::size(kWordings); ++k)
+    if (kWordings[k].remedy != static_cast<Remedy>(k)) return false;
+  return kWordings[std::size(kWordings) - 1].remedy == Remedy::kReportModel;
+}
+static_assert(has_all_in_order());
+
+/// Null for numbers that stand for no remedy.
+const Wording* wording_of(Remedy remedy) {
+  const auto index = static_cast<std::size_t>(remedy);
+  return index < std::size(kWordings) ? &kWordings[index] : nullptr;
+}
+
+}  // namespace
+
+const char* words_of(Remedy remedy) {
+  const Wording* const wording = wording_of(remedy);
+  return wording == nullptr ? "" : wording->words;
+}
+
+const char* name_of(Remedy remedy) {
+  const Wording* const wording = wording_of(remedy);
+  return wording == nullptr ? "" : wording->name;
+}
+
+std::string sentence_of(const Message& message) {
+  return sentence_of(message, words_of(message.remedy));
+}
+
+std::string sentence_of(const Message& message, const std::string& remedy_words) {
+  std::string sentence;
+  for (const std::string* part : {&message.file, &message.place})
+    if (!part->empty()) sentence += *part + ": ";
+  sentence += message.text;
+  if (!remedy_words.empty()) sentence += "; " + remedy_words;
+  return sentence;
+}
+
+Error Error::with_file(std::string file) const {
+  Message message = message_;
+  message.file = std::move(file);
+  return {kind_, std::move(message)};
+}
+
+}  // namespace crossgrain

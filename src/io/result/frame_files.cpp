@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/result/frame_files.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "base/quaternion.hpp"
+#include "io/result/tet_writers.hpp"
+#include "io/text/text_lines.hpp"
+#include "sampling/orthonormal_frame.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr std::size_t kFrameBytes = 9 * kNumberBytes;
+
+/// `between` stands after each of the first two axes: a blank, or the end of a line.
+char* put_frame(char* out, const Frame& frame, char between) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Vector3& v = frame.axes[axis];
+    out = put_number(out, v[0], ' ');
+    out = put_number(out, v[1], ' ');
+    out = put_number(out, v[2], axis == 2 ? '\n' : between);
+  }
+  return out;
+}
+
+void write_axes(OutputFile& file, const std::vector<Quaternion>& frames, char between,
+                const Monitor& monitor) {
+  const auto put = [&](std::size_t i, char* out) {
+    return put_frame(out, orthonormal_frame(frames[i]), between);
+  };
+  write_text_lines(file, frames.size(), kFrameBytes, put, monitor);
+}
+
+void write_quaternions(OutputFile& file, const std::vector<Quaternion>& frames, const Monitor& monitor) {
+  const auto put = [&](std::size_t i, char* out) {
+    const Quaternion& q = frames[i];
+    out = put_number(out, q.w, ' ');
+    out = put_number(out, q.x, ' ');
+    out = put_number(out, q.y, ' ');
+    return put_number(out, q.z, '\n');
+  };
+  write_text_lines(file, frames.size(), 4 * kNumberBytes, put, monitor);
+  file.finish();
+}
+
+}  // namespace
+
+void write_frame_lines(OutputFile& file, std::span<const Frame> frames) {
+  write_text_lines(file, frames.size(), kFrameBytes,
+                   [&](std::size_t i, char* out) { return put_frame(out, frames[i], ' '); });
+}
+
+void write_vertex_axes(OutputFile& file, const TetOutput& output, const Monitor& monitor) {
+  write_axes(file, output.field.vertex_frames, ' ', monitor);
+  file.finish();
+}
+
+void write_fra(OutputFile& file, const TetOutput& output, const Monitor& monitor) {
+  file.write(fmt::format("FRA 1\n{} 3 1\n", output.field.tet_frames.size()));
+  write_axes(file, output.field.tet_frames, '\n', monitor);
+  file.finish();
+}
+
+void write_frame(OutputFile& file, const TetOutput& output, const Monitor& monitor) {
+  file.write(fmt::format("FRAME\n{}\n", output.field.tet_frames.size()));
+  write_axes(file, output.field.tet_frames, ' ', monitor);
+  file.write("END\n");
+  file.finish();
+}
+
+void write_vertex_quaternions(OutputFile& file, const TetOutput& output, const Monitor& monitor) {
+  write_quaternions(file, output.field.vertex_frames, monitor);
+}
+
+void write_tet_quaternions(OutputFile& file, const TetOutput& output, const Monitor& monitor) {
+  write_quaternions(file, output.field.tet_frames, monitor);
+}
+
+}  // namespace crossgrain
