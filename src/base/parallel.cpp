@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <mutex>
 #ifdef CROSSGRAIN_STD_THREADS
 #include <atomic>
 #include <exception>
-#include <mutex>
 #include <thread>
 #else
 #include <oneapi/tbb/parallel_for.h>
@@ -24,6 +24,36 @@ struct ThreadArena {
 };
 
 namespace {
+
+/// The arenas that no limit holds. They are kept for the next limits of their size, as many as there were
+/// limits at once: oneTBB 2021.8 never frees some 7 kB of each arena that is destroyed.
+class SpareArenas {
+ public:
+  std::unique_ptr<ThreadArena> take(int threads) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(arenas_.begin(), arenas_.end(),
+                                    [&](const auto& arena) { return arena->threads == threads; });
+    if (found == arenas_.end()) return std::unique_ptr<ThreadArena>(new ThreadArena{threads});
+    std::unique_ptr<ThreadArena> arena = std::move(*found);
+    arenas_.erase(found);
+    return arena;
+  }
+
+  void keep(std::unique_ptr<ThreadArena> arena) {
+    const std::lock_guard lock(mutex_);
+    arenas_.push_back(std::move(arena));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<ThreadArena>> arenas_;
+};
+
+/// Never destroyed: threads may end after static objects have.
+SpareArenas& spare_arenas() {
+  static auto* const arenas = new SpareArenas;
+  return *arenas;
+}
 
 // Both are those of the loops that this thread starts. Threads of the pool that help with a loop have none of
 // their own, whichever computation they help: nothing leaks from one to another.
@@ -97,13 +127,14 @@ void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
 ThreadLimit::ThreadLimit(int threads) : before_(t_arena) {
   if (threads <= 0 || (before_ != nullptr && before_->threads <= threads)) return;
   // More threads than the machine has gain nothing and cost memory each.
-  arena_.reset(new ThreadArena{std::min(threads, most_threads())});
+  arena_ = spare_arenas().take(std::min(threads, most_threads()));
   t_arena = arena_.get();
 }
 
 ThreadLimit::~ThreadLimit() {
   assert(t_arena == (arena_ ? arena_.get() : before_));
   t_arena = before_;
+  if (arena_) spare_arenas().keep(std::move(arena_));
 }
 
 WatchedLoops::WatchedLoops(const Monitor& monitor, Stops stops)

@@ -13,6 +13,7 @@
 #include <string>
 #include <thread>
 
+#include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
 
 namespace crossgrain {
@@ -173,6 +174,23 @@ TEST(ThreadLimit, EndsWithItsScope) {
     EXPECT_EQ(threads_of_two_chunks(kInVain).size(), 1u);
   }
   EXPECT_EQ(threads_of_two_chunks(kUntilItComes).size(), 2u);
+}
+
+TEST(ThreadLimit, MayBeMadeAnyNumberOfTimes) {
+  std::atomic<std::size_t> visits = 0;
+  const auto make = [&](int times) {
+    for (int k = 0; k < times; ++k) {
+      const ThreadLimit limit(1 + k % 2);
+      parallel_for(
+          4, [&](std::size_t) { ++visits; }, 1);
+    }
+  };
+  make(100);
+  const std::size_t before = current_memory_bytes();
+  make(20000);
+  EXPECT_EQ(visits, 4 * 20100u);
+  // Arenas of oneTBB that are made anew keep seventy megabytes.
+  EXPECT_LT(current_memory_bytes(), before + 20'000'000);
 }
 
 TEST(ThreadLimit, HoldsForLoopsInsideLoops) {
