@@ -38,7 +38,7 @@ AskedAxes asked_axes(const Constraints& constraints, const Solid& solid, const G
 /// The counts of `asked`, and angles between what is asked for and the nearest axis of the field there.
 SolveReport::Constraints constraint_report(const AskedAxes& asked, const Sampler& sampler);
 
-/// One sentence for SolveReport::warnings of what is outside; empty where nothing is.
-std::string outside_constraints_warning(const AskedAxes& asked);
+/// A warning of what is outside; none where nothing is. `source`: of the constraints.
+std::optional<Warning> outside_constraints_warning(const AskedAxes& asked, const std::string& source);
 
 }  // namespace crossgrain

@@ -27,7 +27,7 @@ struct CreaseNetwork {
 /// Angles are taken at the middles of pieces of curves no longer than `step`, model units.
 SolveReport::Creases crease_report(const CreaseNetwork& creases, const Sampler& sampler, double step);
 
-/// One sentence each, for SolveReport::warnings: of places where no frame is near to all faces.
-std::vector<std::string> crease_warnings(const CreaseNetwork& creases);
+/// Warnings of places where no frame is near to all faces.
+std::vector<Warning> crease_warnings(const CreaseNetwork& creases);
 
 }  // namespace crossgrain

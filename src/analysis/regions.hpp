@@ -15,8 +15,7 @@ namespace crossgrain {
 struct CellRegions {
   std::vector<std::int32_t> of_leaf;         ///< numbers as in TriangleMesh::solids; empty for a single solid
   std::vector<SolveReport::Region> regions;  ///< SolveReport::regions
-  std::vector<std::string>
-      warnings;  ///< of solids that overlap or touch unglued, and of those without a cell
+  std::vector<Warning> warnings;  ///< of solids that overlap or touch unglued, and of those without a cell
 };
 
 /// Each leaf belongs to the solid that its centre is in: of several, to the one of least volume, since a part

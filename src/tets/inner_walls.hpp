@@ -21,7 +21,7 @@ struct InnerWall {
 };
 
 /// In the order of TetSolid::inner_faces. Tells `warnings` how many tagged triangles are faces of no tet.
-std::vector<InnerWall> find_inner_walls(const TetSolid& solid, std::vector<std::string>& warnings);
+std::vector<InnerWall> find_inner_walls(const TetSolid& solid, std::vector<Warning>& warnings);
 
 /// Whether tets are of more than one region.
 bool has_several_regions(const TetMesh& mesh);

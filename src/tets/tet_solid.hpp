@@ -45,14 +45,14 @@ struct TetSolid {
   std::size_t unused_vertices = 0;  ///< of no tet of `mesh`
 };
 
-/// Makes a mesh ready, adding one sentence to `warnings` for each kind of fault that it mends: tets that are
+/// Makes a mesh ready, adding to `warnings` for each kind of fault that it mends: tets that are
 /// inverted or without volume, tets named twice, vertices that no tet uses, tets on the same side of their
 /// common face, edges and vertices where the boundary is no surface, neighbours that do not share vertices.
 /// Each names the first one, counted from 0.
 ///
 /// Throws Error(kInput) naming the vertex, tet or face: coordinates that are not finite or beyond 1e100,
 /// indices out of range, no tet with a volume, a face of three tets or more.
-TetSolid prepare_tets(TetMesh mesh, std::vector<std::string>& warnings);
+TetSolid prepare_tets(TetMesh mesh, std::vector<Warning>& warnings);
 
 /// The tag of each of these faces (TetMesh::feature_faces), 0 for those without; empty where the mesh tags no
 /// face.
