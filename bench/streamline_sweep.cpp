@@ -9,13 +9,13 @@
 #include <numbers>
 #include <random>
 
-#include "analysis/field_data.hpp"
-#include "analysis/made_grid.hpp"
-#include "analysis/matching.hpp"
-#include "analysis/sampling.hpp"
-#include "analysis/singular_edges.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/streamlines.hpp"
+#include "field/field_data.hpp"
+#include "field/made_grid.hpp"
+#include "sampling/sampling.hpp"
+#include "singularity/matching.hpp"
+#include "singularity/singular_edges.hpp"
 
 namespace crossgrain {
 namespace {

@@ -10,12 +10,12 @@
 #include <cstdlib>
 #include <map>
 
-#include "analysis/tet_domain_data.hpp"
-#include "analysis/tet_evaluation.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/tet_domain.hpp"
 #include "field/field_state.hpp"
 #include "field/tet_finish.hpp"
+#include "measure/tet_evaluation.hpp"
+#include "solve/tet_domain_data.hpp"
 
 int main(int argc, char** argv) {
   using namespace crossgrain;

@@ -53,7 +53,7 @@ def fault_in_layer(layer, inside_cad_program, quote, included):
     if included.endswith(".hxx") and not inside_cad_program:
         return f"OpenCASCADE stands in the program src/{CAD_PROGRAM} only"
     if included.startswith(CAD_PROGRAM) and not inside_cad_program:
-        return "the library sees no more of the program for CAD files than io/cad_messages.hpp"
+        return "the library sees no more of the program for CAD files than io/cad/cad_messages.hpp"
     if first in ("tbb", "oneapi") and layer != "base":
         return "oneTBB stands behind base/parallel.hpp; use parallel_for"
     if quote == "<" and first != "crossgrain" and first not in LAYERS and first not in EXTRA_LAYERS:

@@ -30,7 +30,7 @@ double refined_frame_flops();
 template <int D>
 double add_normal_flops();
 
-/// One point between eight cells of equal size (analysis/sampling.cpp): their frames extended to it, blended,
+/// One point between eight cells of equal size (sampling/sampling.cpp): their frames extended to it, blended,
 /// and projected.
 double sample_flops();
 

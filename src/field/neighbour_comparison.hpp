@@ -34,7 +34,7 @@ enum class SharpTurns : bool { kLeftOut, kLookedFor };
 NeighbourComparison compare_neighbours(const Octree& tree, const Adjacency& adjacency,
                                        std::span<const StoredQuaternion> frames, SharpTurns sharp_turns);
 
-/// Which leaves may own a singular edge (analysis/singular_edges.hpp): those that turn sharply, and their
+/// Which leaves may own a singular edge (singularity/singular_edges.hpp): those that turn sharply, and their
 /// neighbours. Few do, along singular arcs.
 std::vector<std::uint8_t> near_sharp_turns(const Adjacency& adjacency,
                                            const std::vector<std::uint8_t>& turns_sharply);

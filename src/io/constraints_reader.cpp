@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "crossgrain/io.hpp"
-#include "io/located_json.hpp"
+#include "io/json/located_json.hpp"
 #include "surface/constraint_faults.hpp"
 
 namespace crossgrain {

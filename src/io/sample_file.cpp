@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "crossgrain/io.hpp"
-#include "io/frame_lines.hpp"
-#include "io/output_file.hpp"
+#include "files/output_file.hpp"
+#include "io/result/frame_lines.hpp"
 
 namespace crossgrain {
 namespace {

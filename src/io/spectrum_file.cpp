@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "crossgrain/io.hpp"
-#include "io/json_file.hpp"
+#include "io/json/json_file.hpp"
 
 namespace crossgrain {
 

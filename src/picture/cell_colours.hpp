@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "analysis/field_data.hpp"
 #include "crossgrain/picture.hpp"
+#include "field/field_data.hpp"
 #include "grid/leaf_finder.hpp"
 #include "picture/drawing.hpp"
 #include "picture/legend.hpp"

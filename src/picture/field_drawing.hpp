@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "analysis/field_data.hpp"
-#include "analysis/solved_surface.hpp"
 #include "crossgrain/picture.hpp"
+#include "field/field_data.hpp"
+#include "field/solved_surface.hpp"
 #include "picture/camera.hpp"
 #include "picture/cell_colours.hpp"
 #include "picture/drawing.hpp"

@@ -7,13 +7,13 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/field_data.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
-#include "io/output_file.hpp"
-#include "io/singularity_file.hpp"
-#include "io/streamline_file.hpp"
-#include "io/surface_file.hpp"
+#include "field/field_data.hpp"
+#include "files/output_file.hpp"
+#include "io/result/singularity_file.hpp"
+#include "io/result/streamline_file.hpp"
+#include "io/result/surface_file.hpp"
 #include "picture/axis_cross.hpp"
 #include "picture/canvas.hpp"
 #include "picture/cell_colours.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "crossgrain/monitor.hpp"
-#include "io/output_file.hpp"
+#include "files/output_file.hpp"
 #include "picture/image.hpp"
 
 namespace crossgrain {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/cad_checks.hpp"
+#include "io/cad/cad_checks.hpp"
 
 #include "fuzz/input_folder.hpp"
 #include "fuzz/reader_checks.hpp"

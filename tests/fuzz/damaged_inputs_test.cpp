@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "files/temporary_folder.hpp"
 #include "fuzz/allocation_watch.hpp"
 #include "fuzz/made_inputs.hpp"
 #include "fuzz/mutation.hpp"
 #include "fuzz/reader_checks.hpp"
-#include "io/temporary_folder.hpp"
 
 namespace crossgrain {
 namespace {

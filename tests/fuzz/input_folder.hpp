@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 
 namespace crossgrain {
 

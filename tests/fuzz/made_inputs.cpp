@@ -9,7 +9,7 @@
 
 #include "io/gmsh_files.hpp"
 #include "io/medit_files.hpp"
-#include "io/report_file.hpp"
+#include "io/result/report_file.hpp"
 #include "io/sample_field.hpp"
 #include "io/vtk_files.hpp"
 #include "tets/tet_meshes.hpp"

@@ -10,7 +10,7 @@
 
 #include "base/system_memory.hpp"
 #include "crossgrain/version.hpp"
-#include "io/cad_messages.hpp"
+#include "io/cad/cad_messages.hpp"
 #include "io/made_cad_files.hpp"
 #include "io/surface_files.hpp"
 

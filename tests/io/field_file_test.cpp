@@ -6,15 +6,15 @@
 #include <random>
 #include <set>
 
-#include "analysis/field_data.hpp"
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
-#include "io/field_arrays.hpp"
-#include "io/onto_files.hpp"
+#include "field/field_data.hpp"
+#include "files/temporary_folder.hpp"
+#include "io/result/field_arrays.hpp"
+#include "io/result/onto_files.hpp"
 #include "io/sample_field.hpp"
-#include "io/temporary_folder.hpp"
-#include "io/vtu_reader.hpp"
+#include "io/vtu/vtu_reader.hpp"
 #include "tets/tet_meshes.hpp"
 
 namespace crossgrain {

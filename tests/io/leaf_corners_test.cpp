@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/leaf_corners.hpp"
+#include "io/result/leaf_corners.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 
 namespace crossgrain {
 

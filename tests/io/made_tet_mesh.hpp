@@ -14,7 +14,7 @@
 
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 
 namespace crossgrain {
 

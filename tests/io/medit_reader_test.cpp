@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 
 namespace crossgrain {
 namespace {

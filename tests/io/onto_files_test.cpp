@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The files of a field on a tet mesh, and the numbers of its report against a script that shares no code with
 // them.
-#include "io/onto_files.hpp"
+#include "io/result/onto_files.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,14 +13,14 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "analysis/made_tets.hpp"
-#include "analysis/orthonormal_frame.hpp"
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
+#include "files/temporary_folder.hpp"
 #include "io/sample_field.hpp"
-#include "io/temporary_folder.hpp"
-#include "io/vtu_reader.hpp"
+#include "io/vtu/vtu_reader.hpp"
+#include "measure/made_tets.hpp"
+#include "sampling/orthonormal_frame.hpp"
 
 namespace crossgrain {
 namespace {

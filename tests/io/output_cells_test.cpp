@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/output_cells.hpp"
+#include "io/result/output_cells.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,12 +11,12 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
+#include "files/temporary_folder.hpp"
 #include "grid/leaf_finder.hpp"
 #include "harmonics/frame.hpp"
-#include "io/field_arrays.hpp"
+#include "io/result/field_arrays.hpp"
 #include "io/sample_field.hpp"
-#include "io/temporary_folder.hpp"
-#include "io/vtu_reader.hpp"
+#include "io/vtu/vtu_reader.hpp"
 
 namespace crossgrain {
 namespace {

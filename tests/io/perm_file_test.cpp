@@ -16,15 +16,15 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/made_tets.hpp"
-#include "analysis/tet_domain_data.hpp"
-#include "analysis/tet_matchings.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/solve.hpp"
-#include "io/frame_files.hpp"
-#include "io/onto_files.hpp"
+#include "files/temporary_folder.hpp"
+#include "io/result/frame_files.hpp"
+#include "io/result/onto_files.hpp"
 #include "io/sample_field.hpp"
-#include "io/temporary_folder.hpp"
+#include "measure/made_tets.hpp"
+#include "singularity/tet_matchings.hpp"
+#include "solve/tet_domain_data.hpp"
 
 namespace crossgrain {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/polygon.hpp"
+#include "io/surface/polygon.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/field_data.hpp"
 #include "crossgrain/frame_field.hpp"
+#include "field/field_data.hpp"
 #include "field/field_state.hpp"
 
 namespace crossgrain {

@@ -10,10 +10,10 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/thread_limit.hpp"
+#include "files/temporary_folder.hpp"
+#include "io/result/streamline_file.hpp"
 #include "io/sample_field.hpp"
-#include "io/streamline_file.hpp"
-#include "io/temporary_folder.hpp"
-#include "io/vtu_reader.hpp"
+#include "io/vtu/vtu_reader.hpp"
 
 namespace crossgrain {
 namespace {

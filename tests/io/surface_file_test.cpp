@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/surface_file.hpp"
+#include "io/result/surface_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
+#include "files/temporary_folder.hpp"
 #include "io/sample_field.hpp"
-#include "io/temporary_folder.hpp"
-#include "io/vtu_reader.hpp"
+#include "io/vtu/vtu_reader.hpp"
 
 namespace crossgrain {
 namespace {

@@ -12,7 +12,7 @@
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 
 namespace crossgrain {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every format of fields on tets against a reader written from its description, and which files a folder has.
-#include "io/tet_files.hpp"
+#include "io/result/tet_files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,16 +9,16 @@
 #include <string>
 #include <vector>
 
-#include "analysis/made_tets.hpp"
-#include "analysis/orthonormal_frame.hpp"
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
-#include "io/frame_files.hpp"
-#include "io/onto_files.hpp"
+#include "files/temporary_folder.hpp"
+#include "io/result/frame_files.hpp"
+#include "io/result/onto_files.hpp"
 #include "io/sample_field.hpp"
-#include "io/temporary_folder.hpp"
-#include "io/vtu_reader.hpp"
+#include "io/vtu/vtu_reader.hpp"
+#include "measure/made_tets.hpp"
+#include "sampling/orthonormal_frame.hpp"
 
 namespace crossgrain {
 namespace {

@@ -12,9 +12,9 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
-#include "io/temporary_folder.hpp"
-#include "io/vtu_reader.hpp"
-#include "io/vtu_writer.hpp"
+#include "files/temporary_folder.hpp"
+#include "io/vtu/vtu_reader.hpp"
+#include "io/vtu/vtu_writer.hpp"
 
 namespace crossgrain {
 namespace {

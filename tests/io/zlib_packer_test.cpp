@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/zlib_packer.hpp"
+#include "io/vtu/zlib_packer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/solve.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 #include "picture/read_png.hpp"
 #include "support/shapes.hpp"
 

@@ -2,7 +2,7 @@
 #include "picture/png_file.hpp"
 
 #include "crossgrain/error.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
 #include "picture/read_png.hpp"
 
 namespace crossgrain {

@@ -4,8 +4,8 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/solve.hpp"
-#include "io/singularity_file.hpp"
-#include "io/temporary_folder.hpp"
+#include "files/temporary_folder.hpp"
+#include "io/result/singularity_file.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {

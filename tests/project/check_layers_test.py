@@ -47,7 +47,7 @@ class LayerCheck(unittest.TestCase):
 
     def test_the_distributed_layer_sees_all_but_io(self):
         self.assert_no_fault("src/distributed/halo.cpp", '"field/graph.hpp"')
-        self.assert_one_fault("src/distributed/halo.cpp", '"io/vtu_writer.hpp"')
+        self.assert_one_fault("src/distributed/halo.cpp", '"io/vtu/vtu_writer.hpp"')
 
     def test_a_public_header_includes_nothing_private_and_no_library(self):
         self.assert_no_fault("include/crossgrain/solve.hpp", '"crossgrain/types.hpp"')
@@ -71,10 +71,10 @@ class LayerCheck(unittest.TestCase):
         self.assert_one_fault("src/field/sweep.cpp", "<oneapi/tbb/parallel_for.h>")
 
     def test_opencascade_stays_in_its_program(self):
-        self.assert_no_fault("src/io/cad/bodies.cpp", "<TopoDS_Shape.hxx>")
-        self.assert_no_fault("src/io/cad/bodies.cpp", '"io/cad/bodies.hpp"')
-        self.assert_one_fault("src/io/stl_reader.cpp", "<TopoDS_Shape.hxx>")
-        self.assert_one_fault("src/io/cad_reader.cpp", '"io/cad/bodies.hpp"')
+        self.assert_no_fault("src/io/cad/program/bodies.cpp", "<TopoDS_Shape.hxx>")
+        self.assert_no_fault("src/io/cad/program/bodies.cpp", '"io/cad/program/bodies.hpp"')
+        self.assert_one_fault("src/io/surface/stl_reader.cpp", "<TopoDS_Shape.hxx>")
+        self.assert_one_fault("src/io/cad/cad_reader.cpp", '"io/cad/program/bodies.hpp"')
 
 
 if __name__ == "__main__":

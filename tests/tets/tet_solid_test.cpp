@@ -295,9 +295,9 @@ TEST(TetSolid, WarnsOfTetsThatLieFaceToFaceWithoutSharingVertices) {
   std::vector<Warning> warnings;
   EXPECT_EQ(prepare_tets(mesh, warnings).components, 2u);
   const auto found = std::find_if(warnings.begin(), warnings.end(), [](const Warning& warning) {
-    return warning.kind == WarningKind::kUnmergedVertices &&
-           warning.remedy == Remedy::kMergeVertices && warning.text.starts_with(
-        "places where two tets lie face to face without sharing vertices: 2; the first has ");
+    return warning.kind == WarningKind::kUnmergedVertices && warning.remedy == Remedy::kMergeVertices &&
+           warning.text.starts_with(
+               "places where two tets lie face to face without sharing vertices: 2; the first has ");
   });
   EXPECT_NE(found, warnings.end());
 }

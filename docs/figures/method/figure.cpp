@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/output_file.hpp"
+#include "files/output_file.hpp"
 #include "picture/font.hpp"
 #include "picture/png_file.hpp"
 #include "picture/renderer.hpp"

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <optional>
 
-#include "analysis/field_data.hpp"
 #include "crossgrain/solve.hpp"
+#include "field/field_data.hpp"
 #include "grid/leaf_finder.hpp"
 #include "method_figures.hpp"
 #include "picture/corner_normals.hpp"

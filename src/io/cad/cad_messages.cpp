@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// Part of the library and of the program crossgrain_cad alike.
+//
+// An answer: the greeting; a CadEnd; the fault; the vectors of the mesh in the order of `exchange`; kTrailer.
+// A vector or a text is the number of its items, in 64 bits, and their bytes as they stand in memory.
+#include "io/cad/cad_messages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <type_traits>
+
+#include "crossgrain/version.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr std::string_view kTrailer = "complete";
+
+const std::string& greeting() {
+  static const std::string text = fmt::format("crossgrain_cad {}\n", kVersion);
+  return text;
+}
+
+class Writer {
+ public:
+  explicit Writer(std::FILE* file) : file_(file) {}
+
+  template <class T>
+  void value(const T& item) {
+    bytes(&item, sizeof item);
+  }
+
+  /// Of items that are their bytes: numbers, and arrays of these.
+  template <class Items>
+  void items(const Items& items) {
+    static_assert(std::is_trivially_copyable_v<typename Items::value_type>);
+    value(static_cast<std::uint64_t>(items.size()));
+    bytes(items.data(), items.size() * sizeof(typename Items::value_type));
+  }
+
+  /// Of items that `write` writes one by one.
+  template <class Items, class Each>
+  void list(const Items& items, const Each& write) {
+    value(static_cast<std::uint64_t>(items.size()));
+    for (const auto& item : items) write(item);
+  }
+
+  void bytes(const void* data, std::size_t size) {
+    complete_ = complete_ && (size == 0 || std::fwrite(data, 1, size, file_) == size);
+  }
+
+  bool flush() { return std::fflush(file_) == 0 && complete_; }
+
+ private:
+  std::FILE* file_;
+  bool complete_ = true;
+};
+
+/// Once something is missing all further items are empty, and `sound` is false.
+class Reader {
+ public:
+  explicit Reader(std::string_view rest) : rest_(rest) {}
+
+  template <class T>
+  void value(T& item) {
+    bytes(&item, sizeof item);
+  }
+
+  template <class Items>
+  void items(Items& items) {
+    constexpr std::size_t kItem = sizeof(typename Items::value_type);
+    items.resize(count(kItem));
+    bytes(items.data(), items.size() * kItem);
+  }
+
+  template <class Items, class Each>
+  void list(Items& items, const Each& read) {
+    items.resize(count(sizeof(std::uint64_t)));
+    for (auto& item : items) read(item);
+  }
+
+  bool sound() const { return sound_; }
+  std::string_view rest() const { return rest_; }
+
+ private:
+  /// How many items of at least so many bytes are announced; 0 where as many do not follow.
+  std::size_t count(std::size_t item_bytes) {
+    std::uint64_t announced = 0;
+    value(announced);
+    if (announced <= rest_.size() / item_bytes) return announced;
+    sound_ = false;
+    return 0;
+  }
+
+  void bytes(void* out, std::size_t size) {
+    sound_ = sound_ && size <= rest_.size();
+    if (!sound_ || size == 0) return;
+    std::memcpy(out, rest_.data(), size);
+    rest_.remove_prefix(size);
+  }
+
+  std::string_view rest_;
+  bool sound_ = true;
+};
+
+/// The one place that knows what is in an answer, and in which order.
+template <class Stream, class Answer>
+void exchange(Stream& stream, Answer& answer) {
+  stream.value(answer.end);
+  stream.items(answer.fault.text);
+  stream.value(answer.fault.remedy);
+  auto& mesh = answer.mesh;
+  stream.items(mesh.vertices);
+  stream.items(mesh.triangles);
+  stream.items(mesh.faces);
+  stream.items(mesh.solids);
+  stream.items(mesh.corner_normals);
+  stream.list(mesh.creases, [&stream](auto& crease) {
+    stream.items(crease.points);
+    stream.items(crease.tangents);
+    stream.value(crease.tag);
+  });
+  stream.items(mesh.unit);
+  stream.items(mesh.file_unit);
+  stream.list(mesh.warnings, [&stream](auto& warning) {
+    stream.value(warning.kind);
+    stream.items(warning.file);
+    stream.items(warning.place);
+    stream.items(warning.text);
+    stream.value(warning.remedy);
+  });
+}
+
+bool is_known(Remedy remedy) {
+  return remedy >= Remedy::kNone && remedy <= Remedy::kReportModel;
+}
+
+/// Whether a mesh keeps to what TriangleMesh says of itself.
+bool is_consistent(const TriangleMesh& mesh) {
+  const std::size_t vertices = mesh.vertices.size(), triangles = mesh.triangles.size();
+  const auto belongs = [triangles](const auto& items) { return items.empty() || items.size() == triangles; };
+  return belongs(mesh.faces) && belongs(mesh.solids) && belongs(mesh.corner_normals) &&
+         std::all_of(
+             mesh.creases.begin(), mesh.creases.end(),
+             [](const CreaseCurve& crease) { return crease.points.size() == crease.tangents.size(); }) &&
+         std::all_of(mesh.warnings.begin(), mesh.warnings.end(),
+                     [](const Warning& warning) {
+                       return warning.kind <= WarningKind::kLeftOutTets && is_known(warning.remedy);
+                     }) &&
+         std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [vertices](const auto& triangle) {
+           return std::all_of(triangle.begin(), triangle.end(), [vertices](auto v) { return v < vertices; });
+         });
+}
+
+template <class Number>
+bool parse(const std::string& text, Number& number) {
+  const char* end = text.data() + text.size();
+  const auto [stop, code] = std::from_chars(text.data(), end, number);
+  return code == std::errc() && stop == end;
+}
+
+}  // namespace
+
+std::vector<std::string> arguments_of(const CadRequest& request) {
+  const ReadOptions& options = request.options;
+  // Of doubles fmt writes the shortest text that gives the same double again.
+  return {kVersion,
+          fmt::to_string(request.asking_process),
+          fmt::to_string(static_cast<int>(request.format)),
+          fmt::to_string(options.resolution),
+          fmt::format("{}", options.cell_size),
+          fmt::format("{}", options.chord_error_cells),
+          fmt::format("{}", options.facet_angle_deg),
+          fmt::format("{}", options.crease_angle_deg),
+          fmt::to_string(options.max_memory_bytes),
+          request.path};
+}
+
+std::optional<CadRequest> cad_request_of(const std::vector<std::string>& arguments) {
+  constexpr std::size_t kCount = 10;
+  if (arguments.size() != kCount || arguments[0] != kVersion) return std::nullopt;
+  CadRequest request;
+  ReadOptions& options = request.options;
+  int format = 0;
+  const bool sound =
+      parse(arguments[1], request.asking_process) && parse(arguments[2], format) &&
+      parse(arguments[3], options.resolution) && parse(arguments[4], options.cell_size) &&
+      parse(arguments[5], options.chord_error_cells) && parse(arguments[6], options.facet_angle_deg) &&
+      parse(arguments[7], options.crease_angle_deg) && parse(arguments[8], options.max_memory_bytes);
+  if (!sound || format < 0 || format > static_cast<int>(CadFormat::kBrep)) return std::nullopt;
+  request.format = static_cast<CadFormat>(format);
+  request.path = arguments[9];
+  return request;
+}
+
+void write_cad_greeting(std::FILE* out) {
+  std::fputs(greeting().c_str(), out);
+  std::fflush(out);
+}
+
+bool write_cad_answer(std::FILE* out, const CadAnswer& answer) {
+  Writer writer(out);
+  exchange(writer, answer);
+  writer.bytes(kTrailer.data(), kTrailer.size());
+  return writer.flush();
+}
+
+bool is_cad_greeting(std::string_view written) {
+  return written.starts_with(greeting());
+}
+
+std::optional<CadAnswer> cad_answer_in(std::string_view written) {
+  if (!is_cad_greeting(written)) return std::nullopt;
+  Reader reader(written.substr(greeting().size()));
+  CadAnswer answer;
+  exchange(reader, answer);
+  if (!reader.sound() || reader.rest() != kTrailer || answer.end > CadEnd::kOutOfMemory ||
+      !is_known(answer.fault.remedy) || !is_consistent(answer.mesh))
+    return std::nullopt;
+  return answer;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/cad/cad_program.hpp"
+
+#include <dlfcn.h>
+#include <link.h>
+
+#include <cstddef>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+namespace crossgrain {
+namespace {
+
+/// How many folders above the program there may be libexec/: bin/crossgrain in an installed tree,
+/// apps/crossgrain/crossgrain in a build tree, and lib/x86_64-linux-gnu/libcrossgrain.so.
+constexpr int kFoldersAbove = 2;
+
+/// The file that this code is part of: a shared library, or the program.
+std::filesystem::path own_file() {
+  Dl_info info{};
+  std::error_code ignored;
+  if (::dladdr(&kCadProgramName, &info) == 0 || info.dli_fname == nullptr) return {};
+  return std::filesystem::canonical(info.dli_fname, ignored);
+}
+
+std::filesystem::path running_program() {
+  std::error_code ignored;
+  return std::filesystem::read_symlink("/proc/self/exe", ignored);
+}
+
+/// Where the dynamic linker looks for libraries of the file that this code is part of.
+std::vector<std::filesystem::path> library_folders() {
+  // Of the program itself there is a handle under no name only.
+  const std::filesystem::path file = own_file();
+  const bool in_program = file.empty() || file == running_program();
+  void* self = ::dlopen(in_program ? nullptr : file.c_str(), RTLD_LAZY | RTLD_NOLOAD);
+  if (self == nullptr) return {};
+  std::vector<std::filesystem::path> folders;
+  Dl_serinfo size{};
+  if (::dlinfo(self, RTLD_DI_SERINFOSIZE, &size) == 0) {
+    // The list is longer than its type says.
+    const auto bytes = std::make_unique<std::max_align_t[]>(size.dls_size / sizeof(std::max_align_t) + 1);
+    auto* list = reinterpret_cast<Dl_serinfo*>(bytes.get());
+    if (::dlinfo(self, RTLD_DI_SERINFOSIZE, list) == 0 && ::dlinfo(self, RTLD_DI_SERINFO, list) == 0) {
+      const Dl_serpath* paths = list->dls_serpath;
+      for (unsigned i = 0; i < list->dls_cnt; ++i) folders.emplace_back(paths[i].dls_name);
+    }
+  }
+  ::dlclose(self);
+  return folders;
+}
+
+bool is_there(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
+}
+
+}  // namespace
+
+std::filesystem::path find_cad_program() {
+  for (std::filesystem::path folder : {own_file().parent_path(), running_program().parent_path()}) {
+    for (int above = 0; above <= kFoldersAbove && !folder.empty(); ++above, folder = folder.parent_path()) {
+      const std::filesystem::path program = folder / CROSSGRAIN_HELPER_FOLDER / kCadProgramName;
+      if (is_there(program)) return program;
+    }
+  }
+  for (const std::filesystem::path& folder : library_folders()) {
+    if (is_there(folder / kCadProgramName)) return folder / kCadProgramName;
+  }
+  return {};
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/cad/program/bodies.hpp"
+
+#include <fmt/format.h>
+
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
+#include <algorithm>
+
+#include "io/cad/program/fault.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Of the longest side: above what IGES files are off by, below the finest cells that anybody takes.
+constexpr double kSewingTolerance = 1e-5;
+
+/// Shapes of a kind, each once, in the order of TopExp::MapShapes; those inside a shape of `avoided` are left
+/// out.
+std::vector<TopoDS_Shape> shapes_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
+                                    TopAbs_ShapeEnum avoided = TopAbs_SHAPE) {
+  TopTools_IndexedMapOfShape seen;
+  std::vector<TopoDS_Shape> found;
+  for (TopExp_Explorer explorer(shape, kind, avoided); explorer.More(); explorer.Next()) {
+    const int known = seen.Extent();
+    if (seen.Add(explorer.Current()) > known) found.push_back(explorer.Current());
+  }
+  return found;
+}
+
+TopoDS_Shape compound_of(const std::vector<TopoDS_Shape>& shapes) {
+  const BRep_Builder builder;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
+  return compound;
+}
+
+TopoDS_Shape shell_of(const TopoDS_Shape& face) {
+  const BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  builder.Add(shell, face);
+  return shell;
+}
+
+/// The faces of no solid as shells: those that are closed as they are, all else sewn.
+class LooseFaces {
+ public:
+  LooseFaces(const TopoDS_Shape& shape, double longest_side) : sewing_(kSewingTolerance * longest_side) {
+    std::vector<TopoDS_Shape> to_sew = shapes_of(shape, TopAbs_FACE, TopAbs_SHELL);
+    for (const TopoDS_Shape& shell : shapes_of(shape, TopAbs_SHELL, TopAbs_SOLID)) {
+      (BRep_Tool::IsClosed(shell) ? shells_ : to_sew).push_back(shell);
+    }
+    if (to_sew.empty()) return;
+    for (const TopoDS_Shape& part : to_sew) sewing_.Add(part);
+    sewing_.Perform();
+    const TopoDS_Shape sewn = sewing_.SewedShape();
+    if (sewn.IsNull()) return;
+    for (const TopoDS_Shape& shell : shapes_of(sewn, TopAbs_SHELL)) shells_.push_back(shell);
+    for (const TopoDS_Shape& face : shapes_of(sewn, TopAbs_FACE, TopAbs_SHELL))
+      shells_.push_back(shell_of(face));
+  }
+
+  const std::vector<TopoDS_Shape>& shells() const { return shells_; }
+
+  /// What a face of the shape as read has become.
+  TopoDS_Shape now(const TopoDS_Shape& face) const { return sewing_.ModifiedSubShape(face); }
+
+ private:
+  BRepBuilderAPI_Sewing sewing_;
+  std::vector<TopoDS_Shape> shells_;
+};
+
+Warning warning_of(std::size_t solids, const std::vector<TopoDS_Shape>& shells) {
+  const auto closed = std::count_if(shells.begin(), shells.end(),
+                                    [](const TopoDS_Shape& shell) { return BRep_Tool::IsClosed(shell); });
+  const std::string parts =
+      fmt::format("{} closed and {} open, each taken as a solid of its own", closed, shells.size() - closed);
+  const char* const what = solids == 0 ? "the file has no solids, only faces, which make up shells: "
+                                       : "the file has faces beside its solids, which make up shells: ";
+  return {WarningKind::kLooseFaces, what + parts};
+}
+
+}  // namespace
+
+double longest_side_at_most(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  const bool use_triangulation = false;
+  BRepBndLib::Add(shape, box, use_triangulation);
+  if (box.IsVoid()) return 0;
+  if (box.IsOpen()) throw Fault("has a face or curve without bounds", Remedy::kExportAgain);
+  double low[3], high[3];
+  box.Get(low[0], low[1], low[2], high[0], high[1], high[2]);
+  return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+}
+
+Bodies find_bodies(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  if (faces.IsEmpty()) throw Fault("holds no faces, only curves or points", Remedy::kExportAgain);
+
+  Bodies result;
+  result.whole = shape;
+  std::vector<TopoDS_Shape> parts = shapes_of(shape, TopAbs_SOLID);
+  for (const TopoDS_Shape& solid : parts) result.bodies.push_back({solid, true});
+  const LooseFaces loose(shape, longest_side_at_most(shape));
+  if (!loose.shells().empty()) {
+    result.warnings.push_back(warning_of(parts.size(), loose.shells()));
+    for (const TopoDS_Shape& shell : loose.shells()) {
+      parts.push_back(shell);
+      result.bodies.push_back({shell, BRep_Tool::IsClosed(shell)});
+    }
+    result.whole = compound_of(parts);
+  }
+
+  TopExp::MapShapes(result.whole, TopAbs_FACE, result.faces);
+  TopExp::MapShapes(result.whole, TopAbs_EDGE, result.edges);
+  result.face_numbers.assign(static_cast<std::size_t>(result.faces.Extent()) + 1, 0);
+  for (int number = 1; number <= faces.Extent(); ++number) {
+    int place = result.faces.FindIndex(faces(number));
+    if (place == 0) place = result.faces.FindIndex(loose.now(faces(number)));
+    result.face_numbers[static_cast<std::size_t>(place)] = number;
+  }
+  return result;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program crossgrain_cad, which the library runs to read a CAD file: io/cad/cad_messages.hpp.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+#include "io/cad/cad_messages.hpp"
+#include "io/cad/helper_process.hpp"
+#include "io/cad/program/bodies.hpp"
+#include "io/cad/program/fault.hpp"
+#include "io/cad/program/shape_file.hpp"
+#include "io/cad/program/tessellation.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr int kNotAsked = 2;
+
+TriangleMesh read(const CadRequest& request) {
+  const CadShape file = read_shape(request.path, request.format);
+  const Bodies bodies = find_bodies(file.shape);
+  TriangleMesh mesh = tessellate(bodies, request.options);
+  mesh.unit = file.unit;
+  mesh.file_unit = file.file_unit;
+  mesh.warnings.insert(mesh.warnings.begin(), bodies.warnings.begin(), bodies.warnings.end());
+  mesh.warnings.insert(mesh.warnings.begin(), file.warnings.begin(), file.warnings.end());
+  return mesh;
+}
+
+/// Errors are one line, whatever OpenCASCADE says.
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  return text;
+}
+
+CadAnswer given_up(const char* reason) {
+  return {CadEnd::kFault,
+          {},
+          {fmt::format("OpenCASCADE gives up on it ({})",
+                       reason == nullptr || *reason == '\0' ? "for no reason given" : one_line(reason)),
+           Remedy::kRepairFile}};
+}
+
+CadAnswer answer_to(const CadRequest& request) {
+  try {
+    return {CadEnd::kMesh, read(request), {}};
+  } catch (const Fault& fault) {
+    return {CadEnd::kFault, {}, {one_line(fault.what()), fault.remedy()}};
+  } catch (const Standard_OutOfMemory&) {
+    return {CadEnd::kOutOfMemory, {}, {}};
+  } catch (const Standard_Failure& failure) {
+    return given_up(failure.GetMessageString());
+  } catch (const std::exception& exception) {
+    return given_up(exception.what());
+  }
+}
+
+/// Set before anything can fail; its buffer is there from the greeting on.
+std::FILE* answer_file = nullptr;
+
+/// OpenCASCADE lets few exceptions through: what it does once memory is missing cannot be foretold.
+void end_without_memory() {
+  write_cad_answer(answer_file, {CadEnd::kOutOfMemory, {}, {}});
+  ::_exit(0);
+}
+
+void end_with_uncaught_exception() {
+  try {
+    if (std::current_exception()) std::rethrow_exception(std::current_exception());
+  } catch (const Standard_OutOfMemory&) {
+    end_without_memory();
+  } catch (...) {
+  }
+  std::abort();
+}
+
+void limit(__rlimit_resource resource, std::size_t most) {
+  const rlimit both{most, most};
+  ::setrlimit(resource, &both);
+}
+
+/// No more memory than that, no core file after a crash, and an end as soon as nobody waits any more.
+void restrict_to(const CadRequest& request) {
+  limit(RLIMIT_CORE, 0);
+#ifndef __SANITIZE_ADDRESS__  // which reserves terabytes
+  limit(RLIMIT_DATA, request.options.max_memory_bytes);
+#endif
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  // It may have ended before.
+  if (::getppid() != request.asking_process) ::_exit(kNotAsked);
+}
+
+int run(const std::vector<std::string>& arguments) {
+  answer_file = ::fdopen(kAnswerDescriptor, "wb");
+  if (answer_file == nullptr) {
+    std::fputs("crossgrain_cad is run by Crossgrain, to read a CAD file; run crossgrain instead\n", stderr);
+    return kNotAsked;
+  }
+  write_cad_greeting(answer_file);
+  const std::optional<CadRequest> request = cad_request_of(arguments);
+  if (!request) return kNotAsked;
+  restrict_to(*request);
+  std::set_new_handler(end_without_memory);
+  std::set_terminate(end_with_uncaught_exception);
+  return write_cad_answer(answer_file, answer_to(*request)) ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace crossgrain
+
+int main(int argc, char** argv) {
+  const int status = crossgrain::run({argv + 1, argv + argc});
+  // Everything is said; taking OpenCASCADE down takes time, and crashes now and then.
+  ::_exit(status);
+}

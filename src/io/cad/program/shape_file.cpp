@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/cad/program/shape_file.hpp"
+
+#include <fmt/format.h>
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+#include <IGESControl_Reader.hxx>
+#include <IGESData_GlobalSection.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Reader.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_AsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+#include "io/cad/program/fault.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// The unit that OpenCASCADE converts to, its own default too.
+constexpr const char* kUnit = "mm";
+
+void ask_for_millimetres() {
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+}
+
+/// As people write it; unknown names in lower case.
+std::string short_unit(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  constexpr std::array<std::pair<const char*, const char*>, 6> kShort = {{{"millimetre", "mm"},
+                                                                          {"centimetre", "cm"},
+                                                                          {"metre", "m"},
+                                                                          {"micrometre", "um"},
+                                                                          {"kilometre", "km"},
+                                                                          {"in", "inch"}}};
+  for (const auto& [from, to] : kShort) {
+    if (name == from) return to;
+  }
+  return name;
+}
+
+/// Where a piece of geometry did not load, OpenCASCADE goes on with null pointers in it and ends the process.
+void refuse_damaged_geometry(const Handle(Interface_InterfaceModel) & model) {
+  constexpr std::array<std::string_view, 4> kGeometry = {"StepGeom_", "StepShape_", "IGESGeom_",
+                                                         "IGESSolid_"};
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    if (!model->IsErrorEntity(i)) continue;
+    const Handle(Standard_Transient) entity = model->Value(i);
+    const std::string_view type = entity->DynamicType()->Name();
+    const auto begins = [type](std::string_view beginning) { return type.starts_with(beginning); };
+    if (std::none_of(kGeometry.begin(), kGeometry.end(), begins)) continue;
+    throw Fault(fmt::format("entity {} is damaged", model->StringLabel(entity)->ToCString()));
+  }
+}
+
+void warn_without_unit(CadShape& result) {
+  if (result.file_unit.empty())
+    result.warnings.emplace_back(WarningKind::kUnknownUnit,
+                                 "the file names no unit of length: its numbers are taken for millimetres");
+}
+
+CadShape read_step_shape(const std::string& path) {
+  STEPControl_Reader reader;
+  ask_for_millimetres();
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+    throw Fault("is damaged, or no STEP file that OpenCASCADE can read", Remedy::kExportAgain);
+  refuse_damaged_geometry(reader.Model());
+  CadShape result;
+  result.unit = kUnit;
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  for (int i = 1; i <= lengths.Length(); ++i)
+    result.file_unit += (i > 1 ? ", " : "") + short_unit(lengths(i).ToCString());
+  warn_without_unit(result);
+  const int parts = reader.NbRootsForTransfer(), read = reader.TransferRoots();
+  if (read < parts)
+    result.warnings.emplace_back(
+        WarningKind::kMissingParts,
+        fmt::format("parts that OpenCASCADE could not read, and are missing: {} of {}", parts - read, parts));
+  result.shape = reader.OneShape();
+  return result;
+}
+
+/// The unit by the flag of the global section (IGES 5.3, section 2.2.4.3.14), whose name is optional.
+std::string iges_unit(const IGESData_GlobalSection& section) {
+  constexpr std::array kNames = {"",  "inch", "mm",  "",   "foot", "mile",
+                                 "m", "km",   "mil", "um", "cm",   "microinch"};
+  constexpr int kByName = 3;
+  const int flag = section.UnitFlag();
+  if (flag == kByName && !section.UnitName().IsNull()) return short_unit(section.UnitName()->ToCString());
+  return flag > 0 && flag < static_cast<int>(kNames.size()) ? kNames[static_cast<std::size_t>(flag)] : "";
+}
+
+CadShape read_iges_shape(const std::string& path) {
+  IGESControl_Reader reader;
+  ask_for_millimetres();
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+    throw Fault("is damaged, or no IGES file that OpenCASCADE can read", Remedy::kExportAgain);
+  refuse_damaged_geometry(reader.Model());
+  CadShape result;
+  result.unit = kUnit;
+  result.file_unit = iges_unit(reader.IGESModel()->GlobalSection());
+  warn_without_unit(result);
+  reader.TransferRoots();
+  result.shape = reader.OneShape();
+  return result;
+}
+
+bool is_binary_brep(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 40> head{};
+  file.read(head.data(), head.size());
+  return std::string(head.data(), head.size()).find("Open CASCADE") != std::string::npos;
+}
+
+CadShape read_brep_shape(const std::string& path) {
+  CadShape result;
+  bool done = false;
+  if (is_binary_brep(path)) {
+    done = BinTools::Read(result.shape, path.c_str());
+  } else {
+    done = BRepTools::Read(result.shape, path.c_str(), BRep_Builder());
+  }
+  if (!done) throw Fault("is damaged, or no BREP file that OpenCASCADE can read", Remedy::kExportAgain);
+  return result;
+}
+
+}  // namespace
+
+CadShape read_shape(const std::string& path, CadFormat format) {
+  CadShape result = format == CadFormat::kStep   ? read_step_shape(path)
+                    : format == CadFormat::kIges ? read_iges_shape(path)
+                                                 : read_brep_shape(path);
+  if (result.shape.IsNull()) throw Fault("holds no shapes that could be read", Remedy::kExportAgain);
+  return result;
+}
+
+}  // namespace crossgrain

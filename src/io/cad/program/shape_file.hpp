@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <string>
+#include <vector>
+
+#include "io/cad/cad_messages.hpp"
+
+namespace crossgrain {
+
+struct CadShape {
+  TopoDS_Shape shape;     ///< not null
+  std::string unit;       ///< of the shape: "mm", or empty where the format has no units
+  std::string file_unit;  ///< of the file, such as "inch"; empty where it does not say
+  std::vector<Warning> warnings;
+};
+
+/// Everything in a CAD file as one shape, assemblies with all parts at their places. Throws Fault, and
+/// whatever OpenCASCADE throws.
+CadShape read_shape(const std::string& path, CadFormat format);
+
+}  // namespace crossgrain

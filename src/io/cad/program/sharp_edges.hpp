@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <TopoDS_Edge.hxx>
+#include <map>
+#include <vector>
+
+#include "io/cad/program/bodies.hpp"
+#include "io/cad/program/edge_nodes.hpp"
+#include "io/cad/program/face_surface.hpp"
+
+namespace crossgrain {
+
+/// Finds the edges at which the true surface of a body turns.
+class SharpEdges {
+ public:
+  SharpEdges(const Bodies& bodies, const std::vector<FaceSurface>& surfaces, double crease_angle_deg);
+
+  /// Looks at all edges of a body. `inside_out`: its faces look inwards.
+  void add(const TopoDS_Shape& body, bool inside_out);
+
+  /// The edges found so far, in the order of `Bodies::edges`, as polylines through the vertices of their
+  /// triangles, with the tangents of the true curves.
+  std::vector<CreaseCurve> creases(const EdgeNodes& nodes) const;
+
+ private:
+  /// A face along an edge; a seam has two of them in one face.
+  struct Side {
+    TopoDS_Edge edge;  ///< as oriented in `face`
+    int face;          ///< in `Bodies::faces`
+    double sign;       ///< of the surface's normal to look outwards
+  };
+
+  bool is_sharp(const std::vector<Side>& sides) const;
+
+  const Bodies& bodies_;
+  const std::vector<FaceSurface>& surfaces_;
+  double smallest_cosine_;
+  std::vector<bool> sharp_;  ///< of the edges, from 1
+};
+
+}  // namespace crossgrain

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/result/field_arrays.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "crossgrain/error.hpp"
+#include "io/vtu/vtu_reader.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// How far from 1 the squared norm of a frame's quaternion in single precision may be.
+constexpr double kUnitTolerance = 1e-5;
+
+/// Squares and cubes of lengths below, and of more than its inverse, neither overflow nor vanish. The cube
+/// about a surface, whose coordinates are below 1e100 (surface/surface.hpp), is far smaller.
+constexpr double kLargestLength = 1e102;
+
+class FieldArraysReader {
+ public:
+  explicit FieldArraysReader(const std::filesystem::path& path) : file_(path) {}
+
+  FieldData read() const {
+    using namespace field_arrays;
+    if (!file_.find(VtuSection::kFieldData, kSchema)) fail("holds no frame field", Remedy::kGiveFieldFolder);
+    const std::uint32_t schema = one(values<std::uint32_t>(VtuSection::kFieldData, kSchema));
+    if (schema != kSchemaNumber)
+      fail(fmt::format("has schema {} and this program reads {}", schema, kSchemaNumber),
+           Remedy::kSolveAgain);
+    FieldData data;
+    data.degree = degree();
+    data.tree = tree();
+    data.frames = frames();
+    data.open_faces = values<std::uint8_t>(VtuSection::kFieldData, kOpenFaces);
+    data.on_boundary = values<std::uint8_t>(VtuSection::kCellData, kOnBoundary);
+    data.energy_density = values<float>(VtuSection::kCellData, kEnergyDensity);
+    data.alignment_deg = values<float>(VtuSection::kCellData, kAlignment);
+    if (file_.find(VtuSection::kCellData, kConstraint)) data.constraints = constraints();
+    if (file_.find(VtuSection::kCellData, kRegion))
+      data.regions = values<std::int32_t>(VtuSection::kCellData, kRegion);
+    check(data);
+    return data;
+  }
+
+ private:
+  template <class T>
+  std::vector<T> values(VtuSection section, const char* name, std::size_t components = 1) const {
+    return file_.read<T>(section, name, components);
+  }
+
+  std::uint32_t one(const std::vector<std::uint32_t>& values) const {
+    if (values.size() != 1) fail_damaged();
+    return values[0];
+  }
+
+  Degree degree() const {
+    const std::uint32_t degree = one(values<std::uint32_t>(VtuSection::kFieldData, field_arrays::kDegree));
+    if (degree != 3 && degree != 4) fail_damaged();
+    return static_cast<Degree>(degree);
+  }
+
+  Octree tree() const {
+    const auto root = values<double>(VtuSection::kFieldData, field_arrays::kRootCube, 4);
+    if (root.size() != 4 || !(root[3] > 1 / kLargestLength) ||
+        !std::ranges::all_of(root, [](double x) { return std::abs(x) < kLargestLength; }))
+      fail_damaged();
+    const auto packed = values<std::uint64_t>(VtuSection::kFieldData, field_arrays::kCellAddress);
+    if (packed.empty() || packed.size() >= kNoCell) fail_damaged();
+    std::vector<CellAddress> leaves(packed.size());
+    for (std::size_t i = 0; i < packed.size(); ++i) {
+      leaves[i] = CellAddress::from_packed(packed[i]);
+      if (!is_address(leaves[i])) fail_damaged();
+      if (i > 0 && (leaves[i] <= leaves[i - 1] || leaves[i - 1].contains(leaves[i]))) fail_damaged();
+    }
+    return {{{root[0], root[1], root[2]}, root[3]}, std::move(leaves)};
+  }
+
+  static bool is_address(CellAddress cell) {
+    constexpr int kUnusedBits = 62;
+    if (cell.packed() >> kUnusedBits != 0 || cell.depth() > kMaxDepth) return false;
+    return std::ranges::all_of(cell.corner(), [&](std::int32_t x) { return x % cell.width() == 0; });
+  }
+
+  std::vector<StoredQuaternion> frames() const {
+    const auto parts = values<float>(VtuSection::kFieldData, field_arrays::kFrame, 4);
+    std::vector<StoredQuaternion> frames(parts.size() / 4);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const float *q = &parts[4 * i], norm = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+      if (!(std::abs(norm - 1) < kUnitTolerance)) fail_damaged();
+      frames[i] = {q[0], q[1], q[2], q[3]};
+    }
+    return frames;
+  }
+
+  std::vector<CellConstraint> constraints() const {
+    const auto codes = values<std::uint8_t>(VtuSection::kCellData, field_arrays::kConstraint);
+    std::vector<CellConstraint> constraints(codes.size());
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+      if (codes[i] >= kCellConstraintCount) fail_damaged();
+      constraints[i] = static_cast<CellConstraint>(codes[i]);
+    }
+    return constraints;
+  }
+
+  /// Later code relies on all of this and would read out of range.
+  void check(const FieldData& data) const {
+    const std::size_t count = data.tree.size();
+    for (const std::size_t size : {data.frames.size(), data.open_faces.size(), data.on_boundary.size(),
+                                   data.energy_density.size(), data.alignment_deg.size()}) {
+      if (size != count) fail_damaged();
+    }
+    if (!data.constraints.empty() && data.constraints.size() != count) fail_damaged();
+    if (!data.regions.empty() && data.regions.size() != count) fail_damaged();
+    if (!is_balanced(data.tree)) fail_damaged();
+    std::atomic<bool> sound = true;
+    parallel_for(count, [&](std::size_t i) {
+      if (data.open_faces[i] >> kFaceCount != 0) sound = false;
+      for (int face = 0; face < kFaceCount; ++face) {
+        const bool open = data.open_faces[i] >> face & 1;
+        if (open && data.tree.neighbour(static_cast<CellIndex>(i), face) == kNoCell) sound = false;
+      }
+    });
+    if (!sound) fail_damaged();
+  }
+
+  [[noreturn]] void fail(const std::string& text, Remedy remedy) const {
+    throw Error(ErrorKind::kInput, {file_.name(), "", text, remedy});
+  }
+  [[noreturn]] void fail_damaged() const { fail("its arrays make no field", Remedy::kCopyOrSolveAgain); }
+
+  VtuFile file_;
+};
+
+}  // namespace
+
+FieldData read_field_arrays(const std::filesystem::path& path) {
+  return FieldArraysReader(path).read();
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The folder of a field, and what else goes into it.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "crossgrain/frame_field.hpp"
+#include "crossgrain/io.hpp"
+#include "crossgrain/monitor.hpp"
+#include "crossgrain/report.hpp"
+#include "files/output_file.hpp"
+
+namespace crossgrain {
+
+/// `write_field` (crossgrain/io.hpp) with further files, which appear together with field.vtu and report.json
+/// or not at all. add_files creates and writes them; it counts in the report's seconds.write.
+SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
+                            const Monitor& monitor, const OutputOptions& options,
+                            const std::function<void(OutputFolder&)>& add_files);
+
+}  // namespace crossgrain

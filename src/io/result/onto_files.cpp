@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/result/onto_files.hpp"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <string>
+#include <vector>
+
+#include "crossgrain/io.hpp"
+#include "io/result/field_file.hpp"
+#include "io/result/tet_files.hpp"
+#include "solve/tet_domain_data.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Programs that put these files beside the mesh file count its tets.
+void warn_of_left_out_tets(const TetSolid& solid, const OutputOptions& options, SolveReport& report) {
+  std::vector<std::string> names;
+  for (const TetFile& file : tet_files())
+    if (file.has_rows_of_tets && is_asked_for(file, options.formats)) names.push_back(file.name);
+  if (names.empty() || solid.left_out_tets == 0) return;
+  const std::size_t tets = solid.mesh.tets.size();
+  report.warnings.emplace_back(
+      WarningKind::kLeftOutTets,
+      fmt::format("tets left out: {} of {}; {} count the other {}, as onto.vtu does", solid.left_out_tets,
+                  tets + solid.left_out_tets, fmt::join(names, ", "), tets),
+      Remedy::kUseWrittenMesh);
+}
+
+}  // namespace
+
+SolveReport write_field_onto(const FrameField& field, SolveReport report, const TetOutput& output,
+                             const std::filesystem::path& folder, const Monitor& monitor,
+                             const OutputOptions& options) {
+  assert(output.field.vertex_frames.size() == output.solid.mesh.vertices.size() &&
+         output.field.tet_frames.size() == output.solid.mesh.tets.size());
+  warn_of_left_out_tets(output.solid, options, report);
+  return write_field_and(field, std::move(report), folder, monitor, options, [&](OutputFolder& files) {
+    for (const TetFile& file : tet_files()) {
+      if (is_asked_for(file, options.formats))
+        file.write(files.create(file.name), output, monitor);
+      else
+        files.remove_at_commit(file.name);
+    }
+  });
+}
+
+SolveReport write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
+                        const Monitor& monitor, const OutputOptions& options) {
+  return write_field_onto(field.grid(), std::move(report), {field.domain().data().solid, field.data()},
+                          folder, monitor, options);
+}
+
+SolveReport write_field(const TetFrameField& field, const std::filesystem::path& folder,
+                        const Monitor& monitor, const OutputOptions& options) {
+  return write_field(field, field.report(), folder, monitor, options);
+}
+
+void check_onto_folder(const std::filesystem::path& folder, const OutputOptions& options) {
+  check_field_folder(folder);
+  check_formats(options.formats);
+  std::vector<std::string> names;
+  for (const TetFile& file : tet_files())
+    if (is_asked_for(file, options.formats)) names.push_back(file.name);
+  check_writable(folder, names);
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/result/onto_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "base/parallel.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
+#include "io/vtu/vtu_reader.hpp"
+#include "singularity/singularity_graph.hpp"
+#include "singularity/tet_matchings.hpp"
+#include "tets/tet_solid.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// How far from orthonormal axes in single precision may be.
+constexpr double kAxesTolerance = 1e-5;
+
+[[noreturn]] void fail_damaged(const std::filesystem::path& path) {
+  throw Error(ErrorKind::kInput,
+              {path.string(), "", "is damaged or was not written by crossgrain", Remedy::kSolveAgain});
+}
+
+bool are_orthonormal(const std::array<Vector3, 3>& axes) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = a; b < 3; ++b) {
+      // Not a number is no answer either.
+      if (!(std::abs(dot(axes[a], axes[b]) - (a == b ? 1 : 0)) < kAxesTolerance)) return false;
+    }
+  }
+  return dot(cross(axes[0], axes[1]), axes[2]) > 0;
+}
+
+template <class Index>
+void read_corners(const VtuFile& file, std::vector<std::array<std::uint32_t, 4>>& tets) {
+  const std::vector<Index> corners = file.read<Index>(VtuSection::kCells, "connectivity", 1);
+  tets.resize(corners.size() / 4);
+  for (std::size_t k = 0; k < 4 * tets.size(); ++k) {
+    if (corners[k] < 0 || static_cast<std::size_t>(corners[k]) >= file.points()) fail_damaged(file.name());
+    tets[k / 4][k % 4] = static_cast<std::uint32_t>(corners[k]);
+  }
+}
+
+TetMesh read_mesh(const VtuFile& file) {
+  TetMesh mesh;
+  const std::vector<double> points = file.read<double>(VtuSection::kPoints, "Points", 3);
+  mesh.vertices.resize(points.size() / 3);
+  for (std::size_t k = 0; k < points.size(); ++k) mesh.vertices[k / 3][k % 3] = points[k];
+  const VtuFile::Array* connectivity = file.find(VtuSection::kCells, "connectivity");
+  if (connectivity && connectivity->type == vtu_type_of<std::int64_t>())
+    read_corners<std::int64_t>(file, mesh.tets);
+  else
+    read_corners<std::int32_t>(file, mesh.tets);
+  if (mesh.tets.size() != file.cells()) fail_damaged(file.name());
+  return mesh;
+}
+
+}  // namespace
+
+OntoTets read_onto_tets(const std::filesystem::path& path) {
+  const VtuFile file(path);
+  OntoTets tets{read_mesh(file), {}};
+  std::array<std::vector<float>, 3> axes;
+  for (std::size_t k = 0; k < 3; ++k)
+    axes[k] = file.read<float>(VtuSection::kCellData, std::array{"axis_u", "axis_v", "axis_w"}[k], 3);
+  tets.frames.resize(tets.mesh.tets.size());
+  for (std::size_t t = 0; t < tets.frames.size(); ++t) {
+    std::array<Vector3, 3> frame;
+    for (std::size_t k = 0; k < 3; ++k) frame[k] = {axes[k][3 * t], axes[k][3 * t + 1], axes[k][3 * t + 2]};
+    if (!are_orthonormal(frame)) fail_damaged(path);
+    tets.frames[t] = quaternion_of(frame);
+  }
+  return tets;
+}
+
+std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "onto.vtu";
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  OntoTets tets = read_onto_tets(path);
+  std::vector<Warning> warnings;
+  const std::size_t count = tets.mesh.tets.size();
+  try {
+    const TetSolid solid = prepare_tets(std::move(tets.mesh), warnings);
+    if (solid.mesh.tets.size() != count) fail_damaged(path);
+    return singularity_graph(singular_tet_edges(solid, tets.frames));
+  } catch (const Error&) {
+    // Tets that were written make a solid.
+    fail_damaged(path);
+  }
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/result/tet_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr bool kAlways = true, kOnDemand = false;
+constexpr bool kOfTets = true, kOfOthers = false;
+
+constexpr std::array kFiles = {
+    TetFile{"frames", "onto.frames", "axes of each vertex, nine numbers a line", kAlways, kOfOthers,
+            write_vertex_axes},
+    TetFile{"vtu", "onto.vtu", "tets with axes on vertices and tets, for ParaView", kAlways, kOfOthers,
+            write_tet_grid},
+    TetFile{"singularities", "onto_singularities.vtu", "singular lines of the tets, for ParaView", kAlways,
+            kOfOthers, write_tet_singularities},
+    TetFile{"fra", "onto.fra", "axes of each tet, for CubeCover and Mint", kOnDemand, kOfTets, write_fra},
+    TetFile{"perm", "onto.perm", "matchings across faces, for CubeCover", kOnDemand, kOfTets, write_perm},
+    TetFile{"frame", "onto.frame", "axes of each tet, for mouette", kOnDemand, kOfTets, write_frame},
+    TetFile{"quaternions", "onto_vertices.quaternions", "unit quaternions of vertices and of tets", kOnDemand,
+            kOfOthers, write_vertex_quaternions},
+    TetFile{"quaternions", "onto_tets.quaternions", "", kOnDemand, kOfTets, write_tet_quaternions},
+    TetFile{"features", "onto_features.vtu", "tagged edges and triangles, for ParaView", kOnDemand, kOfOthers,
+            write_feature_grid},
+};
+
+bool contains(const std::vector<std::string>& formats, const std::string& name) {
+  return std::find(formats.begin(), formats.end(), name) != formats.end();
+}
+
+}  // namespace
+
+std::span<const TetFile> tet_files() {
+  return kFiles;
+}
+
+bool is_asked_for(const TetFile& file, const std::vector<std::string>& formats) {
+  return file.is_always_written || contains(formats, file.format);
+}
+
+std::vector<OutputFormat> output_formats() {
+  std::vector<OutputFormat> formats;
+  for (const TetFile& file : kFiles) {
+    if (formats.empty() || formats.back().name != file.format)
+      formats.push_back({file.format, file.description, {}, file.is_always_written});
+    formats.back().files.push_back(file.name);
+  }
+  return formats;
+}
+
+void check_formats(const std::vector<std::string>& formats) {
+  std::vector<std::string> names;
+  for (const OutputFormat& format : output_formats()) names.push_back(format.name);
+  for (const std::string& name : formats) {
+    if (!contains(names, name))
+      throw Error(ErrorKind::kUsage,
+                  fmt::format("'{}' is no format; there are {}", name, fmt::join(names, ", ")));
+  }
+}
+
+}  // namespace crossgrain

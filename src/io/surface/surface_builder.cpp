@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/surface/surface_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace crossgrain {
+
+void SurfaceBuilder::reserve(std::size_t vertices, std::size_t triangles) {
+  mesh_.vertices.reserve(vertices);
+  mesh_.triangles.reserve(triangles);
+}
+
+void SurfaceBuilder::add_vertex(const Vector3& position, const Place& place) {
+  for (const double coordinate : position) {
+    if (!std::isfinite(coordinate)) fail_input(*file_, place, fmt::format("a coordinate is {}", coordinate));
+  }
+  if (mesh_.vertices.size() >= std::numeric_limits<std::uint32_t>::max())
+    fail_input(*file_, place, "more than 4294967295 vertices", Remedy::kSimplify);
+  mesh_.vertices.push_back(position);
+}
+
+void SurfaceBuilder::add_polygon(std::span<const std::int64_t> corners, const Place& place) {
+  corners_.clear();
+  for (const std::int64_t corner : corners) {
+    if (corner < 0 || static_cast<std::size_t>(corner) >= mesh_.vertices.size())
+      fail_out_of_range(corner, place);
+    corners_.push_back(static_cast<std::uint32_t>(corner));
+  }
+  if (corners_.size() > 3) {
+    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+    while (corners_.size() > 3 && corners_.front() == corners_.back()) corners_.pop_back();
+  }
+  if (corners_.size() < 3) return;
+  if (!triangulator_.triangulate(corners_, mesh_.vertices, mesh_.triangles))
+    fail_input(
+        *file_, place,
+        fmt::format("this polygon of {} corners takes too long to cut into triangles", corners_.size()),
+        Remedy::kTriangulate);
+}
+
+void SurfaceBuilder::fail_out_of_range(std::int64_t corner, const Place& place) const {
+  if (mesh_.vertices.empty()) fail_input(*file_, place, "a face but no vertices");
+  // Unsigned, so that a corner at the very end of the 64 bits wraps instead of overflowing.
+  const auto shown = static_cast<std::int64_t>(static_cast<std::uint64_t>(corner) +
+                                               static_cast<std::uint64_t>(first_index_));
+  fail_input(*file_, place,
+             fmt::format("a face refers to vertex {}, but vertices are numbered {} to {}", shown,
+                         first_index_, static_cast<std::int64_t>(mesh_.vertices.size()) - 1 + first_index_));
+}
+
+TriangleMesh SurfaceBuilder::finish() {
+  if (mesh_.triangles.empty()) fail_input(*file_, {}, "holds no triangles or polygons", Remedy::kExportAgain);
+  return std::move(mesh_);
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/vtu/zlib_blocks.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace crossgrain {
+namespace {
+
+/// Deflate cannot shrink data further than about 1032:1, so what claims to is damaged.
+constexpr std::uint64_t kLargestRatio = 1040;
+
+}  // namespace
+
+std::optional<ZlibBlocks> zlib_blocks(const std::array<std::uint64_t, 3>& head,
+                                      std::span<const std::uint64_t> sizes, std::uint64_t begin,
+                                      std::uint64_t end) {
+  const auto [count, block_bytes, last_bytes] = head;
+  if (count != sizes.size() || last_bytes > block_bytes || (count > 0 && block_bytes == 0)) return {};
+  ZlibBlocks blocks;
+  blocks.block_bytes = block_bytes;
+  blocks.begins.reserve(count + 1);
+  blocks.begins.push_back(begin);
+  const std::uint64_t last_block_bytes = last_bytes > 0 ? last_bytes : block_bytes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint64_t raw_bytes = i + 1 < count ? block_bytes : last_block_bytes;
+    if (sizes[i] > end - blocks.begins[i] || raw_bytes / kLargestRatio > sizes[i]) return {};
+    blocks.begins.push_back(blocks.begins[i] + sizes[i]);
+  }
+  if (count > 0) blocks.raw_bytes = (count - 1) * block_bytes + last_block_bytes;
+  return blocks;
+}
+
+bool inflate_block(std::span<const unsigned char> compressed, char* out, std::uint64_t raw_bytes) {
+  uLongf got = raw_bytes;
+  const int code =
+      uncompress(reinterpret_cast<unsigned char*>(out), &got, compressed.data(), compressed.size());
+  return code == Z_OK && got == raw_bytes;
+}
+
+bool inflate_onto(std::string& out, std::span<const unsigned char> compressed, std::uint64_t raw_bytes) {
+  constexpr std::uint64_t kPiece = 1 << 16;
+  if (compressed.size() > std::numeric_limits<uInt>::max()) return false;
+  z_stream stream{};
+  // Zlib leaves it alone; its interface is older than const.
+  stream.next_in = const_cast<unsigned char*>(compressed.data());
+  stream.avail_in = static_cast<uInt>(compressed.size());
+  if (inflateInit(&stream) != Z_OK) return false;
+  const std::size_t begin = out.size();
+  int code = Z_OK;
+  while (code == Z_OK) {
+    const std::size_t done = out.size();
+    // One more, to see a stream that goes on.
+    const std::uint64_t room = std::min(kPiece, raw_bytes - (done - begin) + 1);
+    out.resize(done + room);
+    stream.next_out = reinterpret_cast<unsigned char*>(out.data() + done);
+    stream.avail_out = static_cast<uInt>(room);
+    code = inflate(&stream, Z_NO_FLUSH);
+    out.resize(out.size() - stream.avail_out);
+    if (out.size() - begin > raw_bytes) break;
+  }
+  inflateEnd(&stream);
+  return code == Z_STREAM_END && out.size() - begin == raw_bytes;
+}
+
+}  // namespace crossgrain

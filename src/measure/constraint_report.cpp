@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/constraint_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/parallel.hpp"
+#include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
+#include "measure/alignment.hpp"
+#include "measure/angle_statistics.hpp"
+#include "surface/clipping.hpp"
+#include "surface/constraint_faults.hpp"
+#include "surface/constraint_guides.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Below this gap an eigenvector hardly counts, and its angle tells nothing of the field.
+constexpr double kMeasuredGap = 0.1;
+
+bool has_place(const Box& box, const Vector3& place) {
+  return !clip_segment({place, place}, box).empty();
+}
+
+std::string in_words(const Vector3& place) {
+  return fmt::format("{:.6g} {:.6g} {:.6g}", place[0], place[1], place[2]);
+}
+
+/// Collects what is asked for inside the cells, and counts what is outside.
+class Collector {
+ public:
+  Collector(const Solid& solid, const GridLevel& level, double step)
+      : solid_(solid), level_(level), step_(step) {}
+
+  void add(const Constraints::Point& point) {
+    ++asked_.counts.points.count;
+    if (!is_inside(point.at)) {
+      note_outside(point.at);
+      ++asked_.counts.points.outside;
+      return;
+    }
+    for (const Vector3& axis : directions_of(point.axes)) asked_.points.push_back({point.at, axis, 1});
+  }
+
+  void add(const Constraints::Stress& stress) {
+    ++asked_.counts.stresses.count;
+    const StressAxes axes = stress_axes(stress.tensor);
+    asked_.counts.isotropic_stresses += axes.say_nothing();
+    if (!is_inside(stress.at)) {
+      note_outside(stress.at);
+      ++asked_.counts.stresses.outside;
+      return;
+    }
+    for (int k = 0; k < 3; ++k) {
+      if (axes.gaps[k] >= kMeasuredGap) asked_.stresses.push_back({stress.at, axes.directions[k], 1});
+    }
+  }
+
+  void add(const Constraints::Polyline& polyline) {
+    ++asked_.counts.polylines.count;
+    double length = 0, inside = 0;
+    bool is_outside = false;
+    for (std::size_t k = 0; k + 1 < polyline.points.size(); ++k) {
+      const std::array<Vector3, 2> ends{polyline.points[k], polyline.points[k + 1]};
+      if (ends[0] == ends[1]) continue;
+      length += norm(ends[1] - ends[0]);
+      const auto directions = polyline.axes.empty() ? std::vector<Vector3>{unit_vector(ends[1] - ends[0])}
+                                                    : directions_of(polyline.axes);
+      is_outside |= !add_piece(ends, directions, inside);
+    }
+    asked_.counts.polylines.length += length;
+    asked_.counts.polylines.outside_length += is_outside ? std::max(0.0, length - inside) : 0;
+    asked_.counts.polylines.outside += is_outside;
+  }
+
+  void add_faces(const std::vector<Constraints::Face>& faces) {
+    asked_.counts.faces.count = faces.size();
+    if (faces.empty()) return;
+    std::map<std::int32_t, std::vector<std::vector<Vector3>>> axes_of;
+    for (const Constraints::Face& face : faces)
+      axes_of[face.face].push_back(face.axes.empty() ? std::vector<Vector3>{} : directions_of(face.axes));
+    for (CellIndex i = 0; i < level_.size(); ++i) {
+      for (const SurfacePiece& piece : level_.pieces_of(i)) {
+        const auto found = axes_of.find(solid_.surface.mesh.faces[piece.triangle]);
+        if (found == axes_of.end()) continue;
+        asked_.counts.faces.area += piece.area;
+        for (const std::vector<Vector3>& axes : found->second) add_piece(i, piece, axes);
+      }
+    }
+  }
+
+  AskedAxes result() && { return std::move(asked_); }
+
+ private:
+  bool is_inside(const Vector3& place) const {
+    const auto address = level_.tree.root().locate(place);
+    return address && level_.tree.find_containing(*address) != kNoCell;
+  }
+
+  void note_outside(const Vector3& place) {
+    if (!asked_.first_outside) asked_.first_outside = place;
+  }
+
+  /// Whether all of the piece is inside; adds to `inside` the length that is.
+  bool add_piece(const std::array<Vector3, 2>& ends, const std::vector<Vector3>& directions, double& inside) {
+    const Vector3 along = ends[1] - ends[0];
+    const ClippedSegment near = clip_segment(ends, level_.tree.root().box(CellAddress::root()));
+    if (near.empty()) {
+      note_outside(ends[0]);
+      return false;
+    }
+    bool all_inside = near.from == 0 && near.to == 1;
+    if (!all_inside) note_outside(near.from > 0 ? ends[0] : ends[1]);
+    const double length = (near.to - near.from) * norm(along);
+    const int parts = std::max(1, static_cast<int>(std::ceil(length / step_)));
+    for (int part = 0; part < parts; ++part) {
+      const double t = near.from + (part + 0.5) / parts * (near.to - near.from);
+      const Vector3 place = ends[0] + t * along;
+      if (!is_inside(place)) {
+        note_outside(place);
+        all_inside = false;
+        continue;
+      }
+      inside += length / parts;
+      for (const Vector3& axis : directions) asked_.polylines.push_back({place, axis, length / parts});
+    }
+    return all_inside;
+  }
+
+  void add_piece(CellIndex leaf, const SurfacePiece& piece, const std::vector<Vector3>& axes) {
+    const Box box = level_.tree.root().box(level_.tree[leaf]);
+    const Vector3 place = clip_triangle(solid_.surface.corners(piece.triangle), box).centroid;
+    if (axes.empty())
+      asked_.faces.push_back({place, solid_.surface.normal_at(piece.triangle, place), piece.area});
+    for (const Vector3& axis : axes) asked_.faces.push_back({place, axis, piece.area});
+  }
+
+  const Solid& solid_;
+  const GridLevel& level_;
+  double step_;
+  AskedAxes asked_;
+};
+
+SolveReport::AngleSummary angles_of(const std::vector<AskedAxis>& asked, const Sampler& sampler) {
+  if (asked.empty()) return {};
+  std::vector<WeightedAngle> angles(asked.size());
+  parallel_for(asked.size(), [&](std::size_t k) {
+    const Quaternion frame = sampler.at(asked[k].place).frame;
+    angles[k] = {angle_to_nearest_axis_deg(frame, asked[k].direction), asked[k].weight};
+  });
+  return summary_of(std::move(angles));
+}
+
+}  // namespace
+
+void check_places(const Constraints& constraints, const Box& model) {
+  if (constraints.empty() || !constraints.faces.empty()) return;
+  for (const Constraints::Point& point : constraints.points)
+    if (has_place(model, point.at)) return;
+  for (const Constraints::Stress& stress : constraints.stresses)
+    if (has_place(model, stress.at)) return;
+  for (const Constraints::Polyline& polyline : constraints.polylines) {
+    for (std::size_t k = 0; k + 1 < polyline.points.size(); ++k)
+      if (!clip_segment({polyline.points[k], polyline.points[k + 1]}, model).empty()) return;
+  }
+  throw Error(ErrorKind::kInput,
+              message_on(constraints, 0, "constraints",
+                         fmt::format("all of them lie outside the model, which reaches from {} to {}",
+                                     in_words(model.low), in_words(model.high)),
+                         Remedy::kMatchUnits));
+}
+
+AskedAxes asked_axes(const Constraints& constraints, const Solid& solid, const GridLevel& level,
+                     double step) {
+  Collector collector(solid, level, step);
+  for (const Constraints::Point& point : constraints.points) collector.add(point);
+  for (const Constraints::Stress& stress : constraints.stresses) collector.add(stress);
+  for (const Constraints::Polyline& polyline : constraints.polylines) collector.add(polyline);
+  collector.add_faces(constraints.faces);
+  return std::move(collector).result();
+}
+
+SolveReport::Constraints constraint_report(const AskedAxes& asked, const Sampler& sampler) {
+  SolveReport::Constraints report = asked.counts;
+  report.points.angle_deg = angles_of(asked.points, sampler);
+  report.polylines.angle_deg = angles_of(asked.polylines, sampler);
+  report.faces.angle_deg = angles_of(asked.faces, sampler);
+  report.stresses.angle_deg = angles_of(asked.stresses, sampler);
+  return report;
+}
+
+std::optional<Warning> outside_constraints_warning(const AskedAxes& asked, const std::string& source) {
+  if (!asked.first_outside) return std::nullopt;
+  const auto& [points, polylines, faces, stresses, isotropic] = asked.counts;
+  std::vector<std::string> parts;
+  const auto count = [&](std::size_t outside, std::size_t all, const char* what) {
+    if (outside > 0) parts.push_back(fmt::format("{} of {} {}", outside, all, what));
+  };
+  count(points.outside, points.count, "points");
+  count(stresses.outside, stresses.count, "stresses");
+  count(polylines.outside, polylines.count, "polylines (in part)");
+  return Warning(WarningKind::kConstraintsOutside,
+                 {source, "",
+                  fmt::format("constraints outside the solid: {}, the first at {}; there they do nothing",
+                              fmt::join(parts, ", "), in_words(*asked.first_outside))});
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/crease_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/parallel.hpp"
+#include "base/vector3.hpp"
+#include "measure/alignment.hpp"
+#include "measure/angle_statistics.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Three faces at right angles have a frame in common; more never do.
+constexpr std::size_t kCurvesOfAFrame = 3;
+
+bool is_crowded(const CreaseCorner& corner) {
+  return corner.directions > kCurvesOfAFrame;
+}
+
+struct Place {
+  Vector3 position, tangent;
+  double length;  ///< of its part of the curve, above 0
+};
+
+/// The middles of equal parts of all pieces of a curve.
+void add_places(const CreaseCurve& curve, double step, std::vector<Place>& places) {
+  for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) {
+    const Vector3 along = curve.points[k + 1] - curve.points[k];
+    if (norm(along) == 0) continue;
+    const int parts = std::max(1, static_cast<int>(std::ceil(norm(along) / step)));
+    for (int part = 0; part < parts; ++part) {
+      const double t = (part + 0.5) / parts;
+      const Vector3 tangent = (1 - t) * curve.tangents[k] + t * curve.tangents[k + 1];
+      places.push_back({curve.points[k] + t * along, normalised(tangent), norm(along) / parts});
+    }
+  }
+}
+
+double length_of(const CreaseCurve& curve) {
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < curve.points.size(); ++k)
+    sum += norm(curve.points[k + 1] - curve.points[k]);
+  return sum;
+}
+
+/// `inner` has the same vertices as the surface.
+std::vector<CreaseCurve> curves_of(const Surface& surface, const TriangleMesh& inner,
+                                   const CreaseAngles& angles) {
+  if (inner.triangles.empty()) return sharp_curves(surface, angles);
+  TriangleMesh both{inner.vertices, surface.mesh.triangles};
+  both.triangles.insert(both.triangles.end(), inner.triangles.begin(), inner.triangles.end());
+  return sharp_curves(prepare_surface(std::move(both)), angles);
+}
+
+/// Solids that share a face in space but not in the file have its edges both.
+std::vector<CreaseCurve> without_repeats(const std::vector<CreaseCurve>& curves) {
+  std::set<std::vector<Vector3>> seen;
+  std::vector<CreaseCurve> result;
+  for (const CreaseCurve& curve : curves) {
+    std::vector<Vector3> points = curve.points;
+    if (!points.empty() && points.back() < points.front()) std::reverse(points.begin(), points.end());
+    if (seen.insert(std::move(points)).second) result.push_back(curve);
+  }
+  return result;
+}
+
+}  // namespace
+
+CreaseNetwork::CreaseNetwork(const Surface& surface, const TriangleMesh& inner, const CreaseAngles& angles,
+                             bool inside_out)
+    : curves(surface.mesh.creases.empty() ? curves_of(surface, inner, angles)
+                                          : without_repeats(surface.mesh.creases)),
+      corners(corners_of(curves, angles)),
+      knives(knife_edges(surface, angles, inside_out)) {}
+
+SolveReport::Creases crease_report(const CreaseNetwork& creases, const Sampler& sampler, double step) {
+  SolveReport::Creases report;
+  report.curves = creases.curves.size();
+  report.corners = creases.corners.size();
+  for (const CreaseCorner& corner : creases.corners) {
+    if (is_crowded(corner) && report.crowded_corners++ < KnifeEdges::kMostPlaces)
+      report.crowded_corner_places.push_back(corner.position);
+  }
+  report.knife_edges = creases.knives.count;
+  report.knife_edge_places = creases.knives.places;
+  std::vector<Place> places;
+  for (const CreaseCurve& curve : creases.curves) {
+    report.length += length_of(curve);
+    add_places(curve, step, places);
+  }
+  std::vector<WeightedAngle> angles_deg(places.size());
+  parallel_for(places.size(), [&](std::size_t k) {
+    const Place& place = places[k];
+    angles_deg[k] = {angle_to_nearest_axis_deg(sampler.at(place.position).frame, place.tangent),
+                     place.length};
+  });
+  report.tangent_deg = summary_of(std::move(angles_deg));
+  return report;
+}
+
+std::vector<Warning> crease_warnings(const CreaseNetwork& creases) {
+  std::vector<Warning> warnings;
+  const auto crowded = std::find_if(creases.corners.begin(), creases.corners.end(), is_crowded);
+  if (crowded != creases.corners.end()) {
+    const auto count = std::count_if(creases.corners.begin(), creases.corners.end(), is_crowded);
+    const auto& [x, y, z] = crowded->position;
+    warnings.emplace_back(
+        WarningKind::kCrowdedCorners,
+        fmt::format("{} corners of more than three creases, the first at {:.6g} {:.6g} {:.6g}: no frame has "
+                    "an axis across all their faces",
+                    count, x, y, z));
+  }
+  if (creases.knives.count > 0) {
+    const auto& [x, y, z] = creases.knives.places[0];
+    warnings.emplace_back(
+        WarningKind::kKnifeEdges,
+        fmt::format("{} edges with less than 45 degrees of solid between their faces, the first at {:.6g} "
+                    "{:.6g} {:.6g}: no frame follows both",
+                    creases.knives.count, x, y, z));
+  }
+  return warnings;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/interface_report.hpp"
+
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "base/vector3.hpp"
+#include "measure/alignment.hpp"
+#include "measure/angle_statistics.hpp"
+#include "surface/surface.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Halvings of a triangle at most: one across a grid of 2^19 cells would else have more parts than memory.
+constexpr int kMostHalvings = 18;
+
+struct Place {
+  Vector3 position, normal;
+  double area;
+};
+
+/// The centroids of the parts that a triangle is cut into across its longest edge, as long as that is longer
+/// than `step`. Long thin ones, such as those of a cylinder, have no more parts than it takes.
+void add_places(const std::array<Vector3, 3>& corners, const std::array<Vector3, 3>& normals, double step,
+                int halvings, std::vector<Place>& places) {
+  std::size_t longest = 0;
+  const auto length = [&](std::size_t edge) { return norm(corners[(edge + 1) % 3] - corners[edge]); };
+  for (std::size_t edge = 1; edge < 3; ++edge) {
+    if (length(edge) > length(longest)) longest = edge;
+  }
+  if (halvings == 0 || length(longest) <= step) {
+    const Vector3 centroid = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
+    places.push_back({centroid, normalised(normals[0] + normals[1] + normals[2]), shape_of(corners).area});
+    return;
+  }
+  const std::size_t from = longest, to = (longest + 1) % 3;
+  for (const auto& [kept, moved] : {std::pair{from, to}, std::pair{to, from}}) {
+    auto half = corners;
+    auto half_normals = normals;
+    half[moved] = 0.5 * (corners[kept] + corners[moved]);
+    half_normals[moved] = 0.5 * (normals[kept] + normals[moved]);
+    add_places(half, half_normals, step, halvings - 1, places);
+  }
+}
+
+}  // namespace
+
+std::optional<SolveReport::Interfaces> interface_report(const TriangleMesh& inner, const Sampler& sampler,
+                                                        double step) {
+  if (inner.triangles.empty()) return std::nullopt;
+  std::vector<Place> places;
+  for (std::size_t t = 0; t < inner.triangles.size(); ++t) {
+    const auto& [a, b, c] = inner.triangles[t];
+    add_places({inner.vertices[a], inner.vertices[b], inner.vertices[c]}, inner.corner_normals[t], step,
+               kMostHalvings, places);
+  }
+  std::vector<float> angles_deg(places.size());
+  std::vector<SurfacePiece> pieces(places.size());
+  parallel_for(places.size(), [&](std::size_t k) {
+    const auto& [position, normal, area] = places[k];
+    angles_deg[k] = static_cast<float>(angle_to_nearest_axis_deg(sampler.at(position).frame, normal));
+    pieces[k] = {0, static_cast<float>(area)};
+  });
+  SolveReport::Interfaces report;
+  for (const Place& place : places) report.area += place.area;
+  const SolveReport::Alignment alignment = angle_statistics(pieces, angles_deg);
+  report.mean = alignment.mean;
+  report.p95 = alignment.p95;
+  report.max = alignment.max;
+  return report;
+}
+
+}  // namespace crossgrain

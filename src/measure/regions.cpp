@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/regions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/parallel.hpp"
+#include "base/vector3.hpp"
+#include "surface/bvh.hpp"
+#include "surface/solid_split.hpp"
+#include "surface/winding_number.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr std::uint32_t kNone = UINT32_MAX;
+
+double volume_of(const Surface& surface) {
+  double volume = 0;
+  for (std::size_t t = 0; t < surface.size(); ++t)
+    volume += surface.areas[t] * dot(surface.normals[t], surface.corners(t)[0] - surface.box.low) / 3;
+  return std::abs(volume);
+}
+
+bool holds(const Box& box, const Vector3& point) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (point[axis] < box.low[axis] || point[axis] > box.high[axis]) return false;
+  }
+  return true;
+}
+
+/// One solid with its own winding number. Not to be moved: the tree refers to the surface.
+struct SolidBody {
+  std::int32_t number;
+  Surface surface;
+  TriangleBvh bvh;
+  WindingNumber winding;
+  double volume;
+
+  SolidBody(std::int32_t solid, TriangleMesh mesh)
+      : number(solid),
+        surface(prepare_surface(std::move(mesh))),
+        bvh(surface),
+        winding(surface, bvh),
+        volume(volume_of(surface)) {}
+  SolidBody(const SolidBody&) = delete;
+  SolidBody& operator=(const SolidBody&) = delete;
+};
+
+/// The triangles of each solid, which have an area, with vertices of their own; solids ascending.
+std::vector<std::unique_ptr<SolidBody>> bodies_of(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    if (shape_of({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}).area > 0) order.push_back(t);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return mesh.solids[a] < mesh.solids[b]; });
+  std::vector<std::unique_ptr<SolidBody>> bodies;
+  std::vector<std::uint32_t> new_index(mesh.vertices.size(), kNone);
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    const std::int32_t solid = mesh.solids[order[begin]];
+    TriangleMesh own;
+    std::vector<std::uint32_t> used;
+    for (; end < order.size() && mesh.solids[order[end]] == solid; ++end) {
+      auto triangle = mesh.triangles[order[end]];
+      for (std::uint32_t& v : triangle) {
+        if (new_index[v] == kNone) {
+          new_index[v] = static_cast<std::uint32_t>(own.vertices.size());
+          own.vertices.push_back(mesh.vertices[v]);
+          used.push_back(v);
+        }
+        v = new_index[v];
+      }
+      own.triangles.push_back(triangle);
+    }
+    for (const std::uint32_t v : used) new_index[v] = kNone;
+    bodies.push_back(std::make_unique<SolidBody>(solid, std::move(own)));
+  }
+  return bodies;
+}
+
+/// The body of a leaf, and whether others claim it too.
+struct Claim {
+  std::uint32_t body;
+  bool contested;
+};
+
+class RegionFinder {
+ public:
+  RegionFinder(const TriangleMesh& mesh, const Surface& outer, const GridLevel& level)
+      : bodies_(bodies_of(mesh)), outer_(outer), level_(level) {}
+
+  const std::vector<std::unique_ptr<SolidBody>>& bodies() const { return bodies_; }
+
+  /// Outer triangles whose other side is another solid too: the first of them, and how many.
+  struct Contacts {
+    std::size_t count = 0;
+    Vector3 first{};
+  };
+  Contacts contacts() const {
+    const double step = kBeside * longest_side(outer_.box);
+    std::vector<std::uint8_t> found(outer_.size());
+    parallel_for(outer_.size(), [&](std::size_t t) {
+      const std::size_t own = body_of(outer_.mesh.solids[t]);
+      const double outward = bodies_[own]->winding.flipped() ? -step : step;
+      const Vector3 beside = centroid(t) + outward * outer_.normals[t];
+      for (std::size_t b = 0; b < bodies_.size() && !found[t]; ++b)
+        found[t] = b != own && holds(bodies_[b]->surface.box, beside) && bodies_[b]->winding.inside(beside);
+    });
+    Contacts result;
+    for (std::size_t t = 0; t < found.size(); ++t) {
+      if (found[t] && result.count++ == 0) result.first = centroid(t);
+    }
+    return result;
+  }
+
+  Claim claim(CellIndex leaf) const {
+    const Claim around =
+        level_.centre_inside(leaf) ? around_centre(level_.tree.centre(leaf)) : Claim{kNone, false};
+    return around.body != kNone ? around : Claim{of_most_surface(leaf), false};
+  }
+
+ private:
+  /// Of the longest side: above the rounding of coordinates, below all cells.
+  static constexpr double kBeside = 1e-7;
+
+  Vector3 centroid(std::size_t triangle) const {
+    const auto [a, b, c] = outer_.corners(triangle);
+    return (1.0 / 3) * (a + b + c);
+  }
+
+  Claim around_centre(const Vector3& centre) const {
+    Claim claim{kNone, false};
+    double closest = -INFINITY;
+    std::uint32_t likeliest = kNone;
+    for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+      if (!holds(bodies_[b]->surface.box, centre)) continue;
+      const double winding = bodies_[b]->winding.at(centre);
+      if (winding > closest) closest = winding, likeliest = b;
+      if (winding <= 0.5) continue;
+      claim.contested = claim.body != kNone;
+      if (claim.body == kNone || bodies_[b]->volume < bodies_[claim.body]->volume) claim.body = b;
+    }
+    if (claim.body == kNone) claim.body = likeliest;
+    return claim;
+  }
+
+  std::uint32_t of_most_surface(CellIndex leaf) const {
+    std::vector<double> areas(bodies_.size());
+    for (const SurfacePiece& piece : level_.pieces_of(leaf))
+      areas[body_of(outer_.mesh.solids[piece.triangle])] += piece.area;
+    return static_cast<std::uint32_t>(std::max_element(areas.begin(), areas.end()) - areas.begin());
+  }
+
+  std::size_t body_of(std::int32_t solid) const {
+    const auto found =
+        std::lower_bound(bodies_.begin(), bodies_.end(), solid,
+                         [](const auto& body, std::int32_t number) { return body->number < number; });
+    return static_cast<std::size_t>(found - bodies_.begin());
+  }
+
+  std::vector<std::unique_ptr<SolidBody>> bodies_;
+  const Surface& outer_;
+  const GridLevel& level_;
+};
+
+}  // namespace
+
+CellRegions find_regions(const TriangleMesh& mesh, const Surface& outer, const GridLevel& level) {
+  CellRegions result;
+  if (!has_several_solids(mesh)) return result;
+  const RegionFinder finder(mesh, outer, level);
+  std::vector<std::uint8_t> contested(level.size());
+  result.of_leaf.resize(level.size());
+  std::vector<std::uint32_t> body(level.size());
+  parallel_for(level.size(), [&](std::size_t i) {
+    const Claim claim = finder.claim(static_cast<CellIndex>(i));
+    body[i] = claim.body;
+    contested[i] = claim.contested;
+    result.of_leaf[i] = finder.bodies()[claim.body]->number;
+  });
+  for (const auto& solid : finder.bodies()) result.regions.push_back({solid->number, 0, solid->volume});
+  for (const std::uint32_t b : body) ++result.regions[b].cells;
+
+  const auto first = std::find(contested.begin(), contested.end(), 1);
+  if (first != contested.end()) {
+    const auto [x, y, z] = level.tree.centre(static_cast<CellIndex>(first - contested.begin()));
+    result.warnings.emplace_back(
+        WarningKind::kOverlappingSolids,
+        fmt::format("solids overlap: {} cells are in more than one, the first around {:.6g} {:.6g} {:.6g}; "
+                    "they count for the smallest of them, and the surfaces of all constrain frames there",
+                    std::count(contested.begin(), contested.end(), 1), x, y, z),
+        Remedy::kSeparateSolids);
+  } else if (const auto [count, place] = finder.contacts(); count > 0) {
+    const auto& [x, y, z] = place;
+    result.warnings.emplace_back(
+        WarningKind::kTouchingSolids,
+        fmt::format(
+            "solids touch by faces that are not the same triangles: {} triangles lie against another "
+            "solid, the first around {:.6g} {:.6g} {:.6g}; both surfaces constrain frames there, also "
+            "where solids are united",
+            count, x, y, z),
+        Remedy::kGlueSolids);
+  }
+  const auto empty = [](const SolveReport::Region& region) { return region.cells == 0; };
+  const auto none = std::find_if(result.regions.begin(), result.regions.end(), empty);
+  if (none != result.regions.end()) {
+    result.warnings.emplace_back(
+        WarningKind::kEmptySolids,
+        fmt::format("solids too small to hold a cell: {} of {}, the first is region {}",
+                    std::count_if(result.regions.begin(), result.regions.end(), empty), result.regions.size(),
+                    none->region),
+        Remedy::kRaiseResolution);
+  }
+  return result;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "singularity/merged_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/disjoint_sets.hpp"
+#include "singularity/chains.hpp"
+
+namespace crossgrain {
+namespace {
+
+using Ends = std::array<std::uint32_t, 2>;
+
+/// The axis of the turn in the direction away from one of the edge's ends.
+Vector3 axis_away_from(const SingularEdge& edge, std::uint32_t end) {
+  return edge.ends[0] == end ? edge.turn.axis : -1.0 * edge.turn.axis;
+}
+
+/// Whether a line that comes along an edge to one of its ends goes on from `other_end` along the other edge:
+/// frames turn alike around both.
+bool is_one_line(const SingularEdge& edge, std::uint32_t end, const SingularEdge& other,
+                 std::uint32_t other_end) {
+  return edge.turn.kind == other.turn.kind &&
+         -dot(axis_away_from(edge, end), axis_away_from(other, other_end)) > 1 / std::numbers::sqrt2;
+}
+
+class Merger {
+ public:
+  Merger(const SingularEdges& singular, const SingularityOptions& options)
+      : singular_(singular),
+        options_(options),
+        incident_(singular.points.size()),
+        linked_(singular.points.size(), false),
+        sets_(singular.points.size()) {
+    for (std::uint32_t e = 0; e < singular.edges.size(); ++e)
+      for (const std::uint32_t end : singular.edges[e].ends) incident_[end].push_back(e);
+    for (const auto& [a, b] : singular.surface_edges) {
+      if (!goes_on_over_surface(a, b)) continue;
+      linked_[a] = linked_[b] = true;
+      sets_.join(a, b);
+    }
+  }
+
+  MergedNetwork merge() {
+    MergedNetwork network;
+    const std::vector<Chain> lines = lines_between_points();
+    std::vector<const Chain*> kept, kept_after_all;
+    const auto take_in = [&](const Chain& line) {
+      for (const std::uint32_t point : line.vertices) sets_.join(point, line.vertices.front());
+    };
+    for (const Chain& line : lines) {
+      if (is_mere_loop(line)) {
+        ++network.unresolved_loops;
+      } else if (is_part_of_a_node(line)) {
+        take_in(line);
+      } else {
+        kept.push_back(&line);
+      }
+    }
+    // Nodes that have become one make loops of the arcs between.
+    for (const Chain* line : kept) {
+      const bool is_loop =
+          !line->is_closed() && sets_.root(line->vertices.front()) == sets_.root(line->vertices.back());
+      if (is_loop && length_in_cells(*line) <= options_.loop_cells)
+        take_in(*line);
+      else
+        kept_after_all.push_back(line);
+    }
+    join(kept_after_all, network);
+    return network;
+  }
+
+ private:
+  std::vector<Chain> lines_between_points() const {
+    std::vector<Ends> ends;
+    for (const SingularEdge& edge : singular_.edges) ends.push_back(edge.ends);
+    std::vector<std::uint8_t> goes_through(incident_.size());
+    for (std::uint32_t p = 0; p < incident_.size(); ++p) {
+      const auto& edges = incident_[p];
+      goes_through[p] =
+          edges.size() == 2 && (!singular_.points[p].on_boundary ||
+                                is_one_line(singular_.edges[edges[0]], p, singular_.edges[edges[1]], p));
+    }
+    return chains(ends, goes_through);
+  }
+
+  /// Whether two ends on the surface, with an edge of it between, are one line that leaves the tets there.
+  bool goes_on_over_surface(std::uint32_t a, std::uint32_t b) const {
+    if (linked_[a] || linked_[b] || incident_[a].size() != 1 || incident_[b].size() != 1) return false;
+    return is_one_line(singular_.edges[incident_[a][0]], a, singular_.edges[incident_[b][0]], b);
+  }
+
+  bool is_node(std::uint32_t point) const { return incident_[point].size() > 2; }
+
+  double length_in_cells(const Chain& line) const {
+    double cells = 0;
+    for (const std::uint32_t e : line.edges) {
+      const auto& [a, b] = singular_.edges[e].ends;
+      const SingularEdges::Point &from = singular_.points[a], &to = singular_.points[b];
+      cells += 2 * norm(to.place - from.place) / (from.cell_size + to.cell_size);
+    }
+    return cells;
+  }
+
+  bool is_mere_loop(const Chain& line) const {
+    return line.is_closed() && !is_node(line.vertices.front()) &&
+           length_in_cells(line) <= options_.loop_cells;
+  }
+
+  bool is_part_of_a_node(const Chain& line) const {
+    if (!is_node(line.vertices.front()) && !is_node(line.vertices.back())) return false;
+    return length_in_cells(line) <= (line.is_closed() ? options_.loop_cells : options_.merge_cells);
+  }
+
+  /// Joins what is left of the lines at places where only two of them meet.
+  void join(const std::vector<const Chain*>& lines, MergedNetwork& network) {
+    std::vector<std::uint32_t>& place_of = network.place_of;
+    place_of.resize(singular_.points.size());
+    const auto add_place = [&](std::uint32_t point) {
+      place_of[point] = static_cast<std::uint32_t>(network.places.size());
+      network.places.push_back({{}, false});
+    };
+    for (std::uint32_t p = 0; p < place_of.size(); ++p) {
+      if (sets_.root(p) == p) add_place(p);
+    }
+    for (std::uint32_t p = 0; p < place_of.size(); ++p) {
+      place_of[p] = place_of[sets_.root(p)];
+      network.places[place_of[p]].points.push_back(p);
+    }
+    std::vector<Ends> ends;
+    std::vector<std::uint32_t> degrees(network.places.size(), 0);
+    for (const Chain* line : lines) {
+      ends.push_back({place_of[line->vertices.front()], place_of[line->vertices.back()]});
+      for (const std::uint32_t end : ends.back()) ++degrees[end];
+    }
+    std::vector<std::uint8_t> goes_through(network.places.size(), 0);
+    for (std::size_t k = 0; k < network.places.size(); ++k) {
+      MergedNetwork::Place& place = network.places[k];
+      // Where one line arrives, another goes on to the surface without an edge.
+      place.on_boundary =
+          degrees[k] == 1 || std::any_of(place.points.begin(), place.points.end(),
+                                         [&](std::uint32_t p) { return ends_on_boundary(p); });
+      goes_through[k] = degrees[k] == 2 && !place.on_boundary;
+    }
+    for (const Chain& chain : chains(ends, goes_through))
+      network.arcs.push_back(arc_of(chain, lines, place_of, goes_through[chain.vertices.front()] != 0));
+  }
+
+  /// Whether the surface is where something ends, and not only touched in passing.
+  bool ends_on_boundary(std::uint32_t p) const {
+    const auto& edges = incident_[p];
+    return singular_.points[p].on_boundary && !linked_[p] &&
+           !(edges.size() == 2 && is_one_line(singular_.edges[edges[0]], p, singular_.edges[edges[1]], p));
+  }
+
+  MergedNetwork::Arc arc_of(const Chain& chain, const std::vector<const Chain*>& lines,
+                            const std::vector<std::uint32_t>& place_of, bool closed) const {
+    MergedNetwork::Arc arc{{chain.vertices.front()}, {}, closed};
+    for (std::size_t k = 0; k < chain.edges.size(); ++k) {
+      const Chain& line = *lines[chain.edges[k]];
+      // A line from a place to itself is taken as it stands.
+      const bool forward = place_of[line.vertices.front()] == chain.vertices[k];
+      for (std::size_t i = 0; i < line.edges.size(); ++i) {
+        const std::size_t last = line.edges.size() - 1;
+        arc.edges.push_back(line.edges[forward ? i : last - i]);
+        arc.places.push_back(place_of[line.vertices[forward ? i + 1 : last - i]]);
+      }
+    }
+    return arc;
+  }
+
+  const SingularEdges& singular_;
+  const SingularityOptions& options_;
+  std::vector<std::vector<std::uint32_t>> incident_;  ///< edges at each point
+  std::vector<bool> linked_;                          ///< ends from which a line goes on over the surface
+  DisjointSets sets_;                                 ///< of points that are one place
+};
+
+}  // namespace
+
+MergedNetwork merged(const SingularEdges& singular, const SingularityOptions& options) {
+  return Merger(singular, options).merge();
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "singularity/singularity_graph.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "crossgrain/report.hpp"
+#include "singularity/arc_type.hpp"
+#include "singularity/merged_network.hpp"
+#include "singularity/smooth_places.hpp"
+
+namespace crossgrain {
+namespace {
+
+using Verdict = SingularityGraph::Verdict;
+
+constexpr std::uint32_t kNoNode = UINT32_MAX;
+
+const char* name_of(SingularityGraph::ArcType type) {
+  constexpr std::array kNames{"regular", "across", "changing", "no_axis"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
+const char* name_of(Verdict verdict) {
+  constexpr std::array kNames{"meshable", "not_meshable", "undecided"};
+  return kNames[static_cast<std::size_t>(verdict)];
+}
+
+Vector3 half_way_along(const SingularityGraph::Arc& arc) {
+  double left = arc.length / 2;
+  for (std::size_t k = 1; k < arc.points.size(); ++k) {
+    const Vector3 step = arc.points[k] - arc.points[k - 1];
+    const double length = norm(step);
+    if (length >= left && length > 0) return arc.points[k - 1] + (left / length) * step;
+    left -= length;
+  }
+  return arc.points.back();
+}
+
+SolveReport::Singularity::Arc summary_of(const SingularityGraph& graph, const SingularityGraph::Arc& arc) {
+  SolveReport::Singularity::Arc summary{name_of(arc.type), arc.index, name_of(arc.verdict), arc.length,
+                                        arc.across_length, false,     half_way_along(arc),  {}};
+  if (arc.nodes) summary.nodes.assign(arc.nodes->begin(), arc.nodes->end());
+  for (const std::uint32_t node : summary.nodes) summary.on_boundary |= graph.nodes[node].on_boundary;
+  return summary;
+}
+
+/// The places that arcs end at, in their order.
+void add_nodes(const MergedNetwork& network, const std::vector<Vector3>& positions, SingularityGraph& graph) {
+  std::vector<std::uint32_t> node_of(network.places.size(), kNoNode);
+  for (const MergedNetwork::Arc& arc : network.arcs) {
+    if (!arc.closed) node_of[arc.places.front()] = node_of[arc.places.back()] = 0;
+  }
+  for (std::size_t k = 0; k < network.places.size(); ++k) {
+    if (node_of[k] == kNoNode) continue;
+    node_of[k] = static_cast<std::uint32_t>(graph.nodes.size());
+    graph.nodes.push_back({positions[k], network.places[k].on_boundary, {}, Verdict::kMeshable});
+  }
+  for (std::uint32_t a = 0; a < network.arcs.size(); ++a) {
+    const MergedNetwork::Arc& arc = network.arcs[a];
+    if (arc.closed) continue;
+    graph.arcs[a].nodes = {node_of[arc.places.front()], node_of[arc.places.back()]};
+    for (const std::uint32_t node : *graph.arcs[a].nodes) graph.nodes[node].arcs.push_back(a);
+  }
+}
+
+void judge_nodes(SingularityGraph& graph) {
+  for (SingularityGraph::Node& node : graph.nodes) {
+    if (node.on_boundary) continue;
+    std::vector<const SingularityGraph::Arc*> arcs;
+    for (const std::uint32_t a : node.arcs) arcs.push_back(&graph.arcs[a]);
+    node.verdict = node_verdict(arcs);
+  }
+}
+
+}  // namespace
+
+bool SingularityGraph::is_meshable() const {
+  const auto is_bad = [](const auto& part) { return part.verdict == Verdict::kNotMeshable; };
+  return std::none_of(arcs.begin(), arcs.end(), is_bad) && std::none_of(nodes.begin(), nodes.end(), is_bad);
+}
+
+SingularityGraph singularity_graph(const SingularEdges& singular, const SingularityOptions& options) {
+  const MergedNetwork network = merged(singular, options);
+  const std::vector<Vector3> positions = smooth_places(singular, network, options);
+  SingularityGraph graph;
+  for (const MergedNetwork::Arc& arc : network.arcs)
+    graph.arcs.push_back(described(arc, singular, network, positions, options));
+  add_nodes(network, positions, graph);
+  judge_nodes(graph);
+  graph.unresolved_loops = network.unresolved_loops;
+  graph.edges = singular.edges.size();
+  for (const SingularEdge& edge : singular.edges)
+    graph.edge_length += norm(singular.points[edge.ends[1]].place - singular.points[edge.ends[0]].place);
+  return graph;
+}
+
+SolveReport::Singularity summary_of(const SingularityGraph& graph) {
+  SolveReport::Singularity summary;
+  summary.edges = graph.edges;
+  summary.length = graph.edge_length;
+  summary.arcs = graph.arcs.size();
+  summary.unresolved_loops = graph.unresolved_loops;
+  summary.meshable = graph.is_meshable();
+  for (const SingularityGraph::Arc& arc : graph.arcs) {
+    summary.not_meshable_arcs += arc.verdict == Verdict::kNotMeshable;
+    summary.arc_list.push_back(summary_of(graph, arc));
+  }
+  for (const SingularityGraph::Node& node : graph.nodes) {
+    summary.boundary_ends += node.on_boundary;
+    summary.nodes += node.degree() >= 2;
+    summary.not_meshable_nodes += node.verdict == Verdict::kNotMeshable;
+    summary.undecided_nodes += node.verdict == Verdict::kUndecided;
+    summary.node_list.push_back({node.place, node.on_boundary, name_of(node.verdict), node.arcs});
+  }
+  return summary;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/prepared_model.hpp"
+
+#include <utility>
+
+#include "measure/constraint_report.hpp"
+#include "measure/input_report.hpp"
+#include "solve/solve_checks.hpp"
+#include "surface/constraint_guides.hpp"
+#include "surface/self_intersections.hpp"
+
+namespace crossgrain {
+namespace {
+
+MendedSurface mended_and_checked(const TriangleMesh& mesh, const TriangleMesh& outer,
+                                 const SolveOptions& options) {
+  if (const Box box = box_of_solid_triangles(mesh); box.low[0] <= box.high[0]) check_scale(box);
+  MendedSurface mended = mend_surface(outer);
+  check_size(mended.surface, options);
+  check_places(options.constraints, mended.surface.box);
+  return mended;
+}
+
+SolidSplit checked_and_split(const TriangleMesh& mesh, const SolveOptions& options) {
+  check_mesh(mesh);
+  return split_solids(mesh, options.unite_solids);
+}
+
+Guides guides_of(const CreaseNetwork& creases, const TriangleMesh& inner_faces, const Surface& surface,
+                 const SolveOptions& options) {
+  Guides guides = guides_along(creases.curves, creases.corners, options.solver.crease_weight,
+                               options.solver.tagged_weight);
+  guides.faces = guides_across(inner_faces);
+  add_constraints(options.constraints, surface, guides);
+  return guides;
+}
+
+}  // namespace
+
+PreparedModel::PreparedModel(const TriangleMesh& mesh, const SolveOptions& options)
+    : mesh_(mesh),
+      split_(checked_and_split(mesh, options)),
+      mended_(mended_and_checked(mesh, split_.outer ? *split_.outer : mesh, options)),
+      bvh_(mended_.surface),
+      winding_(mended_.surface, bvh_),
+      creases_(mended_.surface, split_.inner, options.creases, winding_.flipped()),
+      guides_(guides_of(creases_, split_.inner, mended_.surface, options)),
+      solid_{mended_.surface, bvh_, winding_, mended_.closed, &guides_} {}
+
+SolveReport::Model PreparedModel::description() const {
+  // Solids may touch along edges, which have more than two triangles then.
+  const SurfaceTopology& topology = mended_.topology;
+  SolveReport::Model model;
+  model.triangles = mesh_.triangles.size();
+  model.bounding_box = mended_.surface.box;
+  model.watertight = topology.watertight || (has_several_solids(mesh_) && topology.unbalanced_edges == 0);
+  model.components = topology.components;
+  model.unit = mesh_.unit;
+  model.file_unit = mesh_.file_unit;
+  return model;
+}
+
+SolveReport::Input PreparedModel::findings() const {
+  SurfaceFindings findings = mended_.findings;
+  find_self_intersections(mended_, bvh_, winding_, findings);
+  return input_report(mended_, findings);
+}
+
+SolvedSurface PreparedModel::release_surface() {
+  TriangleMesh& mesh = mended_.surface.mesh;
+  SolvedSurface released{std::move(mesh.vertices), std::move(mesh.triangles), {}};
+  if (winding_.flipped()) {
+    for (auto& [a, b, c] : released.triangles) std::swap(b, c);
+  }
+  for (CreaseCurve& curve : creases_.curves) {
+    if (curve.points.size() > 1) released.creases.push_back(std::move(curve.points));
+  }
+  return released;
+}
+
+}  // namespace crossgrain

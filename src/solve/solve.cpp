@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crossgrain/solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "base/frames_in_lanes.hpp"
+#include "base/instruction_set.hpp"
+#include "base/lanes.hpp"
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "field/field_data.hpp"
+#include "field/nested_solve.hpp"
+#include "field/solve_forecast.hpp"
+#include "harmonics/deviation.hpp"
+#include "harmonics/frame.hpp"
+#include "measure/alignment.hpp"
+#include "measure/constraint_report.hpp"
+#include "measure/crease_report.hpp"
+#include "measure/interface_report.hpp"
+#include "measure/regions.hpp"
+#include "measure/walls.hpp"
+#include "page/shown_cells.hpp"
+#include "sampling/sampling.hpp"
+#include "singularity/singular_edges.hpp"
+#include "singularity/singularity_graph.hpp"
+#include "solve/prepared_model.hpp"
+#include "solve/solve_checks.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Of the coefficients as they are written.
+template <int D>
+double largest_deviation(std::span<const StoredQuaternion> frames) {
+  std::vector<double> largest((frames.size() + kParallelGrain - 1) / kParallelGrain);
+  parallel_for_chunks(frames.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
+    run_in_lanes([&]<int W>() {
+      Lanes<W> most = 0.0;
+      for (std::size_t i = begin; i < end; i += W) {
+        Coefficients<D, Lanes<W>> h = frame_coefficients<D>(frames_in_lanes<W>(frames, i));
+        for (Lanes<W>& coefficient : h) coefficient = to_single(coefficient);
+        const Lanes<W> here = deviation<D>(h);
+        most = select(here > most, here, most);
+      }
+      for (int lane = 0; lane < W; ++lane)
+        largest[begin / kParallelGrain] = std::max(largest[begin / kParallelGrain], most[lane]);
+    });
+  });
+  return largest.empty() ? 0 : *std::max_element(largest.begin(), largest.end());
+}
+
+SolveReport report_of(const Solid& solid, const SolvedField& field, const AlignmentMeasurement& alignment,
+                      const SolveOptions& options) {
+  SolveReport report;
+  report.degree = static_cast<int>(options.degree);
+  const double resolution_asked =
+      longest_side(solid.surface.box) / finest_cell_size(solid.surface.box, options);
+  report.resolution = std::ldexp(resolution_asked, -field.levels_left_out);
+  report.levels = field.levels;
+  report.expected = field.expected;
+  if (field.stopped)
+    report.unfinished = SolveReport::Unfinished{resolution_asked, field.levels_left_out, false};
+  else if (field.levels_left_out > 0)
+    report.limited =
+        SolveReport::Limited{resolution_asked, allowed_memory_bytes(options), field.memory_needed};
+  report.energy.smoothness = field.energy.smoothness;
+  report.energy.boundary = field.energy.boundary;
+  report.energy.unavoidable = field.energy.unavoidable;
+  report.energy.total = field.energy.total();
+  report.energy.deviation_max = options.degree == Degree::kThree ? largest_deviation<3>(field.frames)
+                                                                 : largest_deviation<4>(field.frames);
+  report.alignment_deg = alignment.alignment_deg;
+  report.spectrum = alignment.spectrum;
+  report.walls = measure_walls(field.level, solid, options.refinement.thickness_cells);
+  report.walls.tied_cells = field.tied_leaves;
+  report.seconds.grid = field.grid_seconds;
+  report.seconds.solve = field.solve_seconds;
+  return report;
+}
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// What is known before anything is asked of the field between its cells.
+void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, SolvedField& solved,
+                    const SolveOptions& options, FieldData& data) {
+  AlignmentMeasurement alignment =
+      measure_alignment(solved.level, model.solid(), {solved.level.tree, solved.frames, solved.open_faces});
+  data.alignment_deg = std::move(alignment.leaf_mean_deg);
+  data.constraints = std::move(alignment.leaf_constraints);
+  data.shown_forms = shown_forms(solved.level, model.solid(), options.degree, data.constraints);
+  data.report = report_of(model.solid(), solved, alignment, options);
+  data.report.model = model.description();
+  data.report.input = model.findings();
+  data.singularities = std::make_shared<const SingularityGraph>(singularity_graph(
+      singular_grid_edges(solved.level.tree, solved.frames, solved.open_faces, solved.near_sharp_turn)));
+  data.report.singularity = summary_of(*data.singularities);
+  data.on_boundary.resize(solved.level.size());
+  parallel_for(solved.level.size(), [&](std::size_t i) {
+    data.on_boundary[i] = solved.level.holds_surface(static_cast<CellIndex>(i));
+  });
+  CellRegions found = find_regions(mesh, model.surface(), solved.level);
+  data.regions = std::move(found.of_leaf);
+  data.report.regions = std::move(found.regions);
+
+  std::vector<Warning>& warnings = data.report.warnings;
+  if (data.report.unfinished) warnings.push_back(unfinished_warning(data.report));
+  if (data.report.limited) warnings.push_back(memory_warning(data.report));
+  append(warnings, mesh.warnings);
+  for (const SolveReport::Finding& finding : data.report.input.findings)
+    warnings.emplace_back(WarningKind::kSurfaceFinding, sentence_of(finding));
+  append(warnings, resolution_warnings(data.report));
+  if (!solved.settled)
+    warnings.emplace_back(WarningKind::kNotSettled, "the energy had not settled when the sweeps ran out");
+  append(warnings, found.warnings);
+}
+
+/// How well the field follows what it was to follow besides the surface.
+void describe_guides(const PreparedModel& model, const AskedAxes& asked, const SolveOptions& options,
+                     FieldData& data) {
+  const double finest = finest_cell_size(model.surface().box, options);
+  const Sampler sampler(data.tree, data.frames, data.open_faces);
+  data.report.creases = crease_report(model.creases(), sampler, finest);
+  data.report.interfaces = interface_report(model.inner_faces(), sampler, finest);
+  if (!options.constraints.empty()) {
+    data.report.constraints = constraint_report(asked, sampler);
+    if (auto outside = outside_constraints_warning(asked, options.constraints.source))
+      data.report.warnings.push_back(std::move(*outside));
+  }
+  append(data.report.warnings, crease_warnings(model.creases()));
+}
+
+std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptions& options,
+                                      const Monitor& monitor, const InitialFrame& initial_frame) {
+  check_options(options);
+  check_constraints(options.constraints);
+  Stopwatch watch;
+  watch.start();
+  const ThreadLimit thread_limit(options.threads);
+  const WatchedLoops watched(monitor);
+  monitor.heed_stops(true);
+  PreparedModel model(mesh, options);
+  SolvedField solved = nested_solve(model.solid(), options, monitor, initial_frame, watch.restart());
+  check_interior(solved.level, model.mended());
+
+  monitor.heed_stops(false);
+  const int level = static_cast<int>(solved.levels.size());
+  monitor.report({"analysis", 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN(), level,
+                  level + (solved.stopped ? solved.levels_left_out : 0)});
+  monitor.check();
+  auto data = std::make_shared<FieldData>();
+  data->degree = options.degree;
+  data->energy_density = std::move(solved.energy_density);
+  describe_cells(model, mesh, solved, options, *data);
+  monitor.check();
+  const AskedAxes asked = asked_axes(options.constraints, model.solid(), solved.level,
+                                     finest_cell_size(model.surface().box, options));
+  data->tree = std::move(solved.level.tree);
+  data->frames = std::move(solved.frames);
+  data->open_faces = std::move(solved.open_faces);
+  describe_guides(model, asked, options, *data);
+  data->surface = SurfaceSource(model.release_surface());
+  return data;
+}
+
+}  // namespace
+
+FrameField solve(const TriangleMesh& mesh, const SolveOptions& options, const Monitor& monitor) {
+  return FrameField(solve_with(mesh, options, monitor, {}));
+}
+
+FrameField solve_from(const FrameField& earlier, const TriangleMesh& mesh, const SolveOptions& options,
+                      const Monitor& monitor) {
+  const FieldData& data = earlier.data();
+  const Sampler sampler(data.tree, data.frames, data.open_faces);
+  const auto initial_frame = [&](const Vector3& point) { return sampler.at(point).frame; };
+  const std::shared_ptr<FieldData> result = solve_with(mesh, options, monitor, initial_frame);
+  if (auto warning = other_model_warning(data.report.model.bounding_box, result->report.model.bounding_box))
+    result->report.warnings.push_back(std::move(*warning));
+  return FrameField(result);
+}
+
+}  // namespace crossgrain

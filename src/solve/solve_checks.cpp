@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/solve_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/system_memory.hpp"
+#include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
+#include "field/memory_budget.hpp"
+#include "field/nested_solve.hpp"
+#include "field/solve_forecast.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Fewer cells across than this are no grid to speak of.
+constexpr int kSmallestResolution = 4;
+
+/// Longest sides between which cubes and inverse squares of cell sizes are far from the ends of single
+/// precision.
+constexpr double kSmallestModel = 1e-9;
+constexpr double kLargestModel = 1e12;
+
+/// Coordinates this many times the model's size leave too few digits for its shape.
+constexpr double kFarthestModel = 1e9;
+
+/// Active cells per squared finest cell of surface: about as few as there are where all walls are thick.
+constexpr double kCellsPerFace = 2;
+
+/// Cells with surface are half of all then, with a piece each.
+constexpr double kSurfaceShare = 0.5;
+
+/// Steps down the penalty after a relaxation sweep, beyond which they take longer than they can be worth.
+constexpr double kMostPenaltySteps = 100;
+
+/// Rounding of forms in single precision stays far below the weight of the edges up to this weight of
+/// creases.
+constexpr double kLargestCreaseWeight = 1e4;
+
+/// Mean thickness, relative to the longest side, below which a solid is a sheet with two sides drawn.
+constexpr double kFlat = 1e-9;
+
+/// Shares of the surface's area above which the user is warned of thin walls and of what no frame can meet.
+constexpr double kThinShareToWarnOf = 0.02;
+constexpr double kExcludedShareToWarnOf = 0.1;
+
+/// Relative difference of bounding boxes below which two models count as the same part.
+constexpr double kSameBox = 0.01;
+
+bool is_degree(Degree degree) {
+  return degree == Degree::kThree || degree == Degree::kFour;
+}
+
+double total_area(const Surface& surface) {
+  return std::accumulate(surface.areas.begin(), surface.areas.end(), 0.0);
+}
+
+double enclosed_volume(const Surface& surface) {
+  double volume = 0;
+  for (std::size_t t = 0; t < surface.size(); ++t) {
+    volume += surface.areas[t] * dot(surface.normals[t], surface.corners(t)[0] - surface.box.low) / 3;
+  }
+  return std::abs(volume);
+}
+
+void demand(bool met, const char* message) {
+  if (!met) throw Error(ErrorKind::kUsage, message);
+}
+
+/// What the solver's options and those for tets have in common.
+template <class Options>
+void check_sweeps(const Options& options) {
+  demand(options.most_sweeps >= 0, "numbers of sweeps must not be negative");
+  demand(options.symmetrisation >= 0 && options.symmetrisation <= kMostPenaltySteps,
+         "the symmetrisation must lie in [0, 100]");
+  demand(options.over_relaxation >= 1 && options.over_relaxation < 2,
+         "the over-relaxation must lie in [1, 2)");
+  demand(options.sweep_tolerance >= 0, "the sweep tolerance must not be negative");
+}
+
+void check_onto(const OntoOptions& options) {
+  check_sweeps(options);
+  demand(options.relaxation_sweeps >= 0, "numbers of sweeps must not be negative");
+  demand(options.cell_size_edges > 0 && std::isfinite(options.cell_size_edges),
+         "the cell size in edges must be a positive number");
+  demand(options.fewest_cells >= kSmallestResolution, "there must be at least 4 cells across a tet mesh");
+  demand(options.crease_weight >= 0 && options.crease_weight <= kLargestCreaseWeight,
+         "the weight of creases must lie in [0, 10000]");
+}
+
+}  // namespace
+
+void check_options(const SolveOptions& options) {
+  const SolverOptions& solver = options.solver;
+  demand(is_degree(options.degree) && is_degree(solver.relaxation_degree), "a degree must be 3 or 4");
+  demand(options.cell_size >= 0 && std::isfinite(options.cell_size),
+         "the cell size must be a positive number");
+  demand(options.cell_size > 0 || options.resolution == 0 || options.resolution >= kSmallestResolution,
+         "the resolution must be at least 4");
+  demand(options.threads >= 0, "the number of threads must not be negative");
+  demand(solver.boundary_weight > 0 && std::isfinite(solver.boundary_weight),
+         "the boundary weight must be positive");
+  demand(solver.diagonal_share >= 0 && solver.diagonal_share <= 0.25,
+         "the share of diagonals must lie in [0, 1/4]");
+  demand(solver.starts >= 1, "there must be at least one start");
+  demand(solver.start_relaxation >= 0 && solver.level_relaxation >= 0,
+         "numbers of sweeps must not be negative");
+  check_sweeps(solver);
+  for (const double weight : {solver.crease_weight, solver.tagged_weight})
+    demand(weight >= 0 && std::isfinite(weight), "weights of creases and tagged edges must not be negative");
+  for (const double angle :
+       {options.creases.least_deg, options.creases.corner_deg, options.creases.knife_deg})
+    demand(angle > 0 && angle <= 180, "angles of creases must lie above 0 and be at most 180 degrees");
+  demand(options.refinement.coarsest_cells >= 1, "the coarsest level needs a cell");
+  demand(options.refinement.thickness_cells >= 0, "the cells wanted across a wall must not be negative");
+  demand(!std::isnan(options.refinement.energy_density_threshold),
+         "the threshold of the energy density must be a number");
+  check_onto(options.onto);
+}
+
+void check_scale(const Box& box) {
+  const double size = longest_side(box);
+  if (!(size >= kSmallestModel && size <= kLargestModel)) {
+    throw Error(ErrorKind::kInput,
+                fmt::format("the model is {:.3g} across, which is not between {:g} and {:g}", size,
+                            kSmallestModel, kLargestModel),
+                Remedy::kRescale);
+  }
+  double farthest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    farthest = std::max({farthest, std::abs(box.low[axis]), std::abs(box.high[axis])});
+  }
+  if (farthest > kFarthestModel * size) {
+    throw Error(ErrorKind::kInput,
+                fmt::format("the model is {:.3g} across but {:.3g} away from the origin", size, farthest),
+                Remedy::kMoveToOrigin);
+  }
+}
+
+void check_size(const Surface& surface, const SolveOptions& options) {
+  check_scale(surface.box);
+  const double size = longest_side(surface.box), asked = finest_cell_size(surface.box, options);
+  if (asked > size / kSmallestResolution * (1 + 1e-9)) {
+    throw Error(
+        ErrorKind::kUsage,
+        fmt::format("cells of {:.3g} are too large for a model {:.3g} across, which needs {} along the "
+                    "longest side",
+                    asked, size, kSmallestResolution),
+        Remedy::kRaiseResolution);
+  }
+  const double largest = std::ldexp(asked, kMostLevelsLeftOut);
+  const double cells = kCellsPerFace * total_area(surface) / (largest * largest);
+  const LevelCounts counts{cells, kSurfaceShare * cells, 0, kSurfaceShare * cells};
+  const double needed = static_cast<double>(current_memory_bytes()) + peak_memory_bytes(counts);
+  const auto allowed = static_cast<double>(allowed_memory_bytes(options));
+  if (cells < kNoCell && (allowed == 0 || needed <= allowed)) return;
+  throw Error(
+      ErrorKind::kLimit,
+      fmt::format("even with cells {} times as large, about {:.3g} million of them, {:.3g} GB would be "
+                  "needed, and {:.3g} GB are allowed",
+                  1 << kMostLevelsLeftOut, cells / 1e6, needed / 1e9, allowed / 1e9),
+      Remedy::kUseLessMemory);
+}
+
+void check_interior(const GridLevel& finest, const MendedSurface& mended) {
+  if (std::any_of(finest.centre_winding.begin(), finest.centre_winding.end(), [](int w) { return w > 0; }))
+    return;
+  const Surface& surface = mended.surface;
+  if (!mended.closed) {
+    const Finding* hole = find(mended.findings, FindingKind::kHole);
+    const std::string where =
+        hole == nullptr
+            ? ""
+            : fmt::format(", with an opening {:.3g} around at {:.6g} {:.6g} {:.6g}", hole->length.value_or(0),
+                          hole->place[0], hole->place[1], hole->place[2]);
+    throw Error(ErrorKind::kInput, "the surface is open" + where + ", and encloses nothing",
+                Remedy::kCloseSurface);
+  }
+  if (2 * enclosed_volume(surface) < kFlat * total_area(surface) * longest_side(surface.box)) {
+    throw Error(ErrorKind::kInput, "the surface is flat and encloses nothing", Remedy::kCloseSurface);
+  }
+}
+
+std::vector<Warning> resolution_warnings(const SolveReport& report) {
+  std::vector<Warning> warnings;
+  if (report.walls.thin_share > kThinShareToWarnOf) {
+    warnings.emplace_back(
+        WarningKind::kThinWalls,
+        fmt::format("walls below {:g} cells under {:.0f} % of the surface: under-resolved there",
+                    report.walls.cells_wanted, 100 * report.walls.thin_share),
+        Remedy::kRaiseResolution);
+  }
+  if (report.alignment_deg.excluded_share > kExcludedShareToWarnOf) {
+    warnings.emplace_back(
+        WarningKind::kExcludedSurface,
+        fmt::format("{:.0f} % of the surface lies in cells whose constraints no frame meets, and is left "
+                    "out of alignment_deg",
+                    100 * report.alignment_deg.excluded_share));
+  }
+  return warnings;
+}
+
+bool is_of_resolution(const Warning& warning) {
+  return warning.kind == WarningKind::kThinWalls || warning.kind == WarningKind::kExcludedSurface;
+}
+
+Warning memory_warning(const SolveReport& report) {
+  const SolveReport::Limited& limited = *report.limited;
+  return {
+      WarningKind::kMemoryLimited,
+      fmt::format("memory: {:.4g} cells along the longest side in place of {:.4g}; twice as many would need "
+                  "about {:.3g} GB, and {:.3g} GB are allowed",
+                  report.resolution, limited.resolution_asked,
+                  static_cast<double>(limited.memory_needed_bytes) / 1e9,
+                  static_cast<double>(limited.memory_bytes) / 1e9),
+      Remedy::kAllowMemory};
+}
+
+Warning unfinished_warning(const SolveReport& report) {
+  const SolveReport::Unfinished& unfinished = *report.unfinished;
+  const std::string missing =
+      unfinished.levels_missing == 0
+          ? "the field was not carried onto the tets"
+          : fmt::format("{:.4g} cells along the longest side in place of {:.4g}{}", report.resolution,
+                        unfinished.resolution_asked,
+                        unfinished.tets_missing ? ", and not carried onto the tets" : "");
+  return {WarningKind::kUnfinished, "unfinished: stopped before the end, " + missing, Remedy::kContinueSolve};
+}
+
+void mark_tets_missing(SolveReport& report) {
+  std::erase_if(report.warnings,
+                [](const Warning& warning) { return warning.kind == WarningKind::kUnfinished; });
+  if (!report.unfinished) report.unfinished = SolveReport::Unfinished{report.resolution, 0, false};
+  report.unfinished->tets_missing = true;
+  report.warnings.insert(report.warnings.begin(), unfinished_warning(report));
+}
+
+Warning outside_warning(std::size_t outside, std::size_t vertices) {
+  return {
+      WarningKind::kVerticesOutside,
+      fmt::format("vertices of the tet mesh in no cell: {} of {}; they began with the frame of the nearest "
+                  "cell of their part",
+                  outside, vertices)};
+}
+
+std::optional<Warning> other_model_warning(const Box& earlier, const Box& box) {
+  const double tolerance = kSameBox * longest_side(box);
+  if (norm(earlier.low - box.low) <= tolerance && norm(earlier.high - box.high) <= tolerance)
+    return std::nullopt;
+  return Warning(WarningKind::kOtherModel,
+                 "the field that was started from is of a model with another bounding box");
+}
+
+}  // namespace crossgrain

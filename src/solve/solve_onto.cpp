@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <optional>
+
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/solve.hpp"
+#include "crossgrain/thread_limit.hpp"
+#include "field/field_data.hpp"
+#include "field/tet_finish.hpp"
+#include "measure/tet_evaluation.hpp"
+#include "singularity/singularity_graph.hpp"
+#include "singularity/tet_matchings.hpp"
+#include "solve/carried_frames.hpp"
+#include "solve/solve_checks.hpp"
+#include "solve/tet_constraints.hpp"
+#include "solve/tet_domain_data.hpp"
+#include "solve/tet_field.hpp"
+
+namespace crossgrain {
+namespace {
+
+const char* name_of(TetBoundary boundary) {
+  return boundary == TetBoundary::kAll ? "all" : "smooth-only";
+}
+
+SolveReport::Onto describe(const TetDomainData& domain, const VertexFieldEvaluation& evaluation) {
+  SolveReport::Onto onto;
+  onto.vertices = domain.solid.mesh.vertices.size();
+  onto.tets = domain.solid.mesh.tets.size();
+  onto.unused_vertices = domain.solid.unused_vertices;
+  onto.inverted_tets = domain.solid.inverted_tets;
+  onto.left_out_tets = domain.solid.left_out_tets;
+  onto.dirichlet = evaluation.dirichlet;
+  onto.edge_sum = evaluation.edge_sum;
+  onto.singular = evaluation.singular;
+  onto.normal_deg = evaluation.normal_deg;
+  onto.crease_deg = evaluation.crease_deg;
+  return onto;
+}
+
+}  // namespace
+
+TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const SolveOptions& options,
+                         const Monitor& monitor) {
+  check_options(options);
+  check_constraints(options.constraints);
+  check_scale(domain.data().box);
+  const ThreadLimit thread_limit(options.threads);
+  const WatchedLoops watched(monitor);
+  monitor.heed_stops(true);
+  Stopwatch stopwatch;
+  stopwatch.start();
+  const TetDomainData& tets = domain.data();
+  CarriedFrames start = carried_frames(grid.data(), tets.solid);
+  if (start.outside == tets.solid.mesh.vertices.size() - tets.solid.unused_vertices)
+    throw Error(ErrorKind::kInput, "no vertex of the tets lies in the field's solid", Remedy::kMatchUnits);
+  monitor.check();
+  auto field = std::make_shared<TetField>();
+  // The domain's own, unless it knows of walls that are to be passed over.
+  std::optional<InnerFeatures> united_features;
+  std::optional<BoundaryVertices> united_boundary;
+  if (options.unite_solids && has_several_regions(tets.solid.mesh)) {
+    united_features = features_of(tets.solid, tets.walls, /*unite=*/true);
+    united_boundary = classify_boundary_vertices(tets.solid, {}, *united_features);
+  }
+  const InnerFeatures& features = united_features ? *united_features : tets.features;
+  const BoundaryVertices& boundary = united_boundary ? *united_boundary : tets.boundary;
+  // Half an edge passes by no tet but by its corners.
+  const std::vector<VertexGuide> guides =
+      vertex_guides(options.constraints, tets.solid, boundary, 0.5 * tets.typical_edge_length);
+  TetFrames finished = finish_on_tets(tets.edges, boundary, std::move(start.frames), grid.data().degree,
+                                      options.onto, monitor, guides);
+  field->vertex_frames = std::move(finished.frames);
+  field->tet_frames = tet_frames_of(tets.solid.mesh, field->vertex_frames);
+  field->singularities = singularity_graph(singular_tet_edges(tets.solid, field->tet_frames));
+  monitor.check();
+
+  SolveReport report = grid.report();
+  // Tets have cells of their own: the grid is only where they start (docs/solver.md, "On tets").
+  std::erase_if(report.warnings, is_of_resolution);
+  report.onto = describe(tets, evaluate_vertex_field(tets.solid, boundary, tets.edges, field->vertex_frames));
+  report.onto->feature_edge_deg = angles_along(tets.solid, features.edges, field->vertex_frames);
+  report.onto->boundary = name_of(options.onto.boundary);
+  report.onto->singularity = summary_of(field->singularities);
+  report.onto->outside_vertices = start.outside;
+  report.onto->seconds = stopwatch.restart();
+  report.warnings.insert(report.warnings.end(), domain.warnings().begin(), domain.warnings().end());
+  if (!finished.settled)
+    report.warnings.emplace_back(WarningKind::kTetsNotSettled,
+                                 "the energy on the tets had not settled when the sweeps ran out");
+  if (start.outside > 0) report.warnings.push_back(outside_warning(start.outside, report.onto->vertices));
+  return {grid, domain, std::move(field), std::move(report)};
+}
+
+TetFrameField solve_onto(const TetDomain& domain, const SolveOptions& options, const Monitor& monitor) {
+  const SolveOptions sized = sized_for(domain, options);
+  return carry_onto(solve(domain.boundary(), sized, monitor), domain, sized, monitor);
+}
+
+SolveOptions sized_for(const TetDomain& domain, SolveOptions options) {
+  check_options(options);
+  if (options.cell_size > 0 || options.resolution > 0) return options;
+  const double wanted = options.onto.cell_size_edges * domain.typical_edge_length();
+  options.cell_size = std::min(wanted, longest_side(domain.data().box) / options.onto.fewest_cells);
+  return options;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "singularity/singularity_graph.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "crossgrain/report.hpp"
+#include "field/made_grid.hpp"
+#include "singularity/singular_edges.hpp"
+
+namespace crossgrain {
+namespace {
+
+using testing::all_open;
+using testing::frames_of;
+using testing::graded_octree;
+using testing::TurningLine;
+using testing::uniform_octree;
+
+using Graph = SingularityGraph;
+
+constexpr FrameTurn::Kind kQuarter = FrameTurn::Kind::kQuarter, kHalf = FrameTurn::Kind::kHalf;
+
+/// Unit edges along one axis of the grid, around which frames turn about this axis of space.
+std::vector<GridEdge> line(GridPoint start, int axis, int count, FrameTurn turn) {
+  std::vector<GridEdge> edges;
+  for (int k = 0; k < count; ++k) {
+    edges.push_back({start, axis, 1, turn});
+    ++start[axis];
+  }
+  return edges;
+}
+
+Vector3 unit(int axis, double sign = 1) {
+  Vector3 v{0, 0, 0};
+  v[axis] = sign;
+  return v;
+}
+
+std::vector<GridEdge> operator+(std::vector<GridEdge> a, const std::vector<GridEdge>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// Of a grid whose smallest possible cells are unit cubes.
+SingularEdges singular_of(const std::vector<GridEdge>& edges) {
+  return by_end_points(edges, {{0, 0, 0}, std::ldexp(1.0, kMaxDepth)});
+}
+Graph graph_of(const std::vector<GridEdge>& edges) {
+  return singularity_graph(singular_of(edges));
+}
+
+std::size_t count_nodes(const Graph& graph, bool on_boundary) {
+  return static_cast<std::size_t>(
+      std::count_if(graph.nodes.begin(), graph.nodes.end(),
+                    [&](const auto& node) { return node.on_boundary == on_boundary; }));
+}
+
+/// Arms of ten, twelve and fourteen edges from (50, 50, 50), about which frames turn by a quarter, a quarter
+/// and a half.
+const std::vector<GridEdge> kTripod = line({40, 50, 50}, 0, 10, {kQuarter, unit(0)}) +
+                                      line({50, 50, 50}, 1, 12, {kQuarter, unit(1)}) +
+                                      line({50, 50, 50}, 2, 14, {kHalf, unit(2, -1)});
+
+/// A closed way around a square of this side.
+std::vector<GridEdge> square(int side) {
+  const FrameTurn turn{kQuarter, unit(2)};
+  return line({0, 0, 0}, 0, side, turn) + line({side, 0, 0}, 1, side, turn) +
+         line({0, side, 0}, 0, side, turn) + line({0, 0, 0}, 1, side, turn);
+}
+
+TEST(SingularityGraph, OfNoEdgesIsEmpty) {
+  const Graph graph = graph_of({});
+  EXPECT_TRUE(graph.arcs.empty() && graph.nodes.empty());
+  EXPECT_EQ(graph.edges, 0u);
+  EXPECT_EQ(graph.edge_length, 0);
+  EXPECT_TRUE(graph.is_meshable());
+}
+
+TEST(SingularityGraph, OfALineIsOneArcBetweenTwoEndsOnTheSurface) {
+  const Graph graph = graph_of(line({2, 3, 4}, 0, 20, {kQuarter, unit(0)}));
+  ASSERT_EQ(graph.arcs.size(), 1u);
+  EXPECT_EQ(graph.arcs[0].points.size(), 21u);
+  EXPECT_EQ(graph.arcs[0].index, 0.25);
+  EXPECT_EQ(graph.arcs[0].type, Graph::ArcType::kRegular);
+  EXPECT_NEAR(graph.arcs[0].length, 20, 1e-12);
+  EXPECT_EQ(graph.edge_length, 20);
+  EXPECT_EQ(count_nodes(graph, true), 2u);
+  EXPECT_EQ(count_nodes(graph, false), 0u);
+  for (const Vector3& point : graph.arcs[0].points)
+    EXPECT_EQ((Vector3{0, point[1], point[2]}), (Vector3{0, 3, 4}));
+}
+
+TEST(SingularityGraph, TellsThePlaceHalfWayAlongAnArc) {
+  const auto summary = summary_of(graph_of(line({2, 3, 4}, 0, 21, {kQuarter, unit(0)})));
+  ASSERT_EQ(summary.arc_list.size(), 1u);
+  EXPECT_NEAR(norm(summary.arc_list[0].place - Vector3{12.5, 3, 4}), 0, 1e-12);
+}
+
+TEST(SingularityGraph, HasTheSameIndexWhicheverWayEdgesPoint) {
+  for (const double sign : {1., -1.}) {
+    SingularEdges singular = singular_of(line({0, 0, 0}, 1, 20, {kQuarter, unit(1, sign)}));
+    for (std::size_t e = 0; e < singular.edges.size(); e += 2) {
+      auto& [ends, turn] = singular.edges[e];
+      std::swap(ends[0], ends[1]);
+      turn.axis = -1.0 * turn.axis;
+    }
+    const Graph graph = singularity_graph(singular);
+    ASSERT_EQ(graph.arcs.size(), 1u);
+    EXPECT_EQ(graph.arcs[0].index, sign / 4);
+    EXPECT_EQ(graph.arcs[0].across_length, 0);
+  }
+}
+
+TEST(SingularityGraph, OfALargeSquareIsOneClosedArcWithoutNodes) {
+  const Graph graph = graph_of(square(10));
+  ASSERT_EQ(graph.arcs.size(), 1u);
+  EXPECT_TRUE(graph.arcs[0].is_closed());
+  EXPECT_EQ(graph.arcs[0].points.size(), 41u);
+  EXPECT_EQ(graph.arcs[0].points.front(), graph.arcs[0].points.back());
+  EXPECT_TRUE(graph.nodes.empty());
+}
+
+TEST(SingularityGraph, OfTheLoopAroundOneFaceHasNoArcButCountsIt) {
+  const Graph graph = graph_of(square(1));
+  EXPECT_TRUE(graph.arcs.empty() && graph.nodes.empty());
+  EXPECT_EQ(graph.unresolved_loops, 1u);
+  EXPECT_EQ(graph.edges, 4u);
+}
+
+TEST(SingularityGraph, WhereThreeArcsMeetHasANode) {
+  const Graph graph = graph_of(kTripod);
+  EXPECT_EQ(graph.arcs.size(), 3u);
+  EXPECT_EQ(count_nodes(graph, true), 3u);
+  ASSERT_EQ(count_nodes(graph, false), 1u);
+  const auto node =
+      std::find_if(graph.nodes.begin(), graph.nodes.end(), [](const auto& n) { return !n.on_boundary; });
+  EXPECT_EQ(node->arcs, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_LE(norm(node->place - Vector3{50, 50, 50}), SingularityOptions().shift_cells + 1e-12);
+  EXPECT_EQ(node->verdict, Graph::Verdict::kUndecided);
+}
+
+TEST(SingularityGraph, WhereThreeQuarterTurnsMeetAFourthLineReachesTheSurface) {
+  std::vector<GridEdge> edges = kTripod;
+  for (GridEdge& edge : edges) edge.turn.kind = kQuarter;
+  const Graph graph = graph_of(edges);
+  EXPECT_EQ(count_nodes(graph, true), 4u);
+  EXPECT_EQ(summary_of(graph).nodes, 1u);
+  EXPECT_EQ(summary_of(graph).boundary_ends, 4u);
+}
+
+TEST(SingularityGraph, TakesNodesOfShortArcsBetweenForOne) {
+  // Two lines each way, which share two edges between.
+  const FrameTurn turn{kQuarter, unit(2)};
+  const auto edges = line({50, 50, 40}, 2, 10, turn) + line({40, 50, 50}, 0, 10, turn) +
+                     line({50, 50, 50}, 2, 2, {kHalf, unit(2)}) + line({50, 50, 52}, 2, 10, turn) +
+                     line({50, 50, 52}, 0, 10, turn);
+  const Graph graph = graph_of(edges);
+  EXPECT_EQ(graph.arcs.size(), 4u);
+  ASSERT_EQ(count_nodes(graph, false), 1u);
+  SingularityOptions exactly;
+  exactly.merge_cells = 0;
+  const Graph unmerged = singularity_graph(singular_of(edges), exactly);
+  EXPECT_EQ(unmerged.arcs.size(), 5u);
+  EXPECT_EQ(count_nodes(unmerged, false), 2u);
+}
+
+TEST(SingularityGraph, GoesOnThroughABubbleOfTwoShortArcs) {
+  const FrameTurn turn{kQuarter, unit(0)};
+  const auto edges = line({0, 0, 0}, 0, 10, turn) + line({10, 0, 0}, 0, 1, {kHalf, unit(0)}) +
+                     line({10, 0, 0}, 1, 1, turn) + line({10, 1, 0}, 0, 1, turn) +
+                     line({11, 0, 0}, 1, 1, turn) + line({11, 0, 0}, 0, 10, turn);
+  const Graph graph = graph_of(edges);
+  ASSERT_EQ(graph.arcs.size(), 1u);
+  EXPECT_EQ(graph.nodes.size(), 2u);
+}
+
+TEST(SingularityGraph, OfTetsGoesOnWhereALineTouchesTheSurfaceAndEndsWhereTwoDo) {
+  SingularEdges singular = singular_of(line({0, 0, 0}, 0, 20, {kQuarter, unit(0)}));
+  singular.points[10].on_boundary = true;
+  EXPECT_EQ(singularity_graph(singular).arcs.size(), 1u);
+  for (std::size_t e = 10; e < 20; ++e) singular.edges[e].turn.axis = -1.0 * singular.edges[e].turn.axis;
+  const Graph graph = singularity_graph(singular);
+  EXPECT_EQ(graph.arcs.size(), 2u);
+  EXPECT_EQ(count_nodes(graph, true), 3u);
+}
+
+TEST(SingularityGraph, OfTetsGoesOnOverAnEdgeOfTheSurfaceWhereTheTurnsAreOne) {
+  const FrameTurn turn{kQuarter, unit(0)};
+  SingularEdges singular = singular_of(line({0, 0, 0}, 0, 10, turn) + line({11, 0, 0}, 0, 10, turn));
+  const auto point_at = [&](double x) {
+    std::uint32_t k = 0;
+    while (singular.points[k].place[0] != x) ++k;
+    return k;
+  };
+  EXPECT_EQ(singularity_graph(singular).arcs.size(), 2u);
+  singular.surface_edges = {{point_at(10), point_at(11)}};
+  const Graph graph = singularity_graph(singular);
+  ASSERT_EQ(graph.arcs.size(), 1u);
+  EXPECT_EQ(graph.arcs[0].index, 0.25);
+  EXPECT_EQ(count_nodes(graph, true), 2u);
+  // Two lines that run to the surface side by side are two.
+  for (std::size_t e = 10; e < 20; ++e) singular.edges[e].turn.axis = -1.0 * singular.edges[e].turn.axis;
+  EXPECT_EQ(singularity_graph(singular).arcs.size(), 2u);
+}
+
+TEST(SingularityGraph, DoesNotDependOnTheOrderOfEdges) {
+  std::vector<GridEdge> edges = kTripod + square(9);
+  const Graph one = graph_of(edges);
+  std::reverse(edges.begin(), edges.end());
+  const Graph other = graph_of(edges);
+  ASSERT_EQ(one.arcs.size(), other.arcs.size());
+  for (std::size_t a = 0; a < one.arcs.size(); ++a) EXPECT_EQ(one.arcs[a].points, other.arcs[a].points);
+}
+
+TEST(SingularityGraph, MakesAStaircaseStraight) {
+  std::vector<GridEdge> edges;
+  const FrameTurn turn{kQuarter, normalised(Vector3{3, 1, 0})};
+  for (int k = 0; k < 20; ++k)
+    edges = edges + line({3 * k, k, 0}, 0, 3, turn) + line({3 * k + 3, k, 0}, 1, 1, turn);
+  const Graph graph = graph_of(edges);
+  ASSERT_EQ(graph.arcs.size(), 1u);
+  const auto& points = graph.arcs[0].points;
+  const Vector3 direction = normalised(Vector3{3, 1, 0});
+  // The staircase is up to 0.95 off on one side only, the line half-way between its corners.
+  for (std::size_t k = 10; k + 10 < points.size(); ++k) {
+    const Vector3 from_line = points[k] - Vector3{1.5, 0, 0};
+    EXPECT_NEAR(norm(from_line - dot(from_line, direction) * direction), 0, 0.06);
+  }
+  EXPECT_EQ(graph.arcs[0].across_length, 0);
+}
+
+TEST(SingularityGraph, MovesNoPointFurtherThanItMay) {
+  const Graph graph = graph_of(square(10));
+  SingularityOptions still;
+  still.smoothing_rounds = 0;
+  const Graph staircase = singularity_graph(singular_of(square(10)), still);
+  double most = 0;
+  for (std::size_t k = 0; k < graph.arcs[0].points.size(); ++k)
+    most = std::max(most, norm(graph.arcs[0].points[k] - staircase.arcs[0].points[k]));
+  EXPECT_LE(most, SingularityOptions().shift_cells + 1e-12);
+  EXPECT_GT(most, 0.5);
+}
+
+/// The arcs of a field on a uniform grid of 32 cells a side in the unit cube.
+template <class Field>
+Graph solved(const Field& field) {
+  const Octree tree = uniform_octree(5);
+  return singularity_graph(singular_grid_edges(tree, frames_of(tree, field), all_open(tree)));
+}
+
+const Vector3 kSlanted = normalised(Vector3{0.3, -0.4, 1});
+
+TEST(SingularityGraph, KnowsIndicesOfEitherSign) {
+  for (const double turns : {0.25, -0.25}) {
+    const Graph graph = solved(TurningLine{{0.52, 0.47, 0.5}, kSlanted, kSlanted, turns});
+    ASSERT_EQ(graph.arcs.size(), 1u) << turns;
+    EXPECT_EQ(graph.arcs[0].index, turns);
+    EXPECT_EQ(graph.arcs[0].type, Graph::ArcType::kRegular);
+    EXPECT_TRUE(graph.is_meshable());
+  }
+}
+
+TEST(SingularityGraph, KnowsThatTwoHexahedraAroundAnEdgeAreTooFew) {
+  const Graph six = graph_of(line({0, 0, 0}, 0, 20, {kHalf, unit(0, -1)}));
+  EXPECT_EQ(six.arcs[0].index, -0.5);
+  EXPECT_TRUE(six.is_meshable());
+  const Graph two = graph_of(line({0, 0, 0}, 0, 20, {kHalf, unit(0)}));
+  EXPECT_EQ(two.arcs[0].index, 0.5);
+  EXPECT_FALSE(two.is_meshable());
+}
+
+TEST(SingularityGraph, KnowsAnArcAcrossWhichFramesTurn) {
+  const Graph graph = solved(TurningLine{{0.52, 0.47, 0.5}, kSlanted, orthogonal_unit(kSlanted), 0.25});
+  ASSERT_EQ(graph.arcs.size(), 1u);
+  EXPECT_EQ(graph.arcs[0].type, Graph::ArcType::kAcross);
+  EXPECT_EQ(graph.arcs[0].index, 0);
+  EXPECT_EQ(graph.arcs[0].across_length, graph.arcs[0].length);
+  EXPECT_FALSE(graph.is_meshable());
+}
+
+TEST(SingularityGraph, KnowsAnArcAroundWhichFramesTurnAboutNoAxis) {
+  // A third of a turn about the diagonal of a frame whose axes are those of space.
+  const Vector3 diagonal = normalised(Vector3{1, 1, 1});
+  const TurningLine third{{0.52, 0.47, 0.5}, kSlanted, diagonal, 1 / 3.};
+  const auto field = [&](const Vector3& p) { return from_rotation_vector(third.turn_rad(p) * diagonal); };
+  const Graph graph = solved(field);
+  ASSERT_EQ(graph.arcs.size(), 1u);
+  EXPECT_EQ(graph.arcs[0].type, Graph::ArcType::kNoAxis);
+  EXPECT_FALSE(graph.is_meshable());
+}
+
+TEST(SingularityGraph, KnowsAnArcAlongWhichTheIndexChanges) {
+  // Up one slope of a bent line and down the other. As seen on the way, frames turn about the same axis of
+  // space all along where the index changes, and about opposite ones where it does not. Edges point upwards.
+  for (const double sign : {1., -1.}) {
+    std::vector<GridEdge> edges;
+    const FrameTurn up{kQuarter, unit(2)}, down{kQuarter, unit(2, -sign)},
+        down_aside{kQuarter, unit(2, sign)};
+    for (int k = 0; k < 10; ++k) {
+      edges = edges + line({k, 0, 3 * k}, 2, 3, up) + line({k, 0, 3 * k + 3}, 0, 1, up);
+      edges = edges + line({20 - k, 0, 3 * k}, 2, 3, down) + line({19 - k, 0, 3 * k + 3}, 0, 1, down_aside);
+    }
+    const Graph graph = graph_of(edges);
+    ASSERT_EQ(graph.arcs.size(), 1u);
+    EXPECT_EQ(graph.arcs[0].type, sign > 0 ? Graph::ArcType::kChanging : Graph::ArcType::kRegular);
+    EXPECT_EQ(graph.is_meshable(), sign < 0);
+  }
+}
+
+TEST(SingularityGraph, OfASlantedLineThroughLeavesOfThreeSizesIsOneArcWithoutNodes) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const Octree tree = graded_octree(seed);
+    const auto frames = frames_of(tree, TurningLine{{0.52, 0.47, 0.55}, kSlanted, kSlanted, 0.25});
+    const Graph graph = singularity_graph(singular_grid_edges(tree, frames, all_open(tree)));
+    ASSERT_EQ(graph.arcs.size(), 1u) << "seed " << seed;
+    EXPECT_EQ(graph.arcs[0].index, 0.25);
+    EXPECT_EQ(count_nodes(graph, false), 0u) << "seed " << seed;
+    EXPECT_EQ(count_nodes(graph, true), 2u) << "seed " << seed;
+  }
+}
+
+TEST(SingularityGraph, SummaryCountsWhatIsWrong) {
+  const auto summary =
+      summary_of(solved(TurningLine{{0.52, 0.47, 0.5}, kSlanted, orthogonal_unit(kSlanted), 0.25}));
+  EXPECT_FALSE(summary.meshable);
+  EXPECT_EQ(summary.not_meshable_arcs, 1u);
+  EXPECT_EQ(summary.arc_list[0].type, "across");
+  EXPECT_EQ(summary.arc_list[0].verdict, "not_meshable");
+  EXPECT_TRUE(summary.arc_list[0].on_boundary);
+  EXPECT_EQ(summary.arc_list[0].nodes, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(summary.node_list[1].arcs, (std::vector<std::uint32_t>{0}));
+}
+
+}  // namespace
+}  // namespace crossgrain

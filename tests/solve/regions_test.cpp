@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fields of models of several solids.
+#include "measure/regions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "crossgrain/solve.hpp"
+#include "field/field_data.hpp"
+#include "harmonics/random_samples.hpp"
+#include "measure/made_tets.hpp"
+#include "support/shapes.hpp"
+#include "tets/inner_walls.hpp"
+
+namespace crossgrain {
+namespace {
+
+using testing::RandomSamples;
+
+/// The surface of tets with their regions as solids.
+TriangleMesh surface_of(const TetMesh& tets) {
+  const TetSolid solid = solid_of(tets);
+  std::vector<Warning> warnings;
+  return model_surface(solid, find_inner_walls(solid, warnings));
+}
+
+SolveOptions cells_across(int resolution) {
+  SolveOptions options;
+  options.resolution = resolution;
+  return options;
+}
+
+/// Angle in degrees from a direction to the nearest axis of the frame at a point.
+double angle_deg(const FrameField& field, const Vector3& point, const Vector3& direction) {
+  double cosine = 0;
+  for (const Vector3& axis : field.sample(point).frame.axes)
+    cosine = std::max(cosine, std::abs(dot(axis, direction)));
+  return std::acos(std::min(1.0, cosine)) * 180 / std::numbers::pi;
+}
+
+/// A cylinder of radius 1 whose inner half is region 0.
+TetMesh core_in_sleeve(std::uint32_t across = 8) {
+  // Circles of radius 1/2 and 1: squares of tet_cylinder.
+  return with_regions(tet_cylinder(across),
+                      [](const Vector3& p) { return std::hypot(p[0], p[1]) < 0.5 ? 0 : 1; });
+}
+
+TetMesh box_in_box() {
+  const auto region_of = [](const Vector3& p) {
+    const Vector3 off = p - Vector3{3, 3, 3};
+    return std::max({std::abs(off[0]), std::abs(off[1]), std::abs(off[2])}) < 1 ? 1 : 0;
+  };
+  return with_regions(TetBox{{6, 6, 6}}.mesh(), region_of);
+}
+
+TetMesh rotated(TetMesh mesh, const Quaternion& rotation) {
+  for (Vector3& p : mesh.vertices) p = rotate(rotation, p);
+  return mesh;
+}
+
+TEST(Regions, OfACoreInASleeveFollowTheFaceBetweenThemOnBothSides) {
+  const FrameField field = solve(surface_of(core_in_sleeve(24)), cells_across(48));
+  const SolveReport& report = field.report();
+  EXPECT_TRUE(report.model.watertight);
+  double mean_deg = 0;
+  constexpr int kPlaces = 48;
+  for (int k = 0; k < kPlaces; ++k) {
+    const double angle = 2 * std::numbers::pi * (k + 0.3) / kPlaces;
+    const Vector3 radial{std::cos(angle), std::sin(angle), 0};
+    for (const double radius : {0.47, 0.53})
+      mean_deg += angle_deg(field, radius * radial + Vector3{0, 0, 0.1}, radial) / (2 * kPlaces);
+  }
+  EXPECT_LT(mean_deg, 1);
+  ASSERT_TRUE(report.interfaces);
+  // Its facets' normals are up to 3.75 degrees off the radial ones, 1.9 in the mean.
+  EXPECT_LT(report.interfaces->mean, 2);
+  // Of a prism over a regular polygon of 48 sides.
+  EXPECT_NEAR(report.interfaces->area, 2 * 48 * std::sin(std::numbers::pi / 48), 1e-9);
+}
+
+TEST(Regions, HaveTheVolumesOfTheirTetsAndAllCells) {
+  for (const TetMesh& tets : {core_in_sleeve(), box_in_box()}) {
+    const FrameField field = solve(surface_of(tets), cells_across(24));
+    const SolveReport& report = field.report();
+    EXPECT_TRUE(report.model.watertight);
+    EXPECT_TRUE(report.warnings.empty());
+    const TetSolid solid = solid_of(tets);
+    ASSERT_EQ(report.regions.size(), 2u);
+    std::size_t cells = 0;
+    for (const SolveReport::Region& region : report.regions) {
+      double volume = 0;
+      for (std::size_t t = 0; t < solid.mesh.tets.size(); ++t) {
+        TetMesh one{solid.mesh.vertices, {solid.mesh.tets[t]}};
+        if (solid.mesh.regions[t] == region.region) volume += volume_of_tets(one);
+      }
+      EXPECT_NEAR(region.volume, volume, 1e-9 * volume);
+      cells += region.cells;
+    }
+    EXPECT_EQ(cells, field.size());
+  }
+}
+
+TEST(Regions, OfCellsAreTheSolidsThatTheirCentresAreIn) {
+  const FrameField field = solve(surface_of(box_in_box()), cells_across(24));
+  ASSERT_EQ(field.data().regions.size(), field.size());
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const Vector3 off = field.cell(i).centre - Vector3{3, 3, 3};
+    const double distance = std::max({std::abs(off[0]), std::abs(off[1]), std::abs(off[2])});
+    EXPECT_EQ(field.data().regions[i], distance < 1 ? 1 : 0);
+  }
+}
+
+TEST(Regions, OfABoxInABoxFollowTheInnerBoxWhereverItStands) {
+  RandomSamples random(4);
+  const Quaternion rotation = random.rotation();
+  const FrameField field = solve(surface_of(rotated(box_in_box(), rotation)), cells_across(32));
+  ASSERT_TRUE(field.report().interfaces);
+  EXPECT_LT(field.report().interfaces->max, 1);
+  EXPECT_NEAR(field.report().interfaces->area, 24, 1e-9);
+  // Its twelve edges and those of the outer one.
+  EXPECT_EQ(field.report().creases.curves, 24u);
+  EXPECT_EQ(field.report().creases.crowded_corners, 0u);
+}
+
+TEST(Regions, TurnedInsideABoxBendTheFieldTheirWay) {
+  // The inner box turned by 30 degrees about z: away from its faces the outer box has its way.
+  const Quaternion turn = turn_about_z(30);
+  TriangleMesh inner = rotate_mesh(make_box({1, 1, 1}), turn);
+  TriangleMesh model = join_meshes(make_box({3, 3, 3}), flip_mesh(inner));
+  model.solids.assign(model.triangles.size(), 0);
+  model = join_meshes(model, inner);
+  model.solids.resize(model.triangles.size(), 1);
+  const FrameField field = solve(model, cells_across(48));
+  EXPECT_LT(field.report().interfaces->mean, 1);
+  const Vector3 normal = rotate(turn, {1, 0, 0});
+  // Outside it turns back by 30 degrees over one unit.
+  EXPECT_LT(angle_deg(field, 0.44 * normal, normal), 1);
+  EXPECT_LT(angle_deg(field, 0.56 * normal, normal), 3);
+  EXPECT_LT(angle_deg(field, {1.45, 0, 0}, {1, 0, 0}), 2);
+}
+
+TEST(Regions, AreFieldsOfTheSameBitsForOneThreadAndTwo) {
+  SolveOptions options = cells_across(24);
+  const TriangleMesh model = surface_of(core_in_sleeve());
+  options.threads = 1;
+  const FrameField one = solve(model, options);
+  options.threads = 2;
+  const FrameField two = solve(model, options);
+  EXPECT_EQ(one.data().regions, two.data().regions);
+  EXPECT_EQ(one.report().energy.total, two.report().energy.total);
+  EXPECT_EQ(one.report().interfaces->mean, two.report().interfaces->mean);
+}
+
+TEST(Regions, UnitedGiveTheFieldOfTheUnionToTheBit) {
+  TetMesh as_one = core_in_sleeve();
+  as_one.regions.clear();
+  const FrameField whole = solve(surface_of(as_one), cells_across(24));
+  SolveOptions options = cells_across(24);
+  options.unite_solids = true;
+  const FrameField united = solve(surface_of(core_in_sleeve()), options);
+  EXPECT_EQ(united.report().energy.total, whole.report().energy.total);
+  EXPECT_EQ(united.report().energy.boundary, whole.report().energy.boundary);
+  EXPECT_EQ(united.report().creases.curves, whole.report().creases.curves);
+  EXPECT_FALSE(united.report().interfaces);
+  EXPECT_EQ(united.report().regions.size(), 2u);
+  EXPECT_TRUE(whole.report().regions.empty());
+  // And without being told to unite it is another field.
+  const FrameField apart = solve(surface_of(core_in_sleeve()), cells_across(24));
+  EXPECT_GT(apart.report().energy.total, 1.01 * whole.report().energy.total);
+}
+
+TEST(Regions, OfASingleSolidChangeNothing) {
+  TriangleMesh model = make_bracket(24);
+  SolveOptions options = cells_across(24);
+  const FrameField plain = solve(model, options);
+  model.solids.assign(model.triangles.size(), 0);
+  options.unite_solids = true;
+  const FrameField told = solve(model, options);
+  EXPECT_EQ(told.report().energy.total, plain.report().energy.total);
+  EXPECT_TRUE(told.report().regions.empty());
+  EXPECT_TRUE(told.data().regions.empty());
+}
+
+TEST(Regions, ThatOverlapAreReportedAndCountForTheSmallest) {
+  TriangleMesh model = make_box({2, 2, 2});
+  model.solids.assign(model.triangles.size(), 0);
+  model = join_meshes(model, make_box({1, 1, 1}));
+  model.solids.resize(model.triangles.size(), 1);
+  const FrameField field = solve(model, cells_across(24));
+  const auto& warnings = field.report().warnings;
+  EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
+                          [](const Warning& warning) {
+                            return warning.kind == WarningKind::kOverlappingSolids &&
+                                   warning.text.starts_with("solids overlap: ");
+                          }),
+            1);
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const Vector3 centre = field.cell(i).centre;
+    const double distance = std::max({std::abs(centre[0]), std::abs(centre[1]), std::abs(centre[2])});
+    EXPECT_EQ(field.data().regions[i], distance < 0.5 ? 1 : 0);
+  }
+}
+
+TEST(Regions, ThatTouchByOtherTrianglesAreReportedAndSolvedAsOneField) {
+  // A small block stands on the middle of a large one, turned by 20 degrees.
+  TriangleMesh block = rotate_mesh(make_box({1, 1, 1}), turn_about_z(20));
+  TriangleMesh model = make_box({3, 3, 1});
+  model.solids.assign(model.triangles.size(), 0);
+  model = join_meshes(model, translate_mesh(block, {0.1, 0, 1}));
+  model.solids.resize(model.triangles.size(), 1);
+  const FrameField field = solve(model, cells_across(36));
+  const auto& warnings = field.report().warnings;
+  EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
+                          [](const Warning& warning) {
+                            return warning.kind == WarningKind::kTouchingSolids &&
+                                   warning.text.starts_with(
+                                       "solids touch by faces that are not the same triangles: ");
+                          }),
+            1);
+  EXPECT_TRUE(field.report().model.watertight);
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const Vector3 centre = field.cell(i).centre;
+    if (std::abs(centre[2] - 0.5) > 0.1) {
+      EXPECT_EQ(field.data().regions[i], centre[2] < 0.5 ? 0 : 1);
+    }
+  }
+  // Joined through the contact: across it frames change by little.
+  EXPECT_LT(angle_deg(field, {0.1, 0, 0.5}, {0, 0, 1}), 1);
+  const Frame below = field.sample({0.1, 0, 0.42}).frame;
+  for (const Vector3& axis : below.axes) EXPECT_LT(angle_deg(field, {0.1, 0, 0.58}, axis), 6);
+}
+
+TEST(Regions, TooSmallForACellAreReported) {
+  TriangleMesh model = make_box({1, 1, 1});
+  TriangleMesh speck = translate_mesh(scale_mesh(make_box({1, 1, 1}), 1e-4), {0.011, 0.012, 0.013});
+  model = join_meshes(model, flip_mesh(speck));
+  model.solids.assign(model.triangles.size(), 0);
+  model = join_meshes(model, speck);
+  model.solids.resize(model.triangles.size(), 8);
+  const auto warnings = solve(model, cells_across(8)).report().warnings;
+  const Warning expected(WarningKind::kEmptySolids,
+                         "solids too small to hold a cell: 1 of 2, the first is region 8",
+                         Remedy::kRaiseResolution);
+  EXPECT_EQ(std::count(warnings.begin(), warnings.end(), expected), 1);
+}
+
+}  // namespace
+}  // namespace crossgrain
