@@ -8,10 +8,8 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -34,15 +32,40 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Is told of a file and what to know of it.
-using Warn = std::function<void(const std::string& file, const std::string& warning)>;
+using Warn = std::function<void(const Warning& warning)>;
+
+/// Found by reading, and told before the solve.
+bool is_of_reading(WarningKind kind) {
+  switch (kind) {
+    case WarningKind::kUnknownUnit:
+    case WarningKind::kMissingParts:
+    case WarningKind::kLooseFaces:
+    case WarningKind::kMissingFaces:
+    case WarningKind::kCurvedTets:
+    case WarningKind::kSkippedData:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Told even where the summary is not: that the solve was not of what was given or asked for.
+bool is_of_input(WarningKind kind) {
+  return kind == WarningKind::kMemoryLimited || kind == WarningKind::kSurfaceFinding ||
+         kind == WarningKind::kConstraintsOutside;
+}
+
+void print_warning(Warning warning, const std::string& model) {
+  if (warning.file.empty()) warning.file = model;
+  print_message("warning: " + line_of(warning, Command::kSolve));
+}
 
 /// The tet mesh that the command line names, as MODEL or with --onto; none otherwise.
 std::optional<TetDomain> read_domain(const SolveArguments& arguments, const Warn& warn) {
   const std::string& file = arguments.onto.empty() ? arguments.model : arguments.onto;
   if (!is_tet_file(file) && arguments.onto.empty()) return std::nullopt;
   TetMesh mesh = read_tets(file);
-  for (const std::string& warning : mesh.warnings) warn(file, warning);
+  for (const Warning& warning : mesh.warnings) warn(warning);
   return naming(file, [&] { return TetDomain(std::move(mesh)); });
 }
 
@@ -146,21 +169,7 @@ std::string files_line(const SolveReport& report, const SolveArguments& argument
   return fmt::format("{} and {}", fmt::join(names, ", "), last);
 }
 
-/// What is to be told even where the summary is not: that the solve was not of what was given or asked for.
-std::vector<std::pair<std::string, std::string>> warnings_of_input(const SolveReport& report,
-                                                                   const SolveArguments& arguments) {
-  std::vector<std::pair<std::string, std::string>> warnings;
-  if (report.limited) warnings.emplace_back(arguments.model, report.warnings.front());
-  for (const SolveReport::Finding& finding : report.input.findings)
-    warnings.emplace_back(arguments.model, sentence_of(finding));
-  if (report.constraints && !report.constraints->outside_warning.empty())
-    warnings.emplace_back(arguments.constraints, report.constraints->outside_warning);
-  return warnings;
-}
-
-/// `told`: warnings that stand on standard error already.
-std::string summary_of(const SolveReport& report, const SolveArguments& arguments,
-                       const std::set<std::string>& told) {
+std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
   const auto& alignment = report.alignment_deg;
   std::string text = fmt::format("{} triangles, {}\n", report.model.triangles,
                                  report.model.watertight ? "watertight" : "not watertight");
@@ -175,8 +184,10 @@ std::string summary_of(const SolveReport& report, const SolveArguments& argument
       alignment.mean, alignment.p95, alignment.max, 100 * alignment.excluded_share);
   if (report.constraints) text += constraints_lines(*report.constraints);
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
-  for (const std::string& warning : report.warnings)
-    if (!told.contains(warning)) text += fmt::format("warning    {}\n", warning);
+  for (const Warning& warning : report.warnings) {
+    const bool is_told = is_of_reading(warning.kind) || is_of_input(warning.kind);
+    if (!is_told) text += fmt::format("warning    {}\n", line_of(warning, Command::kSolve));
+  }
   return text + fmt::format("result     {}\n", files_line(report, arguments));
 }
 
@@ -239,7 +250,7 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   const TriangleMesh mesh = is_tet_file(arguments.model)
                                 ? domain->boundary()
                                 : read_surface(arguments.model, read_options(arguments, options), monitor);
-  for (const std::string& warning : mesh.warnings) warn(arguments.model, warning);
+  for (const Warning& warning : mesh.warnings) warn(warning);
   if (!arguments.onto.empty()) check_same_unit(arguments, mesh, *domain);
   check_clip(arguments, mesh);
   const double read_seconds = seconds_since(start);
@@ -277,7 +288,6 @@ int run_solve(const SolveArguments& arguments) {
     check_onto_folder(arguments.output, arguments.output_options);
   }
   SolveReport report;
-  std::set<std::string> told;
   {
     ProgressLines lines(!arguments.quiet && (arguments.progress || isatty(STDERR_FILENO)));
     const auto expect = [&](Expectation expected) {
@@ -301,17 +311,16 @@ int run_solve(const SolveArguments& arguments) {
     Monitor monitor(show, expect);
     monitor.allow_stops();
     const Interruption interruption(monitor, lines.is_moving());
-    const auto warn = [&](const std::string& file, const std::string& warning) {
-      told.insert(warning);
+    const auto warn = [&](const Warning& warning) {
       lines.end_line();
-      print_message("warning: " + file + ": " + warning);
+      print_warning(warning, arguments.model);
     };
     report = solve_and_write(arguments, start, monitor, warn, [&lines] { lines.leave_line(); });
     lines.end_line();
   }
-  for (const auto& [file, warning] : warnings_of_input(report, arguments))
-    if (told.insert(warning).second) print_message("warning: " + file + ": " + warning);
-  if (!arguments.quiet) print_result(summary_of(report, arguments, told));
+  for (const Warning& warning : report.warnings)
+    if (is_of_input(warning.kind)) print_warning(warning, arguments.model);
+  if (!arguments.quiet) print_result(summary_of(report, arguments));
   return report.unfinished ? exit_code_of(ErrorKind::kInterrupted) : 0;
 }
 

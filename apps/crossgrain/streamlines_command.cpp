@@ -50,7 +50,7 @@ std::optional<TriangleMesh> read_model(const StreamlinesArguments& arguments, co
     options.resolution = static_cast<int>(std::lround(std::max(kCoarsest, field.report().resolution)));
     mesh = read_surface(file, options, monitor);
   }
-  for (const std::string& warning : mesh.warnings) print_message("warning: " + file + ": " + warning);
+  for (const Warning& warning : mesh.warnings) print_message("warning: " + line_of(warning, Command::kOther));
   return mesh;
 }
 

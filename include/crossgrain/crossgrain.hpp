@@ -6,6 +6,7 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/io.hpp"
+#include "crossgrain/message.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/page.hpp"
@@ -19,3 +20,4 @@
 #include "crossgrain/thread_limit.hpp"
 #include "crossgrain/types.hpp"
 #include "crossgrain/version.hpp"
+#include "crossgrain/warning.hpp"

@@ -11,21 +11,21 @@ namespace crossgrain {
 
 /// What went wrong.
 enum class ErrorKind : int {
-  kUsage,       ///< an option or argument that makes no sense
+  kUsage,       ///< an invalid option or argument
   kInput,       ///< an input file or mesh that cannot be used
   kOutput,      ///< a result that cannot be written
-  kLimit,       ///< out of a stated limit, memory too
+  kLimit,       ///< a stated limit or the memory is exceeded
   kInterrupted  ///< stopped or cancelled through a Monitor
 };
 
 /// The only exception the library throws for what a user can cause. `what()` is the sentence of its message:
-/// one line that says the file (where the error is in one), the place in it, what is wrong, and what to do.
+/// one line with the file if there is one, the place in it, what is wrong, and what to do.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, Message message)
       : std::runtime_error(sentence_of(message)), kind_(kind), message_(std::move(message)) {}
 
-  /// An error of no certain file or place.
+  /// An error without file and place.
   Error(ErrorKind kind, std::string text, Remedy remedy = Remedy::kNone)
       : Error(kind, Message{{}, {}, std::move(text), remedy}) {}
 
@@ -36,8 +36,8 @@ class Error : public std::runtime_error {
   const std::string& text() const noexcept { return message_.text; }
   Remedy remedy() const noexcept { return message_.remedy; }
 
-  /// The same error with the name of the file that the mesh or field came from: the library does not know it
-  /// where they are handed over in memory.
+  /// Returns the error with the name of the file that the mesh or field came from, which the library does not
+  /// know for objects in memory.
   Error with_file(std::string file) const;
 
  private:

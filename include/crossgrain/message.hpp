@@ -5,21 +5,21 @@
 
 namespace crossgrain {
 
-/// What the caller can do about an error or a warning. `words_of` says each in words.
+/// What the caller can do about an error or a warning; `words_of` puts it into words.
 enum class Remedy : int {
-  kNone,  ///< there is nothing to do, or the text says it
+  kNone,  ///< nothing, or the text says it
 
   // A file that is read.
   kCheckPath,
   kCheckDisk,
-  kAllowReading,  ///< its permissions do not
-  kGiveFile,      ///< a regular one
-  kCopyAgain,     ///< it is cut short, or was exported so
-  kRepairFile,    ///< what is in it makes no sense
-  kExportAgain,   ///< it may be sound, but not what is needed
-  kCorrectLine,   ///< of a text file that people write
-  kRename,        ///< its name ends like that of another format
-  kConvertFile,   ///< to a format that is known
+  kAllowReading,  ///< change its permissions
+  kGiveFile,      ///< name a regular file
+  kCopyAgain,     ///< copy or export it again: it is cut short
+  kRepairFile,    ///< its content is invalid
+  kExportAgain,   ///< it may be valid, but is not what is needed
+  kCorrectLine,   ///< correct the line of a text file
+  kRename,        ///< its extension belongs to another format
+  kConvertFile,   ///< convert it to a known format
   kTriangulate,
   kCutIntoTets,
   kSimplify,
@@ -70,16 +70,16 @@ enum class Remedy : int {
   kReportModel  ///< to the makers of this library
 };
 
-/// The remedy in words, without options of any program: "raise the resolution, or take smaller cells". Empty
-/// for kNone.
+/// Returns the remedy in words, without options of any program: "raise the resolution, or take smaller
+/// cells"; empty for kNone.
 const char* words_of(Remedy remedy);
 
-/// A name for files and scripts: "raise_resolution". Stays the same when the words change.
+/// Returns a name for files and scripts: "raise_resolution". Names do not change with the words.
 const char* name_of(Remedy remedy);
 
-/// What an error or a warning says.
+/// The content of an error or a warning.
 struct Message {
-  std::string file;  ///< empty for what is not in a file
+  std::string file;  ///< empty if it is not about a file
   std::string
       place;  ///< in the file or the object: "line 12", "vertex 7 (counted from 0)"; empty for all of it
   std::string text;  ///< what is wrong, in one line
@@ -88,10 +88,10 @@ struct Message {
   bool operator==(const Message&) const = default;
 };
 
-/// "FILE: PLACE: TEXT; REMEDY", less what is empty.
+/// Returns "FILE: PLACE: TEXT; REMEDY" without the empty parts.
 std::string sentence_of(const Message& message);
 
-/// The same with other words for the remedy.
+/// Returns the sentence with other words for the remedy.
 std::string sentence_of(const Message& message, const std::string& remedy_words);
 
 }  // namespace crossgrain

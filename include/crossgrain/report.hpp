@@ -185,10 +185,6 @@ struct SolveReport {
     Faces faces;
     Points stresses;                     ///< angles of axes with a gap of at least 0.1
     std::size_t isotropic_stresses = 0;  ///< that say nothing
-
-    /// The one of SolveReport::warnings on what is outside, where anything is. Not known of a field that was
-    /// read from files.
-    std::string outside_warning = {};
   };
   std::optional<Constraints> constraints;  ///< only where there are any
 
@@ -227,8 +223,8 @@ struct SolveReport {
 
   std::size_t peak_memory_bytes = 0;  ///< of the whole process, where the system tells it
 
-  /// One sentence each for what the user should know before trusting the field.
-  std::vector<std::string> warnings;
+  /// What the user should know before trusting the field.
+  std::vector<Warning> warnings;
 };
 
 struct SingularityGraph;
@@ -237,10 +233,10 @@ struct SingularityGraph;
 SolveReport::Singularity summary_of(const SingularityGraph& graph);
 
 /// Marks the report of a field on the grid that was to be carried onto a tet mesh and was not, since a stop
-/// came before: `unfinished`, and the sentence on it in `warnings`.
+/// came before: `unfinished`, and the warning of it.
 void mark_tets_missing(SolveReport& report);
 
-/// A finding as one of SolveReport::warnings: what, how many, where, and what became of them.
+/// A finding in words: what, how many, where, and what became of them.
 std::string sentence_of(const SolveReport::Finding& finding);
 
 }  // namespace crossgrain

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "crossgrain/types.hpp"
@@ -34,8 +33,8 @@ class TetDomain {
   /// dominated by many tiny tets in a corner.
   double typical_edge_length() const;
 
-  /// One sentence each for what was mended or is odd, ready for a reader; those of the mesh first.
-  const std::vector<std::string>& warnings() const;
+  /// Of what was mended or is odd; those of the mesh first.
+  const std::vector<Warning>& warnings() const;
 
   /// The representation behind it, for the library itself.
   const TetDomainData& data() const { return *data_; }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/warning.hpp"
+
 namespace crossgrain {
 
 /// A point or a direction, in the model's own length unit.
@@ -58,9 +60,8 @@ struct TriangleMesh {
   std::string unit = {};
   std::string file_unit = {};
 
-  /// What reading found: one sentence each for what to know before trusting the surface. A solve passes them
-  /// on to its report.
-  std::vector<std::string> warnings = {};
+  /// What reading found. A solve passes them on to its report.
+  std::vector<Warning> warnings = {};
 };
 
 /// A solid cut into tets that index vertices, in either orientation.
@@ -87,8 +88,8 @@ struct TetMesh {
   std::vector<Edge> feature_edges = {};
   std::vector<Face> feature_faces = {};
 
-  /// One sentence each for what a reader did not take as it stands in the file.
-  std::vector<std::string> warnings = {};
+  /// What a reader did not take as it stands in the file.
+  std::vector<Warning> warnings = {};
 };
 
 /// Three orthonormal axes, right-handed. An octahedral frame is the class of the 24 such triples that differ

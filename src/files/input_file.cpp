@@ -80,9 +80,12 @@ InputFile InputFile::standard_input() {
   return {name, std::move(bytes), size};
 }
 
+std::string in_words(const Place& place) {
+  return place.unit == nullptr ? "" : fmt::format("{} {}", place.unit, place.number);
+}
+
 void fail_input(const InputFile& file, const Place& place, const std::string& text, Remedy remedy) {
-  const std::string where = place.unit == nullptr ? "" : fmt::format("{} {}", place.unit, place.number);
-  throw Error(ErrorKind::kInput, {file.name(), where, text, remedy});
+  throw Error(ErrorKind::kInput, {file.name(), in_words(place), text, remedy});
 }
 
 std::string in_quotes(std::string_view word) {

@@ -45,6 +45,9 @@ inline Place at_line(std::size_t number) {
   return {"line", number};
 }
 
+/// As Message::place: "line 12".
+std::string in_words(const Place& place);
+
 /// Throws Error(kInput) naming the file and the place in it.
 [[noreturn]] void fail_input(const InputFile& file, const Place& place, const std::string& text,
                              Remedy remedy = Remedy::kRepairFile);

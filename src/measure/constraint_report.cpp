@@ -194,9 +194,9 @@ SolveReport::Constraints constraint_report(const AskedAxes& asked, const Sampler
   return report;
 }
 
-std::string outside_constraints_warning(const AskedAxes& asked) {
-  if (!asked.first_outside) return "";
-  const auto& [points, polylines, faces, stresses, isotropic, warning] = asked.counts;
+std::optional<Warning> outside_constraints_warning(const AskedAxes& asked, const std::string& source) {
+  if (!asked.first_outside) return std::nullopt;
+  const auto& [points, polylines, faces, stresses, isotropic] = asked.counts;
   std::vector<std::string> parts;
   const auto count = [&](std::size_t outside, std::size_t all, const char* what) {
     if (outside > 0) parts.push_back(fmt::format("{} of {} {}", outside, all, what));
@@ -204,8 +204,10 @@ std::string outside_constraints_warning(const AskedAxes& asked) {
   count(points.outside, points.count, "points");
   count(stresses.outside, stresses.count, "stresses");
   count(polylines.outside, polylines.count, "polylines (in part)");
-  return fmt::format("constraints outside the solid: {}, the first at {}; there they do nothing",
-                     fmt::join(parts, ", "), in_words(*asked.first_outside));
+  return Warning(WarningKind::kConstraintsOutside,
+                 {source, "",
+                  fmt::format("constraints outside the solid: {}, the first at {}; there they do nothing",
+                              fmt::join(parts, ", "), in_words(*asked.first_outside))});
 }
 
 }  // namespace crossgrain

@@ -38,7 +38,8 @@ AskedAxes asked_axes(const Constraints& constraints, const Solid& solid, const G
 /// The counts of `asked`, and the angles between prescribed axes and the nearest axis of the field.
 SolveReport::Constraints constraint_report(const AskedAxes& asked, const Sampler& sampler);
 
-/// One sentence for SolveReport::warnings about constraints outside the solid; empty if there are none.
-std::string outside_constraints_warning(const AskedAxes& asked);
+/// A warning about constraints outside the solid; none if there are no such constraints. `source` is the file
+/// of the constraints.
+std::optional<Warning> outside_constraints_warning(const AskedAxes& asked, const std::string& source);
 
 }  // namespace crossgrain

@@ -103,20 +103,22 @@ SolveReport::Creases crease_report(const CreaseNetwork& creases, const Sampler& 
   return report;
 }
 
-std::vector<std::string> crease_warnings(const CreaseNetwork& creases) {
-  std::vector<std::string> warnings;
+std::vector<Warning> crease_warnings(const CreaseNetwork& creases) {
+  std::vector<Warning> warnings;
   const auto crowded = std::find_if(creases.corners.begin(), creases.corners.end(), is_crowded);
   if (crowded != creases.corners.end()) {
     const auto count = std::count_if(creases.corners.begin(), creases.corners.end(), is_crowded);
     const auto& [x, y, z] = crowded->position;
-    warnings.push_back(
+    warnings.emplace_back(
+        WarningKind::kCrowdedCorners,
         fmt::format("{} corners of more than three creases, the first at {:.6g} {:.6g} {:.6g}: no frame has "
                     "an axis across all their faces",
                     count, x, y, z));
   }
   if (creases.knives.count > 0) {
     const auto& [x, y, z] = creases.knives.places[0];
-    warnings.push_back(
+    warnings.emplace_back(
+        WarningKind::kKnifeEdges,
         fmt::format("{} edges with less than 45 degrees of solid between their faces, the first at {:.6g} "
                     "{:.6g} {:.6g}: no frame follows both",
                     creases.knives.count, x, y, z));

@@ -28,7 +28,7 @@ struct CreaseNetwork {
 /// model units.
 SolveReport::Creases crease_report(const CreaseNetwork& creases, const Sampler& sampler, double step);
 
-/// One sentence each, for SolveReport::warnings, about places where no frame fits all faces.
-std::vector<std::string> crease_warnings(const CreaseNetwork& creases);
+/// Warnings about places where no frame fits all faces.
+std::vector<Warning> crease_warnings(const CreaseNetwork& creases);
 
 }  // namespace crossgrain

@@ -190,28 +190,32 @@ CellRegions find_regions(const TriangleMesh& mesh, const Surface& outer, const G
   const auto first = std::find(contested.begin(), contested.end(), 1);
   if (first != contested.end()) {
     const auto [x, y, z] = level.tree.centre(static_cast<CellIndex>(first - contested.begin()));
-    result.warnings.push_back(
+    result.warnings.emplace_back(
+        WarningKind::kOverlappingSolids,
         fmt::format("solids overlap: {} cells are in more than one, the first around {:.6g} {:.6g} {:.6g}; "
-                    "they count for "
-                    "the smallest of them, and the surfaces of all constrain frames there: cut one from the "
-                    "other",
-                    std::count(contested.begin(), contested.end(), 1), x, y, z));
+                    "they count for the smallest of them, and the surfaces of all constrain frames there",
+                    std::count(contested.begin(), contested.end(), 1), x, y, z),
+        Remedy::kSeparateSolids);
   } else if (const auto [count, place] = finder.contacts(); count > 0) {
     const auto& [x, y, z] = place;
-    result.warnings.push_back(
-        fmt::format("solids touch by faces that are not the same triangles: {} triangles lie against another "
-                    "solid, the first around {:.6g} {:.6g} {:.6g}; both surfaces constrain frames there, "
-                    "with --union too: "
-                    "glue the solids",
-                    count, x, y, z));
+    result.warnings.emplace_back(
+        WarningKind::kTouchingSolids,
+        fmt::format(
+            "solids touch by faces that are not the same triangles: {} triangles lie against another "
+            "solid, the first around {:.6g} {:.6g} {:.6g}; both surfaces constrain frames there, also "
+            "where solids are united",
+            count, x, y, z),
+        Remedy::kGlueSolids);
   }
   const auto empty = [](const SolveReport::Region& region) { return region.cells == 0; };
   const auto none = std::find_if(result.regions.begin(), result.regions.end(), empty);
   if (none != result.regions.end()) {
-    result.warnings.push_back(
-        fmt::format("solids too small to hold a cell: {} of {}, the first is region {}; raise the resolution",
+    result.warnings.emplace_back(
+        WarningKind::kEmptySolids,
+        fmt::format("solids too small to hold a cell: {} of {}, the first is region {}",
                     std::count_if(result.regions.begin(), result.regions.end(), empty), result.regions.size(),
-                    none->region));
+                    none->region),
+        Remedy::kRaiseResolution);
   }
   return result;
 }

@@ -15,8 +15,8 @@ namespace crossgrain {
 struct CellRegions {
   std::vector<std::int32_t> of_leaf;         ///< numbers as in TriangleMesh::solids; empty for a single solid
   std::vector<SolveReport::Region> regions;  ///< SolveReport::regions
-  std::vector<std::string>
-      warnings;  ///< solids that overlap or touch without shared triangles, and solids without a cell
+  /// Solids that overlap or touch without shared triangles, and solids without a cell.
+  std::vector<Warning> warnings;
 };
 
 /// The solid of each leaf: the one that holds its centre, and of several the one with the smallest volume,

@@ -111,14 +111,15 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, Solved
   data.regions = std::move(found.of_leaf);
   data.report.regions = std::move(found.regions);
 
-  std::vector<std::string>& warnings = data.report.warnings;
+  std::vector<Warning>& warnings = data.report.warnings;
   if (data.report.unfinished) warnings.push_back(unfinished_warning(data.report));
   if (data.report.limited) warnings.push_back(memory_warning(data.report));
   append(warnings, mesh.warnings);
   for (const SolveReport::Finding& finding : data.report.input.findings)
-    warnings.push_back(sentence_of(finding));
+    warnings.emplace_back(WarningKind::kSurfaceFinding, sentence_of(finding));
   append(warnings, resolution_warnings(data.report));
-  if (!solved.settled) warnings.push_back("the energy had not settled when the sweeps ran out");
+  if (!solved.settled)
+    warnings.emplace_back(WarningKind::kNotSettled, "the energy had not settled when the sweeps ran out");
   append(warnings, found.warnings);
 }
 
@@ -131,9 +132,8 @@ void describe_guides(const PreparedModel& model, const AskedAxes& asked, const S
   data.report.interfaces = interface_report(model.inner_faces(), sampler, finest);
   if (!options.constraints.empty()) {
     data.report.constraints = constraint_report(asked, sampler);
-    const std::string& outside = data.report.constraints->outside_warning =
-        outside_constraints_warning(asked);
-    if (!outside.empty()) data.report.warnings.push_back(outside);
+    if (auto outside = outside_constraints_warning(asked, options.constraints.source))
+      data.report.warnings.push_back(std::move(*outside));
   }
   append(data.report.warnings, crease_warnings(model.creases()));
 }
@@ -183,9 +183,8 @@ FrameField solve_from(const FrameField& earlier, const TriangleMesh& mesh, const
   const Sampler sampler(data.tree, data.frames, data.open_faces);
   const auto initial_frame = [&](const Vector3& point) { return sampler.at(point).frame; };
   const std::shared_ptr<FieldData> result = solve_with(mesh, options, monitor, initial_frame);
-  const std::string warning =
-      other_model_warning(data.report.model.bounding_box, result->report.model.bounding_box);
-  if (!warning.empty()) result->report.warnings.push_back(warning);
+  if (auto warning = other_model_warning(data.report.model.bounding_box, result->report.model.bounding_box))
+    result->report.warnings.push_back(std::move(*warning));
   return FrameField(result);
 }
 

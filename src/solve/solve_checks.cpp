@@ -177,16 +177,18 @@ void check_interior(const GridLevel& finest, const MendedSurface& mended) {
   }
 }
 
-std::vector<std::string> resolution_warnings(const SolveReport& report) {
-  std::vector<std::string> warnings;
+std::vector<Warning> resolution_warnings(const SolveReport& report) {
+  std::vector<Warning> warnings;
   if (report.walls.thin_share > kThinShareToWarnOf) {
-    warnings.push_back(
-        fmt::format("walls below {:g} cells under {:.0f} % of the surface: under-resolved there, raise the "
-                    "resolution",
-                    report.walls.cells_wanted, 100 * report.walls.thin_share));
+    warnings.emplace_back(
+        WarningKind::kThinWalls,
+        fmt::format("walls below {:g} cells under {:.0f} % of the surface: under-resolved there",
+                    report.walls.cells_wanted, 100 * report.walls.thin_share),
+        Remedy::kRaiseResolution);
   }
   if (report.alignment_deg.excluded_share > kExcludedShareToWarnOf) {
-    warnings.push_back(
+    warnings.emplace_back(
+        WarningKind::kExcludedSurface,
         fmt::format("{:.0f} % of the surface lies in cells whose constraints no frame meets, and is left "
                     "out of alignment_deg",
                     100 * report.alignment_deg.excluded_share));
@@ -194,17 +196,23 @@ std::vector<std::string> resolution_warnings(const SolveReport& report) {
   return warnings;
 }
 
-std::string memory_warning(const SolveReport& report) {
-  const SolveReport::Limited& limited = *report.limited;
-  return fmt::format(
-      "memory: {:.4g} cells along the longest side in place of {:.4g}; twice as many would need about {:.3g} "
-      "GB, "
-      "and {:.3g} GB are allowed (--max-memory)",
-      report.resolution, limited.resolution_asked, static_cast<double>(limited.memory_needed_bytes) / 1e9,
-      static_cast<double>(limited.memory_bytes) / 1e9);
+bool is_of_resolution(const Warning& warning) {
+  return warning.kind == WarningKind::kThinWalls || warning.kind == WarningKind::kExcludedSurface;
 }
 
-std::string unfinished_warning(const SolveReport& report) {
+Warning memory_warning(const SolveReport& report) {
+  const SolveReport::Limited& limited = *report.limited;
+  return {
+      WarningKind::kMemoryLimited,
+      fmt::format("memory: {:.4g} cells along the longest side in place of {:.4g}; twice as many would need "
+                  "about {:.3g} GB, and {:.3g} GB are allowed",
+                  report.resolution, limited.resolution_asked,
+                  static_cast<double>(limited.memory_needed_bytes) / 1e9,
+                  static_cast<double>(limited.memory_bytes) / 1e9),
+      Remedy::kAllowMemory};
+}
+
+Warning unfinished_warning(const SolveReport& report) {
   const SolveReport::Unfinished& unfinished = *report.unfinished;
   const std::string missing =
       unfinished.levels_missing == 0
@@ -212,27 +220,31 @@ std::string unfinished_warning(const SolveReport& report) {
           : fmt::format("{:.4g} cells along the longest side in place of {:.4g}{}", report.resolution,
                         unfinished.resolution_asked,
                         unfinished.tets_missing ? ", and not carried onto the tets" : "");
-  return "unfinished: stopped before the end, " + missing + "; a solve with --from goes on from here";
+  return {WarningKind::kUnfinished, "unfinished: stopped before the end, " + missing, Remedy::kContinueSolve};
 }
 
 void mark_tets_missing(SolveReport& report) {
-  if (report.unfinished) std::erase(report.warnings, unfinished_warning(report));
+  std::erase_if(report.warnings,
+                [](const Warning& warning) { return warning.kind == WarningKind::kUnfinished; });
   if (!report.unfinished) report.unfinished = SolveReport::Unfinished{report.resolution, 0, false};
   report.unfinished->tets_missing = true;
   report.warnings.insert(report.warnings.begin(), unfinished_warning(report));
 }
 
-std::string outside_warning(std::size_t outside, std::size_t vertices) {
-  return fmt::format(
-      "vertices of the tet mesh in no cell: {} of {}; they began with the frame of the nearest cell of their "
-      "part",
-      outside, vertices);
+Warning outside_warning(std::size_t outside, std::size_t vertices) {
+  return {
+      WarningKind::kVerticesOutside,
+      fmt::format("vertices of the tet mesh in no cell: {} of {}; they began with the frame of the nearest "
+                  "cell of their part",
+                  outside, vertices)};
 }
 
-std::string other_model_warning(const Box& earlier, const Box& box) {
+std::optional<Warning> other_model_warning(const Box& earlier, const Box& box) {
   const double tolerance = kSameBox * longest_side(box);
-  if (norm(earlier.low - box.low) <= tolerance && norm(earlier.high - box.high) <= tolerance) return "";
-  return "the field that was started from is of a model with another bounding box";
+  if (norm(earlier.low - box.low) <= tolerance && norm(earlier.high - box.high) <= tolerance)
+    return std::nullopt;
+  return Warning(WarningKind::kOtherModel,
+                 "the field that was started from is of a model with another bounding box");
 }
 
 }  // namespace crossgrain

@@ -2,7 +2,7 @@
 // What a solve refuses before it begins or once it sees that there is nothing to solve, and what it warns of.
 #pragma once
 
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "crossgrain/options.hpp"
@@ -27,19 +27,20 @@ void check_size(const Surface& surface, const SolveOptions& options);
 /// surface is open, or flat.
 void check_interior(const GridLevel& finest, const MendedSurface& mended);
 
-/// One sentence each, for SolveReport::warnings, of what the finest cells do not resolve of the surface.
-std::vector<std::string> resolution_warnings(const SolveReport& report);
+/// Warnings of what the finest cells do not resolve of the surface.
+std::vector<Warning> resolution_warnings(const SolveReport& report);
+bool is_of_resolution(const Warning& warning);
 
 /// A warning that the cells are larger than was asked for; where report.limited.
-std::string memory_warning(const SolveReport& report);
+Warning memory_warning(const SolveReport& report);
 
 /// A warning that the solve was stopped; where report.unfinished.
-std::string unfinished_warning(const SolveReport& report);
+Warning unfinished_warning(const SolveReport& report);
 
 /// A warning of vertices of a tet mesh outside every cell.
-std::string outside_warning(std::size_t outside, std::size_t vertices);
+Warning outside_warning(std::size_t outside, std::size_t vertices);
 
-/// A warning where a field is started from that of a model of another size or place; empty otherwise.
-std::string other_model_warning(const Box& earlier, const Box& box);
+/// A warning where a field is started from that of a model of another size or place; none otherwise.
+std::optional<Warning> other_model_warning(const Box& earlier, const Box& box);
 
 }  // namespace crossgrain

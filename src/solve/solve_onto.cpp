@@ -78,7 +78,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
 
   SolveReport report = grid.report();
   // Tets have cells of their own: the grid is only where they start (docs/solver.md, "On tets").
-  for (const std::string& warning : resolution_warnings(report)) std::erase(report.warnings, warning);
+  std::erase_if(report.warnings, is_of_resolution);
   report.onto = describe(tets, evaluate_vertex_field(tets.solid, boundary, tets.edges, field->vertex_frames));
   report.onto->feature_edge_deg = angles_along(tets.solid, features.edges, field->vertex_frames);
   report.onto->boundary = name_of(options.onto.boundary);
@@ -87,7 +87,8 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   report.onto->seconds = stopwatch.restart();
   report.warnings.insert(report.warnings.end(), domain.warnings().begin(), domain.warnings().end());
   if (!finished.settled)
-    report.warnings.push_back("the energy on the tets had not settled when the sweeps ran out");
+    report.warnings.emplace_back(WarningKind::kTetsNotSettled,
+                                 "the energy on the tets had not settled when the sweeps ran out");
   if (start.outside > 0) report.warnings.push_back(outside_warning(start.outside, report.onto->vertices));
   return {grid, domain, std::move(field), std::move(report)};
 }

@@ -48,7 +48,7 @@ double TetDomain::typical_edge_length() const {
   return data_->typical_edge_length;
 }
 
-const std::vector<std::string>& TetDomain::warnings() const {
+const std::vector<Warning>& TetDomain::warnings() const {
   return data_->warnings;
 }
 

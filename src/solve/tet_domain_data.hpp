@@ -21,7 +21,7 @@ struct TetDomainData {
   BoundaryVertices boundary;
   Box box{};  ///< of the boundary
   double typical_edge_length = 0;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 }  // namespace crossgrain

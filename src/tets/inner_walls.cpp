@@ -39,7 +39,7 @@ Face outward_of(const TetMesh& mesh, const Face& face, std::uint32_t tet) {
 }
 
 void warn_of_stray_faces(const TetSolid& solid, const std::vector<Face>& tagged, std::size_t inside,
-                         std::vector<std::string>& warnings) {
+                         std::vector<Warning>& warnings) {
   if (tagged.size() == inside) return;
   std::vector<Face> boundary;
   for (const Face& face : solid.boundary) boundary.push_back(ascending(face));
@@ -47,8 +47,9 @@ void warn_of_stray_faces(const TetSolid& solid, const std::vector<Face>& tagged,
   std::size_t strays = tagged.size() - inside;
   for (const Face& face : boundary) strays -= std::binary_search(tagged.begin(), tagged.end(), face);
   if (strays > 0)
-    warnings.push_back("tagged triangles that are faces of no tet, passed over: " + std::to_string(strays) +
-                       " of " + std::to_string(tagged.size()));
+    warnings.emplace_back(WarningKind::kStrayTags,
+                          "tagged triangles that are faces of no tet, passed over: " +
+                              std::to_string(strays) + " of " + std::to_string(tagged.size()));
 }
 
 /// Regions of the boundary faces; for a face whose tet has no volume, that of any tet at its first corner.
@@ -114,7 +115,7 @@ bool has_several_regions(const TetMesh& mesh) {
          mesh.regions.end();
 }
 
-std::vector<InnerWall> find_inner_walls(const TetSolid& solid, std::vector<std::string>& warnings) {
+std::vector<InnerWall> find_inner_walls(const TetSolid& solid, std::vector<Warning>& warnings) {
   const TetMesh& mesh = solid.mesh;
   const std::vector<Face> tagged = tagged_faces(mesh);
   const bool several = has_several_regions(mesh);

@@ -21,7 +21,7 @@ struct InnerWall {
 
 /// The walls in the order of TetSolid::inner_faces. Adds to `warnings` how many tagged triangles are faces of
 /// no tet.
-std::vector<InnerWall> find_inner_walls(const TetSolid& solid, std::vector<std::string>& warnings);
+std::vector<InnerWall> find_inner_walls(const TetSolid& solid, std::vector<Warning>& warnings);
 
 /// Whether the tets belong to more than one region.
 bool has_several_regions(const TetMesh& mesh);

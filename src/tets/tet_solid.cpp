@@ -38,10 +38,11 @@ struct Tally {
   }
 };
 
-void warn(std::vector<std::string>& warnings, const Tally& tally, const char* kind, const char* what) {
+void warn(std::vector<Warning>& warnings, WarningKind kind, const Tally& tally, const char* element,
+          const char* what) {
   if (tally.count == 0) return;
-  warnings.push_back(std::string(what) + ": " + std::to_string(tally.count) + "; the first is " + kind + " " +
-                     std::to_string(tally.first) + " (counted from 0)");
+  warnings.emplace_back(kind, std::string(what) + ": " + std::to_string(tally.count) + "; the first is " +
+                                  counted_from_0(element, tally.first));
 }
 
 void check_indices(const TetMesh& mesh) {
@@ -113,11 +114,12 @@ bool has_crowded_face(const TetFaces& faces, const Tets& tets) {
 
 /// The faces of all tets with four distinct vertices. Unsets `take` for repeated tets.
 TetFaces faces_of_solid(const TetMesh& mesh, std::vector<std::uint8_t>& take,
-                        std::vector<std::string>& warnings) {
+                        std::vector<Warning>& warnings) {
   TetFaces faces(mesh.vertices.size(), mesh.tets, take);
   if (!has_crowded_face(faces, mesh.tets)) return faces;
   const Tally repeated = drop_repeated_tets(faces, mesh.tets, take);
-  warn(warnings, repeated, "tet", "tets of the same vertices as an earlier one, left out");
+  warn(warnings, WarningKind::kRepeatedTets, repeated, "tet",
+       "tets of the same vertices as an earlier one, left out");
   if (repeated.count > 0) faces = TetFaces(mesh.vertices.size(), mesh.tets, take);
   faces.visit([](const auto& vertices, std::span<const FaceUse> uses) {
     if (uses.size() > 2) refuse_face(vertices, uses);
@@ -205,28 +207,29 @@ std::vector<std::uint32_t> keep_tets(TetMesh& mesh, const std::vector<TetShape>&
   return new_index;
 }
 
-void warn_of_unused_vertices(TetSolid& solid, std::vector<std::string>& warnings) {
+void warn_of_unused_vertices(TetSolid& solid, std::vector<Warning>& warnings) {
   Tally unused;
   for (std::size_t v = 0; v < solid.vertex_components.size(); ++v)
     if (solid.vertex_components[v] == kNoComponent) unused.add(v);
   solid.unused_vertices = unused.count;
-  warn(warnings, unused, "vertex", "vertices of no tet, kept in the numbering");
+  warn(warnings, WarningKind::kUnusedVertices, unused, "vertex", "vertices of no tet, kept in the numbering");
 }
 
-void warn_of_boundary_faults(const TetSolid& solid, std::vector<std::string>& warnings) {
+void warn_of_boundary_faults(const TetSolid& solid, std::vector<Warning>& warnings) {
   const BoundaryFaults faults = find_boundary_faults(solid.boundary);
   if (faults.edges > 0) {
-    warnings.push_back("edges along which the solid touches itself, more than two boundary faces each: " +
-                       std::to_string(faults.edges) + "; the first joins vertices " +
-                       numbers(faults.first_edge) + " (counted from 0)");
+    warnings.emplace_back(WarningKind::kTouchingEdges,
+                          "edges along which the solid touches itself, more than two boundary faces each: " +
+                              std::to_string(faults.edges) + "; the first joins vertices " +
+                              numbers(faults.first_edge) + " (counted from 0)");
   }
-  warn(warnings, {faults.vertices, faults.first_vertex}, "vertex",
+  warn(warnings, WarningKind::kTouchingVertices, {faults.vertices, faults.first_vertex}, "vertex",
        "vertices at which the solid touches itself");
 }
 
 /// Warns of boundary faces at the same place with different vertices: the file has the vertices between two
 /// parts twice, so the two sides are not coupled.
-void warn_of_unmerged_vertices(const TetSolid& solid, std::vector<std::string>& warnings) {
+void warn_of_unmerged_vertices(const TetSolid& solid, std::vector<Warning>& warnings) {
   const TriangleMesh surface = boundary_surface(solid);
   const std::vector<std::uint32_t> first = first_equal_vertices(surface.vertices);
   std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t>> faces;
@@ -240,11 +243,12 @@ void warn_of_unmerged_vertices(const TetSolid& solid, std::vector<std::string>& 
     if (faces[k].first == faces[k - 1].first && count++ == 0) example = k;
   }
   if (count == 0) return;
-  warnings.push_back(
+  warnings.emplace_back(
+      WarningKind::kUnmergedVertices,
       "places where two tets lie face to face without sharing vertices: " + std::to_string(count) +
-      "; the first has vertices " + numbers(solid.boundary[faces[example - 1].second]) + " and again " +
-      numbers(solid.boundary[faces[example].second]) +
-      " (counted from 0); the parts are solved apart: merge equal vertices to join them");
+          "; the first has vertices " + numbers(solid.boundary[faces[example - 1].second]) + " and again " +
+          numbers(solid.boundary[faces[example].second]) + " (counted from 0); the parts are solved apart",
+      Remedy::kMergeVertices);
 }
 
 }  // namespace
@@ -266,7 +270,7 @@ std::vector<std::int32_t> tags_of_faces(const TetMesh& mesh,
   return result;
 }
 
-TetSolid prepare_tets(TetMesh mesh, std::vector<std::string>& warnings) {
+TetSolid prepare_tets(TetMesh mesh, std::vector<Warning>& warnings) {
   check_vertices(mesh.vertices);
   check_indices(mesh);
   check_features(mesh.feature_edges, mesh.vertices.size(), "tagged edge");
@@ -284,8 +288,8 @@ TetSolid prepare_tets(TetMesh mesh, std::vector<std::string>& warnings) {
     throw Error(ErrorKind::kInput,
                 "none of the " + std::to_string(given) + " tets has a volume (the first is tet 0)",
                 Remedy::kExportAgain);
-  warn(warnings, inverted, "tet", "inverted tets, turned");
-  warn(warnings, flat, "tet", "tets without volume, left out");
+  warn(warnings, WarningKind::kInvertedTets, inverted, "tet", "inverted tets, turned");
+  warn(warnings, WarningKind::kFlatTets, flat, "tet", "tets without volume, left out");
 
   const TetFaces faces = faces_of_solid(mesh, take, warnings);
   TetSolid solid;
@@ -295,7 +299,7 @@ TetSolid prepare_tets(TetMesh mesh, std::vector<std::string>& warnings) {
   solid.mesh = std::move(mesh);
   DisjointSets connected(given);
   const Tally folded = sort_out_faces(faces, new_index, orient_flat_tets(faces, shapes), connected, solid);
-  warn(warnings, folded, "a face of tet",
+  warn(warnings, WarningKind::kOverlappingTets, folded, "a face of tet",
        "faces with both their tets on the same side, where the mesh overlaps itself");
   if (solid.boundary.empty())
     throw Error(

@@ -46,14 +46,14 @@ struct TetSolid {
   std::size_t unused_vertices = 0;  ///< number of vertices of no tet of `mesh`
 };
 
-/// Validates and repairs a mesh, adding one sentence to `warnings` for each kind of fault: tets that are
+/// Validates and repairs a mesh, adding a warning for each kind of fault: tets that are
 /// inverted or without volume, repeated tets, vertices that no tet uses, tets on the same side of their
 /// common face, edges and vertices where the boundary is not a surface, neighbours that do not share
 /// vertices. Each names the first one, counted from 0.
 ///
 /// Throws Error(kInput) naming the vertex, tet or face: coordinates that are not finite or beyond 1e100,
 /// indices out of range, no tet with a volume, a face of three or more tets.
-TetSolid prepare_tets(TetMesh mesh, std::vector<std::string>& warnings);
+TetSolid prepare_tets(TetMesh mesh, std::vector<Warning>& warnings);
 
 /// Tags of these faces (TetMesh::feature_faces), 0 for those without; empty if the mesh tags no face.
 std::vector<std::int32_t> tags_of_faces(const TetMesh& mesh,

@@ -134,7 +134,10 @@ class WithTheReader(CommandTest):
         result, report = self.solve("loose.brep", "--resolution", "8", "--quiet")
         self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
         self.assertIn("loose.brep: the file has no solids", result.stderr)
-        self.assertEqual([w for w in report["warnings"] if "no solids" in w], report["warnings"][:1])
+        first = report["warnings"][0]
+        self.assertEqual((first["kind"], first["file"]), ("loose_faces", "loose.brep"))
+        self.assertIn("no solids", first["text"])
+        self.assertEqual([w["kind"] for w in report["warnings"]].count("loose_faces"), 1)
 
     def test_one_thread_and_two_give_the_same_bytes(self):
         fields = []

@@ -89,7 +89,8 @@ class Constraints(CommandTest):
         self.assertEqual(result.stderr.count("\n"), 1)
         self.assertIn("c.json: constraints outside the solid: 1 of 2 points, the first at 1 0.5 70", result.stderr)
         self.assertEqual(self.report()["constraints"]["points"]["outside"], 1)
-        self.assertEqual(sum("outside the solid" in warning for warning in self.report()["warnings"]), 1)
+        found = [warning for warning in self.report()["warnings"] if warning["kind"] == "constraints_outside"]
+        self.assertEqual([(warning["file"], "outside the solid" in warning["text"]) for warning in found], [("c.json", True)])
 
     def test_faults_name_the_line_and_leave_nothing(self):
         self.write("c.json", '{\n"schema": 1,\n"points": [\n{"at": [0, 0, 0], "axis": [1, 0, 0], "weight": -1}]}')

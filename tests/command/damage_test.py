@@ -89,7 +89,8 @@ class Damage(CommandTest):
             self.assertIn(str(finding["count"]), line)
             self.assertIn(" ".join(f"{x:.6g}" for x in finding["place"]), line)
             self.assertIn(finding["done"], line)
-            self.assertTrue(any(line.endswith(warning) for warning in report["warnings"]))
+        found = [warning["text"] for warning in report["warnings"] if warning["kind"] == "surface_finding"]
+        self.assertEqual([line.split(f"{name}.stl: ", 1)[1] for line in lines], found)
         return report
 
     def assert_follows(self, damaged, sound, expected, active_cells=0, energy=1e-6):

@@ -90,7 +90,7 @@ class Stopped(InterruptionTest):
                                                 "tets_missing": False})
         self.assertAlmostEqual(report["resolution"], 1500 / 2 ** (LEVELS - finished))
         self.assertNotIn("limited", report)
-        self.assertIn("unfinished", report["warnings"][0])
+        self.assertEqual(report["warnings"][0]["kind"], "unfinished")
         self.assertIn("unfinished", output)
         cells = report["levels"][-1]["active_cells"]
         self.assertIn(f"crossgrain: interrupted: writing level {finished} of {LEVELS}, {cells} cells; Ctrl-C again to drop it\n",
@@ -128,7 +128,7 @@ class Stopped(InterruptionTest):
         self.assert_succeeds(self.run_here("solve", "torus.stl", "--from", "out", "-o", "again", "--resolution", 64))
         again = self.report("again")
         self.assertNotIn("unfinished", again)
-        self.assertFalse(any("unfinished" in warning for warning in again["warnings"]))
+        self.assertNotIn("unfinished", [warning["kind"] for warning in again["warnings"]])
 
     def test_replaces_an_earlier_result_as_a_whole(self):
         self.assert_succeeds(self.run_here("solve", "torus.stl", "-o", "out", "--resolution", 16))
@@ -213,7 +213,9 @@ class OnTets(InterruptionTest):
         report = self.report()
         self.assertEqual(report["unfinished"], {"resolution_asked": 16, "levels_missing": 0, "tets_missing": True})
         self.assertNotIn("onto", report)
-        self.assertIn("not carried onto the tets", report["warnings"][0])
+        self.assertEqual([warning["kind"] for warning in report["warnings"]].count("unfinished"), 1)
+        self.assertEqual(report["warnings"][0]["kind"], "unfinished")
+        self.assertIn("not carried onto the tets", report["warnings"][0]["text"])
         self.assertIn("not carried onto the tets", output)
         self.assertEqual(sorted(self.files()), ["field.vtu", "report.html", "report.json", "singularities.vtu", "surface.vtu"])
         self.assertIn("no field on the tets", self.run_here("check", "out").stdout)

@@ -92,6 +92,7 @@ class PartOfAField(CommandTest):
         result = self.solve("part", "--clip", "-0.01,-0.01,-0.01,0.01,0.01,0.01")
         self.assertIn("warning", result.stdout)
         self.assertIn("clip", result.stdout)
+        self.assertIn("clip_missed", [warning["kind"] for warning in self.report_without_costs("part")["warnings"]])
         self.assertEqual(Field(self.folder / "part" / "field.vtu").index, whole.index)
 
     def test_a_box_beside_the_model_is_refused_before_the_solve(self):

@@ -195,8 +195,9 @@ class TaggedFeatures(RegionsTest):
         apart = np.where(right[:, None], tets + len(vertices), tets)
         self.write("apart.vtk", tagged_vtk_text(np.vstack([vertices, vertices]), [(TET, t, 1) for t in apart]))
         warnings = self.solve("apart.vtk")["warnings"]
-        found = [text for text in warnings if "without sharing vertices: 8;" in text]
+        found = [warning["text"] for warning in warnings if warning["kind"] == "unmerged_vertices"]
         self.assertEqual(len(found), 1, warnings)
+        self.assertIn("without sharing vertices: 8;", found[0])
 
 
 @unittest.skipUnless((SHARED / "models" / "good" / "s02u_prism.vtk").exists(), f"no comparison meshes in {SHARED}")
@@ -259,8 +260,8 @@ class OfCad(RegionsTest):
         report = self.solve("stacked.brep", "--resolution", 24)
         self.assertEqual([r["region"] for r in report["regions"]], [0, 1])
         self.assertEqual([f["kind"] for f in report["input"]["findings"]], ["touching components"])
-        self.assertEqual(len(report["warnings"]), 2, report["warnings"])
-        self.assertIn("solids touch by faces that are not the same triangles", report["warnings"][1])
+        self.assertEqual([w["kind"] for w in report["warnings"]], ["surface_finding", "touching_solids"])
+        self.assertIn("solids touch by faces that are not the same triangles", report["warnings"][1]["text"])
 
 
 if __name__ == "__main__":

@@ -90,7 +90,7 @@ class Report(CommandTest):
         for level in report["levels"]:
             self.assertEqual(list(level), ["depth", "cells", "active_cells", "sweeps", "energy", "seconds"])
             self.assertGreater(level["sweeps"], 0)
-        self.assertEqual(report["schema"], 3)
+        self.assertEqual(report["schema"], 4)
 
     def test_times_and_memory_are_possible(self):
         report, elapsed = self.solve(torus_triangles(), "--resolution", "24")

@@ -54,13 +54,15 @@ class Solve(CommandTest):
         result = self.run_here("solve", "torus.stl", "--resolution", "128", "-o", "out", "--max-memory", memory, "--quiet")
         self.assert_succeeds(result)
         self.assertEqual(result.stdout, "")
-        self.assertIn("memory", result.stderr)
+        self.assertIn("warning: torus.stl: memory: 64 cells along the longest side in place of 128", result.stderr)
+        self.assertIn("allow more memory with --max-memory", result.stderr)
         report = self.report("out")
         self.assertEqual(report["levels"][-1]["active_cells"], cells_before)
         self.assertAlmostEqual(report["resolution"], 64)
         self.assertAlmostEqual(report["limited"]["resolution_asked"], 128)
         self.assertEqual(report["limited"]["memory_bytes"], memory)
-        self.assertIn("--max-memory", report["warnings"][0])
+        warning = report["warnings"][0]
+        self.assertEqual((warning["kind"], warning["remedy"], warning["advice"]), ("memory_limited", "allow_memory", "allow more memory"))
         self.assertLess(report["peak_memory_bytes"], memory)
 
     def test_memory_is_given_in_units_of_1000_or_1024_or_in_bytes(self):

@@ -26,7 +26,7 @@ class View(CommandTest):
         self.field = self.folder / "part.frames"
         self.field.mkdir()
         (self.field / "report.html").write_text(PAGE)
-        (self.field / "report.json").write_text('{"schema": 3}')
+        (self.field / "report.json").write_text('{"schema": 4}')
         (self.field / "field.vtu").write_bytes(bytes(range(256)) * 4000)
 
     def start(self, *arguments, **environment):
@@ -129,7 +129,7 @@ class View(CommandTest):
         self.serve()
         for method in ("POST", "PUT", "DELETE"):
             self.assertIn(self.ask("/report.json", method)[0].status, (400, 404))
-        self.assertEqual((self.field / "report.json").read_text(), '{"schema": 3}')
+        self.assertEqual((self.field / "report.json").read_text(), '{"schema": 4}')
 
     def test_signals_end_it_and_that_is_no_error(self):
         # At once, so that it may not yet have begun to serve.

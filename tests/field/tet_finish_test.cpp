@@ -22,7 +22,7 @@ template <class Degree>
 class TetFinish : public ::testing::Test {
  protected:
   TetFinish() {
-    std::vector<std::string> warnings;
+    std::vector<Warning> warnings;
     solid_ = prepare_tets(TetBox{{5, 4, 3}}.mesh(0.15), warnings);
     edges_ = stiffness_edges(solid_.mesh);
     boundary_ = classify_boundary_vertices(solid_);

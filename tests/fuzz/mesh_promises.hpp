@@ -38,7 +38,7 @@ inline void require_tets(const TetMesh& mesh) {
   require(mesh.regions.empty() || mesh.regions.size() == mesh.tets.size(), "not a region for each tet");
   for (const auto& edge : mesh.feature_edges) require_in_range(edge.vertices, mesh.vertices.size());
   for (const auto& face : mesh.feature_faces) require_in_range(face.vertices, mesh.vertices.size());
-  for (const std::string& warning : mesh.warnings) require_one_line(warning);
+  for (const Warning& warning : mesh.warnings) require_one_line(sentence_of(warning));
 }
 
 }  // namespace crossgrain

@@ -24,7 +24,7 @@ void require_surface(const TriangleMesh& mesh) {
   std::vector<Vector3> sorted = mesh.vertices;
   std::ranges::sort(sorted);
   require(std::ranges::adjacent_find(sorted) == sorted.end(), "two vertices at one place");
-  for (const std::string& warning : mesh.warnings) require_one_line(warning);
+  for (const Warning& warning : mesh.warnings) require_one_line(sentence_of(warning));
 }
 
 bool check_surface(const char* name, std::string_view bytes) {

@@ -95,12 +95,14 @@ CadAnswer some_answer() {
   answer.mesh.creases = {{{{0, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}, 5}};
   answer.mesh.unit = "mm";
   answer.mesh.file_unit = "inch";
-  answer.mesh.warnings = {"one", "another"};
+  answer.mesh.warnings = {{WarningKind::kUnknownUnit, "one"},
+                          {WarningKind::kMissingFaces, {"", "face 3", "another", Remedy::kRepairFile}}};
   return answer;
 }
 
 TEST(CadProcess, HandsOverTheWholeMesh) {
-  const TriangleMesh sent = some_answer().mesh, got = FakeReader(saying(written(some_answer()))).read();
+  TriangleMesh sent = some_answer().mesh;
+  const TriangleMesh got = FakeReader(saying(written(some_answer()))).read();
   EXPECT_EQ(got.vertices, sent.vertices);
   EXPECT_EQ(got.triangles, sent.triangles);
   EXPECT_EQ(got.faces, sent.faces);
@@ -112,6 +114,9 @@ TEST(CadProcess, HandsOverTheWholeMesh) {
   EXPECT_EQ(got.creases[0].tag, 5);
   EXPECT_EQ(got.unit, "mm");
   EXPECT_EQ(got.file_unit, "inch");
+  ASSERT_EQ(got.warnings.size(), 2u);
+  for (Warning& warning : sent.warnings) warning.file = got.warnings[0].file;
+  EXPECT_TRUE(got.warnings[0].file.ends_with("part.step"));
   EXPECT_EQ(got.warnings, sent.warnings);
 }
 

@@ -82,7 +82,7 @@ TEST(ReadCad, OfAPlateWithAHoleHasItsFacesAreaAndVolumeInEveryFormat) {
     EXPECT_NEAR(area_of(mesh), 2 * (1200 - 25 * kPi) + 1400 + 100 * kPi, 0.01 * 4000);
     EXPECT_TRUE(analyse_topology(mesh).watertight);
     EXPECT_EQ(mesh.creases.size(), 14u);
-    EXPECT_TRUE(mesh.warnings.empty()) << mesh.warnings.front();
+    EXPECT_TRUE(mesh.warnings.empty()) << sentence_of(mesh.warnings.front());
     expect_normals_outward(mesh);
   }
 }
@@ -262,9 +262,9 @@ TEST(ReadCad, FacesWithoutASolidAreSewnWithAWarning) {
     EXPECT_GT(volume_of(mesh), 5.9);
     EXPECT_EQ(distinct(mesh.solids), (std::set<std::int32_t>{0}));
     ASSERT_EQ(mesh.warnings.size(), 1u);
-    EXPECT_NE(mesh.warnings[0].find("no solids, only faces, which make up shells: 1 closed and 0 open"),
+    EXPECT_NE(mesh.warnings[0].text.find("no solids, only faces, which make up shells: 1 closed and 0 open"),
               std::string::npos)
-        << mesh.warnings[0];
+        << mesh.warnings[0].text;
   }
 }
 
@@ -274,7 +274,7 @@ TEST(ReadCad, AnOpenShellIsReadWithAWarning) {
   EXPECT_EQ(mesh.creases.size(), 8u);  // the four edges of one face are none
   EXPECT_FALSE(analyse_topology(mesh).watertight);
   ASSERT_EQ(mesh.warnings.size(), 1u);
-  EXPECT_NE(mesh.warnings[0].find("0 closed and 1 open"), std::string::npos) << mesh.warnings[0];
+  EXPECT_NE(mesh.warnings[0].text.find("0 closed and 1 open"), std::string::npos) << mesh.warnings[0].text;
 }
 
 TEST(ReadCad, RefusesWhatHasNoFaces) {
@@ -363,7 +363,7 @@ TEST(SharedModels, CadModelsAreWatertightSolids) {
     EXPECT_TRUE(analyse_topology(mesh).watertight);
     EXPECT_GT(mesh.creases.size(), 0u);
     EXPECT_EQ(mesh.unit, "mm");
-    EXPECT_TRUE(mesh.warnings.empty()) << mesh.warnings.front();
+    EXPECT_TRUE(mesh.warnings.empty()) << sentence_of(mesh.warnings.front());
   }
 }
 

@@ -171,10 +171,10 @@ TEST(ReportFile, HasNullAndAWarningWhereANumberIsNotFinite) {
   report.creases.tangent_deg = {1, NAN, 3};
   const SolveReport written = write_field(field_of(sample_data(Degree::kFour)), report, folder.path());
   ASSERT_EQ(written.warnings.size(), report.warnings.size() + 1);
-  EXPECT_EQ(
-      written.warnings.back(),
-      "numbers that are not finite, null in report.json: 5, the first is model.bounding_box.high[2]; please "
-      "report the model");
+  EXPECT_EQ(written.warnings.back().kind, WarningKind::kNotFinite);
+  EXPECT_EQ(written.warnings.back().text,
+            "5 numbers of the report are not finite and are null in report.json, the first is "
+            "model.bounding_box.high[2]");
 
   const SolveReport read = read_field(folder.path()).report();
   EXPECT_EQ(read.warnings, written.warnings);

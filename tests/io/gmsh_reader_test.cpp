@@ -37,7 +37,7 @@ TEST(GmshReader, TakesTheCornersOfCurvedTetsAndWarns) {
   EXPECT_EQ(mesh.tets, (std::vector<std::array<std::uint32_t, 4>>{{0, 1, 2, 3}}));
   EXPECT_EQ(mesh.feature_edges.size(), 1u);
   ASSERT_EQ(mesh.warnings.size(), 1u);
-  EXPECT_NE(mesh.warnings[0].find("tets of higher order: 1;"), std::string::npos);
+  EXPECT_NE(mesh.warnings[0].text.find("tets of higher order: 1;"), std::string::npos);
 }
 
 TEST(GmshReader, PassesOverSectionsThatItHasNoUseFor) {

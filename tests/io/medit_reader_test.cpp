@@ -115,7 +115,7 @@ TEST(MeditReader, TakesTheCornersOfCurvedTetsAndWarns) {
   const TetMesh mesh = read_text(kVertices + "TetrahedraP2 1\n1 2 3 4 1 1 1 1 1 1 7\n");
   expect_corner_tet(mesh);
   ASSERT_EQ(mesh.warnings.size(), 1u);
-  EXPECT_NE(mesh.warnings[0].find("tets of higher order: 1;"), std::string::npos);
+  EXPECT_NE(mesh.warnings[0].text.find("tets of higher order: 1;"), std::string::npos);
 }
 
 TEST(MeditReader, RefusesTagsBeyond32Bits) {

@@ -59,7 +59,8 @@ inline SolveReport sample_report() {
   report.expected = Expectation{5, 0.125, 6.5, 100, 200, 1.75};
   report.limited = SolveReport::Limited{14.6, 300, 400};
   report.unfinished = SolveReport::Unfinished{14.6, 2, true};
-  report.warnings = {"one", "two"};
+  report.warnings = {{WarningKind::kThinWalls, "one", Remedy::kRaiseResolution},
+                     {WarningKind::kSkippedData, {"a.vtk", "line 12", "two"}}};
   return report;
 }
 

@@ -55,7 +55,7 @@ TEST(VtkReader, WarnsOfDataThatItCannotPassOver) {
   const TetMesh mesh = read_made(text(kTwoTets + "CELL_DATA 2\nFIELD f 1\nname 1 2 string\none\ntwo\n"));
   EXPECT_EQ(mesh.tets.size(), 2u);
   ASSERT_EQ(mesh.warnings.size(), 1u);
-  EXPECT_NE(mesh.warnings[0].find("'string'"), std::string::npos);
+  EXPECT_NE(mesh.warnings[0].text.find("'string'"), std::string::npos);
 }
 
 TEST(VtkReader, TakesTheCornersOfCurvedTetsAndWarns) {

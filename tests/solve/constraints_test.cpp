@@ -310,9 +310,10 @@ TEST(ConstrainedSolve, CountsWhatIsOutsideAndWarnsOnce) {
   EXPECT_EQ(report.polylines.outside, 2u);
   EXPECT_NEAR(report.polylines.length, 3.4, 1e-9);
   EXPECT_NEAR(report.polylines.outside_length, 2.5, 0.1);
-  const std::string expected =
+  const Warning expected(
+      WarningKind::kConstraintsOutside,
       "constraints outside the solid: 1 of 3 points, 1 of 1 stresses, 2 of 3 polylines (in part), the first "
-      "at 0 0 7; there they do nothing";
+      "at 0 0 7; there they do nothing");
   EXPECT_EQ(std::count(field.report().warnings.begin(), field.report().warnings.end(), expected), 1);
 }
 

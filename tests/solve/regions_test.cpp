@@ -23,7 +23,7 @@ using testing::RandomSamples;
 /// The surface of tets with their regions as solids.
 TriangleMesh surface_of(const TetMesh& tets) {
   const TetSolid solid = solid_of(tets);
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   return model_surface(solid, find_inner_walls(solid, warnings));
 }
 
@@ -192,7 +192,10 @@ TEST(Regions, ThatOverlapAreReportedAndCountForTheSmallest) {
   const FrameField field = solve(model, cells_across(24));
   const auto& warnings = field.report().warnings;
   EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
-                          [](const std::string& text) { return text.starts_with("solids overlap: "); }),
+                          [](const Warning& warning) {
+                            return warning.kind == WarningKind::kOverlappingSolids &&
+                                   warning.text.starts_with("solids overlap: ");
+                          }),
             1);
   for (std::size_t i = 0; i < field.size(); ++i) {
     const Vector3 centre = field.cell(i).centre;
@@ -210,12 +213,13 @@ TEST(Regions, ThatTouchByOtherTrianglesAreReportedAndSolvedAsOneField) {
   model.solids.resize(model.triangles.size(), 1);
   const FrameField field = solve(model, cells_across(36));
   const auto& warnings = field.report().warnings;
-  EXPECT_EQ(
-      std::count_if(warnings.begin(), warnings.end(),
-                    [](const std::string& text) {
-                      return text.starts_with("solids touch by faces that are not the same triangles: ");
-                    }),
-      1);
+  EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
+                          [](const Warning& warning) {
+                            return warning.kind == WarningKind::kTouchingSolids &&
+                                   warning.text.starts_with(
+                                       "solids touch by faces that are not the same triangles: ");
+                          }),
+            1);
   EXPECT_TRUE(field.report().model.watertight);
   for (std::size_t i = 0; i < field.size(); ++i) {
     const Vector3 centre = field.cell(i).centre;
@@ -257,9 +261,10 @@ TEST(Regions, TooSmallForACellAreReported) {
   model = join_meshes(model, speck);
   model.solids.resize(model.triangles.size(), 8);
   const auto warnings = solve(model, cells_across(8)).report().warnings;
-  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& text) {
-    return text == "solids too small to hold a cell: 1 of 2, the first is region 8; raise the resolution";
-  })) << ::testing::PrintToString(warnings);
+  const Warning expected(WarningKind::kEmptySolids,
+                         "solids too small to hold a cell: 1 of 2, the first is region 8",
+                         Remedy::kRaiseResolution);
+  EXPECT_EQ(std::count(warnings.begin(), warnings.end(), expected), 1);
 }
 
 }  // namespace

@@ -15,13 +15,14 @@ TEST(SolveReport, PassesOnWhatReadingFound) {
   TriangleMesh mesh = make_box({1, 1, 1});
   mesh.unit = "mm";
   mesh.file_unit = "INCH";
-  mesh.warnings = {"a face is missing"};
+  const Warning warning(WarningKind::kMissingFaces, {"a.step", "face 3", "is missing", Remedy::kRepairFile});
+  mesh.warnings = {warning};
   SolveOptions options;
   options.resolution = 4;
   const SolveReport report = solve(mesh, options).report();
   EXPECT_EQ(report.model.unit, "mm");
   EXPECT_EQ(report.model.file_unit, "INCH");
-  EXPECT_EQ(std::count(report.warnings.begin(), report.warnings.end(), "a face is missing"), 1);
+  EXPECT_EQ(std::count(report.warnings.begin(), report.warnings.end(), warning), 1);
 }
 
 /// Six times the signed volume that triangles enclose.

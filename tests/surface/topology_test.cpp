@@ -53,7 +53,7 @@ TEST(Weld, KeepsWhatAFileKnowsOfTriangles) {
   mesh.creases = {{{{0, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}, 7}};
   mesh.unit = "mm";
   mesh.file_unit = "inch";
-  mesh.warnings = {"a face is missing"};
+  mesh.warnings = {{WarningKind::kMissingFaces, "a face is missing"}};
   const TriangleMesh welded = weld(mesh);
   EXPECT_EQ(welded.faces, mesh.faces);
   EXPECT_EQ(welded.solids, mesh.solids);

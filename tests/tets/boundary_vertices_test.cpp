@@ -144,7 +144,7 @@ class BoundaryOfTwoRegions : public ::testing::Test {
   const TetBox box{{4, 4, 4}};
   const TetSolid solid =
       solid_of(with_regions(box.mesh(), [](const Vector3& p) { return p[0] < 2 ? 1 : 2; }));
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   const std::vector<InnerWall> walls = find_inner_walls(solid, warnings);
 
   /// The place of a vertex in the lists.

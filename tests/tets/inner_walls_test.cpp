@@ -21,7 +21,7 @@ TetMesh two_regions() {
 
 TEST(InnerWalls, AreTheFacesBetweenRegionsOutwardOfTheLowerOne) {
   const TetSolid solid = solid_of(two_regions());
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   const std::vector<InnerWall> walls = find_inner_walls(solid, warnings);
   EXPECT_EQ(walls.size(), 8u);
   for (const InnerWall& wall : walls) {
@@ -42,16 +42,17 @@ TEST(InnerWalls, AreTaggedFacesInsideToo) {
                         {{at(0, 0, 0), at(0, 1, 0), at(0, 1, 1)}, 2},   // on the boundary
                         {{at(0, 0, 0), at(4, 2, 2), at(1, 1, 0)}, 3}};  // of no tet
   const TetSolid solid = solid_of(mesh);
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   const std::vector<InnerWall> walls = find_inner_walls(solid, warnings);
   ASSERT_EQ(walls.size(), 1u);
   EXPECT_FALSE(walls[0].separates_regions);
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0], "tagged triangles that are faces of no tet, passed over: 1 of 3");
+  EXPECT_EQ(warnings[0].kind, WarningKind::kStrayTags);
+  EXPECT_EQ(warnings[0].text, "tagged triangles that are faces of no tet, passed over: 1 of 3");
 }
 
 TEST(InnerWalls, AreNoneOfAPlainMesh) {
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   EXPECT_TRUE(find_inner_walls(solid_of(kBox.mesh()), warnings).empty());
   const TetMesh one_region = with_regions(kBox.mesh(), [](const Vector3&) { return 3; });
   EXPECT_FALSE(has_several_regions(one_region));
@@ -69,7 +70,7 @@ TEST(FollowedEdges, AreStatedOnesAndThoseOfNoFace) {
   }
   mesh.feature_edges.push_back({on_boundary, 5});
   const TetSolid solid = solid_of(mesh);
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   const auto followed = followed_edges(solid, find_inner_walls(solid, warnings));
   EXPECT_EQ(followed, (std::vector{inside, {inside[1], inside[0]}, on_boundary}));
 }
@@ -84,7 +85,7 @@ TEST(ModelSurface, OfAPlainMeshIsItsBoundary) {
 
 TEST(ModelSurface, OfRegionsHasEachAsAClosedSolid) {
   const TetSolid solid = solid_of(two_regions());
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   const TriangleMesh surface = model_surface(solid, find_inner_walls(solid, warnings));
   for (const std::int32_t region : {-2, 5}) {
     TriangleMesh own{surface.vertices, {}};

@@ -85,7 +85,7 @@ inline TetMesh corner_tet() {
 }
 
 inline TetSolid solid_of(TetMesh mesh) {
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   return prepare_tets(std::move(mesh), warnings);
 }
 

@@ -22,7 +22,7 @@ double enclosed_volume(const TriangleMesh& mesh) {
 }
 
 void expect_error(const TetMesh& mesh, const std::string& part) {
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   try {
     prepare_tets(mesh, warnings);
     ADD_FAILURE() << "no error about " << part;
@@ -36,10 +36,11 @@ void expect_error(const TetMesh& mesh, const std::string& part) {
 
 /// The solid; expects exactly one warning, which holds `part`.
 TetSolid warned(const TetMesh& mesh, const std::string& part) {
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   TetSolid solid = prepare_tets(mesh, warnings);
   EXPECT_EQ(warnings.size(), 1u);
-  for (const std::string& warning : warnings) EXPECT_NE(warning.find(part), std::string::npos) << warning;
+  for (const Warning& warning : warnings)
+    EXPECT_NE(warning.text.find(part), std::string::npos) << warning.text;
   return solid;
 }
 
@@ -50,7 +51,7 @@ TetMesh tidy_box(const TetBox& box) {
 
 TEST(TetSolid, LeavesATidyMeshAsItIs) {
   const TetMesh mesh = tidy_box({{2, 3, 4}});
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   const TetSolid solid = prepare_tets(mesh, warnings);
   EXPECT_TRUE(warnings.empty());
   EXPECT_EQ(solid.mesh.vertices, mesh.vertices);
@@ -159,7 +160,7 @@ TEST(TetSolid, KeepsTheRegionsOfTheTetsThatStay) {
   TetMesh mesh = octahedron_with_a_flat_tet();
   mesh.tets.push_back(mesh.tets[2]);
   mesh.regions = {1, 2, 3, 4, 5, 6};
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   EXPECT_EQ(prepare_tets(mesh, warnings).mesh.regions, (std::vector<std::int32_t>{2, 3, 4, 5}));
 }
 
@@ -200,20 +201,22 @@ TEST(TetSolid, CountsComponentsThroughFaces) {
 }
 
 TEST(TetSolid, WarnsOfAVertexAtWhichItTouchesItself) {
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   const TetSolid solid = prepare_tets(mirrored_pair({0}), warnings);
   EXPECT_EQ(solid.components, 2u);
-  EXPECT_EQ(warnings.back(),
+  EXPECT_EQ(warnings.back().kind, WarningKind::kTouchingVertices);
+  EXPECT_EQ(warnings.back().text,
             "vertices at which the solid touches itself: 1; the first is vertex 0 (counted from 0)");
 }
 
 TEST(TetSolid, WarnsOfAnEdgeAlongWhichItTouchesItself) {
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   const TetSolid solid = prepare_tets(mirrored_pair({0, 2}), warnings);
   EXPECT_EQ(solid.components, 2u);
-  EXPECT_NE(warnings.back().find("two boundary faces each: 1; the first joins vertices 0 and 2 "),
+  EXPECT_EQ(warnings.back().kind, WarningKind::kTouchingEdges);
+  EXPECT_NE(warnings.back().text.find("two boundary faces each: 1; the first joins vertices 0 and 2 "),
             std::string::npos)
-      << warnings.back();
+      << warnings.back().text;
 }
 
 TEST(TetSolid, WarnsOfTetsOnTheSameSideOfTheirFace) {
@@ -289,11 +292,12 @@ TEST(TetSolid, WarnsOfTetsThatLieFaceToFaceWithoutSharingVertices) {
   mesh.vertices.insert(mesh.vertices.end(), vertices.begin(), vertices.end());
   for (std::size_t t = 6; t < 12; ++t)
     for (std::uint32_t& v : mesh.tets[t]) v += count;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   EXPECT_EQ(prepare_tets(mesh, warnings).components, 2u);
-  const auto found = std::find_if(warnings.begin(), warnings.end(), [](const std::string& text) {
-    return text.starts_with(
-        "places where two tets lie face to face without sharing vertices: 2; the first has ");
+  const auto found = std::find_if(warnings.begin(), warnings.end(), [](const Warning& warning) {
+    return warning.kind == WarningKind::kUnmergedVertices && warning.remedy == Remedy::kMergeVertices &&
+           warning.text.starts_with(
+               "places where two tets lie face to face without sharing vertices: 2; the first has ");
   });
   EXPECT_NE(found, warnings.end());
 }
@@ -301,7 +305,7 @@ TEST(TetSolid, WarnsOfTetsThatLieFaceToFaceWithoutSharingVertices) {
 TEST(TetSolid, RefusesTagsOfVerticesThatAreNot) {
   TetMesh mesh = corner_tet();
   mesh.feature_edges = {{{0, 4}, 1}};
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   EXPECT_THROW(prepare_tets(mesh, warnings), Error);
   mesh.feature_edges.clear();
   mesh.feature_faces = {{{0, 1, 4}, 1}};

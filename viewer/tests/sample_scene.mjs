@@ -85,7 +85,7 @@ function assemble({ solid, lattice, depth, frame_at, arcs, nodes, streamlines, r
   const tilts = cells.filter((cell) => cell.class > 0).map((cell) => cell.alignment).sort((a, b) => a - b);
   const bad = (list) => list.filter(({ verdict }) => verdict === 1).length;
   const full_report = {
-    schema: 3,
+    schema: 4,
     degree: 4,
     levels: [5, 4, 3, 2, 1, 0].filter((back) => back < depth).map((back) => ({
       depth: depth - back, cells: 2 * cells.length, active_cells: Math.round(cells.length / 4.4 ** back), sweeps: 16,
@@ -168,7 +168,7 @@ export function plate_scene() {
     report: {
       model: { path: "/parts/perforated plate.stl", triangles: solid.surface.triangles.length, watertight: true, components: 1, unit: "mm" },
       resolution: 120, input: { closed: true, findings: [] }, walls: { cells_wanted: 4, thin_share: 0.93, thinnest_cells: 3 },
-      warnings: ["walls below 4 cells under 93 % of the surface: under-resolved there, raise the resolution"],
+      warnings: [{ kind: "thin_walls", text: "walls below 4 cells under 93 % of the surface: under-resolved there", remedy: "raise_resolution", advice: "raise the resolution" }],
     },
   });
 }
@@ -219,7 +219,10 @@ export function components_scene() {
         curves: 20, knife_edges: 9, crowded_corners: 1, crowded_corner_places: [[23, 26, 7]],
         knife_edge_places: Array.from({ length: 9 }, (_, k) => [46 + 9 * Math.cos(k), 26 + 9 * Math.sin(k), (k % 2) * 12 - 6]),
       },
-      warnings: ["a part of the singular lines cannot be in a hexahedral mesh: see `crossgrain check`", "the surface has 2 holes, bridged where they are less than half open"],
+      warnings: [
+        { kind: "skipped_data", file: "components.vtk", place: "line 12", text: "'LOOKUP' is not known, and data after it were passed over" },
+        { kind: "surface_finding", text: "the surface has 2 holes, bridged where they are less than half open" },
+      ],
     },
   });
 }

@@ -128,7 +128,17 @@ void exchange(Stream& stream, Answer& answer) {
   });
   stream.items(mesh.unit);
   stream.items(mesh.file_unit);
-  stream.list(mesh.warnings, [&stream](auto& warning) { stream.items(warning); });
+  stream.list(mesh.warnings, [&stream](auto& warning) {
+    stream.value(warning.kind);
+    stream.items(warning.file);
+    stream.items(warning.place);
+    stream.items(warning.text);
+    stream.value(warning.remedy);
+  });
+}
+
+bool is_known(Remedy remedy) {
+  return remedy >= Remedy::kNone && remedy <= Remedy::kReportModel;
 }
 
 /// Whether a mesh keeps to what TriangleMesh says of itself.
@@ -139,6 +149,10 @@ bool is_consistent(const TriangleMesh& mesh) {
          std::all_of(
              mesh.creases.begin(), mesh.creases.end(),
              [](const CreaseCurve& crease) { return crease.points.size() == crease.tangents.size(); }) &&
+         std::all_of(mesh.warnings.begin(), mesh.warnings.end(),
+                     [](const Warning& warning) {
+                       return warning.kind <= WarningKind::kLeftOutTets && is_known(warning.remedy);
+                     }) &&
          std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [vertices](const auto& triangle) {
            return std::all_of(triangle.begin(), triangle.end(), [vertices](auto v) { return v < vertices; });
          });
@@ -207,7 +221,7 @@ std::optional<CadAnswer> cad_answer_in(std::string_view written) {
   CadAnswer answer;
   exchange(reader, answer);
   if (!reader.sound() || reader.rest() != kTrailer || answer.end > CadEnd::kOutOfMemory ||
-      !is_consistent(answer.mesh))
+      !is_known(answer.fault.remedy) || !is_consistent(answer.mesh))
     return std::nullopt;
   return answer;
 }

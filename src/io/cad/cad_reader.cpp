@@ -117,6 +117,7 @@ TriangleMesh read_cad(const InputFile& file, CadFormat format, const ReadOptions
   if (!answer) fail_input(file, fault_of(run, outcome));
   if (answer->end == CadEnd::kOutOfMemory) fail_input(file, out_of_memory(request.options.max_memory_bytes));
   if (answer->end == CadEnd::kFault) fail_input(file, answer->fault);
+  for (Warning& warning : answer->mesh.warnings) warning.file = file.name();
   return std::move(answer->mesh);
 }
 

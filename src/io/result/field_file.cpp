@@ -161,7 +161,8 @@ void write_chosen_cells(const FieldData& data, OutputOptions options, OutputFile
   if (ask_for_all(options, data.tree)) return write_field_file(data, options, file, monitor);
   FieldData part = output_cells(data, options, monitor);
   if (part.tree.size() == 0) {
-    report.warnings.push_back("no cell meets the clip box; field.vtu holds the cells of the whole model");
+    report.warnings.emplace_back(WarningKind::kClipMissed,
+                                 "no cell meets the clip box: field.vtu holds the cells of the whole model");
     options.clip.reset();
     return write_chosen_cells(data, options, file, report, monitor);
   }

@@ -22,9 +22,11 @@ void warn_of_left_out_tets(const TetSolid& solid, const OutputOptions& options, 
     if (file.has_rows_of_tets && is_asked_for(file, options.formats)) names.push_back(file.name);
   if (names.empty() || solid.left_out_tets == 0) return;
   const std::size_t tets = solid.mesh.tets.size();
-  report.warnings.push_back(fmt::format(
-      "tets left out: {} of {}; {} count the other {}, as onto.vtu does, so take the mesh from there",
-      solid.left_out_tets, tets + solid.left_out_tets, fmt::join(names, ", "), tets));
+  report.warnings.emplace_back(
+      WarningKind::kLeftOutTets,
+      fmt::format("tets left out: {} of {}; {} count the other {}, as onto.vtu does", solid.left_out_tets,
+                  tets + solid.left_out_tets, fmt::join(names, ", "), tets),
+      Remedy::kUseWrittenMesh);
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::p
   const std::filesystem::path path = folder / kTetGridFile;
   if (!std::filesystem::exists(path)) return std::nullopt;
   OntoTets tets = read_onto_tets(path);
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   const std::size_t count = tets.mesh.tets.size();
   try {
     const TetSolid solid = prepare_tets(std::move(tets.mesh), warnings);

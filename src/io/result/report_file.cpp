@@ -262,6 +262,16 @@ void describe_solids(File& file, Report& report) {
                        [](auto& inner, auto& interfaces) { describe_interfaces(inner, interfaces); });
 }
 
+template <class File, class Warning>
+void describe_warning(File& file, Warning& warning) {
+  file.name("kind", warning.kind);
+  file.text("file", warning.file);
+  file.text("place", warning.place);
+  file.member("text", warning.text);
+  file.optional_name("remedy", warning.remedy);
+  file.note("advice", words_of(warning.remedy));
+}
+
 template <class File, class Report>
 void describe_doubts(File& file, Report& report) {
   file.object("input", [&](auto& input) {
@@ -288,7 +298,8 @@ void describe_doubts(File& file, Report& report) {
   file.optional_object("unfinished", report.unfinished,
                        [](auto& inner, auto& unfinished) { describe_unfinished(inner, unfinished); });
   file.optional_object("onto", report.onto, [](auto& inner, auto& onto) { describe_onto(inner, onto); });
-  file.member("warnings", report.warnings);
+  file.list("warnings", report.warnings,
+            [](auto& inner, auto& warning) { describe_warning(inner, warning); });
 }
 
 class JsonWriter {
@@ -309,6 +320,21 @@ class JsonWriter {
   void text(const char* key, const std::string& value) {
     if (!value.empty()) json_[key] = value;
   }
+
+  /// A value of an enumeration, by its name.
+  template <class Enum>
+  void name(const char* key, Enum value) {
+    json_[key] = name_of(value);
+  }
+
+  /// The same; no such key for the first value.
+  template <class Enum>
+  void optional_name(const char* key, Enum value) {
+    if (value != Enum{}) name(key, value);
+  }
+
+  /// What follows from other members, for people; no such key where it is empty.
+  void note(const char* key, const char* words) { text(key, words); }
 
   template <class Members>
   void object(const char* key, const Members& members) {
@@ -372,6 +398,25 @@ class JsonReader {
     value.clear();
     if (json_.is_object() && json_.contains(key)) member(key, value);
   }
+
+  template <class Enum>
+  void name(const char* key, Enum& value) {
+    std::string name;
+    member(key, name);
+    for (int k = 0; *name_of(static_cast<Enum>(k)) != '\0'; ++k) {
+      value = static_cast<Enum>(k);
+      if (name == name_of(value)) return;
+    }
+    fail_input(file_, {}, fmt::format("{} is no '{}'", in_quotes(name), key), Remedy::kSolveAgain);
+  }
+
+  template <class Enum>
+  void optional_name(const char* key, Enum& value) {
+    value = {};
+    if (json_.is_object() && json_.contains(key)) name(key, value);
+  }
+
+  void note(const char*, const char*) {}
 
   template <class T, class Describe>
   void optional_object(const char* key, std::optional<T>& value, const Describe& describe) {
@@ -461,9 +506,11 @@ Json json_of(const SolveReport& report) {
 void warn_of_numbers_not_finite(SolveReport& report) {
   const std::vector<std::string> places = numbers_not_finite(json_of(report));
   if (places.empty()) return;
-  report.warnings.push_back(fmt::format(
-      "numbers that are not finite, null in report.json: {}, the first is {}; please report the model",
-      places.size(), places.front()));
+  report.warnings.emplace_back(
+      WarningKind::kNotFinite,
+      fmt::format("{} numbers of the report are not finite and are null in report.json, the first is {}",
+                  places.size(), places.front()),
+      Remedy::kReportModel);
 }
 
 std::string singularity_json(const SolveReport::Singularity& grid, const SolveReport::Singularity* tets) {

@@ -10,7 +10,7 @@
 namespace crossgrain {
 
 /// Counts up when a key is removed or changes its meaning; new keys leave it as it is.
-inline constexpr int kReportSchema = 3;
+inline constexpr int kReportSchema = 4;
 
 /// The report as docs/report.md describes it, with the schema number and the version of this library.
 nlohmann::ordered_json json_of(const SolveReport& report);

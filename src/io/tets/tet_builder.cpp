@@ -118,7 +118,8 @@ TetMesh TetBuilder::finish(const Place& end) {
                Remedy::kCutIntoTets);
   if (mesh_.tets.empty()) fail_input(*file_, end, "no tets up to here", Remedy::kExportAgain);
   if (curved_tets_ > 0)
-    warn(fmt::format("tets of higher order: {}; of these only the corners count, as if they were straight",
+    warn(WarningKind::kCurvedTets, {},
+         fmt::format("tets of higher order: {}; of these only the corners count, as if they were straight",
                      curved_tets_));
   return std::move(mesh_);
 }

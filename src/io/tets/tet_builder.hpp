@@ -71,8 +71,10 @@ class TetBuilder {
 
   std::size_t vertex_count() const { return mesh_.vertices.size(); }
 
-  /// One sentence for TetMesh::warnings.
-  void warn(std::string warning) { mesh_.warnings.push_back(std::move(warning)); }
+  /// Adds to TetMesh::warnings.
+  void warn(WarningKind kind, const Place& place, std::string text) {
+    mesh_.warnings.emplace_back(kind, Message{file_->name(), in_words(place), std::move(text)});
+  }
 
   /// The mesh. Throws Error(kInput) where there are no tets, naming `end`, the place up to which the file was
   /// read, and where there are solids of other shapes, naming the first.

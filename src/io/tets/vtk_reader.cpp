@@ -73,8 +73,10 @@ class VtkReader {
 
  private:
   [[noreturn]] void fail(const std::string& text, Remedy remedy = Remedy::kRepairFile) const {
-    fail_input(*file_, is_binary_ ? Place{"byte", scanner_.position()} : scanner_.place(), text, remedy);
+    fail_input(*file_, here(), text, remedy);
   }
+
+  Place here() const { return is_binary_ ? Place{"byte", scanner_.position()} : scanner_.place(); }
 
   void read_header() {
     if (scanner_.word() != "#" || scanner_.word() != "vtk")
@@ -288,7 +290,8 @@ class VtkReader {
   bool leave_the_rest(std::string_view word) {
     if (!points_ || !connectivity_ || !types_)
       fail(fmt::format("{}, which is not known here", in_quotes(word)), Remedy::kExportAgain);
-    builder_.warn(fmt::format("{} is not known, and data after it were passed over", in_quotes(word)));
+    builder_.warn(WarningKind::kSkippedData, here(),
+                  fmt::format("{} is not known, and data after it were passed over", in_quotes(word)));
     return false;
   }
 

@@ -34,6 +34,14 @@ export interface NodeEntry {
   degree?: number;
 }
 
+export interface Warning {
+  kind: string;
+  file?: string;
+  place?: string;
+  text: string;
+  advice?: string;
+}
+
 export interface Report {
   model?: { path?: string; triangles?: number; unit?: string; watertight?: boolean; components?: number };
   degree?: 3 | 4;
@@ -68,5 +76,5 @@ export interface Report {
   };
   limited?: { resolution_asked?: number };
   unfinished?: { resolution_asked?: number; levels_missing?: number; tets_missing?: boolean };
-  warnings?: string[];
+  warnings?: Warning[];
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The verdict and the numbers by which a field is judged, from the report alone.
 
-import type { Report } from "../scene/report.ts";
+import type { Report, Warning } from "../scene/report.ts";
 import { counted, degrees, duration, element, measured, memory, plural } from "./dom.ts";
 
 export type Judgement = "good" | "unsure" | "bad";
@@ -131,8 +131,13 @@ export function warnings_list(report: Report): HTMLElement | null {
   if (warnings.length === 0) return null;
   return element("section", { class: "block" },
     element("h2", {}, "Warnings", element("span", { class: "tally" }, String(warnings.length))),
-    element("ul", { class: "warnings", "data-testid": "warnings" }, ...warnings.map((warning) => element("li", {}, warning))),
+    element("ul", { class: "warnings", "data-testid": "warnings" }, ...warnings.map((warning) => element("li", {}, sentence_of(warning)))),
   );
+}
+
+/** Without the file, whose whole path is nothing to show. */
+function sentence_of({ place, text, advice }: Warning): string {
+  return `${place ? `${place}: ` : ""}${text}${advice ? `; ${advice}` : ""}`;
 }
 
 export function about(report: Report): HTMLElement {

@@ -79,13 +79,14 @@ class LooseFaces {
   std::vector<TopoDS_Shape> shells_;
 };
 
-std::string warning_of(std::size_t solids, const std::vector<TopoDS_Shape>& shells) {
+Warning warning_of(std::size_t solids, const std::vector<TopoDS_Shape>& shells) {
   const auto closed = std::count_if(shells.begin(), shells.end(),
                                     [](const TopoDS_Shape& shell) { return BRep_Tool::IsClosed(shell); });
   const std::string parts =
       fmt::format("{} closed and {} open, each taken as a solid of its own", closed, shells.size() - closed);
-  if (solids == 0) return "the file has no solids, only faces, which make up shells: " + parts;
-  return "the file has faces beside its solids, which make up shells: " + parts;
+  const char* const what = solids == 0 ? "the file has no solids, only faces, which make up shells: "
+                                       : "the file has faces beside its solids, which make up shells: ";
+  return {WarningKind::kLooseFaces, what + parts};
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct Bodies {
   /// `faces` unless faces were sewn. Of [0] there is no face.
   std::vector<std::int32_t> face_numbers;
 
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 /// Faces of no solid are sewn together where their edges are as close as 1e-5 of the longest side: files

@@ -64,7 +64,8 @@ void refuse_damaged_geometry(const Handle(Interface_InterfaceModel) & model) {
 
 void warn_without_unit(CadShape& result) {
   if (result.file_unit.empty())
-    result.warnings.push_back("the file names no unit of length: its numbers are taken for millimetres");
+    result.warnings.emplace_back(WarningKind::kUnknownUnit,
+                                 "the file names no unit of length: its numbers are taken for millimetres");
 }
 
 CadShape read_step_shape(const std::string& path) {
@@ -82,7 +83,8 @@ CadShape read_step_shape(const std::string& path) {
   warn_without_unit(result);
   const int parts = reader.NbRootsForTransfer(), read = reader.TransferRoots();
   if (read < parts)
-    result.warnings.push_back(
+    result.warnings.emplace_back(
+        WarningKind::kMissingParts,
         fmt::format("parts that OpenCASCADE could not read, and are missing: {} of {}", parts - read, parts));
   result.shape = reader.OneShape();
   return result;

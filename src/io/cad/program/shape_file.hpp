@@ -13,7 +13,7 @@ struct CadShape {
   TopoDS_Shape shape;     ///< not null
   std::string unit;       ///< of the shape: "mm", or empty where the format has no units
   std::string file_unit;  ///< of the file, such as "inch"; empty where it does not say
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 /// Everything in a CAD file as one shape, assemblies with all parts at their places. Throws Fault, and

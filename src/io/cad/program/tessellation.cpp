@@ -213,9 +213,11 @@ class Tessellation {
       if (missing++ == 0) first = bodies_.face_numbers[face];
     }
     if (missing > 0)
-      mesh_.warnings.push_back(fmt::format(
-          "faces that could not be cut into triangles, and are missing: {} of {}; the first is face {}",
-          missing, faces_.size() - 1, first));
+      mesh_.warnings.emplace_back(
+          WarningKind::kMissingFaces,
+          fmt::format(
+              "faces that could not be cut into triangles, and are missing: {} of {}; the first is face {}",
+              missing, faces_.size() - 1, first));
   }
 
   const Bodies& bodies_;

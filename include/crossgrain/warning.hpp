@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "crossgrain/message.hpp"
+
+namespace crossgrain {
+
+/// What a warning is about.
+enum class WarningKind : int {
+  // A file that is read.
+  kUnknownUnit,   ///< a CAD file names no unit
+  kMissingParts,  ///< parts of a CAD file could not be read
+  kLooseFaces,    ///< faces of a CAD file belong to no solid
+  kMissingFaces,  ///< faces of a CAD file could not be triangulated
+  kCurvedTets,    ///< tets of higher order were read as straight
+  kSkippedData,   ///< data of a VTK file are not known
+
+  // Tets.
+  kRepeatedTets,      ///< duplicates, left out
+  kInvertedTets,      ///< reoriented
+  kFlatTets,          ///< without volume, left out
+  kOverlappingTets,   ///< both tets of a face are on the same side of it
+  kUnusedVertices,    ///< vertices of no tet
+  kTouchingEdges,     ///< the solid touches itself along edges
+  kTouchingVertices,  ///< the solid touches itself at vertices
+  kUnmergedVertices,  ///< parts lie face to face and share no vertices
+  kStrayTags,         ///< tagged triangles are faces of no tet
+
+  // The surface and its solids.
+  kSurfaceFinding,     ///< one of SolveReport::input
+  kOverlappingSolids,  ///< solids overlap
+  kTouchingSolids,     ///< solids touch without shared triangles
+  kEmptySolids,        ///< solids are too small to hold a cell
+  kCrowdedCorners,     ///< more than three creases meet
+  kKnifeEdges,         ///< edges are too sharp for any frame
+
+  // The solve.
+  kUnfinished,          ///< it was stopped
+  kMemoryLimited,       ///< cells are larger than requested
+  kThinWalls,           ///< walls are not resolved
+  kExcludedSurface,     ///< a large part of the surface has constraints that no frame meets
+  kNotSettled,          ///< the sweeps on the grid ran out
+  kTetsNotSettled,      ///< the sweeps on the tets ran out
+  kConstraintsOutside,  ///< constraints lie in no cell
+  kVerticesOutside,     ///< vertices of the tet mesh lie in no cell
+  kOtherModel,          ///< the solve started from a field of another model
+
+  // What is written.
+  kClipMissed,   ///< no cell touches the box
+  kLeftOutTets,  ///< files number tets without those that were left out
+  kNotFinite     ///< numbers of the report are not finite
+};
+
+/// Returns a name for files and scripts: "thin_walls".
+const char* name_of(WarningKind kind);
+
+/// What to know before trusting a mesh or a field.
+struct Warning : Message {
+  WarningKind kind{};
+
+  Warning() = default;
+  Warning(WarningKind its_kind, Message message) : Message(std::move(message)), kind(its_kind) {}
+
+  /// A warning without file and place.
+  Warning(WarningKind its_kind, std::string its_text, Remedy its_remedy = Remedy::kNone)
+      : Message{{}, {}, std::move(its_text), its_remedy}, kind(its_kind) {}
+
+  bool operator==(const Warning&) const = default;
+};
+
+}  // namespace crossgrain
