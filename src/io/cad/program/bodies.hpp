@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/warning.hpp"
+
 namespace crossgrain {
 
 /// Faces that bound something together.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/warning.hpp"
 #include "io/cad/cad_messages.hpp"
 
 namespace crossgrain {
