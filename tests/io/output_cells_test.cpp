@@ -285,7 +285,7 @@ TEST(WriteField, WritesAllCellsAndWarnsWhereNoneMeetsTheBox) {
   const SolveReport report = write_field(field_of(data), sample_report(), folder.path(), {},
                                          {.level = 1, .clip = meeting_box(data.tree, {2, 2, 2}, {3, 3, 3})});
   ASSERT_EQ(report.warnings.size(), sample_report().warnings.size() + 1);
-  EXPECT_NE(report.warnings.back().find("clip"), std::string::npos);
+  EXPECT_NE(report.warnings.back().text.find("clip"), std::string::npos);
   EXPECT_EQ(read_field(folder.path()).report().warnings, report.warnings);
   EXPECT_EQ(read_field(folder.path()).size(), 8u) << "merged all the same";
 }
