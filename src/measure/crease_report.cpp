@@ -54,7 +54,7 @@ std::vector<CreaseCurve> curves_of(const Surface& surface, const TriangleMesh& i
   if (inner.triangles.empty()) return sharp_curves(surface, angles);
   TriangleMesh both{inner.vertices, surface.mesh.triangles};
   both.triangles.insert(both.triangles.end(), inner.triangles.begin(), inner.triangles.end());
-  return sharp_curves(prepare_surface(std::move(both)), angles);
+  return sharp_curves(prepare_surface(CheckedMesh::derived(std::move(both))), angles);
 }
 
 /// The curves without duplicates: solids that share a face in space but not in the file have its edges twice.

@@ -35,7 +35,7 @@ struct SolidBody {
 
   SolidBody(std::int32_t solid, TriangleMesh mesh)
       : number(solid),
-        surface(prepare_surface(std::move(mesh))),
+        surface(prepare_surface(CheckedMesh::derived(std::move(mesh)))),
         bvh(surface),
         winding(surface, bvh),
         volume(enclosed_volume(surface)) {}

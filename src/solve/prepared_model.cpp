@@ -12,18 +12,16 @@
 namespace crossgrain {
 namespace {
 
-MendedSurface mended_and_checked(const TriangleMesh& mesh, const TriangleMesh& outer,
-                                 const SolveOptions& options) {
-  if (const Box box = box_of_solid_triangles(mesh); box.low[0] <= box.high[0]) check_scale(box);
-  MendedSurface mended = mend_surface(outer);
+MendedSurface mended_and_checked(CheckedMesh outer, const SolveOptions& options) {
+  MendedSurface mended = mend_surface(std::move(outer));
   check_size(mended.surface, options);
   check_places(options.constraints, mended.surface.box);
   return mended;
 }
 
-SolidSplit checked_and_split(const TriangleMesh& mesh, const SolveOptions& options) {
-  check_mesh(mesh);
-  return split_solids(mesh, options.unite_solids);
+SolidSplit checked_and_split(CheckedMesh mesh, const SolveOptions& options) {
+  if (const Box box = box_of_solid_triangles(*mesh); box.low[0] <= box.high[0]) check_scale(box);
+  return split_solids(std::move(mesh), options.unite_solids);
 }
 
 Guides guides_of(const CreaseNetwork& creases, const TriangleMesh& inner_faces, const Surface& surface,
@@ -38,13 +36,16 @@ Guides guides_of(const CreaseNetwork& creases, const TriangleMesh& inner_faces, 
 }  // namespace
 
 PreparedModel::PreparedModel(const TriangleMesh& mesh, const SolveOptions& options)
+    : PreparedModel(mesh, checked_and_split(mesh, options), options) {}
+
+PreparedModel::PreparedModel(const TriangleMesh& mesh, SolidSplit split, const SolveOptions& options)
     : mesh_(mesh),
-      split_(checked_and_split(mesh, options)),
-      mended_(mended_and_checked(mesh, split_.outer ? *split_.outer : mesh, options)),
+      inner_faces_(std::move(split.inner)),
+      mended_(mended_and_checked(std::move(split.outer), options)),
       bvh_(mended_.surface),
       winding_(mended_.surface, bvh_),
-      creases_(mended_.surface, split_.inner, options.creases, winding_.flipped()),
-      guides_(guides_of(creases_, split_.inner, mended_.surface, options)),
+      creases_(mended_.surface, inner_faces_, options.creases, winding_.flipped()),
+      guides_(guides_of(creases_, inner_faces_, mended_.surface, options)),
       solid_{mended_.surface, bvh_, winding_, mended_.closed, &guides_} {}
 
 SolveReport::Model PreparedModel::description() const {

@@ -29,7 +29,7 @@ class PreparedModel {
   const MendedSurface& mended() const { return mended_; }
 
   /// Faces between solids, and others inside that frames are to have an axis across.
-  const TriangleMesh& inner_faces() const { return split_.inner; }
+  const TriangleMesh& inner_faces() const { return inner_faces_; }
   const CreaseNetwork& creases() const { return creases_; }
 
   SolveReport::Model description() const;
@@ -39,8 +39,10 @@ class PreparedModel {
   SolvedSurface release_surface();
 
  private:
+  PreparedModel(const TriangleMesh& mesh, SolidSplit split, const SolveOptions& options);
+
   const TriangleMesh& mesh_;
-  SolidSplit split_;
+  TriangleMesh inner_faces_;
   MendedSurface mended_;
   TriangleBvh bvh_;
   WindingNumber winding_;

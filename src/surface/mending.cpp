@@ -99,7 +99,7 @@ class Mender {
     roles_ = find_duplicates(mesh_, result_.findings);
     orient_within_patches();
     const std::vector<std::uint32_t> kept = kept_triangles();
-    if (kept.empty()) prepare_surface(mesh_);  // says what is wrong
+    if (kept.empty()) prepare_surface(CheckedMesh::derived(mesh_));  // says what is wrong
     judge(kept);
     finish();
     return std::move(result_);
@@ -248,7 +248,7 @@ class Mender {
       result_.part_of.push_back(part == kNoPart || is_open[part] ? kNoPart : part);
     }
     if (parts.count < 2) result_.part_of.clear();
-    result_.surface = prepare_surface(selected_triangles(mesh_, rest_));
+    result_.surface = prepare_surface(CheckedMesh::derived(selected_triangles(mesh_, rest_)));
     result_.surface.degenerate_triangles = degenerate.count();
     std::sort(result_.findings.begin(), result_.findings.end(),
               [](const Finding& a, const Finding& b) { return a.kind < b.kind; });
@@ -265,7 +265,7 @@ class Mender {
 };
 
 /// Of a closed mesh with all its parts the same way round, which stays as it is.
-MendedSurface as_it_is(const TriangleMesh& mesh, const SurfaceTopology& topology, const Parts& parts,
+MendedSurface as_it_is(TriangleMesh mesh, const SurfaceTopology& topology, const Parts& parts,
                        int orientation) {
   MendedSurface result;
   result.topology = topology;
@@ -276,20 +276,20 @@ MendedSurface as_it_is(const TriangleMesh& mesh, const SurfaceTopology& topology
     has_area[t] = shape_of(corners_of(mesh.triangles[t], mesh.vertices)).area > 0;
     if (!has_area[t]) degenerate.add(mesh.vertices[mesh.triangles[t][0]]);
   }
-  result.surface = prepare_surface(mesh);
   if (orientation < 0) inside_out.add(centroid_of(mesh, 0), parts.count);
   degenerate.report(result.findings, FindingKind::kDegenerateTriangle);
   inside_out.report(result.findings, FindingKind::kInsideOutPart);
+  result.surface = prepare_surface(CheckedMesh::derived(std::move(mesh)));
   result.parts = parts.count;
   if (parts.count < 2) return result;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  for (std::size_t t = 0; t < has_area.size(); ++t)
     if (has_area[t]) result.part_of.push_back(parts.of[t]);
   return result;
 }
 
-/// The mesh as it is if it is closed and all its parts are the same way round. Parts that have no vertex in
-/// common may still lie on each other: for that they must be welded.
-std::optional<MendedSurface> if_sound(const TriangleMesh& mesh, bool is_welded) {
+/// The mesh as it is, moved, if it is closed and all its parts are the same way round. Parts that have no
+/// vertex in common may still lie on each other: for that they must be welded.
+std::optional<MendedSurface> if_sound(TriangleMesh& mesh, bool is_welded) {
   const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
   const SurfaceTopology topology = analyse_topology(mesh, uses);
   if (!topology.watertight) return std::nullopt;
@@ -297,16 +297,17 @@ std::optional<MendedSurface> if_sound(const TriangleMesh& mesh, bool is_welded) 
   if (parts.count > 1 && !is_welded && has_equal_vertices(mesh)) return std::nullopt;
   const int orientation = common_orientation(mesh, parts);
   if (orientation == 0) return std::nullopt;
-  return as_it_is(mesh, topology, parts, orientation);
+  return as_it_is(std::move(mesh), topology, parts, orientation);
 }
 
 }  // namespace
 
-MendedSurface mend_surface(const TriangleMesh& mesh) {
-  check_mesh(mesh);
+MendedSurface mend_surface(CheckedMesh checked) {
+  TriangleMesh mesh = *std::move(checked);
   if (auto whole = if_sound(mesh, false)) return std::move(*whole);
-  TriangleMesh welded = weld(mesh);
-  if (welded.vertices.size() < mesh.vertices.size())
+  const std::size_t vertices = mesh.vertices.size();
+  TriangleMesh welded = weld(std::move(mesh));
+  if (welded.vertices.size() < vertices)
     if (auto whole = if_sound(welded, true)) return std::move(*whole);
   const SurfaceTopology topology = analyse_topology(welded);
   return Mender(std::move(welded)).mend(topology);

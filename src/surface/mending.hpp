@@ -36,6 +36,6 @@ inline constexpr std::uint32_t kNoPart = UINT32_MAX;
 ///
 /// Throws Error(kInput) as `prepare_surface` does, and where nothing bounds anything: the message says what
 /// the triangles are instead.
-MendedSurface mend_surface(const TriangleMesh& mesh);
+MendedSurface mend_surface(CheckedMesh mesh);
 
 }  // namespace crossgrain

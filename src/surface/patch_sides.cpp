@@ -70,7 +70,7 @@ class PatchJudge {
     for (int round = 0; round < kMostRounds; ++round) {
       gather();
       if (rest_.empty()) break;
-      const Surface surface = prepare_surface(selected_triangles(mesh_, rest_));
+      const Surface surface = prepare_surface(CheckedMesh::derived(selected_triangles(mesh_, rest_)));
       const TriangleBvh bvh(surface);
       const WindingNumber winding(surface, bvh);
       sides_.inside_out = winding.flipped();

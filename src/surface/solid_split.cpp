@@ -93,8 +93,7 @@ void append_inner(const TriangleMesh& mesh, const Triangle& triangle,
       corner_normals != nullptr ? *corner_normals : std::array{shape.normal, shape.normal, shape.normal});
 }
 
-TriangleMesh without(const TriangleMesh& mesh, const std::vector<bool>& left_out) {
-  TriangleMesh rest = mesh;
+TriangleMesh without(TriangleMesh mesh, const std::vector<bool>& left_out) {
   const auto keep = [&](auto& entries) {
     if (entries.empty()) return;
     std::size_t kept = 0;
@@ -103,11 +102,11 @@ TriangleMesh without(const TriangleMesh& mesh, const std::vector<bool>& left_out
     }
     entries.resize(kept);
   };
-  keep(rest.triangles);
-  keep(rest.faces);
-  keep(rest.solids);
-  keep(rest.corner_normals);
-  return rest;
+  keep(mesh.triangles);
+  keep(mesh.faces);
+  keep(mesh.solids);
+  keep(mesh.corner_normals);
+  return mesh;
 }
 
 /// The ends of a straight piece of a curve, the lower one first.
@@ -164,25 +163,24 @@ bool has_several_solids(const TriangleMesh& mesh) {
          mesh.solids.end();
 }
 
-SolidSplit split_solids(const TriangleMesh& mesh, bool unite) {
-  check_mesh(mesh);
-  SolidSplit split;
-  split.inner.vertices = mesh.vertices;
-  if (has_several_solids(mesh)) {
-    std::vector<bool> paired(mesh.triangles.size());
-    const std::vector<Pair> pairs = separating_pairs(mesh, paired);
-    if (!pairs.empty()) split.outer = without(mesh, paired);
-    std::vector<Triangle> separating;
-    for (const auto& [owner, other] : pairs) {
-      separating.push_back(mesh.triangles[owner]);
+SolidSplit split_solids(CheckedMesh mesh, bool unite) {
+  TriangleMesh inner;
+  inner.vertices = mesh->vertices;
+  std::vector<bool> paired(mesh->triangles.size());
+  std::vector<Triangle> separating;
+  if (has_several_solids(*mesh)) {
+    for (const auto& [owner, other] : separating_pairs(*mesh, paired)) {
+      separating.push_back(mesh->triangles[owner]);
       if (!unite)
-        append_inner(mesh, separating.back(),
-                     mesh.corner_normals.empty() ? nullptr : &mesh.corner_normals[owner], split.inner);
+        append_inner(*mesh, separating.back(),
+                     mesh->corner_normals.empty() ? nullptr : &mesh->corner_normals[owner], inner);
     }
-    if (unite && split.outer) split.outer->creases = creases_of_union(*split.outer, separating);
   }
-  for (const Triangle& triangle : mesh.inner_faces) append_inner(mesh, triangle, nullptr, split.inner);
-  return split;
+  for (const Triangle& triangle : mesh->inner_faces) append_inner(*mesh, triangle, nullptr, inner);
+  if (separating.empty()) return {std::move(mesh), std::move(inner)};
+  TriangleMesh outer = without(*std::move(mesh), paired);
+  if (unite) outer.creases = creases_of_union(outer, separating);
+  return {CheckedMesh::derived(std::move(outer)), std::move(inner)};
 }
 
 std::vector<GuideFace> guides_across(const TriangleMesh& inner) {

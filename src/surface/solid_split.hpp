@@ -2,11 +2,11 @@
 // A model of several solids: the surface around all of them, and the faces between them.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "crossgrain/types.hpp"
 #include "surface/guides.hpp"
+#include "surface/surface.hpp"
 
 namespace crossgrain {
 
@@ -15,9 +15,9 @@ bool has_several_solids(const TriangleMesh& mesh);
 
 /// A mesh whose solids lie side by side, taken apart.
 struct SolidSplit {
-  /// What bounds all solids together, in the order given, with all else that the mesh knows; none where that
-  /// is the mesh itself.
-  std::optional<TriangleMesh> outer;
+  /// What bounds all solids together, in the order given, with all else that the mesh knows: the mesh itself
+  /// where there are no pairs.
+  CheckedMesh outer;
 
   /// Over the vertices of the mesh, with corner normals: one triangle of each pair between two solids, that
   /// of the solid of the lower number, so that all of a face run the same way; then TriangleMesh::inner_faces
@@ -31,7 +31,7 @@ struct SolidSplit {
 ///
 /// `unite`: pairs are left out of `inner` too, and so are the creases of the mesh that run along them and
 /// along which `outer` is not sharp (CreaseAngles::least_deg).
-SolidSplit split_solids(const TriangleMesh& mesh, bool unite);
+SolidSplit split_solids(CheckedMesh mesh, bool unite);
 
 /// Frames are to have an axis across them, as across the surface.
 std::vector<GuideFace> guides_across(const TriangleMesh& inner);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/surface.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -80,6 +81,8 @@ void check_vertices(const std::vector<Vector3>& vertices) {
   }
 }
 
+namespace {
+
 void check_mesh(const TriangleMesh& mesh) {
   check_vertices(mesh.vertices);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -97,6 +100,19 @@ void check_mesh(const TriangleMesh& mesh) {
   check_count(mesh.faces, mesh.triangles.size(), "faces");
   check_count(mesh.solids, mesh.triangles.size(), "solids");
   check_count(mesh.corner_normals, mesh.triangles.size(), "corner_normals");
+}
+
+}  // namespace
+
+CheckedMesh::CheckedMesh(TriangleMesh mesh) : mesh_(std::move(mesh)) {
+  check_mesh(mesh_);
+}
+
+CheckedMesh CheckedMesh::derived(TriangleMesh mesh) {
+  assert((check_mesh(mesh), true));
+  CheckedMesh checked;
+  checked.mesh_ = std::move(mesh);
+  return checked;
 }
 
 TriangleShape shape_of(const std::array<Vector3, 3>& corners) {
@@ -141,11 +157,10 @@ double enclosed_volume(const Surface& surface) {
   return std::abs(volume);
 }
 
-Surface prepare_surface(TriangleMesh mesh) {
-  check_mesh(mesh);
-  const std::size_t count = mesh.triangles.size();
+Surface prepare_surface(CheckedMesh mesh) {
+  const std::size_t count = mesh->triangles.size();
   Surface surface;
-  surface.mesh = std::move(mesh);
+  surface.mesh = *std::move(mesh);
   std::vector<TriangleShape> shapes(count);
   parallel_for(count, [&](std::size_t t) { shapes[t] = shape_of(surface.corners(t)); });
 

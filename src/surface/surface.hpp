@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "crossgrain/types.hpp"
@@ -52,9 +53,26 @@ std::string counted_from_0(const char* what, std::size_t index);
 /// not overflow). The message names the vertex, counted from 0.
 void check_vertices(const std::vector<Vector3>& vertices);
 
-/// The same, and that every index is in range, where the message names the triangle, and that what has an
-/// entry a triangle has as many.
-void check_mesh(const TriangleMesh& mesh);
+/// A mesh with finite coordinates (as `check_vertices` demands), indices in range, and per-triangle arrays of
+/// the right length. Functions on triangles take a CheckedMesh, so that a mesh is validated once, where it
+/// comes in. A TriangleMesh converts implicitly.
+class CheckedMesh {
+ public:
+  /// Throws Error(kInput) as `check_vertices` does; otherwise the message names the triangle or inner face,
+  /// counted from 0.
+  CheckedMesh(TriangleMesh mesh);
+
+  /// Wraps a mesh made of vertices and triangles of checked meshes; only an assertion validates it again.
+  static CheckedMesh derived(TriangleMesh mesh);
+
+  const TriangleMesh& operator*() const& { return mesh_; }
+  TriangleMesh operator*() && { return std::move(mesh_); }
+  const TriangleMesh* operator->() const { return &mesh_; }
+
+ private:
+  CheckedMesh() = default;
+  TriangleMesh mesh_;
+};
 
 /// Normal and area of a triangle; the area is 0 (and the normal {0, 0, 0}) where the corners are collinear to
 /// rounding, so that the direction of the normal would be noise.
@@ -70,8 +88,7 @@ Box box_of_solid_triangles(const TriangleMesh& mesh);
 /// The volume that a closed surface encloses, in cubed model units, whichever way its normals point.
 double enclosed_volume(const Surface& surface);
 
-/// The mesh as a Surface. Throws Error(kInput) as `check_mesh` does, and where no triangle has a positive
-/// area.
-Surface prepare_surface(TriangleMesh mesh);
+/// The mesh as a Surface. Throws Error(kInput) where no triangle has a positive area.
+Surface prepare_surface(CheckedMesh mesh);
 
 }  // namespace crossgrain

@@ -14,7 +14,7 @@ namespace crossgrain {
 
 /// The mesh with vertices of bit-equal coordinates merged (0 and -0 are equal) and unused vertices dropped.
 /// Vertices keep the order of their first occurrence; every triangle stays, also one whose corners have
-/// fallen together, and so does whatever else the mesh knows. Indices must be in range (`check_mesh`).
+/// fallen together, and so does whatever else the mesh knows. Indices must be in range (`CheckedMesh`).
 TriangleMesh weld(TriangleMesh mesh);
 
 /// Whether two vertices have equal coordinates, so that `weld` would merge them.
@@ -36,7 +36,7 @@ struct SurfaceTopology {
 };
 
 /// Triangles that name a vertex twice have no part in edges and components; those that are merely flat have.
-/// Indices must be in range (`check_mesh`).
+/// Indices must be in range (`CheckedMesh`).
 SurfaceTopology analyse_topology(const TriangleMesh& mesh);
 
 /// The same, where the uses of its edges are known already (`sorted_edge_uses`).
