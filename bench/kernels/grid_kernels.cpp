@@ -15,7 +15,8 @@ template <Part kPart>
 void refinement(benchmark::State& state) {
   const PartLevel& part = part_level(kPart);
   const Solid solid = part.solid.solid();
-  for (auto _ : state) benchmark::DoNotOptimize(refined(part.before, solid, part.marks));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(refined(part.before, part.neighbours_before, solid, part.marks));
   const auto leaves = static_cast<double>(part.level.size());
   const auto [tried, kept] = clipped_pieces(part);
   const double flops = (tried - kept) * kRejectedClipFlops + kept * kClipFlops + tried * crossing_flops(8);
@@ -27,7 +28,7 @@ template <Part kPart>
 void connection(benchmark::State& state) {
   const PartLevel& part = part_level(kPart);
   const Solid solid = part.solid.solid();
-  for (auto _ : state) benchmark::DoNotOptimize(connect_leaves(part.level, solid));
+  for (auto _ : state) benchmark::DoNotOptimize(connect_leaves(part.level, part.neighbours, solid));
   const auto leaves = static_cast<double>(part.level.size());
   report(state, part.level.size(),
          {sampled_pieces(part) * crossing_flops(kOpenFaceSamples) / leaves,
@@ -39,7 +40,8 @@ template <Part kPart>
 void adjacency(benchmark::State& state) {
   const PartLevel& part = part_level(kPart);
   const double share = SolverOptions{}.diagonal_share;
-  for (auto _ : state) benchmark::DoNotOptimize(connectivity_of(part.level, part.connections, share));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(connectivity_of(part.level, part.neighbours, part.connections, share));
   const auto leaves = static_cast<double>(part.level.size());
   const double lists = bytes_of(part_field<4>(kPart).graph.adjacency());
   report(state, part.level.size(),

@@ -35,9 +35,11 @@ SweptField<D> swept(std::shared_ptr<const Connectivity> connectivity, CellForms<
   return field;
 }
 
-std::shared_ptr<const Connectivity> connected(const GridLevel& level, const LeafConnections& connections) {
+std::shared_ptr<const Connectivity> connected(const GridLevel& level,
+                                              std::span<const FaceNeighbours> neighbours,
+                                              const LeafConnections& connections) {
   const double share = SolverOptions{}.diagonal_share;
-  return std::make_shared<const Connectivity>(connectivity_of(level, connections, share));
+  return std::make_shared<const Connectivity>(connectivity_of(level, neighbours, connections, share));
 }
 
 std::shared_ptr<const Connectivity> box_connectivity() {
@@ -56,14 +58,15 @@ std::shared_ptr<const Connectivity> box_connectivity() {
       testing::interior_level({{{0, 0, 0}, kBoxCellSize * (1 << depth)}, std::move(leaves)});
   // No leaf holds surface, so none is looked at.
   const testing::TestSolid any(make_box({1, 1, 1}));
-  return connected(level, connect_leaves(level, any.solid()));
+  const std::vector<FaceNeighbours> neighbours = face_neighbours(level.tree);
+  return connected(level, neighbours, connect_leaves(level, neighbours, any.solid()));
 }
 
 std::shared_ptr<const Connectivity> part_connectivity(Part part) {
   static std::array<std::shared_ptr<const Connectivity>, 2> made;
   auto& connectivity = made[static_cast<std::size_t>(part)];
   const PartLevel& level = part_level(part);
-  if (!connectivity) connectivity = connected(level.level, level.connections);
+  if (!connectivity) connectivity = connected(level.level, level.neighbours, level.connections);
   return connectivity;
 }
 
@@ -79,13 +82,18 @@ SweptField<D> make_part_field(Part part) {
 PartLevel::PartLevel(TriangleMesh mesh) : solid(std::move(mesh)) {
   const Box& box = solid.surface().box;
   const GridFrame frame = frame_around(box, longest_side(box) / kResolution);
-  level = uniform_level(solid.solid(), frame.root, kCoarsestDepth);
+  RefinedLevel made = uniform_level(solid.solid(), frame.root, kCoarsestDepth);
   for (int depth = kCoarsestDepth; depth < frame.finest_depth; ++depth) {
-    before = std::move(level);
-    marks = refinement_marks(before, solid.solid(), {}, frame.finest_depth, RefinementOptions{});
-    level = refined(before, solid.solid(), marks);
+    before = std::move(made.level);
+    neighbours_before = std::move(made.neighbours);
+    marks = refinement_marks(before, neighbours_before, solid.solid(), {}, frame.finest_depth,
+                             RefinementOptions{});
+    made = refined(before, neighbours_before, solid.solid(), marks);
   }
-  connections = connect_leaves(level, solid.solid());
+  level = std::move(made.level);
+  neighbours = std::move(made.neighbours);
+  parent = std::move(made.parent);
+  connections = connect_leaves(level, neighbours, solid.solid());
 }
 
 const PartLevel& part_level(Part part) {
@@ -176,7 +184,7 @@ ClippedPieces clipped_pieces(const PartLevel& part) {
     if (part.marks[i]) result.tried += 8 * static_cast<double>(part.before.pieces_of(i).size());
   }
   for (CellIndex i = 0; i < part.level.size(); ++i) {
-    if (part.marks[part.level.parent[i]]) result.kept += static_cast<double>(part.level.pieces_of(i).size());
+    if (part.marks[part.parent[i]]) result.kept += static_cast<double>(part.level.pieces_of(i).size());
   }
   return result;
 }

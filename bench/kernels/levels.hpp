@@ -26,8 +26,11 @@ enum class Part {
 struct PartLevel {
   testing::TestSolid solid;
   GridLevel before;
+  std::vector<FaceNeighbours> neighbours_before;
   Marks marks;  ///< leaves of `before` that were split
   GridLevel level;
+  std::vector<FaceNeighbours> neighbours;
+  std::vector<CellIndex> parent;
   LeafConnections connections;
 
   explicit PartLevel(TriangleMesh mesh);
@@ -57,7 +60,8 @@ enum class SweptData { kCoefficients, kFramesAndCoefficients };
 template <int D>
 ItemCost sweep_cost(const FieldGraph<D>& graph, double (*flops_of)(const CellKind&), SweptData changed);
 
-/// Bytes of the arrays of a level, of faces between leaves, and of the lists that a graph makes of them.
+/// Bytes of the arrays of a level (with neighbours and parents), of faces between leaves, and of the lists
+/// that a graph makes of them.
 double bytes_of(const GridLevel& level);
 double bytes_of(const LeafConnections& connections);
 double bytes_of(const Adjacency& adjacency);

@@ -27,8 +27,10 @@ constexpr int kShareSteps = 320;
 /// The rows of neighbours of a level.
 class Stencil {
  public:
-  Stencil(const GridLevel& level, const LeafConnections& connections, double diagonal_share)
+  Stencil(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
+          const LeafConnections& connections, double diagonal_share)
       : level_(level),
+        neighbours_(neighbours),
         weights_(connections.weights),
         share_(static_cast<int>(std::lround(diagonal_share * kShareSteps))),
         finder_(level.tree) {
@@ -75,7 +77,7 @@ class Stencil {
   }
 
  private:
-  CellIndex beside(CellIndex i, int face) const { return level_.neighbours[i][face]; }
+  CellIndex beside(CellIndex i, int face) const { return neighbours_[i][face]; }
 
   /// The leaf behind faces a and b both, if the four around their common edge are of one size and joined all
   /// around it.
@@ -108,6 +110,7 @@ class Stencil {
   }
 
   const GridLevel& level_;
+  std::span<const FaceNeighbours> neighbours_;
   const std::vector<std::array<FaceWeight, kFaceCount>>& weights_;
   int share_;
   LeafFinder finder_;
@@ -123,9 +126,9 @@ std::uint8_t parity_colour(CellAddress cell) {
 
 }  // namespace
 
-Connectivity connectivity_of(const GridLevel& level, const LeafConnections& connections,
-                             double diagonal_share) {
-  const Stencil stencil(level, connections, diagonal_share);
+Connectivity connectivity_of(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
+                             const LeafConnections& connections, double diagonal_share) {
+  const Stencil stencil(level, neighbours, connections, diagonal_share);
   std::vector<std::uint8_t> colours(level.size());
   parallel_for(level.size(),
                [&](std::size_t i) { colours[i] = parity_colour(level.tree[static_cast<CellIndex>(i)]); });

@@ -3,12 +3,14 @@
 // edge.
 #pragma once
 
+#include <span>
+
 #include "field/octree_graph.hpp"
 
 namespace crossgrain {
 
 /// Adjacency of a level from its open faces, and the order of its sweeps: by colours of parity, on large
-/// levels block by block. `level` must have its neighbours.
+/// levels block by block.
 ///
 /// With faces alone a singular arc that runs along the grid costs less than a slanted one, by a tenth of the
 /// energy around it (docs/notes/solver.md, "Diagonals"). So wherever four leaves of equal size meet at an
@@ -16,7 +18,7 @@ namespace crossgrain {
 /// smallest of the four weights, and each of the four faces gives that up. For a field linear across the edge
 /// the two diagonals cost what the four faces gave up, so linear fields cost what they did. `diagonal_share`
 /// from 0 to 1/4, for a face takes part in up to four such edges; it is rounded to a multiple of 1/320.
-Connectivity connectivity_of(const GridLevel& level, const LeafConnections& connections,
-                             double diagonal_share);
+Connectivity connectivity_of(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
+                             const LeafConnections& connections, double diagonal_share);
 
 }  // namespace crossgrain

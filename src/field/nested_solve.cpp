@@ -30,14 +30,14 @@ using Candidate = SettledFrames;
 template <int D>
 class LevelSolver {
  public:
-  LevelSolver(const GridLevel& level, const Solid& solid, Connectivity connectivity,
+  LevelSolver(const GridLevel& level, const Solid& solid, std::shared_ptr<const Connectivity> connectivity,
               const SolveOptions& options, const Monitor& monitor, const Progress& place)
       : level_(level),
         solid_(solid),
         options_(options.solver),
         monitor_(monitor),
         progress_(place),
-        connectivity_(std::make_shared<Connectivity>(std::move(connectivity))) {
+        connectivity_(std::move(connectivity)) {
     graph_ = {connectivity_, boundary_forms<D>(level, solid, options_.boundary_weight, Shift::kNone)};
   }
 
@@ -57,20 +57,6 @@ class LevelSolver {
     return relaxed_and_settled(graph_, std::move(frames), relax, settling, [this](double e) { advance(e); });
   }
 
-  /// Gives up what only `solved` needs: it is not called again.
-  void end_sweeps() {
-    graph_ = {};
-    relaxed_graph3_ = {};
-    relaxed_graph4_ = {};
-    connectivity_->order = {};
-  }
-
-  LevelEnergy energy(const Frames& frames, SharpTurns sharp_turns) const {
-    return level_energy(level_, solid_, connectivity_->adjacency, frames, options_.boundary_weight,
-                        sharp_turns);
-  }
-
-  const Adjacency& adjacency() const { return connectivity_->adjacency; }
   int sweeps() const { return progress_.sweep; }
 
  private:
@@ -95,16 +81,16 @@ class LevelSolver {
   const SolverOptions& options_;
   const Monitor& monitor_;
   Progress progress_;
-  std::shared_ptr<Connectivity> connectivity_;
+  std::shared_ptr<const Connectivity> connectivity_;
   FieldGraph<D> graph_;
   FieldGraph<3> relaxed_graph3_;
   FieldGraph<4> relaxed_graph4_;
 };
 
 /// Each leaf takes the frame of the leaf it came from.
-Frames inherited(const Frames& frames, const GridLevel& level) {
-  auto result = sized_vector<StoredQuaternion>(level.size());
-  parallel_for(level.size(), [&](std::size_t i) { result[i] = frames[level.parent[i]]; });
+Frames inherited(const Frames& frames, const std::vector<CellIndex>& parent) {
+  auto result = sized_vector<StoredQuaternion>(parent.size());
+  parallel_for(parent.size(), [&](std::size_t i) { result[i] = frames[parent[i]]; });
   return result;
 }
 
@@ -155,8 +141,9 @@ class NestedSolver {
     level_count_ = finest_depth - coarsest_depth_ + 1;
     SolveForecast forecast(options_, finest_depth, current_memory_bytes(), monitor_.may_be_stopped());
     report("grid", coarsest_depth_, 0);
-    result_.level = uniform_level(solid_, root, coarsest_depth_, monitor_);
+    RefinedLevel made = uniform_level(solid_, root, coarsest_depth_, monitor_);
     for (int depth = coarsest_depth_;; ++depth) {
+      result_.level = std::move(made.level);
       if (result_.level.size() == 0)
         throw Error(ErrorKind::kInput,
                     "the parts of the surface are too small for the cells; raise the resolution");
@@ -164,14 +151,18 @@ class NestedSolver {
       const LevelGrowth growth(result_.level, solid_, options_.refinement);
       const bool finest = depth == finest_depth || !next_fits(forecast, growth);
       if (finest) level_count_ = number_of(depth);
-      solve_level(depth, depth == coarsest_depth_, finest);
+      report("grid", depth, result_.level.size());
+      // No level follows the finest one: its neighbours end here.
+      Connectivity connectivity =
+          finest ? connect(std::exchange(made.neighbours, {})) : connect(made.neighbours);
+      solve_level(depth, std::move(connectivity), std::move(made.parent), finest);
       if (finest) return;
       foretell(forecast, growth);
-      refine(depth, finest_depth);
+      made = refine(std::move(made.neighbours), depth, finest_depth);
     }
   }
 
-  /// Of a level, from 1.
+  /// 1-based number of a level; 1 is the coarsest.
   int number_of(int depth) const { return depth - coarsest_depth_ + 1; }
 
   void report(const char* phase, int depth, std::size_t cells) const {
@@ -227,39 +218,31 @@ class NestedSolver {
     monitor_.expect(*expected);
   }
 
-  void solve_level(int depth, bool coarsest, bool finest) {
-    GridLevel& level = result_.level;
-    report("grid", depth, level.size());
-    const Progress place{"solve", depth, level.size(), 0, 0, number_of(depth), level_count_};
-    LevelSolver<D> solver(level, solid_, connect(level, finest), options_, monitor_, place);
-    grid_watch_.stop();
+  /// Which leaves are compared with which. `neighbours` as in RefinedLevel.
+  Connectivity connect(const std::vector<FaceNeighbours>& neighbours) {
+    LeafConnections connections = connect_leaves(result_.level, neighbours, solid_, monitor_);
+    Connectivity connectivity =
+        connectivity_of(result_.level, neighbours, connections, options_.solver.diagonal_share);
+    result_.open_faces = std::move(connections.open_faces);
+    result_.tied_leaves = connections.tied_leaves;
+    return connectivity;
+  }
 
-    solve_watch_.start();
-    start_candidates(coarsest);
-    std::vector<CellIndex>().swap(level.parent);
-    for (std::size_t c = 0; c < candidates_.size(); ++c) {
-      candidates_[c] = solver.solved(std::move(candidates_[c].frames), relaxation_sweeps(c, coarsest));
-    }
-    solver.end_sweeps();
-    keep_best(solver, finest || level.size() > options_.solver.start_cells, finest);
+  /// `parent` as in RefinedLevel.
+  void solve_level(int depth, Connectivity connectivity, std::vector<CellIndex> parent, bool finest) {
+    const GridLevel& level = result_.level;
+    const Progress place{"solve", depth, level.size(), 0, 0, number_of(depth), level_count_};
+    const Swept swept = settle(std::move(connectivity), std::move(parent), depth == coarsest_depth_, place);
+    keep_best(swept.adjacency, finest || level.size() > options_.solver.start_cells, finest);
     solve_watch_.stop();
-    result_.levels.push_back({depth, level.examined_leaves, level.size(), solver.sweeps(),
+    result_.levels.push_back({depth, level.examined_leaves, level.size(), swept.sweeps,
                               result_.energy.total(), level_watch_.restart()});
     seconds_so_far_ += result_.levels.back().seconds;
     grid_watch_.start();
   }
 
-  /// Who is compared with whom. The finest level gives up its neighbours, which no finer one will ask for.
-  Connectivity connect(GridLevel& level, bool finest) {
-    LeafConnections connections = connect_leaves(level, solid_, monitor_);
-    Connectivity connectivity = connectivity_of(level, connections, options_.solver.diagonal_share);
-    result_.open_faces = std::move(connections.open_faces);
-    result_.tied_leaves = connections.tied_leaves;
-    if (finest) std::vector<FaceNeighbours>().swap(level.neighbours);
-    return connectivity;
-  }
-
-  void start_candidates(bool coarsest) {
+  /// Makes the first frames of every candidate. `parent` as in RefinedLevel.
+  void start_candidates(bool coarsest, std::vector<CellIndex> parent) {
     if (initial_frame_) {
       candidates_.resize(1);
       candidates_[0].frames = sampled(initial_frame_, result_.level);
@@ -270,12 +253,30 @@ class NestedSolver {
         const std::uint64_t seed = options_.seed * 0x9e3779b97f4a7c15 + start;
         candidates_[start].frames = random_frames(result_.level.size(), seed);
       }
-    } else if (candidates_.size() == 1) {
-      candidates_[0].frames = inherited(coarser_.frames, result_.level);
     } else {
-      for (Candidate& candidate : candidates_) candidate.frames = inherited(candidate.frames, result_.level);
+      for (Candidate& candidate : candidates_)
+        candidate.frames = inherited(candidate.frames.empty() ? coarser_.frames : candidate.frames, parent);
     }
-    if (!monitor_.may_be_stopped()) coarser_ = {};
+  }
+
+  /// What is left of a level's solver once all candidates have settled.
+  struct Swept {
+    Adjacency adjacency;
+    int sweeps;
+  };
+
+  Swept settle(Connectivity connectivity, std::vector<CellIndex> parent, bool coarsest,
+               const Progress& place) {
+    const auto shared = std::make_shared<Connectivity>(std::move(connectivity));
+    LevelSolver<D> solver(result_.level, solid_, shared, options_, monitor_, place);
+    grid_watch_.stop();
+
+    solve_watch_.start();
+    start_candidates(coarsest, std::move(parent));
+    for (std::size_t c = 0; c < candidates_.size(); ++c) {
+      candidates_[c] = solver.solved(std::move(candidates_[c].frames), relaxation_sweeps(c, coarsest));
+    }
+    return {std::move(shared->adjacency), solver.sweeps()};  // all else ends here, to make room
   }
 
   int relaxation_sweeps(std::size_t start, bool coarsest) const {
@@ -287,12 +288,13 @@ class NestedSolver {
   }
 
   /// Brings the candidate of lowest energy to the front, and ends the race if told to.
-  void keep_best(const LevelSolver<D>& solver, bool end_race, bool finest) {
+  void keep_best(const Adjacency& adjacency, bool end_race, bool finest) {
     best_ = 0;
     const SharpTurns sharp_turns = finest ? SharpTurns::kLookedFor : SharpTurns::kLeftOut;
     std::vector<std::uint8_t> turns_sharply;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
-      LevelEnergy energy = solver.energy(candidates_[c].frames, sharp_turns);
+      LevelEnergy energy = level_energy(result_.level, solid_, adjacency, candidates_[c].frames,
+                                        options_.solver.boundary_weight, sharp_turns);
       if (c == 0 || energy.parts.total() + energy.parts.unavoidable <
                         result_.energy.total() + result_.energy.unavoidable) {
         result_.energy = energy.parts;
@@ -302,37 +304,41 @@ class NestedSolver {
         best_ = c;
       }
     }
-    if (finest) result_.near_sharp_turn = near_sharp_turns(solver.adjacency(), turns_sharply);
+    if (finest) result_.near_sharp_turn = near_sharp_turns(adjacency, turns_sharply);
     if (end_race) {
       if (best_ > 0) candidates_[0] = std::move(candidates_[std::exchange(best_, 0)]);
       candidates_.resize(1);
     }
   }
 
-  /// What is solved becomes `coarser_`, and `result_` the level to solve next.
-  void refine(int depth, int finest_depth) {
-    coarser_ = std::exchange(result_, {});
-    result_.levels = coarser_.levels;
-    result_.expected = coarser_.expected;
+  /// Makes the next level, and `result_` ready for it. `neighbours` as in RefinedLevel, of the level solved.
+  RefinedLevel refine(std::vector<FaceNeighbours> neighbours, int depth, int finest_depth) {
+    is_uniform_ = is_uniform_ && 8 * result_.level.size() <= options_.solver.relaxed_cells;
+    // While several fields are in the race no single one says where to refine.
+    Marks marks = is_uniform_ || candidates_.size() > 1
+                      ? Marks(result_.level.size(), true)
+                      : refinement_marks(result_.level, neighbours, solid_, result_.energy_density,
+                                         finest_depth, options_.refinement);
+    SolvedField next;
+    next.levels = result_.levels;
+    next.expected = result_.expected;
+    GridLevel ending;  // the level solved, unless it is kept
+    if (monitor_.may_be_stopped())
+      keep_solved();
+    else
+      ending = std::move(result_.level);
+    result_ = std::move(next);
+    report("grid", depth + 1, 0);
+    const GridLevel& level = monitor_.may_be_stopped() ? coarser_.level : ending;
+    return refined(level, neighbours, solid_, std::move(marks), monitor_);
+  }
+
+  /// Keeps the level solved, which becomes the result of a solve that is stopped before the next one is.
+  void keep_solved() {
+    coarser_ = std::move(result_);
     // Of several candidates each is inherited, so that they keep their frames: on small levels only.
     Frames& frames = candidates_[best_].frames;
     coarser_.frames = candidates_.size() == 1 ? std::move(frames) : frames;
-
-    report("grid", depth + 1, 0);
-    GridLevel& level = coarser_.level;
-    is_uniform_ = is_uniform_ && 8 * level.size() <= options_.solver.relaxed_cells;
-    // While several fields are in the race no single one says where to refine.
-    const Marks marks =
-        is_uniform_ || candidates_.size() > 1
-            ? Marks(level.size(), true)
-            : refinement_marks(level, solid_, coarser_.energy_density, finest_depth, options_.refinement);
-    if (!monitor_.may_be_stopped()) std::vector<float>().swap(coarser_.energy_density);
-    result_.level = refined(level, solid_, marks, monitor_);
-    std::vector<FaceNeighbours>().swap(level.neighbours);
-    if (monitor_.may_be_stopped()) return;
-    Frames kept = std::move(coarser_.frames);
-    coarser_ = {};
-    coarser_.frames = std::move(kept);
   }
 
   const Solid& solid_;
@@ -340,7 +346,9 @@ class NestedSolver {
   const Monitor& monitor_;
   const InitialFrame& initial_frame_;
   SolvedField result_;   ///< the level that is made or solved
-  SolvedField coarser_;  ///< the finished one before it; its frames only unless the solve may be stopped
+  SolvedField coarser_;  ///< the finished one before it, if the solve may be stopped
+
+  /// In the race. A single one leaves its frames to coarser_, if the solve may be stopped.
   std::vector<Candidate> candidates_;
   std::size_t best_ = 0;  ///< the candidate of lowest energy on the last level
   int coarsest_depth_ = 0;

@@ -17,8 +17,7 @@
 
 namespace crossgrain {
 
-/// The finest level with its frames, and how it was reached. The level has given up its neighbours and
-/// parents.
+/// The finest level with its frames, and how it was reached.
 struct SolvedField {
   GridLevel level;
   std::vector<std::uint8_t> open_faces;  ///< as in LeafConnections

@@ -23,14 +23,14 @@ constexpr int kStepsOfSample = FaceWeight::kFullFace / kOpenFaceSamples;
 
 class LeafConnector {
  public:
-  LeafConnector(const GridLevel& level, const Solid& solid)
-      : level_(level), tree_(level.tree), solid_(solid) {}
+  LeafConnector(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid)
+      : level_(level), neighbours_(neighbours), tree_(level.tree), solid_(solid) {}
 
   /// The edges that leaf i owns: to larger leaves, and to leaves of its size on its high side.
   FaceWeights owned(CellIndex i) const {
     FaceWeights weights;
     for (int face = 0; face < kFaceCount; ++face) {
-      const CellIndex j = level_.neighbours[i][face];
+      const CellIndex j = neighbours_[i][face];
       if (j == kNoCell || (is_equal(i, j) && face_sign(face) < 0)) continue;
       weights[face] = weight(i, face, j, kStepsOfSample * samples_between(i, face, j));
     }
@@ -48,7 +48,7 @@ class LeafConnector {
     for (int face = 0; face < kFaceCount; ++face) {
       const double along = face_sign(face) * inward[face_axis(face)];
       if (along <= least) continue;
-      const CellIndex j = level_.neighbours[i][face];
+      const CellIndex j = neighbours_[i][face];
       if (j == kNoCell || !admissible(j)) continue;
       least = along;
       best_face = face;
@@ -58,7 +58,7 @@ class LeafConnector {
 
   /// The smallest edge there can be: of half a sample.
   FaceWeight tie(CellIndex i, int face) const {
-    return weight(i, face, level_.neighbours[i][face], kStepsOfSample / 2);
+    return weight(i, face, neighbours_[i][face], kStepsOfSample / 2);
   }
 
   bool is_equal(CellIndex i, CellIndex j) const { return tree_[i].depth() == tree_[j].depth(); }
@@ -84,13 +84,14 @@ class LeafConnector {
     int shared = 0;
     for (int other = 0; other < kFaceCount; ++other) {
       if (face_axis(other) == face_axis(face)) continue;
-      const CellIndex k = level_.neighbours[i][other];
+      const CellIndex k = neighbours_[i][other];
       shared += k != kNoCell && tree_[k].depth() < tree_[i].depth();
     }
     return shared;
   }
 
   const GridLevel& level_;
+  std::span<const FaceNeighbours> neighbours_;
   const Octree& tree_;
   const Solid& solid_;
 };
@@ -102,8 +103,9 @@ static_assert(FaceWeight::kFullFace % kOpenFaceSamples == 0 && kStepsOfSample / 
 /// Ties leaves that the surface barely cuts, mostly one or two together, to the rest of the solid.
 class SpeckTies {
  public:
-  SpeckTies(const GridLevel& level, const LeafConnector& connector, LeafConnections& connections)
-      : level_(level), connector_(connector), connections_(connections) {
+  SpeckTies(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
+            const LeafConnector& connector, LeafConnections& connections)
+      : level_(level), neighbours_(neighbours), connector_(connector), connections_(connections) {
     // Whoever is joined to a leaf with its centre inside is part of the solid; few leaves are not.
     std::vector<std::uint8_t> inside(level.size());
     parallel_for(level.size(),
@@ -118,7 +120,7 @@ class SpeckTies {
     sets_ = DisjointSets(loose_.size());
     for (const CellIndex i : loose_) {
       for (int face = 0; face < kFaceCount; ++face) {
-        if (connections.weights[i][face].joined()) join(i, level.neighbours[i][face]);
+        if (connections.weights[i][face].joined()) join(i, neighbours[i][face]);
       }
     }
   }
@@ -169,7 +171,7 @@ class SpeckTies {
       const auto i = static_cast<CellIndex>(at);
       for (int face = 0; face < kFaceCount; ++face) {
         if (!connections_.weights[i][face].joined()) continue;
-        const CellIndex j = level_.neighbours[i][face];
+        const CellIndex j = neighbours_[i][face];
         if (marked[i]) mark(j);
         if (marked[j]) mark(i);
       }
@@ -207,7 +209,7 @@ class SpeckTies {
   }
 
   void tie(CellIndex i, int face) {
-    const CellIndex j = level_.neighbours[i][face];
+    const CellIndex j = neighbours_[i][face];
     join(i, j);
     const FaceWeight weight = connector_.tie(i, face);
     connections_.weights[i][face] = weight;
@@ -217,6 +219,7 @@ class SpeckTies {
   }
 
   const GridLevel& level_;
+  std::span<const FaceNeighbours> neighbours_;
   const LeafConnector& connector_;
   LeafConnections& connections_;
   std::vector<CellIndex> loose_;       ///< leaves that no leaf with its centre inside is joined to, ascending
@@ -226,8 +229,9 @@ class SpeckTies {
 
 }  // namespace
 
-LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const Monitor& monitor) {
-  const LeafConnector connector(level, solid);
+LeafConnections connect_leaves(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
+                               const Solid& solid, const Monitor& monitor) {
+  const LeafConnector connector(level, neighbours, solid);
   LeafConnections result;
   result.open_faces.resize(level.size());
   result.weights = sized_vector<FaceWeights>(level.size());
@@ -242,12 +246,12 @@ LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const
   // Of a common face both leaves of a size know the weight.
   parallel_for(level.size(), [&](std::size_t i) {
     for (int face = 0; face < kFaceCount; face += 2) {
-      const CellIndex j = level.neighbours[i][face];
+      const CellIndex j = neighbours[i][face];
       if (j != kNoCell && connector.is_equal(static_cast<CellIndex>(i), j))
         result.weights[i][face] = result.weights[j][opposite_face(face)];
     }
   });
-  SpeckTies(level, connector, result).tie_all();
+  SpeckTies(level, neighbours, connector, result).tie_all();
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "crossgrain/monitor.hpp"
@@ -54,14 +55,15 @@ struct LeafConnections {
 };
 
 /// Joins leaves through each open face between them, by an edge of weight (open area) / (distance of the
-/// centres along the normal). `level` must have its neighbours.
+/// centres along the normal).
 ///
 /// Where one leaf of size H meets four of size H/2, the centres are off each other along the face too, so
 /// that a field that varies along the face would cost more than it should: by the variance of the four. For a
 /// field linear along the face the four edges between those leaves cost three times that variance times H/2 *
 /// ..., so each of them gives up a third of its weight for every such face that its two leaves share. Linear
 /// fields then cost what the integral says.
-LeafConnections connect_leaves(const GridLevel& level, const Solid& solid, const Monitor& monitor = {});
+LeafConnections connect_leaves(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
+                               const Solid& solid, const Monitor& monitor = {});
 
 /// Whether the forms of cells are shifted so that they penalise only what their constraints exclude
 /// (docs/design.md section 3). That changes relaxed coefficients; for frames it changes the energy by a

@@ -125,7 +125,7 @@ std::vector<FaceNeighbours> face_neighbours(const SplitTree& before, const Octre
   return for_all_faces(after.size(), [&](CellIndex i, int face) { return neighbours.neighbour(i, face); });
 }
 
-void balance_marks(const Octree& tree, const std::vector<FaceNeighbours>& neighbours,
+void balance_marks(const Octree& tree, std::span<const FaceNeighbours> neighbours,
                    std::vector<bool>& marked) {
   assert(marked.size() == tree.size() && neighbours.size() == tree.size());
   // A split leaf of depth d forces neighbours of depth d - 1 to split, and those force others of depth d - 2:

@@ -20,7 +20,7 @@ std::vector<FaceNeighbours> face_neighbours(const Octree& tree);
 /// A balanced tree, and which of its leaves are split to make the next one.
 struct SplitTree {
   const Octree& tree;
-  const std::vector<FaceNeighbours>& neighbours;
+  std::span<const FaceNeighbours> neighbours;
   const std::vector<bool>& split;
 };
 
@@ -32,7 +32,6 @@ std::vector<FaceNeighbours> face_neighbours(const SplitTree& before, const Octre
 
 /// Adds to `marked` what keeps face neighbours within a factor of two once all marked leaves are split into
 /// eight. `tree` itself must be balanced so.
-void balance_marks(const Octree& tree, const std::vector<FaceNeighbours>& neighbours,
-                   std::vector<bool>& marked);
+void balance_marks(const Octree& tree, std::span<const FaceNeighbours> neighbours, std::vector<bool>& marked);
 
 }  // namespace crossgrain

@@ -150,7 +150,7 @@ class Refiner {
   const Solid& solid_;
 };
 
-GridLevel joined(const RootCube& root, std::vector<RefinedRun> runs, std::size_t leaves_before) {
+RefinedLevel joined(const RootCube& root, std::vector<RefinedRun> runs, std::size_t leaves_before) {
   std::vector<std::size_t> leaf_begin{0}, piece_begin{0};
   std::size_t split = 0;
   for (const RefinedRun& run : runs) {
@@ -161,12 +161,13 @@ GridLevel joined(const RootCube& root, std::vector<RefinedRun> runs, std::size_t
   if (std::max(leaf_begin.back(), piece_begin.back()) >= kNoCell) {
     throw Error(ErrorKind::kLimit, "the grid needs more than 4 billion cells", Remedy::kLowerResolution);
   }
-  GridLevel level;
+  RefinedLevel made;
+  GridLevel& level = made.level;
   auto leaves = sized_vector<CellAddress>(leaf_begin.back());
   level.pieces = sized_vector<SurfacePiece>(piece_begin.back());
   level.piece_begin = sized_vector<std::uint32_t>(leaf_begin.back() + 1);
   level.centre_winding = sized_vector<std::int8_t>(leaf_begin.back());
-  level.parent = sized_vector<CellIndex>(leaf_begin.back());
+  made.parent = sized_vector<CellIndex>(leaf_begin.back());
   parallel_for(
       runs.size(),
       [&](std::size_t r) {
@@ -174,7 +175,7 @@ GridLevel joined(const RootCube& root, std::vector<RefinedRun> runs, std::size_t
         const auto at = static_cast<std::ptrdiff_t>(leaf_begin[r]);
         std::copy(run.leaves.begin(), run.leaves.end(), leaves.begin() + at);
         std::copy(run.centre_winding.begin(), run.centre_winding.end(), level.centre_winding.begin() + at);
-        std::copy(run.parent.begin(), run.parent.end(), level.parent.begin() + at);
+        std::copy(run.parent.begin(), run.parent.end(), made.parent.begin() + at);
         std::copy(run.pieces.begin(), run.pieces.end(),
                   level.pieces.begin() + static_cast<std::ptrdiff_t>(piece_begin[r]));
         auto pieces_before = static_cast<std::uint32_t>(piece_begin[r]);
@@ -184,12 +185,13 @@ GridLevel joined(const RootCube& root, std::vector<RefinedRun> runs, std::size_t
       1);
   level.tree = Octree(root, std::move(leaves));
   level.examined_leaves = leaves_before + 7 * split;
-  return level;
+  return made;
 }
 
 /// The root as a single leaf that holds the whole surface.
-GridLevel root_level(const Solid& solid, const RootCube& root) {
-  GridLevel level;
+RefinedLevel root_level(const Solid& solid, const RootCube& root) {
+  RefinedLevel made;
+  GridLevel& level = made.level;
   level.tree = Octree(root, {CellAddress::root()});
   const std::size_t triangle_count = solid.surface.size();
   level.pieces.reserve(triangle_count);
@@ -198,10 +200,10 @@ GridLevel root_level(const Solid& solid, const RootCube& root) {
   }
   level.piece_begin = {0, static_cast<std::uint32_t>(triangle_count)};
   level.centre_winding = {winding_at(solid, root.centre(CellAddress::root())).count};
-  level.neighbours = face_neighbours(level.tree);
+  made.neighbours = face_neighbours(level.tree);
   if (solid.guides != nullptr) level.guides = LeafGuides(level.tree, *solid.guides);
   level.examined_leaves = 1;
-  return level;
+  return made;
 }
 
 }  // namespace
@@ -221,17 +223,17 @@ GridFrame frame_around(const Box& box, double cell_size) {
   return {{centre - half + cell_size * kGenericShift, size}, depth};
 }
 
-GridLevel uniform_level(const Solid& solid, const RootCube& root, int depth, const Monitor& monitor) {
-  GridLevel level = root_level(solid, root);
+RefinedLevel uniform_level(const Solid& solid, const RootCube& root, int depth, const Monitor& monitor) {
+  RefinedLevel made = root_level(solid, root);
   for (int d = 0; d < depth; ++d)
-    level = refined(level, solid, std::vector<bool>(level.size(), true), monitor);
-  level.parent.clear();
-  return level;
+    made = refined(made.level, made.neighbours, solid, std::vector<bool>(made.level.size(), true), monitor);
+  made.parent.clear();
+  return made;
 }
 
-GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> marked,
-                  const Monitor& monitor) {
-  balance_marks(level.tree, level.neighbours, marked);
+RefinedLevel refined(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid,
+                     std::vector<bool> marked, const Monitor& monitor) {
+  balance_marks(level.tree, neighbours, marked);
   const Refiner refiner(level, solid);
   std::vector<RefinedRun> runs((level.size() + kRefineGrain - 1) / kRefineGrain);
   parallel_for_chunks(level.size(), kRefineGrain, [&](std::size_t begin, std::size_t end) {
@@ -239,9 +241,9 @@ GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> 
     runs[begin / kRefineGrain] =
         refiner.refine(static_cast<CellIndex>(begin), static_cast<CellIndex>(end), marked);
   });
-  GridLevel finer = joined(level.tree.root(), std::move(runs), level.examined_leaves);
-  finer.neighbours = face_neighbours({level.tree, level.neighbours, marked}, finer.tree, finer.parent);
-  if (solid.guides != nullptr) finer.guides = LeafGuides(finer.tree, *solid.guides);
+  RefinedLevel finer = joined(level.tree.root(), std::move(runs), level.examined_leaves);
+  finer.neighbours = face_neighbours({level.tree, neighbours, marked}, finer.level.tree, finer.parent);
+  if (solid.guides != nullptr) finer.level.guides = LeafGuides(finer.level.tree, *solid.guides);
   return finer;
 }
 

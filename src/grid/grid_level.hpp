@@ -23,8 +23,8 @@ struct SurfacePiece {
   float area;  ///< of the clipped triangle, model units squared
 };
 
-/// A leaf is active if it holds surface or its centre is inside, beside the cap over a hole also if only a
-/// corner is; only active leaves are kept.
+/// The cells of a level. A leaf is active if it holds surface or its centre is inside, beside the cap over a
+/// hole also if only a corner is; only active leaves are kept.
 struct GridLevel {
   Octree tree;
 
@@ -39,12 +39,6 @@ struct GridLevel {
   /// closed.
   std::vector<std::int8_t> centre_winding;
 
-  /// Who lies behind the faces of the leaves. Whoever needs it no more may give it up.
-  std::vector<FaceNeighbours> neighbours;
-
-  /// The leaf of the level before that is leaf i or its parent; empty on the coarsest level.
-  std::vector<CellIndex> parent;
-
   /// Leaves of the complete octree, those outside counted too.
   std::size_t examined_leaves = 0;
 
@@ -55,6 +49,17 @@ struct GridLevel {
   bool centre_inside(CellIndex i) const { return centre_winding[i] > 0; }
   bool holds_surface(CellIndex i) const { return piece_begin[i + 1] > piece_begin[i]; }
   bool is_constrained(CellIndex i) const { return holds_surface(i) || guides.has(i); }
+};
+
+/// A new level, with what is needed only until it is solved and the next one is made.
+struct RefinedLevel {
+  GridLevel level;
+
+  /// The cells behind the faces of each leaf.
+  std::vector<FaceNeighbours> neighbours;
+
+  /// The leaf of the level before that is leaf i or its parent; empty on the coarsest level.
+  std::vector<CellIndex> parent;
 };
 
 /// What the grid is built from; the referred objects must outlive it.
@@ -88,11 +93,10 @@ GridFrame frame_around(const Box& box, double cell_size);
 
 /// The uniform octree of `depth`. Throws Error(kInterrupted) once the monitor is cancelled, as does
 /// `refined`.
-GridLevel uniform_level(const Solid& solid, const RootCube& root, int depth, const Monitor& monitor = {});
+RefinedLevel uniform_level(const Solid& solid, const RootCube& root, int depth, const Monitor& monitor = {});
 
-/// Splits the marked leaves of `level` (and those that balance demands) into eight. `level` must have its
-/// neighbours still.
-GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> marked,
-                  const Monitor& monitor = {});
+/// Splits the marked leaves of `level` (and those that balance demands) into eight.
+RefinedLevel refined(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid,
+                     std::vector<bool> marked, const Monitor& monitor = {});
 
 }  // namespace crossgrain

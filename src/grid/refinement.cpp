@@ -16,7 +16,8 @@ void mark_surface(const GridLevel& level, Marks& marks) {
   }
 }
 
-void mark_spectral_conflict(const GridLevel& level, const Solid& solid, Marks& marks) {
+void mark_spectral_conflict(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
+                            const Solid& solid, Marks& marks) {
   std::vector<std::uint8_t> conflicted(level.size());
   parallel_for(level.size(), [&](std::size_t i) {
     const auto cell = static_cast<CellIndex>(i);
@@ -25,7 +26,7 @@ void mark_spectral_conflict(const GridLevel& level, const Solid& solid, Marks& m
   for (CellIndex i = 0; i < level.size(); ++i) {
     if (!conflicted[i]) continue;
     marks[i] = true;
-    for (const CellIndex j : level.neighbours[i]) {
+    for (const CellIndex j : neighbours[i]) {
       if (j != kNoCell) marks[j] = true;
     }
   }
@@ -62,11 +63,12 @@ void mark_energy_density(const GridLevel& level, std::span<const float> energy_d
   }
 }
 
-Marks refinement_marks(const GridLevel& level, const Solid& solid, std::span<const float> energy_density,
-                       int finest_depth, const RefinementOptions& options) {
+Marks refinement_marks(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid,
+                       std::span<const float> energy_density, int finest_depth,
+                       const RefinementOptions& options) {
   Marks marks(level.size(), false);
   if (options.by_surface) mark_surface(level, marks);
-  if (options.by_spectral_conflict) mark_spectral_conflict(level, solid, marks);
+  if (options.by_spectral_conflict) mark_spectral_conflict(level, neighbours, solid, marks);
   if (options.by_thickness) mark_thin_walls(level, solid, options.thickness_cells, marks);
   if (options.by_energy_density && !energy_density.empty()) {
     mark_energy_density(level, energy_density, options.energy_density_threshold, marks);

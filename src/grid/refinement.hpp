@@ -16,7 +16,8 @@ using Marks = std::vector<bool>;
 void mark_surface(const GridLevel& level, Marks& marks);
 
 /// Leaves with constraints that no frame meets, and the leaves across their faces.
-void mark_spectral_conflict(const GridLevel& level, const Solid& solid, Marks& marks);
+void mark_spectral_conflict(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
+                            const Solid& solid, Marks& marks);
 
 /// Leaves of walls with less than `thickness_cells` of their own cells across: along the inward ray from
 /// every leaf with surface, to where it leaves the solid.
@@ -28,7 +29,8 @@ void mark_energy_density(const GridLevel& level, std::span<const float> energy_d
 
 /// All criteria that `options` names, less the leaves that are at `finest_depth` already. `energy_density`
 /// may be empty where no field is known yet.
-Marks refinement_marks(const GridLevel& level, const Solid& solid, std::span<const float> energy_density,
-                       int finest_depth, const RefinementOptions& options);
+Marks refinement_marks(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid,
+                       std::span<const float> energy_density, int finest_depth,
+                       const RefinementOptions& options);
 
 }  // namespace crossgrain

@@ -67,7 +67,7 @@ SolveReport::Input PreparedModel::findings() const {
   return input_report(mended_, findings);
 }
 
-SolvedSurface PreparedModel::release_surface() {
+SolvedSurface PreparedModel::solved_surface() && {
   TriangleMesh& mesh = mended_.surface.mesh;
   SolvedSurface released{std::move(mesh.vertices), std::move(mesh.triangles), {}};
   if (winding_.flipped()) {

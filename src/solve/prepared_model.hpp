@@ -35,8 +35,8 @@ class PreparedModel {
   SolveReport::Model description() const;
   SolveReport::Input findings() const;
 
-  /// Moved out of the model, of which nothing else may be asked afterwards.
-  SolvedSurface release_surface();
+  /// The surface that was solved, moved out of a model that is not used afterwards.
+  SolvedSurface solved_surface() &&;
 
  private:
   PreparedModel(const TriangleMesh& mesh, SolidSplit split, const SolveOptions& options);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "base/frames_in_lanes.hpp"
 #include "base/instruction_set.hpp"
@@ -167,7 +168,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   data->frames = std::move(solved.frames);
   data->open_faces = std::move(solved.open_faces);
   describe_guides(model, asked, options, *data);
-  data->surface = SurfaceSource(model.release_surface());
+  data->surface = SurfaceSource(std::move(model).solved_surface());
   return data;
 }
 

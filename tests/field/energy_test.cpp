@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "crossgrain/options.hpp"
+#include "field/connected_level.hpp"
 #include "field/leaf_stencil.hpp"
 #include "field/octree_graph.hpp"
 #include "grid/test_solid.hpp"
@@ -12,6 +13,9 @@
 namespace crossgrain {
 namespace {
 
+using testing::connect_leaves;
+using testing::connectivity_of;
+using testing::refined;
 using testing::TestSolid;
 
 template <int D>

@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "field/connected_level.hpp"
 #include "field/face_edges.hpp"
 #include "field/octree_graph.hpp"
 #include "grid/open_faces.hpp"
@@ -15,8 +16,10 @@
 namespace crossgrain {
 namespace {
 
+using testing::connect_leaves;
 using testing::face_edges;
 using testing::RandomSamples;
+using testing::refined;
 using testing::TestSolid;
 
 std::size_t component_count(std::size_t cells, const std::vector<WeightedEdge>& edges) {
@@ -46,7 +49,7 @@ TEST_P(GapTest, JoinsNoCellsOfTheTwoPlatesWhereCellFacesLieInTheGap) {
     const double plane = random.uniform(-0.49, 0.49) * gap;
     const RootCube root{
         {-0.8 - random.uniform(-1, 1) * cell, -0.8 - random.uniform(-1, 1) * cell, plane - 0.8}, 1.6};
-    const GridLevel level = uniform_level(plates.solid(), root, 4);
+    const GridLevel level = uniform_level(plates.solid(), root, 4).level;
     const LeafConnections connections = connect_leaves(level, plates.solid());
     for (const WeightedEdge& edge : face_edges(level, connections)) {
       const bool above = level.tree.centre(edge.first)[2] > plane;
@@ -61,7 +64,7 @@ TEST_P(GapTest, JoinsNoCellsOfTheTwoPlatesWhereLeavesDifferInSize) {
   const TestSolid plates(make_plates(gap));
   RandomSamples random(6);
   const double plane = 0.1 * gap;
-  GridLevel level = uniform_level(plates.solid(), {{-0.83, -0.77, plane - 0.8}, 1.6}, 3);
+  GridLevel level = uniform_level(plates.solid(), {{-0.83, -0.77, plane - 0.8}, 1.6}, 3).level;
   Marks marks(level.size());
   for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = random.uniform(0, 1) < 0.5;
   level = refined(level, plates.solid(), marks);
@@ -75,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(CellsAcrossTheGap, GapTest, ::testing::Values(0.05, 0.3
 
 TEST(StraddledGap, IsCountedAsCellsOfTwoSheets) {
   const TestSolid plates(make_plates(0.03));
-  const GridLevel level = uniform_level(plates.solid(), {{-0.83, -0.77, -0.85}, 1.6}, 4);
+  const GridLevel level = uniform_level(plates.solid(), {{-0.83, -0.77, -0.85}, 1.6}, 4).level;
   int counted = 0;
   for (CellIndex i = 0; i < level.size(); ++i) {
     const Box box = level.tree.root().box(level.tree[i]);

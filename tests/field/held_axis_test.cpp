@@ -4,6 +4,7 @@
 
 #include "constraint/normal_form.hpp"
 #include "crossgrain/options.hpp"
+#include "field/connected_level.hpp"
 #include "field/energy.hpp"
 #include "field/leaf_stencil.hpp"
 #include "field/manifold_sweep.hpp"
@@ -18,6 +19,8 @@ namespace crossgrain {
 namespace {
 
 using testing::BothDegrees;
+using testing::connect_leaves;
+using testing::connectivity_of;
 using testing::RandomSamples;
 using testing::TestSolid;
 

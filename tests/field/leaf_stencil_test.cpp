@@ -8,6 +8,7 @@
 
 #include "base/quaternion.hpp"
 #include "crossgrain/options.hpp"
+#include "field/connected_level.hpp"
 #include "field/face_edges.hpp"
 #include "field/octree_graph.hpp"
 #include "field/tet_finish.hpp"
@@ -20,9 +21,12 @@
 namespace crossgrain {
 namespace {
 
+using testing::connect_leaves;
+using testing::connectivity_of;
 using testing::face_edges;
 using testing::interior_level;
 using testing::RandomSamples;
+using testing::refined;
 using testing::TestSolid;
 
 /// A cube of 2^depth cells a side, of size 1, all inside and without surface.
@@ -100,7 +104,7 @@ TEST(LeafStencil, JoinsNoCellsAcrossAnEdgeThatTheSurfaceSeparates) {
   // Two plates with an outside gap thinner than a cell: diagonals must not reach through it.
   const double cell = 0.1, gap = 0.3 * cell;
   const TestSolid plates(make_plates(gap));
-  const GridLevel level = uniform_level(plates.solid(), {{-0.83, -0.81, -0.8}, 1.6}, 4);
+  const GridLevel level = uniform_level(plates.solid(), {{-0.83, -0.81, -0.8}, 1.6}, 4).level;
   const auto connectivity = connectivity_of(level, connect_leaves(level, plates.solid()), 0.2);
   std::size_t diagonals = 0;
   for (CellIndex i = 0; i < level.size(); ++i) {

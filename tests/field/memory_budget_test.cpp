@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "field/connected_level.hpp"
 #include "field/energy.hpp"
 #include "field/leaf_stencil.hpp"
 #include "grid/cell_constraints.hpp"
@@ -13,6 +14,8 @@
 namespace crossgrain {
 namespace {
 
+using testing::connect_leaves;
+using testing::connectivity_of;
 using testing::TestSolid;
 
 template <class T>
@@ -26,9 +29,12 @@ class MemoryBudget : public ::testing::Test {
   MemoryBudget() : part_(make_bracket(48)) {
     const Solid solid = part_.solid();
     const GridFrame frame = frame_around(solid.surface.box, kFinestCell);
-    level_ = uniform_level(solid, frame.root, frame.finest_depth - 3);
-    for (int k = 0; k < 3; ++k)
-      level_ = refined(level_, solid, refinement_marks(level_, solid, {}, frame.finest_depth, {}));
+    refined_ = uniform_level(solid, frame.root, frame.finest_depth - 3);
+    for (int k = 0; k < 3; ++k) {
+      const auto& [level, neighbours, parent] = refined_;
+      refined_ = refined(level, neighbours, solid,
+                         refinement_marks(level, neighbours, solid, {}, frame.finest_depth, {}));
+    }
     counts_ = LevelGrowth(level_, solid, {}).after(0);
     // Of a sample elsewhere.
     counts_.several_normals = 0;
@@ -43,7 +49,8 @@ class MemoryBudget : public ::testing::Test {
 
   static constexpr double kFinestCell = 1.3 / 80;
   TestSolid part_;
-  GridLevel level_;
+  RefinedLevel refined_;
+  const GridLevel& level_ = refined_.level;
   LevelCounts counts_;
 };
 
@@ -52,8 +59,8 @@ TEST_F(MemoryBudget, HasALineForWhatALevelHolds) {
   expect_exact(memory_lines::kPieceBegin, bytes_of(level_.piece_begin));
   expect_exact(memory_lines::kPieces, bytes_of(level_.pieces));
   expect_exact(memory_lines::kWinding, bytes_of(level_.centre_winding));
-  expect_exact(memory_lines::kFaceNeighbours, bytes_of(level_.neighbours));
-  expect_exact(memory_lines::kParents, bytes_of(level_.parent));
+  expect_exact(memory_lines::kFaceNeighbours, bytes_of(refined_.neighbours));
+  expect_exact(memory_lines::kParents, bytes_of(refined_.parent));
 }
 
 TEST_F(MemoryBudget, HasALineForWhoNeighboursWhom) {

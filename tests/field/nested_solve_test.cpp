@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
+#include "field/connected_level.hpp"
 #include "field/leaf_stencil.hpp"
 #include "grid/test_solid.hpp"
 #include "harmonics/random_samples.hpp"
@@ -15,6 +16,8 @@
 namespace crossgrain {
 namespace {
 
+using testing::connect_leaves;
+using testing::connectivity_of;
 using testing::misorientation_rad;
 using testing::RandomSamples;
 using testing::TestSolid;
@@ -141,7 +144,6 @@ TEST(NestedSolve, EndsWithTheEnergyOfItsFrames) {
   const TestSolid solid(make_bracket(24));
   const SolveOptions options = options_of(20);
   SolvedField field = solved(solid, options);
-  field.level.neighbours = face_neighbours(field.level.tree);
   const Adjacency adjacency =
       connectivity_of(field.level, connect_leaves(field.level, solid.solid()), options.solver.diagonal_share)
           .adjacency;

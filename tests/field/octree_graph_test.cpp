@@ -7,6 +7,7 @@
 
 #include "constraint/normal_form.hpp"
 #include "crossgrain/options.hpp"
+#include "field/connected_level.hpp"
 #include "field/energy.hpp"
 #include "field/face_edges.hpp"
 #include "field/leaf_stencil.hpp"
@@ -18,9 +19,12 @@
 namespace crossgrain {
 namespace {
 
+using testing::connect_leaves;
+using testing::connectivity_of;
 using testing::face_edges;
 using testing::interior_level;
 using testing::RandomSamples;
+using testing::refined;
 using testing::TestSolid;
 using testing::touching_face;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Relaxation and settling as the two stages of one solve.
 #include "field/stages.hpp"
+#include "field/connected_level.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,8 @@ namespace crossgrain {
 namespace {
 
 using testing::BothDegrees;
+using testing::connect_leaves;
+using testing::connectivity_of;
 using testing::TestSolid;
 
 using Frames = std::vector<StoredQuaternion>;

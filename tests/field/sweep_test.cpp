@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/options.hpp"
+#include "field/connected_level.hpp"
 #include "field/energy.hpp"
 #include "field/leaf_stencil.hpp"
 #include "field/local_energy.hpp"
@@ -19,6 +20,8 @@ namespace crossgrain {
 namespace {
 
 using testing::BothDegrees;
+using testing::connect_leaves;
+using testing::connectivity_of;
 using testing::RandomSamples;
 using testing::TestSolid;
 

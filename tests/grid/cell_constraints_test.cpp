@@ -51,9 +51,10 @@ TYPED_TEST(CellFormTest, OfAParentIsTheSumOverItsChildren) {
   constexpr int D = TypeParam::value;
   const TestSolid solid(make_bracket(24));
   const GridLevel coarse = solid.level(0.1);
-  const GridLevel fine = refined(coarse, solid.solid(), std::vector<bool>(coarse.size(), true));
+  const auto [fine, neighbours, parent] =
+      refined(coarse, face_neighbours(coarse.tree), solid.solid(), std::vector<bool>(coarse.size(), true));
   std::vector<QuadraticForm<D>> sums(coarse.size());
-  for (CellIndex i = 0; i < fine.size(); ++i) sums[fine.parent[i]] += cell_form<D>(fine, solid.solid(), i);
+  for (CellIndex i = 0; i < fine.size(); ++i) sums[parent[i]] += cell_form<D>(fine, solid.solid(), i);
   for (CellIndex i = 0; i < coarse.size(); ++i) {
     const QuadraticForm<D> form = cell_form<D>(coarse, solid.solid(), i);
     // Areas are stored in single precision.
@@ -143,7 +144,7 @@ TEST_P(TurnedBoxTest, CellAtACornerIsAFrame) {
   const Vector3 corner = rotate(turn_, {0.5, 0.4, 0.3});
   const double size = 0.1;
   const RootCube root{corner - Vector3{2.5 * size, 2.5 * size, 2.5 * size}, 8 * size};
-  const GridLevel level = uniform_level(box_.solid(), root, 3);
+  const GridLevel level = uniform_level(box_.solid(), root, 3).level;
   EXPECT_EQ(constraint_class(level, box_.solid(), leaf_at(level, corner)), ConstraintClass::kFrame);
 }
 
@@ -151,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(Rotations, TurnedBoxTest, ::testing::Values(1u, 2u, 3u)
 
 TEST(SingleNormal, CountsBothSidesOfAThinWallAsOne) {
   const TestSolid wall(make_wall(0.05));
-  const GridLevel level = uniform_level(wall.solid(), {{-0.75, -0.75, -0.85}, 1.6}, 3);
+  const GridLevel level = uniform_level(wall.solid(), {{-0.75, -0.75, -0.85}, 1.6}, 3).level;
   const CellIndex middle = leaf_at(level, {0, 0, 0});
   ASSERT_GE(level.pieces_of(middle).size(), 2u);
   EXPECT_TRUE(has_single_normal(level, wall.solid(), middle));
@@ -164,7 +165,7 @@ TEST(SingleNormal, IsNotSeenWhereNormalsDifferByAThousandthOfADegree) {
   roof.vertices = {{-1, -1, 0}, {-1, 1, 0}, {0, -1, 0}, {0, 1, 0}, {1, -1, -bend_rad}, {1, 1, -bend_rad}};
   roof.triangles = {{0, 2, 3}, {0, 3, 1}, {2, 4, 5}, {2, 5, 3}};
   const TestSolid solid(roof);
-  const GridLevel level = uniform_level(solid.solid(), {{-1.51, -1.53, -1.47}, 3}, 0);
+  const GridLevel level = uniform_level(solid.solid(), {{-1.51, -1.53, -1.47}, 3}, 0).level;
   EXPECT_FALSE(has_single_normal(level, solid.solid(), 0));
 }
 
@@ -176,7 +177,7 @@ TEST(SingleNormal, IsNotHadByACellWithoutSurface) {
 
 TEST(ConstraintClassOfACell, WithAWholeSmallSphereIsFree) {
   const TestSolid sphere(make_sphere(0.3, 2));
-  const GridLevel level = uniform_level(sphere.solid(), {{-0.5, -0.5, -0.5}, 1}, 0);
+  const GridLevel level = uniform_level(sphere.solid(), {{-0.5, -0.5, -0.5}, 1}, 0).level;
   EXPECT_EQ(constraint_class(level, sphere.solid(), 0), ConstraintClass::kFree);
 }
 
@@ -184,7 +185,7 @@ TEST(ConstraintClassOfACell, ThatAThinRodPassesThroughIsAnAxis) {
   RandomSamples random(3);
   const TestSolid rod(rotate_mesh(make_cylinder(0.01, 2, 48), random.rotation()));
   // The ends, where caps are, lie in other cells than the middle.
-  const GridLevel level = uniform_level(rod.solid(), {{-3.5, -3.5, -3.5}, 8}, 3);
+  const GridLevel level = uniform_level(rod.solid(), {{-3.5, -3.5, -3.5}, 8}, 3).level;
   EXPECT_EQ(constraint_class(level, rod.solid(), leaf_at(level, {0, 0, 0})), ConstraintClass::kAxis);
 }
 

@@ -14,6 +14,7 @@ namespace crossgrain {
 namespace {
 
 using testing::RandomSamples;
+using testing::refined;
 using testing::TestSolid;
 
 // Areas are stored in single precision.
@@ -95,7 +96,7 @@ TEST(FrameAround, ABoxOfMoreCellsThanAddressesIsALimit) {
 TEST(GridLevel, KeepsExactlyTheCellsThatHoldSurfaceOrHaveTheirCentreInside) {
   const TestSolid solid(make_sphere(0.37, 2));
   constexpr int kDepth = 4;
-  const GridLevel level = uniform_level(solid.solid(), kRoundRoot, kDepth);
+  const GridLevel level = uniform_level(solid.solid(), kRoundRoot, kDepth).level;
   std::size_t active = 0;
   const std::int32_t width = std::int32_t{1} << (kMaxDepth - kDepth);
   for (std::int32_t cell = 0; cell < 16 * 16 * 16; ++cell) {
@@ -180,7 +181,7 @@ TEST(GridLevel, FollowsTheCapOverALargeHoleAtEveryCellSize) {
   const TestSolid solid(box.mesh());
   ASSERT_EQ(solid.surface().size(), 10u);
   for (const int depth : {2, 3, 4, 5}) {
-    const GridLevel level = uniform_level(solid.solid(), kRoundRoot, depth);
+    const GridLevel level = uniform_level(solid.solid(), kRoundRoot, depth).level;
     const std::int32_t cells = std::int32_t{1} << depth, width = std::int32_t{1} << (kMaxDepth - depth);
     for (std::int32_t cell = 0; cell < cells * cells * cells; ++cell) {
       const GridPoint place{cell % cells, cell / cells % cells, cell / (cells * cells)};
@@ -219,7 +220,7 @@ TEST(GridLevel, HoldsTheWholeAreaOfTheSurfaceOnEveryLevel) {
     const TestSolid solid(mesh);
     const GridFrame frame = frame_around(solid.surface().box, 0.05);
     for (int depth = 0; depth <= frame.finest_depth; ++depth) {
-      const GridLevel level = uniform_level(solid.solid(), frame.root, depth);
+      const GridLevel level = uniform_level(solid.solid(), frame.root, depth).level;
       EXPECT_NEAR(area_of_pieces(level) / solid.area(), 1, kStoredArea) << "depth " << depth;
     }
   }
@@ -237,14 +238,14 @@ TEST(GridLevel, CountsASurfaceInCellFacesOnce) {
   // The faces of this box lie in cell faces from depth 2 on.
   const TestSolid solid(make_box({1, 1, 1}));
   for (int depth = 0; depth <= 5; ++depth) {
-    const GridLevel level = uniform_level(solid.solid(), kRoundRoot, depth);
+    const GridLevel level = uniform_level(solid.solid(), kRoundRoot, depth).level;
     EXPECT_NEAR(area_of_pieces(level), 6, 6 * kStoredArea) << "depth " << depth;
   }
 }
 
 TEST(GridLevel, GivesASurfaceInACellFaceToTheUpperCell) {
   const TestSolid solid(make_box({1, 1, 1}));
-  const GridLevel level = uniform_level(solid.solid(), kRoundRoot, 3);
+  const GridLevel level = uniform_level(solid.solid(), kRoundRoot, 3).level;
   for (CellIndex i = 0; i < level.size(); ++i) {
     const Box box = level.tree.root().box(level.tree[i]);
     for (const SurfacePiece& piece : level.pieces_of(i)) {
@@ -281,11 +282,11 @@ TEST(Refined, LevelKnowsWhichLeafEachOfItsLeavesCameFrom) {
   const GridLevel coarse = solid.level(0.1);
   std::vector<bool> marks(coarse.size());
   for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = random.uniform(0, 1) < 0.3;
-  const GridLevel fine = refined(coarse, solid.solid(), marks);
-  ASSERT_EQ(fine.parent.size(), fine.size());
+  const auto [fine, neighbours, parent] = refined(coarse, face_neighbours(coarse.tree), solid.solid(), marks);
+  ASSERT_EQ(parent.size(), fine.size());
   for (CellIndex i = 0; i < fine.size(); ++i) {
-    EXPECT_TRUE(coarse.tree[fine.parent[i]].contains(fine.tree[i]));
-    EXPECT_EQ(fine.tree[i].depth(), coarse.tree[fine.parent[i]].depth() + (marks[fine.parent[i]] ? 1 : 0));
+    EXPECT_TRUE(coarse.tree[parent[i]].contains(fine.tree[i]));
+    EXPECT_EQ(fine.tree[i].depth(), coarse.tree[parent[i]].depth() + (marks[parent[i]] ? 1 : 0));
   }
 }
 
@@ -326,15 +327,17 @@ TEST(Refined, LevelDoesNotDependOnTheThreads) {
 TEST(GridLevel, KnowsTheNeighboursThatTheTreeFinds) {
   RandomSamples random(21);
   const TestSolid solid(rotate_mesh(make_bracket(16), random.rotation()));
-  GridLevel level = solid.level(0.2);
+  RefinedLevel now{solid.level(0.2), {}, {}};
+  const GridLevel& level = now.level;
+  now.neighbours = face_neighbours(level.tree);
   for (int round = 0; round < 5; ++round) {
     // Surface here and there, so that leaves of three sizes meet, some of them twice kept and once split.
     std::vector<bool> marks(level.size());
     for (CellIndex i = 0; i < level.size(); ++i)
       marks[i] = random.uniform(0, 1) < (level.holds_surface(i) ? 0.5 : 0.05);
-    level = refined(level, solid.solid(), marks);
+    now = refined(level, now.neighbours, solid.solid(), marks);
     ASSERT_TRUE(is_balanced(level.tree));
-    ASSERT_EQ(level.neighbours, face_neighbours(level.tree)) << "in round " << round;
+    ASSERT_EQ(now.neighbours, face_neighbours(level.tree)) << "in round " << round;
   }
   EXPECT_GT(level.size(), 20000u);
 }

@@ -16,6 +16,7 @@ namespace crossgrain {
 namespace {
 
 using testing::RandomSamples;
+using testing::refined;
 using testing::TestSolid;
 
 constexpr double kStored = 1e-5;  // single precision, a few hundred terms
@@ -154,7 +155,7 @@ TEST(LeafGuides, ArePartOfTheFormsOfCells) {
   const GridLevel plain = box.level(0.1);
   solid.guides = &guides;
   const GridLevel guided =
-      uniform_level(solid, plain.tree.root(), frame_around(box.surface().box, 0.1).finest_depth);
+      uniform_level(solid, plain.tree.root(), frame_around(box.surface().box, 0.1).finest_depth).level;
   ASSERT_EQ(guided.size(), plain.size());
   double weight = 0;
   for (CellIndex i = 0; i < plain.size(); ++i)

@@ -53,7 +53,8 @@ TEST_P(LevelGrowthOf, ForetellsTheCountsOfTheNextTwoLevels) {
   const Solid solid = part.solid();
   const GridFrame frame = frame_around(solid.surface.box, std::ldexp(kCoarsestCell, -kLevels));
   const RefinementOptions options;
-  GridLevel level = uniform_level(solid, frame.root, frame.finest_depth - kLevels);
+  RefinedLevel made = uniform_level(solid, frame.root, frame.finest_depth - kLevels);
+  const GridLevel& level = made.level;
   std::vector<LevelGrowth> growths;
   for (int k = 0; k <= kLevels; ++k) {
     for (int ahead = 1; ahead <= 2 && ahead < static_cast<int>(growths.size()); ++ahead) {
@@ -64,7 +65,8 @@ TEST_P(LevelGrowthOf, ForetellsTheCountsOfTheNextTwoLevels) {
                   "several normals", ahead);
     }
     growths.emplace_back(level, solid, options);
-    level = refined(level, solid, refinement_marks(level, solid, {}, frame.finest_depth, options));
+    made = refined(level, made.neighbours, solid,
+                   refinement_marks(level, made.neighbours, solid, {}, frame.finest_depth, options));
   }
 }
 
@@ -97,7 +99,8 @@ TEST_P(LevelGrowthAlong, GuidesInsideIsForetold) {
   solid.guides = &guides;
   const GridFrame frame = frame_around(solid.surface.box, std::ldexp(kCoarsestCell, -kLevels));
   const RefinementOptions options;
-  GridLevel level = uniform_level(solid, frame.root, frame.finest_depth - kLevels);
+  RefinedLevel made = uniform_level(solid, frame.root, frame.finest_depth - kLevels);
+  const GridLevel& level = made.level;
   std::vector<LevelGrowth> growths;
   for (int k = 0; k <= kLevels - 1; ++k) {
     for (int ahead = 1; ahead <= 2 && ahead <= static_cast<int>(growths.size()); ++ahead) {
@@ -106,7 +109,8 @@ TEST_P(LevelGrowthAlong, GuidesInsideIsForetold) {
                   ahead);
     }
     growths.emplace_back(level, solid, options);
-    level = refined(level, solid, refinement_marks(level, solid, {}, frame.finest_depth, options));
+    made = refined(level, made.neighbours, solid,
+                   refinement_marks(level, made.neighbours, solid, {}, frame.finest_depth, options));
   }
 }
 
@@ -134,10 +138,12 @@ TEST(LevelGrowth, CountsTheCellsOfGuideFacesInside) {
   for (Vector3& corner : guides.faces[0].corners) corner[0] *= 1.2;
   solid.guides = &guides;
   const GridFrame frame = frame_around(solid.surface.box, 1.0 / 48);
-  GridLevel level = uniform_level(solid, frame.root, frame.finest_depth - 2);
+  RefinedLevel made = uniform_level(solid, frame.root, frame.finest_depth - 2);
+  const GridLevel& level = made.level;
   const LevelGrowth growth(level, solid, {});
   for (int ahead = 1; ahead <= 2; ++ahead) {
-    level = refined(level, solid, refinement_marks(level, solid, {}, frame.finest_depth, {}));
+    made = refined(level, made.neighbours, solid,
+                   refinement_marks(level, made.neighbours, solid, {}, frame.finest_depth, {}));
     expect_near(growth.after(ahead).cells, static_cast<double>(level.size()), kMostOff, "cells", ahead);
   }
 }

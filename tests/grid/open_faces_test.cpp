@@ -108,7 +108,7 @@ TEST(OpenFraction, IsZeroForCellFacesInTheGapBetweenTwoPlates) {
     const TestSolid plates(make_plates(gap));
     // A face between cells of 0.1 lies in the plane z = 0.1 * gap.
     const RootCube root{{-0.83, -0.77, -0.8 + 0.1 * gap}, 1.6};
-    const GridLevel level = uniform_level(plates.solid(), root, 4);
+    const GridLevel level = uniform_level(plates.solid(), root, 4).level;
     int faces = 0;
     for (CellIndex i = 0; i < level.size(); ++i) {
       const Box box = root.box(level.tree[i]);
@@ -123,7 +123,7 @@ TEST(OpenFraction, IsZeroForCellFacesInTheGapBetweenTwoPlates) {
 TEST(TwoSheets, AreHeldByACellThatStraddlesAThinGap) {
   const TestSolid plates(make_plates(0.03));
   const RootCube root{{-0.83, -0.77, -0.85}, 1.6};  // cells of 0.1, one from z = -0.05 to 0.05
-  const GridLevel level = uniform_level(plates.solid(), root, 4);
+  const GridLevel level = uniform_level(plates.solid(), root, 4).level;
   int straddling = 0;
   for (CellIndex i = 0; i < level.size(); ++i) {
     const Vector3 centre = level.tree.centre(i);

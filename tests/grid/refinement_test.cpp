@@ -13,6 +13,7 @@ namespace crossgrain {
 namespace {
 
 using testing::RandomSamples;
+using testing::refined;
 using testing::TestSolid;
 
 Marks no_marks(const GridLevel& level) {
@@ -75,7 +76,7 @@ TEST(InwardRay, BehindAnOpenSurfaceIsInfinite) {
   sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   sheet.triangles = {{0, 1, 2}};
   const TestSolid solid(sheet);
-  const GridLevel level = uniform_level(solid.solid(), {{-0.5, -0.5, -1.1}, 2}, 0);
+  const GridLevel level = uniform_level(solid.solid(), {{-0.5, -0.5, -1.1}, 2}, 0).level;
   EXPECT_EQ(inward_ray(level, solid.solid(), 0)->thickness, INFINITY);
 }
 
@@ -100,9 +101,9 @@ TEST(ConflictCriterion, MarksTheCellOfASmallCavityAndThoseAcrossItsFaces) {
     while (cell.depth() > frame.finest_depth) cell = cell.parent();
     const Vector3 centre = frame.root.centre(cell);
     const TestSolid solid(join_meshes(block, translate_mesh(flip_mesh(make_sphere(radius, 2)), centre)));
-    const GridLevel level = uniform_level(solid.solid(), frame.root, frame.finest_depth);
+    const GridLevel level = uniform_level(solid.solid(), frame.root, frame.finest_depth).level;
     Marks marks = no_marks(level);
-    mark_spectral_conflict(level, solid.solid(), marks);
+    mark_spectral_conflict(level, face_neighbours(level.tree), solid.solid(), marks);
     for (CellIndex i = 0; i < level.size(); ++i)
       ASSERT_EQ(marks[i], cells_from(level, i, centre) < 1.01) << "radius " << radius;
   }
@@ -114,7 +115,7 @@ TEST(ConflictCriterion, MarksNothingOnAnyTurnedBox) {
     const TestSolid solid(rotate_mesh(make_box({1, 0.8, 0.6}), random.rotation()));
     const GridLevel level = solid.level(0.08);
     Marks marks = no_marks(level);
-    mark_spectral_conflict(level, solid.solid(), marks);
+    mark_spectral_conflict(level, face_neighbours(level.tree), solid.solid(), marks);
     EXPECT_FALSE(any(marks));
   }
 }
@@ -152,7 +153,7 @@ TEST(ConflictCriterion, MarksCellsThatHoldTwoSidesOfATriangularPrismAndTheirNeig
     const GridLevel level = solid.level(0.05);
     const Vector3 up = rotate(turn, {0, 0, 1});
     Marks marks = no_marks(level);
-    mark_spectral_conflict(level, solid.solid(), marks);
+    mark_spectral_conflict(level, face_neighbours(level.tree), solid.solid(), marks);
     int conflicted = 0;
     for (CellIndex i = 0; i < level.size(); ++i) {
       double nearby = share_of_other_sides(level, solid, i, up);
@@ -244,12 +245,13 @@ class RefinementMarksTest : public ::testing::Test {
   RefinementMarksTest() { options_ = {false, false, false, false, 4, 0.2, 4}; }
 
   Marks marks(const std::vector<float>& density = {}) const {
-    return refinement_marks(level_, solid_.solid(), density, depth_ + 1, options_);
+    return refinement_marks(level_, neighbours_, solid_.solid(), density, depth_ + 1, options_);
   }
 
   // A wall of three cells, with a cylinder's rim for conflict.
   const TestSolid solid_{make_cylinder(0.5, 0.12, 40)};
   const GridLevel level_ = solid_.level(0.08);
+  const std::vector<FaceNeighbours> neighbours_ = face_neighbours(level_.tree);
   const int depth_ = frame_around(solid_.surface().box, 0.08).finest_depth;
   RefinementOptions options_;
 };
@@ -271,7 +273,7 @@ TEST_F(RefinementMarksTest, OfOneCriterionAreThatCriterion) {
   EXPECT_TRUE(any(expected));
 
   expected = no_marks(level_);
-  mark_spectral_conflict(level_, solid_.solid(), expected);
+  mark_spectral_conflict(level_, neighbours_, solid_.solid(), expected);
   options_ = {false, true, false, false, 4, 0.2, 4};
   EXPECT_EQ(marks(), expected);
 
@@ -290,8 +292,8 @@ TEST_F(RefinementMarksTest, WithoutAFieldPassOverTheEnergyCriterion) {
 
 TEST_F(RefinementMarksTest, SpareWhatIsFinestAlready) {
   options_ = {};
-  EXPECT_FALSE(any(refinement_marks(level_, solid_.solid(), {}, depth_, options_)));
-  EXPECT_TRUE(any(refinement_marks(level_, solid_.solid(), {}, depth_ + 1, options_)));
+  EXPECT_FALSE(any(refinement_marks(level_, neighbours_, solid_.solid(), {}, depth_, options_)));
+  EXPECT_TRUE(any(refinement_marks(level_, neighbours_, solid_.solid(), {}, depth_ + 1, options_)));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ class TestSolid {
   /// The uniform level of cells of `cell_size`.
   GridLevel level(double cell_size) const {
     const GridFrame frame = frame_around(surface_.box, cell_size);
-    return uniform_level(solid(), frame.root, frame.finest_depth);
+    return uniform_level(solid(), frame.root, frame.finest_depth).level;
   }
 
  private:
@@ -62,6 +62,11 @@ inline void balance_marks(const Octree& tree, std::vector<bool>& marked) {
   crossgrain::balance_marks(tree, face_neighbours(tree), marked);
 }
 
+/// The level refined, its neighbours looked up anew.
+inline GridLevel refined(const GridLevel& level, const Solid& solid, std::vector<bool> marked) {
+  return crossgrain::refined(level, face_neighbours(level.tree), solid, std::move(marked)).level;
+}
+
 /// The tree with marked leaves split into eight.
 inline Octree split(const Octree& tree, const std::vector<bool>& marked) {
   std::vector<CellAddress> leaves;
@@ -77,7 +82,6 @@ inline GridLevel interior_level(Octree tree) {
   GridLevel level;
   level.piece_begin.assign(tree.size() + 1, 0);
   level.centre_winding.assign(tree.size(), 1);
-  level.neighbours = face_neighbours(tree);
   level.tree = std::move(tree);
   return level;
 }

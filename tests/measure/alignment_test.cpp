@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/parallel.hpp"
+#include "field/connected_level.hpp"
 #include "field/octree_graph.hpp"
 #include "support/shapes.hpp"
 
@@ -23,8 +24,8 @@ struct Measured {
   Measured(const TriangleMesh& mesh, double cell_size, const Quaternion& frame)
       : surface(prepare_surface(mesh)), bvh(surface), winding(surface, bvh) {
     const auto [root, depth] = frame_around(surface.box, cell_size);
-    level = uniform_level(solid, root, depth);
-    open_faces = connect_leaves(level, solid).open_faces;
+    level = uniform_level(solid, root, depth).level;
+    open_faces = testing::connect_leaves(level, solid).open_faces;
     frames.assign(level.size(), to_stored(frame));
   }
 

@@ -13,9 +13,11 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/frame_field.hpp"
+#include "field/connected_level.hpp"
 #include "field/face_edges.hpp"
 #include "field/field_data.hpp"
 #include "field/octree_graph.hpp"
+#include "grid/test_solid.hpp"
 #include "sampling/nearest_leaf.hpp"
 #include "singularity/matching.hpp"
 #include "support/shapes.hpp"
@@ -258,10 +260,10 @@ TEST(Sampler, KeepsFramesOnTheTwoSidesOfAThinGapApart) {
   const double cell = 1.0 / 16, gap = 0.95 * cell;
   const Model model(make_plates(gap));
   const auto [root, depth] = frame_around(model.surface.box, cell);
-  const GridLevel level = uniform_level(model.solid, root, depth);
+  const GridLevel level = uniform_level(model.solid, root, depth).level;
   const double layer = root.origin[2] + cell * std::round(-root.origin[2] / cell);
   ASSERT_LT(std::abs(layer), gap / 2);
-  MadeField field{level.tree, {}, connect_leaves(level, model.solid).open_faces};
+  MadeField field{level.tree, {}, testing::connect_leaves(level, model.solid).open_faces};
   field.fill([&](const Vector3& p) { return from_rotation_vector({0, 0, p[2] > layer ? 0.0 : 0.5}); });
   const CellIndex below = level.tree.find_containing(*root.locate({0, 0, layer - cell / 2}));
   ASSERT_NE(level.tree.neighbour(below, 5), kNoCell);
@@ -307,10 +309,10 @@ CellIndex nearest_of_all(const Octree& tree, const Vector3& p,
 Octree octree_around_a_bracket() {
   const Model model(make_bracket(16));
   const auto [root, depth] = frame_around(model.surface.box, 0.1);
-  const GridLevel level = uniform_level(model.solid, root, depth);
+  const GridLevel level = uniform_level(model.solid, root, depth).level;
   std::vector<bool> marked(level.size());
   for (CellIndex i = 0; i < level.size(); ++i) marked[i] = level.holds_surface(i);
-  return refined(level, model.solid, marked).tree;
+  return testing::refined(level, model.solid, marked).tree;
 }
 
 TEST(NearestLeaf, IsTheOneThatTryingAllOfThemFinds) {
@@ -354,11 +356,11 @@ TEST(NearestLeaf, OfAnEmptyTreeIsNone) {
 TEST(LeafTurn, IsJoinedToWhatTheGraphHasAnEdgeTo) {
   const Model model(make_bracket(16));
   const auto [root, depth] = frame_around(model.surface.box, 0.1);
-  GridLevel level = uniform_level(model.solid, root, depth);
+  GridLevel level = uniform_level(model.solid, root, depth).level;
   std::vector<bool> marked(level.size());
   for (CellIndex i = 0; i < level.size(); ++i) marked[i] = level.holds_surface(i);
-  level = refined(level, model.solid, marked);
-  const LeafConnections connections = connect_leaves(level, model.solid);
+  level = testing::refined(level, model.solid, marked);
+  const LeafConnections connections = testing::connect_leaves(level, model.solid);
   const std::vector<StoredQuaternion> frames(level.size());
   const LeafField field{level.tree, frames, connections.open_faces};
   std::vector<std::pair<CellIndex, CellIndex>> expected, found;

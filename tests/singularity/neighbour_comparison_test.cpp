@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "field/connected_level.hpp"
 #include "field/energy.hpp"
 #include "field/field_state.hpp"
 #include "field/leaf_stencil.hpp"
@@ -22,8 +23,8 @@ struct Solved {
     SolveOptions options;
     options.resolution = resolution;
     field = nested_solve(solid, options, {});
-    field.level.neighbours = face_neighbours(field.level.tree);
-    adjacency = connectivity_of(field.level, connect_leaves(field.level, solid), 0.2).adjacency;
+    adjacency =
+        testing::connectivity_of(field.level, testing::connect_leaves(field.level, solid), 0.2).adjacency;
   }
 
   std::vector<std::uint8_t> near_sharp_turns_of(const std::vector<StoredQuaternion>& frames) const {
