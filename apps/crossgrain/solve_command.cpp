@@ -261,7 +261,7 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
 
   monitor.report({"write", 0, 0, 0, 0});
   OutputOptions output_options = arguments.output_options;
-  if (arguments.page) output_options.companions.push_back(page_of(field, monitor));
+  if (arguments.page) output_options.companions.push_back(page_of(field));
   SolveReport report = tet_field ? tet_field->report() : field.report();
   report.model.path = arguments.model;
   report.seconds.read = read_seconds;

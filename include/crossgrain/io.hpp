@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "crossgrain/constraints.hpp"
@@ -105,12 +106,19 @@ std::vector<OutputFormat> output_formats();
 /// Name of the page in the folder of a field (crossgrain/page.hpp).
 inline constexpr const char* kPageFile = "report.html";
 
+/// Takes the next bytes of a file.
+using ByteSink = std::function<void(std::string_view bytes)>;
+
 /// A file that `write_field` writes together with its own: all of them appear, or none.
 struct CompanionFile {
   std::string name;  ///< in the folder; none of the library's own names but kPageFile
 
-  /// The content of the file, given the report as it is written.
-  std::function<std::string(const SolveReport&)> text;
+  /// Writes the content, given the report as it is written.
+  using Writer = std::function<void(const SolveReport& report, const ByteSink& write)>;
+
+  /// Returns the writer. Called once, after the field's own files are written: the time it takes counts in
+  /// `seconds.write` of the report. Gets the monitor of `write_field`.
+  std::function<Writer(const Monitor& monitor)> prepare;
 };
 
 /// Which cells `write_field` writes to field.vtu (all by default), and which further files. The report and

@@ -16,9 +16,8 @@ void keep_forms_for_page(SolveOptions& options);
 
 /// The page that shows a field in a browser (docs/page.md), as a file for `write_field` to write with its own
 /// (OutputOptions::companions): the surface, singular arcs, frames and energies of at most 200,000 cells, and
-/// 120 streamlines, which are traced by this call. Independent of the number of threads. Errors:
-/// kInterrupted.
-CompanionFile page_of(const FrameField& field, const Monitor& monitor = {});
+/// 120 streamlines, which are traced when the file is written. Independent of the number of threads.
+CompanionFile page_of(const FrameField& field);
 
 /// Writes the page as a single HTML file that needs no other. The file appears complete or not at all.
 /// Errors: kOutput; kInterrupted.

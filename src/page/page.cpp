@@ -67,17 +67,15 @@ std::string inside_page(std::string_view json) {
   return text;
 }
 
-std::string page_text(std::string_view report, std::string_view packed_scene) {
+void write_page_text(std::string_view report, std::string_view packed_scene, const ByteSink& write) {
   const std::string_view page = page_template();
   const std::size_t report_at = page.find(kReportPlace), scene_at = page.find(kScenePlace);
   assert(report_at < scene_at && scene_at != std::string_view::npos);
-  std::string text;
-  text.reserve(page.size() + report.size() + packed_scene.size());
-  text += page.substr(0, report_at);
-  text += inside_page(report);
-  text += page.substr(report_at + kReportPlace.size(), scene_at - report_at - kReportPlace.size());
-  text += packed_scene;
-  return text += page.substr(scene_at + kScenePlace.size());
+  write(page.substr(0, report_at));
+  write(inside_page(report));
+  write(page.substr(report_at + kReportPlace.size(), scene_at - report_at - kReportPlace.size()));
+  write(packed_scene);
+  write(page.substr(scene_at + kScenePlace.size()));
 }
 
 }  // namespace
@@ -86,15 +84,18 @@ void keep_forms_for_page(SolveOptions& options) {
   options.kept_forms = {kMostForms, kMostShownCells, kDeepestShown};
 }
 
-CompanionFile page_of(const FrameField& field, const Monitor& monitor) {
-  return {kPageFile, [scene = base64(gzipped(page_scene(field, monitor)))](const SolveReport& report) {
-            return page_text(report_json(report), scene);
+CompanionFile page_of(const FrameField& field) {
+  return {kPageFile, [field](const Monitor& monitor) -> CompanionFile::Writer {
+            return [scene = base64(gzipped(page_scene(field, monitor)))](const SolveReport& report,
+                                                                         const ByteSink& write) {
+              write_page_text(report_json(report), scene, write);
+            };
           }};
 }
 
 void write_page(const FrameField& field, const std::filesystem::path& path, const Monitor& monitor) {
   OutputFile file(path);
-  file.write(page_of(field, monitor).text(field.report()));
+  page_of(field).prepare(monitor)(field.report(), [&](std::string_view bytes) { file.write(bytes); });
   monitor.check();
   file.commit();
 }

@@ -40,14 +40,16 @@ TEST(Page, IsWrittenTogetherWithTheFieldAndGoesWithTheNextOne) {
 TEST(CompanionFile, HasANameOfItsOwn) {
   const TemporaryFolder folder;
   const FrameField field = solved(false);
-  const auto text = [](const SolveReport&) { return std::string("text"); };
+  const auto prepare = [](const Monitor&) -> CompanionFile::Writer {
+    return [](const SolveReport&, const ByteSink& write) { write("text"); };
+  };
   for (const char* name : {"", "field.vtu", "report.json", "a/b", ".."}) {
     OutputOptions options;
-    options.companions = {{name, text}};
+    options.companions = {{name, prepare}};
     EXPECT_THROW(write_field(field, folder.path(), {}, options), Error) << name;
   }
   OutputOptions options;
-  options.companions = {{"notes.txt", text}};
+  options.companions = {{"notes.txt", prepare}};
   write_field(field, folder.path(), {}, options);
   EXPECT_EQ(content_of(folder.path() / "notes.txt"), "text");
 }
@@ -57,7 +59,9 @@ TEST(Page, OfAFieldInMemoryStandsAlone) {
   const FrameField field = solved(false);
   write_page(field, folder.path() / "field.html");
   EXPECT_EQ(folder.names(), std::vector<std::string>{"field.html"});
-  EXPECT_EQ(content_of(folder.path() / "field.html"), page_of(field).text(field.report()));
+  std::string expected;
+  page_of(field).prepare({})(field.report(), [&](std::string_view bytes) { expected += bytes; });
+  EXPECT_EQ(content_of(folder.path() / "field.html"), expected);
 }
 
 TEST(Page, LeavesNothingWhereItIsCancelled) {

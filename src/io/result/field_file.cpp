@@ -197,12 +197,17 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
   add_files(output);
   for (const char* name : {kStreamlinesFile, kPageFile})
     if (!is_companion(name, options)) output.remove_at_commit(name);
+  std::vector<CompanionFile::Writer> companions;
+  for (const CompanionFile& companion : options.companions) companions.push_back(companion.prepare(monitor));
   report.seconds.write = stopwatch.restart();
   report.seconds.total += report.seconds.write;
   report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());
   warn_of_numbers_not_finite(report);
   output.create(kReportFile).write(report_json(report));
-  for (const CompanionFile& file : options.companions) output.create(file.name).write(file.text(report));
+  for (std::size_t k = 0; k < companions.size(); ++k) {
+    OutputFile& file = output.create(options.companions[k].name);
+    companions[k](report, [&](std::string_view bytes) { file.write(bytes); });
+  }
   monitor.check();
   output.commit();
   return report;
