@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/finding.hpp"
 #include "crossgrain/statistics.hpp"
 #include "crossgrain/types.hpp"
 
@@ -27,12 +28,12 @@ struct SolveReport {
 
   /// What was found wrong with the surface, at most one entry of a kind (docs/report.md).
   struct Finding {
-    std::string kind;
+    FindingKind kind{};
     std::size_t count = 0;
     bool at_least = false;         ///< counting ended early
     Vector3 place{};               ///< of the first, or of the largest
     std::optional<double> length;  ///< around the largest hole, across the widest crack
-    std::string done;              ///< what became of them
+    FindingOutcome done{};         ///< what was done about them
   };
   struct Input {
     std::size_t triangles_solved = 0;  ///< that are left to solve with

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/names.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/version.hpp"
@@ -201,12 +202,12 @@ void describe_creases(File& file, Report& report) {
 
 template <class File, class Finding>
 void describe_finding(File& file, Finding& finding) {
-  file.member("kind", finding.kind);
+  file.name("kind", finding.kind);
   file.member("count", finding.count);
   file.member("at_least", finding.at_least);
   file.member("place", finding.place);
   file.member("length", finding.length);
-  file.member("done", finding.done);
+  file.name("done", finding.done);
 }
 
 template <class File, class Points>
@@ -403,11 +404,11 @@ class JsonReader {
   void name(const char* key, Enum& value) {
     std::string name;
     member(key, name);
-    for (int k = 0; *name_of(static_cast<Enum>(k)) != '\0'; ++k) {
-      value = static_cast<Enum>(k);
-      if (name == name_of(value)) return;
-    }
-    fail_input(file_, {}, fmt::format("{} is no '{}'", in_quotes(name), key), Remedy::kSolveAgain);
+    const std::optional<Enum> named = value_named<Enum>(name);
+    if (!named)
+      fail_input(file_, {}, fmt::format("'{}' has the unknown value {}", key, in_quotes(name)),
+                 Remedy::kSolveAgain);
+    value = *named;
   }
 
   template <class Enum>
