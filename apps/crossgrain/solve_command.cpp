@@ -130,7 +130,7 @@ std::string singularity_line(const SolveReport::Singularity& singularity) {
 
 std::string tets_lines(const SolveReport::Onto& onto) {
   return fmt::format("tets       {}, {} vertices, boundary {}: Dirichlet energy {:.6g}, {} singular faces\n",
-                     onto.tets, onto.vertices, onto.boundary, onto.dirichlet,
+                     onto.tets, onto.vertices, name_of(onto.boundary), onto.dirichlet,
                      onto.singular.interior_faces + onto.singular.boundary_faces) +
          (onto.crease_deg.mean
               ? fmt::format(

@@ -42,6 +42,13 @@ SolveReport report_of_all_values() {
     report.warnings.push_back({WarningKind::kThinWalls, "two", remedy});
   for (const auto kind : all_values<FindingKind>()) report.input.findings.emplace_back().kind = kind;
   for (const auto done : all_values<FindingOutcome>()) report.input.findings.emplace_back().done = done;
+  auto& graph = report.singularity;
+  for (const auto type : all_values<SingularityGraph::ArcType>()) graph.arc_list.emplace_back().type = type;
+  for (const auto verdict : all_values<SingularityGraph::Verdict>()) {
+    graph.arc_list.emplace_back().verdict = verdict;
+    graph.node_list.emplace_back().verdict = verdict;
+  }
+  report.onto.emplace().boundary = TetBoundary::kSmoothOnly;
   return report;
 }
 
@@ -72,6 +79,11 @@ TEST_F(NamesInReports, ReadBackAsTheValuesThatWereWritten) {
   EXPECT_EQ(got.warnings, written.warnings);
   EXPECT_TRUE(std::ranges::equal(got.input.findings, written.input.findings,
                                  [](auto& a, auto& b) { return a.kind == b.kind && a.done == b.done; }));
+  EXPECT_TRUE(std::ranges::equal(got.singularity.arc_list, written.singularity.arc_list,
+                                 [](auto& a, auto& b) { return a.type == b.type && a.verdict == b.verdict; }));
+  EXPECT_TRUE(std::ranges::equal(got.singularity.node_list, written.singularity.node_list,
+                                 [](auto& a, auto& b) { return a.verdict == b.verdict; }));
+  EXPECT_EQ(got.onto->boundary, TetBoundary::kSmoothOnly);
 }
 
 TEST(NameOfAFinding, IsThatOfSchema4) {
@@ -91,11 +103,25 @@ TEST(NameOfAFinding, IsThatOfSchema4) {
                 "taken as one solid; what lies inside it of their surfaces still guides frames"}));
 }
 
+TEST(NameOfAnArcOrNode, IsThatOfSchema4) {
+  EXPECT_EQ(all_names<SingularityGraph::ArcType>(),
+            (std::vector<std::string>{"regular", "across", "changing", "no_axis"}));
+  EXPECT_EQ(all_names<SingularityGraph::Verdict>(),
+            (std::vector<std::string>{"meshable", "not_meshable", "undecided"}));
+}
+
+TEST(NameOfATetBoundary, IsThatOfSchema4) {
+  EXPECT_EQ(all_names<TetBoundary>(), (std::vector<std::string>{"all", "smooth-only"}));
+}
+
 TEST_F(NamesInReports, AreRefusedWhereTheyAreUnknown) {
   for (const auto& [key, name] : {std::pair<std::string, std::string>{"kind", "thin_walls"},
                                   {"remedy", "raise_resolution"},
                                   {"kind", "holes"},
-                                  {"done", "left out"}}) {
+                                  {"done", "left out"},
+                                  {"type", "across"},
+                                  {"verdict", "not_meshable"},
+                                  {"boundary", "smooth-only"}}) {
     const Error error = error_with("\"" + key + "\": \"" + name + "\"", "\"" + key + "\": \"" + name + "s\"");
     EXPECT_EQ(error.kind(), ErrorKind::kInput);
     EXPECT_TRUE(error.file().ends_with("report.json")) << error.file();

@@ -54,9 +54,9 @@ void describe_input(File& file, Report& report) {
 
 template <class File, class Arc>
 void describe_arc(File& file, Arc& arc) {
-  file.member("type", arc.type);
+  file.name("type", arc.type);
   file.member("index", arc.index);
-  file.member("verdict", arc.verdict);
+  file.name("verdict", arc.verdict);
   file.member("length", arc.length);
   file.member("across_length", arc.across_length);
   file.member("on_boundary", arc.on_boundary);
@@ -68,7 +68,7 @@ template <class File, class Node>
 void describe_node(File& file, Node& node) {
   file.member("place", node.place);
   file.member("on_boundary", node.on_boundary);
-  file.member("verdict", node.verdict);
+  file.name("verdict", node.verdict);
   file.member("arcs", node.arcs);
 }
 
@@ -128,7 +128,7 @@ template <class File, class Onto>
 void describe_onto(File& file, Onto& onto) {
   file.member("vertices", onto.vertices);
   file.member("tets", onto.tets);
-  file.member("boundary", onto.boundary);
+  file.name("boundary", onto.boundary);
   file.member("dirichlet", onto.dirichlet);
   file.member("edge_sum", onto.edge_sum);
   file.object("singular", [&](auto& singular) {
