@@ -154,7 +154,7 @@ class NestedSolver {
     coarsest_depth_ = std::max(0, finest_depth - levels_above_finest());
     level_count_ = finest_depth - coarsest_depth_ + 1;
     SolveForecast forecast(options_, finest_depth, current_memory_bytes(), monitor_.may_be_stopped());
-    report("grid", coarsest_depth_, 0);
+    report(Phase::kGrid, coarsest_depth_, 0);
     result_.level = uniform_level(solid_, root, coarsest_depth_, monitor_);
     for (int depth = coarsest_depth_;; ++depth) {
       if (result_.level.size() == 0)
@@ -174,7 +174,7 @@ class NestedSolver {
   /// Of a level, from 1.
   int number_of(int depth) const { return depth - coarsest_depth_ + 1; }
 
-  void report(const char* phase, int depth, std::size_t cells) const {
+  void report(Phase phase, int depth, std::size_t cells) const {
     monitor_.report(
         {phase, depth, cells, 0, std::numeric_limits<double>::quiet_NaN(), number_of(depth), level_count_});
   }
@@ -229,8 +229,8 @@ class NestedSolver {
 
   void solve_level(int depth, bool coarsest, bool finest) {
     GridLevel& level = result_.level;
-    report("grid", depth, level.size());
-    const Progress place{"solve", depth, level.size(), 0, 0, number_of(depth), level_count_};
+    report(Phase::kGrid, depth, level.size());
+    const Progress place{Phase::kSolve, depth, level.size(), 0, 0, number_of(depth), level_count_};
     LevelSolver<D> solver(level, solid_, connect(level, finest), options_, monitor_, place);
     grid_watch_.stop();
 
@@ -318,7 +318,7 @@ class NestedSolver {
     Frames& frames = candidates_[best_].frames;
     coarser_.frames = candidates_.size() == 1 ? std::move(frames) : frames;
 
-    report("grid", depth + 1, 0);
+    report(Phase::kGrid, depth + 1, 0);
     GridLevel& level = coarser_.level;
     is_uniform_ = is_uniform_ && 8 * level.size() <= options_.solver.relaxed_cells;
     // While several fields are in the race no single one says where to refine.

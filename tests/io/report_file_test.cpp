@@ -79,8 +79,9 @@ TEST_F(NamesInReports, ReadBackAsTheValuesThatWereWritten) {
   EXPECT_EQ(got.warnings, written.warnings);
   EXPECT_TRUE(std::ranges::equal(got.input.findings, written.input.findings,
                                  [](auto& a, auto& b) { return a.kind == b.kind && a.done == b.done; }));
-  EXPECT_TRUE(std::ranges::equal(got.singularity.arc_list, written.singularity.arc_list,
-                                 [](auto& a, auto& b) { return a.type == b.type && a.verdict == b.verdict; }));
+  EXPECT_TRUE(
+      std::ranges::equal(got.singularity.arc_list, written.singularity.arc_list,
+                         [](auto& a, auto& b) { return a.type == b.type && a.verdict == b.verdict; }));
   EXPECT_TRUE(std::ranges::equal(got.singularity.node_list, written.singularity.node_list,
                                  [](auto& a, auto& b) { return a.verdict == b.verdict; }));
   EXPECT_EQ(got.onto->boundary, TetBoundary::kSmoothOnly);
