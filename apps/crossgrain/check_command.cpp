@@ -32,19 +32,33 @@ std::size_t arcs_of_index(const Singularity& graph, double index) {
                                                 [&](const auto& arc) { return arc.index == index; }));
 }
 
+/// What is wrong with an arc of this type that hexahedra cannot have.
+const char* fault_of(SingularityGraph::ArcType type) {
+  switch (type) {
+    case SingularityGraph::ArcType::kAcross:
+      return "its frames turn about an axis across it";
+    case SingularityGraph::ArcType::kChanging:
+      return "its index changes along it";
+    case SingularityGraph::ArcType::kNoAxis:
+      return "its frames turn about no axis of theirs";
+    case SingularityGraph::ArcType::kRegular:
+      break;
+  }
+  return "it has index +1/2";
+}
+
 /// What is wrong first, and where.
 std::string first_fault(const Singularity& graph) {
-  const auto is_bad = [](const auto& part) { return part.verdict == "not_meshable"; };
+  const auto is_bad = [](const auto& part) {
+    return part.verdict == SingularityGraph::Verdict::kNotMeshable;
+  };
   const auto place = [](const Vector3& p) {
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", p[0], p[1], p[2]);
   };
   const auto arc = std::find_if(graph.arc_list.begin(), graph.arc_list.end(), is_bad);
   if (arc != graph.arc_list.end()) {
-    const std::string what = arc->type == "across"     ? "its frames turn about an axis across it"
-                             : arc->type == "changing" ? "its index changes along it"
-                             : arc->type == "no_axis"  ? "its frames turn about no axis of theirs"
-                                                       : "it has index +1/2";
-    return fmt::format("arc {} at {}: {}", arc - graph.arc_list.begin(), place(arc->place), what);
+    return fmt::format("arc {} at {}: {}", arc - graph.arc_list.begin(), place(arc->place),
+                       fault_of(arc->type));
   }
   const auto node = std::find_if(graph.node_list.begin(), graph.node_list.end(), is_bad);
   if (node == graph.node_list.end()) return "";

@@ -50,9 +50,10 @@ std::string level_text(const Progress& progress, double seconds) {
 }
 
 std::string phase_text(const Progress& progress) {
-  if (progress.cells == 0) return progress.phase;
-  const bool is_tets = std::string_view(progress.phase) == "tets";
-  std::string text = fmt::format("{}: {} {}", progress.phase, progress.cells, is_tets ? "vertices" : "cells");
+  if (progress.cells == 0) return name_of(progress.phase);
+  const bool is_tets = progress.phase == Phase::kTets;
+  std::string text =
+      fmt::format("{}: {} {}", name_of(progress.phase), progress.cells, is_tets ? "vertices" : "cells");
   if (progress.sweep > 0) text += fmt::format(", sweep {}", progress.sweep);
   if (std::isfinite(progress.energy)) text += fmt::format(", energy {:.6g}", progress.energy);
   return text;
@@ -60,13 +61,12 @@ std::string phase_text(const Progress& progress) {
 
 /// Of a level the grid is made and the frames are found: one line.
 bool is_of_level(const Progress& progress) {
-  const std::string_view phase = progress.phase;
-  return progress.level > 0 && (phase == "grid" || phase == "solve");
+  return progress.level > 0 && (progress.phase == Phase::kGrid || progress.phase == Phase::kSolve);
 }
 
 bool same_line(const Progress& a, const Progress& b) {
   if (is_of_level(a) || is_of_level(b)) return is_of_level(a) && is_of_level(b) && a.level == b.level;
-  return std::string_view(a.phase) == b.phase;
+  return a.phase == b.phase;
 }
 
 void write(const std::string& text) {

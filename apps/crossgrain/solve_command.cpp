@@ -9,7 +9,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "commands.hpp"
@@ -130,7 +129,7 @@ std::string singularity_line(const SolveReport::Singularity& singularity) {
 
 std::string tets_lines(const SolveReport::Onto& onto) {
   return fmt::format("tets       {}, {} vertices, boundary {}: Dirichlet energy {:.6g}, {} singular faces\n",
-                     onto.tets, onto.vertices, onto.boundary, onto.dirichlet,
+                     onto.tets, onto.vertices, name_of(onto.boundary), onto.dirichlet,
                      onto.singular.interior_faces + onto.singular.boundary_faces) +
          (onto.crease_deg.mean
               ? fmt::format(
@@ -241,7 +240,7 @@ std::optional<TetFrameField> carried(const SolveArguments& arguments, const Solv
 SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point start, const Monitor& monitor,
                             const Warn& warn, const std::function<void()>& leave_line) {
   check_start(arguments);
-  monitor.report({"read", 0, 0, 0, 0});
+  monitor.report({Phase::kRead, 0, 0, 0, 0});
   SolveOptions options = arguments.options;
   if (arguments.page) keep_forms_for_page(options);
   if (!arguments.constraints.empty()) options.constraints = read_constraints(arguments.constraints);
@@ -259,7 +258,7 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   std::optional<TetFrameField> tet_field;
   if (domain) tet_field = carried(arguments, options, field, *domain, monitor, leave_line);
 
-  monitor.report({"write", 0, 0, 0, 0});
+  monitor.report({Phase::kWrite, 0, 0, 0, 0});
   OutputOptions output_options = arguments.output_options;
   if (arguments.page) output_options.companions.push_back(page_of(field));
   SolveReport report = tet_field ? tet_field->report() : field.report();
@@ -298,9 +297,9 @@ int run_solve(const SolveArguments& arguments) {
       print_result(expected_line(expected));
     };
     const auto show = [&lines](const Progress& progress) {
-      const std::string_view phase = progress.phase;
-      if (phase == "analysis" || phase == "write") Interruption::set_has_field(true);
-      const bool is_stopped_level = phase == "analysis" && progress.level < progress.levels;
+      const bool is_analysis = progress.phase == Phase::kAnalysis;
+      if (is_analysis || progress.phase == Phase::kWrite) Interruption::set_has_field(true);
+      const bool is_stopped_level = is_analysis && progress.level < progress.levels;
       if (is_stopped_level) {
         lines.leave_line();
         tell_of_stop(

@@ -10,11 +10,24 @@
 
 namespace crossgrain {
 
+/// What a long computation is at.
+enum class Phase : int {
+  kRead,      ///< reads the model
+  kGrid,      ///< builds the octree cells of a level
+  kSolve,     ///< finds the frames of a level
+  kAnalysis,  ///< measures the solved field and finds its singular lines
+  kTets,      ///< finishes the field on a tet mesh
+  kWrite      ///< writes files
+};
+
+/// Returns a name for display: "grid".
+const char* name_of(Phase phase);
+
 /// State of a long computation.
 struct Progress {
-  const char* phase;  ///< "read", "grid", "solve", "analysis", "tets" or "write"
+  Phase phase;
   int depth;          ///< octree depth of the current level, 0 if there is none
-  std::size_t cells;  ///< active cells of that level; in "tets" vertices of the mesh
+  std::size_t cells;  ///< active cells of that level; in kTets vertices of the mesh
   int sweep;          ///< sweeps done on that level
 
   /// Energy after that sweep, in the degree of the solve, including what the report calls unavoidable; in

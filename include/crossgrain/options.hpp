@@ -113,6 +113,9 @@ enum class TetBoundary {
   kSmoothOnly  ///< smooth vertices exactly; those of creases and corners are free
 };
 
+/// Returns the name in report.json: "all" or "smooth-only".
+const char* name_of(TetBoundary boundary);
+
 /// How a field on the grid is transferred to a tet mesh and finished there. The sweeps in
 /// docs/notes/solver.md chose the defaults.
 struct OntoOptions {

@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/finding.hpp"
+#include "crossgrain/options.hpp"
+#include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/statistics.hpp"
 #include "crossgrain/types.hpp"
 
@@ -27,12 +30,12 @@ struct SolveReport {
 
   /// What was found wrong with the surface, at most one entry of a kind (docs/report.md).
   struct Finding {
-    std::string kind;
+    FindingKind kind{};
     std::size_t count = 0;
     bool at_least = false;         ///< counting ended early
     Vector3 place{};               ///< of the first, or of the largest
     std::optional<double> length;  ///< around the largest hole, across the widest crack
-    std::string done;              ///< what became of them
+    FindingOutcome done{};         ///< what was done about them
   };
   struct Input {
     std::size_t triangles_solved = 0;  ///< that are left to solve with
@@ -86,7 +89,7 @@ struct SolveReport {
     std::size_t plane = 0, axis = 0, frame = 0, free = 0, conflicted = 0;
   } spectrum;
 
-  /// The lines around which frames turn: a SingularityGraph in words and numbers.
+  /// The lines around which frames turn: a SingularityGraph without its curves.
   struct Singularity {
     std::size_t edges = 0;             ///< singular edges of the grid, or of tets
     double length = 0;                 ///< sum of their lengths
@@ -100,9 +103,9 @@ struct SolveReport {
     std::size_t not_meshable_arcs = 0, not_meshable_nodes = 0, undecided_nodes = 0;
 
     struct Arc {
-      std::string type;                  ///< regular, across, changing or no_axis
-      double index = 0;                  ///< as SingularityGraph::Arc
-      std::string verdict;               ///< meshable, not_meshable or undecided
+      SingularityGraph::ArcType type{};
+      double index = 0;  ///< as SingularityGraph::Arc
+      SingularityGraph::Verdict verdict{};
       double length = 0;                 ///< of the smooth curve
       double across_length = 0;          ///< of the part where frames do not turn about it
       bool on_boundary = false;          ///< one of its ends is
@@ -112,7 +115,7 @@ struct SolveReport {
     struct Node {
       Vector3 place{};
       bool on_boundary = false;
-      std::string verdict;
+      SingularityGraph::Verdict verdict{};
       std::vector<std::uint32_t> arcs;  ///< that end here, among arc_list
     };
     std::vector<Arc> arc_list;
@@ -192,7 +195,7 @@ struct SolveReport {
   struct Onto {
     std::size_t vertices = 0;  ///< of the file, unused ones too
     std::size_t tets = 0;      ///< that carry frames
-    std::string boundary;      ///< which boundary vertices were held to the surface
+    TetBoundary boundary{};    ///< which boundary vertices were held to the surface
     double dirichlet = 0;      ///< 1/2 integral of |grad h|^2, h linear in every tet
     double edge_sum = 0;       ///< sum over edges of |h_i - h_j|^2
 
@@ -227,9 +230,7 @@ struct SolveReport {
   std::vector<Warning> warnings;
 };
 
-struct SingularityGraph;
-
-/// A graph in the report's words.
+/// A graph as the report has it.
 SolveReport::Singularity summary_of(const SingularityGraph& graph);
 
 /// Marks the report of a field on the grid that was to be carried onto a tet mesh and was not, since a stop

@@ -80,6 +80,12 @@ struct SingularityGraph {
   bool is_meshable() const;  ///< true unless an arc or a node is kNotMeshable
 };
 
+/// Returns the name in report.json: "regular", "across", "changing" or "no_axis".
+const char* name_of(SingularityGraph::ArcType type);
+
+/// Returns the name in report.json: "meshable", "not_meshable" or "undecided".
+const char* name_of(SingularityGraph::Verdict verdict);
+
 /// How singular edges become a graph. Lengths are in sizes of the local cells, or in mean edge lengths of the
 /// local tets.
 struct SingularityOptions {

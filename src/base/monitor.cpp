@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crossgrain/monitor.hpp"
 
+#include <array>
+
+#include "base/names.hpp"
 #include "crossgrain/error.hpp"
 
 namespace crossgrain {
+
+const char* name_of(Phase phase) {
+  constexpr std::array kNames{"read", "grid", "solve", "analysis", "tets", "write"};
+  return name_among<Phase::kWrite>(kNames, phase);
+}
 
 void Monitor::check() const {
   if (cancelled()) throw Error(ErrorKind::kInterrupted, "interrupted");

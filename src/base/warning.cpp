@@ -2,7 +2,8 @@
 #include "crossgrain/warning.hpp"
 
 #include <array>
-#include <cstddef>
+
+#include "base/names.hpp"
 
 namespace crossgrain {
 namespace {
@@ -17,13 +18,11 @@ constexpr std::array kNames{
     "not_settled",     "tets_not_settled",   "constraints_outside", "vertices_outside",  "other_model",
     "clip_missed",     "left_out_tets",      "not_finite",
 };
-static_assert(kNames.size() == static_cast<std::size_t>(WarningKind::kNotFinite) + 1);
 
 }  // namespace
 
 const char* name_of(WarningKind kind) {
-  const auto index = static_cast<std::size_t>(kind);
-  return index < kNames.size() ? kNames[index] : "";
+  return name_among<WarningKind::kNotFinite>(kNames, kind);
 }
 
 }  // namespace crossgrain

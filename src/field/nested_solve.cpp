@@ -140,7 +140,7 @@ class NestedSolver {
     coarsest_depth_ = std::max(0, finest_depth - levels_above_finest());
     level_count_ = finest_depth - coarsest_depth_ + 1;
     SolveForecast forecast(options_, finest_depth, current_memory_bytes(), monitor_.may_be_stopped());
-    report("grid", coarsest_depth_, 0);
+    report(Phase::kGrid, coarsest_depth_, 0);
     RefinedLevel made = uniform_level(solid_, root, coarsest_depth_, monitor_);
     for (int depth = coarsest_depth_;; ++depth) {
       result_.level = std::move(made.level);
@@ -151,7 +151,7 @@ class NestedSolver {
       const LevelGrowth growth(result_.level, solid_, options_.refinement);
       const bool finest = depth == finest_depth || !next_fits(forecast, growth);
       if (finest) level_count_ = number_of(depth);
-      report("grid", depth, result_.level.size());
+      report(Phase::kGrid, depth, result_.level.size());
       // No level follows the finest one: its neighbours end here.
       Connectivity connectivity =
           finest ? connect(std::exchange(made.neighbours, {})) : connect(made.neighbours);
@@ -165,7 +165,7 @@ class NestedSolver {
   /// 1-based number of a level; 1 is the coarsest.
   int number_of(int depth) const { return depth - coarsest_depth_ + 1; }
 
-  void report(const char* phase, int depth, std::size_t cells) const {
+  void report(Phase phase, int depth, std::size_t cells) const {
     monitor_.report(
         {phase, depth, cells, 0, std::numeric_limits<double>::quiet_NaN(), number_of(depth), level_count_});
   }
@@ -231,7 +231,7 @@ class NestedSolver {
   /// `parent` as in RefinedLevel.
   void solve_level(int depth, Connectivity connectivity, std::vector<CellIndex> parent, bool finest) {
     const GridLevel& level = result_.level;
-    const Progress place{"solve", depth, level.size(), 0, 0, number_of(depth), level_count_};
+    const Progress place{Phase::kSolve, depth, level.size(), 0, 0, number_of(depth), level_count_};
     const Swept swept = settle(std::move(connectivity), std::move(parent), depth == coarsest_depth_, place);
     keep_best(swept.adjacency, finest || level.size() > options_.solver.start_cells, finest);
     solve_watch_.stop();
@@ -328,7 +328,7 @@ class NestedSolver {
     else
       ending = std::move(result_.level);
     result_ = std::move(next);
-    report("grid", depth + 1, 0);
+    report(Phase::kGrid, depth + 1, 0);
     const GridLevel& level = monitor_.may_be_stopped() ? coarser_.level : ending;
     return refined(level, neighbours, solid_, std::move(marks), monitor_);
   }

@@ -181,7 +181,7 @@ TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const Boundary
   int sweeps = 0;
   const SweepMonitor after_sweep = [&](double energy) {
     monitor.check_stop();
-    monitor.report({"tets", 0, start.size(), ++sweeps, energy});
+    monitor.report({Phase::kTets, 0, start.size(), ++sweeps, energy});
   };
   holds.align(start);
   const SettledFrames result =

@@ -3,44 +3,50 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <iterator>
 
 namespace crossgrain {
 namespace {
 
-/// The text after the number of a finding, and what was done about it.
-struct Wording {
+/// The text after the number of a finding, and what is done about it.
+struct Treatment {
   FindingKind kind;
   const char* detail;
-  const char* done;
+  FindingOutcome done;
 };
 
-constexpr Wording kWordings[] = {
-    {FindingKind::kTriangleSoup, " triangles, no two of which share an edge",
-     "joined where edges run along each other"},
-    {FindingKind::kHole, "", "bridged by the winding number; close them where the surface matters there"},
-    {FindingKind::kCrack, " where open edges run along each other", "bridged by the winding number"},
-    {FindingKind::kNonmanifoldEdge, " of more than two triangles", "left as they are"},
-    {FindingKind::kDegenerateTriangle, " without area", "left out"},
-    {FindingKind::kDuplicatedTriangle, " drawn again", "left out"},
+constexpr Treatment kTreatments[] = {
+    {FindingKind::kTriangleSoup, " triangles, no two of which share an edge", FindingOutcome::kJoined},
+    {FindingKind::kHole, "", FindingOutcome::kHoleBridged},
+    {FindingKind::kCrack, " where open edges run along each other", FindingOutcome::kBridged},
+    {FindingKind::kNonmanifoldEdge, " of more than two triangles", FindingOutcome::kUnchanged},
+    {FindingKind::kDegenerateTriangle, " without area", FindingOutcome::kLeftOut},
+    {FindingKind::kDuplicatedTriangle, " drawn again", FindingOutcome::kLeftOut},
     {FindingKind::kInternalSheet, " drawn from both sides, between parts that touch",
-     "kept: frames follow them"},
-    {FindingKind::kFlippedFacet, " turned against their neighbours", "turned round"},
-    {FindingKind::kInsideOutPart, "", "turned round"},
-    {FindingKind::kOneSidedSheet, ", such as a Moebius band", "left out where they bound nothing"},
-    {FindingKind::kOpenSheet, " that bound nothing", "left out"},
-    {FindingKind::kStrayFacet, " that bound nothing", "left out"},
-    {FindingKind::kSelfIntersection, " of one triangle with another",
-     "left as they are: all that is enclosed is inside"},
-    {FindingKind::kOverlappingComponents, "",
-     "taken as one solid; what lies inside it of their surfaces still guides frames"},
-    {FindingKind::kTouchingComponents, "", "left as they are"},
+     FindingOutcome::kFollowed},
+    {FindingKind::kFlippedFacet, " turned against their neighbours", FindingOutcome::kReoriented},
+    {FindingKind::kInsideOutPart, "", FindingOutcome::kReoriented},
+    {FindingKind::kOneSidedSheet, ", such as a Moebius band", FindingOutcome::kLeftOutIfOpen},
+    {FindingKind::kOpenSheet, " that bound nothing", FindingOutcome::kLeftOut},
+    {FindingKind::kStrayFacet, " that bound nothing", FindingOutcome::kLeftOut},
+    {FindingKind::kSelfIntersection, " of one triangle with another", FindingOutcome::kAllInside},
+    {FindingKind::kOverlappingComponents, "", FindingOutcome::kUnited},
+    {FindingKind::kTouchingComponents, "", FindingOutcome::kUnchanged},
 };
 
-/// The wording of a kind in this list.
-const Wording& wording_of(const std::string& kind) {
-  return *std::find_if(std::begin(kWordings), std::end(kWordings) - 1,
-                       [&](const Wording& wording) { return kind == name_of(wording.kind); });
+constexpr bool has_all_in_order() {
+  for (std::size_t k = 0; k < std::size(kTreatments); ++k)
+    if (kTreatments[k].kind != static_cast<FindingKind>(k)) return false;
+  return kTreatments[std::size(kTreatments) - 1].kind == FindingKind::kTouchingComponents;
+}
+static_assert(has_all_in_order());
+
+const Treatment& treatment_of(FindingKind kind) {
+  const auto index = static_cast<std::size_t>(kind);
+  assert(index < std::size(kTreatments));
+  return kTreatments[index];
 }
 
 }  // namespace
@@ -49,11 +55,9 @@ SolveReport::Input input_report(const MendedSurface& mended, const SurfaceFindin
   SolveReport::Input input;
   input.triangles_solved = mended.surface.size();
   input.closed = mended.closed;
-  for (const Finding& finding : findings) {
-    const std::string kind = name_of(finding.kind);
-    input.findings.push_back(
-        {kind, finding.count, finding.at_least, finding.place, finding.length, wording_of(kind).done});
-  }
+  for (const Finding& finding : findings)
+    input.findings.push_back({finding.kind, finding.count, finding.at_least, finding.place, finding.length,
+                              treatment_of(finding.kind).done});
   return input;
 }
 
@@ -61,15 +65,15 @@ std::string sentence_of(const SolveReport::Finding& finding) {
   const char* which = finding.count > 1 ? "the first at" : "at";
   std::string size;
   if (finding.length) {
-    const bool is_hole = finding.kind == name_of(FindingKind::kHole);
+    const bool is_hole = finding.kind == FindingKind::kHole;
     size = fmt::format("{}{:.3g} {}, ", finding.count > 1 ? "the largest " : "", *finding.length,
                        is_hole ? "around" : "across");
     which = "at";
   }
   const auto& [x, y, z] = finding.place;
-  return fmt::format("{}: {}{}{}, {}{} {:.6g} {:.6g} {:.6g}; {}", finding.kind,
-                     finding.at_least ? "at least " : "", finding.count, wording_of(finding.kind).detail,
-                     size, which, x, y, z, finding.done);
+  return fmt::format("{}: {}{}{}, {}{} {:.6g} {:.6g} {:.6g}; {}", name_of(finding.kind),
+                     finding.at_least ? "at least " : "", finding.count, treatment_of(finding.kind).detail,
+                     size, which, x, y, z, name_of(finding.done));
 }
 
 }  // namespace crossgrain

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "base/names.hpp"
 #include "crossgrain/report.hpp"
 #include "singularity/arc_type.hpp"
 #include "singularity/merged_network.hpp"
@@ -16,16 +17,6 @@ namespace {
 using Verdict = SingularityGraph::Verdict;
 
 constexpr std::uint32_t kNoNode = UINT32_MAX;
-
-const char* name_of(SingularityGraph::ArcType type) {
-  constexpr std::array kNames{"regular", "across", "changing", "no_axis"};
-  return kNames[static_cast<std::size_t>(type)];
-}
-
-const char* name_of(Verdict verdict) {
-  constexpr std::array kNames{"meshable", "not_meshable", "undecided"};
-  return kNames[static_cast<std::size_t>(verdict)];
-}
 
 Vector3 half_way_along(const SingularityGraph::Arc& arc) {
   double left = arc.length / 2;
@@ -39,8 +30,8 @@ Vector3 half_way_along(const SingularityGraph::Arc& arc) {
 }
 
 SolveReport::Singularity::Arc summary_of(const SingularityGraph& graph, const SingularityGraph::Arc& arc) {
-  SolveReport::Singularity::Arc summary{name_of(arc.type), arc.index, name_of(arc.verdict), arc.length,
-                                        arc.across_length, false,     half_way_along(arc),  {}};
+  SolveReport::Singularity::Arc summary{arc.type,          arc.index, arc.verdict,         arc.length,
+                                        arc.across_length, false,     half_way_along(arc), {}};
   if (arc.nodes) summary.nodes.assign(arc.nodes->begin(), arc.nodes->end());
   for (const std::uint32_t node : summary.nodes) summary.on_boundary |= graph.nodes[node].on_boundary;
   return summary;
@@ -75,6 +66,16 @@ void judge_nodes(SingularityGraph& graph) {
 }
 
 }  // namespace
+
+const char* name_of(SingularityGraph::ArcType type) {
+  constexpr std::array kNames{"regular", "across", "changing", "no_axis"};
+  return name_among<SingularityGraph::ArcType::kNoAxis>(kNames, type);
+}
+
+const char* name_of(Verdict verdict) {
+  constexpr std::array kNames{"meshable", "not_meshable", "undecided"};
+  return name_among<Verdict::kUndecided>(kNames, verdict);
+}
 
 bool SingularityGraph::is_meshable() const {
   const auto is_bad = [](const auto& part) { return part.verdict == Verdict::kNotMeshable; };
@@ -112,7 +113,7 @@ SolveReport::Singularity summary_of(const SingularityGraph& graph) {
     summary.nodes += node.degree() >= 2;
     summary.not_meshable_nodes += node.verdict == Verdict::kNotMeshable;
     summary.undecided_nodes += node.verdict == Verdict::kUndecided;
-    summary.node_list.push_back({node.place, node.on_boundary, name_of(node.verdict), node.arcs});
+    summary.node_list.push_back({node.place, node.on_boundary, node.verdict, node.arcs});
   }
   return summary;
 }

@@ -154,8 +154,8 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   // There is a field: a stop changes nothing any more.
   const WatchedLoops watched_to_the_end(monitor, Stops::kIgnored);
   const int level = static_cast<int>(solved.levels.size());
-  monitor.report({"analysis", 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN(), level,
-                  level + (solved.stopped ? solved.levels_left_out : 0)});
+  monitor.report({Phase::kAnalysis, 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN(),
+                  level, level + (solved.stopped ? solved.levels_left_out : 0)});
   monitor.check();
   auto data = std::make_shared<FieldData>();
   data->degree = options.degree;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <optional>
 
+#include "base/names.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "crossgrain/error.hpp"
@@ -21,10 +23,6 @@
 namespace crossgrain {
 namespace {
 
-const char* name_of(TetBoundary boundary) {
-  return boundary == TetBoundary::kAll ? "all" : "smooth-only";
-}
-
 SolveReport::Onto describe(const TetDomainData& domain, const VertexFieldEvaluation& evaluation) {
   SolveReport::Onto onto;
   onto.vertices = domain.solid.mesh.vertices.size();
@@ -41,6 +39,11 @@ SolveReport::Onto describe(const TetDomainData& domain, const VertexFieldEvaluat
 }
 
 }  // namespace
+
+const char* name_of(TetBoundary boundary) {
+  constexpr std::array kNames{"all", "smooth-only"};
+  return name_among<TetBoundary::kSmoothOnly>(kNames, boundary);
+}
 
 TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const SolveOptions& options,
                          const Monitor& monitor) {
@@ -81,7 +84,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   std::erase_if(report.warnings, is_of_resolution);
   report.onto = describe(tets, evaluate_vertex_field(tets.solid, boundary, tets.edges, field->vertex_frames));
   report.onto->feature_edge_deg = angles_along(tets.solid, features.edges, field->vertex_frames);
-  report.onto->boundary = name_of(options.onto.boundary);
+  report.onto->boundary = options.onto.boundary;
   report.onto->singularity = summary_of(field->singularities);
   report.onto->outside_vertices = start.outside;
   report.onto->seconds = stopwatch.restart();

@@ -2,43 +2,44 @@
 #include "surface/findings.hpp"
 
 #include <algorithm>
+#include <array>
+
+#include "base/names.hpp"
 
 namespace crossgrain {
 
 const char* name_of(FindingKind kind) {
-  switch (kind) {
-    case FindingKind::kTriangleSoup:
-      return "triangle soup";
-    case FindingKind::kHole:
-      return "holes";
-    case FindingKind::kCrack:
-      return "cracks";
-    case FindingKind::kNonmanifoldEdge:
-      return "non-manifold edges";
-    case FindingKind::kDegenerateTriangle:
-      return "degenerate triangles";
-    case FindingKind::kDuplicatedTriangle:
-      return "duplicated triangles";
-    case FindingKind::kInternalSheet:
-      return "internal sheets";
-    case FindingKind::kFlippedFacet:
-      return "flipped facets";
-    case FindingKind::kInsideOutPart:
-      return "inside-out parts";
-    case FindingKind::kOneSidedSheet:
-      return "one-sided sheets";
-    case FindingKind::kOpenSheet:
-      return "open sheets";
-    case FindingKind::kStrayFacet:
-      return "stray facets";
-    case FindingKind::kSelfIntersection:
-      return "self-intersections";
-    case FindingKind::kOverlappingComponents:
-      return "overlapping components";
-    case FindingKind::kTouchingComponents:
-      return "touching components";
-  }
-  return "";
+  constexpr std::array kNames{"triangle soup",
+                              "holes",
+                              "cracks",
+                              "non-manifold edges",
+                              "degenerate triangles",
+                              "duplicated triangles",
+                              "internal sheets",
+                              "flipped facets",
+                              "inside-out parts",
+                              "one-sided sheets",
+                              "open sheets",
+                              "stray facets",
+                              "self-intersections",
+                              "overlapping components",
+                              "touching components"};
+  return name_among<FindingKind::kTouchingComponents>(kNames, kind);
+}
+
+const char* name_of(FindingOutcome outcome) {
+  constexpr std::array kNames{
+      "joined where edges run along each other",
+      "bridged by the winding number; close them where the surface matters there",
+      "bridged by the winding number",
+      "left as they are",
+      "left out",
+      "kept: frames follow them",
+      "turned round",
+      "left out where they bound nothing",
+      "left as they are: all that is enclosed is inside",
+      "taken as one solid; what lies inside it of their surfaces still guides frames"};
+  return name_among<FindingOutcome::kUnited>(kNames, outcome);
 }
 
 const Finding* find(const SurfaceFindings& findings, FindingKind kind) {

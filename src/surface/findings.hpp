@@ -6,30 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "crossgrain/finding.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
-
-enum class FindingKind {
-  kTriangleSoup,           ///< no two triangles share an edge; counts triangles
-  kHole,                   ///< open edges that hang together and are no crack; length: around the largest
-  kCrack,                  ///< open edges along others within a small gap; length: the widest gap
-  kNonmanifoldEdge,        ///< edges of more than two triangles
-  kDegenerateTriangle,     ///< triangles without area
-  kDuplicatedTriangle,     ///< more triangles on the same three vertices
-  kInternalSheet,          ///< triangles drawn from both sides, as between two parts that touch
-  kFlippedFacet,           ///< triangles turned against the larger part of their patch
-  kInsideOutPart,          ///< patches turned as a whole
-  kOneSidedSheet,          ///< patches that cannot be oriented, such as a Moebius band
-  kOpenSheet,              ///< patches that bound nothing
-  kStrayFacet,             ///< triangles that bound nothing and hang on others, or lie there alone
-  kSelfIntersection,       ///< pairs of triangles that cross, but for those of kOverlappingComponents
-  kOverlappingComponents,  ///< pairs of closed parts that cross, or of which one lies inside the other
-  kTouchingComponents,     ///< pairs of closed parts that meet without crossing
-};
-
-/// The field's word for a kind, in the plural: "holes".
-const char* name_of(FindingKind kind);
 
 struct Finding {
   FindingKind kind;

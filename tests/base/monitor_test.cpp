@@ -61,17 +61,27 @@ TEST(Monitor, ThatIsCancelledThrowsWhereAStopWouldToo) {
 TEST(Monitor, HandsReportsToItsListener) {
   std::vector<Progress> reports;
   const Monitor monitor([&](const Progress& progress) { reports.push_back(progress); });
-  monitor.report({"solve", 5, 1234, 7, 0.5});
+  monitor.report({Phase::kSolve, 5, 1234, 7, 0.5});
   ASSERT_EQ(reports.size(), 1u);
-  EXPECT_STREQ(reports[0].phase, "solve");
+  EXPECT_EQ(reports[0].phase, Phase::kSolve);
   EXPECT_EQ(reports[0].depth, 5);
   EXPECT_EQ(reports[0].cells, 1234u);
   EXPECT_EQ(reports[0].sweep, 7);
   EXPECT_EQ(reports[0].energy, 0.5);
 }
 
+TEST(Phase, HasANameForDisplay) {
+  EXPECT_STREQ(name_of(Phase::kRead), "read");
+  EXPECT_STREQ(name_of(Phase::kGrid), "grid");
+  EXPECT_STREQ(name_of(Phase::kSolve), "solve");
+  EXPECT_STREQ(name_of(Phase::kAnalysis), "analysis");
+  EXPECT_STREQ(name_of(Phase::kTets), "tets");
+  EXPECT_STREQ(name_of(Phase::kWrite), "write");
+  EXPECT_STREQ(name_of(static_cast<Phase>(6)), "");
+}
+
 TEST(Monitor, WithoutListenerTakesReportsToo) {
-  EXPECT_NO_THROW(Monitor().report({"grid", 0, 0, 0, 0}));
+  EXPECT_NO_THROW(Monitor().report({Phase::kGrid, 0, 0, 0, 0}));
 }
 
 }  // namespace

@@ -118,6 +118,33 @@ class Faults(CheckTest):
         self.assert_fails(self.run_here("check", "nothing"), INPUT, "nothing")
         self.assert_fails(self.run_here("check"), USAGE, "DIR")
 
+    def test_of_a_report_with_unknown_names_or_of_an_earlier_schema_are_one_line_and_exit_code_3(self):
+        self.write("box.stl", stl_bytes(box_triangles((2, 1, 1.5))))
+        sound = self.solve("box.stl", "--resolution", "8", "--no-report")
+        finding = {"kind": "holes", "count": 1, "at_least": False, "place": [0, 0, 0], "length": None, "done": "left out"}
+        arc = {"type": "regular", "index": 0.25, "verdict": "meshable", "length": 1, "across_length": 0,
+               "on_boundary": False, "place": [0, 0, 0], "nodes": []}
+        node = {"place": [0, 0, 0], "on_boundary": False, "verdict": "meshable", "arcs": []}
+        warning = {"kind": "thin_walls", "text": "walls", "remedy": "raise_resolution"}
+
+        def check(change):
+            report = json.loads(json.dumps(sound))
+            change(report)
+            (self.folder / "out" / "report.json").write_text(json.dumps(report))
+            return self.run_here("check", "out")
+
+        lists = ((warning, lambda report: report["warnings"], ("kind", "remedy")),
+                 (finding, lambda report: report["input"]["findings"], ("kind", "done")),
+                 (arc, lambda report: report["singularity"]["arc_list"], ("type", "verdict")),
+                 (node, lambda report: report["singularity"]["node_list"], ("verdict",)))
+        for entry, list_of, keys in lists:
+            self.assert_succeeds(check(lambda report: list_of(report).append(entry)))
+            for key in keys:
+                with self.subTest(entry=entry, key=key):
+                    self.assert_fails(check(lambda report: list_of(report).append({**entry, key: "odd"})), INPUT,
+                                      "report.json", f"'{key}' has the unknown value 'odd'")
+        self.assert_fails(check(lambda report: report.update(schema=3)), INPUT, "report.json", "schema 3")
+
 
 if __name__ == "__main__":
     unittest.main()

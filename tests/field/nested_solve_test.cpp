@@ -232,8 +232,8 @@ TEST(NestedSolve, ReportsEverySweepOfEveryLevelInOrder) {
   const Monitor monitor([&](const Progress& progress) {
     EXPECT_GE(progress.depth, depth);
     depth = progress.depth;
-    const bool of_grid = std::string_view(progress.phase) == "grid";
-    EXPECT_STREQ(progress.phase, of_grid ? "grid" : "solve");
+    const bool of_grid = progress.phase == Phase::kGrid;
+    EXPECT_EQ(progress.phase, of_grid ? Phase::kGrid : Phase::kSolve);
     EXPECT_EQ(progress.sweep, of_grid ? 0 : ++sweeps[depth]);
     cells[depth] = progress.cells;
   });

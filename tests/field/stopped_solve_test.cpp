@@ -2,8 +2,6 @@
 // Monitor::stop: the last finished level is the result.
 #include <gtest/gtest.h>
 
-#include <string_view>
-
 #include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
 #include "field/nested_solve.hpp"
@@ -27,7 +25,7 @@ SolveOptions options_of(int resolution, Degree degree = Degree::kFour) {
 /// Stops itself at the `count`th report of a phase of a level.
 class StoppingMonitor {
  public:
-  StoppingMonitor(std::string_view phase, int level, int count = 1)
+  StoppingMonitor(Phase phase, int level, int count = 1)
       : monitor_([this, phase, level, count](const Progress& progress) {
           if (progress.phase == phase && progress.level == level && ++seen_ == count) monitor_.stop();
         }) {}
@@ -89,7 +87,7 @@ TEST_P(StoppedSolveOf, ADegreeIsToTheBitTheOneThatMemoryEndsThere) {
   const SolveOptions options = options_of(kResolution, GetParam());
   const SolvedField expected = ended_by_memory(part, options, 1);
   const int finest = static_cast<int>(expected.levels.size()) + 1;
-  StoppingMonitor while_sweeping("solve", finest, 3);
+  StoppingMonitor while_sweeping(Phase::kSolve, finest, 3);
   const SolvedField field = stopped(part, while_sweeping, options);
   EXPECT_TRUE(field.stopped);
   expect_same_field(field, expected);
@@ -100,7 +98,8 @@ INSTANTIATE_TEST_SUITE_P(Degrees, StoppedSolveOf, ::testing::Values(Degree::kThr
 TEST(StoppedSolve, IsTheSameWhereverTheLevelThatIsDroppedHasGot) {
   const TestSolid part(make_bracket(48));
   const SolveOptions options = options_of(kResolution);
-  StoppingMonitor while_refining("grid", 4, 1), while_connecting("grid", 4, 2), while_sweeping("solve", 4, 2);
+  StoppingMonitor while_refining(Phase::kGrid, 4, 1), while_connecting(Phase::kGrid, 4, 2),
+      while_sweeping(Phase::kSolve, 4, 2);
   const SolvedField field = stopped(part, while_refining, options);
   EXPECT_EQ(field.levels.size(), 3u);
   expect_same_field(stopped(part, while_connecting, options), field);
@@ -111,7 +110,7 @@ TEST(StoppedSolve, WhileSeveralStartsAreInTheRaceHasTheBestOfThem) {
   const TestSolid part(make_sphere(0.8, 3));
   SolveOptions options = options_of(kResolution);
   options.solver.start_cells = 1000000;
-  StoppingMonitor monitor("grid", 3);
+  StoppingMonitor monitor(Phase::kGrid, 3);
   const SolvedField field = stopped(part, monitor, options);
   EXPECT_EQ(field.levels.size(), 2u);
   EXPECT_EQ(field.frames.size(), field.level.size());
@@ -142,14 +141,14 @@ void expect_interrupted(const TestSolid& part, Monitor& monitor) {
 
 TEST(StoppedSolve, BeforeAnyLevelIsFinishedIsACancelledOne) {
   const TestSolid part(make_bracket(24));
-  StoppingMonitor monitor("solve", 1);
+  StoppingMonitor monitor(Phase::kSolve, 1);
   (*monitor).allow_stops();
   expect_interrupted(part, *monitor);
 }
 
 TEST(StoppedSolve, WithoutThatBeingAllowedIsACancelledOne) {
   const TestSolid part(make_bracket(24));
-  StoppingMonitor while_refining("grid", 3, 1), while_sweeping("solve", 3);
+  StoppingMonitor while_refining(Phase::kGrid, 3, 1), while_sweeping(Phase::kSolve, 3);
   expect_interrupted(part, *while_refining);
   expect_interrupted(part, *while_sweeping);
 }

@@ -213,7 +213,7 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
 
   report.onto = SolveReport::Onto{.vertices = 1,
                                   .tets = 2,
-                                  .boundary = "all",
+                                  .boundary = TetBoundary::kSmoothOnly,
                                   .dirichlet = 0.1,
                                   .edge_sum = 1.0 / 3,
                                   .singularity = report.singularity,
@@ -232,7 +232,7 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
   const SolveReport read = read_field(folder.path()).report();
   ASSERT_TRUE(read.onto);
   EXPECT_EQ(read.onto->tets, 2u);
-  EXPECT_EQ(read.onto->boundary, "all");
+  EXPECT_EQ(read.onto->boundary, TetBoundary::kSmoothOnly);
   EXPECT_EQ(read.onto->edge_sum, 1.0 / 3);
   EXPECT_EQ(read.onto->singular.boundary_faces, 4u);
   EXPECT_FALSE(read.onto->normal_deg.p95) << "null";

@@ -32,6 +32,7 @@ inline Octree sample_tree(int depth) {
 }
 
 inline SolveReport sample_report() {
+  using Verdict = SingularityGraph::Verdict;
   SolveReport report;
   report.model = {"a \"quoted\" name.stl", 12, {{-1, -2, -3}, {0.1, 1.0 / 3, 1e300}}, true, 2, "mm", "INCH"};
   report.degree = 3;
@@ -40,19 +41,26 @@ inline SolveReport sample_report() {
   report.energy = {1.25, 2.5, 3.75, 1e-13};
   report.alignment_deg = {0.5, 1.5, 2.5, 0.125};
   report.spectrum = {1, 2, 3, 4, 5};
-  report.singularity = {
-      .edges = 6,
-      .length = 7.5,
-      .arcs = 1,
-      .nodes = 9,
-      .boundary_ends = 10,
-      .unresolved_loops = 11,
-      .meshable = false,
-      .not_meshable_arcs = 12,
-      .not_meshable_nodes = 13,
-      .undecided_nodes = 14,
-      .arc_list = {{"across", 0, "not_meshable", 1.25, 0.75, true, {1, 2, 1.0 / 3}, {0, 1}}},
-      .node_list = {{{1, 2, 3}, true, "meshable", {0}}, {{4, 5, 6}, false, "undecided", {0}}}};
+  report.singularity = {.edges = 6,
+                        .length = 7.5,
+                        .arcs = 1,
+                        .nodes = 9,
+                        .boundary_ends = 10,
+                        .unresolved_loops = 11,
+                        .meshable = false,
+                        .not_meshable_arcs = 12,
+                        .not_meshable_nodes = 13,
+                        .undecided_nodes = 14,
+                        .arc_list = {{SingularityGraph::ArcType::kAcross,
+                                      0,
+                                      Verdict::kNotMeshable,
+                                      1.25,
+                                      0.75,
+                                      true,
+                                      {1, 2, 1.0 / 3},
+                                      {0, 1}}},
+                        .node_list = {{{1, 2, 3}, true, Verdict::kMeshable, {0}},
+                                      {{4, 5, 6}, false, Verdict::kUndecided, {0}}}};
   report.walls = {4, 0.25, 1.5, 11, 12};
   report.seconds = {0.1, 0.2, 0.3, 0.4, 1.5};
   report.peak_memory_bytes = 1;

@@ -328,8 +328,8 @@ TEST(SingularityGraph, SummaryCountsWhatIsWrong) {
       summary_of(solved(TurningLine{{0.52, 0.47, 0.5}, kSlanted, orthogonal_unit(kSlanted), 0.25}));
   EXPECT_FALSE(summary.meshable);
   EXPECT_EQ(summary.not_meshable_arcs, 1u);
-  EXPECT_EQ(summary.arc_list[0].type, "across");
-  EXPECT_EQ(summary.arc_list[0].verdict, "not_meshable");
+  EXPECT_EQ(summary.arc_list[0].type, SingularityGraph::ArcType::kAcross);
+  EXPECT_EQ(summary.arc_list[0].verdict, SingularityGraph::Verdict::kNotMeshable);
   EXPECT_TRUE(summary.arc_list[0].on_boundary);
   EXPECT_EQ(summary.arc_list[0].nodes, (std::vector<std::uint32_t>{0, 1}));
   EXPECT_EQ(summary.node_list[1].arcs, (std::vector<std::uint32_t>{0}));

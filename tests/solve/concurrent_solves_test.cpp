@@ -11,7 +11,6 @@
 #include <future>
 #include <mutex>
 #include <optional>
-#include <string_view>
 
 #include "crossgrain/error.hpp"
 #include "crossgrain/solve.hpp"
@@ -78,8 +77,7 @@ class AtLevel {
  public:
   AtLevel(int level, std::function<void()> then)
       : monitor_([level, then = std::move(then)](const Progress& progress) {
-          if (std::string_view(progress.phase) == "solve" && progress.level == level && progress.sweep == 1)
-            then();
+          if (progress.phase == Phase::kSolve && progress.level == level && progress.sweep == 1) then();
         }) {}
 
   Monitor& monitor() { return monitor_; }

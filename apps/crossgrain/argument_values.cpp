@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "argument_values.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+#include <string_view>
+
+#include "crossgrain/io.hpp"
+
+namespace crossgrain::app {
+namespace {
+
+/// Reads all of a text as a number in the way of CLI11, which reads the options that need no such check.
+bool parse_number(const std::string& text, double& number) {
+  char* end = nullptr;
+  number = static_cast<double>(std::strtold(text.c_str(), &end));
+  return !text.empty() && end == text.c_str() + text.size();
+}
+
+/// Names with commas between them, less what is always written.
+std::string names_of_formats() {
+  std::string names;
+  for (const OutputFormat& format : output_formats())
+    if (!format.is_always_written) names += (names.empty() ? "" : ", ") + format.name;
+  return names;
+}
+
+}  // namespace
+
+std::string fault_of_length(const std::string& text) {
+  double value = 0;
+  const bool is_number = parse_number(text, value);
+  return is_number && value > 0 && std::isfinite(value) ? "" : "'" + text + "' is no positive number";
+}
+
+std::string fault_of_angle(const std::string& text) {
+  double value = 0;
+  const bool is_number = parse_number(text, value);
+  return is_number && value > 0 && value <= 180 ? "" : "'" + text + "' is no angle above 0 and up to 180";
+}
+
+std::string fault_of_axes(const std::string& text) {
+  bool is_fine = !text.empty();
+  for (std::size_t i = 0; i < text.size(); ++i)
+    is_fine = is_fine && std::string_view("xyz").find(text[i]) != text.npos && text.find(text[i]) == i;
+  return is_fine ? "" : "'" + text + "' is no choice of axes such as xyz, xy or z";
+}
+
+std::optional<Box> parse_box(const std::string& text) {
+  std::array<double, 6> bounds;
+  std::istringstream parts(text);
+  std::string part;
+  std::size_t count = 0;
+  while (std::getline(parts, part, ',')) {
+    if (count == bounds.size() || !parse_number(part, bounds[count])) return std::nullopt;
+    if (std::isnan(bounds[count++])) return std::nullopt;
+  }
+  if (count != bounds.size() || text.back() == ',') return std::nullopt;
+  const auto [x_low, y_low, z_low, x_high, y_high, z_high] = bounds;
+  return Box{{x_low, y_low, z_low}, {x_high, y_high, z_high}};
+}
+
+std::string fault_of_box(const std::string& text) {
+  const std::optional<Box> box = parse_box(text);
+  if (!box) return "'" + text + "' is no six numbers with commas between them";
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (box->low[axis] > box->high[axis])
+      return "'" + text + "' has its " + "xyz"[axis] + " bounds the wrong way round";
+  }
+  return "";
+}
+
+std::optional<std::size_t> parse_bytes(const std::string& text) {
+  const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
+  double number = 0;
+  if (end == 0 || !parse_number(text.substr(0, end), number)) return std::nullopt;
+  const std::string unit = text.substr(end);
+  constexpr std::string_view kPrefixes = "KMGT";
+  int power = 0;
+  double base = 1000;
+  if (!unit.empty() && unit != "B") {
+    const std::size_t prefix = kPrefixes.find(unit[0]);
+    const std::string rest = unit.substr(1);
+    if (prefix == kPrefixes.npos || (rest != "" && rest != "B" && rest != "iB")) return std::nullopt;
+    power = static_cast<int>(prefix) + 1;
+    if (rest == "iB") base = 1024;
+  }
+  const double bytes = number * std::pow(base, power);
+  if (!(bytes >= 1 && bytes < std::ldexp(1.0, 63))) return std::nullopt;
+  return static_cast<std::size_t>(bytes);
+}
+
+std::string fault_of_bytes(const std::string& text) {
+  return parse_bytes(text) ? "" : "'" + text + "' is no amount of memory such as 12GB, 800MB or 1.5GiB";
+}
+
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+std::string fault_of_formats(const std::string& text) {
+  const std::vector<OutputFormat> formats = output_formats();
+  for (const std::string& name : parts_of(text)) {
+    if (std::none_of(formats.begin(), formats.end(), [&](const auto& format) { return format.name == name; }))
+      return "'" + name + "' is no format to write; choose from " + names_of_formats() +
+             ", with commas between them";
+  }
+  return "";
+}
+
+}  // namespace crossgrain::app

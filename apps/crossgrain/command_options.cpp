@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "argument_values.hpp"
+#include "picture_arguments.hpp"
+
+namespace crossgrain::app {
+namespace {
+
+/// An option whose text becomes what parse(text) points to, and goes to use(value).
+template <class Parse, class Use>
+CLI::Option* add_parsed(CLI::App& command, const char* name, Parse parse, Use use, const char* fault,
+                        const char* help) {
+  return command
+      .add_option_function<std::string>(
+          name, [parse, use](const std::string& text) { use(*parse(text)); }, help)
+      ->check([parse, fault](const std::string& text) {
+        return parse(text) ? std::string() : "'" + text + "' " + fault;
+      });
+}
+
+template <class T>
+void add_choice(CLI::App& command, const char* names, T& choice, std::map<std::string, T> choices,
+                const char* help, const char* type) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : choices) keys.push_back(key);
+  command
+      .add_option_function<std::string>(
+          names, [&choice, choices](const std::string& name) { choice = choices.at(name); }, help)
+      ->check(CLI::IsMember(keys))
+      ->type_name(type);
+}
+
+void add_degree(CLI::App& command, Degree& degree) {
+  command
+      .add_option_function<int>(
+          "--degree", [&degree](int value) { degree = static_cast<Degree>(value); },
+          "Degree of the spherical harmonics that carry the frames: 3 or 4 (default)")
+      ->check(CLI::IsMember({3, 4}))
+      ->type_name("3|4");
+}
+
+void add_output_options(CLI::App& command, OutputOptions& options) {
+  constexpr int kDeepest = 19;  // OutputOptions::level
+  command
+      .add_option(
+          "--output-level", options.level,
+          "Depth of the smallest cells in field.vtu, as its array 'level' counts: deeper ones are merged")
+      ->check(CLI::Range(0, kDeepest))
+      ->type_name("N");
+  command
+      .add_option_function<std::string>(
+          "--clip", [&options](const std::string& text) { options.clip = parse_box(text); },
+          "Only cells that meet this box go to field.vtu; model units, inf and -inf too")
+      ->check(fault_of_box)
+      ->type_name("XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX");
+  std::string formats = "Formats to write the field on tets in, besides onto.frames and onto.vtu:";
+  for (const OutputFormat& format : output_formats())
+    if (!format.is_always_written) formats += " " + format.name + " (" + format.description + "),";
+  command
+      .add_option_function<std::string>(
+          "--write", [&options](const std::string& text) { options.formats = parts_of(text); },
+          formats.substr(0, formats.size() - 1) + "; docs/formats.md")
+      ->check(fault_of_formats)
+      ->type_name("A,B,...");
+}
+
+void add_tets_options(CLI::App& command, SolveArguments& arguments) {
+  command
+      .add_option("--onto", arguments.onto,
+                  "Carry the field of a surface onto this tet mesh and finish it there")
+      ->type_name("TETS");
+  add_choice(command, "--boundary", arguments.options.onto.boundary,
+             {{name_of(TetBoundary::kAll), TetBoundary::kAll},
+              {name_of(TetBoundary::kSmoothOnly), TetBoundary::kSmoothOnly}},
+             "Boundary vertices of tets that are held to the surface: all (default), or smooth-only, which "
+             "leaves creases and corners free",
+             "all|smooth-only");
+}
+
+void add_looks(CLI::App& command, PictureOptions& options) {
+  add_choice(command, "--colour,--color", options.colour,
+             {{"none", PictureColour::kNone},
+              {"alignment", PictureColour::kAlignment},
+              {"energy", PictureColour::kEnergy},
+              {"class", PictureColour::kConstraint}},
+             "Colour the surface by its angle to the nearest axis, by energy density, or by what it asks for",
+             "none|alignment|energy|class");
+  add_parsed(
+      command, "--range", parse_range, [&options](const auto& range) { options.range = range; },
+      "is no two numbers with a comma between them, the lower one first",
+      "Ends of the colour scale (default: from the field)")
+      ->type_name("LOW,HIGH");
+  command.add_option("--opacity", options.opacity, "Of faces, 0 to 1 (default: what suits the colour)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("X");
+  add_choice(command, "--frames", options.frames,
+             {{"boxes", PictureFrames::kBoxes},
+              {"crosses", PictureFrames::kCrosses},
+              {"none", PictureFrames::kNone}},
+             "What frames on the cut are drawn as (default boxes)", "boxes|crosses|none");
+  command
+      .add_option("--frame-spacing", options.frame_spacing,
+                  "Distance of frames on the cut, in pixels of a picture 1200 high (default 30)")
+      ->check(CLI::Range(4.0, 1000.0))
+      ->type_name("X");
+  add_choice(command, "--background", options.background,
+             {{"light", PictureBackground::kLight},
+              {"dark", PictureBackground::kDark},
+              {"transparent", PictureBackground::kTransparent}},
+             "Behind the part (default light)", "light|dark|transparent");
+  command.add_flag("!--no-lines", options.lines, "Leave out singular lines and nodes");
+  command.add_flag("!--no-creases", options.creases, "Leave out sharp edges");
+  command.add_flag("!--no-legend", options.legend, "Leave out legend and axes");
+}
+
+}  // namespace
+
+CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("solve", "Computes the frame field inside a surface or on a tet mesh");
+  SolveOptions& options = arguments.options;
+  constexpr int kMany = std::numeric_limits<int>::max();
+  command
+      ->add_option("MODEL", arguments.model,
+                   "The surface, an STL, OBJ, PLY, OFF, STEP, IGES or BREP file; or a tet mesh (Medit .mesh "
+                   "or .meshb, Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface")
+      ->required()
+      ->type_name("");
+  command->add_option("-o,--output", arguments.output, "Folder to write (default: MODEL-stem.frames here)")
+      ->type_name("DIR");
+  add_degree(*command, options.degree);
+  CLI::Option* resolution =
+      command
+          ->add_option(
+              "--resolution", options.resolution,
+              "Finest cells along the longest side of the bounding box (default 128; with tets, cells "
+              "twice as large as their edges)")
+          ->check(CLI::Range(4, kMany))
+          ->type_name("N");
+  command->add_option("--cell-size", options.cell_size, "Size of the finest cells in model units instead")
+      ->check(fault_of_length)
+      ->excludes(resolution)
+      ->type_name("X");
+  command
+      ->add_option(
+          "--crease-angle", options.creases.least_deg,
+          "Edges where the normal turns by more degrees are creases, which frames run along (default "
+          "35; 180 for none)")
+      ->check(fault_of_angle)
+      ->type_name("DEG");
+  command->add_option("--threads", options.threads, "Threads; 0 (default) for all there are")
+      ->check(CLI::Range(0, kMany))
+      ->type_name("N");
+  command
+      ->add_option_function<std::string>(
+          "--max-memory",
+          [&options](const std::string& text) { options.max_memory_bytes = *parse_bytes(text); },
+          "Memory to take at most, such as 12GB, 800MB or bytes; cells get up to 8 times larger to stay "
+          "within it (default: nine tenths of what there is)")
+      ->check(fault_of_bytes)
+      ->type_name("SIZE");
+  command->add_option("--seed", options.seed, "Changes the initial frames of every start (default 0)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command->add_flag("--union", options.unite_solids,
+                    "Take several solids as one: pass over the faces between them");
+  command
+      ->add_option("--read-seconds", arguments.read_seconds,
+                   "Give up on a CAD file after so many seconds, and 10 for each megabyte of it (default 60)")
+      ->check(fault_of_length)
+      ->type_name("SECONDS");
+  add_tets_options(*command, arguments);
+  add_output_options(*command, arguments.output_options);
+  command
+      ->add_option("--constraints", arguments.constraints,
+                   "What frames are to follow besides the surface, as JSON: axes and frames at points, along "
+                   "polylines and on faces, and stress tensors (docs/constraints.md)")
+      ->type_name("FILE");
+  command->add_option("--from", arguments.from, "Start from the field in this folder")->type_name("DIR");
+  command->add_flag("--quiet", arguments.quiet, "Print no summary and no progress");
+  command->add_flag("--progress", arguments.progress,
+                    "Show progress on standard error even where that is no terminal");
+  command->add_flag("!--no-report", arguments.page,
+                    "Write no report.html, the page that shows the field; report.json is always written");
+  return command;
+}
+
+CLI::App* add_sample(CLI::App& app, SampleArguments& arguments) {
+  CLI::App* command = app.add_subcommand("sample", "Prints the frames of a field at given points");
+  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
+      ->required()
+      ->type_name("");
+  command->add_option("POINTS", arguments.points, "One 'x y z' a line, # for comments; - for standard input")
+      ->required()
+      ->type_name("");
+  command->add_option("-o,--output", arguments.output, "File for the frames (default: standard output)")
+      ->type_name("FILE");
+  command->add_option("--outside", arguments.outside, "File for the points outside the field")
+      ->type_name("FILE");
+  return command;
+}
+
+CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("streamlines", "Traces lines along the axes of a field, as polylines for ParaView");
+  StreamlineOptions& options = arguments.options;
+  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
+      ->required()
+      ->type_name("");
+  CLI::Option* seeds =
+      command
+          ->add_option("SEEDS", arguments.seeds,
+                       "Points to trace through, one 'x y z' a line; - for standard input (default: evenly "
+                       "spread ones)")
+          ->type_name("");
+  command
+      ->add_option("-o,--output", arguments.output, "The .vtu file to write (default: DIR/streamlines.vtu)")
+      ->type_name("FILE");
+  command->add_option("--count", arguments.count, "Evenly spread seeds (default 100)")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
+      ->excludes(seeds)
+      ->type_name("N");
+  command
+      ->add_option("--surface", arguments.surface,
+                   "The model that was solved: lines end on its surface (default: where the active cells do)")
+      ->type_name("MODEL");
+  command
+      ->add_option_function<std::string>(
+          "--axes",
+          [&options](const std::string& text) {
+            for (std::size_t k = 0; k < 3; ++k) options.axes[k] = text.find("xyz"[k]) != text.npos;
+          },
+          "Of the axes at a seed, those to follow: the ones that go with x, y and z (default xyz)")
+      ->check(fault_of_axes)
+      ->type_name("xyz");
+  command
+      ->add_option("--tolerance", options.tolerance,
+                   "How far a line may get off the interpolated field, per length (default 1e-3)")
+      ->check(fault_of_length)
+      ->type_name("X");
+  command->add_option("--step", options.largest_step_cells, "Most distance of points, in cells (default 1)")
+      ->check(CLI::Range(1e-3, 4.0))
+      ->type_name("X");
+  command
+      ->add_option("--longest", options.longest_sides,
+                   "Most length each way from a seed, in longest sides of the field (default 4)")
+      ->check(fault_of_length)
+      ->type_name("X");
+  command->add_flag("--quiet", arguments.quiet, "Print no summary");
+  return command;
+}
+
+CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
+  CLI::App* command = app.add_subcommand("render",
+                                         "Draws a picture of a field: the part, its singular lines, "
+                                         "and frames on a cut");
+  PictureOptions& options = arguments.options;
+  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
+      ->required()
+      ->type_name("");
+  command->add_option("-o,--output", arguments.output, "PNG file to write (default: DIR-stem.png here)")
+      ->type_name("FILE");
+  command->add_flag("--streamlines", arguments.streamlines,
+                    "Draw the lines that 'crossgrain streamlines' has written to the folder too");
+  add_parsed(
+      *command, "--size", parse_size,
+      [&options](const auto& size) { options.width = size[0], options.height = size[1]; },
+      "is no size such as 1600x1200", "Width and height in pixels (default 1600x1200)")
+      ->type_name("WxH");
+  add_parsed(
+      *command, "--view", parse_view,
+      [&options](const auto& angles) {
+        options.azimuth_deg = angles[0];
+        options.elevation_deg = angles[1];
+      },
+      "is no view: iso, front, back, left, right, top, bottom, or azimuth and elevation such as -55,28",
+      "From where: iso (default), front, back, left, right, top, bottom, or degrees about z from x, and "
+      "above "
+      "the xy plane")
+      ->type_name("NAME|A,E");
+  add_choice(*command, "--up", options.up_axis, std::map<std::string, int>{{"x", 0}, {"y", 1}, {"z", 2}},
+             "The axis of the model that points up (default z)", "x|y|z");
+  add_parsed(
+      *command, "--cut", parse_cut, [&options](const auto& cut) { options.cut = cut; },
+      "is no cut such as x, y=12.5 or none",
+      "Take away what is before a plane across this axis, at the middle or where it says, and draw the "
+      "frames "
+      "on it (default none)")
+      ->type_name("x|y|z[=AT]");
+  add_looks(*command, options);
+  command->add_option("--threads", arguments.threads, "Threads; 0 (default) for all there are")
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()))
+      ->type_name("N");
+  command->add_flag("--quiet", arguments.quiet, "Print no summary");
+  return command;
+}
+
+CLI::App* add_spectrum(CLI::App& app, SpectrumArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("spectrum", "Prints what some surface normals say together about a frame");
+  CLI::Option* preset = command->add_option("--preset", arguments.preset, "A shape instead of normals")
+                            ->check(CLI::IsMember({"plane", "cube", "cylinder", "sphere"}))
+                            ->type_name("plane|cube|cylinder|sphere");
+  command
+      ->add_option("NORMALS", arguments.normals,
+                   "One 'nx ny nz [weight]' a line, # for comments; - for standard input")
+      ->excludes(preset)
+      ->type_name("");
+  add_degree(*command, arguments.degree);
+  command->add_flag("--json", arguments.json, "Print JSON");
+  return command;
+}
+
+CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("check", "Says whether a hexahedral mesh can have the singular lines of a field");
+  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
+      ->required()
+      ->type_name("");
+  command->add_flag("--json", arguments.json, "Print JSON");
+  return command;
+}
+
+CLI::App* add_view(CLI::App& app, ViewArguments& arguments) {
+  CLI::App* command = app.add_subcommand(
+      "view", "Shows the page of a field in a browser, until Ctrl-C; to this machine only");
+  constexpr int kMostPort = 65535;
+  command->add_option("DIR", arguments.folder, "The folder that 'crossgrain solve' wrote")
+      ->required()
+      ->type_name("");
+  command->add_option("--port", arguments.port, "Port on 127.0.0.1 (default: a free one)")
+      ->check(CLI::Range(1, kMostPort))
+      ->type_name("N");
+  command->add_flag("--no-browser", arguments.no_browser, "Start no browser, only print the address");
+  return command;
+}
+
+}  // namespace crossgrain::app

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// Members of a JSON object from and to variables, by calls of the same form.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "base/names.hpp"
+#include "crossgrain/error.hpp"
+#include "files/input_file.hpp"
+
+namespace crossgrain {
+
+/// Sets members of a JSON object.
+class JsonWriter {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  explicit JsonWriter(Json& json) : json_(json) {}
+
+  template <class T>
+  void member(const char* key, const T& value) {
+    json_[key] = value;
+  }
+
+  /// A number that there may be none of: then null.
+  void member(const char* key, const std::optional<double>& value) {
+    json_[key] = value ? Json(*value) : Json(nullptr);
+  }
+
+  /// A text that may be empty: then no such key.
+  void text(const char* key, const std::string& value) {
+    if (!value.empty()) json_[key] = value;
+  }
+
+  /// A value of an enumeration, by its name.
+  template <class Enum>
+  void name(const char* key, Enum value) {
+    json_[key] = name_of(value);
+  }
+
+  /// The same; no such key for the first value.
+  template <class Enum>
+  void optional_name(const char* key, Enum value) {
+    if (value != Enum{}) name(key, value);
+  }
+
+  /// What follows from other members, for people; no such key where it is empty.
+  void note(const char* key, const char* words) { text(key, words); }
+
+  template <class Members>
+  void object(const char* key, const Members& members) {
+    JsonWriter inner(json_[key] = Json::object());
+    members(inner);
+  }
+
+  /// An object that there may be none of: then no such key.
+  template <class T, class Describe>
+  void optional_object(const char* key, const std::optional<T>& value, const Describe& describe) {
+    if (value) object(key, [&](auto& inner) { describe(inner, *value); });
+  }
+
+  /// A list that may be empty: then no such key.
+  template <class T, class Describe>
+  void optional_list(const char* key, const std::vector<T>& values, const Describe& describe) {
+    if (!values.empty()) list(key, values, describe);
+  }
+
+  template <class T, class Describe>
+  void list(const char* key, const std::vector<T>& values, const Describe& describe) {
+    Json& list = json_[key] = Json::array();
+    for (const T& value : values) {
+      JsonWriter inner(list.emplace_back(Json::object()));
+      describe(inner, value);
+    }
+  }
+
+ private:
+  Json& json_;
+};
+
+/// Reads members of a JSON object of a file. Throws Error(kInput) that names the key of a member that is
+/// missing or not what it should be.
+class JsonReader {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  JsonReader(const Json& json, const InputFile& file) : json_(json), file_(file) {}
+
+  template <class T>
+  void member(const char* key, T& value) {
+    const Json& json = require(key);
+    bool fits = true;
+    if constexpr (std::is_same_v<T, bool>)
+      fits = json.is_boolean();
+    else if constexpr (std::is_same_v<T, std::int64_t>)
+      fits = json.is_number_integer();  // negative too
+    else if constexpr (std::is_integral_v<T>)
+      fits = json.is_number_unsigned() && json.get<std::uint64_t>() <= std::numeric_limits<T>::max();
+    if (!fits) fail(key);
+    try {
+      take(json, value);
+    } catch (const nlohmann::json::exception&) {
+      fail(key);
+    }
+  }
+
+  void member(const char* key, std::optional<double>& value) {
+    value.reset();
+    if (!require(key).is_null()) member(key, value.emplace());
+  }
+
+  void text(const char* key, std::string& value) {
+    value.clear();
+    if (json_.is_object() && json_.contains(key)) member(key, value);
+  }
+
+  template <class Enum>
+  void name(const char* key, Enum& value) {
+    std::string name;
+    member(key, name);
+    const std::optional<Enum> named = value_named<Enum>(name);
+    if (!named)
+      fail_input(file_, {}, fmt::format("'{}' has the unknown value {}", key, in_quotes(name)),
+                 Remedy::kSolveAgain);
+    value = *named;
+  }
+
+  template <class Enum>
+  void optional_name(const char* key, Enum& value) {
+    value = {};
+    if (json_.is_object() && json_.contains(key)) name(key, value);
+  }
+
+  void note(const char*, const char*) {}
+
+  template <class T, class Describe>
+  void optional_object(const char* key, std::optional<T>& value, const Describe& describe) {
+    value.reset();
+    // From a T{}, since clang takes a struct with initialisers inside another one for one without a default.
+    if (json_.is_object() && json_.contains(key))
+      object(key, [&](auto& inner) { describe(inner, value.emplace(T{})); });
+  }
+
+  template <class Members>
+  void object(const char* key, const Members& members) {
+    JsonReader inner(require(key), file_);
+    members(inner);
+  }
+
+  template <class T, class Describe>
+  void optional_list(const char* key, std::vector<T>& values, const Describe& describe) {
+    values.clear();
+    if (json_.is_object() && json_.contains(key)) list(key, values, describe);
+  }
+
+  template <class T, class Describe>
+  void list(const char* key, std::vector<T>& values, const Describe& describe) {
+    const Json& list = require(key);
+    if (!list.is_array()) fail(key);
+    for (const Json& json : list) {
+      JsonReader inner(json, file_);
+      describe(inner, values.emplace_back());
+    }
+  }
+
+ private:
+  /// null is a number that was not finite when it was written.
+  static void take(const Json& json, double& value) {
+    value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+  }
+  template <class T, std::size_t N>
+  static void take(const Json& json, std::array<T, N>& values) {
+    for (std::size_t i = 0; i < N; ++i) take(json.at(i), values[i]);
+  }
+  template <class T>
+  static void take(const Json& json, std::vector<T>& values) {
+    values.clear();
+    for (const Json& item : json.get_ref<const Json::array_t&>()) take(item, values.emplace_back());
+  }
+  template <class T>
+  static void take(const Json& json, T& value) {
+    value = json.get<T>();
+  }
+
+  const Json& require(const char* key) const {
+    if (!json_.is_object() || !json_.contains(key)) fail(key);
+    return json_.at(key);
+  }
+  [[noreturn]] void fail(const char* key) const {
+    fail_input(file_, {}, fmt::format("'{}' is missing or of another type", key), Remedy::kSolveAgain);
+  }
+
+  const Json& json_;
+  const InputFile& file_;
+};
+
+}  // namespace crossgrain

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every member of report.json by its key, in the order of the file, said once for writing and reading: File
+// is a JsonWriter or a JsonReader.
+#pragma once
+
+#include "crossgrain/message.hpp"
+
+namespace crossgrain {
+
+template <class File, class Level>
+void describe_level(File& file, Level& level) {
+  file.member("depth", level.depth);
+  file.member("cells", level.cells);
+  file.member("active_cells", level.active_cells);
+  file.member("sweeps", level.sweeps);
+  file.member("energy", level.energy);
+  file.member("seconds", level.seconds);
+}
+
+template <class File, class Report>
+void describe_input(File& file, Report& report) {
+  file.object("model", [&](auto& model) {
+    model.member("path", report.model.path);
+    model.member("triangles", report.model.triangles);
+    model.object("bounding_box", [&](auto& box) {
+      box.member("low", report.model.bounding_box.low);
+      box.member("high", report.model.bounding_box.high);
+    });
+    model.member("watertight", report.model.watertight);
+    model.member("components", report.model.components);
+    model.text("unit", report.model.unit);
+    model.text("file_unit", report.model.file_unit);
+  });
+  file.member("degree", report.degree);
+  file.member("resolution", report.resolution);
+}
+
+template <class File, class Arc>
+void describe_arc(File& file, Arc& arc) {
+  file.name("type", arc.type);
+  file.member("index", arc.index);
+  file.name("verdict", arc.verdict);
+  file.member("length", arc.length);
+  file.member("across_length", arc.across_length);
+  file.member("on_boundary", arc.on_boundary);
+  file.member("place", arc.place);
+  file.member("nodes", arc.nodes);
+}
+
+template <class File, class Node>
+void describe_node(File& file, Node& node) {
+  file.member("place", node.place);
+  file.member("on_boundary", node.on_boundary);
+  file.name("verdict", node.verdict);
+  file.member("arcs", node.arcs);
+}
+
+template <class File, class Singularity>
+void describe_singularity(File& file, const char* key, Singularity& graph) {
+  file.object(key, [&](auto& inner) {
+    inner.member("edges", graph.edges);
+    inner.member("length", graph.length);
+    inner.member("arcs", graph.arcs);
+    inner.member("nodes", graph.nodes);
+    inner.member("boundary_ends", graph.boundary_ends);
+    inner.member("unresolved_loops", graph.unresolved_loops);
+    inner.member("meshable", graph.meshable);
+    inner.member("not_meshable_arcs", graph.not_meshable_arcs);
+    inner.member("not_meshable_nodes", graph.not_meshable_nodes);
+    inner.member("undecided_nodes", graph.undecided_nodes);
+    inner.list("arc_list", graph.arc_list, [](auto& list, auto& arc) { describe_arc(list, arc); });
+    inner.list("node_list", graph.node_list, [](auto& list, auto& node) { describe_node(list, node); });
+  });
+}
+
+template <class File, class Report>
+void describe_quality(File& file, Report& report) {
+  file.object("energy", [&](auto& energy) {
+    energy.member("smoothness", report.energy.smoothness);
+    energy.member("boundary", report.energy.boundary);
+    energy.member("unavoidable", report.energy.unavoidable);
+    energy.member("total", report.energy.total);
+    energy.member("deviation_max", report.energy.deviation_max);
+  });
+  file.object("alignment_deg", [&](auto& alignment) {
+    alignment.member("mean", report.alignment_deg.mean);
+    alignment.member("p95", report.alignment_deg.p95);
+    alignment.member("max", report.alignment_deg.max);
+    alignment.member("excluded_share", report.alignment_deg.excluded_share);
+  });
+  file.object("spectrum", [&](auto& spectrum) {
+    spectrum.member("plane", report.spectrum.plane);
+    spectrum.member("axis", report.spectrum.axis);
+    spectrum.member("frame", report.spectrum.frame);
+    spectrum.member("free", report.spectrum.free);
+    spectrum.member("conflicted", report.spectrum.conflicted);
+  });
+  describe_singularity(file, "singularity", report.singularity);
+}
+
+template <class File, class Angles>
+void describe_angles(File& file, const char* key, Angles& angles) {
+  file.object(key, [&](auto& inner) {
+    inner.member("mean", angles.mean);
+    inner.member("p95", angles.p95);
+    inner.member("max", angles.max);
+  });
+}
+
+template <class File, class Onto>
+void describe_onto(File& file, Onto& onto) {
+  file.member("vertices", onto.vertices);
+  file.member("tets", onto.tets);
+  file.name("boundary", onto.boundary);
+  file.member("dirichlet", onto.dirichlet);
+  file.member("edge_sum", onto.edge_sum);
+  file.object("singular", [&](auto& singular) {
+    singular.member("interior_faces", onto.singular.interior_faces);
+    singular.member("boundary_faces", onto.singular.boundary_faces);
+  });
+  describe_singularity(file, "singularity", onto.singularity);
+  describe_angles(file, "normal_deg", onto.normal_deg);
+  describe_angles(file, "crease_deg", onto.crease_deg);
+  file.optional_object("feature_edge_deg", onto.feature_edge_deg, [](auto& inner, auto& angles) {
+    inner.member("mean", angles.mean);
+    inner.member("p95", angles.p95);
+    inner.member("max", angles.max);
+  });
+  file.member("outside_vertices", onto.outside_vertices);
+  file.member("unused_vertices", onto.unused_vertices);
+  file.member("inverted_tets", onto.inverted_tets);
+  file.member("left_out_tets", onto.left_out_tets);
+  file.member("seconds", onto.seconds);
+}
+
+template <class File, class Report>
+void describe_cost(File& file, Report& report) {
+  file.object("seconds", [&](auto& seconds) {
+    seconds.member("read", report.seconds.read);
+    seconds.member("grid", report.seconds.grid);
+    seconds.member("solve", report.seconds.solve);
+    seconds.member("write", report.seconds.write);
+    seconds.member("total", report.seconds.total);
+  });
+  file.member("peak_memory_bytes", report.peak_memory_bytes);
+}
+
+template <class File, class Expected>
+void describe_expected(File& file, Expected& expected) {
+  file.member("depth", expected.depth);
+  file.member("after_seconds", expected.after_seconds);
+  file.member("resolution", expected.resolution);
+  file.member("active_cells", expected.active_cells);
+  file.member("peak_memory_bytes", expected.peak_memory_bytes);
+  file.member("seconds", expected.seconds);
+}
+
+template <class File, class Limited>
+void describe_limited(File& file, Limited& limited) {
+  file.member("resolution_asked", limited.resolution_asked);
+  file.member("memory_bytes", limited.memory_bytes);
+  file.member("memory_needed_bytes", limited.memory_needed_bytes);
+}
+
+template <class File, class Unfinished>
+void describe_unfinished(File& file, Unfinished& unfinished) {
+  file.member("resolution_asked", unfinished.resolution_asked);
+  file.member("levels_missing", unfinished.levels_missing);
+  file.member("tets_missing", unfinished.tets_missing);
+}
+
+template <class File, class Report>
+void describe_creases(File& file, Report& report) {
+  file.object("creases", [&](auto& creases) {
+    creases.member("curves", report.creases.curves);
+    creases.member("length", report.creases.length);
+    creases.member("corners", report.creases.corners);
+    creases.member("crowded_corners", report.creases.crowded_corners);
+    creases.member("knife_edges", report.creases.knife_edges);
+    creases.member("crowded_corner_places", report.creases.crowded_corner_places);
+    creases.member("knife_edge_places", report.creases.knife_edge_places);
+    describe_angles(creases, "tangent_deg", report.creases.tangent_deg);
+  });
+}
+
+template <class File, class Finding>
+void describe_finding(File& file, Finding& finding) {
+  file.name("kind", finding.kind);
+  file.member("count", finding.count);
+  file.member("at_least", finding.at_least);
+  file.member("place", finding.place);
+  file.member("length", finding.length);
+  file.name("done", finding.done);
+}
+
+template <class File, class Points>
+void describe_points(File& file, const char* key, Points& points) {
+  file.object(key, [&](auto& inner) {
+    inner.member("count", points.count);
+    inner.member("outside", points.outside);
+    describe_angles(inner, "angle_deg", points.angle_deg);
+  });
+}
+
+template <class File, class Constraints>
+void describe_constraints(File& file, Constraints& constraints) {
+  describe_points(file, "points", constraints.points);
+  file.object("polylines", [&](auto& polylines) {
+    polylines.member("count", constraints.polylines.count);
+    polylines.member("outside", constraints.polylines.outside);
+    polylines.member("length", constraints.polylines.length);
+    polylines.member("outside_length", constraints.polylines.outside_length);
+    describe_angles(polylines, "angle_deg", constraints.polylines.angle_deg);
+  });
+  file.object("faces", [&](auto& faces) {
+    faces.member("count", constraints.faces.count);
+    faces.member("area", constraints.faces.area);
+    describe_angles(faces, "angle_deg", constraints.faces.angle_deg);
+  });
+  describe_points(file, "stresses", constraints.stresses);
+  file.member("isotropic_stresses", constraints.isotropic_stresses);
+}
+
+template <class File, class Region>
+void describe_region(File& file, Region& region) {
+  file.member("region", region.region);
+  file.member("cells", region.cells);
+  file.member("volume", region.volume);
+}
+
+template <class File, class Interfaces>
+void describe_interfaces(File& file, Interfaces& interfaces) {
+  file.member("area", interfaces.area);
+  file.object("alignment_deg", [&](auto& alignment) {
+    alignment.member("mean", interfaces.mean);
+    alignment.member("p95", interfaces.p95);
+    alignment.member("max", interfaces.max);
+  });
+}
+
+template <class File, class Report>
+void describe_solids(File& file, Report& report) {
+  file.optional_list("regions", report.regions,
+                     [](auto& inner, auto& region) { describe_region(inner, region); });
+  file.optional_object("interfaces", report.interfaces,
+                       [](auto& inner, auto& interfaces) { describe_interfaces(inner, interfaces); });
+}
+
+template <class File, class Warning>
+void describe_warning(File& file, Warning& warning) {
+  file.name("kind", warning.kind);
+  file.text("file", warning.file);
+  file.text("place", warning.place);
+  file.member("text", warning.text);
+  file.optional_name("remedy", warning.remedy);
+  file.note("advice", words_of(warning.remedy));
+}
+
+template <class File, class Report>
+void describe_doubts(File& file, Report& report) {
+  file.object("input", [&](auto& input) {
+    input.member("triangles_solved", report.input.triangles_solved);
+    input.member("closed", report.input.closed);
+    input.list("findings", report.input.findings,
+               [](auto& inner, auto& finding) { describe_finding(inner, finding); });
+  });
+  describe_creases(file, report);
+  describe_solids(file, report);
+  file.optional_object("constraints", report.constraints,
+                       [](auto& inner, auto& constraints) { describe_constraints(inner, constraints); });
+  file.object("walls", [&](auto& walls) {
+    walls.member("cells_wanted", report.walls.cells_wanted);
+    walls.member("thin_share", report.walls.thin_share);
+    walls.member("thinnest_cells", report.walls.thinnest_cells);
+    walls.member("two_sheet_cells", report.walls.two_sheet_cells);
+    walls.member("tied_cells", report.walls.tied_cells);
+  });
+  file.optional_object("expected", report.expected,
+                       [](auto& inner, auto& expected) { describe_expected(inner, expected); });
+  file.optional_object("limited", report.limited,
+                       [](auto& inner, auto& limited) { describe_limited(inner, limited); });
+  file.optional_object("unfinished", report.unfinished,
+                       [](auto& inner, auto& unfinished) { describe_unfinished(inner, unfinished); });
+  file.optional_object("onto", report.onto, [](auto& inner, auto& onto) { describe_onto(inner, onto); });
+  file.list("warnings", report.warnings,
+            [](auto& inner, auto& warning) { describe_warning(inner, warning); });
+}
+
+template <class File, class Report>
+void describe_results(File& file, Report& report) {
+  describe_input(file, report);
+  file.list("levels", report.levels, [](auto& inner, auto& level) { describe_level(inner, level); });
+  describe_quality(file, report);
+  describe_cost(file, report);
+}
+
+}  // namespace crossgrain
