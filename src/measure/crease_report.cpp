@@ -11,6 +11,7 @@
 #include "base/vector3.hpp"
 #include "measure/alignment.hpp"
 #include "measure/angle_statistics.hpp"
+#include "surface/topology.hpp"
 
 namespace crossgrain {
 namespace {
@@ -48,13 +49,17 @@ double length_of(const CreaseCurve& curve) {
   return sum;
 }
 
-/// The sharp curves of the surface and the inner faces. `inner` has the same vertices as the surface.
+/// The sharp curves of the surface and the inner faces. Each numbers its vertices by itself: the surface may
+/// have been welded.
 std::vector<CreaseCurve> curves_of(const Surface& surface, const TriangleMesh& inner,
                                    const CreaseAngles& angles) {
   if (inner.triangles.empty()) return sharp_curves(surface, angles);
-  TriangleMesh both{inner.vertices, surface.mesh.triangles};
-  both.triangles.insert(both.triangles.end(), inner.triangles.begin(), inner.triangles.end());
-  return sharp_curves(prepare_surface(CheckedMesh::derived(std::move(both))), angles);
+  TriangleMesh both{surface.mesh.vertices, surface.mesh.triangles};
+  const auto offset = static_cast<std::uint32_t>(both.vertices.size());
+  both.vertices.insert(both.vertices.end(), inner.vertices.begin(), inner.vertices.end());
+  for (const auto& [a, b, c] : inner.triangles)
+    both.triangles.push_back({a + offset, b + offset, c + offset});
+  return sharp_curves(prepare_surface(CheckedMesh::derived(weld(std::move(both)))), angles);
 }
 
 /// The curves without duplicates: solids that share a face in space but not in the file have its edges twice.

@@ -103,6 +103,33 @@ TEST(Regions, HaveTheVolumesOfTheirTetsAndAllCells) {
   }
 }
 
+/// The mesh with its vertices in the opposite order, and a triangle that has a vertex of its own where it had
+/// one in common with others.
+TriangleMesh unwelded(TriangleMesh mesh) {
+  const auto last = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+  std::reverse(mesh.vertices.begin(), mesh.vertices.end());
+  for (auto* triangles : {&mesh.triangles, &mesh.inner_faces}) {
+    for (auto& triangle : *triangles)
+      for (std::uint32_t& corner : triangle) corner = last - corner + 1;
+  }
+  mesh.vertices.insert(mesh.vertices.begin(), mesh.vertices[mesh.triangles[0][0] - 1]);
+  mesh.triangles[0][0] = 0;
+  return mesh;
+}
+
+TEST(Regions, HaveTheirCreasesWhereTheSurfaceHadToBeWelded) {
+  TriangleMesh mesh =
+      surface_of(with_regions(TetBox{{4, 2, 2}}.mesh(), [](const Vector3& p) { return p[0] < 2 ? 0 : 1; }));
+  mesh.creases.clear();
+  const auto creases_of = [](const TriangleMesh& model) {
+    return solve(model, cells_across(16)).report().creases;
+  };
+  const SolveReport::Creases expected = creases_of(mesh), creases = creases_of(unwelded(mesh));
+  EXPECT_EQ(creases.corners, expected.corners);
+  EXPECT_NEAR(creases.length, expected.length, 1e-9);
+  EXPECT_NEAR(creases.length, 4 * (4 + 2 + 2) + 4 * 2, 1e-9) << "of the box, and around the face between";
+}
+
 TEST(Regions, OfCellsAreTheSolidsThatTheirCentresAreIn) {
   const FrameField field = solve(surface_of(box_in_box()), cells_across(24));
   ASSERT_EQ(field.data().regions.size(), field.size());
