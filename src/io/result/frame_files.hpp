@@ -2,10 +2,10 @@
 // Text files of frames, as their axes u, v and w or as unit quaternions. io/result/tet_writers.hpp declares
 // the writers of a field on tets:
 //
-//   onto.frames    a line a vertex: ux uy uz vx vy vz wx wy wz
-//   .fra           FRA 1 | tets 3 1 | three lines a tet, one an axis; no reader looks at the 1 (CubeCover,
-//   Mint) .frame         FRAME | tets | a line a tet | END (mouette) .quaternions   a line a vertex or tet: w
-//   x y z
+//   onto.frames    one line per vertex: ux uy uz vx vy vz wx wy wz
+//   .fra           FRA 1 | tets 3 1 | three lines per tet, one per axis (CubeCover, Mint; readers ignore the 1)
+//   .frame         FRAME | tets | one line per tet | END (mouette)
+//   .quaternions   one line per vertex or tet: w x y z
 #pragma once
 
 #include <span>

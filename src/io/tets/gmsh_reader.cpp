@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gmsh meshes, MSH 2 and 4.1, in text or binary ("Gmsh file formats"): sections from $Name to $EndName.
+// Reads Gmsh meshes, MSH 2 and 4.1, in text or binary ("Gmsh file formats"): sections from $Name to $EndName.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace crossgrain {
 namespace {
 
-/// What stands in $MeshFormat.
+/// Contents of $MeshFormat.
 struct GmshFormat {
   bool is_version_4 = false;
   bool is_binary = false;
@@ -87,7 +87,7 @@ class GmshReader {
                remedy);
   }
 
-  /// The name of the section that begins here, without its $; empty at the end of the file.
+  /// Returns the name of the next section without its $; empty at the end of the file.
   std::string next_section() {
     const std::string_view word = scanner_.word_anywhere();
     if (word.empty()) return "";
@@ -104,7 +104,7 @@ class GmshReader {
     std::int64_t count = 0;
     if (!format_.is_version_4) {
       count = scanner_.integer(scanner_.word_anywhere(), "the number of rows");
-      // In text, rows may go on in this line.
+      // In text, rows may begin on this line.
       if (format_.is_binary) scanner_.next_line();
     }
     NumberStream in = format_.is_binary ? NumberStream(*file_, scanner_.position(), format_.is_swapped)
@@ -153,7 +153,7 @@ class GmshReader {
     end_section(name);
   }
 
-  /// Counts lines on the way, in binary files too, where they mean nothing.
+  /// Also counts lines; in binary files the count is meaningless.
   void move_to(std::size_t position) {
     const std::string_view passed =
         file_->bytes().substr(scanner_.position(), position - scanner_.position());

@@ -62,7 +62,7 @@ class MeditBinaryReader {
     return code == kSwappedCode;
   }
 
-  /// Jumps from keyword to keyword; every jump goes forward, so it ends.
+  /// Jumps from keyword to keyword. Every jump goes forward, so it terminates.
   void find_sections(NumberStream stream) {
     const std::size_t size = file_->bytes().size();
     while (stream.position() < size) {
@@ -91,7 +91,7 @@ class MeditBinaryReader {
     }
     const std::string what = fmt::format("the number of {}", section->keyword);
     const std::int64_t stated = stream.integer(numbers_.integer, what.c_str());
-    // Of vertices three numbers are real; the least that either kind takes will do.
+    // A vertex has three real numbers; the smaller of both types gives a valid lower bound.
     const NumberType least =
         size_of(numbers_.real) < size_of(numbers_.integer) ? numbers_.real : numbers_.integer;
     const auto columns = static_cast<std::uint64_t>(section->columns);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Medit meshes in text: keywords, each with a number of rows.
+// Reads Medit meshes in text: keywords, each with a number of rows.
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -49,7 +49,7 @@ class MeditReader {
     return equals_ignoring_case(word, "MeshVersionFormatted") || equals_ignoring_case(word, "Dimension");
   }
 
-  /// What a keyword announces. Returns the next keyword.
+  /// Reads the section of a keyword. Returns the next keyword.
   std::string_view read_part(std::string_view keyword) {
     if (const MeditSection* section = medit_section_named(keyword)) {
       read_section(*section);
@@ -63,7 +63,7 @@ class MeditReader {
     std::string_view word = scanner_.word_anywhere();
     if (equals_ignoring_case(keyword, "Dimension") && scanner_.integer(word, "the number of dimensions") != 3)
       scanner_.fail("not a mesh in three dimensions (Dimension 3)", Remedy::kExportAgain);
-    // MeshVersionFormatted, bounds, names and what nobody knows: up to the next keyword.
+    // MeshVersionFormatted, bounds, names and unknown sections: skip to the next keyword.
     while (!word.empty() && !begins_like_a_keyword(word)) word = scanner_.word_anywhere();
     return word;
   }
@@ -97,7 +97,7 @@ class MeditReader {
   TextScanner scanner_;
   MeditMesh mesh_;
   std::set<const MeditSection*> seen_;
-  std::vector<Rows> postponed_;  ///< cells that stand before the vertices
+  std::vector<Rows> postponed_;  ///< cells that come before the vertices
 };
 
 }  // namespace

@@ -11,10 +11,10 @@
 namespace crossgrain {
 namespace {
 
-/// Six edges of each tet have numbers of 32 bits (tets/stiffness.cpp).
+/// The six edges of each tet have 32-bit numbers (tets/stiffness.cpp).
 constexpr std::size_t kMostTets = UINT32_MAX / 6;
 
-/// Exactly as many the first time, and twice as many where a file has them in many pieces.
+/// Exact the first time, doubling afterwards, for files with many blocks.
 template <class T>
 void reserve_more(std::vector<T>& values, std::size_t more) {
   const std::size_t needed = values.size() + more;
@@ -48,7 +48,7 @@ void TetBuilder::add_vertex(const Vector3& position, const Place& place) {
 
 std::uint32_t TetBuilder::checked_index(std::int64_t node, CellShape shape, const Place& place) const {
   if (node < 0 || static_cast<std::uint64_t>(node) >= mesh_.vertices.size()) {
-    // Unsigned, so that an index at the very end of the 64 bits wraps instead of overflowing.
+    // Unsigned, so that an index at the end of the 64-bit range wraps instead of overflowing.
     const auto shown = static_cast<std::int64_t>(static_cast<std::uint64_t>(node) +
                                                  static_cast<std::uint64_t>(first_index_));
     fail_input(

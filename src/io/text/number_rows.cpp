@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text files of points and of normals.
+// Reads text files of points and of normals.
 #include <fmt/format.h>
 
 #include <array>
@@ -18,18 +18,18 @@ InputFile open(const std::filesystem::path& path) {
   return path == "-" ? InputFile::standard_input() : InputFile(path);
 }
 
-/// What a spectrum takes (constraint/spectrum_report.cpp); beyond it, or below its inverse, sums overflow or
-/// vanish.
+/// Range that a spectrum accepts (constraint/spectrum_report.cpp); beyond it, or below its inverse, sums
+/// overflow or underflow.
 constexpr double kLargestWeight = 1e100;
 
-/// The names of the numbers in a row, for error messages; those from `needed` on may be left out.
+/// Names of the numbers in a row, for error messages; those from `needed` on are optional.
 struct Columns {
   std::array<const char*, 4> names;
   std::size_t count;
   std::size_t needed;
 };
 
-/// Calls take(scanner, numbers, how many) for every line that holds any.
+/// Calls take(scanner, numbers, count) for every line that is not empty.
 template <class Take>
 void for_each_row(const InputFile& file, const Columns& columns, const Take& take) {
   TextScanner scanner(file, {.comments = true});

@@ -88,8 +88,8 @@ class VtuHeaderReader {
     return value;
   }
 
-  /// Writers that run in parallel leave pieces without cells, of which only the first counts, and only where
-  /// no other has any.
+  /// Parallel writers leave pieces without cells. Only the first of these counts, and only if no piece has
+  /// cells.
   void read_piece(const XmlTag& tag, std::size_t position) {
     const std::uint64_t points = read_count(tag, "NumberOfPoints", position);
     const std::uint64_t cells = read_count(tag, "NumberOfCells", position);
@@ -108,7 +108,7 @@ class VtuHeaderReader {
   void read_array(VtuSection section, const XmlTag& tag, std::size_t position) {
     const std::string name(tag.attribute("Name"));
     const auto type = type_named(kVtuTypeNames, tag.attribute("type"));
-    // Of strings, which are for people, there is nothing to tell.
+    // Arrays of strings are ignored.
     if (!type) return;
     VtuHeader::Array array{section, name,     *type,   0, std::string(tag.attribute("format")),
                            0,       position, position};

@@ -20,7 +20,7 @@
 namespace crossgrain {
 namespace {
 
-/// More than any header needs that lists some dozens of arrays.
+/// More than any header with some dozens of arrays needs.
 constexpr std::size_t kLongestHeader = 1 << 20;
 
 constexpr std::string_view kDataTag = "<AppendedData";
@@ -136,7 +136,7 @@ ZlibBlocks VtuFile::locate(const Array& array) const {
   if (array.section == VtuSection::kPoints || array.section == VtuSection::kPointData)
     check(rows == header_.points);
   if (array.section == VtuSection::kCellData) check(rows == header_.cells);
-  // All blocks but the last claim one size, for which memory will be taken.
+  // All blocks but the last claim one size, and memory is allocated for it.
   if (blocks->count() > 0) {
     std::vector<unsigned char> first(blocks->begins[1] - blocks->begins[0]);
     read_at(blocks->begins[0], first.data(), first.size());
