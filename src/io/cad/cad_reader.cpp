@@ -25,7 +25,7 @@ namespace {
 
 using End = HelperOutcome::End;
 
-/// What the dynamic linker ends a program with whose libraries are missing.
+/// Exit status when the dynamic linker finds a library missing.
 constexpr int kLibrariesMissing = 127;
 
 constexpr double kSecondsPerByte = 10e-6;
@@ -40,7 +40,7 @@ std::filesystem::path cad_program(const InputFile& file, const ReadOptions& opti
   return program;
 }
 
-/// For the helper, what this process holds taken off.
+/// Memory limit for the helper: what is allowed, less what this process uses.
 std::size_t memory_for_helper(const InputFile& file, const ReadOptions& options) {
   const std::size_t most = allowed_memory_bytes(options.max_memory_bytes), held = current_memory_bytes();
   if (held >= most)
@@ -58,7 +58,7 @@ CadFault out_of_memory(std::size_t allowed) {
           Remedy::kSimplifyOrAllowMemory};
 }
 
-/// What an outcome without an answer means for the file.
+/// Returns the error for an outcome without an answer.
 CadFault fault_of(const HelperRun& run, const HelperOutcome& outcome) {
   if (outcome.end == End::kTimedOut)
     return {

@@ -15,7 +15,7 @@
 namespace crossgrain {
 namespace {
 
-/// Programs that put these files beside the mesh file count its tets.
+/// Other programs match these files to the mesh file by its number of tets.
 void warn_of_left_out_tets(const TetSolid& solid, const OutputOptions& options, SolveReport& report) {
   std::vector<std::string> names;
   for (const TetFile& file : tet_files())

@@ -7,8 +7,8 @@
 namespace crossgrain {
 namespace {
 
-/// A block is searched for repetitions if its first 1 / kSampleShare shrinks to this share. The search takes a
-/// fifth of the time at a half that it takes for data without repetitions.
+/// A block is searched for repetitions if its first 1 / kSampleShare shrinks to this share. The search takes
+/// a fifth of the time at a half that it takes for data without repetitions.
 constexpr std::size_t kSampleShare = 16;
 constexpr double kManyRepetitions = 0.5;
 

@@ -26,14 +26,14 @@
 namespace crossgrain {
 namespace {
 
-/// The unit that OpenCASCADE converts to, its own default too.
+/// Unit to which OpenCASCADE converts, also its default.
 constexpr const char* kUnit = "mm";
 
 void ask_for_millimetres() {
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
 }
 
-/// As people write it; unknown names in lower case.
+/// Common spelling of a unit; unknown names in lower case.
 std::string short_unit(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
   constexpr std::array<std::pair<const char*, const char*>, 6> kShort = {{{"millimetre", "mm"},
@@ -48,7 +48,7 @@ std::string short_unit(std::string name) {
   return name;
 }
 
-/// Where a piece of geometry did not load, OpenCASCADE goes on with null pointers in it and ends the process.
+/// Throws Fault if part of the geometry did not load: OpenCASCADE would go on with null pointers and crash.
 void refuse_damaged_geometry(const Handle(Interface_InterfaceModel) & model) {
   constexpr std::array<std::string_view, 4> kGeometry = {"StepGeom_", "StepShape_", "IGESGeom_",
                                                          "IGESSolid_"};
@@ -90,7 +90,8 @@ CadShape read_step_shape(const std::string& path) {
   return result;
 }
 
-/// The unit by the flag of the global section (IGES 5.3, section 2.2.4.3.14), whose name is optional.
+/// Returns the unit by the flag of the global section (IGES 5.3, section 2.2.4.3.14); the unit's name is
+/// optional.
 std::string iges_unit(const IGESData_GlobalSection& section) {
   constexpr std::array kNames = {"",  "inch", "mm",  "",   "foot", "mile",
                                  "m", "km",   "mil", "um", "cm",   "microinch"};
