@@ -21,7 +21,7 @@ void print_result(const std::string& text) {
 
 void print_message(const std::string& message) {
   std::string line = "crossgrain: " + message;
-  // A path may hold any byte; control characters could forge lines or colour the terminal.
+  // A path may contain any byte; control characters could forge lines or colour the terminal.
   std::replace_if(
       line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
   line += '\n';

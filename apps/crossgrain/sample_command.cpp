@@ -35,7 +35,7 @@ void run_sample(const SampleArguments& arguments) {
   const FrameField field = read_field(arguments.field);
   const std::vector<Vector3> points = read_points(arguments.points);
 
-  // Not before: waiting for standard input is ended by the first Ctrl-C.
+  // Not earlier: the first Ctrl-C must end waiting for standard input.
   Monitor monitor;
   const Interruption interruption(monitor);
   const std::size_t outside = write_samples(field, points, {arguments.output, arguments.outside}, monitor);

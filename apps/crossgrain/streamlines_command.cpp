@@ -35,7 +35,7 @@ void check_files(const StreamlinesArguments& arguments) {
   }
 }
 
-/// The surface of the model; CAD files cut into triangles as they were for the solve.
+/// Reads the surface of the model; CAD files are triangulated as for the solve.
 std::optional<TriangleMesh> read_model(const StreamlinesArguments& arguments, const FrameField& field,
                                        const Monitor& monitor) {
   const std::string& file = arguments.surface;
@@ -46,7 +46,7 @@ std::optional<TriangleMesh> read_model(const StreamlinesArguments& arguments, co
     mesh = naming(file, [&] { return TetDomain(std::move(tets)).boundary(); });
   } else {
     ReadOptions options;
-    constexpr double kCoarsest = 4;  // also where the report has null
+    constexpr double kCoarsest = 4;  // also if the report has null
     options.resolution = static_cast<int>(std::lround(std::max(kCoarsest, field.report().resolution)));
     mesh = read_surface(file, options, monitor);
   }
@@ -113,7 +113,7 @@ void run_streamlines(const StreamlinesArguments& arguments) {
   std::vector<Vector3> seeds;
   if (!arguments.seeds.empty()) seeds = read_points(arguments.seeds);
 
-  // Not before: waiting for standard input is ended by the first Ctrl-C.
+  // Not earlier: the first Ctrl-C must end waiting for standard input.
   Monitor monitor;
   const Interruption interruption(monitor);
   const std::optional<TriangleMesh> surface = read_model(arguments, field, monitor);

@@ -14,12 +14,12 @@
 namespace crossgrain::app {
 namespace {
 
-/// How many folders above the program there may be libexec/: bin/crossgrain in an installed tree,
+/// How many folders above the program libexec/ may be: bin/crossgrain in an installed tree,
 /// apps/crossgrain/crossgrain in a build tree.
 constexpr int kFoldersAbove = 2;
 
-/// The server of pages is a program of its own: the library that it is made with takes 6 MB and six
-/// milliseconds to load, which no other command is to pay for.
+/// The server of pages is a separate program: its HTTP library takes 6 MB and six milliseconds to load, which
+/// other commands should not pay for.
 std::filesystem::path find_view_program() {
   std::error_code failure;
   std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", failure).parent_path();
