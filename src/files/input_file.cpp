@@ -76,7 +76,7 @@ InputFile InputFile::standard_input() {
     bytes = std::move(larger);
     capacity *= 2;
   }
-  if (size == 0) refuse(name, "is empty, where some lines should come", Remedy::kNone);
+  if (size == 0) refuse(name, "is empty, but lines are expected", Remedy::kNone);
   return {name, std::move(bytes), size};
 }
 

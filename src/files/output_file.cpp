@@ -76,7 +76,7 @@ OutputFile::OutputFile(const std::filesystem::path& target) : name_(target.strin
   struct stat status {};
   const bool exists = ::stat(name_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode))
-    throw Error(ErrorKind::kOutput, {name_, "", "is a folder where a file should go", Remedy::kClearPlace});
+    throw Error(ErrorKind::kOutput, {name_, "", "is a folder, but must be a file", Remedy::kClearPlace});
   if (exists && ::access(name_.c_str(), W_OK) != 0) fail("written", errno);
   if (exists && !S_ISREG(status.st_mode)) {
     descriptor_ = Descriptor(::open(name_.c_str(), O_WRONLY | O_CLOEXEC));
@@ -196,7 +196,7 @@ void NewFolders::make(const std::filesystem::path& folder) {
     if (::stat(reached.c_str(), &status) != 0) fail_output(reached.string(), "created", code);
     if (!S_ISDIR(status.st_mode))
       throw Error(ErrorKind::kOutput,
-                  {reached.string(), "", "is a file where a folder should be", Remedy::kClearPlace});
+                  {reached.string(), "", "is a file, but must be a folder", Remedy::kClearPlace});
   }
 }
 
