@@ -67,7 +67,7 @@ class Members {
     if (!object.is(Kind::kObject)) object.fail(fmt::format("{} must be an object in braces", what));
     for (const Value& value : object.values()) {
       if (std::find(keys.begin(), keys.end(), value.key()) == keys.end())
-        value.fail(fmt::format("{} is no key of {}, which may have '{}'", in_quotes(value.key()), what,
+        value.fail(fmt::format("{} is not a key of {}, which may have '{}'", in_quotes(value.key()), what,
                                fmt::join(keys, "', '")));
       values_.push_back(value);
     }
@@ -104,7 +104,7 @@ class Members {
 /// Returns the directions of 'axis' or 'frame'; empty if 'axis' is `word`, which may be null.
 std::vector<Vector3> axes(const Members& members, const char* word) {
   const std::optional<Value> axis = members.find("axis"), frame = members.find("frame");
-  if (axis.has_value() == frame.has_value()) members.fail("either 'axis' or 'frame' must be there");
+  if (axis.has_value() == frame.has_value()) members.fail("either 'axis' or 'frame' is needed");
   if (axis) {
     if (word != nullptr && axis->is(Kind::kText)) {
       if (axis->text() != word)

@@ -38,7 +38,7 @@ bool is_shape_reference(std::string_view line) {
 
 void check_step_file(const InputFile& file) {
   if (!begins_with(file, "ISO-10303-21"))
-    fail_input(file, {}, "is no STEP file: it does not begin with 'ISO-10303-21'", Remedy::kExportAgain);
+    fail_input(file, {}, "is not a STEP file: it does not begin with 'ISO-10303-21'", Remedy::kExportAgain);
   if (!ends_with(file, "END-ISO-10303-21"))
     fail_input(file, {}, "does not end with 'END-ISO-10303-21': cut short", Remedy::kCopyAgain);
 }
@@ -55,12 +55,11 @@ void check_iges_file(const InputFile& file) {
     const std::size_t here =
         line.size() > kSectionColumn ? kSections.find(line[kSectionColumn]) : std::string_view::npos;
     if (here == std::string_view::npos || here < section || (number == 1 && here > 0))
-      fail_input(
-          file, at_line(number),
-          fmt::format(
-              "no {} in column 73, where IGES names its sections: damaged, cut short or no IGES file in text",
-              kSections[section]),
-          Remedy::kCopyAgain);
+      fail_input(file, at_line(number),
+                 fmt::format("no {} in column 73, where IGES names its sections: damaged, cut short or not "
+                             "an IGES file in text",
+                             kSections[section]),
+                 Remedy::kCopyAgain);
     section = here;
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
   }
@@ -68,10 +67,10 @@ void check_iges_file(const InputFile& file) {
 
 void check_brep_file(const InputFile& file) {
   if (!begins_with(file, "CASCADE Topology V"))
-    fail_input(file, {}, "is no BREP file: it does not name a 'CASCADE Topology'", Remedy::kExportAgain);
+    fail_input(file, {}, "is not a BREP file: it does not name a 'CASCADE Topology'", Remedy::kExportAgain);
   const bool is_binary = begins_with(file, "Open CASCADE Topology V");
   if (!is_binary && !is_shape_reference(last_line(file)))
-    fail_input(file, {}, "does not end with the shape that it is of: cut short", Remedy::kCopyAgain);
+    fail_input(file, {}, "does not end with a shape: cut short", Remedy::kCopyAgain);
 }
 
 }  // namespace crossgrain

@@ -104,7 +104,7 @@ class LocatedJsonBuilder {
     const std::size_t line = position_.line();
     const auto [before, is_new] = open_.back().keys.emplace(value, line);
     if (!is_new)
-      fail(fmt::format("the key {} is there twice, first on line {}", in_quotes(value), before->second));
+      fail(fmt::format("the key {} is repeated, first on line {}", in_quotes(value), before->second));
     key_ = place_of(value);
     return true;
   }
@@ -112,7 +112,7 @@ class LocatedJsonBuilder {
   bool parse_error(std::size_t, const std::string& token, const nlohmann::json::exception& error) {
     constexpr int kNumberOverflow = 406;
     if (error.id == kNumberOverflow) fail("the number " + in_quotes(token) + " is too large");
-    fail(fmt::format("is no JSON at column {}: {}", position_.column(), complaint_of(error)));
+    fail(fmt::format("is not JSON at column {}: {}", position_.column(), complaint_of(error)));
   }
 
  private:

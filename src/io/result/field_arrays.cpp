@@ -131,7 +131,9 @@ class FieldArraysReader {
   [[noreturn]] void fail(const std::string& text, Remedy remedy) const {
     throw Error(ErrorKind::kInput, {file_.name(), "", text, remedy});
   }
-  [[noreturn]] void fail_damaged() const { fail("its arrays make no field", Remedy::kCopyOrSolveAgain); }
+  [[noreturn]] void fail_damaged() const {
+    fail("its arrays do not form a field", Remedy::kCopyOrSolveAgain);
+  }
 
   VtuFile file_;
 };

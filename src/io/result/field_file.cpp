@@ -163,7 +163,7 @@ void write_chosen_cells(const FieldData& data, OutputOptions options, OutputFile
   FieldData part = output_cells(data, options, monitor);
   if (part.tree.size() == 0) {
     report.warnings.emplace_back(WarningKind::kClipMissed,
-                                 "no cell meets the clip box: field.vtu holds the cells of the whole model");
+                                 "no cell touches the clip box, so field.vtu contains all cells");
     options.clip.reset();
     return write_chosen_cells(data, options, file, report, monitor);
   }

@@ -24,7 +24,7 @@ void warn_of_left_out_tets(const TetSolid& solid, const OutputOptions& options, 
   const std::size_t tets = solid.mesh.tets.size();
   report.warnings.emplace_back(
       WarningKind::kLeftOutTets,
-      fmt::format("tets left out: {} of {}; {} count the other {}, as onto.vtu does", solid.left_out_tets,
+      fmt::format("tets left out: {} of {}; {} number the other {}, as onto.vtu does", solid.left_out_tets,
                   tets + solid.left_out_tets, fmt::join(names, ", "), tets),
       Remedy::kUseWrittenMesh);
 }

@@ -192,7 +192,7 @@ void check_companions(const std::vector<CompanionFile>& companions) {
     const bool is_name = !file.name.empty() && file.name != "." && file.name != ".." &&
                          std::filesystem::path(file.name).filename() == file.name;
     if (!is_name || std::find(taken.begin(), taken.end(), file.name) != taken.end())
-      throw Error(ErrorKind::kUsage, "'" + file.name + "' cannot be the name of a further file",
+      throw Error(ErrorKind::kUsage, "'" + file.name + "' cannot be the name of an additional file",
                   Remedy::kNameOutput);
     taken.push_back(file.name);
   }
@@ -210,9 +210,9 @@ void check_output_options(const OutputOptions& options) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = options.clip->low[axis], high = options.clip->high[axis];
     if (!(low <= high))
-      throw Error(ErrorKind::kUsage,
-                  fmt::format("the clip box reaches from {} to {} along {}, so it holds nothing", low, high,
-                              "xyz"[axis]));
+      throw Error(
+          ErrorKind::kUsage,
+          fmt::format("the clip box extends from {} to {} along {}, so it is empty", low, high, "xyz"[axis]));
   }
 }
 

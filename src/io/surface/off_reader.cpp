@@ -40,8 +40,7 @@ class OffReader {
     if (found == std::string_view::npos ||
         word.substr(0, found).find_first_not_of("STCN4n") != std::string_view::npos) {
       if (word.empty() || word[0] < '0' || word[0] > '9')
-        scanner_.fail(in_quotes(word) + " where 'OFF' should stand: this is no OFF file",
-                      Remedy::kExportAgain);
+        scanner_.fail(in_quotes(word) + " instead of 'OFF': this is not an OFF file", Remedy::kExportAgain);
       return word;
     }
     const std::string_view prefix = word.substr(0, found);

@@ -180,7 +180,7 @@ class AsciiStlReader {
       while (!scanner_.word().empty()) continue;
     } else if (!equals_ignoring_case(word, "outer") && !equals_ignoring_case(word, "loop") &&
                !equals_ignoring_case(word, "endloop")) {
-      scanner_.fail(in_quotes(word) + " is no word of an STL file");
+      scanner_.fail(in_quotes(word) + " is not a keyword of an STL file");
     }
   }
 

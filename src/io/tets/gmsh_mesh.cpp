@@ -96,7 +96,7 @@ void GmshMesh::read_nodes_2(NumberStream& in, std::int64_t count) {
 const CellType& GmshMesh::element_type(NumberStream& in) const {
   const std::int64_t code = in.integer(kInt, "the type of an element");
   const CellType* type = gmsh_element(code);
-  if (type == nullptr) in.fail(fmt::format("elements of type {}, whose number of nodes is not known", code));
+  if (type == nullptr) in.fail(fmt::format("elements of unknown type {}", code));
   return *type;
 }
 
@@ -172,7 +172,7 @@ void GmshMesh::read_elements_2_binary(NumberStream& in, std::uint64_t elements) 
     const std::uint64_t rows = count(in, kInt, 1 + std::uint64_t{type.nodes}, kInt, "the number of elements");
     const std::uint64_t tags = count(in, kInt, 1, kInt, "the number of tags");
     if (rows == 0 || rows > elements - elements_)
-      in.fail(fmt::format("{} elements where {} are to come", rows, elements - elements_));
+      in.fail(fmt::format("{} elements, but {} are expected", rows, elements - elements_));
     if (type.shape == CellShape::kTet) builder_.reserve_tets(rows);
     for (std::uint64_t i = 0; i < rows; ++i) {
       in.skip(kInt, 1);  // number of the element

@@ -27,7 +27,7 @@ class MeditBinaryReader {
     NumberStream stream(file, sizeof(std::int32_t), swapped_);
     const std::int64_t version = stream.integer(NumberType::kInt32, "the version");
     if (version < 1 || version > 4)
-      stream.fail(fmt::format("version {} of the format, where 1 to 4 are known", version),
+      stream.fail(fmt::format("version {} of the format has no reader, only 1 to 4", version),
                   Remedy::kExportAgain);
     position_type_ = version >= 3 ? NumberType::kInt64 : NumberType::kInt32;
     numbers_.real = version == 1 ? NumberType::kFloat32 : NumberType::kFloat64;
@@ -57,7 +57,7 @@ class MeditBinaryReader {
   static bool is_swapped(const InputFile& file) {
     const std::int64_t code = NumberStream(file, 0, false).integer(NumberType::kInt32, "the code");
     if (code != kCode && code != kSwappedCode)
-      fail_input(file, {}, "does not begin with the number 1: this is no binary Medit mesh",
+      fail_input(file, {}, "does not begin with the number 1: this is not a binary Medit mesh",
                  Remedy::kExportAgain);
     return code == kSwappedCode;
   }

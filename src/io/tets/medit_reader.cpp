@@ -29,11 +29,12 @@ class MeditReader {
     if (medit_section_named(word) == nullptr && !is_header(word))
       scanner_.fail(
           fmt::format(
-              "{} where a keyword such as MeshVersionFormatted should stand: this is no Medit mesh in text",
+              "{} instead of a keyword such as MeshVersionFormatted: this is not a Medit mesh in text",
               in_quotes(word)),
           Remedy::kExportAgain);
     while (!word.empty() && !equals_ignoring_case(word, "End")) word = read_part(word);
-    if (!mesh_.has_vertices()) scanner_.fail("no section Vertices up to here: cut short", Remedy::kCopyAgain);
+    if (!mesh_.has_vertices())
+      scanner_.fail("the section Vertices is missing: cut short", Remedy::kCopyAgain);
     for (Rows& rows : postponed_) mesh_.read_rows(rows.stream, *rows.section, rows.count);
     return mesh_.finish(scanner_.place());
   }
@@ -55,9 +56,9 @@ class MeditReader {
       read_section(*section);
       const std::string_view next = scanner_.word_anywhere();
       if (!next.empty() && !begins_like_a_keyword(next))
-        scanner_.fail(fmt::format(
-            "{} where a keyword should stand after the last row of {}, whose rows have {} numbers each",
-            in_quotes(next), section->keyword, section->columns));
+        scanner_.fail(
+            fmt::format("{} instead of a keyword after the last row of {}, whose rows have {} numbers each",
+                        in_quotes(next), section->keyword, section->columns));
       return next;
     }
     std::string_view word = scanner_.word_anywhere();

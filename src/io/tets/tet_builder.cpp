@@ -106,20 +106,20 @@ void TetBuilder::fail_other_solids() const {
     const char* const between = i == 0 ? "" : i + 1 < other_solids_.size() ? ", " : " and ";
     list += fmt::format("{}{} {}", between, other_solids_[i].second, other_solids_[i].first->plural);
   }
-  fail_input(*file_, first_other_solid_, list + ", where only tets can be used", Remedy::kCutIntoTets);
+  fail_input(*file_, first_other_solid_, list + ", but only tets can be used", Remedy::kCutIntoTets);
 }
 
 TetMesh TetBuilder::finish(const Place& end) {
   if (!other_solids_.empty()) fail_other_solids();
   if (mesh_.tets.empty() && !mesh_.feature_faces.empty())
     fail_input(*file_, end,
-               fmt::format("{} triangles but no tets (surfaces are read from STL, OBJ, PLY and OFF)",
+               fmt::format("{} triangles but no tets (for surfaces use STL, OBJ, PLY or OFF)",
                            mesh_.feature_faces.size()),
                Remedy::kCutIntoTets);
-  if (mesh_.tets.empty()) fail_input(*file_, end, "no tets up to here", Remedy::kExportAgain);
+  if (mesh_.tets.empty()) fail_input(*file_, end, "the file has no tets", Remedy::kExportAgain);
   if (curved_tets_ > 0)
     warn(WarningKind::kCurvedTets, {},
-         fmt::format("tets of higher order: {}; of these only the corners count, as if they were straight",
+         fmt::format("tets of higher order: {}; only their corners are used, as if they were straight",
                      curved_tets_));
   return std::move(mesh_);
 }

@@ -116,8 +116,7 @@ void add_vtk_cells(VtkCells cells, TetBuilder& builder) {
     const std::int64_t code = cells.types.next("the type of a cell");
     const CellType* type = type_of(code);
     if (type == nullptr)
-      cells.types.stream.fail(fmt::format("cell {} has type {}, which is not known", i, code),
-                              Remedy::kCutIntoTets);
+      cells.types.stream.fail(fmt::format("cell {} has the unknown type {}", i, code), Remedy::kCutIntoTets);
     const std::int64_t size = sizes.next();
     check_size(cells.points, *type, size);
     const std::size_t corners = corners_of(type->shape);

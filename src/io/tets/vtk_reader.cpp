@@ -64,7 +64,7 @@ class VtkReader {
                                 : !types_        ? "CELL_TYPES"
                                                  : nullptr;
     if (missing != nullptr)
-      fail(fmt::format("no {} up to here: cut short, or no mesh", missing), Remedy::kCopyAgain);
+      fail(fmt::format("{} is missing: cut short, or not a mesh", missing), Remedy::kCopyAgain);
     if (cell_count_ != type_count_) fail(fmt::format("{} CELLS and {} CELL_TYPES", cell_count_, type_count_));
     add_points();
     add_vtk_cells({cell_count_, *connectivity_, ends_, *types_, tags_}, builder_);
@@ -80,19 +80,19 @@ class VtkReader {
 
   void read_header() {
     if (scanner_.word() != "#" || scanner_.word() != "vtk")
-      scanner_.fail("does not begin with '# vtk DataFile Version': this is no VTK file",
+      scanner_.fail("does not begin with '# vtk DataFile Version': this is not a VTK file",
                     Remedy::kExportAgain);
     for (int i = 0; i < 2; ++i) scanner_.word();  // DataFile Version
     const double version = scanner_.number(scanner_.word(), "the version");
     if (!(version >= 1 && version < 6))
-      scanner_.fail("a version that is not known, unlike 4.2 and 5.1", Remedy::kExportAgain);
+      scanner_.fail("the version cannot be read, unlike 4.2 and 5.1", Remedy::kExportAgain);
     new_cells_ = version >= 5;
     scanner_.next_line();
     scanner_.next_line();  // title
     const std::string_view encoding = scanner_.word();
     is_binary_ = equals_ignoring_case(encoding, "BINARY");
     if (!is_binary_ && !equals_ignoring_case(encoding, "ASCII"))
-      scanner_.fail(fmt::format("{} where ASCII or BINARY should stand", in_quotes(encoding)));
+      scanner_.fail(fmt::format("{} instead of ASCII or BINARY", in_quotes(encoding)));
   }
 
   std::string_view next_keyword() { return scanner_.word_anywhere(); }
@@ -123,7 +123,7 @@ class VtkReader {
   void read_dataset() {
     const std::string_view kind = scanner_.word();
     if (!equals_ignoring_case(kind, "UNSTRUCTURED_GRID"))
-      fail(fmt::format("DATASET {}, where tets are in an UNSTRUCTURED_GRID", in_quotes(kind)),
+      fail(fmt::format("DATASET {}, but tets must be in an UNSTRUCTURED_GRID", in_quotes(kind)),
            Remedy::kExportAgain);
   }
 
@@ -136,7 +136,7 @@ class VtkReader {
   NumberType read_type() {
     const std::string_view name = scanner_.word();
     const auto type = type_named(kTypeNames, name, equals_ignoring_case);
-    if (!type) fail(fmt::format("{} is no type of numbers", in_quotes(name)));
+    if (!type) fail(fmt::format("{} is not a number type", in_quotes(name)));
     return *type;
   }
 
@@ -189,8 +189,7 @@ class VtkReader {
 
   VtkNumbers take_named(const char* name, std::uint64_t count) {
     const std::string_view keyword = scanner_.word_anywhere();
-    if (!equals_ignoring_case(keyword, name))
-      fail(fmt::format("{} where {} should stand", in_quotes(keyword), name));
+    if (!equals_ignoring_case(keyword, name)) fail(fmt::format("{} instead of {}", in_quotes(keyword), name));
     const NumberType type = read_type();
     return take_numbers(type, count, name);
   }
@@ -289,9 +288,9 @@ class VtkReader {
   /// Data that cannot be skipped, such as strings, are harmless if the mesh is complete.
   bool leave_the_rest(std::string_view word) {
     if (!points_ || !connectivity_ || !types_)
-      fail(fmt::format("{}, which is not known here", in_quotes(word)), Remedy::kExportAgain);
+      fail(fmt::format("{} is not a known keyword", in_quotes(word)), Remedy::kExportAgain);
     builder_.warn(WarningKind::kSkippedData, here(),
-                  fmt::format("{} is not known, and data after it were passed over", in_quotes(word)));
+                  fmt::format("{} is not known, and data after it are ignored", in_quotes(word)));
     return false;
   }
 

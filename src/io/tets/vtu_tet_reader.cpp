@@ -29,9 +29,9 @@ class VtuTetReader {
   TetMesh read() {
     read_header();
     if (const DataArray* schema = header_.find(VtuSection::kFieldData, field_arrays::kSchema))
-      fail(schema->begin, "a frame field that crossgrain has written, no mesh", Remedy::kGiveModel);
+      fail(schema->begin, "a frame field written by crossgrain, not a mesh", Remedy::kGiveModel);
     if (header_.cells == 0)
-      fail(file_->bytes().size(), "no <Piece> with cells: cut short, or empty", Remedy::kExportAgain);
+      fail(file_->bytes().size(), "<Piece> with cells is missing: cut short, or empty", Remedy::kExportAgain);
     add_points();
     add_cells();
     return builder_.finish({});
@@ -65,7 +65,7 @@ class VtuTetReader {
     const DataArray* array = header_.find(section, name);
     if (array == nullptr)
       fail_input(*file_, {},
-                 fmt::format("no array {} in {}: cut short, or no mesh",
+                 fmt::format("the array {} is missing in {}: cut short, or not a mesh",
                              name.empty() ? "of coordinates" : in_quotes(name), name_of(section)));
     return *array;
   }
@@ -89,7 +89,7 @@ class VtuTetReader {
                  Remedy::kCopyAgain);
     if (bytes->size() % size_of(array.type) != 0 || (count && *count != bytes->size() / size_of(array.type)))
       fail_input(*file_, {},
-                 fmt::format("array {} has {} numbers where {} should be", in_quotes(array.name),
+                 fmt::format("array {} has {} numbers instead of {}", in_quotes(array.name),
                              bytes->size() / size_of(array.type), count.value_or(0)));
     unpacked_.push_back(std::make_unique<std::string>(std::move(*bytes)));
     return {NumberStream(*file_, array.name, *unpacked_.back(), header_.package.is_swapped), array.type};

@@ -60,7 +60,7 @@ std::vector<Vector3> read_points(const std::filesystem::path& path) {
   for_each_row(file, {{"x", "y", "z", ""}, 3, 3}, [&](const TextScanner&, const auto& row, std::size_t) {
     points.push_back({row[0], row[1], row[2]});
   });
-  if (points.empty()) fail_input(file, {}, "holds no point ('x y z' on a line)", Remedy::kNone);
+  if (points.empty()) fail_input(file, {}, "has no points ('x y z' on each line)", Remedy::kNone);
   return points;
 }
 
@@ -81,7 +81,7 @@ std::vector<WeightedNormal> read_normals(const std::filesystem::path& path) {
                  normals.push_back(normal);
                });
   if (normals.empty())
-    fail_input(file, {}, "holds no normal ('nx ny nz' or 'nx ny nz weight' on a line)", Remedy::kNone);
+    fail_input(file, {}, "has no normals ('nx ny nz' or 'nx ny nz weight' on each line)", Remedy::kNone);
   return normals;
 }
 

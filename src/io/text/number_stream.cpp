@@ -57,7 +57,7 @@ std::int64_t NumberStream::binary_integer(NumberType type) {
       // Beyond 63 bits they become negative, which is invalid for an index or count too.
       return static_cast<std::int64_t>(take<std::uint64_t>());
     default:
-      fail("numbers with decimals where whole ones should stand");
+      fail("numbers with decimals instead of whole numbers");
   }
 }
 

@@ -132,7 +132,7 @@ double TextScanner::number(std::string_view word, const char* what) const {
   const auto [stop, code] = std::from_chars(digits.data(), end, value);
   if (code == std::errc::result_out_of_range) value = out_of_range_value(digits);
   if (code == std::errc::invalid_argument || stop != end)
-    fail(fmt::format("{} where {} should stand, a number with a decimal point", in_quotes(word), what));
+    fail(fmt::format("{} instead of {} (a number with a decimal point)", in_quotes(word), what));
   if (!std::isfinite(value)) fail(fmt::format("{} is {}, not a finite number", what, in_quotes(word)));
   return value;
 }
@@ -144,7 +144,7 @@ std::int64_t TextScanner::integer(std::string_view word, const char* what) const
   const char* end = digits.data() + digits.size();
   const auto [stop, code] = std::from_chars(digits.data(), end, value);
   if (code != std::errc() || stop != end)
-    fail(fmt::format("{} where {} should stand, a whole number", in_quotes(word), what));
+    fail(fmt::format("{} instead of {} (a whole number)", in_quotes(word), what));
   return value;
 }
 

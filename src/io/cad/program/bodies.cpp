@@ -83,9 +83,9 @@ Warning warning_of(std::size_t solids, const std::vector<TopoDS_Shape>& shells) 
   const auto closed = std::count_if(shells.begin(), shells.end(),
                                     [](const TopoDS_Shape& shell) { return BRep_Tool::IsClosed(shell); });
   const std::string parts =
-      fmt::format("{} closed and {} open, each taken as a solid of its own", closed, shells.size() - closed);
-  const char* const what = solids == 0 ? "the file has no solids, only faces, which make up shells: "
-                                       : "the file has faces beside its solids, which make up shells: ";
+      fmt::format("{} closed and {} open, each solved as a separate solid", closed, shells.size() - closed);
+  const char* const what = solids == 0 ? "the file has no solids, only faces, which form shells: "
+                                       : "the file has faces that belong to no solid and form shells: ";
   return {WarningKind::kLooseFaces, what + parts};
 }
 
@@ -105,7 +105,7 @@ double longest_side_at_most(const TopoDS_Shape& shape) {
 Bodies find_bodies(const TopoDS_Shape& shape) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  if (faces.IsEmpty()) throw Fault("holds no faces, only curves or points", Remedy::kExportAgain);
+  if (faces.IsEmpty()) throw Fault("has no faces, only curves or points", Remedy::kExportAgain);
 
   Bodies result;
   result.whole = shape;

@@ -34,7 +34,7 @@ std::uint32_t EdgeNodes::add(const gp_Pnt& point) {
     if (!std::isfinite(coordinate)) throw Fault("has a point at infinity");
   }
   if (positions_.size() >= kNone)
-    throw Fault("takes more than 4294967295 vertices", Remedy::kLowerResolution);
+    throw Fault("needs more than 4294967295 vertices", Remedy::kLowerResolution);
   positions_.push_back(position);
   return static_cast<std::uint32_t>(positions_.size() - 1);
 }

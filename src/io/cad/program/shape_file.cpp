@@ -65,14 +65,14 @@ void refuse_damaged_geometry(const Handle(Interface_InterfaceModel) & model) {
 void warn_without_unit(CadShape& result) {
   if (result.file_unit.empty())
     result.warnings.emplace_back(WarningKind::kUnknownUnit,
-                                 "the file names no unit of length: its numbers are taken for millimetres");
+                                 "the file does not give a unit of length; millimetres are assumed");
 }
 
 CadShape read_step_shape(const std::string& path) {
   STEPControl_Reader reader;
   ask_for_millimetres();
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    throw Fault("is damaged, or no STEP file that OpenCASCADE can read", Remedy::kExportAgain);
+    throw Fault("is damaged, or not a STEP file that OpenCASCADE can read", Remedy::kExportAgain);
   refuse_damaged_geometry(reader.Model());
   CadShape result;
   result.unit = kUnit;
@@ -85,7 +85,8 @@ CadShape read_step_shape(const std::string& path) {
   if (read < parts)
     result.warnings.emplace_back(
         WarningKind::kMissingParts,
-        fmt::format("parts that OpenCASCADE could not read, and are missing: {} of {}", parts - read, parts));
+        fmt::format("parts that OpenCASCADE could not read, so they are missing: {} of {}", parts - read,
+                    parts));
   result.shape = reader.OneShape();
   return result;
 }
@@ -105,7 +106,7 @@ CadShape read_iges_shape(const std::string& path) {
   IGESControl_Reader reader;
   ask_for_millimetres();
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    throw Fault("is damaged, or no IGES file that OpenCASCADE can read", Remedy::kExportAgain);
+    throw Fault("is damaged, or not an IGES file that OpenCASCADE can read", Remedy::kExportAgain);
   refuse_damaged_geometry(reader.Model());
   CadShape result;
   result.unit = kUnit;
@@ -131,7 +132,7 @@ CadShape read_brep_shape(const std::string& path) {
   } else {
     done = BRepTools::Read(result.shape, path.c_str(), BRep_Builder());
   }
-  if (!done) throw Fault("is damaged, or no BREP file that OpenCASCADE can read", Remedy::kExportAgain);
+  if (!done) throw Fault("is damaged, or not a BREP file that OpenCASCADE can read", Remedy::kExportAgain);
   return result;
 }
 
@@ -141,7 +142,7 @@ CadShape read_shape(const std::string& path, CadFormat format) {
   CadShape result = format == CadFormat::kStep   ? read_step_shape(path)
                     : format == CadFormat::kIges ? read_iges_shape(path)
                                                  : read_brep_shape(path);
-  if (result.shape.IsNull()) throw Fault("holds no shapes that could be read", Remedy::kExportAgain);
+  if (result.shape.IsNull()) throw Fault("has no shapes that could be read", Remedy::kExportAgain);
   return result;
 }
 

@@ -78,7 +78,7 @@ class Tessellation {
                use.reversed != inside_out);
       sharp.add(body.shape, inside_out);
     }
-    if (mesh_.triangles.empty()) throw Fault("none of its faces could be cut into triangles");
+    if (mesh_.triangles.empty()) throw Fault("none of its faces could be triangulated");
     mesh_.creases = sharp.creases(nodes_);
     warn_of_missing_faces();
     return std::move(mesh_);
@@ -217,7 +217,7 @@ class Tessellation {
       mesh_.warnings.emplace_back(
           WarningKind::kMissingFaces,
           fmt::format(
-              "faces that could not be cut into triangles, and are missing: {} of {}; the first is face {}",
+              "faces that could not be triangulated, so they are missing: {} of {}; the first is face {}",
               missing, faces_.size() - 1, first));
   }
 
