@@ -25,7 +25,7 @@ class FirstMet {
     std::size_t slot = slot_of(cell);
     if (slots_[slot] == kEmpty) {
       if (cells_.size() > std::numeric_limits<std::uint16_t>::max())
-        throw Error(ErrorKind::kLimit, "cells have more neighbours than there is room for");
+        throw Error(ErrorKind::kLimit, "cells have too many neighbours to be stored");
       slots_[slot] = static_cast<std::uint32_t>(cells_.size());
       cells_.push_back(cell);
       if (2 * cells_.size() > slots_.size()) grow();

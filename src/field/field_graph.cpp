@@ -49,7 +49,7 @@ Colouring greedy_colouring(const Adjacency& adjacency) {
     const auto free =
         std::find_if(taken_by.begin(), taken_by.end(), [i](std::uint32_t by) { return by != i; });
     if (free == taken_by.end())
-      throw Error(ErrorKind::kLimit, "a vertex has more neighbours than there are colours, 256",
+      throw Error(ErrorKind::kLimit, "a vertex has too many neighbours: more than 256 colours are needed",
                   Remedy::kSplitTets);
     colours[i] = static_cast<std::uint8_t>(free - taken_by.begin());
   }
