@@ -15,7 +15,7 @@ namespace crossgrain::app {
 void print_result(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
   throw Error(ErrorKind::kOutput, {"standard output", "",
-                                   fmt::format("cannot be written: {}; free some space or send it elsewhere",
+                                   fmt::format("cannot be written: {}; free some space or redirect it",
                                                std::generic_category().message(errno))});
 }
 

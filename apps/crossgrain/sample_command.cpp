@@ -20,11 +20,11 @@ void check_files(const SampleArguments& arguments) {
   };
   if (same(arguments.output, arguments.points) || same(arguments.outside, arguments.points)) {
     throw Error(ErrorKind::kUsage,
-                {arguments.points, "", "holds the points; name another file for the result"});
+                {arguments.points, "", "is the file of points; choose another file for the result"});
   }
   if (same(arguments.output, arguments.outside)) {
     throw Error(ErrorKind::kUsage,
-                {arguments.output, "", "is named for frames and for outside points; name two files"});
+                {arguments.output, "", "is given for both frames and outside points; choose two files"});
   }
 }
 

@@ -31,7 +31,8 @@ void check_files(const StreamlinesArguments& arguments) {
     if (name != kStreamlinesFile) inputs.push_back((folder / name).string());
   for (const std::string& input : inputs) {
     if (input.empty() || input == "-" || normal(input) != output) continue;
-    throw Error(ErrorKind::kUsage, {input, "", "is read, or of the field; name another file for the lines"});
+    throw Error(ErrorKind::kUsage,
+                {input, "", "is an input or belongs to the field; choose another file for the lines"});
   }
 }
 

@@ -37,7 +37,7 @@ void check_folder(const std::filesystem::path& folder) {
   };
   const std::filesystem::file_status status = std::filesystem::status(folder, failure);
   if (!std::filesystem::exists(status)) fail("no such folder", Remedy::kGiveFieldFolder);
-  if (!std::filesystem::is_directory(status)) fail("is no folder", Remedy::kGiveFieldFolder);
+  if (!std::filesystem::is_directory(status)) fail("is not a folder", Remedy::kGiveFieldFolder);
   if (!std::filesystem::is_regular_file(folder / kPageName, failure))
     fail(fmt::format("has no {}; solve again without --no-report", kPageName));
 }

@@ -134,8 +134,9 @@ int FolderServer::bind(int port) {
   const bool is_bound =
       port > 0 ? server.bind_to_port(kAddress, port) : (port = server.bind_to_any_port(kAddress)) > 0;
   if (!is_bound)
-    throw Error(ErrorKind::kOutput, {fmt::format("port {} of {}", port, kAddress), "",
-                                     "is taken, or not for everyone; choose another with --port, or none"});
+    throw Error(ErrorKind::kOutput,
+                {fmt::format("port {} of {}", port, kAddress), "",
+                 "is in use or needs privileges; choose another with --port, or omit it"});
   return files_->port = port;
 }
 
