@@ -221,7 +221,7 @@ TEST(CadProcess, IsKilledOnceTheMonitorIsCancelled) {
 
 TEST(CadProcess, AMissingOrStrangeReaderIsNamedWithThePackagesToInstall) {
   FakeReader reader("exit 127");
-  expect_words(reader.error(), {"reader.sh, misses libraries", "libocct-data-exchange"});
+  expect_words(reader.error(), {"reader.sh, cannot find libraries", "libocct-data-exchange"});
   expect_words(FakeReader("true").error(), {"does not belong to Crossgrain", kVersion});
   expect_words(FakeReader(saying("crossgrain_cad 0.0.1\n")).error(), {"does not belong to Crossgrain"});
   reader.options().cad_program = reader.folder() / "none";

@@ -159,7 +159,7 @@ TEST(MeditReader, NamesTheLineOfACoordinateThatIsNoNumber) {
 
 TEST(MeditReader, RefusesRowsOfAnotherLength) {
   expect_error("Vertices\n3\n0 0 0\n0.5 1 0\n0 1 0\n" + kTets,
-               "a.mesh: line 4: '0.5' where the reference number");
+               "a.mesh: line 4: '0.5' instead of the reference number");
   expect_error("Vertices\n2\n0 0 0 1\n1 0 0 1\n0 1 0 1\n" + kTets, "after the last row of Vertices");
 }
 

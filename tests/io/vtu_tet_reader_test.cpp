@@ -53,7 +53,7 @@ TEST(VtuTetReader, RefusesWrongCounts) {
     EXPECT_NE(error_of_reading_tets(replaced(raw, "NumberOfPoints=\"12\"", stated)), "") << count;
   }
   expect_tet_error(replaced(raw, "NumberOfCells=\"1\"", "NumberOfCells=\"2\""),
-                   "array 'offsets' has 1 numbers where 2");
+                   "array 'offsets' has 1 numbers instead of 2");
   expect_tet_error(one_cell(10, {0, 1, 2}), "a cell of type 10 (tets) has 3 points");
 }
 
