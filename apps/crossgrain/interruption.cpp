@@ -12,7 +12,7 @@
 namespace crossgrain::app {
 namespace {
 
-// A signal handler can be told what to do by globals only.
+// A signal handler can only access globals.
 std::atomic<Monitor*> monitor_of_signals = nullptr;
 std::atomic<std::int64_t> last_signal_ns = 0;
 std::atomic<bool> clears_line = false;
@@ -27,18 +27,18 @@ std::int64_t now_ns() {
   return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
-/// As far as a handler may: nothing is allocated, no lock taken.
+/// Limited to what a signal handler may do: no allocation, no lock.
 void say(std::string_view text) {
   if (clears_line.load() && write(STDERR_FILENO, "\r\x1b[K", 4) < 0) return;
-  // A terminal that is gone takes no words, and needs none.
+  // If the terminal is gone, there is nobody to tell.
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
 }
 
 void stop(Monitor& monitor) {
   monitor.stop();
-  // Computing ends in a moment and says then which level is written.
+  // The computation ends soon and reports which level it writes.
   if (has_field.load())
-    say("crossgrain: interrupted: the field is solved and goes on to its files; Ctrl-C again to drop it\n");
+    say("crossgrain: interrupted: the field is solved and will be written; Ctrl-C again to drop it\n");
 }
 
 extern "C" void on_signal(int signal) {
@@ -58,7 +58,7 @@ extern "C" void on_signal(int signal) {
   errno = error_before;
 }
 
-/// A signal that is ignored (a process under nohup, say) stays so.
+/// A signal that is ignored (for instance under nohup) stays ignored.
 void install(int signal, struct sigaction& before) {
   sigaction(signal, nullptr, &before);
   if (before.sa_handler == SIG_IGN) return;

@@ -9,23 +9,23 @@
 
 namespace crossgrain::app {
 
-/// While it lives, SIGINT (Ctrl-C), SIGTERM and SIGHUP are for a monitor. Where that may be stopped
-/// (Monitor::allow_stops) the first of them stops it and the second cancels it, otherwise the first cancels
-/// it: what is half-written is removed then. One more ends the process at once. One at a time.
+/// While an object lives, SIGINT (Ctrl-C), SIGTERM and SIGHUP act on a monitor. If stops are allowed
+/// (Monitor::allow_stops), the first signal stops it and the second cancels it; otherwise the first cancels
+/// it. Cancelling removes partial files. One more signal ends the process at once. Only one object may live
+/// at a time.
 ///
-/// A signal that follows another within a tenth of a second is the same one: `timeout` and some batch systems
-/// send it to the process and to its group, of which it is one. Nobody presses keys so fast.
+/// A signal within a tenth of a second of another counts as the same one: `timeout` and some batch systems
+/// signal the process and also its group, which contains it. Nobody presses keys that fast.
 class Interruption {
  public:
-  /// `on_terminal`: lines on standard error are rewritten in place, so that what is said there begins with
-  /// clearing one.
+  /// `on_terminal`: lines on standard error are rewritten in place, so messages first clear the line.
   explicit Interruption(Monitor& monitor, bool on_terminal = false);
   ~Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  /// Whether what is being worked on is a field already, which a stop changes nothing of: the signal that
-  /// stops says so then. It is not until this is called.
+  /// Sets whether the current work already has a field, so that a stop does not change it; the message of a
+  /// stop says so then. Initially false.
   static void set_has_field(bool has);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line program: every error ends as one line on standard error and the exit code of its kind.
+// The command line program. Every error is one line on standard error and the exit code of its kind.
 #include <csignal>
 #include <exception>
 #include <new>
@@ -18,7 +18,7 @@
 namespace crossgrain::app {
 namespace {
 
-/// A fault of the program itself, which none of the documented codes stands for.
+/// Exit code of a fault in the program itself, which is none of the documented codes.
 constexpr int kInternalError = 1;
 
 struct Run {
@@ -32,7 +32,7 @@ struct Run {
   int operator()(const ViewArguments& arguments) const { run_view(arguments); }
 };
 
-/// The file that a command is about, for errors that name none.
+/// Returns the file of a command, for errors that name none.
 struct Subject {
   std::string operator()(const Finished&) const { return ""; }
   std::string operator()(const SolveArguments& arguments) const { return arguments.model + ": "; }
@@ -75,12 +75,11 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
 #ifdef M_MMAP_THRESHOLD
-  // Large arrays go back to the system when a level is done with. By default the threshold grows with the
-  // first large array that is freed, and a quarter of the peak is memory that nobody uses.
+  // Returns large arrays to the system when a level is finished. By default the threshold grows with the
+  // first large array that is freed, and a quarter of the peak is unused memory.
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
 #endif
-  // A file beyond a limit of the system's is to fail like any other that cannot be written, not to end the
-  // process.
+  // A file that exceeds a limit of the system should fail like any other write error, not end the process.
   std::signal(SIGXFSZ, SIG_IGN);
   return crossgrain::app::run(argc, argv);
 }

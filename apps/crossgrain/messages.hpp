@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors and warnings of the library as this program says them: with its own options, and as exit codes.
+// Errors and warnings of the library in terms of this program: its options and exit codes.
 #pragma once
 
 #include <string>
@@ -8,14 +8,13 @@
 
 namespace crossgrain::app {
 
-/// The exit code of docs/command-line.md.
+/// Exit code of an error (docs/command-line.md).
 int exit_code_of(ErrorKind kind);
 
-/// `solve` has options for resolution, memory and time that other commands do not have.
+/// `solve` has options for resolution, memory and time that other commands lack.
 enum class Command { kSolve, kOther };
 
-/// Runs `compute`. Errors of the mesh that it is given, which name no file, get the name of the file that the
-/// mesh came from.
+/// Runs `compute`. Errors about the mesh, which name no file, get the name of the mesh's file.
 template <class Compute>
 auto naming(const std::string& file, const Compute& compute) {
   try {
@@ -27,7 +26,7 @@ auto naming(const std::string& file, const Compute& compute) {
   }
 }
 
-/// The line for a message; what to do about it names the options of the command.
+/// Returns the line for a message, with the command's options in its remedy.
 std::string line_of(const Message& message, Command command);
 
 }  // namespace crossgrain::app

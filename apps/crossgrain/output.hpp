@@ -5,10 +5,10 @@
 
 namespace crossgrain::app {
 
-/// Throws Error(kOutput) where standard output does not take all of it.
+/// Writes to standard output. Throws Error(kOutput) if it cannot write everything.
 void print_result(const std::string& text);
 
-/// `crossgrain: message` on standard error, whatever the message holds: one line.
+/// Writes `crossgrain: message` to standard error, always as one line.
 void print_message(const std::string& message);
 
 }  // namespace crossgrain::app

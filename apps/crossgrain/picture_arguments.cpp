@@ -18,7 +18,7 @@ std::optional<T> parse_number(std::string_view text) {
   return value;
 }
 
-/// Two numbers with `between` between them.
+/// Parses two numbers separated by `between`.
 template <class T>
 std::optional<std::array<T, 2>> parse_pair(const std::string& text, char between) {
   const std::size_t at = text.find(between);

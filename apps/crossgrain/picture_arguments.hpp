@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts of the command line as options of a picture; empty results stand for texts that make no sense.
+// Parse command-line texts as options of a picture. The result is empty if the text is invalid.
 #pragma once
 
 #include <array>
@@ -10,16 +10,16 @@
 
 namespace crossgrain::app {
 
-/// "1600x1200": width and height.
+/// Width and height as "1600x1200".
 std::optional<std::array<int, 2>> parse_size(const std::string& text);
 
-/// "iso" or another name of a view, or "-55,28": azimuth and elevation, degrees.
+/// A view by name, such as "iso", or azimuth and elevation in degrees as "-55,28".
 std::optional<std::array<double, 2>> parse_view(const std::string& text);
 
-/// "x", or "x=12.5" for the place; or "none", which is a cut that is not there.
+/// A cut across an axis as "x", or with its place as "x=12.5"; "none" for no cut.
 std::optional<std::optional<PictureOptions::Cut>> parse_cut(const std::string& text);
 
-/// "0,5": two numbers, the lower one first.
+/// Two numbers as "0,5", the lower one first.
 std::optional<std::array<double, 2>> parse_range(const std::string& text);
 
 }  // namespace crossgrain::app

@@ -13,13 +13,13 @@
 namespace crossgrain::app {
 namespace {
 
-/// Often enough to look alive, seldom enough to cost nothing.
+/// Frequent enough to look alive, rare enough to cost nothing.
 constexpr std::chrono::milliseconds kRewritingInterval{100};
 
-/// The same where nothing is reported, so that seconds go on.
+/// Interval without reports, so that the seconds keep counting.
 constexpr std::chrono::milliseconds kMovingInterval{500};
 
-/// Of terminals that do not say.
+/// Width of terminals that do not report it.
 constexpr std::size_t kUsualWidth = 80;
 
 bool can_move_lines() {
@@ -27,8 +27,8 @@ bool can_move_lines() {
   return isatty(STDERR_FILENO) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
 }
 
-/// Asked anew for every line, for windows change. One less than there is: some terminals begin a new line
-/// when the last column is written to.
+/// Queried for every line, since windows change. One less than the width, because some terminals start a new
+/// line after the last column.
 std::size_t room_on_line() {
   winsize size{};
   const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
@@ -59,7 +59,7 @@ std::string phase_text(const Progress& progress) {
   return text;
 }
 
-/// Of a level the grid is made and the frames are found: one line.
+/// Grid and frames of a level share one line.
 bool is_of_level(const Progress& progress) {
   return progress.level > 0 && (progress.phase == Phase::kGrid || progress.phase == Phase::kSolve);
 }

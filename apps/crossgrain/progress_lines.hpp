@@ -14,31 +14,30 @@
 
 namespace crossgrain::app {
 
-/// Shows progress on standard error: a line a level of the solve, a line for each other phase. On a terminal
-/// the line of what is going on is rewritten in place, also while nothing is reported, and never wider than
-/// the terminal is at that moment. Elsewhere, and on a terminal that is said to be dumb, a line appears once
-/// its level or phase is done, in plain characters.
+/// Shows progress on standard error: one line per level of the solve, and one per other phase. On a terminal
+/// the current line is rewritten in place, even without reports, and fits the current width of the terminal.
+/// Elsewhere, and on a dumb terminal, a line appears in plain characters once its level or phase is finished.
 class ProgressLines {
  public:
   explicit ProgressLines(bool shown);
-  /// Leaves the line of what was going on.
+  /// Ends the current line.
   ~ProgressLines();
   ProgressLines(const ProgressLines&) = delete;
   ProgressLines& operator=(const ProgressLines&) = delete;
 
-  /// Whether lines are rewritten in place.
+  /// Returns whether lines are rewritten in place.
   bool is_moving() const { return moving_; }
 
   void show(const Progress& progress);
 
-  /// From now on the time that remains is told by this. `total_seconds` count from the construction on.
+  /// Sets the forecast for the remaining time. `total_seconds` count from the construction of this object.
   void expect(double total_seconds);
 
-  /// Leaves the line of what is going on where it is, so that something else may be printed. Off terminals
-  /// nothing of it appears, for it is not done.
+  /// Leaves the current line as it is, so that other text can be printed. If lines are not rewritten in
+  /// place, nothing of it appears, since it is not finished.
   void leave_line();
 
-  /// What is going on is done.
+  /// Finishes the current line.
   void end_line();
 
  private:
@@ -52,13 +51,13 @@ class ProgressLines {
   const Clock::time_point start_ = Clock::now();
   bool shown_;
   bool moving_;
-  std::mutex mutex_;  ///< of all below
+  std::mutex mutex_;  ///< protects all members below
   std::optional<Progress> current_;
   Clock::time_point begun_{}, rewritten_{};
   RemainingTime remaining_;
   bool over_ = false;
   std::condition_variable over_changed_;
-  std::thread mover_;  ///< only where lines move
+  std::thread mover_;  ///< only if lines are rewritten in place
 };
 
 }  // namespace crossgrain::app

@@ -8,13 +8,13 @@
 namespace crossgrain::app {
 namespace {
 
-/// Levels of fewer cells tell nothing of those to come: most of what they take is not work on cells.
+/// Timings of levels with fewer cells say nothing about later ones: most of their time is not work on cells.
 constexpr std::size_t kFewestCellsToTell = 4000;
 
-/// Cells of the next level for one of a level, where refinement follows the surface.
+/// Ratio of cells of the next level to those of the current one if refinement follows the surface.
 constexpr double kGrowth = 4;
 
-/// What analysis and writing take for what the last level took (docs/notes/performance.md).
+/// Time of analysis and writing relative to the last level (docs/notes/performance.md).
 constexpr double kResultShare = 0.5;
 
 }  // namespace

@@ -9,17 +9,17 @@
 
 namespace crossgrain::app {
 
-/// How long a solve is going to take yet, as far as anything is known of that.
+/// Estimates the remaining time of a solve.
 class RemainingTime {
  public:
-  /// What the library expects of the whole, which counts from now on.
+  /// Sets the library's forecast for the whole solve, which counts from now on.
   void expect(double total_seconds) { total_seconds_ = total_seconds; }
 
-  /// A level is done.
+  /// Records a finished level.
   void add_level(std::size_t cells, double seconds);
 
-  /// Empty where nothing is known: before a level has enough cells to tell, and where things took longer
-  /// than expected. Times in seconds: of all so far, of the level at work so far.
+  /// Returns the remaining time; empty before a level has enough cells for an estimate, and if things took
+  /// longer than expected. Arguments are the seconds so far in total and on the current level.
   std::optional<double> seconds(const Progress& at_work, double so_far, double of_level) const;
 
  private:
@@ -27,7 +27,7 @@ class RemainingTime {
   std::optional<double> last_level_seconds_;
 };
 
-/// "40 s", "12 min", "2 h 10 min".
+/// Formats as "40 s", "12 min", "2 h 10 min".
 std::string duration_text(double seconds);
 
 }  // namespace crossgrain::app

@@ -23,7 +23,7 @@ void check_files(const RenderArguments& arguments) {
     const std::filesystem::path input = std::filesystem::path(arguments.field) / name;
     if (normal(input) == normal(arguments.output))
       throw Error(ErrorKind::kUsage,
-                  {input.string(), "", "is of the field; name another file for the picture"});
+                  {input.string(), "", "belongs to the field; choose another file for the picture"});
   }
 }
 

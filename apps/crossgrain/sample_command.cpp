@@ -20,11 +20,11 @@ void check_files(const SampleArguments& arguments) {
   };
   if (same(arguments.output, arguments.points) || same(arguments.outside, arguments.points)) {
     throw Error(ErrorKind::kUsage,
-                {arguments.points, "", "holds the points; name another file for the result"});
+                {arguments.points, "", "is the file of points; choose another file for the result"});
   }
   if (same(arguments.output, arguments.outside)) {
     throw Error(ErrorKind::kUsage,
-                {arguments.output, "", "is named for frames and for outside points; name two files"});
+                {arguments.output, "", "is given for both frames and outside points; choose two files"});
   }
 }
 
@@ -35,7 +35,7 @@ void run_sample(const SampleArguments& arguments) {
   const FrameField field = read_field(arguments.field);
   const std::vector<Vector3> points = read_points(arguments.points);
 
-  // Not before: waiting for standard input is ended by the first Ctrl-C.
+  // Not earlier: the first Ctrl-C must end waiting for standard input.
   Monitor monitor;
   const Interruption interruption(monitor);
   const std::size_t outside = write_samples(field, points, {arguments.output, arguments.outside}, monitor);

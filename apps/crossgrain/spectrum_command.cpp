@@ -13,7 +13,7 @@
 namespace crossgrain::app {
 namespace {
 
-/// Relative to the largest number of a block, what is less is rounding of the sums.
+/// Numbers below this fraction of the largest of a block are rounding errors of the sums.
 constexpr double kRounding = 1e-14;
 
 double largest_of(const std::vector<double>& numbers) {

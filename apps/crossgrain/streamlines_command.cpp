@@ -31,11 +31,12 @@ void check_files(const StreamlinesArguments& arguments) {
     if (name != kStreamlinesFile) inputs.push_back((folder / name).string());
   for (const std::string& input : inputs) {
     if (input.empty() || input == "-" || normal(input) != output) continue;
-    throw Error(ErrorKind::kUsage, {input, "", "is read, or of the field; name another file for the lines"});
+    throw Error(ErrorKind::kUsage,
+                {input, "", "is an input or belongs to the field; choose another file for the lines"});
   }
 }
 
-/// The surface of the model; CAD files cut into triangles as they were for the solve.
+/// Reads the surface of the model; CAD files are triangulated as for the solve.
 std::optional<TriangleMesh> read_model(const StreamlinesArguments& arguments, const FrameField& field,
                                        const Monitor& monitor) {
   const std::string& file = arguments.surface;
@@ -46,7 +47,7 @@ std::optional<TriangleMesh> read_model(const StreamlinesArguments& arguments, co
     mesh = naming(file, [&] { return TetDomain(std::move(tets)).boundary(); });
   } else {
     ReadOptions options;
-    constexpr double kCoarsest = 4;  // also where the report has null
+    constexpr double kCoarsest = 4;  // also if the report has null
     options.resolution = static_cast<int>(std::lround(std::max(kCoarsest, field.report().resolution)));
     mesh = read_surface(file, options, monitor);
   }
@@ -113,7 +114,7 @@ void run_streamlines(const StreamlinesArguments& arguments) {
   std::vector<Vector3> seeds;
   if (!arguments.seeds.empty()) seeds = read_points(arguments.seeds);
 
-  // Not before: waiting for standard input is ended by the first Ctrl-C.
+  // Not earlier: the first Ctrl-C must end waiting for standard input.
   Monitor monitor;
   const Interruption interruption(monitor);
   const std::optional<TriangleMesh> surface = read_model(arguments, field, monitor);

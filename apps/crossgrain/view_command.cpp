@@ -14,12 +14,12 @@
 namespace crossgrain::app {
 namespace {
 
-/// How many folders above the program there may be libexec/: bin/crossgrain in an installed tree,
+/// How many folders above the program libexec/ may be: bin/crossgrain in an installed tree,
 /// apps/crossgrain/crossgrain in a build tree.
 constexpr int kFoldersAbove = 2;
 
-/// The server of pages is a program of its own: the library that it is made with takes 6 MB and six
-/// milliseconds to load, which no other command is to pay for.
+/// The server of pages is a separate program: its HTTP library takes 6 MB and six milliseconds to load, which
+/// other commands should not pay for.
 std::filesystem::path find_view_program() {
   std::error_code failure;
   std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", failure).parent_path();
@@ -37,7 +37,7 @@ void check_folder(const std::filesystem::path& folder) {
   };
   const std::filesystem::file_status status = std::filesystem::status(folder, failure);
   if (!std::filesystem::exists(status)) fail("no such folder", Remedy::kGiveFieldFolder);
-  if (!std::filesystem::is_directory(status)) fail("is no folder", Remedy::kGiveFieldFolder);
+  if (!std::filesystem::is_directory(status)) fail("is not a folder", Remedy::kGiveFieldFolder);
   if (!std::filesystem::is_regular_file(folder / kPageName, failure))
     fail(fmt::format("has no {}; solve again without --no-report", kPageName));
 }

@@ -14,8 +14,8 @@ namespace crossgrain {
 /// Directions to follow besides the surface (docs/constraints.md). Constraints are soft: each adds to the
 /// energy like a piece of surface, so that none is met exactly.
 ///
-/// `axes` are directions of any length except zero; their signs do not matter. One direction asks for an axis
-/// along it, three orthogonal directions ask for that frame. Three directions that are off a right angle by
+/// `axes` are directions of any length except zero; their signs do not matter. One direction requests an axis
+/// along it, three orthogonal directions request that frame. Three directions that are off a right angle by
 /// up to kFrameToleranceDeg are replaced by the nearest orthogonal ones.
 ///
 /// Weights are dimensionless, positive and at most kLargestConstraintWeight. An axis of weight 1 counts in

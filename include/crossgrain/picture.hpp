@@ -75,13 +75,14 @@ struct PictureOptions {
 /// seen from -y, with x to the right. Throws Error(kUsage) for any other name.
 void set_view(PictureOptions& options, const std::string& name);
 
-/// Curves to draw that the field itself does not hold.
+/// Curves to draw that are not part of the field.
 struct PictureCurves {
-  /// The singular lines; null for those of the field. Of part of a field (OutputOptions) the lines of the
-  /// whole are in a file (`read_singularities`).
+  /// The singular lines to draw; null for those of the field. A field that was written in part
+  /// (OutputOptions) lacks some of them; a file of the folder has all (`read_singularities`).
   const SingularityGraph* singularities = nullptr;
 
-  /// Polylines of two points at least, model units; legend and lines are left out where there are none.
+  /// Streamlines to draw: polylines of at least two points, model units. If empty, the legend does not
+  /// mention them.
   std::vector<std::vector<Vector3>> streamlines = {};
 };
 

@@ -33,7 +33,7 @@ class TetDomain {
   /// dominated by many tiny tets in a corner.
   double typical_edge_length() const;
 
-  /// Of what was mended or is odd; those of the mesh first.
+  /// Warnings about what was repaired or is unusual; those of the mesh first.
   const std::vector<Warning>& warnings() const;
 
   /// The representation behind it, for the library itself.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges and faces by their vertices, whichever way round they are.
+// Vertices of an edge or face in ascending order: a key that does not depend on its orientation.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of many things are connected, when told pair by pair.
+// Union-find: connected components from pairs of connected items.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace crossgrain {
 
-/// Sets of the numbers below `count`, at first each on its own. The root of a set is its lowest number, so it
-/// does not depend on the order of joining.
+/// Partition of the numbers below `count`, at first each in a set of its own. The root of a set is its lowest
+/// number, so it does not depend on the order of joining.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }

@@ -9,8 +9,8 @@
 
 namespace crossgrain {
 
-/// Frames [begin, begin + W) as unit quaternions side by side; where the span ends, its last frame fills the
-/// other lanes.
+/// Returns frames [begin, begin + W) as unit quaternions, one per lane. If the span ends earlier, its last
+/// frame fills the other lanes.
 template <int W>
 BasicQuaternion<Lanes<W>> frames_in_lanes(std::span<const StoredQuaternion> frames, std::size_t begin) {
   BasicQuaternion<Lanes<W>> q;

@@ -18,7 +18,7 @@ VectorWidth width_of_processor() {
   return VectorWidth::kTwo;
 }
 
-/// What CROSSGRAIN_VECTOR_DOUBLES allows: 2, 4 or 8.
+/// Returns the width that CROSSGRAIN_VECTOR_DOUBLES allows: 2, 4 or 8.
 VectorWidth width_allowed() {
   const char* setting = std::getenv("CROSSGRAIN_VECTOR_DOUBLES");
   const std::string doubles = setting == nullptr ? "" : setting;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The choice, at run time, of the widest vectors that the processor has.
+// Selects at run time the widest vectors that the processor has.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@ namespace crossgrain {
 
 enum class VectorWidth : std::uint8_t { kTwo, kFour, kEight };  ///< in doubles
 
-/// What this processor has, or less where the environment variable CROSSGRAIN_VECTOR_DOUBLES is 2 or 4: so
-/// that results of all kinds of processors can be compared on one.
+/// Returns the vector width of this processor, or less if the environment variable CROSSGRAIN_VECTOR_DOUBLES
+/// is 2 or 4, so that results of different processors can be compared on one.
 VectorWidth vector_width();
 
 #if defined(__x86_64__) && defined(__GNUC__)
 
-// `flatten` draws everything that a kernel calls into the function that is compiled for the instructions.
+// `flatten` inlines everything that a kernel calls, so that all of it is compiled for these instructions.
 template <class Kernel>
 __attribute__((target("avx2"), flatten)) auto run_in_four_lanes(const Kernel& kernel) {
   return kernel.template operator()<4>();
@@ -29,8 +29,8 @@ __attribute__((target("avx2,avx512f,avx512dq,avx512vl"), flatten)) auto run_in_e
   return kernel.template operator()<8>();
 }
 
-/// kernel.operator()<W>() compiled for the processor at hand, W the number of Lanes (base/lanes.hpp) that
-/// suits it. Call it once for many cells.
+/// Returns kernel.operator()<W>(), compiled for this processor; W is the number of Lanes (base/lanes.hpp)
+/// that suits it. One call should process many cells.
 template <class Kernel>
 auto run_in_lanes(const Kernel& kernel) {
   switch (vector_width()) {
@@ -52,8 +52,8 @@ auto run_in_lanes(const Kernel& kernel) {
 
 #endif
 
-/// Calls visit.operator()<W>(begin, count) over [0, count) from several threads, W indices at a time but for
-/// the last of a chunk, compiled for the processor at hand.
+/// Calls visit.operator()<W>(begin, count) over [0, count) from several threads, compiled for this processor.
+/// Each call gets W indices; the last one of a chunk may get fewer.
 template <class Visit>
 void parallel_for_lanes(std::size_t count, const Visit& visit) {
   parallel_for_chunks(count, kParallelGrain, [&](std::size_t begin, std::size_t end) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers that stand in rows, one row per cell, to and from lanes, one lane per cell. Lane by lane that takes
-// several instructions a number; by fours it takes less than one.
+// Moves numbers between rows (one per cell) and lanes (one per cell). Lane by lane, a number takes several
+// instructions; four at a time, less than one.
 #pragma once
 
 #include <array>
@@ -12,19 +12,19 @@
 
 namespace crossgrain {
 
-/// Four numbers of each of W rows.
+/// Four numbers from each of W rows.
 template <class Real>
 using FourOfRows = std::array<Real, 4>;
 
 namespace lane_rows {
 
-/// In every block of four lanes, number i of lane j becomes number j of lane i.
+/// Transposes each block of four lanes: number i of lane j becomes number j of lane i.
 template <int W>
 FourOfRows<SingleLanes<W>> transposed(const FourOfRows<SingleLanes<W>>& x) {
   using Real = SingleLanes<W>;
   return [&]<int... L>(std::integer_sequence<int, L...>) {
-    // Of two vectors, in every block: their first two lanes by turns, or their last two; then the first two
-    // lanes of both, or the last two.
+    // Shuffles of two vectors, block by block: `first` and `last` interleave their first or last two lanes;
+    // `low` and `high` join them.
     constexpr std::integer_sequence<int, (L / 4 * 4 + L % 4 / 2 + (L % 2 ? W : 0))...> first;
     constexpr std::integer_sequence<int, (L / 4 * 4 + L % 4 / 2 + 2 + (L % 2 ? W : 0))...> last;
     constexpr std::integer_sequence<int, (L % 4 < 2 ? L : W + L - 2)...> low;
@@ -39,7 +39,7 @@ FourOfRows<SingleLanes<W>> transposed(const FourOfRows<SingleLanes<W>>& x) {
   (std::make_integer_sequence<int, W>());
 }
 
-/// A vector of the blocks of four at row(First), row(First + 4), ...
+/// Returns the blocks of four numbers at row(First), row(First + 4), ... in one vector.
 template <int W, int First, class RowOf>
 SingleLanes<W> blocks_from(const RowOf& row) {
   if constexpr (W == 4) {
@@ -61,7 +61,7 @@ SingleLanes<4> block_of(const SingleLanes<W>& x) {
 
 }  // namespace lane_rows
 
-/// The four numbers at row(lane), in single precision or that of Real, for every lane.
+/// Returns the four numbers at row(lane) for every lane. Rows are in single precision or in that of Real.
 template <class Real, class RowOf>
 FourOfRows<Real> four_from_rows(const RowOf& row) {
   constexpr int W = Real::kCount;
@@ -81,7 +81,7 @@ FourOfRows<Real> four_from_rows(const RowOf& row) {
   }
 }
 
-/// To the four floats at row(lane), for every lane of which it is not null.
+/// Writes the four numbers of each lane to the floats at row(lane); lanes whose row is null are skipped.
 template <class Real, class RowOf>
 void four_to_rows(const FourOfRows<Real>& x, const RowOf& row) {
   constexpr int W = Real::kCount;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several numbers side by side with the arithmetic of one: what is written for any Real then works on several
-// cells at once. Each lane gets the very bits that a single number would get, however many there are and
-// whatever instructions the processor has.
+// Several numbers side by side with the arithmetic of one, so that code written for any Real can process
+// several cells at once. Each lane gets the same bits as a single number would, for any number of lanes and
+// any instruction set.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@
 
 namespace crossgrain {
 
-/// The compiler's own vectors of W numbers. One by one, since GCC 12 takes no size that depends on W,
-/// and a loop that fills them remains one.
+/// Vector types of the compiler. They are listed one by one because GCC 12 accepts no size that depends on W
+/// and does not vectorise a loop that fills them.
 template <class Number, int W>
 struct NativeLanes;
 template <>
@@ -61,7 +61,7 @@ struct NativeLanes<float, 16> {
   static void fill(Vector& lanes, float x) { lanes = Vector{x, x, x, x, x, x, x, x, x, x, x, x, x, x, x, x}; }
 };
 
-/// 16-bit numbers, and the integers that they become on their way to lanes.
+/// 16-bit numbers, and the integers that they are widened to before conversion to lanes.
 template <int W>
 struct LaneWords;
 template <>
@@ -122,8 +122,8 @@ struct BasicLanes {
   /// The same number in every lane.
   BasicLanes(double value) { NativeLanes<Number, W>::fill(native, static_cast<Number>(value)); }  // NOLINT
   BasicLanes(const Native& lanes) : native(lanes) {}                                              // NOLINT
-  // Not left to the compiler, since trivial ones would let it pass lanes in registers, which functions
-  // compiled for different processors would look for in different ones.
+  // User-provided so that the type is non-trivial and passed by address: functions compiled for different
+  // instruction sets pass vectors in different registers.
   BasicLanes(const BasicLanes& other) : native(other.native) {}
   BasicLanes& operator=(const BasicLanes& other) {
     native = other.native;
@@ -173,12 +173,12 @@ struct BasicLanes {
   friend Mask operator>(const BasicLanes& a, const BasicLanes& b) { return Mask(a.native > b.native); }
   friend Mask operator>=(const BasicLanes& a, const BasicLanes& b) { return Mask(a.native >= b.native); }
 
-  /// In each lane a where `mask` is true, else b.
+  /// Returns a in lanes where `mask` is true, else b.
   friend BasicLanes select(const Mask& mask, const BasicLanes& a, const BasicLanes& b) {
     return BasicLanes(mask.native ? a.native : b.native);
   }
 
-  /// Rounded to single precision.
+  /// Returns the value rounded to single precision.
   friend BasicLanes to_single(const BasicLanes& a) {
     return BasicLanes(__builtin_convertvector(__builtin_convertvector(a.native, Single), Native));
   }
@@ -189,8 +189,8 @@ using Lanes = BasicLanes<double, W>;
 template <int W>
 using SingleLanes = BasicLanes<float, W>;
 
-/// W numbers that stand one after the other. Doubles are spelled out, since for loops and for
-/// __builtin_convertvector GCC 12 finds no single instruction.
+/// Loads W consecutive numbers. Doubles are written out one by one, since GCC 12 finds no single instruction
+/// for a loop or for __builtin_convertvector.
 template <class Real>
 Real lanes_of(const float* x) {
   constexpr int W = Real::kCount;
@@ -208,7 +208,7 @@ Real lanes_of(const float* x) {
   return Real(native);
 }
 
-/// The same of floats and of 16-bit numbers that stand among words, wherever those begin.
+/// Loads W consecutive floats or 16-bit numbers that begin anywhere in an array of words.
 template <class Real>
 Real lanes_of_floats(const std::uint16_t* words) {
   std::array<float, Real::kCount> numbers;
@@ -225,7 +225,7 @@ Real lanes_of_words(const std::uint16_t* words) {
       __builtin_convertvector(__builtin_convertvector(native, typename LaneWords<W>::Integers), Native));
 }
 
-/// W doubles that stand one after the other.
+/// Loads W consecutive doubles.
 template <class Real>
 Real lanes_at(const double* x) {
   typename Real::Native native;
@@ -233,8 +233,8 @@ Real lanes_at(const double* x) {
   return Real(native);
 }
 
-/// The number in lane `Lane` of `a`, in all lanes. Where the number is known as a scalar only, filling lanes
-/// with it takes one instruction per lane.
+/// Returns the number in lane `Lane` of `a`, in all lanes. This is faster than filling lanes with a scalar,
+/// which takes one instruction per lane.
 template <int Lane, class Number, int W>
 BasicLanes<Number, W> repeated(const BasicLanes<Number, W>& a) {
   return [&]<int... L>(std::integer_sequence<int, L...>) {
@@ -243,7 +243,8 @@ BasicLanes<Number, W> repeated(const BasicLanes<Number, W>& a) {
   (std::make_integer_sequence<int, W>());
 }
 
-/// In lanes whose number has the bit `Half` the sums b[l - Half] + b[l], in the others a[l] + a[l + Half].
+/// Returns b[l - Half] + b[l] in lanes l whose number has the bit `Half`, and a[l] + a[l + Half] in the
+/// others.
 template <int Half, class Number, int W>
 BasicLanes<Number, W> folded(const BasicLanes<Number, W>& a, const BasicLanes<Number, W>& b) {
   return [&]<int... L>(std::integer_sequence<int, L...>) {
@@ -254,7 +255,7 @@ BasicLanes<Number, W> folded(const BasicLanes<Number, W>& a, const BasicLanes<Nu
   (std::make_integer_sequence<int, W>());
 }
 
-/// In lane k the sum of all lanes of x[k], which are added pairwise: halves first.
+/// Returns in lane k the sum of all lanes of x[k], added pairwise, halves first.
 template <class Real, std::size_t W>
 Real sums_over_lanes(std::array<Real, W> x) {
   static_assert(W == Real::kCount);
@@ -269,7 +270,7 @@ Real sums_over_lanes(std::array<Real, W> x) {
   return x[0];
 }
 
-/// *x in all lanes. As many doubles as there are lanes may be read from x on.
+/// Returns *x in all lanes. Precondition: as many doubles as there are lanes can be read at x.
 template <class Real>
 Real in_every_lane(const double* x) {
   if constexpr (std::is_same_v<Real, double>) {
@@ -279,7 +280,7 @@ Real in_every_lane(const double* x) {
   }
 }
 
-/// The numbers in one lane.
+/// Returns the numbers in one lane.
 template <class Number, int W, std::size_t N>
 std::array<double, N> in_lane(const std::array<BasicLanes<Number, W>, N>& numbers, int lane) {
   std::array<double, N> result;
@@ -292,7 +293,7 @@ void set_lane(std::array<BasicLanes<Number, W>, N>& numbers, int lane, const std
   for (std::size_t i = 0; i < N; ++i) numbers[i].set(lane, values[i]);
 }
 
-/// In each lane the numbers of a where `mask` is true, else those of b.
+/// Returns the numbers of a in lanes where `mask` is true, else those of b.
 template <class Number, int W, std::size_t N>
 std::array<BasicLanes<Number, W>, N> select(const LaneMask<Number, W>& mask,
                                             const std::array<BasicLanes<Number, W>, N>& a,

@@ -80,7 +80,7 @@ constexpr bool has_all_in_order() {
 }
 static_assert(has_all_in_order());
 
-/// Null for numbers that stand for no remedy.
+/// Null for numbers that are no Remedy.
 const Wording* wording_of(Remedy remedy) {
   const auto index = static_cast<std::size_t>(remedy);
   return index < std::size(kWordings) ? &kWordings[index] : nullptr;

@@ -15,7 +15,7 @@
 
 namespace crossgrain {
 
-/// Threads that run loops together. One thread starts loops in it: the one whose limit it is.
+/// Threads that run loops together. Only the thread that owns the limit starts loops in it.
 struct ThreadArena {
   int threads;
 #ifndef CROSSGRAIN_STD_THREADS
@@ -25,8 +25,8 @@ struct ThreadArena {
 
 namespace {
 
-/// The arenas that no limit holds. They are kept for the next limits of their size, as many as there were
-/// limits at once: oneTBB 2021.8 never frees some 7 kB of each arena that is destroyed.
+/// Arenas that no limit uses at present, kept for later limits of the same size: oneTBB 2021.8 leaks about 7
+/// kB for each arena that is destroyed.
 class SpareArenas {
  public:
   std::unique_ptr<ThreadArena> take(int threads) {
@@ -49,14 +49,14 @@ class SpareArenas {
   std::vector<std::unique_ptr<ThreadArena>> arenas_;
 };
 
-/// Never destroyed: threads may end after static objects have.
+/// Never destroyed, because threads may end after static objects.
 SpareArenas& spare_arenas() {
   static auto* const arenas = new SpareArenas;
   return *arenas;
 }
 
-// Both are those of the loops that this thread starts. Threads of the pool that help with a loop have none of
-// their own, whichever computation they help: nothing leaks from one to another.
+// Both concern loops that this thread starts. Threads of the pool that help with a loop have none of their
+// own, so nothing leaks from one computation to another.
 thread_local ThreadArena* t_arena = nullptr;
 thread_local const WatchedLoops* t_watching = nullptr;
 
@@ -78,7 +78,7 @@ void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
   std::exception_ptr failure;
   std::mutex failure_mutex;
   const auto work = [&] {
-    // The threads that the limit allows are at work: loops inside get no more.
+    // All threads that the limit allows are busy already, so inner loops run on this thread.
     const ThreadLimit this_thread_only(1);
     for (std::size_t begin; (begin = next.fetch_add(grain)) < count;) {
       try {
@@ -110,8 +110,8 @@ void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
     return;
   }
   run_within_limit([&] {
-    // Isolated: a thread that waits for a loop inside a loop must not take up a turn of the outer one, which
-    // may wait for what this thread is making.
+    // Isolated, so that a thread that waits for an inner loop does not start a task of the outer one, which
+    // may wait for the result of this thread.
     tbb::this_task_arena::isolate([&] {
       tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
         body(chunk * grain, std::min((chunk + 1) * grain, count));
@@ -126,7 +126,7 @@ void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
 
 ThreadLimit::ThreadLimit(int threads) : before_(t_arena) {
   if (threads <= 0 || (before_ != nullptr && before_->threads <= threads)) return;
-  // More threads than the machine has gain nothing and cost memory each.
+  // More threads than the machine has bring no gain and cost memory each.
   arena_ = spare_arenas().take(std::min(threads, most_threads()));
   t_arena = arena_.get();
 }

@@ -13,7 +13,7 @@
 
 namespace crossgrain {
 
-/// Indices that one task takes at a time unless told otherwise: enough to hide the cost of a task.
+/// Default number of indices per task: enough to hide the cost of a task.
 inline constexpr std::size_t kParallelGrain = 256;
 
 /// Runs body(begin, end) over [0, count) in chunks of `grain`; the bounds of chunks do not depend on the
@@ -21,16 +21,15 @@ inline constexpr std::size_t kParallelGrain = 256;
 void parallel_for_chunks(std::size_t count, std::size_t grain,
                          const std::function<void(std::size_t begin, std::size_t end)>& body);
 
-/// Runs `work` on this thread; loops of other libraries on oneTBB inside it keep to this thread's
-/// ThreadLimit.
+/// Runs `work` on this thread. Loops of other libraries on oneTBB inside it obey this thread's ThreadLimit.
 void run_within_limit(const std::function<void()>& work);
 
-/// Whether Monitor::stop ends a computation. It does until there is a field.
+/// Whether Monitor::stop ends a computation: kHeeded until there is a field.
 enum class Stops { kHeeded, kIgnored };
 
-/// While it lives, loops that this thread starts ask a monitor before each chunk whether to go on, and throw
-/// Error(kInterrupted) where not. So a solve ends within a moment wherever it is, on any number of cells. Of
-/// nested ones the innermost counts. Other threads do not see it, nor do loops inside a loop on them.
+/// While an object lives, loops that this thread starts query a monitor before each chunk and throw
+/// Error(kInterrupted) if it says so. A solve therefore ends promptly at any stage and size. If objects are
+/// nested, the innermost counts. Other threads are not affected, nor are loops inside a loop on them.
 class WatchedLoops {
  public:
   WatchedLoops(const Monitor& monitor, Stops stops);
@@ -54,7 +53,7 @@ void parallel_for(std::size_t count, const Body& body, std::size_t grain = kPara
   });
 }
 
-/// The sum of term(i) over [0, count), the same to the bit for any number of threads.
+/// Returns the sum of term(i) over [0, count), bitwise identical for any number of threads.
 template <class Term>
 double parallel_sum(std::size_t count, const Term& term, std::size_t grain = kParallelGrain) {
   std::vector<double> partial((count + grain - 1) / grain, 0.0);
@@ -66,8 +65,8 @@ double parallel_sum(std::size_t count, const Term& term, std::size_t grain = kPa
   return std::accumulate(partial.begin(), partial.end(), 0.0);
 }
 
-/// A vector of `count` values made by T{}. All threads together have the memory brought in: the kernel clears
-/// pages when they are first written to, a fifteenth of a large solve if one thread does it.
+/// Returns a vector of `count` values made by T{}. All threads touch the memory first: the kernel clears
+/// pages at the first write, which takes a fifteenth of a large solve on one thread.
 template <class T>
 std::vector<T> sized_vector(std::size_t count) {
   constexpr std::size_t kPage = 4096, kPagesAtATime = 256;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unit quaternions, the form in which a cell keeps its frame.
+// Unit quaternions: the form in which cells store their frames.
 //
 // Convention: active and right-handed; rotate(q, v) = q v q*, and rotate(p * q, v) = rotate(p, rotate(q, v)).
 // The frame of a rotation R has the axes R e_x, R e_y, R e_z.
@@ -21,20 +21,20 @@ struct BasicQuaternion {
 
 using Quaternion = BasicQuaternion<double>;
 
-/// Rounded to single precision, component by component.
+/// Returns the components rounded to single precision.
 template <class Lanes>
 BasicQuaternion<Lanes> to_single(const BasicQuaternion<Lanes>& q) {
   return {to_single(q.w), to_single(q.x), to_single(q.y), to_single(q.z)};
 }
 
-/// In each lane a where `mask` is true, else b.
+/// Returns a in lanes where `mask` is true, else b.
 template <class Mask, class Real>
 BasicQuaternion<Real> select(const Mask& mask, const BasicQuaternion<Real>& a,
                              const BasicQuaternion<Real>& b) {
   return {select(mask, a.w, b.w), select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
 
-/// One quaternion in a lane, there and back.
+/// Writes and reads the quaternion in one lane.
 template <class Number, int W>
 void set_lane(BasicQuaternion<BasicLanes<Number, W>>& q, int lane, const Quaternion& value) {
   q.w.set(lane, value.w);
@@ -47,7 +47,7 @@ Quaternion in_lane(const BasicQuaternion<BasicLanes<Number, W>>& q, int lane) {
   return {q.w[lane], q.x[lane], q.y[lane], q.z[lane]};
 }
 
-/// Sixteen bytes: how frames are stored, one a cell.
+/// Frame as stored per cell: sixteen bytes.
 using StoredQuaternion = BasicQuaternion<float>;
 
 template <class Real>
@@ -67,7 +67,7 @@ BasicQuaternion<Real> normalised(const BasicQuaternion<Real>& q) {
   return {scale * q.w, scale * q.x, scale * q.y, scale * q.z};
 }
 
-/// The three axes R e_x, R e_y, R e_z of a unit quaternion.
+/// Returns the three axes R e_x, R e_y, R e_z of a unit quaternion.
 template <class Real>
 std::array<BasicVector3<Real>, 3> axes_of(const BasicQuaternion<Real>& q) {
   const Real xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
@@ -78,10 +78,10 @@ std::array<BasicVector3<Real>, 3> axes_of(const BasicQuaternion<Real>& q) {
           BasicVector3<Real>{2 * (xz + wy), 2 * (yz - wx), 1 - 2 * (xx + yy)}};
 }
 
-/// The unit quaternion whose axes_of are these, right-handed and orthonormal.
+/// Returns the unit quaternion whose axes_of are `axes`. They must be right-handed and orthonormal.
 inline Quaternion quaternion_of(const std::array<Vector3, 3>& axes) {
   const auto& [u, v, w] = axes;
-  // Four times the products of the largest entry with all four, whichever that is.
+  // Each branch has four times the products of the largest component with all four.
   const double trace = u[0] + v[1] + w[2];
   if (trace >= std::max({u[0], v[1], w[2]}))
     return normalised(Quaternion{1 + trace, v[2] - w[1], w[0] - u[2], u[1] - v[0]});
@@ -97,14 +97,14 @@ inline Vector3 rotate(const Quaternion& q, const Vector3& v) {
   return v[0] * axes[0] + v[1] * axes[1] + v[2] * axes[2];
 }
 
-/// exp: the turn by |v| radians about v.
+/// Returns the rotation by |v| radians about v (the exponential map).
 inline Quaternion from_rotation_vector(const Vector3& v) {
   const double angle_rad = norm(v);
   const double sinc = angle_rad > 1e-8 ? std::sin(angle_rad / 2) / angle_rad : 0.5;
   return {std::cos(angle_rad / 2), sinc * v[0], sinc * v[1], sinc * v[2]};
 }
 
-/// from_rotation_vector for |v| <= 1/2, to rounding by its series.
+/// from_rotation_vector for |v| <= 1/2, by its series, exact to rounding.
 template <class Real>
 BasicQuaternion<Real> from_small_rotation_vector(const BasicVector3<Real>& v) {
   const Real s = -0.25 * dot(v, v);  // -(half the angle)^2

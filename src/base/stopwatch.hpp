@@ -5,7 +5,7 @@
 
 namespace crossgrain {
 
-/// Wall time over several stretches.
+/// Wall time summed over several intervals.
 class Stopwatch {
  public:
   void start() { begin_ = Clock::now(); }

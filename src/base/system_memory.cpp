@@ -13,7 +13,7 @@
 namespace crossgrain {
 namespace {
 
-/// A number of KiB in /proc/self/status, in bytes; 0 where there is none.
+/// Returns a number of KiB from /proc/self/status in bytes; 0 if the key is missing.
 std::size_t status_bytes(const std::string& key) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
@@ -24,7 +24,7 @@ std::size_t status_bytes(const std::string& key) {
   return 0;
 }
 
-/// The number in a file; 0 where there is none, as in a file that says "max".
+/// Returns the number in a file; 0 if it holds none, such as "max".
 std::size_t number_in(const std::filesystem::path& path) {
   std::ifstream file(path);
   std::size_t number = 0;
@@ -35,8 +35,8 @@ std::size_t smaller_of_known(std::size_t a, std::size_t b) {
   return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
 }
 
-/// The least of the limits of a group and of those around it. In a container, which sees its own group as the
-/// root, the path may not exist: then those of the root count.
+/// Returns the least limit of a group and its ancestors. In a container, which sees its own group as the
+/// root, the path may not exist; then only the root's limit counts.
 std::size_t least_limit(const std::filesystem::path& root, std::filesystem::path group, const char* name) {
   group = group.relative_path();
   std::size_t limit = number_in(root / name);
@@ -45,7 +45,7 @@ std::size_t least_limit(const std::filesystem::path& root, std::filesystem::path
   return limit;
 }
 
-/// Whether a list with commas between names has this one.
+/// Returns whether a comma-separated list contains `name`.
 bool is_listed(const std::string& names, const std::string& name) {
   return ("," + names + ",").find("," + name + ",") != std::string::npos;
 }
@@ -61,7 +61,7 @@ std::size_t physical_memory_bytes() {
 std::size_t control_group_limit_bytes(const std::string& membership, const std::filesystem::path& root) {
   std::size_t limit = 0;
   std::istringstream lines(membership);
-  // HIERARCHY:CONTROLLERS:PATH; version 2 has no controllers there.
+  // HIERARCHY:CONTROLLERS:PATH; version 2 lists no controllers.
   for (std::string line; std::getline(lines, line);) {
     const std::size_t first = line.find(':'), second = line.find(':', first + 1);
     if (first == std::string::npos || second == std::string::npos) continue;
@@ -82,7 +82,7 @@ std::size_t memory_limit_bytes() {
 }
 
 std::size_t allowed_memory_bytes(std::size_t max_memory_bytes) {
-  // The rest is left to others.
+  // The rest is left for other processes.
   constexpr double kShare = 0.9;
   if (max_memory_bytes > 0) return max_memory_bytes;
   const std::size_t there = memory_limit_bytes();
@@ -94,7 +94,7 @@ std::size_t current_memory_bytes() {
 }
 
 std::size_t peak_memory_bytes() {
-  // Not getrusage: its peak is no less than that of the program which started this one.
+  // getrusage is not used: its peak includes that of the parent process.
   return status_bytes("VmHWM");
 }
 

@@ -53,14 +53,14 @@ Real norm(const BasicVector3<Real>& a) {
   return sqrt(dot(a, a));
 }
 
-/// The unit vector along a; {0, 0, 0} for a zero vector.
+/// Returns the unit vector along a; {0, 0, 0} for a zero vector.
 inline Vector3 normalised(const Vector3& a) {
   const double length = norm(a);
   return length > 0 ? (1 / length) * a : Vector3{0, 0, 0};
 }
 
-/// A unit vector orthogonal to the unit vector n, continuous except near n = -z (Duff et al. 2017, JCGT
-/// 6(1)).
+/// Returns a unit vector orthogonal to the unit vector n, continuous except near n = -z (Duff et al. 2017,
+/// JCGT 6(1)).
 template <class Real>
 BasicVector3<Real> orthogonal_unit(const BasicVector3<Real>& n) {
   using std::copysign;
@@ -69,12 +69,12 @@ BasicVector3<Real> orthogonal_unit(const BasicVector3<Real>& n) {
   return {1 + sign * n[0] * n[0] * a, sign * n[0] * n[1] * a, -sign * n[0]};
 }
 
-/// The box around no point: `include` makes it that around one.
+/// Returns the empty box: after `include` of a point it holds that point only.
 constexpr Box empty_box() {
   return {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
 }
 
-/// Grows a box so that the point is in it.
+/// Extends a box to contain the point.
 inline void include(Box& box, const Vector3& point) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     box.low[axis] = std::min(box.low[axis], point[axis]);
@@ -88,7 +88,7 @@ inline Box box_of(const std::vector<Vector3>& points) {
   return box;
 }
 
-/// Of the three sides of a box.
+/// Length of the longest of the three sides of a box.
 inline double longest_side(const Box& box) {
   const Vector3 extent = box.high - box.low;
   return std::max({extent[0], extent[1], extent[2]});

@@ -100,7 +100,7 @@ SpectrumReport report_of_normals(std::span<const WeightedNormal> normals) {
 constexpr double kSmallestWeight = 1e-100, kLargestWeight = 1e100;
 
 void check(std::span<const WeightedNormal> normals) {
-  if (normals.empty()) throw Error(ErrorKind::kUsage, "no normals, where at least one is needed");
+  if (normals.empty()) throw Error(ErrorKind::kUsage, "no normals are given, but at least one is needed");
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const double length = largest_entry(normals[i].normal), weight = normals[i].weight;
     const bool finite = std::all_of(normals[i].normal.begin(), normals[i].normal.end(),
@@ -110,7 +110,7 @@ void check(std::span<const WeightedNormal> normals) {
       throw Error(ErrorKind::kUsage, {"", place, "the length is zero or not finite"});
     }
     if (!(weight >= kSmallestWeight && weight <= kLargestWeight)) {
-      throw Error(ErrorKind::kUsage, {"", place, "the weight is not between 1e-100 and 1e100"});
+      throw Error(ErrorKind::kUsage, {"", place, "the weight must be from 1e-100 to 1e100"});
     }
   }
 }
@@ -127,7 +127,7 @@ std::vector<WeightedNormal> preset_normals(std::string_view name) {
     for (const auto& [direction, weight] : sphere_quadrature<8>()) normals.push_back({direction, weight});
   } else {
     throw Error(ErrorKind::kUsage, {"", "preset '" + std::string(name) + "'",
-                                    "is not known; there are plane, cube, cylinder and sphere"});
+                                    "is unknown; the presets are plane, cube, cylinder and sphere"});
   }
   return normals;
 }

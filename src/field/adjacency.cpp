@@ -11,21 +11,21 @@
 namespace crossgrain {
 namespace {
 
-/// Words that may be read beyond the last weight of a group: eight floats.
+/// Number of words that may be read beyond the last weight of a group: eight floats.
 constexpr std::size_t kReadBeyond = 16;
 
-/// Numbers cells in the order in which they are first met.
+/// Numbers cells in the order of their first occurrence.
 class FirstMet {
  public:
   explicit FirstMet(std::vector<std::uint32_t>& cells) : cells_(cells), slots_(kFirstSlots, kEmpty) {}
 
-  /// Of `cell`; it is added to the cells if it is new. Less than 2^16: a group of 1024 rows of less than 64
-  /// neighbours. Throws Error(kLimit) beyond.
+  /// Returns the place of `cell`, which is appended to the cells if it is new. Places are below 2^16, enough
+  /// for a group of 1024 rows of fewer than 64 neighbours. Throws Error(kLimit) beyond.
   std::uint16_t place_of(std::uint32_t cell) {
     std::size_t slot = slot_of(cell);
     if (slots_[slot] == kEmpty) {
       if (cells_.size() > std::numeric_limits<std::uint16_t>::max())
-        throw Error(ErrorKind::kLimit, "cells have more neighbours than there is room for");
+        throw Error(ErrorKind::kLimit, "cells have too many neighbours to be stored");
       slots_[slot] = static_cast<std::uint32_t>(cells_.size());
       cells_.push_back(cell);
       if (2 * cells_.size() > slots_.size()) grow();
@@ -51,7 +51,7 @@ class FirstMet {
   }
 
   std::vector<std::uint32_t>& cells_;
-  std::vector<std::uint32_t> slots_;  ///< of places in cells_
+  std::vector<std::uint32_t> slots_;  ///< places in cells_
 };
 
 template <class Neighbours, class WeightOf>
@@ -63,7 +63,7 @@ bool have_one_weight(const Neighbours& row, const WeightOf& weight_of) {
 
 }  // namespace
 
-/// Adds rows to one group.
+/// Appends rows to one group.
 class RowPacker {
  public:
   explicit RowPacker(Adjacency::Group& group) : group_(group), places_(group.cells) {}
@@ -104,7 +104,7 @@ void Adjacency::pack_groups(std::size_t cell_count, const Visit& pack_row) {
   begin_ = sized_vector<std::uint32_t>(cell_count);
   groups_.resize((cell_count + kGroupSize - 1) / kGroupSize);
   parallel_for_chunks(cell_count, kGroupSize, [&](std::size_t begin, std::size_t end) {
-    // What is kept is allocated when its size is known.
+    // Copied into vectors of the final size, without spare capacity.
     Group packed;
     packed.words.reserve(64 * kGroupSize);
     packed.cells.reserve(4 * kGroupSize);

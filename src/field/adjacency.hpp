@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who neighbours whom, in little memory.
+// Compact lists of neighbours and edge weights.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 
 namespace crossgrain {
 
-/// An edge of the graph: smoothness counts (weight / 2) |h_first - h_second|^2 over it.
+/// An edge of the graph. It adds (weight / 2) |h_first - h_second|^2 to the smoothness energy.
 struct WeightedEdge {
   std::uint32_t first;
   std::uint32_t second;
-  float weight;  ///< a length: open face area over the distance of the centres
+  float weight;  ///< a length: open face area over distance of the centres
 };
 
-/// Rows of neighbours with weights, each edge in the rows of both its cells.
+/// Rows of neighbours with weights; each edge is in the rows of both its cells.
 ///
-/// Cells are grouped a thousand at a time. A group names the cells that its rows have for neighbours once,
-/// and rows name them by 16-bit places in that list. Weights are numbers in single precision, or 16-bit
-/// multiples of a unit; where all neighbours have the same weight, as inside a solid, it is stored once.
+/// Cells are grouped a thousand at a time. A group lists the neighbours of its cells once, and rows refer to
+/// that list by 16-bit places. Weights are single-precision numbers or 16-bit multiples of a unit; if all
+/// neighbours have the same weight, as inside a solid, it is stored once.
 class Adjacency {
  public:
   struct Neighbour {
@@ -31,8 +31,8 @@ class Adjacency {
     float weight;
   };
 
-  /// The neighbours of one cell. A row in memory: how many they are, and of what kind the weights; the
-  /// number of the unit; places of the neighbours; weights.
+  /// Neighbours of one cell. Layout of a row: number of neighbours and kind of the weights; number of the
+  /// unit; places of the neighbours; weights.
   class Row {
    public:
     class Iterator {
@@ -74,8 +74,8 @@ class Adjacency {
     Iterator begin() const { return {*this, 0}; }
     Iterator end() const { return {*this, size_}; }
 
-    /// Weights k, k + 1, ... where they are not equal, as many as there are lanes; beyond the last of the row
-    /// anything.
+    /// Returns weights k, k + 1, ..., one per lane; lanes beyond the end of the row are undefined.
+    /// Precondition: weights are not equal.
     template <class Real>
     Real weights_from(std::size_t k) const {
       return unit_ > 0 ? unit_ * lanes_of_words<Real>(weights_ + k) : lanes_of_floats<Real>(weights_ + 2 * k);
@@ -90,28 +90,29 @@ class Adjacency {
     float unit_;  ///< 0: weights are floats
   };
 
-  /// Puts the neighbours of a cell into `row`, which comes empty.
+  /// Appends the neighbours of a cell to `row`, which is empty when passed.
   using RowOf = std::function<void(std::size_t cell, std::vector<Neighbour>& row)>;
 
-  /// A row whose weights are whole multiples of a unit above 0.
+  /// A row whose weights are positive whole multiples of a unit.
   struct RowInUnits {
     struct Neighbour {
       std::uint32_t cell;
       std::uint16_t units;
     };
-    std::vector<Neighbour> neighbours;  ///< comes empty
-    std::uint16_t unit = 0;             ///< its place in the list of units
+    std::vector<Neighbour> neighbours;  ///< empty when passed
+    std::uint16_t unit = 0;             ///< index into the list of units
   };
   using RowInUnitsOf = std::function<void(std::size_t cell, RowInUnits& row)>;
 
   Adjacency() = default;
 
-  /// The order of a cell's neighbours is that of `edges`. Throws Error(kLimit) beyond 2^31 edges or 16383
-  /// neighbours of one cell.
+  /// Builds rows from edges; neighbours of a cell have the order of `edges`. Throws Error(kLimit) beyond 2^31
+  /// edges or 16383 neighbours of one cell.
   Adjacency(std::size_t cell_count, std::span<const WeightedEdge> edges);
 
-  /// From rows that name every edge in both its cells with the same weight. `row_of` is called once for each
-  /// cell, from several threads. Throws Error(kLimit) beyond 16383 neighbours of one cell.
+  /// Builds rows from `row_of`, which must give each edge in the rows of both its cells with the same weight.
+  /// It is called once per cell, from several threads. Throws Error(kLimit) beyond 16383 neighbours of one
+  /// cell.
   Adjacency(std::size_t cell_count, const RowOf& row_of);
   Adjacency(std::size_t cell_count, std::vector<float> units, const RowInUnitsOf& row_of);
 
@@ -121,7 +122,7 @@ class Adjacency {
     return {group.words.data() + begin_[cell], group.cells.data(), units_.data()};
   }
 
-  /// Of everything that it holds.
+  /// Memory of the object in bytes.
   std::size_t bytes() const;
 
  private:
@@ -132,15 +133,15 @@ class Adjacency {
   static constexpr unsigned kLargestSize = (1u << 14) - 1, kEqual = 1u << 14, kInUnits = 1u << 15;
 
   struct Group {
-    std::vector<std::uint16_t> words;  ///< of its rows, and some more so that weights can be read as vectors
-    std::vector<std::uint32_t> cells;  ///< that its rows have for neighbours
+    std::vector<std::uint16_t> words;  ///< rows, with padding so that weights can be read as vectors
+    std::vector<std::uint32_t> cells;  ///< neighbours of the rows' cells
   };
 
   template <class Visit>
   void pack_groups(std::size_t cell_count, const Visit& pack_row);
 
   std::vector<Group> groups_;
-  std::vector<std::uint32_t> begin_;  ///< of each row in its group's words
+  std::vector<std::uint32_t> begin_;  ///< begin of each row in its group's words
   std::vector<float> units_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cells of one run side by side in lanes (base/lanes.hpp).
+// Processes cells of one run side by side in lanes (base/lanes.hpp).
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 
 namespace crossgrain {
 
-/// Which cell is in which lane. Only the first `count` are to be changed: where cells run out, the last one
-/// fills the other lanes.
+/// The cell in each lane. Only the first `count` lanes may be stored; if cells run out, the last cell fills
+/// the other lanes.
 template <int W>
 struct CellsInLanes {
   std::array<std::uint32_t, W> cells;
@@ -33,10 +33,9 @@ struct CellsInLanes {
   std::uint32_t operator[](int lane) const { return cells[lane]; }
 };
 
-/// Calls visit(CellsInLanes<W>, block) over all cells in the order, compiled for this processor, with as many
-/// cells at a time as it has lanes of type Number. Blocks of a phase are visited from several threads. Blocks
-/// with a zero in `is_visited` are passed over; empty, it
-/// means all.
+/// Calls visit(CellsInLanes<W>, block) for all cells in the order, compiled for this processor, W being the
+/// number of lanes of type Number. Blocks of a phase are visited from several threads. Blocks with a zero in
+/// `is_visited` are skipped; if it is empty, none is.
 template <class Number, class Visit>
 void visit_in_lanes(const SweepOrder& order, const Visit& visit,
                     std::span<const std::uint8_t> is_visited = {}) {
@@ -59,8 +58,8 @@ void visit_in_lanes(const SweepOrder& order, const Visit& visit,
   }
 }
 
-/// Per block the sum of what visit(CellsInLanes<W>, double& sum) adds, one number for each cell in their
-/// order: the same to the bit for any number of threads and lanes.
+/// Returns for each block the sum of what visit(CellsInLanes<W>, double& sum) adds. It adds one number per
+/// cell, in the cells' order, so the sums are bitwise identical for any number of threads and lanes.
 template <class Number, class Visit>
 std::vector<double> block_sums_in_lanes(const SweepOrder& order, const Visit& visit,
                                         std::span<const std::uint8_t> is_visited = {}) {
@@ -71,7 +70,7 @@ std::vector<double> block_sums_in_lanes(const SweepOrder& order, const Visit& vi
   return sums;
 }
 
-/// The axes that cells are held along (CellForms::hold_axis), and which of them are.
+/// Held axes of the cells (CellForms::hold_axis), with a mask of the cells that have one.
 template <class Real>
 struct HeldAxes {
   static constexpr int W = Real::kCount;
@@ -92,7 +91,7 @@ struct HeldAxes {
   }
 };
 
-/// As from_stored for one cell.
+/// Returns the frames of the cells, one per lane.
 template <class Real>
 BasicQuaternion<Real> from_stored(const std::vector<StoredQuaternion>& frames,
                                   const CellsInLanes<Real::kCount>& cells) {
@@ -100,7 +99,7 @@ BasicQuaternion<Real> from_stored(const std::vector<StoredQuaternion>& frames,
   return normalised(BasicQuaternion<Real>{w, x, y, z});
 }
 
-/// The coefficients of the cells as they are stored.
+/// Returns the stored coefficients of the cells.
 template <int D, class Real>
 Coefficients<D, Real> from_stored(const std::vector<StoredCoefficients<D>>& coefficients,
                                   const CellsInLanes<Real::kCount>& cells) {
@@ -116,7 +115,7 @@ Coefficients<D, Real> from_stored(const std::vector<StoredCoefficients<D>>& coef
   return h;
 }
 
-/// Stores the coefficients of the cells whose lane `is_stored`.
+/// Stores the coefficients of the cells in lanes with `is_stored`.
 template <int D, class Real>
 void store_in(std::vector<StoredCoefficients<D>>& coefficients, const CellsInLanes<Real::kCount>& cells,
               const std::array<bool, Real::kCount>& is_stored, const Coefficients<D, Real>& h) {
@@ -132,7 +131,7 @@ void store_in(std::vector<StoredCoefficients<D>>& coefficients, const CellsInLan
   }
 }
 
-/// The same with their frames.
+/// Stores the frames and coefficients of the cells in lanes with `is_stored`.
 template <int D, class Real>
 void store_in(FieldState<D>& state, const CellsInLanes<Real::kCount>& cells,
               const std::array<bool, Real::kCount>& is_stored, const BasicQuaternion<Real>& frame,

@@ -31,11 +31,11 @@ double form_value(const CellForms<D>& forms, std::size_t cell, const Coefficient
   return value(form, h);
 }
 
-/// sum over the pieces of surface and the guides in a leaf of area * E_n(h).
+/// Returns sum over the surface pieces and guides in a leaf of area * E_n(h).
 double boundary_value(const GridLevel& level, const Solid& solid, CellIndex leaf, const Coefficients<4>& h) {
   double sum = 0;
   for (const SurfacePiece& piece : level.pieces_of(leaf)) {
-    // Never negative but for rounding.
+    // Rounding may make it slightly negative.
     sum +=
         piece.area * std::max(0.0, normal_value<4>(normal_basis<4>(normal_of(level, solid, leaf, piece)), h));
   }
@@ -44,14 +44,14 @@ double boundary_value(const GridLevel& level, const Solid& solid, CellIndex leaf
   return sum;
 }
 
-/// Up to two directions that the surface in a leaf faces, either way, with their areas.
+/// Up to two distinct normals (up to sign) of the surface in a leaf, with their areas.
 struct FacedDirections {
   std::array<Vector3, 2> normals;
   std::array<double, 2> areas{};
   std::size_t count = 0;
 
-  /// There are further directions. One guide across all the normals is none, as the tangent of a crease: the
-  /// best frame for up to two normals has an axis along it anyway.
+  /// Further directions exist. One guide orthogonal to all the normals does not count, such as the tangent of
+  /// a crease: the best frame for up to two normals has an axis along it anyway.
   bool are_more = false;
 
   FacedDirections(const GridLevel& level, const Solid& solid, CellIndex leaf) {
@@ -78,10 +78,10 @@ struct FacedDirections {
   }
 
  private:
-  /// A thousandth of a radian off it costs a few millionths.
+  /// A deviation of a thousandth of a radian costs a few millionths.
   static constexpr double kAcross = 1e-3;
 
-  /// The first of the directions so far that is the same; their number where none is.
+  /// Returns the index of the first known direction equal to `direction`, or `count`.
   std::size_t place_of(const Vector3& direction) const {
     std::size_t k = 0;
     while (k < count && !is_same_normal(normals[k], direction)) ++k;
@@ -94,7 +94,7 @@ struct FacedDirections {
   }
 };
 
-/// The least that any frame gives it.
+/// Returns the least boundary value that any frame attains in the leaf.
 double least_boundary_value(const GridLevel& level, const Solid& solid, CellIndex leaf,
                             const Quaternion& frame) {
   const FacedDirections faced(level, solid, leaf);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a field is made of once it is solved, and what is written to and read from files.
+// The data of a solved field, as they are written to and read from files.
 #pragma once
 
 #include <cstdint>
@@ -21,21 +21,21 @@ struct FieldData {
   Degree degree = Degree::kFour;
   Octree tree;
   std::vector<StoredQuaternion> frames;
-  std::vector<std::uint8_t> open_faces;     ///< as in LeafConnections: which neighbours a leaf is joined to
-  std::vector<std::uint8_t> on_boundary;    ///< 1 where the leaf holds surface
-  std::vector<float> energy_density;        ///< smoothness energy per volume, model units to the power of -2
+  std::vector<std::uint8_t> open_faces;     ///< as in LeafConnections: bit f for an edge through face f
+  std::vector<std::uint8_t> on_boundary;    ///< 1 if the leaf contains surface
+  std::vector<float> energy_density;        ///< smoothness energy per volume, in (model unit)^-2
   std::vector<float> alignment_deg;         ///< mean angle between normal and nearest axis, by area; 0 inside
-  std::vector<CellConstraint> constraints;  ///< empty in a field read from a file that has none
-  std::vector<std::int32_t> regions;        ///< as CellRegions::of_leaf; empty where there are not several
+  std::vector<CellConstraint> constraints;  ///< empty in a field read from a file without them
+  std::vector<std::int32_t> regions;        ///< as CellRegions::of_leaf; empty with a single region
   SolveReport report;
 
-  /// What was solved with; none in a field read from a folder that has none.
+  /// Surface that the field was solved for; none in a field read from a folder without one.
   SurfaceSource surface;
 
-  /// None unless SolveOptions::kept_forms asks for some, and none in a field that was read.
+  /// Empty unless SolveOptions::kept_forms selects some; always empty in a field that was read.
   KeptForms kept_forms;
 
-  /// Null in a field that was read: made when asked for.
+  /// Null in a field that was read; computed on demand.
   std::shared_ptr<const SingularityGraph> singularities;
 };
 

@@ -40,7 +40,7 @@ Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell) {
 
 Colouring greedy_colouring(const Adjacency& adjacency) {
   std::vector<std::uint8_t> colours(adjacency.size());
-  std::array<std::uint32_t, 256> taken_by;  // the last cell for which a colour was seen among the neighbours
+  std::array<std::uint32_t, 256> taken_by;  // per colour the last cell that has a neighbour of it
   taken_by.fill(~std::uint32_t{0});
   for (std::uint32_t i = 0; i < adjacency.size(); ++i) {
     for (const Adjacency::Neighbour& neighbour : adjacency[i]) {
@@ -49,7 +49,7 @@ Colouring greedy_colouring(const Adjacency& adjacency) {
     const auto free =
         std::find_if(taken_by.begin(), taken_by.end(), [i](std::uint32_t by) { return by != i; });
     if (free == taken_by.end())
-      throw Error(ErrorKind::kLimit, "a vertex has more neighbours than there are colours, 256",
+      throw Error(ErrorKind::kLimit, "a vertex has too many neighbours: more than 256 colours are needed",
                   Remedy::kSplitTets);
     colours[i] = static_cast<std::uint8_t>(free - taken_by.begin());
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the solver sees: cells, their neighbours with weights, and a quadratic form for some cells. Octrees
-// become such a graph (field/octree_graph.hpp); so can tet meshes, and one rank's share of a distributed
-// octree.
+// Input of the solver: cells, their neighbours with weights, and a quadratic form for some cells. Octrees are
+// converted to such a graph (field/octree_graph.hpp), and so are tet meshes.
 #pragma once
 
 #include <array>
@@ -18,7 +17,7 @@
 
 namespace crossgrain {
 
-/// Cells in an order of colours: no two neighbours have the same one, so cells of a colour can be updated in
+/// Cells ordered by colour. Neighbours never share a colour, so cells of one colour can be updated in
 /// parallel with the same result as one after the other.
 struct Colouring {
   std::vector<std::uint32_t> cells;
@@ -27,14 +26,14 @@ struct Colouring {
   std::size_t colour_count() const { return begin.size() - 1; }
 };
 
-/// From a colour per cell, each below 256.
+/// Builds the order from a colour per cell, each below 256.
 Colouring colouring_of(std::span<const std::uint8_t> colour_of_cell);
 
-/// Every cell takes the lowest colour that none of its neighbours of lower index has. Throws Error(kLimit)
-/// where that takes more than 256 colours.
+/// Gives every cell the lowest colour that no neighbour of lower index has. Throws Error(kLimit) beyond 256
+/// colours.
 Colouring greedy_colouring(const Adjacency& adjacency);
 
-/// weight * E_n of one normal: where a cell's surface is flat there is no need of a matrix.
+/// weight * E_n of a single normal: cells whose surface is flat need no matrix.
 struct PlaneForm {
   std::array<float, 3> normal;
   float weight;
@@ -46,16 +45,16 @@ inline constexpr int kPackedFormSize = D == 3 ? 28 : 45 + 9 + 1;
 template <int D>
 using PackedForm = std::array<float, kPackedFormSize<D>>;
 
-/// How many forms of a kind there may be, by default as many as CellForms can tell apart.
+/// Maximum number of forms of each kind; by default what CellForms can index.
 struct FormLimits {
   std::size_t planes = std::size_t{1} << 31;
   std::size_t generals = std::size_t{1} << 30;
   std::size_t held_axes = (std::size_t{1} << 30) - 1;
 };
 
-/// The boundary forms of a graph, scaled as they stand in the energy: by kappa / dx, and in degree 3 by 5/3
-/// (docs/design.md sections 5 and 7). At most one form a cell. Setting or making room for more than the
-/// limits allow throws Error(kLimit).
+/// Boundary forms of a graph, scaled as in the energy: by kappa / dx, in degree 3 also by 5/3 (docs/design.md
+/// sections 5 and 7). At most one form per cell. Throws Error(kLimit) if setting or reserving exceeds the
+/// limits.
 template <int D>
 class CellForms {
  public:
@@ -65,13 +64,13 @@ class CellForms {
 
   void set_plane(std::size_t cell, const Vector3& unit_normal, double weight);
 
-  /// Makes room for the forms of these cells; each is then set once, in any order and from any thread.
+  /// Reserves the forms of these cells; each is then set once, in any order and from any thread.
   void reserve_planes(std::span<const std::uint32_t> cells);
   void reserve_general(std::span<const std::uint32_t> cells);
   void set_general(std::size_t cell, const QuadraticForm<D>& form, double scale);
 
-  /// From now on the frame of the cell keeps one of its axes along `unit_axis`, exactly, and turns about it
-  /// only. The cell's frame must have such an axis already.
+  /// Constrains the frame of the cell from now on to keep one of its axes along `unit_axis` exactly, so that
+  /// it only rotates about it. Precondition: the cell's frame has such an axis.
   void hold_axis(std::size_t cell, const Vector3& unit_axis);
 
   const Vector3* held_axis(std::size_t cell) const {
@@ -85,13 +84,13 @@ class CellForms {
   }
   bool empty(std::size_t cell) const { return slot_[cell] == kNone; }
 
-  /// Of slots, planes and general forms.
+  /// Memory of slots, planes and general forms.
   std::size_t slot_bytes() const { return slot_.capacity() * sizeof(std::uint32_t); }
   std::size_t plane_bytes() const { return planes_.capacity() * sizeof(PlaneForm); }
   std::size_t general_bytes() const { return generals_.capacity() * sizeof(PackedForm<D>); }
 
  private:
-  // A slot is an index into one of three lists, told apart by its two highest bits.
+  // A slot is an index into one of three lists; its two highest bits tell which.
   static constexpr std::uint32_t kGeneral = std::uint32_t{2} << 30;
   static constexpr std::uint32_t kHeld = std::uint32_t{3} << 30;
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
@@ -107,13 +106,13 @@ class CellForms {
 extern template class CellForms<3>;
 extern template class CellForms<4>;
 
-/// Who neighbours whom, and in which order cells are visited.
+/// Neighbours of the cells, and the order in which cells are visited.
 struct Connectivity {
   Adjacency adjacency;
   SweepOrder order;
 };
 
-/// What a sweep works on. Graphs of both degrees over the same cells share their connectivity.
+/// The graph of one sweep. Graphs of both degrees over the same cells share their connectivity.
 template <int D>
 struct FieldGraph {
   std::shared_ptr<const Connectivity> connectivity;

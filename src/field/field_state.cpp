@@ -12,14 +12,14 @@
 namespace crossgrain {
 namespace {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): a fixed generator, so that seeds mean the same everywhere; the
-/// standard library's distributions differ between implementations.
+/// SplitMix64 (Steele, Lea, Flood 2014). A fixed generator gives the same numbers everywhere; the
+/// distributions of the standard library differ between implementations.
 class SplitMix64 {
  public:
   /// The seed is mixed too: streams whose states differ by a multiple of the step are shifts of each other.
   explicit SplitMix64(std::uint64_t seed) : state_(mixed(seed)) {}
   std::uint64_t next() { return mixed(state_ += 0x9e3779b97f4a7c15); }
-  /// Uniform in [0, 1).
+  /// Returns a number uniform in [0, 1).
   double next_double() { return static_cast<double>(next() >> 11) * 0x1p-53; }
 
  private:

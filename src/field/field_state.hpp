@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The unknowns of a solve: per cell a frame, and coefficients beside it.
+// Unknowns of a solve: a frame per cell, and its coefficients.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace crossgrain {
 
-/// Coefficients in single precision, as they are stored per cell. In degree 3 a zero follows, so that they
-/// are read as one vector, which no cache line ends within.
+/// Coefficients of one cell in single precision. In degree 3 they are padded with a zero, so that they are
+/// read as one vector that does not cross a cache line.
 template <int D>
 struct alignas(D == 3 ? 32 : alignof(float)) StoredCoefficients
     : std::array<float, D == 3 ? 8 : kCoefficientCount<D>> {};
@@ -21,7 +21,7 @@ template <int D>
 struct FieldState {
   std::vector<StoredQuaternion> frames;
 
-  /// Of the frames; while a level is relaxed, of whatever the relaxation has made of them.
+  /// Coefficients of the frames; during relaxation, those of the relaxed problem.
   std::vector<StoredCoefficients<D>> coefficients;
 
   std::size_t size() const { return frames.size(); }
@@ -41,15 +41,15 @@ inline Coefficients<D> from_stored(const StoredCoefficients<D>& stored) {
   return h;
 }
 
-/// h(R) of every frame.
+/// Returns h(R) of every frame.
 template <int D>
 std::vector<StoredCoefficients<D>> coefficients_of(std::span<const StoredQuaternion> frames);
 
-/// The state of these frames.
+/// Returns the frames with their coefficients.
 template <int D>
 FieldState<D> state_of(std::vector<StoredQuaternion> frames);
 
-/// Frames drawn uniformly from SO(3), each from `seed` and its own index.
+/// Returns frames drawn uniformly from SO(3), each from `seed` and its index.
 std::vector<StoredQuaternion> random_frames(std::size_t count, std::uint64_t seed);
 
 extern template std::vector<StoredCoefficients<3>> coefficients_of<3>(std::span<const StoredQuaternion>);

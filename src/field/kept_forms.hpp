@@ -7,7 +7,7 @@
 
 namespace crossgrain {
 
-/// The constraint forms h^T A h - 2 b.h + c (docs/design.md, "Forms") of some cells, kept with a field for
+/// Constraint forms h^T A h - 2 b.h + c (docs/design.md, "Forms") of some cells, kept with a field for
 /// display (SolveOptions::kept_forms). A cell is a leaf or the merged ancestor of several; its form is the
 /// sum of those of its leaves, with areas in squared model units. One row per cell.
 struct KeptForms {

@@ -14,17 +14,17 @@
 namespace crossgrain {
 namespace {
 
-/// From this many cells on they are swept block by block: below they stay in the cache anyway.
+/// Levels of at least this many cells are swept block by block; smaller ones stay in the cache anyway.
 constexpr std::size_t kBlockedCells = 200000;
 
-/// Cells of a block, whose frames, coefficients and neighbour lists fit into a core's own cache.
+/// Cells per block: their frames, coefficients and neighbour lists fit into a core's own cache.
 constexpr std::size_t kBlockCells = 4096;
 
-/// Parts of a step of FaceWeight in which diagonals are counted: whole numbers make the weights of one edge
-/// the same from both its leaves, and those of all neighbours inside the very same.
+/// Parts of a step of FaceWeight that diagonal weights are counted in. Whole numbers make both leaves of an
+/// edge compute the same weight, and all weights inside the solid identical.
 constexpr int kShareSteps = 320;
 
-/// The rows of neighbours of a level.
+/// Computes the rows of neighbours of a level.
 class Stencil {
  public:
   Stencil(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
@@ -37,7 +37,7 @@ class Stencil {
     for (const CellAddress leaf : level.tree.leaves()) deepest_ = std::max(deepest_, leaf.depth());
   }
 
-  /// By depth: what one part of a step weighs.
+  /// Weight of one part of a step, by depth.
   std::vector<float> units() const {
     std::vector<float> units;
     for (int depth = 0; depth <= deepest_; ++depth)
@@ -46,7 +46,8 @@ class Stencil {
     return units;
   }
 
-  /// The neighbours of leaf i: of its size through faces and across edges, then larger and smaller ones.
+  /// Appends the neighbours of leaf i: those of its size through faces and across edges, then larger and
+  /// smaller ones.
   void row_of(CellIndex i, Adjacency::RowInUnits& row) const {
     row.unit = static_cast<std::uint16_t>(level_.tree[i].depth());
     const auto add = [&](CellIndex j, int steps) {
@@ -79,8 +80,8 @@ class Stencil {
  private:
   CellIndex beside(CellIndex i, int face) const { return neighbours_[i][face]; }
 
-  /// The leaf behind faces a and b both, if the four around their common edge are of one size and joined all
-  /// around it.
+  /// Returns the leaf diagonally behind faces a and b, if the four leaves around their common edge have one
+  /// size and all four faces between them are open.
   CellIndex across_edge(CellIndex i, int a, int b) const {
     if (!weights_[i][a].joins_equal() || !weights_[i][b].joins_equal()) return kNoCell;
     const CellIndex beside_a = beside(i, a), beside_b = beside(i, b);
@@ -102,7 +103,7 @@ class Stencil {
       const auto [first, last] = finder_.over(*across);
       for (CellIndex j = first; j < last; ++j) {
         if (beside(j, opposite_face(face)) != i) continue;
-        // Steps of a leaf half as large are half as large.
+        // A step of a leaf half as large is half as large.
         const int steps = weights_[j][opposite_face(face)].steps();
         if (steps > 0) add(j, kShareSteps / 2 * steps);
       }
@@ -117,7 +118,7 @@ class Stencil {
   int deepest_ = 0;
 };
 
-/// By parity of position and depth: neighbours differ in one or two coordinates, or in depth by one.
+/// Colour by parity of position and depth: neighbours differ in one or two coordinates, or by one in depth.
 std::uint8_t parity_colour(CellAddress cell) {
   const GridPoint corner = cell.corner();
   const int x = corner[0] / cell.width(), y = corner[1] / cell.width(), z = corner[2] / cell.width();

@@ -28,10 +28,10 @@
 
 namespace crossgrain {
 
-/// How degree 3 sees neighbours: by the bound alone, or by the matrix where one of them disagrees.
+/// How degree 3 treats neighbours: by the bound alone, or by the matrix if one of them disagrees.
 enum class NeighbourTerm { kBound, kExactWhereFar };
 
-/// Neighbours with a square (h_j.h_0)^2 below this disagree: 24 degrees apart, if about an axis.
+/// Neighbours with a square (h_j.h_0)^2 below this disagree: 24 degrees apart for a rotation about an axis.
 inline constexpr double kAgreeingSquare = 0.65;
 
 template <int D, class Real>
@@ -40,7 +40,7 @@ class LocalEnergy {
   static constexpr int W = Real::kCount;
   using Vector = Coefficients<D, Real>;
 
-  /// `coefficients` of the cells and of their neighbours.
+  /// `coefficients` are those of the cells and of their neighbours.
   LocalEnergy(const FieldGraph<D>& graph, const std::vector<StoredCoefficients<D>>& coefficients,
               const CellsInLanes<W>& cells, NeighbourTerm term = NeighbourTerm::kExactWhereFar) {
     SumsOfLanes sums;
@@ -60,10 +60,10 @@ class LocalEnergy {
     if (planes_) finish_planes();
   }
 
-  /// f(h) for |h| = 1.
+  /// Returns f(h) for |h| = 1.
   Real value(const Vector& h) const { return dot(h, apply_matrix(h)) - 2 * dot(linear_, h); }
 
-  /// A x, up to a multiple of x that changes nothing on |h| = 1.
+  /// Returns A x, up to a multiple of x that changes nothing on |h| = 1.
   Vector apply_matrix(const Vector& x) const {
     Vector result{};
     if (matrix_) result = matrix_times<D>(*matrix_, x);
@@ -77,30 +77,30 @@ class LocalEnergy {
 
   const Vector& linear() const { return linear_; }
 
-  /// Whether A is zero for all cells, so that f is -2 b.h.
+  /// Returns whether A is zero for all cells, so that f is -2 b.h.
   bool is_linear() const { return !matrix_ && !planes_; }
 
-  /// f(h) + stiffness |h|^2 is the energy of coefficients of any length: sum of w_j / 2, in degree 3 of
-  /// (5/6) w_j.
+  /// Sum of w_j / 2, in degree 3 of (5/6) w_j: f(h) + stiffness |h|^2 is the energy of coefficients of any
+  /// length.
   const Real& stiffness() const { return stiffness_; }
 
-  /// The plane forms of the cells, of weight 0 for cells without one.
+  /// Plane forms of the cells; weight 0 for cells without one.
   struct Planes {
     BasicVector3<Real> normal{0.0, 0.0, 1.0};
     Real weight = 0;
     NormalBasis<D, Real> basis;
   };
 
-  /// Null where none of the cells has one.
+  /// Null if none of the cells has one.
   const Planes* planes() const { return planes_ ? &*planes_ : nullptr; }
 
-  /// A without plane forms; null where it is zero for all cells.
+  /// A without plane forms; null if it is zero for all cells.
   const FormMatrix<D, Real>* matrix() const { return matrix_ ? &*matrix_ : nullptr; }
 
  private:
   using Number = std::remove_cvref_t<decltype(std::declval<Real>()[0])>;
 
-  /// Coefficients of one cell are summed side by side, as they are stored, eight at most.
+  /// Coefficients of one cell are summed side by side, as they are stored, at most eight at a time.
   static constexpr int kWidth = std::min(W, 8), kGroups = 8 / kWidth;
   using Group = BasicLanes<Number, kWidth>;
   using StoredRow = std::array<Group, kGroups>;
@@ -111,7 +111,7 @@ class LocalEnergy {
     return h;
   }
 
-  /// visit<J>() for the lanes J below `count`.
+  /// Calls visit<J>() for the lanes J below `count`.
   template <class Visit>
   static void for_each_lane(std::size_t count, const Visit& visit) {
     [&]<int... J>(std::integer_sequence<int, J...>) {
@@ -120,10 +120,10 @@ class LocalEnergy {
     (std::make_integer_sequence<int, kWidth>());
   }
 
-  /// Per lane b but for its ninth number, and a zero in degree 3.
+  /// b of each lane without its ninth number; in degree 3 padded with a zero.
   using SumsOfLanes = std::array<std::array<Number, 8>, W>;
 
-  /// Degree 3: own overlaps s_j first, kWidth neighbours at a time.
+  /// Degree 3: first computes the overlaps s_j, kWidth neighbours at a time.
   std::array<Number, 8> add_neighbours(int lane, const Adjacency::Row& neighbours,
                                        const StoredCoefficients<3>& own,
                                        const std::vector<StoredCoefficients<3>>& coefficients,
@@ -136,7 +136,7 @@ class LocalEnergy {
     Number total_weight = 0;
     for (std::size_t k = 0; k < neighbours.size(); k += kWidth) {
       std::array<Group, kWidth> products;
-      products.fill(own_square);  // beyond the last neighbour, since a cell agrees with itself
+      products.fill(own_square);  // beyond the last neighbour; a cell agrees with itself
       for_each_lane(neighbours.size() - k, [&]<int J>() {
         products[J] = product(h0, loaded(coefficients[neighbours.cell(k + J)]));
       });
@@ -167,7 +167,7 @@ class LocalEnergy {
     return result;
   }
 
-  /// -(5/6) sum w_j h_j h_j^T to the matrix of a lane, row by row with columns side by side.
+  /// Adds -(5/6) sum w_j h_j h_j^T to the matrix of a lane, row by row with columns side by side.
   void add_products(int lane, const Adjacency::Row& neighbours,
                     const std::vector<StoredCoefficients<3>>& coefficients) {
     constexpr int n = kCoefficientCount<3>;
@@ -189,7 +189,7 @@ class LocalEnergy {
     }
   }
 
-  /// Degree 4: eight orders side by side, as they are stored, and the last.
+  /// Degree 4: eight orders side by side, as they are stored, then the last.
   std::array<Number, 8> add_neighbours(int lane, const Adjacency::Row& neighbours,
                                        const StoredCoefficients<4>&,
                                        const std::vector<StoredCoefficients<4>>& coefficients,
@@ -198,7 +198,7 @@ class LocalEnergy {
     sums.fill(0.0);
     Number last = 0, total_weight = 0;
     if (neighbours.has_equal_weights()) {
-      // Inside the solid: one multiplication for all.
+      // Inside the solid: one multiplication for all neighbours.
       for (std::size_t k = 0; k < neighbours.size(); ++k) {
         const StoredCoefficients<4>& h = coefficients[neighbours.cell(k)];
         for (int g = 0; g < kGroups; ++g) sums[g] += lanes_of<Group>(h.data() + g * kWidth);
@@ -220,7 +220,7 @@ class LocalEnergy {
     return finished(lane, neighbours, sums, total_weight);
   }
 
-  /// Where all weights are equal, sums come without them.
+  /// Factor of the sums at the end; it includes the weight if all weights are equal.
   static Number scale_of(const Adjacency::Row& neighbours) {
     const auto factor = static_cast<Number>(D == 3 ? 5.0 / 6 : 0.5);
     return neighbours.has_equal_weights() ? factor * neighbours.weight(0) : factor;
@@ -259,7 +259,7 @@ class LocalEnergy {
     }
   }
 
-  // Where these are zero, clearing them would take a while.
+  // Empty if zero, since clearing it would take time.
   std::optional<FormMatrix<D, Real>> matrix_;
   std::optional<Planes> planes_;
   Vector linear_{};

@@ -17,15 +17,15 @@
 namespace crossgrain {
 namespace {
 
-/// How often a step is halved before the cell is left as it is.
+/// Maximum number of halvings of a step before the cell is left unchanged.
 constexpr int kMostHalvings = 4;
 
-/// Up to this step the quadratic model tells the change of the energy more exactly than the difference of two
-/// values in single precision does: their rounding, some 1e-7 of the weights, against a hundredth of a third
-/// power.
+/// Below this step length the quadratic model gives the change of the energy more exactly than a difference
+/// of two single-precision values: their rounding is about 1e-7 of the weights, the model's error a hundredth
+/// of the third power of the step.
 constexpr double kSmallStep_rad = 2e-3;
 
-/// Steps that a frame in single precision can't tell from none.
+/// Steps below the resolution of a frame in single precision.
 constexpr double kNoStep_rad = 1e-7;
 
 /// f to second order in the rotation vector.
@@ -58,7 +58,8 @@ LocalModel<Real> local_model(const LocalEnergy<D, Real>& energy, const Coefficie
   return model;
 }
 
-/// The Newton step of a frame that turns about one axis only, down the valley wherever the curvature points.
+/// Returns the Newton step of a frame that rotates about one axis only, downhill whatever the sign of the
+/// curvature.
 template <class Real>
 BasicVector3<Real> step_about(const BasicVector3<Real>& axis, const LocalModel<Real>& model,
                               double max_angle_rad) {
@@ -69,7 +70,7 @@ BasicVector3<Real> step_about(const BasicVector3<Real>& axis, const LocalModel<R
   return angle_rad * axis;
 }
 
-/// The Newton step of every cell, over-relaxed.
+/// Returns the over-relaxed Newton step of every cell.
 template <int D, class Real>
 BasicVector3<Real> newton_steps(const CellForms<D>& forms, const CellsInLanes<Real::kCount>& cells,
                                 const LocalModel<Real>& model, double over_relaxation) {
@@ -80,7 +81,7 @@ BasicVector3<Real> newton_steps(const CellForms<D>& forms, const CellsInLanes<Re
   return over_relaxation * step;
 }
 
-/// By how much f falls along steps, to second order.
+/// Decrease of f along the steps, to second order.
 template <class Real>
 struct PredictedDecrease {
   Real slope, curvature;
@@ -88,11 +89,11 @@ struct PredictedDecrease {
   PredictedDecrease(const LocalModel<Real>& model, const BasicVector3<Real>& step)
       : slope(dot(model.gradient, step)), curvature(dot(apply(model.hessian, step), step)) {}
 
-  /// Of `fraction` of the steps.
+  /// Decrease for `fraction` of the steps.
   Real at(double fraction) const { return -fraction * slope - 0.5 * fraction * fraction * curvature; }
 };
 
-/// Adds to `decrease` by how much f fell for each cell.
+/// Adds the decrease of f for each cell to `decrease`.
 template <class Number, int D, int W>
 void update_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsInLanes<W>& cells,
                   double over_relaxation, double& decrease) {
@@ -114,7 +115,7 @@ void update_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsI
     const BasicVector3<Real> step = fraction * full_step;
     const BasicQuaternion<Real> turned = normalised(from_small_rotation_vector(step) * frame);
     const Coefficients<D, Real> after = frame_coefficients<D>(turned);
-    // Of a small step single precision tells what it gains by the model only, of a large one by the values.
+    // Small steps take their decrease from the model, large ones from the values; see kSmallStep_rad.
     const auto is_small = fraction * length < kSmallStep_rad;
     const Real gain = select(is_small, predicted.at(fraction), before - energy.value(after));
     std::array<bool, W> gains{};

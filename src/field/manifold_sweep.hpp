@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sweeps on the manifold of frames: every cell in turn takes one guarded Newton step on so(3).
+// Sweeps on the manifold of frames: every cell takes one guarded Newton step on so(3).
 #pragma once
 
 #include <cstdint>
@@ -11,27 +11,27 @@
 
 namespace crossgrain {
 
-/// The largest turn of one step. A cube comes to itself after 90 degrees, so half a radian never passes the
-/// far side of a valley.
+/// Maximum rotation of one step. A frame is periodic by 90 degrees, so half a radian never passes the far
+/// side of a valley.
 inline constexpr double kLargestStep_rad = 0.5;
 
-/// Visits all cells once, colour by colour. The energy of the graph never rises: a step that would raise it
-/// is halved, and given up after a few halvings. Returns by how much the energy fell (in the degree's own
-/// energy). The result does not depend on the number of threads.
+/// Visits all cells once, colour by colour. Returns the decrease of the graph's energy in its own degree. The
+/// energy never rises: a step that would raise it is halved, and dropped after a few halvings. The result
+/// does not depend on the number of threads.
 ///
-/// In degree 3 a cell's energy is replaced by an upper bound (local_energy.hpp): it falls by no less than
-/// what is returned, where no weights are negative.
+/// In degree 3 a cell's energy is replaced by an upper bound (local_energy.hpp): if no weight is negative,
+/// the energy falls by at least the returned value.
 ///
-/// `over_relaxation` in [1, 2) is how many times as long as the Newton step the step of a cell is (successive
-/// over-relaxation): errors that span many cells fade in far fewer sweeps.
+/// `over_relaxation` in [1, 2) multiplies the Newton step (successive over-relaxation), so that errors that
+/// span many cells fade in far fewer sweeps.
 template <int D>
 double manifold_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double over_relaxation = 1);
 
-/// The same over those blocks of the graph's order that have no zero in `is_visited` (empty: over all), with
-/// arithmetic in `Number`, float or double. Returns by how much the energy fell, block by block.
+/// Sweeps only blocks without a zero in `is_visited` (all if it is empty), with arithmetic in `Number`, float
+/// or double. Returns the decrease of the energy for each block.
 ///
-/// Frames and coefficients are stored in single precision, and arithmetic in it settles at the same energies
-/// to 1e-5 (tests/field/sweep_test.cpp), at twice the speed.
+/// Frames and coefficients are stored in single precision. Arithmetic in single precision settles at the same
+/// energies to 1e-5 (tests/field/sweep_test.cpp) at twice the speed.
 template <int D, class Number = float>
 std::vector<double> manifold_sweep_over(const FieldGraph<D>& graph, FieldState<D>& state,
                                         double over_relaxation, std::span<const std::uint8_t> is_visited);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a solve holds at its peaks, structure by structure: the table in docs/notes/performance.md, from which
-// --max-memory and what is expected of a solve are reckoned. tests/field/memory_budget_test.cpp holds it
-// against what is allocated.
+// Memory of a solve at its peaks, structure by structure: the table in docs/notes/performance.md, used for
+// memory limits and forecasts. tests/field/memory_budget_test.cpp compares it with actual allocations.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +10,15 @@
 
 namespace crossgrain {
 
-/// The three moments of the finest level at which most is held.
+/// The three moments of the finest level with most memory in use.
 enum class MemoryMoment {
-  kConnecting,  ///< rows of neighbours are made
-  kSettling,    ///< frames turn
-  kComparing    ///< energies are measured
+  kConnecting,  ///< rows of neighbours are built
+  kSettling,    ///< sweeps run
+  kComparing    ///< energies are computed
 };
 
-/// Bytes of one structure for everything that it grows with. Coefficients and forms are those of degree 4; in
-/// degree 3 they are smaller.
+/// Bytes of one structure per cell, surface cell, cell of several normals and piece. Coefficients and forms
+/// are those of degree 4; in degree 3 they are smaller.
 struct MemoryLine {
   const char* structure;
   double per_cell = 0;
@@ -71,7 +70,7 @@ inline constexpr MemoryLine kEnergyDensity{
     .structure = "energy density", .per_cell = 4, .held = kWhileComparing};
 inline constexpr MemoryLine kSharpTurns{.structure = "sharp turns", .per_cell = 1, .held = kWhileComparing};
 
-/// Of a solve that may be stopped, and not in `kAll`: the finished level before the one that is made, about a
+/// Only in a solve that may be stopped, so not in `kAll`: the finished level before the current one, about a
 /// quarter as large, with its tree, surface, guides, frames and energy density.
 inline constexpr MemoryLine kKeptLevel{
     .structure = "the level before", .per_cell = 10, .per_piece = 2, .held = kAlways};
@@ -83,7 +82,7 @@ inline constexpr std::array kAll{
 
 }  // namespace memory_lines
 
-/// Of all structures that are held at one moment.
+/// Bytes of all structures in use at one moment.
 constexpr double memory_bytes(MemoryMoment moment, const LevelCounts& counts) {
   double bytes = 0;
   for (const MemoryLine& line : memory_lines::kAll) {
@@ -92,14 +91,14 @@ constexpr double memory_bytes(MemoryMoment moment, const LevelCounts& counts) {
   return bytes;
 }
 
-/// The most that is held while a level is made and solved.
+/// Peak memory in bytes while a level is built and solved.
 constexpr double peak_memory_bytes(const LevelCounts& counts) {
   return std::max({memory_bytes(MemoryMoment::kConnecting, counts),
                    memory_bytes(MemoryMoment::kSettling, counts),
                    memory_bytes(MemoryMoment::kComparing, counts)});
 }
 
-/// Beside the level: what parallel loops, the analysis and writing take, whatever the size.
+/// Bytes used besides the level by parallel loops, analysis and writing, whatever the size.
 inline constexpr double kMemoryOfOther = 5e6;
 
 }  // namespace crossgrain

@@ -12,13 +12,13 @@
 namespace crossgrain {
 namespace {
 
-/// A squared difference of coefficients that frames 22.5 degrees or more apart have at least, however their
-/// axes are named: it is 5/6 for a turn about an axis, more about other lines. Around an edge with less at
-/// all four faces frames turn by less than 90 degrees in all, and so by nothing.
+/// Least squared difference of coefficients of frames that are 22.5 degrees or more apart modulo symmetry:
+/// 5/6 for a rotation about an axis, more about other lines. If all four faces around an edge have less, the
+/// frames rotate by less than 90 degrees in total around it, hence by nothing.
 constexpr double kSharpTurn = 0.83;
 
-/// sum over the edges of a cell of w |h_i - h_j|^2 in degree 4, the eight orders below the last side by side.
-/// Each edge is met from both its cells.
+/// Returns the sum over the edges of a cell of w |h_i - h_j|^2 in degree 4, with the first eight orders side
+/// by side. Each edge is visited from both its cells.
 template <int Doubles>
 double edge_sum_in_lanes(const Adjacency::Row& row, const std::vector<StoredCoefficients<4>>& coefficients,
                          std::size_t cell) {
@@ -51,7 +51,7 @@ double edge_sum_in_lanes(const Adjacency::Row& row, const std::vector<StoredCoef
   return sum;
 }
 
-/// visit(cell, its edge_sum_in_lanes) for all cells, from several threads.
+/// Calls visit(cell, its edge_sum_in_lanes) for all cells, from several threads.
 template <class Visit>
 void for_each_edge_sum(const Adjacency& adjacency, const std::vector<StoredCoefficients<4>>& coefficients,
                        const Visit& visit) {
@@ -63,7 +63,7 @@ void for_each_edge_sum(const Adjacency& adjacency, const std::vector<StoredCoeff
   });
 }
 
-/// Whether a neighbour of the cell is a sharp turn away; `edge_sum` is the cell's.
+/// Returns whether the frame of a neighbour differs sharply from the cell's; `edge_sum` is the cell's.
 bool has_sharp_turn(const Adjacency::Row& row, const std::vector<StoredCoefficients<4>>& coefficients,
                     std::size_t cell, double edge_sum) {
   float least_weight = std::numeric_limits<float>::max();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a walk through all neighbour lists tells about frames in degree 4.
+// Quantities from comparing each frame with its neighbours in degree 4.
 #pragma once
 
 #include <cstdint>
@@ -12,30 +12,30 @@
 
 namespace crossgrain {
 
-/// 1/2 sum over pairs of neighbours of w |h_i - h_j|^2.
+/// Returns 1/2 sum over neighbouring pairs of w |h_i - h_j|^2.
 double smoothness_energy(const Adjacency& adjacency, const std::vector<StoredCoefficients<4>>& coefficients);
 
 struct NeighbourComparison {
   double smoothness = 0;  ///< smoothness_energy
 
-  /// Smoothness energy per volume, leaf by leaf: half of every edge's energy to each of its leaves, over the
-  /// leaf's volume. In model units to the power of -2.
+  /// Smoothness energy per volume for each leaf, in (model unit)^-2: half of every edge's energy goes to each
+  /// of its leaves.
   std::vector<float> energy_density;
 
-  /// Whether the frame of a leaf is about 22 degrees or more off that of a neighbour, however they are named.
-  /// Empty where sharp turns are not looked for.
+  /// 1 if the frame of a leaf differs from that of a neighbour by about 22 degrees or more, modulo symmetry.
+  /// Empty with SharpTurns::kLeftOut.
   std::vector<std::uint8_t> turns_sharply;
 };
 
-/// Where singular arcs may run is asked of a finished field only.
+/// Whether sharp turns are computed; only a finished field needs them, to find singular arcs.
 enum class SharpTurns : bool { kLeftOut, kLookedFor };
 
-/// `adjacency` is that of the leaves of `tree`, with a frame each.
+/// Compares frames across all edges. `adjacency` is that of the leaves of `tree`; each leaf has one frame.
 NeighbourComparison compare_neighbours(const Octree& tree, const Adjacency& adjacency,
                                        std::span<const StoredQuaternion> frames, SharpTurns sharp_turns);
 
-/// Which leaves may own a singular edge (singularity/singular_edges.hpp): those that turn sharply, and their
-/// neighbours. Few do, along singular arcs.
+/// Returns 1 for leaves that may own a singular edge (singularity/singular_edges.hpp): those with a sharp
+/// turn, and their neighbours. They are few, along singular arcs.
 std::vector<std::uint8_t> near_sharp_turns(const Adjacency& adjacency,
                                            const std::vector<std::uint8_t>& turns_sharply);
 

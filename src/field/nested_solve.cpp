@@ -23,10 +23,10 @@ namespace {
 
 using Frames = std::vector<StoredQuaternion>;
 
-/// The field of one start, as the last level left it.
+/// The field of one start on the last level.
 using Candidate = SettledFrames;
 
-/// Relaxation, then sweeps on the manifold, on one level.
+/// Relaxation and manifold sweeps on one level.
 template <int D>
 class LevelSolver {
  public:
@@ -41,7 +41,7 @@ class LevelSolver {
     graph_ = {connectivity_, boundary_forms<D>(level, solid, options_.boundary_weight, Shift::kNone)};
   }
 
-  /// Relaxation, where `relaxation_sweeps` is positive, and sweeps on the manifold until the energy settles.
+  /// Relaxes if `relaxation_sweeps` is positive, then sweeps on the manifold until the energy settles.
   SettledFrames solved(Frames frames, int relaxation_sweeps) {
     const RelaxationPlan relaxation{relaxation_sweeps, options_.symmetrisation, options_.over_relaxation};
     const SettlingPlan settling{options_.most_sweeps, options_.over_relaxation, options_.sweep_tolerance,
@@ -87,7 +87,7 @@ class LevelSolver {
   FieldGraph<4> relaxed_graph4_;
 };
 
-/// Each leaf takes the frame of the leaf it came from.
+/// Returns for each leaf the frame of its parent.
 Frames inherited(const Frames& frames, const std::vector<CellIndex>& parent) {
   auto result = sized_vector<StoredQuaternion>(parent.size());
   parallel_for(parent.size(), [&](std::size_t i) { result[i] = frames[parent[i]]; });
@@ -102,8 +102,7 @@ Frames sampled(const InitialFrame& initial_frame, const GridLevel& level) {
   return frames;
 }
 
-/// The nested iteration: one grid level at a time, and on it the frames of every start that is still in the
-/// race.
+/// The nested iteration, level by level, with the frames of all starts that are still candidates.
 template <int D>
 class NestedSolver {
  public:
@@ -162,7 +161,7 @@ class NestedSolver {
     }
   }
 
-  /// 1-based number of a level; 1 is the coarsest.
+  /// 1-based number of the level; 1 is the coarsest.
   int number_of(int depth) const { return depth - coarsest_depth_ + 1; }
 
   void report(Phase phase, int depth, std::size_t cells) const {
@@ -170,7 +169,7 @@ class NestedSolver {
         {phase, depth, cells, 0, std::numeric_limits<double>::quiet_NaN(), number_of(depth), level_count_});
   }
 
-  /// Whether a finished level was kept, and has an inside: very coarse ones may have none.
+  /// Returns whether a finished level was kept and has an inside; very coarse ones may have none.
   static bool can_stand_alone(const SolvedField& field) {
     const auto& winding = field.level.centre_winding;
     return std::any_of(winding.begin(), winding.end(), [](int w) { return w > 0; });
@@ -178,7 +177,7 @@ class NestedSolver {
 
   int levels_above_finest() const {
     const double ratio = finest_resolution() / options_.refinement.coarsest_cells;
-    // The margin keeps powers of two what they are.
+    // The margin keeps powers of two exact.
     return std::max(0, static_cast<int>(std::floor(std::log2(ratio) + 1e-9)));
   }
 
@@ -187,7 +186,8 @@ class NestedSolver {
     return longest_side(box) / finest_cell_size(box, options_);
   }
 
-  /// Throws Error(kLimit) where too many levels would be left out.
+  /// Returns whether the next level fits into memory. Throws Error(kLimit) if too many levels would be left
+  /// out.
   bool next_fits(const SolveForecast& forecast, const LevelGrowth& growth) {
     const LevelCounts next = growth.after(1);
     if (forecast.fits(next)) return true;
@@ -206,7 +206,7 @@ class NestedSolver {
 
   void foretell(SolveForecast& forecast, const LevelGrowth& growth) {
     const LevelStatistics& level = result_.levels.back();
-    // A surface that encloses nothing is refused in the end: there is nothing to expect.
+    // A surface that encloses nothing is refused in the end, so there is nothing to expect.
     const auto& winding = result_.level.centre_winding;
     if (std::none_of(winding.begin(), winding.end(), [](int w) { return w > 0; })) return;
     const std::optional<Expectation> expected = forecast.told_by(
@@ -249,7 +249,7 @@ class NestedSolver {
     } else if (coarsest) {
       candidates_.resize(static_cast<std::size_t>(std::max(1, options_.solver.starts)));
       for (std::size_t start = 0; start < candidates_.size(); ++start) {
-        // Seeds far apart, so that start k of one seed is not start k - 1 of the next.
+        // Seeds are spread, so that start k of one seed is not start k - 1 of the next.
         const std::uint64_t seed = options_.seed * 0x9e3779b97f4a7c15 + start;
         candidates_[start].frames = random_frames(result_.level.size(), seed);
       }
@@ -287,7 +287,7 @@ class NestedSolver {
     return is_uniform_ ? options.level_relaxation : 0;
   }
 
-  /// Brings the candidate of lowest energy to the front, and ends the race if told to.
+  /// Finds the candidate of lowest energy; with `end_race`, drops the others.
   void keep_best(const Adjacency& adjacency, bool end_race, bool finest) {
     best_ = 0;
     const SharpTurns sharp_turns = finest ? SharpTurns::kLookedFor : SharpTurns::kLeftOut;
@@ -311,10 +311,10 @@ class NestedSolver {
     }
   }
 
-  /// Makes the next level, and `result_` ready for it. `neighbours` as in RefinedLevel, of the level solved.
+  /// Returns the next level and makes `result_` ready for it. `neighbours` are those of the solved level.
   RefinedLevel refine(std::vector<FaceNeighbours> neighbours, int depth, int finest_depth) {
     is_uniform_ = is_uniform_ && 8 * result_.level.size() <= options_.solver.relaxed_cells;
-    // While several fields are in the race no single one says where to refine.
+    // With several candidates no single field says where to refine.
     Marks marks = is_uniform_ || candidates_.size() > 1
                       ? Marks(result_.level.size(), true)
                       : refinement_marks(result_.level, neighbours, solid_, result_.energy_density,
@@ -322,7 +322,7 @@ class NestedSolver {
     SolvedField next;
     next.levels = result_.levels;
     next.expected = result_.expected;
-    GridLevel ending;  // the level solved, unless it is kept
+    GridLevel ending;  // the solved level, unless it is kept
     if (monitor_.may_be_stopped())
       keep_solved();
     else
@@ -333,10 +333,10 @@ class NestedSolver {
     return refined(level, neighbours, solid_, std::move(marks), monitor_);
   }
 
-  /// Keeps the level solved, which becomes the result of a solve that is stopped before the next one is.
+  /// Keeps the solved level, which is the result if the solve is stopped before the next level is finished.
   void keep_solved() {
     coarser_ = std::move(result_);
-    // Of several candidates each is inherited, so that they keep their frames: on small levels only.
+    // Several candidates all need their frames for the next level; that happens on small levels only.
     Frames& frames = candidates_[best_].frames;
     coarser_.frames = candidates_.size() == 1 ? std::move(frames) : frames;
   }
@@ -345,17 +345,18 @@ class NestedSolver {
   const SolveOptions& options_;
   const Monitor& monitor_;
   const InitialFrame& initial_frame_;
-  SolvedField result_;   ///< the level that is made or solved
-  SolvedField coarser_;  ///< the finished one before it, if the solve may be stopped
+  SolvedField result_;   ///< the level being built or solved
+  SolvedField coarser_;  ///< the finished level before it, if the solve may be stopped
 
-  /// In the race. A single one leaves its frames to coarser_, if the solve may be stopped.
+  /// Fields of the starts that are still compared. If the solve may be stopped, a single one moves its frames
+  /// to coarser_ between levels.
   std::vector<Candidate> candidates_;
   std::size_t best_ = 0;  ///< the candidate of lowest energy on the last level
   int coarsest_depth_ = 0;
-  int level_count_ = 0;  ///< as far as is known
+  int level_count_ = 0;  ///< as far as known
   Stopwatch grid_watch_, solve_watch_, level_watch_;
   double seconds_so_far_;
-  bool is_uniform_ = true;  ///< the level: small enough to be of cells of one size, and relaxed
+  bool is_uniform_ = true;  ///< all cells of the level have one size; the level is small and relaxed
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nested iteration: the field is found on a coarse octree and carried to finer ones.
+// Nested iteration: the field is found on a coarse octree and refined level by level.
 #pragma once
 
 #include <functional>
@@ -27,30 +27,30 @@ struct SolvedField {
   std::vector<float> energy_density;          ///< as in NeighbourComparison
   std::vector<std::uint8_t> near_sharp_turn;  ///< as from near_sharp_turns
   bool settled =
-      true;  ///< false: the finest level was still falling by more than the tolerance when sweeps ran out
-  std::vector<LevelStatistics> levels;  ///< from the coarsest on
-  int levels_left_out = 0;              ///< for want of memory, or since the solve was stopped
+      true;  ///< false: the energy was still falling by more than the tolerance when the sweeps ran out
+  std::vector<LevelStatistics> levels;  ///< coarsest first
+  int levels_left_out = 0;              ///< for lack of memory, or because the solve was stopped
   bool stopped = false;                 ///< before its last level was finished
-  std::size_t memory_needed = 0;        ///< where memory did not last, bytes of the next level, about
-  std::optional<Expectation> expected;  ///< what the monitor was told to expect
+  std::size_t memory_needed = 0;        ///< approximate bytes of the next level, if memory did not suffice
+  std::optional<Expectation> expected;  ///< what was reported to the monitor
   double grid_seconds = 0;
   double solve_seconds = 0;
 };
 
-/// The size of the finest cells that the options ask for around a box, model units.
+/// Size of the finest cells that the options request for a box, in model units.
 inline double finest_cell_size(const Box& box, const SolveOptions& options) {
   if (options.cell_size > 0) return options.cell_size;
   return longest_side(box) / (options.resolution > 0 ? options.resolution : kDefaultResolution);
 }
 
-/// A frame for any point, to start from instead of random ones.
+/// Returns an initial frame at a point, instead of random starts.
 using InitialFrame = std::function<Quaternion(const Vector3& point)>;
 
-/// Solves level by level. `initial_frame`, if given, replaces the starts on the coarsest level and what finer
-/// levels inherit; nothing is relaxed then. `seconds_before` is what the solve has taken so far. Throws
-/// Error(kLimit) where the grid cannot be had or memory allows only much coarser cells, Error(kInput) where
-/// the solid has no cell, Error(kInterrupted) once the monitor is cancelled. Stopped, it returns the last
-/// level that is finished, to the bit what a solve gives that memory ends there.
+/// Solves level by level. `initial_frame`, if given, replaces the starts on the coarsest level and the frames
+/// that finer levels inherit; nothing is relaxed then. `seconds_before` is the time that the solve has taken
+/// so far. Throws Error(kLimit) if the grid cannot be built or memory allows only much coarser cells,
+/// Error(kInput) if the solid has no cell, Error(kInterrupted) once the monitor is cancelled. If stopped, it
+/// returns the last finished level, bitwise identical to a solve that memory limits to that level.
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
                          const InitialFrame& initial_frame = {}, double seconds_before = 0);
 

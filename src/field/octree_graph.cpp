@@ -18,7 +18,7 @@ namespace {
 
 using FaceWeights = std::array<FaceWeight, kFaceCount>;
 
-/// Steps of weight for each sample of a face that is open.
+/// Steps of weight per open sample of a face.
 constexpr int kStepsOfSample = FaceWeight::kFullFace / kOpenFaceSamples;
 
 class LeafConnector {
@@ -26,7 +26,8 @@ class LeafConnector {
   LeafConnector(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid)
       : level_(level), neighbours_(neighbours), tree_(level.tree), solid_(solid) {}
 
-  /// The edges that leaf i owns: to larger leaves, and to leaves of its size on its high side.
+  /// Returns the weights of the edges that leaf i owns: to larger leaves, and to leaves of its size on its
+  /// high side.
   FaceWeights owned(CellIndex i) const {
     FaceWeights weights;
     for (int face = 0; face < kFaceCount; ++face) {
@@ -37,8 +38,9 @@ class LeafConnector {
     return weights;
   }
 
-  /// The face behind which the solid most likely goes on: the one that the inward normal of leaf i points at
-  /// most, of those with an admissible leaf behind and more than `least` along the normal. -1 for none.
+  /// Returns the face behind which the solid most likely continues: the one with the largest component of the
+  /// inward normal of leaf i, among those with an admissible leaf behind and a component above `least`. -1 if
+  /// there is none.
   template <class Admissible>
   int tie_face(CellIndex i, double least, const Admissible& admissible) const {
     Vector3 inward{0, 0, 0};
@@ -56,7 +58,7 @@ class LeafConnector {
     return best_face;
   }
 
-  /// The smallest edge there can be: of half a sample.
+  /// Returns the smallest possible edge: half a sample.
   FaceWeight tie(CellIndex i, int face) const {
     return weight(i, face, neighbours_[i][face], kStepsOfSample / 2);
   }
@@ -65,20 +67,20 @@ class LeafConnector {
 
  private:
   int samples_between(CellIndex i, int face, CellIndex j) const {
-    // A face of a leaf without surface is not crossed, so it is as open as that leaf is inside.
+    // The surface does not cross a face of a leaf without surface, so the face is fully open.
     if (!level_.holds_surface(i) || !level_.holds_surface(j)) return kOpenFaceSamples;
     return open_samples(level_, solid_, i, face);
   }
 
-  /// `steps` is the open area in that many parts of the face.
+  /// `steps` is the open area in parts of the face.
   FaceWeight weight(CellIndex i, int face, CellIndex j, int steps) const {
-    // Centres of leaves of two sizes are half as far again from each other.
+    // The centres of leaves of two sizes are 1.5 times as far apart.
     if (!is_equal(i, j)) return {steps * 2 / 3, true};
     return {steps * (3 - shared_hanging_faces(i, face, j)) / 3, false};
   }
 
-  /// How many leaves of twice the size touch both i and its neighbour j across `face`. Each takes away a
-  /// third of the edge's weight; see connect_leaves.
+  /// Returns how many leaves of twice the size touch both i and its neighbour j across `face`. Each takes
+  /// away a third of the edge's weight; see connect_leaves.
   int shared_hanging_faces(CellIndex i, int face, CellIndex j) const {
     if (tree_[i].depth() == 0 || tree_[i].parent() != tree_[j].parent()) return 0;
     int shared = 0;
@@ -100,13 +102,13 @@ static_assert(FaceWeight::kFullFace % kOpenFaceSamples == 0 && kStepsOfSample / 
                   kStepsOfSample / 2 * 2 == kStepsOfSample,
               "weights of faces must be whole");
 
-/// Ties leaves that the surface barely cuts, mostly one or two together, to the rest of the solid.
+/// Ties isolated leaves that the surface barely cuts, mostly one or two together, to the rest of the solid.
 class SpeckTies {
  public:
   SpeckTies(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
             const LeafConnector& connector, LeafConnections& connections)
       : level_(level), neighbours_(neighbours), connector_(connector), connections_(connections) {
-    // Whoever is joined to a leaf with its centre inside is part of the solid; few leaves are not.
+    // Leaves that are connected to a leaf with its centre inside are part of the solid; few leaves are not.
     std::vector<std::uint8_t> inside(level.size());
     parallel_for(level.size(),
                  [&](std::size_t i) { inside[i] = level.centre_inside(static_cast<CellIndex>(i)); });
@@ -125,8 +127,8 @@ class SpeckTies {
     }
   }
 
-  /// Inwards and from the rest outwards, so that no speck is tied to another speck only. Single leaves that
-  /// this does not reach are tied to any neighbour.
+  /// Ties specks inwards, beginning at the rest of the solid, so that no speck is tied only to another speck.
+  /// Single leaves that this does not reach are tied to any neighbour.
   void tie_all() {
     std::vector<CellIndex> specks;
     for (const CellIndex i : loose_) {
@@ -154,16 +156,16 @@ class SpeckTies {
   }
 
  private:
-  /// Leaves of a component: many more than these are a thin plate of its own.
+  /// Maximum number of leaves of a speck; a component of many more is a thin plate of its own.
   static constexpr std::uint32_t kLargestSpeck = 8;
 
-  /// Loose leaves that are joined to one another.
+  /// Loose leaves that are connected with each other.
   struct Component {
     std::uint32_t size;
     bool part_of_solid;
   };
 
-  /// Those of `marked`, and those that are joined to one of them.
+  /// Returns `marked` extended by the leaves that are joined to a marked one.
   std::vector<std::uint8_t> spread(const std::vector<std::uint8_t>& marked) const {
     std::vector<std::uint8_t> result = marked;
     const auto mark = [&](CellIndex i) { std::atomic_ref(result[i]).store(1, std::memory_order_relaxed); };
@@ -179,7 +181,7 @@ class SpeckTies {
     return result;
   }
 
-  /// The root of a loose leaf's set; nothing for any other leaf, which is part of the solid.
+  /// Returns the root of a loose leaf's set; nothing for any other leaf, which is part of the solid.
   std::optional<std::uint32_t> root(CellIndex i) {
     const auto found = std::lower_bound(loose_.begin(), loose_.end(), i);
     if (found == loose_.end() || *found != i) return std::nullopt;
@@ -222,9 +224,9 @@ class SpeckTies {
   std::span<const FaceNeighbours> neighbours_;
   const LeafConnector& connector_;
   LeafConnections& connections_;
-  std::vector<CellIndex> loose_;       ///< leaves that no leaf with its centre inside is joined to, ascending
-  DisjointSets sets_{0};               ///< of places in loose_
-  std::vector<Component> components_;  ///< those at the roots of the sets count
+  std::vector<CellIndex> loose_;       ///< leaves not joined to any leaf with its centre inside, ascending
+  DisjointSets sets_{0};               ///< over indices into loose_
+  std::vector<Component> components_;  ///< valid at the roots of the sets
 };
 
 }  // namespace
@@ -243,7 +245,7 @@ LeafConnections connect_leaves(const GridLevel& level, std::span<const FaceNeigh
         result.open_faces[i] |= static_cast<std::uint8_t>(result.weights[i][face].joined() << face);
     }
   });
-  // Of a common face both leaves of a size know the weight.
+  // Both leaves of one size store the weight of their common face.
   parallel_for(level.size(), [&](std::size_t i) {
     for (int face = 0; face < kFaceCount; face += 2) {
       const CellIndex j = neighbours[i][face];

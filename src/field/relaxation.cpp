@@ -12,11 +12,12 @@
 namespace crossgrain {
 namespace {
 
-/// Coefficients that overlap this much with a frame they climbed to have no other maximum of the overlap that
-/// is higher: tested in tests/field against the global search.
+/// If coefficients overlap this much with a frame found by ascent, no other maximum of the overlap is higher;
+/// tested in tests/field against the global search.
 constexpr double kSafeOverlap = 0.9;
 
-/// The minimisers of k |h|^2 + h^T A h - 2 b.h, k the stiffness, A = s (I - C C^T - S S^T) + A_c.
+/// Returns the minimisers of k |h|^2 + h^T A h - 2 b.h with the stiffness k and A = s (I - C C^T - S S^T) +
+/// A_c.
 template <int D, int W, class Real>
 Coefficients<D, Real> minimising_coefficients(const LocalEnergy<D, Real>& energy, const CellForms<D>& forms,
                                               const CellsInLanes<W>& cells) {
@@ -44,11 +45,11 @@ Coefficients<D, Real> minimising_coefficients(const LocalEnergy<D, Real>& energy
   return h;
 }
 
-/// A step down the gradient of E_sym, whose curvature across the orbit is at most kCurvature |h|^2 there.
+/// Steps down the gradient of E_sym, whose curvature across the orbit is at most kCurvature |h|^2 there.
 template <int D, class Real>
 void symmetrise(Coefficients<D, Real>& h, double strength) {
   constexpr double kCurvature = D == 3 ? 576.0 : 1600.0;  // bound 4 l^2 (l+1)^2
-  // Over-relaxation and negative weights take |h| beyond 1, where both steps must be shorter.
+  // Over-relaxation and negative weights can make |h| exceed 1; then both steps must be shorter.
   const Real before = squared_norm(h);
   add_scaled(h, -strength / (kCurvature * select(before > 1.0, before, 1.0)), deviation_gradient<D>(h));
   const Real after = squared_norm(h);
@@ -62,7 +63,7 @@ void symmetrise_steps(Coefficients<D, Real>& h, double strength) {
   for (; strength > 0; strength -= 1) symmetrise<D>(h, std::min(strength, 1.0));
 }
 
-/// From `before` towards `minimum`, `over_relaxation` times as far.
+/// Returns the point on the line from `before` to `minimum`, `over_relaxation` times as far.
 template <int D, class Real>
 Coefficients<D, Real> over_relaxed(const Coefficients<D, Real>& before, const Coefficients<D, Real>& minimum,
                                    double over_relaxation) {
@@ -71,9 +72,9 @@ Coefficients<D, Real> over_relaxed(const Coefficients<D, Real>& before, const Co
   return h;
 }
 
-/// Among the degree-4 coefficients of frames with an axis along `axis`, h = b_n + x C + y S but for the
-/// radius x^2 + y^2 = 5/12 of frames: over-relaxed from `before` to the minimiser of the local energy, then a
-/// step back to that radius.
+/// Updates the degree-4 coefficients h = b_n + x C + y S of a frame with an axis along `axis`: over-relaxes
+/// from `before` to the minimiser of the local energy, then steps back towards the radius x^2 + y^2 = 5/12 of
+/// frames.
 template <class Real>
 Coefficients<4, Real> relaxed_about(const BasicVector3<Real>& axis, const LocalEnergy<4, Real>& energy,
                                     const Coefficients<4, Real>& before, double symmetrisation,
@@ -130,8 +131,7 @@ void project_to_frames(FieldState<D>& state) {
       set_lane(targets, lane, from_stored<D>(state.coefficients[cell]));
       set_lane(starts, lane, from_stored(state.frames[cell]));
     }
-    // The cell's own frame leads to the nearest one unless the cell has turned a long way or is far from any
-    // frame.
+    // The cell's own frame leads to the nearest one unless it has rotated far or is far from any frame.
     const BasicQuaternion<Lanes<W>> frames = refined_frame<D>(targets, starts);
     const Lanes<W> overlap = dot(targets, frame_coefficients<D>(frames));
     const auto safe = overlap * abs(overlap) >= (kSafeOverlap * kSafeOverlap) * squared_norm(targets);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cholesky solution of the small dense systems of one cell, packed as QuadraticForm packs its matrix.
+// Cholesky solver for the small dense systems of single cells, packed as QuadraticForm packs its matrix.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace crossgrain {
 
-/// x with (A + shift I) x = right, A A + shift I must be positive definite.
+/// Returns x with (A + shift I) x = right. A + shift I must be positive definite.
 template <int D, class Real>
 Coefficients<D, Real> solve_shifted(const FormMatrix<D, Real>& matrix,
                                     const std::type_identity_t<Real>& shift,

@@ -11,24 +11,25 @@
 namespace crossgrain {
 namespace {
 
-/// Three levels above the finest one a solve has taken a few per cent of its time.
+/// Three levels above the finest, a solve has taken a few per cent of its time.
 constexpr int kLevelsAhead = 3;
 
-/// Levels of fewer cells tell little of time.
+/// Timings of levels with fewer cells are unreliable.
 constexpr double kFewestCellsToTell = 4000;
 
-/// Fields of fewer cells are done in a moment.
+/// Fields of fewer cells take too little time for a forecast.
 constexpr double kFewestCellsToForetell = 20000;
 
-/// Whole sweeps' worth until a level settles that is not relaxed; on large ones most blocks sleep early.
+/// Typical number of full sweeps until a level settles without relaxation; on large levels most blocks sleep
+/// early.
 constexpr int kUsualSweeps = 15, kSweepsOfLarge = 7;
 constexpr double kLargeCells = 200000;
 
-// Microseconds that steps take on a machine of two cores. Only their ratios count: how fast a machine is and
-// how hard a part, the levels that are solved tell.
+// Microseconds of each step on a machine of two cores. Only their ratios matter: the speed of the machine and
+// the difficulty of the part are measured on the levels already solved.
 constexpr double kGridPerCell = 1.2;
 constexpr double kGridPerPiece = 1.2;
-constexpr double kFormPerCell = 4;  ///< of several normals
+constexpr double kFormPerCell = 4;  ///< with several normals
 constexpr double kSweepPerCell = 0.2;
 constexpr double kAnalysisPerCell = 0.7;
 constexpr double kAnalysisPerSurfaceCell = 2;

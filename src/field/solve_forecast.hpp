@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the levels to come will cost, and up to which of them memory lasts.
+// Forecast of the cost of finer levels, and of the finest one that fits into memory.
 #pragma once
 
 #include <cstddef>
@@ -11,30 +11,30 @@
 
 namespace crossgrain {
 
-/// What one level took, or would.
+/// Actual or expected size and sweeps of one level.
 struct LevelWork {
   LevelCounts counts;
   int sweeps = 0;
 };
 
-/// Reckons for one solve.
+/// Forecast for one solve.
 class SolveForecast {
  public:
-  /// `memory_before_bytes` is what the process holds before the first level; `keeps_levels`: each finished
-  /// level is kept while the next one is made (Monitor::allow_stops).
+  /// `memory_before_bytes` is what the process uses before the first level; `keeps_levels`: each finished
+  /// level is kept while the next one is built (Monitor::allow_stops).
   SolveForecast(const SolveOptions& options, int finest_depth, std::size_t memory_before_bytes,
                 bool keeps_levels = false);
 
-  /// Of the process, with a level of such counts as its finest.
+  /// Peak memory of the process in bytes if a level of such counts is the finest.
   double peak_memory(const LevelCounts& counts) const;
 
-  /// Whether there is memory for such a level, and numbers for its cells.
+  /// Returns whether such a level fits into memory and its cells into the range of indices.
   bool fits(const LevelCounts& counts) const;
 
   std::size_t memory_limit_bytes() const { return memory_limit_; }
 
-  /// Called once the level at `depth` is solved, in `level_seconds`, with `growth` of that level. Empty where
-  /// it is too early to tell, has been told, or is not worth telling.
+  /// Returns the forecast once the level at `depth` is solved in `level_seconds`; `growth` is that of the
+  /// level. Empty if it is too early, if it was returned before, or if the solve is too small.
   std::optional<Expectation> told_by(int depth, const LevelGrowth& growth, int sweeps, double level_seconds,
                                      double seconds_so_far, double finest_resolution);
 
@@ -46,8 +46,8 @@ class SolveForecast {
   bool told_ = false;
 };
 
-/// So many levels may be left out for want of memory, cells eight times as large as asked for. Beyond that
-/// the field would tell little of what was asked, and the number was a slip more likely than a wish.
+/// Maximum number of levels left out for lack of memory: cells eight times as large as requested. A coarser
+/// field would say little about the requested one, and the number is more likely a mistake.
 inline constexpr int kMostLevelsLeftOut = 3;
 
 }  // namespace crossgrain

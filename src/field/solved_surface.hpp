@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface that a field was solved with, for what is drawn of it.
+// The surface that a field was solved for, for display.
 #pragma once
 
 #include <array>
@@ -14,19 +14,18 @@
 
 namespace crossgrain {
 
-/// Mended: the triangles that the solve saw, looking out of the solid. Faces between solids are not among
-/// them.
+/// The mended triangles that the solve used, oriented outwards. Faces between solids are not included.
 struct SolvedSurface {
-  std::vector<Vector3> vertices;  ///< model units; some may be of no triangle
+  std::vector<Vector3> vertices;  ///< model units; some may be unused
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::vector<Vector3>> creases;  ///< polylines of two points at least; closed ones repeat one
+  std::vector<std::vector<Vector3>> creases;  ///< polylines of 2 or more points; closed ones repeat the first
 };
 
-/// A surface at hand, or one that is read from a file when it is first asked for: most of what reads a field
-/// has no use for it, and it may be larger than the field.
+/// A surface in memory, or one that is read from a file when it is first needed: most users of a field do not
+/// need it, and it may be larger than the field.
 class SurfaceSource {
  public:
-  /// None.
+  /// Holds no surface.
   SurfaceSource() = default;
 
   explicit SurfaceSource(SolvedSurface surface) {
@@ -40,7 +39,8 @@ class SurfaceSource {
                    return std::make_shared<const SolvedSurface>(read());
                  }).share()) {}
 
-  /// Null where there is none; throws what reading it throws, every time. From any number of threads.
+  /// Returns the surface, or null if there is none. Throws what reading it throws, at every call.
+  /// Thread-safe.
   std::shared_ptr<const SolvedSurface> get() const { return surface_.valid() ? surface_.get() : nullptr; }
 
  private:

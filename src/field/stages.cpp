@@ -27,18 +27,18 @@ std::vector<StoredQuaternion> relaxed(const FieldGraph<D>& graph, std::vector<St
 
 namespace {
 
-/// Which blocks a sweep still visits: those that the last one lowered by more than their share of what may
-/// be left, and those beside a block that moved much more, such as one that an arc is about to leave.
+/// Blocks that a sweep still visits: those whose energy the last sweep lowered by more than their share of
+/// the allowance, and those beside a block that changed much more, such as one that an arc is about to leave.
 class BlocksAwake {
  public:
   explicit BlocksAwake(const SweepOrder& order) : order_(order) {
     if (!order.blocks_beside.empty()) awake_.assign(order.block_count(), 1);
   }
 
-  /// Empty where all are.
+  /// Empty if all blocks are awake.
   std::span<const std::uint8_t> awake() const { return awake_; }
 
-  /// `allowance` is what a sweep may lower the energy by and be the last.
+  /// `allowance` is the decrease of the energy below which a sweep is the last.
   void update(const std::vector<double>& decreases, double allowance) {
     const double share = allowance / static_cast<double>(decreases.size());
     for (std::size_t block = 0; block < awake_.size(); ++block) {
@@ -66,7 +66,7 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
   SettledFrames result;
   result.energy = graph_energy(graph, state);
   BlocksAwake blocks(graph.order());
-  // Where all frames agree, rounding of the forms takes the energy a little below nothing.
+  // If all frames agree, rounding of the forms makes the energy slightly negative.
   const auto allowance = [&] { return plan.fraction * std::max(0.0, result.energy) + plan.noise; };
   for (int sweep = 0; sweep < plan.most_sweeps && !result.settled; ++sweep) {
     const std::vector<double> decreases =
@@ -74,7 +74,7 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
     const double decrease = std::accumulate(decreases.begin(), decreases.end(), 0.0);
     result.energy -= decrease;
     after_sweep(result.energy);
-    // In degree 3 sweeps tell the least that it may have fallen by.
+    // In degree 3 sweeps return a lower bound of the decrease.
     const bool is_last = decrease <= allowance() || sweep + 1 == plan.most_sweeps;
     if (D == 3 && is_last) result.energy = graph_energy(graph, state);
     result.settled = decrease <= allowance();

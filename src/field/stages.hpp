@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The two stages of a solve on one graph, an octree level or a tet mesh: relaxation, in which singular arcs
-// form and move, and settling, in which frames turn until the energy stands still.
+// form and move, and settling, in which frames rotate until the energy converges.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,12 @@
 
 namespace crossgrain {
 
-/// Called after every sweep with the energy, or NaN while that is not known.
+/// Called after every sweep with the energy, or NaN while it is unknown.
 using SweepMonitor = std::function<void(double energy)>;
 
 struct RelaxationPlan {
   int sweeps = 0;
-  double symmetrisation = 0;  ///< of the last sweep; it grows from nothing in equal parts
+  double symmetrisation = 0;  ///< of the last sweep; it grows linearly from zero
   double over_relaxation = 1;
 };
 
@@ -26,32 +26,30 @@ struct SettlingPlan {
   int most_sweeps = 0;
   double over_relaxation = 1;
 
-  /// A sweep that lowers the energy by no more than `fraction` of it, or by no more than `noise`, is the
-  /// last.
+  /// Stops after a sweep that lowers the energy by at most `fraction` of it, or by at most `noise`.
   double fraction = 0;
   double noise = 0;
 };
 
 struct SettledFrames {
   std::vector<StoredQuaternion> frames;
-  double energy = 0;     ///< in the degree's own
+  double energy = 0;     ///< in the field's own degree
   bool settled = false;  ///< false: the sweeps ran out
 };
 
-/// `sweeps` relaxation sweeps under a symmetrisation penalty that grows from nothing to `symmetrisation`,
-/// then the frames nearest to what has become of the coefficients.
+/// Runs `sweeps` relaxation sweeps under a symmetrisation penalty that grows from zero to `symmetrisation`.
+/// Returns the frames nearest to the resulting coefficients.
 template <int D>
 std::vector<StoredQuaternion> relaxed(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
                                       const RelaxationPlan& plan, const SweepMonitor& after_sweep);
 
-/// Manifold sweeps until the energy settles; it never rises.
+/// Runs manifold sweeps until the energy settles; it never rises.
 template <int D>
 SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
                       const SettlingPlan& plan, const SweepMonitor& after_sweep);
 
-/// `relax` makes a start for settling of the frames as they came. Relaxation may lose more than it finds:
-/// where it ends above the energy of the frames as they came, those are settled in its place, so that the
-/// energy never rises. Without `relax`, just settled.
+/// Settles the frames after `relax` has changed them. If that ends above the energy of the original frames,
+/// settles those instead, so that the energy never rises. Without `relax` it only settles.
 template <int D>
 SettledFrames relaxed_and_settled(
     const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
@@ -64,8 +62,8 @@ SettledFrames relaxed_and_settled(
   return result;
 }
 
-/// What rounding of frames in single precision costs: a squared turn of 1e-12 across every edge. Below that
-/// there is nothing left to lower.
+/// Energy due to rounding of frames to single precision: a squared rotation of 1e-12 across every edge.
+/// Smaller decreases are meaningless.
 double rounding_noise(const Adjacency& adjacency);
 
 extern template std::vector<StoredQuaternion> relaxed<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>,

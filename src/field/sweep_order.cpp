@@ -11,9 +11,9 @@
 namespace crossgrain {
 namespace {
 
-using Blocks = std::vector<std::uint32_t>;  // or cells of one
+using Blocks = std::vector<std::uint32_t>;  // or cells of a block
 
-/// Per block the others that hold a neighbour of one of its cells, ascending.
+/// Returns for each block the other blocks that contain a neighbour of one of its cells, ascending.
 std::vector<Blocks> neighbouring_blocks(const Adjacency& adjacency, std::size_t block_size) {
   std::vector<Blocks> result((adjacency.size() + block_size - 1) / block_size);
   parallel_for_chunks(adjacency.size(), block_size, [&](std::size_t begin, std::size_t end) {
@@ -31,7 +31,7 @@ std::vector<Blocks> neighbouring_blocks(const Adjacency& adjacency, std::size_t 
   return result;
 }
 
-/// Block by block the lowest phase in which none of its neighbours runs.
+/// Assigns each block in turn the lowest phase in which none of its neighbours runs.
 std::vector<Blocks> blocks_by_phase(const std::vector<Blocks>& neighbours) {
   std::vector<Blocks> phases;
   std::vector<std::size_t> phase_of(neighbours.size());
@@ -65,8 +65,8 @@ SweepOrder::SweepOrder(const Adjacency& adjacency, std::span<const std::uint8_t>
                        std::size_t block_size)
     : cells(sized_vector<std::uint32_t>(adjacency.size())), run_begin{0}, block_begin{0}, phase_begin{0} {
   const std::vector<Blocks> beside = neighbouring_blocks(adjacency, block_size);
-  std::vector<std::uint32_t> place_of(beside.size());  // of a block among those of all phases
-  std::vector<std::size_t> cell_begin(beside.size());  // of a block in `cells`
+  std::vector<std::uint32_t> place_of(beside.size());  // place of a block among those of all phases
+  std::vector<std::size_t> cell_begin(beside.size());  // begin of a block in `cells`
   const std::vector<Blocks> phases = blocks_by_phase(beside);
   std::size_t cells_before = 0;
   for (const Blocks& phase : phases) {

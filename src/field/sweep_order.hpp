@@ -20,22 +20,22 @@ class Adjacency;
 struct Colouring;
 
 struct SweepOrder {
-  std::vector<std::uint32_t> cells;      ///< as one thread visits them
+  std::vector<std::uint32_t> cells;      ///< in the order of one thread
   std::vector<std::size_t> run_begin;    ///< run r: from cells[run_begin[r]] up to run_begin[r + 1]
   std::vector<std::size_t> block_begin;  ///< block b: from run block_begin[b] up to block_begin[b + 1]
   std::vector<std::size_t> phase_begin;  ///< phase p: from block phase_begin[p] up to phase_begin[p + 1]
 
-  /// Per block the others that hold a neighbour of one of its cells. Not told (empty) of blocks of one run.
+  /// Per block the others that contain a neighbour of one of its cells. Empty if all blocks have one run.
   std::vector<std::vector<std::uint32_t>> blocks_beside;
 
   SweepOrder() = default;
 
-  /// A phase for every colour, cut into blocks of one run.
+  /// One phase per colour, cut into blocks of one run.
   SweepOrder(const Colouring& colouring);  // NOLINT: a colouring is an order
 
-  /// Blocks of `block_size` cells of successive indices, in each a run for every colour: where cells near
-  /// each other have indices near each other, a block is read into the processor's cache once a sweep and not
-  /// once a colour. Neighbours must differ in colour.
+  /// Blocks of `block_size` cells with successive indices, each with one run per colour. If cells that are
+  /// close have close indices, a block is loaded into the processor's cache once per sweep instead of once
+  /// per colour. Neighbours must differ in colour.
   SweepOrder(const Adjacency& adjacency, std::span<const std::uint8_t> colour_of_cell,
              std::size_t block_size);
 

@@ -30,30 +30,30 @@ bool is_zero(const Vector3& v) {
   return v == Vector3{0, 0, 0};
 }
 
-/// How frames at the vertices of a boundary are held.
+/// How frames at boundary vertices are constrained.
 class Holds {
  public:
   Holds(const BoundaryVertices& boundary, TetBoundary which)
       : boundary_(boundary), all_(which == TetBoundary::kAll) {}
 
-  /// The axis that the frame of vertex k turns about: the normal of a smooth one, the tangent of an edge
-  /// inside. {0, 0, 0} where it may turn otherwise.
+  /// Returns the axis that the frame of vertex k rotates about: the normal at a smooth vertex, the tangent at
+  /// an edge inside. {0, 0, 0} if it is not restricted to one axis.
   Vector3 axis(std::size_t k) const {
     if (boundary_.classes[k] == BoundaryClass::kSmooth) return boundary_.normals[k];
     return all_ && boundary_.faces_at(k).empty() ? boundary_.tangents[k] : Vector3{0, 0, 0};
   }
 
-  /// Normal and tagged edge leave such a vertex nothing to turn about.
+  /// Returns whether normal and tagged edge fix the frame completely.
   bool is_pinned(std::size_t k) const {
     return all_ && boundary_.classes[k] == BoundaryClass::kSmooth && !is_zero(boundary_.tangents[k]);
   }
 
-  /// Whether vertex k follows a form instead.
+  /// Returns whether vertex k follows a form instead.
   bool has_form(std::size_t k) const {
     return all_ && (is_pinned(k) || (is_zero(axis(k)) && !boundary_.faces_at(k).empty()));
   }
 
-  /// Turns the frames of held vertices so that they have the axis that is held, of pinned ones both.
+  /// Rotates the frames of constrained vertices onto their axis; pinned ones onto both.
   void align(std::vector<Quaternion>& frames) const {
     parallel_for(boundary_.size(), [&](std::size_t k) {
       Quaternion& frame = frames[boundary_.vertices[k]];
@@ -69,12 +69,12 @@ class Holds {
   bool all_;
 };
 
-/// The weight of the form of a pinned vertex in units of the sum of its edge weights: the frame stays within
-/// a degree of it, and is turned onto it in the end.
+/// Weight of the form of a pinned vertex relative to the sum of its edge weights: the frame stays within a
+/// degree of it, and is rotated onto it in the end.
 constexpr double kPinnedWeight = 100;
 
-/// The form of a crease or corner: its faces by area, and a crease's tangent with half the weight of them
-/// all; that of a pinned vertex.
+/// Returns the form of a crease, corner or pinned vertex: its faces by area, and the tangent with half their
+/// total weight.
 template <int D>
 QuadraticForm<D> crease_form(const BoundaryVertices& boundary, std::size_t k) {
   QuadraticForm<D> form;
@@ -120,7 +120,7 @@ Frames stored(const std::vector<Quaternion>& frames) {
   return result;
 }
 
-/// In double precision, and with the axes that are held in that precision too.
+/// Returns the frames in double precision, with the constrained axes exact to that precision.
 std::vector<Quaternion> aligned(const Holds& holds, const Frames& frames) {
   std::vector<Quaternion> result(frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) result[i] = from_stored(frames[i]);

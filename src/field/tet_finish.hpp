@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The finish of a field on the vertices of a tet mesh: the sweep of the grid on the graph of linear elements,
-// with the boundary held exactly.
+// Final optimisation of a field on the vertices of a tet mesh: the sweeps of the grid on the graph of linear
+// elements, with exact boundary constraints.
 #pragma once
 
 #include <vector>
@@ -20,18 +20,18 @@ struct TetFrames {
   bool settled = false;            ///< false: the sweeps ran out
 };
 
-/// Frames on the vertices of a tet mesh that lower the Dirichlet energy of the linear elements from `start`.
-/// Smooth boundary vertices have an axis along their area-weighted normal, to rounding: they turn about it
-/// only; where a tagged edge runs through them, they do not turn. Vertices of tagged edges inside have an
-/// axis along these, and turn about it. Creases and corners follow the summed form of their faces, creases
-/// their tangent too. Vertices inside follow their guides, which are ordered by vertex; those of `boundary`
-/// must have none. The same to the bit for any number of threads. Throws Error(kLimit) for a graph beyond the
-/// limits of Adjacency and greedy_colouring.
+/// Returns frames on the vertices of a tet mesh that lower the Dirichlet energy of the linear elements,
+/// starting from `start`. Smooth boundary vertices have an axis along their area-weighted normal, to
+/// rounding, and rotate about it only; with a tagged edge through them, they do not rotate. Vertices of
+/// tagged edges inside have an axis along the edge and rotate about it. Creases and corners follow the summed
+/// form of their faces, creases also their tangent. Vertices inside follow their guides, which must be
+/// ordered by vertex; those of `boundary` must have none. Bitwise identical for any number of threads. Throws
+/// Error(kLimit) for a graph beyond the limits of Adjacency and greedy_colouring.
 TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const BoundaryVertices& boundary,
                          std::vector<Quaternion> start, Degree degree, const OntoOptions& options,
                          const Monitor& monitor, const std::vector<VertexGuide>& guides = {});
 
-/// The frame turned by the smallest angle that puts one of its axes along a unit vector.
+/// Returns the frame rotated by the smallest angle that puts one of its axes along a unit vector.
 Quaternion with_axis_along(const Quaternion& frame, const Vector3& direction);
 
 }  // namespace crossgrain

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions that frames at vertices of a tet mesh are to follow.
+// Directions that frames at vertices of a tet mesh should follow.
 #pragma once
 
 #include <cmath>
@@ -15,14 +15,14 @@ namespace crossgrain {
 struct VertexGuide {
   std::uint32_t vertex;
   Vector3 direction;  ///< unit
-  double weight;      ///< as of a constraint
+  double weight;      ///< as in a constraint
 };
 
-/// Weight of a guide of weight 1, in units of the sum of the vertex's edge weights: as on the grid, where a
-/// cell of size dx has six faces of weight dx and a constraint the weight kappa dx, kappa = 10.
+/// Weight of a guide of weight 1, relative to the sum of the vertex's edge weights. It is that of the grid,
+/// where a cell of size dx has six faces of weight dx and a constraint has the weight kappa dx, kappa = 10.
 inline constexpr double kGuideWeight = 10.0 / 6;
 
-/// The vertices that have guides, each once; guides must be ordered by vertex.
+/// Returns the vertices that have guides, each once; guides must be ordered by vertex.
 inline std::vector<std::uint32_t> guided_vertices(std::span<const VertexGuide> guides) {
   std::vector<std::uint32_t> vertices;
   for (const VertexGuide& guide : guides) {
@@ -31,7 +31,7 @@ inline std::vector<std::uint32_t> guided_vertices(std::span<const VertexGuide> g
   return vertices;
 }
 
-/// Sets the forms of vertices with guides, for which there must be room (CellForms::reserve_general).
+/// Sets the forms of vertices with guides. They must have been reserved (CellForms::reserve_general).
 template <int D>
 void set_guides(CellForms<D>& forms, const Adjacency& adjacency, std::span<const VertexGuide> guides) {
   constexpr double kDegreeFactor = D == 3 ? 5.0 / 3 : 1.0;

@@ -7,7 +7,7 @@
 
 namespace crossgrain {
 
-/// Owns a file descriptor and closes it; a negative number is none.
+/// Owns a file descriptor and closes it; a negative number means none.
 class Descriptor {
  public:
   explicit Descriptor(int number = -1) : number_(number) {}
@@ -21,7 +21,7 @@ class Descriptor {
   bool is_open() const { return number_ >= 0; }
   int number() const { return number_; }
 
-  /// 0, or -1 with errno set: what was written may not have reached the disk then.
+  /// Closes the descriptor. Returns 0, or -1 with errno set: then written data may not have reached the disk.
   int close() {
     const int number = std::exchange(number_, -1);
     return number >= 0 ? ::close(number) : 0;

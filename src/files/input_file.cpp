@@ -28,7 +28,7 @@ namespace {
   refuse(name, "cannot be read: " + std::generic_category().message(code), Remedy::kCheckDisk);
 }
 
-/// Reads up to `size` bytes; fewer where the file ends earlier.
+/// Reads up to `size` bytes; fewer if the file ends earlier.
 std::size_t read_fully(int descriptor, char* out, std::size_t size, const std::string& name) {
   std::size_t done = 0;
   while (done < size) {
@@ -45,7 +45,7 @@ std::size_t read_fully(int descriptor, char* out, std::size_t size, const std::s
 
 InputFile::InputFile(const std::filesystem::path& path) : name_(path.string()) {
   struct stat status {};
-  // Asked before opening, since opening a pipe would wait for its writer.
+  // Checked before opening, since opening a pipe would wait for its writer.
   if (::stat(name_.c_str(), &status) != 0) fail_to_open(name_, errno);
   if (S_ISDIR(status.st_mode)) refuse(name_, "is a folder", Remedy::kGiveFile);
   if (!S_ISREG(status.st_mode)) refuse(name_, "is not a regular file", Remedy::kGiveFile);
@@ -76,7 +76,7 @@ InputFile InputFile::standard_input() {
     bytes = std::move(larger);
     capacity *= 2;
   }
-  if (size == 0) refuse(name, "is empty, where some lines should come", Remedy::kNone);
+  if (size == 0) refuse(name, "is empty, but lines are expected", Remedy::kNone);
   return {name, std::move(bytes), size};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bytes of an input file, and how an error names a place in it.
+// The bytes of an input file, and how errors name a place in it.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace crossgrain {
 
-/// A whole file in memory. It is read, not mapped: a mapped file that another program cuts short meanwhile
-/// would end the process.
+/// A whole file in memory. It is read, not mapped: if another program shortened a mapped file, the process
+/// would crash.
 class InputFile {
  public:
-  /// Throws Error(kInput) for what is missing, not a regular file, not readable or empty.
+  /// Reads a file. Throws Error(kInput) if it is missing, not a regular file, not readable or empty.
   explicit InputFile(const std::filesystem::path& path);
 
-  /// All that comes through standard input, which errors call "standard input".
+  /// Reads standard input to its end. Errors call it "standard input".
   static InputFile standard_input();
 
   std::string_view bytes() const { return {bytes_.get(), size_}; }
@@ -34,8 +34,8 @@ class InputFile {
   std::size_t size_ = 0;
 };
 
-/// A place in a file: a line of text, or a numbered element of a binary file ("triangle 17"). Numbers start
-/// at 1 for lines and at 0 for elements. Without a unit it is the file as a whole.
+/// A place in a file: a line of text, or a numbered element of a binary file ("triangle 17"). Lines count
+/// from 1, elements from 0. Without a unit it is the file as a whole.
 struct Place {
   const char* unit = nullptr;
   std::size_t number = 0;
@@ -45,14 +45,14 @@ inline Place at_line(std::size_t number) {
   return {"line", number};
 }
 
-/// As Message::place: "line 12".
+/// Text of a place for Message::place, such as "line 12".
 std::string in_words(const Place& place);
 
 /// Throws Error(kInput) naming the file and the place in it.
 [[noreturn]] void fail_input(const InputFile& file, const Place& place, const std::string& text,
                              Remedy remedy = Remedy::kRepairFile);
 
-/// A word of a file as an error message can show it: in quotes, printable, at most 32 characters.
+/// Returns a word of a file for an error message: quoted, printable, at most 32 characters.
 std::string in_quotes(std::string_view word);
 
 }  // namespace crossgrain

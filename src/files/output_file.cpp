@@ -15,14 +15,14 @@
 namespace crossgrain {
 namespace {
 
-/// Small writes (lines of text) are gathered up to this size; larger ones go to the disk as they are.
+/// Small writes (lines of text) are buffered up to this size; larger ones are written directly.
 constexpr std::size_t kBufferBytes = 1 << 18;
 
-/// The disk is asked to begin with what is written, in steps of this size: left to itself it begins when all
-/// is written, and the end waits for all of it.
+/// The system is asked to start writing to disk in steps of this size. Otherwise it starts at the end, and
+/// the final synchronisation waits for everything.
 [[maybe_unused]] constexpr std::uint64_t kSentBytes = 1 << 23;
 
-// Less what the user's umask takes away.
+// The user's umask is subtracted.
 constexpr mode_t kFileMode = 0666;
 constexpr mode_t kFolderMode = 0777;
 
@@ -50,14 +50,15 @@ Remedy remedy_for(int code) {
                remedy_for(code)});
 }
 
-/// Removes a regular file or a link, where there is one.
+/// Removes a regular file or a link, if there is one.
 void remove_file(const std::filesystem::path& path) {
   struct stat status {};
   if (::lstat(path.c_str(), &status) != 0 || !(S_ISREG(status.st_mode) || S_ISLNK(status.st_mode))) return;
   if (::unlink(path.c_str()) != 0 && errno != ENOENT) fail_output(path.string(), "removed", errno);
 }
 
-/// A name in the same folder (a rename works only within a file system) that no file has.
+/// Opens a temporary file with an unused name in the same folder, since a rename works only within a file
+/// system.
 Descriptor open_temporary(const std::filesystem::path& target, std::string& temporary) {
   for (int attempt = 0;; ++attempt) {
     const std::string name = fmt::format(".{}.{}-{}.part", target.filename().string(), ::getpid(), attempt);
@@ -75,12 +76,12 @@ OutputFile::OutputFile(const std::filesystem::path& target) : name_(target.strin
   struct stat status {};
   const bool exists = ::stat(name_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode))
-    throw Error(ErrorKind::kOutput, {name_, "", "is a folder where a file should go", Remedy::kClearPlace});
+    throw Error(ErrorKind::kOutput, {name_, "", "is a folder, but must be a file", Remedy::kClearPlace});
   if (exists && ::access(name_.c_str(), W_OK) != 0) fail("written", errno);
   if (exists && !S_ISREG(status.st_mode)) {
     descriptor_ = Descriptor(::open(name_.c_str(), O_WRONLY | O_CLOEXEC));
   } else {
-    // A link is followed, so that the file it points to is replaced and not the link.
+    // Links are followed, so that the file is replaced and not the link.
     std::error_code unresolved;
     const auto resolved = std::filesystem::weakly_canonical(target, unresolved);
     if (!unresolved) name_ = resolved.string();
@@ -96,7 +97,7 @@ OutputFile::OutputFile(std::string name, int descriptor) : name_(std::move(name)
   if (!descriptor_.is_open()) fail("opened", errno);
 }
 
-// A copy of the descriptor, so that closing it leaves standard output open to others.
+// Uses a copy of the descriptor, so that closing it leaves standard output open.
 OutputFile OutputFile::standard_output() {
   return {"standard output", ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)};
 }
@@ -130,7 +131,7 @@ void OutputFile::flush() {
 void OutputFile::start_writing_back() {
 #ifdef SYNC_FILE_RANGE_WRITE
   if (temporary_.empty() || flushed_ - sent_ < kSentBytes) return;
-  // Only a hint: what goes wrong shows when the file is finished.
+  // Only a hint: errors show when the file is finished.
   ::sync_file_range(descriptor_.number(), static_cast<off_t>(sent_), static_cast<off_t>(flushed_ - sent_),
                     SYNC_FILE_RANGE_WRITE);
   sent_ = flushed_;
@@ -159,7 +160,7 @@ void OutputFile::patch(std::uint64_t offset, std::string_view bytes) {
 void OutputFile::finish() {
   if (!descriptor_.is_open()) return;
   flush();
-  // Pipes and terminals cannot be synchronised, and need not be.
+  // Pipes and terminals cannot be synchronised.
   if (!temporary_.empty() && ::fsync(descriptor_.number()) != 0) fail("written", errno);
   if (descriptor_.close() != 0) fail("closed", errno);
 }
@@ -195,7 +196,7 @@ void NewFolders::make(const std::filesystem::path& folder) {
     if (::stat(reached.c_str(), &status) != 0) fail_output(reached.string(), "created", code);
     if (!S_ISDIR(status.st_mode))
       throw Error(ErrorKind::kOutput,
-                  {reached.string(), "", "is a file where a folder should be", Remedy::kClearPlace});
+                  {reached.string(), "", "is a file, but must be a folder", Remedy::kClearPlace});
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results are written beside their destination and renamed onto it once complete, so that a run which fails
-// or is interrupted leaves nothing half-written and an earlier result as it was.
+// Results are written to temporary files and renamed when complete, so that a run that fails or is
+// interrupted leaves no partial file and keeps an earlier result.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@
 
 namespace crossgrain {
 
-/// One file to be. Every failure (no permission, disk full, at writing or at closing) throws Error(kOutput)
-/// with the path and the mend. What is no regular file (a pipe, /dev/stdout) is written to directly.
+/// A file being written. Every failure (no permission, disk full, on write or close) throws Error(kOutput)
+/// with the path and the remedy. Anything but a regular file (a pipe, /dev/stdout) is written to directly.
 class OutputFile {
  public:
   /// Opens a temporary file in the folder of `target`, which must exist.
   explicit OutputFile(const std::filesystem::path& target);
 
-  /// Standard output, which errors call so.
+  /// Writes to standard output. Errors call it "standard output".
   static OutputFile standard_output();
 
   /// Removes the temporary file unless `commit` has been called.
@@ -35,16 +35,16 @@ class OutputFile {
   void write(std::string_view bytes);
   void write(const void* bytes, std::size_t size) { write({static_cast<const char*>(bytes), size}); }
 
-  /// Bytes written so far.
+  /// Number of bytes written so far.
   std::uint64_t position() const { return flushed_ + buffer_.size(); }
 
-  /// Overwrites bytes already written; only in regular files.
+  /// Overwrites bytes already written; regular files only.
   void patch(std::uint64_t offset, std::string_view bytes);
 
-  /// Everything on the disk and closed; the last point where a full disk can show.
+  /// Writes everything to disk and closes the file; the last point where a full disk can show.
   void finish();
 
-  /// `finish` if that has not been, then the rename.
+  /// Calls `finish` if that has not been done, then renames the file.
   void commit();
 
  private:
@@ -56,15 +56,14 @@ class OutputFile {
   [[noreturn]] void fail(const char* doing, int code) const;
 
   std::string name_;
-  std::string temporary_;  ///< empty where written to directly
+  std::string temporary_;  ///< empty if written to directly
   Descriptor descriptor_;
   std::uint64_t flushed_ = 0;
-  std::uint64_t sent_ = 0;  ///< of these, what the disk has been asked to begin with
+  std::uint64_t sent_ = 0;  ///< part of flushed_ whose write to disk has been started
   std::string buffer_;
 };
 
-/// Makes a folder and its parents where they are missing, and removes them again unless they are kept or
-/// something is in them.
+/// Creates a folder and its missing parents. Unless kept, they are removed again if empty.
 class NewFolders {
  public:
   explicit NewFolders(const std::filesystem::path& folder);
@@ -82,29 +81,29 @@ class NewFolders {
 };
 
 /// A folder that receives several files, all or none. Without `commit`, the temporary files and the folders
-/// that were made for them are removed.
+/// created for them are removed.
 class OutputFolder {
  public:
   explicit OutputFolder(const std::filesystem::path& folder) : folder_(folder), made_(folder) {}
 
-  /// A new file in it, owned by it.
+  /// Creates a file in the folder. The folder owns it.
   OutputFile& create(const std::string& name);
 
-  /// An earlier file of this name, or a link, goes when the new ones come. What else has the name stays.
+  /// Removes an earlier file or link of this name at `commit`. Anything else of this name stays.
   void remove_at_commit(const std::string& name) { outdated_.push_back(folder_ / name); }
 
-  /// Completes all files, and only then renames the new ones and removes the outdated ones.
+  /// Finishes all files; only then renames them and removes the outdated ones.
   void commit();
 
  private:
   std::filesystem::path folder_;
-  NewFolders made_;  // before the files, so that they are gone when it removes folders
+  NewFolders made_;  // declared before the files, so that they are gone when it removes folders
   std::vector<std::unique_ptr<OutputFile>> files_;
   std::vector<std::filesystem::path> outdated_;
 };
 
-/// Throws Error(kOutput) where a folder with such files could not be written, and leaves no trace. To be
-/// asked before a long computation.
+/// Throws Error(kOutput) if a folder with such files could not be written. Leaves no trace. Call before a
+/// long computation to fail early.
 void check_writable(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
 }  // namespace crossgrain

@@ -10,7 +10,7 @@ namespace crossgrain {
 
 void check_read_memory(const std::string& name, std::size_t file_bytes, double times,
                        std::size_t max_memory_bytes) {
-  // Too little to be worth asking the system.
+  // Smaller files are not worth a query of the system.
   constexpr std::size_t kSmall = std::size_t{1} << 24;
   if (file_bytes < kSmall) return;
   const auto allowed = static_cast<double>(allowed_memory_bytes(max_memory_bytes));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constraints as JSON: docs/constraints.md.
+// Reads constraints from JSON (docs/constraints.md).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ void demand(const Value& value, const std::string& fault) {
   if (!fault.empty()) value.fail(fault);
 }
 
-/// `count` numbers, or a list of such: an array with an array in it.
+/// Reads an array of `count` numbers, or an array of such arrays.
 bool is_list(const Value& value) {
   if (!value.is(Kind::kArray)) return false;
   const std::vector<Value> values = value.values();
@@ -60,14 +60,14 @@ double weight(const Value& value) {
   return value.number();
 }
 
-/// The members of an object of which only some keys are allowed.
+/// An object with a fixed set of allowed keys.
 class Members {
  public:
   Members(const Value& object, const char* what, std::initializer_list<const char*> keys) : object_(object) {
     if (!object.is(Kind::kObject)) object.fail(fmt::format("{} must be an object in braces", what));
     for (const Value& value : object.values()) {
       if (std::find(keys.begin(), keys.end(), value.key()) == keys.end())
-        value.fail(fmt::format("{} is no key of {}, which may have '{}'", in_quotes(value.key()), what,
+        value.fail(fmt::format("{} is not a key of {}, which may have '{}'", in_quotes(value.key()), what,
                                fmt::join(keys, "', '")));
       values_.push_back(value);
     }
@@ -85,7 +85,7 @@ class Members {
     return *value;
   }
 
-  /// The objects of a list that may be missing.
+  /// Returns the objects of an optional list.
   std::vector<Value> list(const char* key) const {
     const std::optional<Value> value = find(key);
     if (!value) return {};
@@ -101,10 +101,10 @@ class Members {
   std::vector<Value> values_;
 };
 
-/// Of 'axis' or 'frame'; empty where 'axis' is `word`, which may be null.
+/// Returns the directions of 'axis' or 'frame'; empty if 'axis' is `word`, which may be null.
 std::vector<Vector3> axes(const Members& members, const char* word) {
   const std::optional<Value> axis = members.find("axis"), frame = members.find("frame");
-  if (axis.has_value() == frame.has_value()) members.fail("either 'axis' or 'frame' must be there");
+  if (axis.has_value() == frame.has_value()) members.fail("either 'axis' or 'frame' is needed");
   if (axis) {
     if (word != nullptr && axis->is(Kind::kText)) {
       if (axis->text() != word)
@@ -127,7 +127,7 @@ double weight_of(const Members& members) {
   return value ? weight(*value) : 1;
 }
 
-/// A value, or one for each of `count` places.
+/// Reads one value for all `count` places, or one for each.
 std::vector<double> weights_of(const Members& members, std::size_t count, bool of_list) {
   const std::optional<Value> value = members.find("weight");
   if (!value) return std::vector<double>(count, 1.0);
@@ -139,7 +139,7 @@ std::vector<double> weights_of(const Members& members, std::size_t count, bool o
   return result;
 }
 
-/// The places of 'at', one or a list of them.
+/// Reads 'at': one place, or a list of them.
 struct Places {
   std::vector<Value> values;
   bool is_list;

@@ -14,15 +14,15 @@
 namespace crossgrain {
 namespace {
 
-/// Points sampled between two writes: enough to keep many threads busy, and little memory.
+/// Points sampled between two writes: enough to keep many threads busy with little memory.
 constexpr std::size_t kPointsAtOnce = 1 << 16;
 
 std::string line_of(const Vector3& point) {
-  // 17 significant digits read back as the same bits.
+  // 17 significant digits restore the same bits.
   return fmt::format("{:.17g} {:.17g} {:.17g}\n", point[0], point[1], point[2]);
 }
 
-/// A file, or standard output for "-".
+/// Opens a file, or standard output for "-".
 class Sink {
  public:
   explicit Sink(const std::filesystem::path& path) {

@@ -170,7 +170,7 @@ void check_places(const Constraints& constraints, const Box& model) {
   }
   throw Error(ErrorKind::kInput,
               message_on(constraints, 0, "constraints",
-                         fmt::format("all of them lie outside the model, which reaches from {} to {}",
+                         fmt::format("all places lie outside the model, which extends from {} to {}",
                                      in_words(model.low), in_words(model.high)),
                          Remedy::kMatchUnits));
 }
@@ -206,7 +206,7 @@ std::optional<Warning> outside_constraints_warning(const AskedAxes& asked, const
   count(polylines.outside, polylines.count, "polylines (in part)");
   return Warning(WarningKind::kConstraintsOutside,
                  {source, "",
-                  fmt::format("constraints outside the solid: {}, the first at {}; there they do nothing",
+                  fmt::format("constraints outside the solid: {}, the first at {}; they have no effect",
                               fmt::join(parts, ", "), in_words(*asked.first_outside))});
 }
 

@@ -32,11 +32,11 @@ struct ClassLook {
 /// Names and colours in the order of CellConstraint.
 constexpr std::array<ClassLook, kCellConstraintCount> kClasses{
     {{"no surface", kPlainPart},
-     {"plane: an axis along its normal", colour_of(0xbfd0e0)},
-     {"axis: one, as a compromise", colour_of(0x3d9bd9)},
+     {"plane: one axis along the normal", colour_of(0xbfd0e0)},
+     {"axis: one, by compromise", colour_of(0x3d9bd9)},
      {"frame: all three axes", colour_of(0x12916f)},
-     {"free: anything", colour_of(0xf0d442)},
-     {"conflicted", colour_of(0xd5481f)}}};
+     {"free: any frame", colour_of(0xf0d442)},
+     {"conflicted: no frame fits", colour_of(0xd5481f)}}};
 
 std::string unit_of_density(const std::string& unit) {
   return unit.empty() ? "length⁻²" : unit + "⁻²";
@@ -53,7 +53,7 @@ CellColours::CellColours(const FieldData& field, const PictureOptions& options)
                                                             : ColourMap::dusk()) {
   if (what_ == PictureColour::kConstraint && field.constraints.empty())
     throw Error(ErrorKind::kInput,
-                "the field has no array 'constraint_class', which earlier versions did not write",
+                "the field has no array 'constraint_class' (earlier versions did not write it)",
                 Remedy::kSolveAgain);
   int deepest = 0;
   for (const CellAddress leaf : field.tree.leaves()) deepest = std::max(deepest, leaf.depth());
@@ -132,7 +132,7 @@ std::optional<LegendBlock> CellColours::legend() const {
       return LegendBlock{"Energy density", unit_of_density(field_.report.model.unit),
                          ColourBar{map_, scale_, goes_on_}};
     case PictureColour::kConstraint: {
-      LegendBlock block{"Surface asks for"};
+      LegendBlock block{"Surface constraints"};
       std::array<bool, kCellConstraintCount> is_there{};
       for (const CellConstraint constraint : field_.constraints)
         is_there[static_cast<std::size_t>(constraint)] = true;

@@ -79,13 +79,13 @@ class Cut {
     if (!(position_ > box_.low[axis_] && position_ < box_.high[axis_]))
       throw Error(
           ErrorKind::kUsage,
-          fmt::format("the cut at {} = {:.6g} is outside the part, which reaches from {:.6g} to {:.6g}",
+          fmt::format("the cut at {} = {:.6g} is outside the part, which extends from {:.6g} to {:.6g}",
                       "xyz"[axis_], position_, box_.low[axis_], box_.high[axis_]));
     const double towards = camera.axes().towards[axis_];
     towards_ = std::abs(towards);
     constexpr double kFromItsEdge = 0.02;
     if (towards_ < kFromItsEdge)
-      throw Error(ErrorKind::kUsage, fmt::format("the cut across {} is seen from its edge", "xyz"[axis_]),
+      throw Error(ErrorKind::kUsage, fmt::format("the cut across {} is seen edge-on", "xyz"[axis_]),
                   Remedy::kTurnView);
     normal_ = {0, 0, 0};
     normal_[axis_] = towards > 0 ? 1 : -1;

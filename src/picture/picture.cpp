@@ -34,13 +34,14 @@ void check_options(const PictureOptions& options) {
   const auto is_side = [](int pixels) { return pixels >= kLeastSide && pixels <= kLargestSide; };
   check(is_side(options.width) && is_side(options.height) &&
             static_cast<double>(options.width) * options.height <= kMostPixels,
-        fmt::format("a picture of {} x {} pixels, where {} to {} each and 64 million in all are allowed",
+        fmt::format("a picture of {} x {} pixels is not possible: each side must have {} to {}, at most 64 "
+                    "million in total",
                     options.width, options.height, kLeastSide, kLargestSide));
   check(std::isfinite(options.azimuth_deg) && std::abs(options.elevation_deg) <= 90,
-        "the elevation must be from -90 to 90 degrees");
+        "the azimuth must be finite and the elevation from -90 to 90 degrees");
   check(options.up_axis >= 0 && options.up_axis <= 2, "the axis that points up must be 0, 1 or 2");
   check(options.frame_spacing >= 4 && options.frame_spacing <= 1000,
-        "the distance of frames must be from 4 to 1000 pixels");
+        "the distance between frames must be from 4 to 1000 pixels");
   check(!options.opacity || (*options.opacity >= 0 && *options.opacity <= 1),
         "the opacity must be from 0 to 1");
   check(!options.cut || (options.cut->axis >= 0 && options.cut->axis <= 2),
@@ -48,16 +49,16 @@ void check_options(const PictureOptions& options) {
   if (!options.range) return;
   const auto& [low, high] = *options.range;
   check(options.colour == PictureColour::kAlignment || options.colour == PictureColour::kEnergy,
-        "a colour scale is for colours by alignment or energy only");
+        "a colour range needs colours by alignment or energy");
   check(std::isfinite(low) && std::isfinite(high) && low < high &&
             (low > 0 || options.colour == PictureColour::kAlignment),
-        "the range of the colour scale must have its lower end first, of energy above 0");
+        "the colour range must have its lower end first, above 0 for energy");
 }
 
 std::shared_ptr<const SolvedSurface> surface_of(const FieldData& field) {
   auto surface = field.surface.get();
   if (!surface || surface->triangles.empty())
-    throw Error(ErrorKind::kInput, "the field has no surface, which earlier versions did not write",
+    throw Error(ErrorKind::kInput, "the field has no surface (earlier versions did not write it)",
                 Remedy::kSolveAgain);
   return surface;
 }
@@ -150,7 +151,7 @@ void set_view(PictureOptions& options, const std::string& name) {
     return;
   }
   throw Error(ErrorKind::kUsage,
-              "'" + name + "' is no view; there are iso, front, back, left, right, top and bottom");
+              "'" + name + "' is not a view; choose iso, front, back, left, right, top or bottom");
 }
 
 void render_picture(const FrameField& field, const std::filesystem::path& picture,

@@ -27,10 +27,10 @@ constexpr std::array<Look, kArcKinds> kArcs{{{"index +1/4: three hexahedra", col
                                              {"index −1/4: five hexahedra", colour_of(0xf09a1a), 1},
                                              {"index −1/2: six hexahedra", colour_of(0x12916f), 1},
                                              {"other", colour_of(0x7d8794), 1},
-                                             {"no hexahedral mesh has it", colour_of(0xd3125f), 1.35}}};
+                                             {"impossible for hexahedra", colour_of(0xd3125f), 1.35}}};
 constexpr std::array<Look, kNodeKinds> kNodes{{{"node inside", {}, 1.9},
-                                               {"node, not known", colour_of(0x8b5cc7), 2.1},
-                                               {"node, no hexahedra meet so", colour_of(0xd3125f), 2.3},
+                                               {"node, unknown type", colour_of(0x8b5cc7), 2.1},
+                                               {"node, impossible for hexahedra", colour_of(0xd3125f), 2.3},
                                                {"end on the surface", {}, 1.35}}};
 
 ArcKind kind_of(const Arc& arc) {

@@ -28,18 +28,18 @@ void check(const StreamlineOptions& options) {
     if (!holds) throw Error(ErrorKind::kUsage, {"", "streamlines", what});
   };
   const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
-  demand(is_positive(options.tolerance), "the tolerance is no positive number");
+  demand(is_positive(options.tolerance), "the tolerance must be a positive number");
   demand(options.largest_step_cells > 0 && options.largest_step_cells <= 4,
-         "the largest step is not above 0 and up to 4 cells");
+         "the largest step must be above 0 and at most 4 cells");
   demand(options.smallest_step_cells > 0 && options.smallest_step_cells <= options.largest_step_cells,
-         "the smallest step is not above 0 and up to the largest");
+         "the smallest step must be above 0 and at most the largest");
   demand(options.arc_distance_cells >= 0 && options.arc_distance_cells <= 1,
-         "the distance from arcs is not from 0 to 1 cell");
+         "the distance from arcs must be from 0 to 1 cell");
   demand(options.closing_cells >= 0 && options.closing_cells <= 1,
-         "the distance at which lines close is not from 0 to 1 cell");
-  demand(is_positive(options.end_tolerance_cells), "the tolerance of ends is no positive number");
-  demand(is_positive(options.longest_sides), "the longest length is no positive number");
-  demand(options.most_points >= 2, "the most points are fewer than 2");
+         "the distance at which lines close must be from 0 to 1 cell");
+  demand(is_positive(options.end_tolerance_cells), "the tolerance of ends must be a positive number");
+  demand(is_positive(options.longest_sides), "the largest length must be a positive number");
+  demand(options.most_points >= 2, "the largest number of points must be at least 2");
 }
 
 /// The equivalent frame nearest to the coordinate axes: at most 63 degrees from them, so that axis k has a
@@ -86,7 +86,7 @@ void check_place(const ModelBoundary& boundary, const FieldData& data) {
     }
   }
   if (fits) return;
-  throw Error(ErrorKind::kInput, "the surface lies elsewhere than the field", Remedy::kGiveSolvedSurface);
+  throw Error(ErrorKind::kInput, "the surface does not match the field", Remedy::kGiveSolvedSurface);
 }
 
 /// The two halves joined to one line, from the end of the second to the end of the first.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queries of the tree; bvh_build.cpp makes it.
+// Queries of the tree; bvh_build.cpp builds it.
 #include "surface/bvh.hpp"
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 namespace crossgrain {
 namespace {
 
-/// Nodes still to be visited, with a lower bound of what they can give. The builder bounds the depth of the
-/// tree, and a walk holds at most one waiting sibling a level.
+/// Nodes still to be visited, with lower bounds of their distances. The builder bounds the depth of the tree,
+/// and a walk holds at most one waiting sibling per level.
 class VisitStack {
  public:
   struct Visit {
@@ -36,12 +36,13 @@ class VisitStack {
 
 constexpr double kMiss = std::numeric_limits<double>::infinity();
 
-/// A ray prepared for boxes and for triangles. Notation of Woop et al.: the axes are permuted so that kz is
-/// the largest component of the direction, and sheared so that the ray runs along +z from the origin.
+/// A ray prepared for tests against boxes and triangles. Notation of Woop et al.: the axes are permuted so
+/// that kz is the largest component of the direction, and sheared so that the ray runs along +z from the
+/// origin.
 class PreparedRay {
  public:
   PreparedRay(const Vector3& origin, const Vector3& direction) : origin_(origin) {
-    // Adding 0 makes -0 a 0: `enters` relies on 1 / 0 being +infinity.
+    // Adding 0 turns -0 into 0: `enters` relies on 1 / 0 being +infinity.
     for (std::size_t k = 0; k < 3; ++k) inverse_[k] = 1 / (direction[k] + 0.0);
     const auto larger = [&](std::size_t i, std::size_t j) {
       return std::abs(direction[i]) >= std::abs(direction[j]) ? i : j;
@@ -55,9 +56,9 @@ class PreparedRay {
     shear_z_ = 1 / direction[kz_];
   }
 
-  /// The t at which the ray enters the box, or kMiss. Widened by a few units in the last place, so that
-  /// rounding never loses a box (Ize 2013, JCGT 2(2)). Where the ray runs in a side of the box, 0 times
-  /// infinity gives NaN, which the order of arguments of min and max discards.
+  /// Returns the t at which the ray enters the box, or kMiss. Widened by a few units in the last place, so
+  /// that rounding never misses a box (Ize 2013, JCGT 2(2)). If the ray runs within a side of the box, 0
+  /// times infinity gives NaN, which the order of arguments of min and max discards.
   double enters(const Box& box, double t_min, double t_max) const {
     constexpr double kWiden = 1 + 4 * std::numeric_limits<double>::epsilon();
     double near = t_min, far = t_max;
@@ -71,7 +72,7 @@ class PreparedRay {
     return near <= far ? near : kMiss;
   }
 
-  /// The t, of any sign, at which the line of the ray meets the triangle, or kMiss.
+  /// Returns the t, of any sign, at which the line of the ray meets the triangle, or kMiss.
   double meets(const std::array<Vector3, 3>& corners) const {
     std::array<double, 3> x, y, z;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -106,7 +107,8 @@ double squared_distance(const Box& box, const Vector3& p) {
 
 }  // namespace
 
-/// Ericson, Real-Time Collision Detection (2005), section 5.1.5: which of the seven Voronoi regions holds p.
+/// Ericson, Real-Time Collision Detection (2005), section 5.1.5: finds which of the seven Voronoi regions
+/// contains p.
 Vector3 nearest_on_triangle(const std::array<Vector3, 3>& corners, const Vector3& p) {
   const auto& [a, b, c] = corners;
   const Vector3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;

@@ -20,13 +20,13 @@
 
 namespace crossgrain {
 
-/// Where a ray meets the surface: at origin + t * direction.
+/// A point where a ray meets the surface: origin + t * direction.
 struct RayHit {
   double t;
   std::uint32_t triangle;
 };
 
-/// The point of the surface nearest to some point.
+/// The point of the surface nearest to a given point.
 struct NearestPoint {
   double squared_distance;
   std::uint32_t triangle;
@@ -34,8 +34,7 @@ struct NearestPoint {
 };
 
 /// Bounding volume hierarchy by binned surface area heuristic (Wald 2007). Refers to the surface, which must
-/// outlive it and stay where it is. All queries are safe from any number of threads; the tree does not depend
-/// on their number.
+/// outlive it and not move. All queries are thread-safe; the tree does not depend on the number of threads.
 class TriangleBvh {
  public:
   /// A node holds the triangles triangle_order()[first, first + count); it is a leaf if skip is its own index
@@ -50,14 +49,14 @@ class TriangleBvh {
 
   explicit TriangleBvh(const Surface& surface);
 
-  /// The hit with the smallest t in [t_min, t_max]; of triangles hit at the same t, the one of the lowest
-  /// index. `direction` need not be of unit length; t counts in it. Watertight (Woop et al. 2013, JCGT 2(1)):
-  /// no ray slips through between two triangles that share an edge. Triangles are hit from both sides; one
-  /// that holds the ray is not hit.
+  /// Returns the hit with the smallest t in [t_min, t_max]; among equal t, that of the triangle with the
+  /// lowest index. `direction` may have any length; t is in units of it. Watertight (Woop et al. 2013, JCGT
+  /// 2(1)): no ray passes between two triangles that share an edge. Triangles are hit from both sides, except
+  /// by a ray within their plane.
   std::optional<RayHit> first_hit(const Vector3& origin, const Vector3& direction, double t_min,
                                   double t_max) const;
 
-  /// The point of the surface nearest to p; of equally near triangles, the one of the lowest index.
+  /// Returns the point of the surface nearest to p; among equally near triangles, that of the lowest index.
   NearestPoint nearest(const Vector3& p) const;
 
   const Surface& surface() const { return *surface_; }
@@ -70,7 +69,7 @@ class TriangleBvh {
   std::vector<std::uint32_t> triangle_order_;
 };
 
-/// The point of a triangle nearest to p.
+/// Returns the point of a triangle nearest to p.
 Vector3 nearest_on_triangle(const std::array<Vector3, 3>& corners, const Vector3& p);
 
 inline bool boxes_meet(const Box& a, const Box& b) {
@@ -78,7 +77,8 @@ inline bool boxes_meet(const Box& a, const Box& b) {
          a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
 }
 
-/// Calls visit(triangle) for every triangle in leaves of the tree that meet the box, until it returns false.
+/// Calls visit(triangle) for every triangle in leaves of the tree that intersect the box, until it returns
+/// false.
 template <class Visit>
 void for_each_triangle_near(const TriangleBvh& bvh, const Box& box, const Visit& visit) {
   const auto& nodes = bvh.nodes();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Building the tree: binned surface area heuristic, after Wald, "On fast construction of SAH-based bounding
-// volume hierarchies" (2007). The two halves of a large node are built at the same time into arrays of their
-// own, which are then joined, so the result does not depend on the number of threads.
+// Builds the tree: binned surface area heuristic, after Wald, "On fast construction of SAH-based bounding
+// volume hierarchies" (2007). The two halves of a large node are built in parallel into separate arrays,
+// which are then joined, so the result does not depend on the number of threads.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -20,7 +20,7 @@ constexpr std::uint32_t kLeafTriangles = 4;
 constexpr std::uint32_t kParallelTriangles = 8192;
 constexpr std::size_t kBins = 16;
 
-/// Below this depth nodes are halved by count: a bound for the stacks of the queries (2^32 triangles add 30
+/// Below this depth nodes are halved by count, which bounds the stacks of the queries (2^32 triangles add 30
 /// levels).
 constexpr int kMostHeuristicDepth = 60;
 
@@ -62,7 +62,7 @@ class Builder {
     });
   }
 
-  /// The subtree over order[first, first + count), its `skip` counted from its own first node.
+  /// Builds the subtree over order[first, first + count); its `skip` counts from its own first node.
   std::vector<Node> build(std::uint32_t first, std::uint32_t count, int depth) const {
     std::vector<Node> nodes;
     if (count < kParallelTriangles) {

@@ -11,7 +11,7 @@
 namespace crossgrain {
 namespace {
 
-/// A plane turns a run of corners outside into two new corners, so it adds at most one corner per run. An
+/// A plane replaces a run of outside corners by two new ones, so it adds at most one corner per run. An
 /// exactly convex polygon has one run and ends with at most 9 corners; one that rounding has made slightly
 /// concave has at most a run for every second corner: 3, 4, 6, 9, 13, 19, 28 after the six planes.
 constexpr int kMostCorners = 28;
@@ -43,8 +43,8 @@ bool extents_overlap(const std::array<Vector3, 3>& corners, const Box& box) {
   return true;
 }
 
-/// Whether the plane through the corners meets the box, with room for rounding: the normal is off by some
-/// units in the last place of |ab| |ac|, however small the normal itself is.
+/// Returns whether the plane through the corners intersects the box, with tolerance for rounding: the normal
+/// is off by some units in the last place of |ab| |ac|, however small the normal itself is.
 bool plane_meets_box(const std::array<Vector3, 3>& corners, const Box& box) {
   constexpr double kRounding = 1e-14;
   const Vector3 ab = corners[1] - corners[0], ac = corners[2] - corners[0];
@@ -58,7 +58,7 @@ bool plane_meets_box(const std::array<Vector3, 3>& corners, const Box& box) {
   return std::abs(dot(normal, offset)) <= reach + slack;
 }
 
-/// Where the segment from p to q crosses the plane x[axis] = position.
+/// Returns the point where the segment from p to q crosses the plane x[axis] = position.
 Vector3 crossing(const Vector3& p, const Vector3& q, std::size_t axis, double position) {
   const double t = (position - p[axis]) / (q[axis] - p[axis]);
   Vector3 point = p + t * (q - p);
@@ -66,7 +66,7 @@ Vector3 crossing(const Vector3& p, const Vector3& q, std::size_t axis, double po
   return point;
 }
 
-/// The part of the polygon with sign * x[axis] <= sign * position.
+/// Returns the part of the polygon with sign * x[axis] <= sign * position.
 void clip_by_plane(const Polygon& polygon, std::size_t axis, double position, double sign, Polygon& kept) {
   kept.size = 0;
   if (polygon.size == 0) return;
@@ -82,8 +82,8 @@ void clip_by_plane(const Polygon& polygon, std::size_t axis, double position, do
   }
 }
 
-/// Area and centroid as a fan. Lengths of the fan's cross products are never negative, so the centroid is a
-/// convex combination of the corners even where rounding has bent the polygon.
+/// Returns area and centroid by a fan. Lengths of the fan's cross products are never negative, so the
+/// centroid is a convex combination of the corners even if rounding has bent the polygon.
 ClippedTriangle measure(const Polygon& polygon) {
   const Vector3& apex = polygon.corners[0];
   double twice_area = 0;
@@ -116,8 +116,8 @@ ClippedTriangle clip_triangle(const std::array<Vector3, 3>& corners, const Box& 
   Polygon *polygon = &first, *spare = &second;
   for (const Vector3& corner : corners) polygon->add(corner);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // A polygon inside the half-space needs no clipping by its plane. One that lies in the upper plane has
-    // been rejected by its extent, and clipping by the other axes cannot move a polygon into that plane.
+    // A polygon inside the half-space needs no clipping by its plane. One in the upper plane has been
+    // rejected by its extent, and clipping by the other axes cannot move a polygon into that plane.
     const Extent extent = extent_of(corners, axis);
     if (extent.low < box.low[axis]) {
       clip_by_plane(*polygon, axis, box.low[axis], -1, *spare);

@@ -12,7 +12,7 @@
 namespace crossgrain {
 namespace {
 
-/// As of vertices of a mesh: squares and cubes of lengths must not overflow.
+/// As for vertices of a mesh: squares and cubes of lengths must not overflow.
 constexpr double kLargestCoordinate = 1e100;
 
 template <class Numbers>
@@ -20,7 +20,7 @@ bool all_finite(const Numbers& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
 
-/// Throws for the first fault of an item; `what` and `index` name it.
+/// Throws the first fault of an item; `what` and `index` name it.
 class ItemCheck {
  public:
   ItemCheck(const Constraints& constraints, const char* what, std::size_t index, std::size_t line)

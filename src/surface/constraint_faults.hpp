@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may be wrong with the parts of a constraint: one sentence each, or an empty text where nothing is.
+// Checks of the parts of a constraint: each returns the fault in one sentence, or an empty text.
 #pragma once
 
 #include <span>
@@ -14,16 +14,16 @@ std::string fault_of_place(const Vector3& place);
 std::string fault_of_weight(double weight);
 std::string fault_of_direction(const Vector3& direction);
 
-/// Of axes, at least one.
+/// Checks one or more axes.
 std::string fault_of_axes(std::span<const Vector3> axes);
 
-/// Of the points of a polyline; their coordinates are those of places.
+/// Checks the points of a polyline, except their coordinates, which are those of places.
 std::string fault_of_polyline(std::span<const Vector3> points);
 
 std::string fault_of_tensor(const std::array<double, 6>& tensor);
 
-/// What is wrong with a constraint of `line` of its file, or with all of them where that is 0. `item` is the
-/// place where constraints come from no file.
+/// Returns a message about a constraint of `constraints`. Its place is the line of the file, or `item` if
+/// `line` is 0.
 Message message_on(const Constraints& constraints, std::size_t line, const std::string& item,
                    const std::string& text, Remedy remedy = Remedy::kNone);
 

@@ -13,11 +13,11 @@
 namespace crossgrain {
 namespace {
 
-/// Numbers of faces that a message lists, runs of them counted once.
+/// Maximum number of face numbers that a message lists; a run counts once.
 constexpr std::size_t kRunsShown = 8;
 
-/// Where a single point turns the field by 40 degrees, the interpolated frame is up to 10 degrees off with a
-/// reach of one cell. Stresses come in numbers, their neighbours turn alike, and there may be many.
+/// With a reach of one cell, the interpolated frame is up to 10 degrees off where a single point rotates the
+/// field by 40 degrees. Stresses are dense, their neighbours rotate alike, and there may be many.
 constexpr int kReachOfPoint = 2, kReachOfStress = 1;
 
 using TrianglesOfFace = std::map<std::int32_t, std::vector<std::uint32_t>>;
@@ -29,7 +29,7 @@ TrianglesOfFace triangles_of_faces(const TriangleMesh& mesh) {
   return result;
 }
 
-/// "1 to 6, 9 and 12".
+/// Lists face numbers as "1 to 6, 9 and 12".
 std::string in_words(const TrianglesOfFace& faces) {
   std::vector<std::string> runs;
   for (auto face = faces.begin(); face != faces.end();) {
@@ -61,7 +61,7 @@ void add_polyline(const Constraints::Polyline& polyline, Guides& guides) {
       polyline.axes.empty() ? std::vector<Vector3>{} : directions_of(polyline.axes);
   for (std::size_t k = 0; k + 1 < polyline.points.size(); ++k) {
     const Vector3 &a = polyline.points[k], &b = polyline.points[k + 1];
-    if (a == b) continue;  // as a segment it would be a point
+    if (a == b) continue;  // a segment of length zero would be a point
     if (given.empty()) {
       const Vector3 along = unit_vector(b - a);
       guides.segments.push_back({{a, b}, {along, along}, polyline.weight});
@@ -97,7 +97,7 @@ GuidePoint guide_of(const Constraints::Point& point) {
 }  // namespace
 
 Vector3 unit_vector(const Vector3& vector) {
-  // Squares of what is as large as 1 neither overflow nor vanish.
+  // Squares of unit-sized numbers neither overflow nor underflow.
   const double largest = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
   return normalised({vector[0] / largest, vector[1] / largest, vector[2] / largest});
 }

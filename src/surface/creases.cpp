@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// The cosine of the angle between the normals on one side of an edge, however its triangles run.
+/// Returns the cosine of the angle between the normals on one side of an edge, regardless of the triangles'
+/// orientation.
 double cosine_between(const Surface& surface, const EdgeUse& a, const EdgeUse& b) {
   const double cosine = dot(surface.normals[a.triangle], surface.normals[b.triangle]);
   return a.forward == b.forward ? -cosine : cosine;
@@ -29,7 +30,7 @@ bool is_sharp(const Surface& surface, std::span<const EdgeUse> uses, double leas
   return false;
 }
 
-/// A sharp edge as one of its ends sees it.
+/// A sharp edge seen from one of its ends.
 struct Spoke {
   std::uint32_t from, to;
 
@@ -65,7 +66,7 @@ class SharpEdges {
     used_.assign(spokes_.size(), false);
   }
 
-  /// Curves that begin where one cannot pass through, then closed ones.
+  /// Returns the open curves, which begin where no curve passes through, then the closed ones.
   std::vector<std::vector<std::uint32_t>> chains() {
     std::vector<std::vector<std::uint32_t>> result;
     for (const bool closed : {false, true}) {
@@ -77,7 +78,7 @@ class SharpEdges {
     return result;
   }
 
-  /// Tagged, and not sharp.
+  /// Tagged and not sharp.
   bool is_only_tagged(std::uint32_t a, std::uint32_t b) const {
     const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(a, b);
     return std::binary_search(only_tagged_.begin(), only_tagged_.end(), edge);
@@ -130,7 +131,7 @@ class SharpEdges {
   std::vector<bool> used_;
 };
 
-/// The tangent at point k of a polyline: half-way between the directions before and after.
+/// Returns the tangent at point k of a polyline: halfway between the directions before and after.
 Vector3 tangent_at(const std::vector<Vector3>& points, std::size_t k, bool smoothly_closed) {
   const std::size_t last = points.size() - 1;
   const auto direction_from = [&](std::size_t p) { return normalised(points[p + 1] - points[p]); };
@@ -140,16 +141,16 @@ Vector3 tangent_at(const std::vector<Vector3>& points, std::size_t k, bool smoot
   return normalised(before + after);
 }
 
-/// Two ends go straight on in each other within 5 degrees: as an edge does at which a face between two solids
-/// meets it, and far below what two edges of a pyramid's apex do.
+/// Two ends continue each other if they are straight within 5 degrees: an edge does where a face between two
+/// solids meets it, while two edges at the apex of a pyramid are far from it.
 constexpr double kStraightOn = -0.9962;
 
-/// One end of a curve: where, and the direction into the curve.
+/// End of a curve: its position, and the direction into the curve.
 struct CurveEnd {
   Vector3 position, inwards;
 };
 
-/// How many there are with those that go straight on in each other counted as one.
+/// Returns the number of ends, counting two that continue each other as one.
 std::size_t directions_of(std::span<const CurveEnd> ends) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < ends.size(); ++k) {
@@ -203,7 +204,7 @@ std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves, const 
 }
 
 KnifeEdges knife_edges(const Surface& surface, const CreaseAngles& angles, bool inside_out) {
-  // Normals are as far apart as the faces are near.
+  // The closer the faces, the further apart the normals.
   const double largest_cosine = -std::cos(angles.knife_deg * kDegree);
   const auto& vertices = surface.mesh.vertices;
   KnifeEdges knives;
@@ -211,7 +212,7 @@ KnifeEdges knife_edges(const Surface& surface, const CreaseAngles& angles, bool 
   for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
     if (uses.size() != 2 || uses[0].forward == uses[1].forward) return;
     if (cosine_between(surface, uses[0], uses[1]) >= largest_cosine) return;
-    // A slit in the solid looks the same, but its other side is behind the plane of the first.
+    // A slit in the solid looks alike, but its other side is behind the plane of the first.
     const Vector3& on_edge = vertices[uses[0].low()];
     double ahead = 0;
     for (const std::uint32_t v : surface.mesh.triangles[uses[1].triangle])

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sharp edges of a surface, chained into curves between corners.
+// Sharp edges of a surface, joined into curves between corners.
 #pragma once
 
 #include <array>
@@ -14,26 +14,26 @@
 
 namespace crossgrain {
 
-/// The sharp edges of a surface as curves, in the order of their lowest vertices. A closed curve ends where
-/// it begins; it begins at its lowest vertex. Tangents bisect the directions of the edges before and after.
-/// Edges of one triangle are not sharp; one of three or more is where any two of them are apart. Vertices
-/// must be welded. Edges in `tagged`, pairs of vertices, count as sharp whatever the surface does there.
+/// Returns the sharp edges of a surface as curves, in the order of their lowest vertices. A closed curve
+/// begins and ends at its lowest vertex. Tangents bisect the directions of the edges before and after. Edges
+/// of one triangle are not sharp; an edge of three or more is sharp if any two normals differ enough.
+/// Vertices must be welded. Edges in `tagged`, pairs of vertices, count as sharp regardless of the surface.
 std::vector<CreaseCurve> sharp_curves(const Surface& surface, const CreaseAngles& angles,
                                       std::span<const std::array<std::uint32_t, 2>> tagged = {});
 
-/// Where curves meet, or where one bends.
+/// A point where curves meet, or where one bends.
 struct CreaseCorner {
   Vector3 position;
-  std::size_t curves;      ///< that end there; a closed curve that bends at its beginning counts twice
-  std::size_t directions;  ///< the same with two that go straight on in each other counted as one
+  std::size_t curves;      ///< curve ends here; a closed curve that bends at its beginning counts twice
+  std::size_t directions;  ///< as `curves`, with two that continue each other counted as one
 };
 
-/// Ends of three curves and more, and of two that are no continuation of each other, ordered by position.
-/// The end of one alone, where a crease fades away, is no corner.
+/// Returns the points where three or more curves end, or two that do not continue each other, ordered by
+/// position. The end of a single curve, where a crease fades out, is no corner.
 std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves, const CreaseAngles& angles);
 
-/// Edges of two triangles at which there is less than CreaseAngles::knife_deg of solid between them. Normals
-/// point out of the solid, or into it where the surface is `inside_out`.
+/// Edges of two triangles with less than CreaseAngles::knife_deg of solid between them. Normals must point
+/// out of the solid, or into it if the surface is `inside_out`.
 struct KnifeEdges {
   static constexpr std::size_t kMostPlaces = 100;
   std::size_t count = 0;
@@ -41,7 +41,7 @@ struct KnifeEdges {
 };
 KnifeEdges knife_edges(const Surface& surface, const CreaseAngles& angles, bool inside_out = false);
 
-/// The curves as guides, which end at the corners: tagged ones of their own weight.
+/// Returns the curves as guides that end at the corners; tagged curves have their own weight.
 Guides guides_along(std::span<const CreaseCurve> curves, std::span<const CreaseCorner> corners, double weight,
                     double tagged_weight = 0);
 

@@ -16,7 +16,7 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// Whether the corners run like their sorted order, up to a cyclic shift.
+/// Returns whether the corners are in sorted order up to a cyclic shift.
 bool is_even(const Corners& c) {
   return (c[0] < c[1]) + (c[1] < c[2]) + (c[2] < c[0]) == 2;
 }
@@ -29,13 +29,13 @@ Vector3 centroid_of(const TriangleMesh& mesh, std::uint32_t t) {
   return centroid;
 }
 
-/// Triangles on the same vertices, ascending; the first one stands for all.
+/// Triangles with the same vertices, ascending; the first represents all.
 struct Stack {
   std::vector<std::uint32_t> triangles;
   bool looks_both_ways = false;
 };
 
-/// Stacks of two triangles and more, ordered by their first triangle.
+/// Returns stacks of two or more triangles, ordered by their first triangle.
 std::vector<Stack> stacks_of(const TriangleMesh& mesh, const std::vector<TriangleRole>& roles) {
   std::vector<std::pair<Corners, std::uint32_t>> keys;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
@@ -56,13 +56,13 @@ std::vector<Stack> stacks_of(const TriangleMesh& mesh, const std::vector<Triangl
   return stacks;
 }
 
-/// Whether the set of connected stacks that each stack belongs to is the wall between two parts.
+/// Returns for each stack whether its set of connected stacks is a wall between two parts.
 std::vector<bool> find_walls(const TriangleMesh& mesh, const std::vector<TriangleRole>& roles,
                              const std::vector<Stack>& stacks) {
   constexpr std::uint32_t kNone = UINT32_MAX;
   std::vector<std::uint32_t> stack_of(mesh.triangles.size(), kNone);
   for (std::uint32_t s = 0; s < stacks.size(); ++s) stack_of[stacks[s].triangles[0]] = s;
-  // Each stack once.
+  // Visit each stack once.
   std::vector<std::uint32_t> origin;
   std::vector<Corners> distinct;
   std::vector<bool> repeated(mesh.triangles.size());

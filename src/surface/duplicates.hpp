@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles that are drawn more than once.
+// Finds duplicate triangles.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace crossgrain {
 
-/// What is to become of a triangle.
+/// Role of a triangle in the surface.
 enum class TriangleRole : std::uint8_t {
-  kSurface,        ///< a part of the surface
-  kDropped,        ///< without area, or there already
+  kSurface,        ///< part of the surface
+  kDropped,        ///< without area, or a duplicate
   kInternalSheet,  ///< one of two on the same vertices that look in opposite directions: they enclose nothing
                    ///< together, and stand for the wall between two parts
 };
 
-/// The role of every triangle of a mesh whose vertices are welded, with what was found.
+/// Returns the role of every triangle of a mesh with welded vertices, with the findings.
 ///
-/// Triangles on the same three vertices are duplicates, and the first one stays. Where they look in both
-/// directions they may also be the common wall of two parts that touch: that is a set of such triangles,
-/// connected through edges, which borders the rest of the surface only at edges where two walls and more come
-/// together. There one stays for each direction.
+/// Triangles with the same three vertices are duplicates; the first one stays. If they have both
+/// orientations, they may be the common wall of two touching parts: a set of such triangles, connected
+/// through edges, that borders the rest of the surface only at edges where two or more walls meet. There one
+/// triangle stays for each orientation.
 std::vector<TriangleRole> find_duplicates(const TriangleMesh& mesh, SurfaceFindings& findings);
 
 }  // namespace crossgrain

@@ -14,7 +14,7 @@ constexpr std::size_t kVertexGrain = 4096;
 
 }  // namespace
 
-/// Placed by their lower vertex in two passes, then sorted among the few of the same one.
+/// Bucket sort by the lower vertex in two passes, then a sort within each bucket.
 std::vector<EdgeUse> sorted_edge_uses(std::span<const std::array<std::uint32_t, 3>> triangles) {
   std::size_t vertices = 0;
   for (const auto& [a, b, c] : triangles)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which triangles of a mesh meet at which edges.
+// Triangles at each edge of a mesh.
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@
 
 namespace crossgrain {
 
-/// A triangle's use of an edge; `forward` if it runs from the lower vertex index to the higher one.
+/// One triangle at an edge; `forward` if its orientation runs from the lower vertex index to the higher one.
 struct EdgeUse {
-  std::uint64_t edge;  ///< the lower vertex index in the high half, the higher one in the low half
+  std::uint64_t edge;  ///< lower vertex index in the high half, higher one in the low half
   std::uint32_t triangle;
   bool forward;
 
@@ -21,12 +21,12 @@ struct EdgeUse {
   std::uint32_t high() const { return static_cast<std::uint32_t>(edge); }
 };
 
-/// Whether a triangle names a vertex twice.
+/// Returns whether a triangle has a repeated vertex.
 inline bool is_collapsed(const std::array<std::uint32_t, 3>& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// Of all triangles but those that name a vertex twice, sorted by edge and then by triangle.
+/// Returns the uses of all triangles without a repeated vertex, sorted by edge and then by triangle.
 std::vector<EdgeUse> sorted_edge_uses(std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// Calls visit(std::span<const EdgeUse>) for every edge with all its uses, in the order of `uses`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Equal keys among many. Keys are dealt out by their hash to small tables, each filled by one thread in the
-// order of the keys: fast, and the same for any number of threads.
+// Finds equal keys. Keys are distributed by their hash to small tables; one thread fills each table in the
+// order of the keys. This is fast, and the result does not depend on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace crossgrain {
 
-/// Spreads the bits of a few words over 64 (the finaliser of MurmurHash3 after each).
+/// Mixes a few words into 64 bits (the finaliser of MurmurHash3 after each word).
 template <class Word, std::size_t N>
 std::uint64_t hash_of(const std::array<Word, N>& words) {
   std::uint64_t hash = 0;
@@ -29,13 +29,13 @@ std::uint64_t hash_of(const std::array<Word, N>& words) {
 }
 
 /// Writes to first[i] the smallest j with key_at(j) == key_at(i). Keys are arrays of unsigned numbers, at
-/// most 2^32 - 1 of them; key_at is called several times for each, from any thread. Takes a few bytes a key
-/// besides.
+/// most 2^32 - 1 of them; key_at is called several times per key, from any thread. Uses a few more bytes per
+/// key.
 template <class KeyAt>
 class FirstEqual {
  public:
   FirstEqual(const KeyAt& key_at, std::span<std::uint32_t> first) : key_at_(key_at), first_(first) {
-    // With more rounds each holds fewer keys at a time, but all have to look at all keys.
+    // More rounds need less memory at a time, but each round reads all keys.
     constexpr std::size_t kKeysInARound = std::size_t{1} << 20, kMostRounds = 16;
     const std::size_t rounds =
         std::bit_ceil(std::clamp<std::size_t>(count() / kKeysInARound, 1, kMostRounds));
@@ -68,12 +68,12 @@ class FirstEqual {
     for (std::size_t i = begin; i < end; ++i) {
       const Entry entry{key_at_(i), static_cast<std::uint32_t>(i)};
       const std::uint64_t hash = hash_of(entry.key);
-      // The tables themselves look at the low bits.
+      // The tables use the low bits.
       if ((hash >> 48 & (rounds - 1)) == round) visit(static_cast<std::size_t>(hash >> 56), entry);
     }
   }
 
-  /// Puts the keys of a round into entries_, those of a table together and in their order.
+  /// Copies the keys of a round to entries_, grouped by table and in order.
   void deal(std::size_t rounds, std::size_t round) {
     std::fill(begin_.begin(), begin_.end(), 0);
     parallel_for_chunks(count(), grain_, [&](std::size_t begin, std::size_t end) {
@@ -107,7 +107,7 @@ class FirstEqual {
     });
   }
 
-  /// Open addressing; `slots` has the positions of entries.
+  /// Open addressing; `slots` are indices into entries.
   void fill_table(std::span<const Entry> entries, std::vector<std::uint32_t>& slots) const {
     slots.assign(std::bit_ceil(2 * entries.size() + 1), kNone);
     const std::size_t mask = slots.size() - 1;
@@ -122,7 +122,7 @@ class FirstEqual {
   const KeyAt& key_at_;
   std::span<std::uint32_t> first_;
   std::size_t grain_;
-  std::vector<std::size_t> begin_;  ///< of a chunk's entries in a table, at [table * chunks + chunk]
+  std::vector<std::size_t> begin_;  ///< begin of a chunk's entries in a table, at [table * chunks + chunk]
   std::unique_ptr<Entry[]> entries_;
   std::size_t capacity_ = 0;
 };
@@ -132,10 +132,10 @@ void find_first_equal(const KeyAt& key_at, std::span<std::uint32_t> first) {
   if (!first.empty()) FirstEqual<KeyAt>(key_at, first);
 }
 
-/// A set of numbers below a bound, and how many of them are smaller than one of them.
+/// A set of numbers below a bound that returns the rank of a number.
 class RankedSet {
  public:
-  /// contains(i) for all i below `bound`.
+  /// contains(i) is called for all i below `bound`.
   template <class Contains>
   RankedSet(std::size_t bound, const Contains& contains)
       : words_((bound + kBits - 1) / kBits), before_(words_.size() + 1) {
@@ -153,7 +153,7 @@ class RankedSet {
   std::size_t size() const { return before_.back(); }
   bool contains(std::size_t i) const { return words_[i / kBits] >> i % kBits & 1; }
 
-  /// How many numbers of the set are below i.
+  /// Returns how many numbers of the set are below i.
   std::uint32_t rank(std::size_t i) const {
     const std::uint64_t below = words_[i / kBits] & ((std::uint64_t{1} << i % kBits) - 1);
     return before_[i / kBits] + static_cast<std::uint32_t>(std::popcount(below));

@@ -15,17 +15,17 @@
 namespace crossgrain {
 namespace {
 
-/// Two edges run along each other where their directions are less than 20 degrees apart.
+/// Two edges are parallel if their directions differ by less than 20 degrees.
 constexpr double kAlong = 0.94;
 
-/// Of the length of an edge: that far beyond the end of another one its middle still counts as beside it.
+/// Tolerance relative to the length of an edge: a point this far beyond its ends still counts as beside it.
 constexpr double kBeyond = 1e-6;
 
 /// Gaps below this, relative to the edge, are rounding: corners on an edge.
 constexpr double kNoGap = 1e-12;
 
-/// Edges that one edge is compared with before the search for a partner ends. Only where more than that
-/// crowd within the gap is one missed.
+/// Maximum number of edges that one edge is compared with. A partner is missed only if more edges crowd
+/// within the gap.
 constexpr std::size_t kMostCompared = 1000;
 
 struct Segment {
@@ -40,7 +40,7 @@ Vector3 middle_of(const Segment& s) {
   return 0.5 * (s.from + s.to);
 }
 
-/// The distance of the middle of `edge` from `other`, if the two run along each other there.
+/// Returns the distance of the middle of `edge` from `other`, if both run along each other there.
 std::optional<double> gap_beside(const Segment& edge, const Segment& other) {
   const Vector3 along = edge.to - edge.from, other_along = other.to - other.from;
   const double length = norm(along), other_length = norm(other_along);
@@ -52,7 +52,7 @@ std::optional<double> gap_beside(const Segment& edge, const Segment& other) {
   return norm(from_start - t * other_along);
 }
 
-/// A tree over edges, each as a triangle without area. Its triangles are in the order of the edges.
+/// Returns the edges as triangles without area, in the order of the edges, to build a tree over them.
 Surface edges_as_surface(const std::vector<Vector3>& vertices, const std::vector<EdgeUse>& edges) {
   Surface surface;
   surface.mesh.vertices = vertices;
@@ -71,7 +71,7 @@ class CrackFinder {
 
   std::optional<CrackSide> beside(std::size_t e) const {
     const Segment edge = segment_of(vertices_, edges_[e]);
-    // Of a short edge, only what is nearer than a part of its own length runs along it.
+    // Limits the gap of a short edge to a fraction of its length.
     const double reach = std::min(widest_, 0.25 * norm(edge.to - edge.from));
     const Vector3 middle = middle_of(edge), margin{reach, reach, reach};
     std::optional<std::size_t> best;
@@ -102,7 +102,7 @@ class CrackFinder {
   TriangleBvh tree_;
 };
 
-/// Open edges that hang together.
+/// Connected open edges.
 struct Loop {
   double length = 0;
   std::size_t edges = 0, cracks = 0;

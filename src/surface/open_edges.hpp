@@ -11,26 +11,27 @@
 
 namespace crossgrain {
 
-/// The gap up to which an open edge runs along another one, relative to the longest side of the model: what
-/// the tessellations of two CAD faces differ by along their common edge.
+/// Largest gap between open edges of a crack, relative to the longest side of the model: the difference
+/// between the tessellations of two CAD faces along their common edge.
 inline constexpr double kCrackGap = 1e-3;
 
 /// An open edge and the nearest one that runs along it.
 struct CrackSide {
   EdgeUse edge, beside;
-  double gap;           ///< from the middle of the edge, model units
-  bool same_direction;  ///< of the two triangles along the crack: then one of them is turned
+  double gap;           ///< distance from the middle of the edge, model units
+  bool same_direction;  ///< of the two triangles along the crack: then one of them is flipped
 };
 
 struct OpenEdges {
-  std::vector<EdgeUse> edges;     ///< in order
-  std::vector<CrackSide> cracks;  ///< those of them that run along another, in order
+  std::vector<EdgeUse> edges;     ///< sorted
+  std::vector<CrackSide> cracks;  ///< edges that run along another one, sorted
 };
 
-/// `uses` are sorted (`sorted_edge_uses`). Gaps up to kCrackGap times `size`.
+/// Returns the open edges, with cracks of gaps up to kCrackGap times `size`. `uses` must be sorted
+/// (`sorted_edge_uses`).
 OpenEdges find_open_edges(const std::vector<Vector3>& vertices, std::span<const EdgeUse> uses, double size);
 
-/// Counts holes, sets of open edges that hang together at vertices and are not all crack, and cracks.
+/// Counts cracks, and holes: sets of open edges connected at vertices that are not only cracks.
 void report_open_edges(const std::vector<Vector3>& vertices, const OpenEdges& open,
                        SurfaceFindings& findings);
 

@@ -10,15 +10,15 @@
 namespace crossgrain {
 namespace {
 
-/// Sets of triangles with a sign each: whether a triangle is turned against the root of its set. The root is
-/// the lowest number.
+/// Union-find over triangles with a sign: whether a triangle is flipped relative to the root of its set. The
+/// root is the lowest number.
 class SignedSets {
  public:
   explicit SignedSets(std::size_t count) : parent_(count), turned_(count) {
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
 
-  /// The root, and whether i is turned against it.
+  /// Returns the root, and whether i is flipped relative to it.
   std::pair<std::uint32_t, bool> root(std::uint32_t i) {
     std::uint32_t top = i;
     bool turned = false;
@@ -26,7 +26,7 @@ class SignedSets {
       turned ^= turned_[top];
       top = parent_[top];
     }
-    // Everything on the way points to the root from now on.
+    // Path compression.
     for (bool rest = turned; parent_[i] != i;) {
       const std::uint32_t next = parent_[i];
       const bool step = turned_[i];
@@ -38,7 +38,8 @@ class SignedSets {
     return {top, turned};
   }
 
-  /// Says that a and b are turned against each other, or not. False where that contradicts what was said.
+  /// Records whether a and b are flipped relative to each other. Returns false if that contradicts earlier
+  /// calls.
   bool join(std::uint32_t a, std::uint32_t b, bool against) {
     auto [low, low_turned] = root(a);
     auto [high, high_turned] = root(b);

@@ -11,8 +11,8 @@ double length(const Vector3& v) {
   return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }
 
-/// Whether a cube around `centre`, `reach` to each side, lies within the three planes through the edges of
-/// the triangle that stand upright on it, clear of rounding.
+/// Returns whether a cube around `centre`, `reach` to each side, lies within the three planes through the
+/// triangle's edges perpendicular to it, beyond rounding.
 bool covers(const std::array<Vector3, 3>& corners, const Vector3& normal, const Vector3& centre,
             double reach) {
   constexpr double kMargin = 1e-9;

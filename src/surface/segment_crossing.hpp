@@ -14,17 +14,17 @@
 
 namespace crossgrain {
 
-/// By how much the winding number changes through a triangle along segments that begin at one point.
+/// Change of the winding number through a triangle along segments that begin at one point.
 class CrossingsFrom {
  public:
-  /// Along no axis are the segments longer than `reach`. Where the triangle covers all of its plane that they
-  /// can meet, as a large one does in a small cell, a crossing of the plane is all there is to find.
+  /// No segment is longer than `reach` along any axis. If the triangle covers all of its plane that they can
+  /// reach, as a large one does in a small cell, only crossings of the plane are tested.
   CrossingsFrom(const std::array<Vector3, 3>& corners, const Vector3& begin, double reach = INFINITY);
 
-  /// `change` is +1 where the segment to an end crosses the triangle against its normal (by the right-hand
-  /// rule over its corners), so that it enters the solid, -1 along it, 0 where it misses. It is not `certain`
-  /// where the segment passes an edge, or begins or ends at the triangle's plane, so closely that rounding in
-  /// double precision could tell it wrong.
+  /// `change` is +1 if the segment to an end crosses the triangle against its normal (by the right-hand rule
+  /// over its corners), so that it enters the solid, -1 along the normal, and 0 if it misses. It is not
+  /// `certain` if the segment passes an edge, or begins or ends at the triangle's plane, so closely that
+  /// rounding in double precision could change the result.
   template <class Real>
   struct Change {
     using Mask = decltype(Real() > Real());
@@ -37,8 +37,8 @@ class CrossingsFrom {
   Change<Real> to(const BasicVector3<Real>& end) const;
 
  private:
-  /// Bounds the rounding of a triple product of differences, in units of the product of their lengths: a
-  /// dozen roundings of 1.1e-16 each.
+  /// Bound of the rounding of a triple product of differences, in units of the product of their lengths:
+  /// about twelve roundings of 1.1e-16 each.
   static constexpr double kRounding = 4e-15;
 
   template <class Real>
@@ -56,9 +56,9 @@ class CrossingsFrom {
   std::array<Vector3, 3> edge_normals_;     ///< (p - a) x (q - a)
   std::array<double, 3> edge_sizes_;        ///< |p - a| |q - a|, times the rounding
   double plane_size_ = 0;                   ///< of the normal, times the rounding
-  double side_ = 0;                         ///< of `begin`: -1, 1, or 0 where rounding can't tell
+  double side_ = 0;                         ///< of `begin`: -1, 1, or 0 if rounding decides
   bool covers_ = false;                     ///< no segment can pass the triangle's edges
-  std::array<double, 8> read_beyond_ = {};  ///< so that lanes can be filled from any number above
+  std::array<double, 8> read_beyond_ = {};  ///< so that lanes can be filled from any of the numbers above
 };
 
 template <class Real>

@@ -20,23 +20,23 @@ namespace {
 using Corners = std::array<Vector3, 3>;
 using PartPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Relative to the largest coordinate, which files in single precision round by 6e-8.
+/// Relative to the largest coordinate; single-precision files round by 6e-8.
 constexpr double kTolerance = 2.5e-7;
 
-/// Pairs of triangles that are looked at, per triangle and besides, before counting ends early. A smooth
-/// surface needs about 50 a triangle.
+/// Maximum number of pairs of triangles tested, per triangle and in addition, before counting stops. A smooth
+/// surface needs about 50 per triangle.
 constexpr std::size_t kPairsPerTriangle = 150, kPairsBesides = 4000000;
 
-/// Pairs that one leaf may look at.
+/// Maximum number of pairs tested for one leaf.
 constexpr std::size_t kPairsPerLeaf = 8192;
 
-/// Triangles in a leaf of the tree, at most.
+/// Maximum number of triangles in a leaf of the tree.
 constexpr std::size_t kMostInLeaf = 4;
 
-/// Nodes of the tree that one task, and all tasks between two looks at how much has been done, go through.
+/// Nodes of the tree per task, and per check of the number of tests done by all tasks.
 constexpr std::size_t kNodesPerTask = 64, kNodesPerRound = 1024;
 
-/// Parts beyond this many are not asked which of them lie inside others.
+/// With more parts than this, containment of parts in others is not tested.
 constexpr std::size_t kMostParts = 10000;
 
 struct PartMeeting {
@@ -45,7 +45,7 @@ struct PartMeeting {
   Vector3 place;
 };
 
-/// What a run of leaves found.
+/// Results of a run of leaves.
 struct Found {
   std::size_t crossings = 0, pairs = 0;
   Vector3 first_crossing{};
@@ -55,7 +55,7 @@ struct Found {
   void add_crossing(const Vector3& place) {
     if (crossings++ == 0) first_crossing = place;
   }
-  /// One of a kind for each pair of parts is enough.
+  /// One of each kind is enough for each pair of parts.
   void add_meeting(const PartMeeting& meeting) {
     for (const PartMeeting& m : meetings)
       if (m.parts == meeting.parts && m.crosses == meeting.crosses) return;
@@ -126,7 +126,7 @@ class PairFinder {
     return {triangle, corners, box_of_corners(corners, margin)};
   }
 
-  /// Pairs of the triangles of a leaf with each other and with those of the leaves behind it.
+  /// Tests pairs of the triangles of a leaf with each other and with those of later leaves.
   void look_from(std::uint32_t leaf, Found& found) const {
     const TriangleBvh::Node& node = nodes_[leaf];
     if (node.skip != leaf + 1) return;
@@ -188,7 +188,7 @@ class PairFinder {
   double tolerance_;
 };
 
-/// One meeting a pair of parts, a crossing where there is one.
+/// Keeps one contact per pair of parts, preferably a crossing.
 std::vector<PartMeeting> distinct_meetings(std::vector<PartMeeting> meetings) {
   std::stable_sort(meetings.begin(), meetings.end(), [](const PartMeeting& a, const PartMeeting& b) {
     return std::pair(a.parts, !a.crosses) < std::pair(b.parts, !b.crosses);
@@ -199,8 +199,8 @@ std::vector<PartMeeting> distinct_meetings(std::vector<PartMeeting> meetings) {
   return meetings;
 }
 
-/// Parts that lie inside the solid without crossing another part, though they are no voids: around their
-/// triangles the surface winds more than once.
+/// Finds parts inside the solid that cross no other part and are no voids: the winding number at their
+/// triangles exceeds 1.
 void add_buried_parts(const MendedSurface& mended, const WindingNumber& winding,
                       const std::vector<PartMeeting>& meetings, Tally& overlapping) {
   if (mended.part_of.empty() || mended.parts > kMostParts) return;

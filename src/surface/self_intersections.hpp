@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a surface crosses itself, and which of its closed parts overlap or touch.
+// Finds self-intersections of a surface, and closed parts that overlap or touch.
 #pragma once
 
 #include "surface/bvh.hpp"
@@ -8,15 +8,16 @@
 
 namespace crossgrain {
 
-/// Counting ends at this many pairs that cross.
+/// Counting stops at this many crossing pairs.
 inline constexpr std::size_t kMostCrossings = 100000;
 
-/// Appends pairs of triangles that cross (`crossing_of`), pairs of closed parts that cross or of which one
-/// lies inside the other without being a void, and pairs that touch. A pair of triangles of two closed parts
-/// counts towards the parts only. `bvh` and `winding` are of `mended.surface`.
+/// Adds the findings: pairs of triangles that cross (`crossing_of`), pairs of closed parts that cross or of
+/// which one lies inside the other without being a void, and pairs that touch. A pair of triangles of two
+/// closed parts counts for the parts only. `bvh` and `winding` are those of `mended.surface`.
 ///
-/// The same for any number of threads. Time goes with the triangles and the pairs of bounding boxes that
-/// meet; where there are very many of those, it ends early and says "at least".
+/// The result does not depend on the number of threads. Time is proportional to the number of triangles and
+/// of pairs of intersecting bounding boxes; if these are very many, counting stops early and the finding says
+/// "at least".
 void find_self_intersections(const MendedSurface& mended, const TriangleBvh& bvh,
                              const WindingNumber& winding, SurfaceFindings& findings);
 

@@ -22,7 +22,7 @@ bool are_on_both_sides(const std::array<double, 3>& heights, double tolerance) {
          std::min({heights[0], heights[1], heights[2]}) < -tolerance;
 }
 
-/// The part of a line that lies in a triangle, as distances along it.
+/// The part of a line inside a triangle, as distances along the line.
 struct Interval {
   double low = INFINITY, high = -INFINITY;
 
@@ -32,7 +32,7 @@ struct Interval {
   }
 };
 
-/// Where a triangle meets a plane over which its corners have these heights.
+/// Intersects a triangle with a plane, given the heights of its corners above it.
 Interval interval_of(const Corners& corners, const std::array<double, 3>& heights, const Vector3& direction,
                      const Vector3& origin) {
   Interval interval;
@@ -45,7 +45,7 @@ Interval interval_of(const Corners& corners, const std::array<double, 3>& height
   return interval;
 }
 
-/// The point of the triangle in that plane at distance t along the line from its first corner.
+/// Returns the point of the triangle in that plane at distance t along the line, from its first corner.
 Vector3 point_at(const Corners& corners, const std::array<double, 3>& heights, const Vector3& direction,
                  double t) {
   std::array<Vector3, 2> ends{};
@@ -59,8 +59,8 @@ Vector3 point_at(const Corners& corners, const std::array<double, 3>& heights, c
   return ends[0] + (to == from ? 0.0 : (t - from) / (to - from)) * (ends[1] - ends[0]);
 }
 
-/// The point of the segment from p to q nearest to that from r to s (Ericson, Real-Time Collision Detection,
-/// 2005, section 5.1.9); `squared` becomes the squared distance.
+/// Returns the point of the segment from p to q nearest to that from r to s (Ericson, Real-Time Collision
+/// Detection, 2005, section 5.1.9); sets `squared` to the squared distance.
 Vector3 nearest_on_segment(const Vector3& p, const Vector3& q, const Vector3& r, const Vector3& s,
                            double& squared) {
   const Vector3 d1 = q - p, d2 = s - r, between = p - r;
@@ -90,7 +90,7 @@ std::optional<Vector3> crossing_of(const Corners& a, const Vector3& a_normal, co
   const Interval in_b = interval_of(b, b_heights, direction, a[0]);
   const double low = std::max(in_a.low, in_b.low), high = std::min(in_a.high, in_b.high);
   if (!(high - low > tolerance)) return std::nullopt;
-  // Back from the distance along the line to a point of a: between the ends of its own interval.
+  // Converts the distance along the line to a point of a, between the ends of a's own interval.
   return point_at(a, a_heights, direction, 0.5 * (low + high));
 }
 

@@ -29,15 +29,15 @@
 namespace crossgrain {
 namespace {
 
-/// Nodes near the root take as long as thousands of leaves, so few of them go into one task.
+/// Nodes near the root cost as much as thousands of leaves, so tasks get few of them.
 constexpr std::size_t kClusterGrain = 16;
 
-/// Centres are kept in single precision, off by up to 6e-8. A cluster this far away or farther is not
-/// bothered.
+/// Centres are stored in single precision, with errors up to 6e-8. A cluster at least this far away is not
+/// affected.
 constexpr double kLeastReach = 2e-5;
 
-/// So far out, in units of the surface's size, that even an open surface fills no angle; keeps single
-/// precision finite.
+/// Distance, in units of the surface's size, at which even an open surface has no visible solid angle; keeps
+/// single precision finite.
 constexpr double kFarAway = 1e6;
 
 Vector3 area_vector(const std::array<Vector3, 3>& corners) {
@@ -48,8 +48,8 @@ Vector3 centroid(const std::array<Vector3, 3>& corners) {
   return (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
 }
 
-/// Adds up angles of complex numbers by multiplying them, and counts how often the product passes the
-/// negative real axis: one arc tangent for many triangles.
+/// Adds angles of complex numbers by multiplying them, and counts how often the product crosses the negative
+/// real axis, so that many triangles need only one arc tangent.
 class AngleSum {
  public:
   void add(double re, double im) {
@@ -67,7 +67,7 @@ class AngleSum {
   int turns_ = 0;
 };
 
-/// Sums of M and T over triangles that are given by their corners relative to the centre.
+/// Sums of M and T over triangles, given by their corners relative to the centre.
 class Multipoles {
  public:
   void add(const std::array<Vector3, 3>& corners) {
@@ -76,7 +76,7 @@ class Multipoles {
       for (std::size_t j = 0; j < 3; ++j) {
         m_[i][j] += n[i] * c[j];
         for (std::size_t k = 0; k < 3; ++k) {
-          // The mean of y_j y_k over a triangle, from its corners and centroid.
+          // Mean of y_j y_k over a triangle, from its corners and centroid.
           double mean = 9 * c[j] * c[k];
           for (const Vector3& y : corners) mean += y[j] * y[k];
           t_[i][j][k] += 0.5 * n[i] * mean / 12;
@@ -95,7 +95,7 @@ class Multipoles {
 
   std::array<float, 7> octupole() const {
     const auto symmetric = [&](std::size_t i, std::size_t j, std::size_t k) {
-      // t_ is symmetric in its last two indices already.
+      // t_ is already symmetric in its last two indices.
       return (t_[i][j][k] + t_[j][k][i] + t_[k][i][j]) / 3;
     };
     const auto trace = [&](std::size_t k) {
@@ -113,8 +113,8 @@ class Multipoles {
   std::array<std::array<std::array<double, 3>, 3>, 3> t_{};
 };
 
-/// Seen from the mean of the surface, so that an open one gives a volume that does not depend on where it
-/// lies.
+/// Relative to the mean of the surface, so that the volume of an open surface does not depend on its
+/// position.
 double enclosed_volume(const std::vector<std::array<Vector3, 3>>& triangles) {
   double area = 0;
   Vector3 moment{0, 0, 0};
@@ -194,7 +194,7 @@ WindingNumber::Cluster WindingNumber::make_cluster(const std::array<Vector3, 3>*
   return cluster;
 }
 
-/// With r = (x, y, z); the components of Q and S that are not kept follow from the traces.
+/// With r = (x, y, z); the components of Q and S that are not stored follow from the traces.
 double WindingNumber::far_solid_angle(const Cluster& cluster, float x, float y, float z) {
   const auto& n = cluster.dipole;
   const auto& q = cluster.quadrupole;

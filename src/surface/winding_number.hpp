@@ -11,36 +11,35 @@
 
 namespace crossgrain {
 
-/// The generalised winding number of a triangle soup (Jacobson et al. 2013): the solid angle that the surface
-/// fills as seen from p, over 4 pi. 1 inside a closed outward-oriented surface and 0 outside, in between near
-/// holes. Groups of triangles far from p act as multipoles (Barill et al. 2018); triangles near it count
-/// exactly. Keeps what it needs of the surface and the tree. Queries are safe from any number of threads.
+/// Generalised winding number of a triangle soup (Jacobson et al. 2013): the solid angle of the surface seen
+/// from p, over 4 pi. It is 1 inside a closed outward-oriented surface, 0 outside, and in between near holes.
+/// Groups of triangles far from p are replaced by multipoles (Barill et al. 2018); near triangles count
+/// exactly. Copies what it needs of the surface and the tree. Queries are thread-safe.
 class WindingNumber {
  public:
-  /// A group of triangles acts as a multipole for points farther from its centre than beta times its radius.
-  /// What beta costs and buys is in the table of winding_number.cpp.
+  /// A multipole replaces a group of triangles for points farther from its centre than beta times its radius.
+  /// winding_number.cpp has a table of the accuracy and cost of beta.
   WindingNumber(const Surface& surface, const TriangleBvh& bvh, double beta = kDefaultBeta);
 
-  /// The winding number at p with respect to the outward orientation (see `flipped`), within 0.02 of the
-  /// exact sum.
+  /// Returns the winding number at p for the outward orientation (see `flipped`), within 0.02 of the exact
+  /// sum.
   double at(const Vector3& p) const;
 
   bool inside(const Vector3& p) const { return at(p) > 0.5; }
 
-  /// True where the surface as a whole is inside out: the volume that it encloses, sum of a_t n_t . (c_t - c)
-  /// / 3 with c_t the centroids and c their weighted mean, is negative. `at` then counts every triangle
-  /// reversed. One decision for the whole surface: a single component turned against the others stays so.
+  /// True if the surface as a whole is inside out: its enclosed volume, sum of a_t n_t . (c_t - c) / 3 with
+  /// the centroids c_t and their weighted mean c, is negative. `at` then reverses every triangle. The
+  /// decision is for the whole surface: a single component with opposite orientation stays so.
   bool flipped() const { return orientation_ < 0; }
 
   static constexpr double kDefaultBeta = 1.75;
 
  private:
-  /// Triangles [first, first + count) and their multipoles, in unit coordinates: the box's longest side is 1,
-  /// its middle the origin. In depth-first order as in TriangleBvh. Single precision, for the sake of the
-  /// cache.
+  /// Triangles [first, first + count) and their multipoles, in unit coordinates: the longest side of the box
+  /// is 1, its middle the origin. In depth-first order as in TriangleBvh. Single precision saves cache.
   struct Cluster {
     std::array<float, 3> centre;
-    float squared_reach;              ///< (beta * radius)^2: nearer points look into the cluster
+    float squared_reach;              ///< (beta * radius)^2: for nearer points the cluster is opened
     std::array<float, 3> dipole;      ///< N_x, N_y, N_z
     std::array<float, 5> quadrupole;  ///< Q_xx, Q_yy, Q_xy, Q_yz, Q_zx
     std::array<float, 7> octupole;    ///< S_xxx, S_yyy, S_xxy, S_xyy, S_xxz, S_yyz, S_xyz

@@ -48,7 +48,7 @@ void warn_of_stray_faces(const TetSolid& solid, const std::vector<Face>& tagged,
   for (const Face& face : boundary) strays -= std::binary_search(tagged.begin(), tagged.end(), face);
   if (strays > 0)
     warnings.emplace_back(WarningKind::kStrayTags,
-                          "tagged triangles that are faces of no tet, passed over: " +
+                          "tagged triangles that are not a face of any tet, ignored: " +
                               std::to_string(strays) + " of " + std::to_string(tagged.size()));
 }
 

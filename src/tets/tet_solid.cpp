@@ -46,7 +46,7 @@ void warn(std::vector<Warning>& warnings, WarningKind kind, const Tally& tally, 
 }
 
 void check_indices(const TetMesh& mesh) {
-  if (mesh.tets.empty()) throw Error(ErrorKind::kInput, "no tets, where a solid cut into tets is needed");
+  if (mesh.tets.empty()) throw Error(ErrorKind::kInput, "the mesh has no tets");
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     for (const std::uint32_t vertex : mesh.tets[t]) {
       if (vertex < mesh.vertices.size()) continue;
@@ -212,19 +212,20 @@ void warn_of_unused_vertices(TetSolid& solid, std::vector<Warning>& warnings) {
   for (std::size_t v = 0; v < solid.vertex_components.size(); ++v)
     if (solid.vertex_components[v] == kNoComponent) unused.add(v);
   solid.unused_vertices = unused.count;
-  warn(warnings, WarningKind::kUnusedVertices, unused, "vertex", "vertices of no tet, kept in the numbering");
+  warn(warnings, WarningKind::kUnusedVertices, unused, "vertex",
+       "vertices of no tet, which keep their numbers");
 }
 
 void warn_of_boundary_faults(const TetSolid& solid, std::vector<Warning>& warnings) {
   const BoundaryFaults faults = find_boundary_faults(solid.boundary);
   if (faults.edges > 0) {
     warnings.emplace_back(WarningKind::kTouchingEdges,
-                          "edges along which the solid touches itself, more than two boundary faces each: " +
+                          "edges where the solid touches itself (more than two boundary faces): " +
                               std::to_string(faults.edges) + "; the first joins vertices " +
                               numbers(faults.first_edge) + " (counted from 0)");
   }
   warn(warnings, WarningKind::kTouchingVertices, {faults.vertices, faults.first_vertex}, "vertex",
-       "vertices at which the solid touches itself");
+       "vertices where the solid touches itself");
 }
 
 /// Warns of boundary faces at the same place with different vertices: the file has the vertices between two
@@ -245,9 +246,10 @@ void warn_of_unmerged_vertices(const TetSolid& solid, std::vector<Warning>& warn
   if (count == 0) return;
   warnings.emplace_back(
       WarningKind::kUnmergedVertices,
-      "places where two tets lie face to face without sharing vertices: " + std::to_string(count) +
-          "; the first has vertices " + numbers(solid.boundary[faces[example - 1].second]) + " and again " +
-          numbers(solid.boundary[faces[example].second]) + " (counted from 0); the parts are solved apart",
+      "pairs of tets that lie face to face without sharing vertices: " + std::to_string(count) +
+          "; the first has vertices " + numbers(solid.boundary[faces[example - 1].second]) + " and " +
+          numbers(solid.boundary[faces[example].second]) +
+          " (counted from 0); the parts are solved separately",
       Remedy::kMergeVertices);
 }
 
@@ -286,9 +288,9 @@ TetSolid prepare_tets(TetMesh mesh, std::vector<Warning>& warnings) {
   }
   if (flat.count == given)
     throw Error(ErrorKind::kInput,
-                "none of the " + std::to_string(given) + " tets has a volume (the first is tet 0)",
+                "none of the " + std::to_string(given) + " tets has volume (the first is tet 0)",
                 Remedy::kExportAgain);
-  warn(warnings, WarningKind::kInvertedTets, inverted, "tet", "inverted tets, turned");
+  warn(warnings, WarningKind::kInvertedTets, inverted, "tet", "inverted tets, reoriented");
   warn(warnings, WarningKind::kFlatTets, flat, "tet", "tets without volume, left out");
 
   const TetFaces faces = faces_of_solid(mesh, take, warnings);
@@ -300,12 +302,12 @@ TetSolid prepare_tets(TetMesh mesh, std::vector<Warning>& warnings) {
   DisjointSets connected(given);
   const Tally folded = sort_out_faces(faces, new_index, orient_flat_tets(faces, shapes), connected, solid);
   warn(warnings, WarningKind::kOverlappingTets, folded, "a face of tet",
-       "faces with both their tets on the same side, where the mesh overlaps itself");
+       "faces with both tets on the same side, where the mesh overlaps itself");
   if (solid.boundary.empty())
-    throw Error(
-        ErrorKind::kInput,
-        "every face has two tets, so there is no boundary (tet 0 is the first): the mesh folds over itself",
-        Remedy::kExportAgain);
+    throw Error(ErrorKind::kInput,
+                "every face has two tets, so there is no boundary and the mesh folds over itself (tet 0 is "
+                "the first)",
+                Remedy::kExportAgain);
   number_components(connected, new_index, solid);
   warn_of_unused_vertices(solid, warnings);
   warn_of_boundary_faults(solid, warnings);

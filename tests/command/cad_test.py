@@ -73,7 +73,7 @@ class WithAHangingReader(CommandTest):
 
     def test_it_is_stopped_after_its_time_with_one_line(self):
         process, reader = self.start("--read-seconds", "0.5")
-        self.assert_fails(self.finished(process), INPUT, "part.step", "not done with it after 0.5 s", "--read-seconds")
+        self.assert_fails(self.finished(process), INPUT, "part.step", "did not finish within 0.5 s", "--read-seconds")
         self.assert_gone(reader)
         self.assertFalse((self.folder / "out").exists())
 

@@ -96,7 +96,7 @@ class Constraints(CommandTest):
         self.write("c.json", '{\n"schema": 1,\n"points": [\n{"at": [0, 0, 0], "axis": [1, 0, 0], "weight": -1}]}')
         self.assert_fails(self.solve(), INPUT, "c.json: line 4: ", "weight", "positive")
         self.write("c.json", '{\n"schema": 1,\n]')
-        self.assert_fails(self.solve(), INPUT, "c.json: line 3: ", "no JSON")
+        self.assert_fails(self.solve(), INPUT, "c.json: line 3: ", "not JSON")
         self.constrain(faces=[{"face": 3, "axis": "normal"}])
         self.assert_fails(self.solve(), INPUT, "crossgrain: c.json: line 1: ", "no numbered faces")
         self.constrain(points=[{"at": [1000, 500, 700], "axis": [1, 0, 0]}])

@@ -128,7 +128,7 @@ class Formats(FormatsTest):
             contents.append([(self.folder / "out" / name).read_bytes() for name in ("onto.fra", "onto.perm")])
             warned = [warning["text"] for warning in report["warnings"] if warning["kind"] == "left_out_tets"]
             self.assertEqual(len(warned), 1 if len(mesh) > len(tets) else 0, report["warnings"])
-        self.assertIn(f"left out: 1 of {len(tets) + 1}; onto.fra, onto.perm count", warned[0])
+        self.assertIn(f"left out: 1 of {len(tets) + 1}; onto.fra, onto.perm number", warned[0])
         self.assertEqual(contents[0][0], contents[1][0])
         self.assertEqual(len(contents[2][0].splitlines()), 2 + 3 * len(tets))
 

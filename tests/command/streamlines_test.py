@@ -170,7 +170,7 @@ class Streamlines(CommandTest):
 
     def test_another_surface_is_refused_by_name(self):
         self.write("other.stl", stl_bytes(box_triangles((2, 1, 1.5)) + 10))
-        self.assert_fails(self.trace("--surface", "other.stl"), INPUT, "other.stl: ", "elsewhere than the field")
+        self.assert_fails(self.trace("--surface", "other.stl"), INPUT, "other.stl: ", "does not match the field")
         self.write("millimetres.stl", stl_bytes(1000 * box_triangles((2, 1, 1.5))))
         self.assert_fails(self.trace("--surface", "millimetres.stl"), INPUT, "millimetres.stl: ")
         self.write("open.stl", stl_bytes(box_triangles((2, 1, 1.5))[:2]))

@@ -151,7 +151,7 @@ class View(CommandTest):
         self.assert_fails(self.run_here("view", "part.frames"), INPUT, "part.frames", "report.html", "--no-report")
         self.assert_fails(self.run_here("view", "none.frames"), INPUT, "none.frames", "no such folder")
         self.write("file", "")
-        self.assert_fails(self.run_here("view", "file"), INPUT, "file", "no folder")
+        self.assert_fails(self.run_here("view", "file"), INPUT, "file", "not a folder")
 
     def test_ports_that_are_none_are_refused(self):
         for port in ("0", "65536", "-1", "http"):

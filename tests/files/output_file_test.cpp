@@ -184,7 +184,7 @@ TEST(OutputFolder, RefusesAFileInTheWay) {
   folder.write("file", "content");
   for (const char* name : {"file", "file/deeper"}) {
     const std::string message = output_error_of([&] { OutputFolder output(folder.path() / name); });
-    EXPECT_NE(message.find("is a file where a folder should be"), std::string::npos) << message;
+    EXPECT_NE(message.find("is a file, but must be a folder"), std::string::npos) << message;
   }
 }
 

@@ -186,7 +186,7 @@ TEST(CadProcess, AHangEndsWithItsTime) {
     reader.options().read_seconds = 0.3;
     reader.options().max_memory_bytes = std::size_t{1} << 40;
     const auto start = Clock::now();
-    expect_words(reader.error(), {"not done with it after 0.3 s", "or allow more time"});
+    expect_words(reader.error(), {"did not finish within 0.3 s", "or allow more time"});
     EXPECT_LT(seconds_since(start), 20);
   }
 }
@@ -221,9 +221,9 @@ TEST(CadProcess, IsKilledOnceTheMonitorIsCancelled) {
 
 TEST(CadProcess, AMissingOrStrangeReaderIsNamedWithThePackagesToInstall) {
   FakeReader reader("exit 127");
-  expect_words(reader.error(), {"reader.sh, misses libraries", "libocct-data-exchange"});
-  expect_words(FakeReader("true").error(), {"is not of Crossgrain", kVersion});
-  expect_words(FakeReader(saying("crossgrain_cad 0.0.1\n")).error(), {"is not of Crossgrain"});
+  expect_words(reader.error(), {"reader.sh, cannot find libraries", "libocct-data-exchange"});
+  expect_words(FakeReader("true").error(), {"does not belong to Crossgrain", kVersion});
+  expect_words(FakeReader(saying("crossgrain_cad 0.0.1\n")).error(), {"does not belong to Crossgrain"});
   reader.options().cad_program = reader.folder() / "none";
   expect_words(reader.error(), {"cannot be started: No such file", "libocct-data-exchange-dev"});
   reader.options().cad_program = reader.folder() / "part.step";

@@ -262,7 +262,7 @@ TEST(ReadCad, FacesWithoutASolidAreSewnWithAWarning) {
     EXPECT_GT(volume_of(mesh), 5.9);
     EXPECT_EQ(distinct(mesh.solids), (std::set<std::int32_t>{0}));
     ASSERT_EQ(mesh.warnings.size(), 1u);
-    EXPECT_NE(mesh.warnings[0].text.find("no solids, only faces, which make up shells: 1 closed and 0 open"),
+    EXPECT_NE(mesh.warnings[0].text.find("no solids, only faces, which form shells: 1 closed and 0 open"),
               std::string::npos)
         << mesh.warnings[0].text;
   }
@@ -278,7 +278,7 @@ TEST(ReadCad, AnOpenShellIsReadWithAWarning) {
 }
 
 TEST(ReadCad, RefusesWhatHasNoFaces) {
-  EXPECT_NE(input_error_of(cad_files() / "curve.brep").find("holds no faces"), std::string::npos);
+  EXPECT_NE(input_error_of(cad_files() / "curve.brep").find("has no faces"), std::string::npos);
 }
 
 TEST(ReadCad, RefusesAFaceWithoutBounds) {

@@ -88,14 +88,14 @@ TEST_F(ConstraintsReader, ReadsEveryKind) {
 }
 
 TEST_F(ConstraintsReader, NamesTheLineOfWhatIsNoJson) {
-  expect_fault("{\"schema\": 1,\n\"points\": [\n{]\n}", "line 3", "is no JSON at column 2");
-  expect_fault("{\"schema\": 1\n\"points\": []}", "line 2", "is no JSON");
+  expect_fault("{\"schema\": 1,\n\"points\": [\n{]\n}", "line 3", "is not JSON at column 2");
+  expect_fault("{\"schema\": 1\n\"points\": []}", "line 2", "is not JSON");
   expect_fault("{\"schema\": 1,\r\n\r\n!}", "line 3", "column 1");
   expect_fault("{\"schema\": 1,\r\r!}", "line 3", "column 1");
   expect_fault("{\"schema\": 1,\n\"points\": [\n", "line 2", "unexpected end of input");
   expect_fault("{\"schema\": 1} 2", "line 1", "expected end of input");
   expect_fault("{\"schema\": NaN}", "line 1", "invalid literal");
-  expect_fault("\xff\xfe{", "line 1", "is no JSON");
+  expect_fault("\xff\xfe{", "line 1", "is not JSON");
   expect_fault("\n\n{\"a\xff\": 1}", "line 3", "UTF-8");
   expect_fault("{\n\"a\": \"b\n\"}", "line 2", "control character");
   expect_fault(with_point("\"at\": [0, 0, 1e999]"), "line 3", "'1e999' is too large");
@@ -111,14 +111,15 @@ TEST_F(ConstraintsReader, RefusesWhatNestsDeeply) {
 }
 
 TEST_F(ConstraintsReader, RefusesKeysThatAreThereTwice) {
-  expect_fault("{\"schema\": 1,\n\"points\": [],\n\n\"points\": []}", "line 4", "twice, first on line 2");
-  expect_fault(with_point("\"at\": [0, 0, 0], \"at\": [0, 0, 0]"), "line 3", "'at' is there twice");
+  expect_fault("{\"schema\": 1,\n\"points\": [],\n\n\"points\": []}", "line 4", "repeated, first on line 2");
+  expect_fault(with_point("\"at\": [0, 0, 0], \"at\": [0, 0, 0]"), "line 3", "'at' is repeated");
 }
 
 TEST_F(ConstraintsReader, RefusesUnknownKeys) {
-  expect_fault("{\"schema\": 1,\n\"point\": []}", "line 2", "'point' is no key of the file, which may have");
+  expect_fault("{\"schema\": 1,\n\"point\": []}", "line 2",
+               "'point' is not a key of the file, which may have");
   expect_fault(with_point("\"at\": [0, 0, 0],\n\"axes\": [1, 0, 0]"), "line 4",
-               "'axes' is no key of a point");
+               "'axes' is not a key of a point");
 }
 
 TEST_F(ConstraintsReader, RefusesAnotherSchema) {
@@ -185,7 +186,7 @@ TEST_F(ConstraintsReader, NamesTheLineOfAFaultyPolylineFaceOrStress) {
                "line 3", "2 tensors for 1 places");
   expect_fault(with("stresses", "\"at\": [0, 0, 0]"), "line 2", "'stress' is missing");
   expect_fault(with("stresses", "\"at\": [0, 0, 0], \"stress\": [1, 2, 3, 4, 5, 6], \"axis\":\n[1, 0, 0]"),
-               "line 3", "no key of a stress");
+               "line 3", "not a key of a stress");
 }
 
 TEST_F(ConstraintsReader, ReadsManyStresses) {

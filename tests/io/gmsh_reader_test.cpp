@@ -52,7 +52,7 @@ TEST(GmshReader, RefusesOtherSolidElements) {
   expect_tet_error(text(kFormat2 + kNodes2 +
                         elements_2({"1 4 2 0 1 1 2 3 4", "2 6 2 0 1 1 2 3 4 9 9", "3 7 2 0 1 1 2 3 4 9",
                                     "4 6 2 0 1 1 2 3 4 9 9"})),
-                   "15: 2 prisms and 1 pyramids, where only tets can be used; cut the solid into tets");
+                   "15: 2 prisms and 1 pyramids, but only tets can be used; cut the solid into tets");
 }
 
 TEST(GmshReader, SaysWhatItMissesInASurfaceMesh) {
@@ -64,7 +64,7 @@ TEST(GmshReader, SaysHowToSaveOtherVersionsAgain) {
   for (const char* version : {"4.0", "4", "1", "3", "5.2"})
     expect_tet_error(
         text(fmt::format("$MeshFormat\n{} 0 8\n$EndMeshFormat\n", version)),
-        fmt::format("2: MSH '{}', where 2.2 and 4.1 are known (to convert: gmsh -save -format msh41 ",
+        fmt::format("2: MSH '{}' has no reader, only 2.2 and 4.1 (to convert: gmsh -save -format msh41 ",
                     version));
   expect_tet_error(text("$NOD\n1\n1 0 0 0\n$ENDNOD\n"), "MSH '1'");
 }
@@ -93,8 +93,7 @@ TEST(GmshReader, RefusesTwoNodesOfOneNumber) {
 TEST(GmshReader, RefusesWrongCounts) {
   for (const char* count : {"6", "1000000", "9223372036854775807", "-1", "x"})
     expect_tet_error(text(kFormat2 + "$Nodes\n" + count + "\n1 0 0 0\n2 1 0 0\n$EndNodes\n"), ": ");
-  expect_tet_error(text(kFormat2 + "$Nodes\n1\n1 0 0 0\n2 1 0 0\n$EndNodes\n"),
-                   "'2' where '$EndNodes' should stand");
+  expect_tet_error(text(kFormat2 + "$Nodes\n1\n1 0 0 0\n2 1 0 0\n$EndNodes\n"), "'2' instead of '$EndNodes'");
   expect_tet_error(
       text(kFormat4 + "$Nodes\n1 5 1 5\n3 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n"),
       "5 nodes are announced and 4 are here");
@@ -106,8 +105,8 @@ TEST(GmshReader, RefusesWrongCounts) {
 }
 
 TEST(GmshReader, RefusesWhatIsCutShortBetweenSections) {
-  expect_tet_error(text(kFormat4), "no section $Nodes up to here");
-  expect_tet_error(text(kFormat4 + kNodes4), "no section $Elements up to here");
+  expect_tet_error(text(kFormat4), "the section $Nodes is missing");
+  expect_tet_error(text(kFormat4 + kNodes4), "the section $Elements is missing");
   expect_tet_error(text(kFormat4 + kNodes4 + "$NodeData\n1\n"), "'$NodeData' has no '$EndNodeData'");
 }
 
@@ -124,7 +123,8 @@ TEST(GmshReader, TakesAnyNumberOf64BitsForAPhysicalGroup) {
 }
 
 TEST(GmshReader, RefusesElementsOfUnknownTypes) {
-  expect_tet_error(text(kFormat2 + kNodes2 + elements_2({"1 77 2 0 1 1 2 3 4"})), "elements of type 77");
+  expect_tet_error(text(kFormat2 + kNodes2 + elements_2({"1 77 2 0 1 1 2 3 4"})),
+                   "elements of unknown type 77");
 }
 
 }  // namespace

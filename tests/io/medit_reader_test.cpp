@@ -159,20 +159,20 @@ TEST(MeditReader, NamesTheLineOfACoordinateThatIsNoNumber) {
 
 TEST(MeditReader, RefusesRowsOfAnotherLength) {
   expect_error("Vertices\n3\n0 0 0\n0.5 1 0\n0 1 0\n" + kTets,
-               "a.mesh: line 4: '0.5' where the reference number");
+               "a.mesh: line 4: '0.5' instead of the reference number");
   expect_error("Vertices\n2\n0 0 0 1\n1 0 0 1\n0 1 0 1\n" + kTets, "after the last row of Vertices");
 }
 
 TEST(MeditReader, RefusesOtherSolidElements) {
   const std::string hexahedra = "Hexahedra\n1\n1 2 3 4 1 2 3 4 0\n";
-  expect_error(kHeader + kVertices + hexahedra + "End\n", "a.mesh: line 10: 1 hexahedra, where only tets");
+  expect_error(kHeader + kVertices + hexahedra + "End\n", "a.mesh: line 10: 1 hexahedra, but only tets");
   expect_error(kHeader + kVertices + kTets + hexahedra + "End\n", "1 hexahedra");
 }
 
 TEST(MeditReader, SaysWhatItMissesInASurfaceMesh) {
   expect_error(kHeader + kVertices + "Triangles\n1\n1 2 3 0\nEnd\n", "1 triangles but no tets");
   expect_error(kHeader + kVertices + "End\n", "no tets");
-  expect_error(kHeader + kTets + "End\n", "no section Vertices");
+  expect_error(kHeader + kTets + "End\n", "the section Vertices is missing");
 }
 
 TEST(MeditReader, RefusesASecondSectionOfTheSameKind) {
@@ -182,10 +182,10 @@ TEST(MeditReader, RefusesASecondSectionOfTheSameKind) {
 
 TEST(MeditReader, RefusesPlaneMeshesAndOtherFiles) {
   expect_error("MeshVersionFormatted 1\nDimension 2\n" + kVertices, "a.mesh: line 2: ");
-  expect_error("cube\n", "no Medit mesh");
+  expect_error("cube\n", "not a Medit mesh");
   expect_error(std::string_view("\x01\0\0\0\x03\0\0\0", 8),
                "begins like a Medit mesh in binary (.meshb); rename it");
-  expect_error(" \n", "no Medit mesh");
+  expect_error(" \n", "not a Medit mesh");
 }
 
 }  // namespace

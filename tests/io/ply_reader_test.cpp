@@ -138,7 +138,7 @@ TEST(PlyReader, RefusesAHeaderThatLacksSomething) {
 
 TEST(PlyReader, NamesTheLineOfAWrongHeader) {
   const std::string message = input_error_as("a.ply", replaced(kHeader, "float y", "real y") + kBody);
-  EXPECT_NE(message.find("a.ply: line 6: 'real' is no type"), std::string::npos) << message;
+  EXPECT_NE(message.find("a.ply: line 6: 'real' is not a PLY type"), std::string::npos) << message;
 }
 
 }  // namespace

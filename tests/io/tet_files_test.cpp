@@ -228,10 +228,11 @@ TEST(LeftOutTets, AreWarnedOfWhereRowsCountTheOthers) {
   EXPECT_EQ(sample.write(folder.path(), {}).warnings, sample_report().warnings);
   EXPECT_EQ(sample.write(folder.path(), {"features"}).warnings, sample_report().warnings);
   const Warning warning = sample.write(folder.path(), {"fra", "quaternions"}).warnings.back();
-  EXPECT_EQ(warning, Warning(WarningKind::kLeftOutTets,
-                             "tets left out: 1 of 49; onto.fra, onto_tets.quaternions count the other 48, as "
-                             "onto.vtu does",
-                             Remedy::kUseWrittenMesh));
+  EXPECT_EQ(warning,
+            Warning(WarningKind::kLeftOutTets,
+                    "tets left out: 1 of 49; onto.fra, onto_tets.quaternions number the other 48, as "
+                    "onto.vtu does",
+                    Remedy::kUseWrittenMesh));
   EXPECT_EQ(read_field(folder.path()).report().warnings.back(), warning);
   EXPECT_EQ(frame_files::read_fra(folder.path() / "onto.fra").size(), 48u);
 }

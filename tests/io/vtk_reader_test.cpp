@@ -68,14 +68,14 @@ TEST(VtkReader, TakesTheCornersOfCurvedTetsAndWarns) {
 TEST(VtkReader, RefusesOtherSolidElements) {
   expect_tet_error(
       text(kHeader + kPoints + "CELLS 2 14\n4 0 1 2 3\n8 0 1 2 3 0 1 2 3\nCELL_TYPES 2\n10\n12\n"),
-      "10: 1 hexahedra, where only tets can be used; cut the solid into tets");
+      "10: 1 hexahedra, but only tets can be used; cut the solid into tets");
 }
 
 TEST(VtkReader, RefusesCellsOfAnotherSizeOrUnknownType) {
   expect_tet_error(text(kHeader + kPoints + "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n"),
                    "9: a cell of type 10 (tets) has 3 points");
   expect_tet_error(text(kHeader + kPoints + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n99\n"),
-                   "11: cell 0 has type 99, which is not known");
+                   "11: cell 0 has the unknown type 99");
 }
 
 TEST(VtkReader, NamesTheLineOfAPointOutOfRange) {
@@ -110,12 +110,12 @@ TEST(VtkReader, ShowsNamesOfArraysAsOnePrintableLine) {
 
 TEST(VtkReader, RefusesOtherDataSetsAndFiles) {
   expect_tet_error(text("# vtk DataFile Version 3.0\nmade\nASCII\nDATASET POLYDATA\n"),
-                   "4: DATASET 'POLYDATA', where tets are in an UNSTRUCTURED_GRID");
+                   "4: DATASET 'POLYDATA', but tets must be in an UNSTRUCTURED_GRID");
   expect_tet_error(text("# vtk DataFile Version 7.0\nmade\nASCII\n"),
-                   "not known, unlike 4.2 and 5.1; export it again");
-  expect_tet_error(text("anything\n"), "this is no VTK file");
-  expect_tet_error(text(kHeader), "no POINTS up to here");
-  expect_tet_error(text(kHeader + kPoints), "no CELLS up to here");
+                   "the version cannot be read, unlike 4.2 and 5.1; export it again");
+  expect_tet_error(text("anything\n"), "this is not a VTK file");
+  expect_tet_error(text(kHeader), "POINTS is missing");
+  expect_tet_error(text(kHeader + kPoints), "CELLS is missing");
 }
 
 TEST(VtkReader, SaysWhatItMissesInASurfaceMesh) {

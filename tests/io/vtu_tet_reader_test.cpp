@@ -34,7 +34,7 @@ TEST(VtuTetReader, TakesTheCornersOfCurvedTetsAndWarns) {
 }
 
 TEST(VtuTetReader, RefusesGridsWithoutTets) {
-  expect_tet_error(one_cell(12, {0, 1, 2, 3, 4, 5, 6, 7}), "1 hexahedra, where only tets can be used");
+  expect_tet_error(one_cell(12, {0, 1, 2, 3, 4, 5, 6, 7}), "1 hexahedra, but only tets can be used");
   expect_tet_error(one_cell(5, {0, 1, 2}), "1 triangles but no tets");
   expect_tet_error(one_cell(7, {0, 1, 2, 3, 4}), "no tets");
 }
@@ -53,14 +53,14 @@ TEST(VtuTetReader, RefusesWrongCounts) {
     EXPECT_NE(error_of_reading_tets(replaced(raw, "NumberOfPoints=\"12\"", stated)), "") << count;
   }
   expect_tet_error(replaced(raw, "NumberOfCells=\"1\"", "NumberOfCells=\"2\""),
-                   "array 'offsets' has 1 numbers where 2");
+                   "array 'offsets' has 1 numbers instead of 2");
   expect_tet_error(one_cell(10, {0, 1, 2}), "a cell of type 10 (tets) has 3 points");
 }
 
 TEST(VtuTetReader, RefusesPackingsThatItDoesNotKnow) {
   const MadeFile file = vtu(made_tet_mesh(), {"base64", true});
   expect_tet_error(replaced(file, "vtkZLib", "vtkLZ4"),
-                   "2: compressed by 'vtkLZ4DataCompressor', where zlib or none is known; export it again");
+                   "2: compressed by 'vtkLZ4DataCompressor', but only zlib can be read; export it again");
   expect_tet_error(replaced(file, "encoding=\"base64\"", "encoding=\"hex\""), "appended data in 'hex'");
   expect_tet_error(replaced(file, "\"UnstructuredGrid\"", "\"PolyData\""),
                    "2: a VTK file of type 'PolyData'");
@@ -77,7 +77,7 @@ TEST(VtuTetReader, KnowsAFrameFieldOfItsOwn) {
       replaced(one_cell(11, {0, 1, 2, 3, 4, 5, 6, 7}), "<UnstructuredGrid>",
                "<UnstructuredGrid><FieldData><DataArray type=\"UInt32\" Name=\"crossgrain_schema\" "
                "format=\"ascii\">1</DataArray></FieldData>"),
-      "a frame field that crossgrain has written, no mesh");
+      "a frame field written by crossgrain, not a mesh");
 }
 
 TEST(VtuTetReader, RefusesBase64ThatIsNone) {
@@ -101,7 +101,7 @@ TEST(VtuTetReader, NamesTheLineOfATagThatIsNoXml) {
   const MadeFile file = one_cell(10, {0, 1, 2, 3});
   const std::size_t at = file.content.find("Name=\"offsets\"");
   const std::string before = file.content.substr(0, at);
-  const std::string expected = fmt::format("{}: no XML, or cut short inside a tag",
+  const std::string expected = fmt::format("{}: not XML, or cut short inside a tag",
                                            1 + std::count(before.begin(), before.end(), '\n'));
   expect_tet_error(replaced(file, "Name=\"offsets\"", "Name=offsets"), expected);
   expect_tet_error({"", ".vtu", before + "Name="}, expected);
@@ -109,8 +109,8 @@ TEST(VtuTetReader, NamesTheLineOfATagThatIsNoXml) {
 
 TEST(VtuTetReader, RefusesOtherXml) {
   expect_tet_error({"", ".vtu", "<?xml version=\"1.0\"?>\n<svg></svg>"}, "begins like an XML file");
-  expect_tet_error({"", ".vtu", "<VTKFile type=\"UnstructuredGrid\">"}, "no <Piece> with cells");
-  expect_tet_error({"", ".vtu", "anything"}, "this is no VTK XML file");
+  expect_tet_error({"", ".vtu", "<VTKFile type=\"UnstructuredGrid\">"}, "<Piece> with cells is missing");
+  expect_tet_error({"", ".vtu", "anything"}, "this is not a VTK XML file");
 }
 
 }  // namespace

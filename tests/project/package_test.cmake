@@ -33,7 +33,7 @@ if(CAD)
   file(WRITE "${WORK_DIR}/damaged.brep" "DBRep_DrawableShape\n\nCASCADE Topology V1\nnonsense\n+1 0\n")
   execute_process(COMMAND "${WORK_DIR}/build/consumer" "${WORK_DIR}/damaged.brep" OUTPUT_VARIABLE output
                   COMMAND_ERROR_IS_FATAL ANY)
-  if(NOT output MATCHES "damaged, or no BREP file")
+  if(NOT output MATCHES "damaged, or not a BREP file")
     message(FATAL_ERROR "the consumer did not find the program that reads CAD files: ${output}")
   endif()
 endif()

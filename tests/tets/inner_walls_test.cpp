@@ -48,7 +48,7 @@ TEST(InnerWalls, AreTaggedFacesInsideToo) {
   EXPECT_FALSE(walls[0].separates_regions);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].kind, WarningKind::kStrayTags);
-  EXPECT_EQ(warnings[0].text, "tagged triangles that are faces of no tet, passed over: 1 of 3");
+  EXPECT_EQ(warnings[0].text, "tagged triangles that are not a face of any tet, ignored: 1 of 3");
 }
 
 TEST(InnerWalls, AreNoneOfAPlainMesh) {

@@ -93,7 +93,7 @@ TEST(TetSolid, SortsItsFaces) {
 TEST(TetSolid, TurnsInvertedTets) {
   TetMesh mesh = tidy_box({{2, 2, 2}});
   for (const std::size_t t : {7u, 5u, 30u}) std::swap(mesh.tets[t][0], mesh.tets[t][1]);
-  const TetSolid solid = warned(mesh, "inverted tets, turned: 3; the first is tet 5 ");
+  const TetSolid solid = warned(mesh, "inverted tets, reoriented: 3; the first is tet 5 ");
   EXPECT_EQ(solid.inverted_tets, 3u);
   EXPECT_EQ(solid.mesh.tets.size(), 48u);
   EXPECT_NEAR(volume_of_tets(solid.mesh), 8, 1e-13);
@@ -168,7 +168,8 @@ TEST(TetSolid, KeepsTheNumberingOfUnusedVertices) {
   TetMesh mesh = corner_tet();
   mesh.vertices.insert(mesh.vertices.begin() + 1, Vector3{9, 9, 9});
   mesh.tets[0] = {0, 2, 3, 4};
-  const TetSolid solid = warned(mesh, "vertices of no tet, kept in the numbering: 1; the first is vertex 1 ");
+  const TetSolid solid =
+      warned(mesh, "vertices of no tet, which keep their numbers: 1; the first is vertex 1 ");
   EXPECT_EQ(solid.unused_vertices, 1u);
   EXPECT_EQ(solid.mesh.vertices.size(), 5u);
   EXPECT_EQ(solid.vertex_components, (std::vector<std::uint32_t>{0, kNoComponent, 0, 0, 0}));
@@ -206,7 +207,7 @@ TEST(TetSolid, WarnsOfAVertexAtWhichItTouchesItself) {
   EXPECT_EQ(solid.components, 2u);
   EXPECT_EQ(warnings.back().kind, WarningKind::kTouchingVertices);
   EXPECT_EQ(warnings.back().text,
-            "vertices at which the solid touches itself: 1; the first is vertex 0 (counted from 0)");
+            "vertices where the solid touches itself: 1; the first is vertex 0 (counted from 0)");
 }
 
 TEST(TetSolid, WarnsOfAnEdgeAlongWhichItTouchesItself) {
@@ -214,7 +215,7 @@ TEST(TetSolid, WarnsOfAnEdgeAlongWhichItTouchesItself) {
   const TetSolid solid = prepare_tets(mirrored_pair({0, 2}), warnings);
   EXPECT_EQ(solid.components, 2u);
   EXPECT_EQ(warnings.back().kind, WarningKind::kTouchingEdges);
-  EXPECT_NE(warnings.back().text.find("two boundary faces each: 1; the first joins vertices 0 and 2 "),
+  EXPECT_NE(warnings.back().text.find("two boundary faces): 1; the first joins vertices 0 and 2 "),
             std::string::npos)
       << warnings.back().text;
 }
@@ -253,7 +254,7 @@ TEST(TetSolid, RefusesAnIndexOutOfRange) {
 TEST(TetSolid, RefusesAMeshWithoutTetsOrVolume) {
   expect_error({}, "no tets");
   expect_error({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}, {1, 1, 2, 3}}},
-               "none of the 2 tets has a volume");
+               "none of the 2 tets has volume");
 }
 
 TEST(TetSolid, RefusesAMeshWithoutABoundary) {
@@ -297,7 +298,7 @@ TEST(TetSolid, WarnsOfTetsThatLieFaceToFaceWithoutSharingVertices) {
   const auto found = std::find_if(warnings.begin(), warnings.end(), [](const Warning& warning) {
     return warning.kind == WarningKind::kUnmergedVertices && warning.remedy == Remedy::kMergeVertices &&
            warning.text.starts_with(
-               "places where two tets lie face to face without sharing vertices: 2; the first has ");
+               "pairs of tets that lie face to face without sharing vertices: 2; the first has ");
   });
   EXPECT_NE(found, warnings.end());
 }

@@ -19,8 +19,8 @@ std::string environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// What to run. $BROWSER may name several, with colons between them, each with words of its own; of these the
-/// first, in which %s is the place of the address.
+/// Returns the command to run. $BROWSER may list several, separated by colons, each with arguments; the first
+/// one counts, with %s replaced by the address.
 std::vector<std::string> command_for(const std::string& address) {
   std::string browsers = environment("BROWSER");
   if (browsers.empty()) browsers = "xdg-open";
@@ -46,13 +46,13 @@ bool open_in_browser(const std::string& address) {
   for (std::string& word : command) arguments.push_back(word.data());
   arguments.push_back(nullptr);
 
-  // Nobody waits for it: the system is to forget it once it is done.
+  // Nobody waits for the process, so the system must discard its exit status.
   ::signal(SIGCHLD, SIG_IGN);
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     posix_spawn_file_actions_addopen(&files, descriptor, "/dev/null", O_RDWR, 0);
-  // Signals are blocked here, and Ctrl-C is not for the browser.
+  // Signals are blocked in this process, and Ctrl-C must not reach the browser.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none, all;

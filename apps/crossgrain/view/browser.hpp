@@ -5,8 +5,8 @@
 
 namespace crossgrain::app {
 
-/// Starts $BROWSER, or else xdg-open, with an address, where there is a display. Does not wait for it. False
-/// where there is no display, or nothing could be started.
+/// Starts $BROWSER, or else xdg-open, with an address, without waiting for it. Returns false if there is no
+/// display or nothing could be started.
 bool open_in_browser(const std::string& address);
 
 }  // namespace crossgrain::app

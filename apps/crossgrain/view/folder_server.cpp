@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one source that includes cpp-httplib, which takes seconds to compile.
+// The only source that includes cpp-httplib, which takes seconds to compile.
 #include "view/folder_server.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ constexpr const char* kAddress = "127.0.0.1";
 
 enum Status { kRedirect = 302, kForbidden = 403, kNotFound = 404 };
 
-/// The library's own would let two servers have one port.
+/// The default of the library would let two servers share a port.
 void set_socket_options(socket_t socket) {
   const int yes = 1;
   ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -52,7 +52,7 @@ void answer(httplib::Response& response, Status status, const std::string& text)
   response.set_content(text + "\n", "text/plain; charset=utf-8");
 }
 
-/// Reads part of a file for the library, block by block, so that no file needs to fit into memory.
+/// Reads part of a file for the HTTP library, block by block, so that no file needs to fit into memory.
 httplib::ContentProvider provider_of(const std::shared_ptr<std::ifstream>& file) {
   return [file](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
     constexpr std::size_t kBlock = std::size_t{1} << 18;
@@ -100,7 +100,7 @@ class FolderServer::Files {
     return false;
   }
 
-  /// The path of a regular file in the folder itself; none of anything else.
+  /// Returns the path of a regular file in the folder itself; nothing for anything else.
   std::optional<std::filesystem::path> file_of(const std::string& name) const {
     if (name.empty() || name.front() == '.' || name.find_first_of(std::string_view("/\0", 2)) != name.npos)
       return std::nullopt;
@@ -134,8 +134,9 @@ int FolderServer::bind(int port) {
   const bool is_bound =
       port > 0 ? server.bind_to_port(kAddress, port) : (port = server.bind_to_any_port(kAddress)) > 0;
   if (!is_bound)
-    throw Error(ErrorKind::kOutput, {fmt::format("port {} of {}", port, kAddress), "",
-                                     "is taken, or not for everyone; choose another with --port, or none"});
+    throw Error(ErrorKind::kOutput,
+                {fmt::format("port {} of {}", port, kAddress), "",
+                 "is in use or needs privileges; choose another with --port, or omit it"});
   return files_->port = port;
 }
 
@@ -145,7 +146,7 @@ void FolderServer::serve() {
 }
 
 void FolderServer::stop() {
-  // The library passes over a stop that comes before it has begun.
+  // The HTTP library ignores a stop before it has started.
   while (!files_->server.is_running() && !files_->has_served)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   files_->server.stop();

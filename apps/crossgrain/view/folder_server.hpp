@@ -6,19 +6,19 @@
 
 namespace crossgrain::app {
 
-/// Serves the files of one folder to browsers on this machine, and nothing else: regular files that lie in
-/// the folder itself, by GET and HEAD, whole or in ranges. Names that begin with a dot and links that lead
-/// out of the folder are not there. Requests for another host than 127.0.0.1 or localhost are refused, so
-/// that no page of the web can have the browser read the files under a name of its own (DNS rebinding).
+/// Serves the files of one folder to browsers on this machine: regular files in the folder itself, by GET and
+/// HEAD, whole or in ranges. Names that begin with a dot and links that lead out of the folder are not found.
+/// Requests for a host other than 127.0.0.1 or localhost are refused, so that no web page can make the
+/// browser read the files under its own host name (DNS rebinding).
 class FolderServer {
  public:
   explicit FolderServer(const std::filesystem::path& folder);
   ~FolderServer();
 
-  /// Takes a port on 127.0.0.1, for 0 a free one, and returns it. Throws Error(kOutput) where it is taken.
+  /// Binds a port on 127.0.0.1, a free one for 0, and returns it. Throws Error(kOutput) if it is in use.
   int bind(int port);
 
-  /// Serves until `stop`, which is for another thread, once `serve` is called there or is about to be.
+  /// Serves until another thread calls `stop`, which may happen before `serve` has started.
   void serve();
   void stop();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `crossgrain view` becomes: crossgrain_view FOLDER PORT browser|no-browser
+// The program that `crossgrain view` becomes: crossgrain_view FOLDER PORT browser|no-browser
 #include <fmt/format.h>
 #include <signal.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kInternalError = 1;
 
-/// SIGINT, SIGTERM and SIGHUP, blocked in this thread and those that it starts: `wait` takes them.
+/// Blocks SIGINT, SIGTERM and SIGHUP in this thread and its later threads; `wait` receives them.
 class EndingSignals {
  public:
   EndingSignals() {
@@ -31,7 +31,7 @@ class EndingSignals {
     pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
   }
 
-  /// Until one comes, or `is_over`.
+  /// Waits for a signal, or until `is_over`.
   void wait(const std::atomic<bool>& is_over) const {
     const timespec interval{0, 200'000'000};
     while (!is_over && sigtimedwait(&signals_, nullptr, &interval) < 0) {

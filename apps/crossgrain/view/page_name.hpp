@@ -3,7 +3,7 @@
 
 namespace crossgrain::app {
 
-/// The page of a field in its folder.
+/// Name of a field's page in its folder.
 inline constexpr const char* kPageName = "report.html";
 
 }  // namespace crossgrain::app

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Part of the library and of the program crossgrain_cad alike.
+// Compiled into both the library and the program crossgrain_cad.
 //
-// An answer: the greeting; a CadEnd; the fault; the vectors of the mesh in the order of `exchange`; kTrailer.
-// A vector or a text is the number of its items, in 64 bits, and their bytes as they stand in memory.
+// Layout of an answer: the greeting; a CadEnd; the fault; the vectors of the mesh in the order of `exchange`;
+// kTrailer. A vector or a text is the number of its items, in 64 bits, and their bytes as in memory.
 #include "io/cad/cad_messages.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ class Writer {
     bytes(&item, sizeof item);
   }
 
-  /// Of items that are their bytes: numbers, and arrays of these.
+  /// Writes a vector of trivially copyable items.
   template <class Items>
   void items(const Items& items) {
     static_assert(std::is_trivially_copyable_v<typename Items::value_type>);
@@ -44,7 +44,7 @@ class Writer {
     bytes(items.data(), items.size() * sizeof(typename Items::value_type));
   }
 
-  /// Of items that `write` writes one by one.
+  /// Writes a vector whose items `write` writes one by one.
   template <class Items, class Each>
   void list(const Items& items, const Each& write) {
     value(static_cast<std::uint64_t>(items.size()));
@@ -62,7 +62,7 @@ class Writer {
   bool complete_ = true;
 };
 
-/// Once something is missing all further items are empty, and `sound` is false.
+/// Reads an answer. Once data are missing, all further items are empty and `sound` is false.
 class Reader {
  public:
   explicit Reader(std::string_view rest) : rest_(rest) {}
@@ -89,7 +89,7 @@ class Reader {
   std::string_view rest() const { return rest_; }
 
  private:
-  /// How many items of at least so many bytes are announced; 0 where as many do not follow.
+  /// Returns the number of items of at least so many bytes; 0 if the remaining data are too short.
   std::size_t count(std::size_t item_bytes) {
     std::uint64_t announced = 0;
     value(announced);
@@ -109,7 +109,7 @@ class Reader {
   bool sound_ = true;
 };
 
-/// The one place that knows what is in an answer, and in which order.
+/// Defines the contents of an answer and their order, for reading and writing.
 template <class Stream, class Answer>
 void exchange(Stream& stream, Answer& answer) {
   stream.value(answer.end);
@@ -141,7 +141,7 @@ bool is_known(Remedy remedy) {
   return remedy >= Remedy::kNone && remedy <= Remedy::kReportModel;
 }
 
-/// Whether a mesh keeps to what TriangleMesh says of itself.
+/// Returns whether a mesh is consistent with the documentation of TriangleMesh.
 bool is_consistent(const TriangleMesh& mesh) {
   const std::size_t vertices = mesh.vertices.size(), triangles = mesh.triangles.size();
   const auto belongs = [triangles](const auto& items) { return items.empty() || items.size() == triangles; };
@@ -169,7 +169,7 @@ bool parse(const std::string& text, Number& number) {
 
 std::vector<std::string> arguments_of(const CadRequest& request) {
   const ReadOptions& options = request.options;
-  // Of doubles fmt writes the shortest text that gives the same double again.
+  // fmt writes the shortest text that restores the same double.
   return {kVersion,
           fmt::to_string(request.asking_process),
           fmt::to_string(static_cast<int>(request.format)),

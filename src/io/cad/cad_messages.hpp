@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the library and the program crossgrain_cad say to each other. That program has OpenCASCADE in it,
-// which crashes on some damaged files and is never done with others: in a process of its own that ends no
-// more than that process. It gets a request as its arguments and writes an answer to kAnswerDescriptor.
+// Messages between the library and the program crossgrain_cad. The program contains OpenCASCADE, which
+// crashes or hangs on some damaged files; in a separate process only that process is lost. It gets a request
+// as its arguments and writes an answer to kAnswerDescriptor.
 #pragma once
 
 #include <sys/types.h>
@@ -25,16 +25,16 @@ struct CadRequest {
   std::string path;
   CadFormat format;
   ReadOptions options;   ///< those of CAD files; max_memory_bytes is for the program alone
-  pid_t asking_process;  ///< the answer is of no use without it
+  pid_t asking_process;  ///< the program ends when this process does
 };
 
 enum class CadEnd : std::uint8_t {
-  kMesh,         ///< the file is read
-  kFault,        ///< it cannot be
-  kOutOfMemory,  ///< not within CadRequest::options.max_memory_bytes
+  kMesh,         ///< the file was read
+  kFault,        ///< the file cannot be read
+  kOutOfMemory,  ///< CadRequest::options.max_memory_bytes does not suffice
 };
 
-/// What is wrong with a file, as in Message.
+/// Error in a file; members as in Message.
 struct CadFault {
   std::string text;
   Remedy remedy = Remedy::kNone;
@@ -46,21 +46,21 @@ struct CadAnswer {
   CadFault fault;
 };
 
-/// The request as the arguments of the program, and back; nothing where they are none.
+/// Converts a request to the arguments of the program, and back; nothing if they are invalid.
 std::vector<std::string> arguments_of(const CadRequest& request);
 std::optional<CadRequest> cad_request_of(const std::vector<std::string>& arguments);
 
-/// Begins an answer. Names this version, for library and program must be of the same build.
+/// Begins an answer. Contains this version, since library and program must be of the same build.
 void write_cad_greeting(std::FILE* out);
 
-/// What follows the greeting. False where it could not be written.
+/// Writes the answer after the greeting. Returns false if it could not be written.
 bool write_cad_answer(std::FILE* out, const CadAnswer& answer);
 
-/// Whether all that the program wrote begins as an answer of this version does.
+/// Returns whether the program's output begins like an answer of this version.
 bool is_cad_greeting(std::string_view written);
 
-/// The answer in all that the program wrote; nothing where it is incomplete or contradicts itself, as after a
-/// crash. Allocates no more than is there.
+/// Returns the answer in the program's output; nothing if it is incomplete or inconsistent, as after a crash.
+/// Allocates no more memory than the output has bytes.
 std::optional<CadAnswer> cad_answer_in(std::string_view written);
 
 }  // namespace crossgrain

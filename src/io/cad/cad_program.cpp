@@ -12,11 +12,11 @@
 namespace crossgrain {
 namespace {
 
-/// How many folders above the program there may be libexec/: bin/crossgrain in an installed tree,
+/// How many folders above the program libexec/ may be: bin/crossgrain in an installed tree,
 /// apps/crossgrain/crossgrain in a build tree, and lib/x86_64-linux-gnu/libcrossgrain.so.
 constexpr int kFoldersAbove = 2;
 
-/// The file that this code is part of: a shared library, or the program.
+/// Returns the file that contains this code: a shared library, or the program.
 std::filesystem::path own_file() {
   Dl_info info{};
   std::error_code ignored;
@@ -29,9 +29,10 @@ std::filesystem::path running_program() {
   return std::filesystem::read_symlink("/proc/self/exe", ignored);
 }
 
-/// Where the dynamic linker looks for libraries of the file that this code is part of.
+/// Returns the folders in which the dynamic linker searches for libraries of the file that contains this
+/// code.
 std::vector<std::filesystem::path> library_folders() {
-  // Of the program itself there is a handle under no name only.
+  // The program itself has a handle only under a null name.
   const std::filesystem::path file = own_file();
   const bool in_program = file.empty() || file == running_program();
   void* self = ::dlopen(in_program ? nullptr : file.c_str(), RTLD_LAZY | RTLD_NOLOAD);

@@ -25,7 +25,7 @@ namespace {
 
 using End = HelperOutcome::End;
 
-/// What the dynamic linker ends a program with whose libraries are missing.
+/// Exit status when the dynamic linker finds a library missing.
 constexpr int kLibrariesMissing = 127;
 
 constexpr double kSecondsPerByte = 10e-6;
@@ -34,19 +34,18 @@ std::filesystem::path cad_program(const InputFile& file, const ReadOptions& opti
   const std::filesystem::path program =
       options.cad_program.empty() ? find_cad_program() : options.cad_program;
   if (program.empty())
-    fail_input(file, {},
-               fmt::format("this Crossgrain has no reader of CAD files: there is no {}", kCadProgramName),
+    fail_input(file, {}, fmt::format("this Crossgrain cannot read CAD files: {} is missing", kCadProgramName),
                Remedy::kInstallCadReader);
   return program;
 }
 
-/// For the helper, what this process holds taken off.
+/// Memory limit for the helper: what is allowed, less what this process uses.
 std::size_t memory_for_helper(const InputFile& file, const ReadOptions& options) {
   const std::size_t most = allowed_memory_bytes(options.max_memory_bytes), held = current_memory_bytes();
   if (held >= most)
     throw Error(ErrorKind::kLimit,
                 {file.name(), "",
-                 fmt::format("no memory is left to read it: {:.3g} GB are allowed and {:.3g} GB held",
+                 fmt::format("no memory is left to read it: {:.3g} GB are allowed and {:.3g} GB in use",
                              static_cast<double>(most) / 1e9, static_cast<double>(held) / 1e9),
                  Remedy::kAllowMemory});
   return most - held;
@@ -58,26 +57,29 @@ CadFault out_of_memory(std::size_t allowed) {
           Remedy::kSimplifyOrAllowMemory};
 }
 
-/// What an outcome without an answer means for the file.
+/// Returns the error for an outcome without an answer.
 CadFault fault_of(const HelperRun& run, const HelperOutcome& outcome) {
   if (outcome.end == End::kTimedOut)
     return {
         fmt::format(
-            "OpenCASCADE was not done with it after {:.3g} s and was stopped: it is damaged or very complex",
+            "OpenCASCADE did not finish within {:.3g} s and was stopped: the file is damaged or very complex",
             run.seconds),
         Remedy::kAllowReadTime};
   if (outcome.end == End::kTooLong) return out_of_memory(run.max_answer_bytes);
   if (outcome.end == End::kExited && outcome.number == kLibrariesMissing)
-    return {fmt::format("the reader of CAD files, {}, misses libraries of OpenCASCADE", run.program.string()),
+    return {fmt::format("the reader of CAD files, {}, cannot find libraries of OpenCASCADE",
+                        run.program.string()),
             Remedy::kInstallOpenCascade};
   if (outcome.end == End::kExited && !is_cad_greeting(outcome.answer))
-    return {fmt::format("{} is not of Crossgrain {}", run.program.string(), kVersion), Remedy::kReinstall};
+    return {fmt::format("{} does not belong to Crossgrain {}", run.program.string(), kVersion),
+            Remedy::kReinstall};
   if (outcome.end == End::kKilled && outcome.number == SIGKILL)
     return {"the system stopped OpenCASCADE while it read the file, usually because memory ran out",
             Remedy::kFreeMemory};
-  return {fmt::format("OpenCASCADE crashed on it ({}): it is damaged, or has what OpenCASCADE cannot take",
-                      outcome.end == End::kKilled ? ::strsignal(outcome.number) : "no complete answer"),
-          Remedy::kRepairFile};
+  return {
+      fmt::format("OpenCASCADE crashed on it ({}): it is damaged, or has data that OpenCASCADE cannot read",
+                  outcome.end == End::kKilled ? ::strsignal(outcome.number) : "no complete answer"),
+      Remedy::kRepairFile};
 }
 
 [[noreturn]] void fail_input(const InputFile& file, const CadFault& fault) {

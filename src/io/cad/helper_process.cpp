@@ -24,19 +24,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using End = HelperOutcome::End;
 
-/// How long a cancelled monitor may go unnoticed.
+/// Interval in which a cancelled monitor is noticed.
 constexpr int kMillisecondsToWait = 50;
 
 void require(int code) {
   if (code != 0) throw std::system_error(code, std::generic_category());
 }
 
-/// What posix_spawn is to do to the files of the new process.
+/// File actions of posix_spawn for the new process.
 class FileActions {
  public:
   explicit FileActions(int answer) {
     require(::posix_spawn_file_actions_init(&actions_));
-    // First, since the pipe may have a standard stream's number where this process has closed that.
+    // First, since the pipe may have the number of a standard stream that this process has closed.
     int code = ::posix_spawn_file_actions_adddup2(&actions_, answer, kAnswerDescriptor);
     for (const auto& [number, mode] :
          {std::pair{STDIN_FILENO, O_RDONLY}, {STDOUT_FILENO, O_WRONLY}, {STDERR_FILENO, O_WRONLY}}) {
@@ -79,7 +79,7 @@ class Attributes {
   posix_spawnattr_t attributes_;
 };
 
-/// A process that does not outlive this object.
+/// A process that is killed when this object is destroyed.
 class Child {
  public:
   Child(const HelperRun& run, int answer) {
@@ -99,7 +99,7 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// How it has ended; nothing where it has not.
+  /// Returns how it ended; nothing while it runs.
   std::optional<HelperOutcome> outcome() {
     int status = 0;
     pid_t waited = 0;
@@ -124,12 +124,12 @@ class Child {
   bool is_waited_for_ = false;
 };
 
-/// Takes what is in a pipe.
+/// Reads the answer from a pipe.
 class Collector {
  public:
   explicit Collector(int pipe) : pipe_(pipe) {}
 
-  /// Waits a while for something to come; false at the end.
+  /// Waits a while for data. Returns false at the end.
   bool collect() {
     pollfd waiting{pipe_, POLLIN, 0};
     const int ready = ::poll(&waiting, 1, kMillisecondsToWait);
@@ -176,7 +176,7 @@ HelperOutcome run_helper(const HelperRun& run, const Monitor& monitor) {
     if (is_late()) return {End::kTimedOut, 0, {}};
     if (collector.size() > run.max_answer_bytes) return {End::kTooLong, 0, {}};
   }
-  // Nobody holds the pipe any more: it has ended, or is about to.
+  // No process has the pipe open any more: the helper has ended, or is about to.
   std::optional<HelperOutcome> outcome;
   while (!(outcome = child.outcome())) {
     if (is_late()) return {End::kTimedOut, 0, {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one place that turns JSON into text.
+// Converts JSON values to text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,12 +10,14 @@
 
 namespace crossgrain {
 
-/// Members in the order in which they were set; two blanks of indentation; doubles in the fewest digits that
-/// read back as the same bits; ends in a line end. Bytes that are no UTF-8 (in a path, say) become U+FFFD.
-/// Numbers that are not finite become null, since JSON has none such.
+/// Returns the text of a value: members in the order of insertion, two blanks of indentation, doubles with
+/// the fewest digits that restore the same bits, a line end at the end. Bytes that are not UTF-8 (for
+/// instance in a path) become U+FFFD. Numbers that are not finite become null, since JSON cannot represent
+/// them.
 std::string json_text(const nlohmann::ordered_json& value);
 
-/// Where in it numbers are not finite, as "energy.total" or "levels[2].energy", in the order of the text.
+/// Returns the places of numbers that are not finite, such as "energy.total" or "levels[2].energy", in the
+/// order of the text.
 std::vector<std::string> numbers_not_finite(const nlohmann::ordered_json& value);
 
 /// Writes json_text(value).

@@ -12,15 +12,15 @@
 namespace crossgrain {
 namespace {
 
-/// Where the parser has read to. It says nothing of lines, so that its iterator has to.
+/// Position of the parser in the text. The parser does not report lines, so its iterator tracks them.
 class ReadPosition {
  public:
   explicit ReadPosition(std::string_view bytes) : bytes_(bytes) {}
 
   void advance() { ++read_; }
 
-  /// The line of the token that was read last, from 1. To see the end of a number the parser has read one
-  /// character more, which may be a line end; no token ends with one.
+  /// Returns the 1-based line of the last token. To find the end of a number the parser has read one
+  /// character more, possibly a line end; no token ends with one.
   std::size_t line() {
     for (const std::size_t end = read_ > 0 ? read_ - 1 : 0; counted_ < end; ++counted_) {
       const bool is_end =
@@ -33,7 +33,7 @@ class ReadPosition {
     return line_;
   }
 
-  /// Of the last character read, from 1.
+  /// Returns the 1-based column of the last character read.
   std::size_t column() { return line(), std::max<std::size_t>(read_, line_begin_ + 1) - line_begin_; }
 
  private:
@@ -41,7 +41,7 @@ class ReadPosition {
   std::size_t read_ = 0, counted_ = 0, line_ = 1, line_begin_ = 0;
 };
 
-/// Bytes, telling a ReadPosition of each that is passed.
+/// Iterator over bytes that reports each advance to a ReadPosition.
 class WatchedBytes {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -66,7 +66,7 @@ class WatchedBytes {
   ReadPosition* position_;
 };
 
-/// What the parser found wrong, without where and what it names exceptions.
+/// The parser's message, without the position and its name for the exception.
 std::string complaint_of(const nlohmann::json::exception& error) {
   std::string text = error.what();
   const std::size_t place = text.find(": syntax error"), detail = text.find(" - ");
@@ -79,7 +79,7 @@ std::string complaint_of(const nlohmann::json::exception& error) {
 
 }  // namespace
 
-/// Takes the parser's events.
+/// Receives the parser's events.
 class LocatedJsonBuilder {
  public:
   LocatedJsonBuilder(LocatedJson& json, ReadPosition& position) : json_(json), position_(position) {}
@@ -104,7 +104,7 @@ class LocatedJsonBuilder {
     const std::size_t line = position_.line();
     const auto [before, is_new] = open_.back().keys.emplace(value, line);
     if (!is_new)
-      fail(fmt::format("the key {} is there twice, first on line {}", in_quotes(value), before->second));
+      fail(fmt::format("the key {} is repeated, first on line {}", in_quotes(value), before->second));
     key_ = place_of(value);
     return true;
   }
@@ -112,13 +112,13 @@ class LocatedJsonBuilder {
   bool parse_error(std::size_t, const std::string& token, const nlohmann::json::exception& error) {
     constexpr int kNumberOverflow = 406;
     if (error.id == kNumberOverflow) fail("the number " + in_quotes(token) + " is too large");
-    fail(fmt::format("is no JSON at column {}: {}", position_.column(), complaint_of(error)));
+    fail(fmt::format("is not JSON at column {}: {}", position_.column(), complaint_of(error)));
   }
 
  private:
   struct OpenContainer {
     std::size_t node;
-    std::map<std::string, std::size_t> keys;  ///< with their lines
+    std::map<std::string, std::size_t> keys;  ///< keys with their lines
   };
 
   bool add(LocatedJson::Kind kind, double number = 0) {
@@ -140,7 +140,7 @@ class LocatedJsonBuilder {
     return true;
   }
 
-  /// Keys come back again and again.
+  /// Returns the index of a text in texts_; each text is stored once, since keys repeat.
   std::uint32_t place_of(const std::string& text) {
     const auto [found, is_new] = places_.emplace(text, static_cast<std::uint32_t>(json_.texts_.size()));
     if (is_new) json_.texts_.push_back(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON that knows on which line of its file every value stands.
+// JSON values with the line of the file where each stands.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +12,26 @@
 
 namespace crossgrain {
 
-/// The values of a file in the order of the file, a container before what it holds. Plain numbers take 24
-/// bytes.
+/// The values of a file in their order, a container before its contents. Plain numbers take 24 bytes.
 class LocatedJson {
  public:
   enum class Kind : std::uint8_t { kNull, kBoolean, kNumber, kText, kArray, kObject };
 
-  /// A value; for a member of an object its key is known too.
+  /// A value; a member of an object also has its key.
   class Value;
 
-  /// Throws Error(kInput) naming the line for what is no JSON, numbers beyond double precision, more than
-  /// kDeepest levels of nesting, keys that an object has twice, and files of more than kMostBytes. The file
-  /// must outlive it.
+  /// Parses a file. Throws Error(kInput) naming the line if it is not JSON, has numbers beyond double
+  /// precision, nesting deeper than kDeepest, an object with a repeated key, or more than kMostBytes. The
+  /// file must outlive the object.
   explicit LocatedJson(const InputFile& file);
 
   Value root() const;
   const InputFile& file() const { return *file_; }
 
-  /// Levels of nesting; what is read with it needs fewer, and what is damaged or hostile may have millions.
+  /// Maximum nesting. Valid input needs much less; damaged or hostile files may have millions of levels.
   static constexpr std::size_t kDeepest = 32;
 
-  /// A number and a comma make a node: memory stays below a dozen times this.
+  /// Maximum size. A number and a comma make a node, so memory stays below twelve times this.
   static constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
  private:
@@ -41,8 +40,8 @@ class LocatedJson {
   struct Node {
     std::uint32_t line;
     std::uint32_t end;  ///< the node after the last one inside
-    double number;      ///< of texts their place in texts_
-    std::uint32_t key;  ///< place in texts_; only of members of objects
+    double number;      ///< of texts the index into texts_
+    std::uint32_t key;  ///< index into texts_; only for members of objects
     Kind kind;
   };
 
@@ -57,15 +56,15 @@ class LocatedJson::Value {
   bool is(Kind kind) const { return node().kind == kind; }
   std::size_t line() const { return node().line; }
 
-  /// Of a number, a text, and a member of an object, each.
+  /// Returns the number, the text, and the key of a member.
   double number() const { return node().number; }
   const std::string& text() const { return json_->texts_[static_cast<std::size_t>(node().number)]; }
   const std::string& key() const { return json_->texts_[node().key]; }
 
-  /// What an array or an object holds, in the order of the file.
+  /// Returns the elements of an array or the members of an object, in the order of the file.
   std::vector<Value> values() const;
 
-  /// Throws Error(kInput) that names this line.
+  /// Throws Error(kInput) that names the line of the value.
   [[noreturn]] void fail(const std::string& text) const;
 
  private:

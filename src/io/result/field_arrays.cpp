@@ -14,11 +14,11 @@
 namespace crossgrain {
 namespace {
 
-/// How far from 1 the squared norm of a frame's quaternion in single precision may be.
+/// Tolerance of the squared norm of a frame's quaternion in single precision.
 constexpr double kUnitTolerance = 1e-5;
 
-/// Squares and cubes of lengths below, and of more than its inverse, neither overflow nor vanish. The cube
-/// about a surface, whose coordinates are below 1e100 (surface/surface.hpp), is far smaller.
+/// Bounds of lengths for which squares and cubes neither overflow nor underflow: this and its inverse. The
+/// cube around a surface is far within, since its coordinates are below 1e100 (surface/surface.hpp).
 constexpr double kLargestLength = 1e102;
 
 class FieldArraysReader {
@@ -107,7 +107,7 @@ class FieldArraysReader {
     return constraints;
   }
 
-  /// Later code relies on all of this and would read out of range.
+  /// Checks what later code relies on; without it, that code would read out of range.
   void check(const FieldData& data) const {
     const std::size_t count = data.tree.size();
     for (const std::size_t size : {data.frames.size(), data.open_faces.size(), data.on_boundary.size(),
@@ -131,7 +131,9 @@ class FieldArraysReader {
   [[noreturn]] void fail(const std::string& text, Remedy remedy) const {
     throw Error(ErrorKind::kInput, {file_.name(), "", text, remedy});
   }
-  [[noreturn]] void fail_damaged() const { fail("its arrays make no field", Remedy::kCopyOrSolveAgain); }
+  [[noreturn]] void fail_damaged() const {
+    fail("its arrays do not form a field", Remedy::kCopyOrSolveAgain);
+  }
 
   VtuFile file_;
 };

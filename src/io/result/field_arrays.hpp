@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arrays of field.vtu that a field is read back from.
+// The arrays of field.vtu from which a field is read.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace crossgrain {
 
-/// Names in the file. The first six are field data: numbers of the field as a whole, then one row a cell; the
+/// Names in the file. The first six are field data: numbers of the whole field, then one row per cell. The
 /// next three are cell data.
 namespace field_arrays {
 inline constexpr const char* kSchema = "crossgrain_schema";      ///< 1 x UInt32
@@ -22,20 +22,20 @@ inline constexpr const char* kEnergyDensity = "energy_density";  ///< Float32
 inline constexpr const char* kAlignment = "alignment_deg";       ///< Float32
 inline constexpr const char* kOnBoundary = "is_boundary";        ///< UInt8
 
-/// Cell data that are read back where they are there: `region` of models of several solids only.
+/// Optional cell data that are read if present: `region` only for models of several solids.
 inline constexpr const char* kConstraint = "constraint_class";  ///< UInt8, as FieldData::constraints
 inline constexpr const char* kRegion = "region";                ///< Int32, as FieldData::regions
 
-/// Field data of files that hold part of a field, to tell what part; nothing is read back from the numbers.
+/// Field data of files that hold part of a field; they tell which part and are not read.
 inline constexpr const char* kOutputLevel = "output_level";  ///< 1 x UInt32: OutputOptions::level
 inline constexpr const char* kClipBox = "clip_box";  ///< 6 x Float64: low and high of OutputOptions::clip
 
-/// Counts up when one of these arrays changes its meaning.
+/// Incremented when one of these arrays changes its meaning.
 inline constexpr std::uint32_t kSchemaNumber = 1;
 }  // namespace field_arrays
 
-/// What write_field has written, to the bit, less the report. Throws Error(kInput) for any other file, also
-/// where the arrays make no octree or no frames.
+/// Returns what write_field has written, bitwise identical, without the report. Throws Error(kInput) for any
+/// other file, and if the arrays form no octree or no frames.
 FieldData read_field_arrays(const std::filesystem::path& path);
 
 }  // namespace crossgrain

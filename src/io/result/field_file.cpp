@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A field as a folder of files. What ParaView shows (axes, coefficients, ...) is derived from the few
-// arrays that make up a field, which are kept beside it as field data; those alone are read back.
+// Writes and reads a field as a folder of files. A few arrays define the field; they are stored as field
+// data, and only they are read. What ParaView shows (axes, coefficients, ...) is derived from them.
 #include "io/result/field_file.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@
 namespace crossgrain {
 namespace {
 
-/// A cell array of `components` floats from value_of(frame), any sequence of as many numbers.
+/// Returns a cell array of `components` floats; value_of(frame) returns any sequence of that many numbers.
 template <class ValueOf>
 VtuArray frame_array(const FieldData& data, const char* name, std::size_t components,
                      const ValueOf& value_of) {
@@ -38,7 +38,7 @@ VtuArray frame_array(const FieldData& data, const char* name, std::size_t compon
                      [&data, value_of](std::size_t i) { return value_of(from_stored(data.frames[i])); });
 }
 
-/// The coefficients of a frame as the file has them, in single precision.
+/// Returns the coefficients of a frame in single precision, as in the file.
 template <int D>
 Coefficients<D> written_coefficients(const Quaternion& frame) {
   Coefficients<D> h = frame_coefficients<D>(frame);
@@ -62,7 +62,7 @@ VtuArray constraint_array(const std::vector<CellConstraint>& constraints) {
                                  });
 }
 
-/// What docs/design.md section 10 promises for every cell.
+/// Adds the cell data of docs/design.md section 10.
 void add_cell_data(const FieldData& data, std::vector<VtuArray>& arrays) {
   add_axes(
       VtuSection::kCellData, data.frames.size(),
@@ -130,7 +130,7 @@ void add_field_data(const FieldData& data, std::vector<VtuArray>& arrays) {
   arrays.push_back(stored_array(VtuSection::kFieldData, field_arrays::kOpenFaces, data.open_faces));
 }
 
-/// What of the whole field is here, where that is not all of it.
+/// Adds which part of the field the file holds, if not all of it.
 void add_extent(const OutputOptions& options, std::vector<VtuArray>& arrays) {
   if (options.level)
     arrays.push_back(constant_array<std::uint32_t>(field_arrays::kOutputLevel,
@@ -155,14 +155,15 @@ void write_field_file(const FieldData& data, const OutputOptions& options, Outpu
   file.finish();
 }
 
-/// Writes what the options ask for; without the box where nothing meets it, of which the report warns then.
+/// Writes the cells that the options select. If none meets the clip box, writes all cells and adds a warning
+/// to the report.
 void write_chosen_cells(const FieldData& data, OutputOptions options, OutputFile& file, SolveReport& report,
                         const Monitor& monitor) {
   if (ask_for_all(options, data.tree)) return write_field_file(data, options, file, monitor);
   FieldData part = output_cells(data, options, monitor);
   if (part.tree.size() == 0) {
     report.warnings.emplace_back(WarningKind::kClipMissed,
-                                 "no cell meets the clip box: field.vtu holds the cells of the whole model");
+                                 "no cell touches the clip box, so field.vtu contains all cells");
     options.clip.reset();
     return write_chosen_cells(data, options, file, report, monitor);
   }
@@ -218,8 +219,8 @@ SolveReport write_field(const FrameField& field, SolveReport report, const std::
   if (!options.formats.empty())
     throw Error(ErrorKind::kUsage,
                 "'" + options.formats.front() + "' is a format of fields on tets, and this field has none");
-  // A field that was read from a folder with tets tells of them, and files of an earlier field with tets
-  // would pass for this one's.
+  // The report of a field read from a folder may contain results on tets, and files of an earlier field on
+  // tets would seem to belong to this one.
   report.onto.reset();
   return write_field_and(field, std::move(report), folder, monitor, options, [](OutputFolder& output) {
     for (const TetFile& file : tet_files()) output.remove_at_commit(file.name);

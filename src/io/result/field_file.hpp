@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The folder of a field, and what else goes into it.
+// Writes the folder of a field, with additional files.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,9 @@
 
 namespace crossgrain {
 
-/// `write_field` (crossgrain/io.hpp) with further files, which appear together with field.vtu and report.json
-/// or not at all. add_files creates and writes them; it counts in the report's seconds.write.
+/// Like `write_field` (crossgrain/io.hpp), with additional files that appear together with field.vtu and
+/// report.json or not at all. add_files creates and writes them; its time counts as seconds.write of the
+/// report.
 SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                             const Monitor& monitor, const OutputOptions& options,
                             const std::function<void(OutputFolder&)>& add_files);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kFrameBytes = 9 * kNumberBytes;
 
-/// `between` stands after each of the first two axes: a blank, or the end of a line.
+/// `between` follows each of the first two axes: a blank, or a line end.
 char* put_frame(char* out, const Frame& frame, char between) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Vector3& v = frame.axes[axis];

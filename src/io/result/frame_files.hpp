@@ -2,10 +2,12 @@
 // Text files of frames, as their axes u, v and w or as unit quaternions. io/result/tet_writers.hpp declares
 // the writers of a field on tets:
 //
-//   onto.frames    a line a vertex: ux uy uz vx vy vz wx wy wz
-//   .fra           FRA 1 | tets 3 1 | three lines a tet, one an axis; no reader looks at the 1 (CubeCover,
-//   Mint) .frame         FRAME | tets | a line a tet | END (mouette) .quaternions   a line a vertex or tet: w
-//   x y z
+//   onto.frames    one line per vertex: ux uy uz vx vy vz wx wy wz
+//   .fra           FRA 1 | tets 3 1 | three lines per tet, one per axis (CubeCover, Mint)
+//   .frame         FRAME | tets | one line per tet | END (mouette)
+//   .quaternions   one line per vertex or tet: w x y z
+//
+// No reader uses the last 1 of "tets 3 1".
 #pragma once
 
 #include <span>
@@ -15,8 +17,8 @@
 
 namespace crossgrain {
 
-/// The nine numbers of the axes of each frame, a line each; 17 significant digits, which read back as the
-/// same bits.
+/// Writes the nine numbers of the axes of each frame, one line per frame, with 17 significant digits, which
+/// restore the same bits.
 void write_frame_lines(OutputFile& file, std::span<const Frame> frames);
 
 }  // namespace crossgrain

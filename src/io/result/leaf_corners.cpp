@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Notation: the key of a corner is its place in Morton order, its coordinates' bits interleaved.
+// Notation: the key of a corner is its Morton code, its coordinates' bits interleaved.
 #include "io/result/leaf_corners.hpp"
 
 #include <algorithm>
@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::size_t kCornersPerLeaf = 8;
 
-/// Few enough that the table of their corners stays in a core's cache; a sixth of the corners of a full cube
-/// of so many are shared.
+/// Leaves of a group: few enough that the table of their corners stays in a core's cache. In a full cube of
+/// that many leaves a sixth of the corners are shared.
 constexpr std::size_t kGroupLeaves = 1 << 12;
 
-/// Groups whose numbering one task finds.
+/// Groups that one task numbers.
 constexpr std::size_t kGroupsAtOnce = 8;
 
-/// Groups whose shared corners one task gathers.
+/// Groups whose shared corners one task collects.
 constexpr std::size_t kGroupsGathered = 64;
 
 constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
@@ -36,8 +36,8 @@ std::uint64_t low_key(CellAddress leaf) {
   return leaf.packed() >> 5;
 }
 
-/// The keys of a leaf's corners. A width is added to one coordinate with the bits of the others set, so that
-/// carries run across them.
+/// Returns the keys of a leaf's corners. The width is added to one coordinate with the bits of the others
+/// set, so that carries propagate across them.
 std::array<std::uint64_t, kCornersPerLeaf> corner_keys(CellAddress leaf) {
   constexpr std::uint64_t kBitsOfX = 0x1249249249249249;
   const std::uint64_t low = low_key(leaf), width = std::uint64_t{1} << 3 * (kMaxDepth - leaf.depth());
@@ -55,7 +55,7 @@ void sort_unique(std::vector<std::uint64_t>& keys) {
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
 }
 
-/// Keys and their numbers: a table of open addressing, at most half full.
+/// Hash table from keys to numbers with open addressing, at most half full.
 class NumberTable {
  public:
   NumberTable() : entries_(kLeastEntries) {}
@@ -65,7 +65,8 @@ class NumberTable {
     used_ = 0;
   }
 
-  /// The number of `key`: kNoNumber where it is new, for the caller to set before the next call.
+  /// Returns a reference to the number of `key`. If it is kNoNumber, the key is new, and the caller must set
+  /// the number before the next call.
   std::uint64_t& operator[](std::uint64_t key) {
     if (2 * used_ == entries_.size()) grow();
     Entry& entry = place_of(key);
@@ -105,7 +106,7 @@ class NumberTable {
 
 }  // namespace
 
-/// Numbers the corners of one group's leaves after the other.
+/// Numbers the corners of a group, leaf by leaf.
 class LeafCorners::Numbering {
  public:
   explicit Numbering(const LeafCorners& corners) : corners_(corners) {}
@@ -118,7 +119,7 @@ class LeafCorners::Numbering {
       table_[corners_.shared_[i]] = next_++;
   }
 
-  /// Whether the corner is one of the group's own that had no number yet; it has one now.
+  /// Numbers the corner and returns true if it belongs to the group itself and is new.
   bool is_new_own(std::uint64_t key) {
     if (key >= end_key_) return false;
     std::uint64_t& number = table_[key];
@@ -133,7 +134,7 @@ class LeafCorners::Numbering {
     return number;
   }
 
-  /// The number after the last that was given.
+  /// The next unused number.
   std::uint64_t next() const { return next_; }
 
  private:
@@ -163,12 +164,12 @@ std::pair<std::size_t, std::size_t> LeafCorners::leaves_of(std::size_t group) co
   return {group * kGroupLeaves, std::min((group + 1) * kGroupLeaves, tree_.size())};
 }
 
-/// Where a group's keys begin; beyond all keys for the group after the last.
+/// Returns the first key of a group; for the group after the last, a key greater than all.
 std::uint64_t LeafCorners::first_key(std::size_t group) const {
   return group < groups() ? low_key(tree_.leaves()[group * kGroupLeaves]) : kNoKey;
 }
 
-/// Adds the corners of a group's leaves that later groups number, some more than once.
+/// Adds the corners of a group's leaves that later groups number; repetitions are possible.
 void LeafCorners::add_keys_beyond(std::size_t group, std::vector<std::uint64_t>& keys) const {
   const std::uint64_t end_key = first_key(group + 1);
   const auto [begin, end] = leaves_of(group);
@@ -188,7 +189,7 @@ void LeafCorners::find_shared() {
     beyond[begin / kGroupsGathered].assign(keys.begin(), keys.end());
   });
 
-  // Those that each as many groups number, from all groups before.
+  // Each task collects the corners that its groups number, from all groups before.
   std::vector<std::vector<std::uint64_t>> gathered(beyond.size());
   parallel_for_chunks(groups(), kGroupsGathered, [&](std::size_t begin, std::size_t end) {
     const std::size_t own = begin / kGroupsGathered;

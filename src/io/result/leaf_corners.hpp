@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The corners of an octree's leaves, each once: the points of a grid file.
+// The distinct corners of an octree's leaves: the points of a grid file.
 //
-// No table of all corners is kept. Leaves are taken in groups, and a group numbers the corners whose place in
-// Morton order is from the low corner of its first leaf up to that of the next group's:
+// There is no table of all corners. Leaves are processed in groups, and a group numbers the corners whose
+// Morton code is at least that of the low corner of its first leaf and below that of the next group's:
 //
 //   number   0                  begin of group 1                begin of group 2
 //            | own of group 0   | shared 1 | own of group 1     | shared 2 | own of group 2 ...
 //
-// "Shared" are those that leaves of earlier groups have too, in Morton order; only these are stored. "Own"
-// follow in the order in which the group's leaves come to them, a leaf's by place among its eight. No corner
-// precedes the low corner of its leaf, so no later group has a corner of this one's.
+// "Shared" corners also belong to leaves of earlier groups; they are in Morton order, and only they are
+// stored. "Own" corners follow in the order of the group's leaves, those of one leaf in the order of its
+// eight corners. No corner precedes the low corner of its leaf, so no later group contains an own corner of
+// this group.
 #pragma once
 
 #include <cstddef>
@@ -21,20 +22,20 @@
 
 namespace crossgrain {
 
-/// Takes one byte a leaf and about as much again for shared corners. The tree must outlive it.
+/// Uses one byte per leaf and about as much again for shared corners. The tree must outlive the object.
 class LeafCorners {
  public:
-  /// Finds shared corners and counts, in parallel; the numbers do not depend on how many threads there are.
+  /// Finds shared corners and counts all, in parallel. The numbers do not depend on the number of threads.
   explicit LeafCorners(const Octree& tree);
 
   std::size_t size() const { return begins_.back(); }
 
-  /// x, y, z of corners [begin, end), in model units.
+  /// Returns x, y, z of corners [begin, end), in model units.
   void write_positions(std::size_t begin, std::size_t end, double* out) const;
 
-  /// Entries [begin, end) of the list of all leaves' corners by number, eight a leaf: bit a of the place
-  /// among the eight says whether the corner is on the high side along axis a (the order of VTK_VOXEL).
-  /// Index: std::int32_t, where it holds every number, or std::int64_t.
+  /// Returns entries [begin, end) of the corner numbers of all leaves, eight per leaf: bit a of the place
+  /// among the eight tells whether the corner is on the high side of axis a (the order of VTK_VOXEL). Index
+  /// is std::int32_t, if it can hold every number, or std::int64_t.
   template <class Index>
   void write_indices(std::size_t begin, std::size_t end, Index* out) const;
 
@@ -50,9 +51,9 @@ class LeafCorners {
 
   const Octree& tree_;
   std::vector<std::uint64_t> shared_;       ///< keys, ascending
-  std::vector<std::size_t> shared_begins_;  ///< place in shared_ of each group's first, and the end
-  std::vector<std::size_t> begins_;         ///< number of each group's first corner, and how many there are
-  std::vector<std::uint8_t> own_;           ///< bit k of entry i: leaf i is where its corner k is numbered
+  std::vector<std::size_t> shared_begins_;  ///< index in shared_ of each group's first, and the end
+  std::vector<std::size_t> begins_;         ///< number of each group's first corner, and the total
+  std::vector<std::uint8_t> own_;           ///< bit k of entry i: corner k is first numbered in leaf i
 };
 
 }  // namespace crossgrain

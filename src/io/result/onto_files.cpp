@@ -15,7 +15,7 @@
 namespace crossgrain {
 namespace {
 
-/// Programs that put these files beside the mesh file count its tets.
+/// Other programs match these files to the mesh file by its number of tets.
 void warn_of_left_out_tets(const TetSolid& solid, const OutputOptions& options, SolveReport& report) {
   std::vector<std::string> names;
   for (const TetFile& file : tet_files())
@@ -24,7 +24,7 @@ void warn_of_left_out_tets(const TetSolid& solid, const OutputOptions& options, 
   const std::size_t tets = solid.mesh.tets.size();
   report.warnings.emplace_back(
       WarningKind::kLeftOutTets,
-      fmt::format("tets left out: {} of {}; {} count the other {}, as onto.vtu does", solid.left_out_tets,
+      fmt::format("tets left out: {} of {}; {} number the other {}, as onto.vtu does", solid.left_out_tets,
                   tets + solid.left_out_tets, fmt::join(names, ", "), tets),
       Remedy::kUseWrittenMesh);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A field on a tet mesh as files, beside those of the field on the grid (io/result/tet_files.hpp).
+// Writes a field on a tet mesh, beside the files of the field on the grid (io/result/tet_files.hpp).
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 
 namespace crossgrain {
 
-/// `write_field` (crossgrain/io.hpp) with the files of a field on tets that `options` ask for: all files or
-/// none, and none of another solve.
+/// Like `write_field` (crossgrain/io.hpp), with the files of a field on tets that `options` select: all files
+/// or none, and none of another solve.
 SolveReport write_field_onto(const FrameField& field, SolveReport report, const TetOutput& output,
                              const std::filesystem::path& folder, const Monitor& monitor = {},
                              const OutputOptions& options = {});

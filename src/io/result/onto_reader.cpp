@@ -22,7 +22,7 @@
 namespace crossgrain {
 namespace {
 
-/// How far from orthonormal axes in single precision may be.
+/// Tolerance of orthonormal axes in single precision.
 constexpr double kAxesTolerance = 1e-5;
 
 [[noreturn]] void fail_damaged(const std::filesystem::path& path) {
@@ -33,7 +33,7 @@ constexpr double kAxesTolerance = 1e-5;
 bool are_orthonormal(const std::array<Vector3, 3>& axes) {
   for (std::size_t a = 0; a < 3; ++a) {
     for (std::size_t b = a; b < 3; ++b) {
-      // Not a number is no answer either.
+      // Negated, so that NaN fails too.
       if (!(std::abs(dot(axes[a], axes[b]) - (a == b ? 1 : 0)) < kAxesTolerance)) return false;
     }
   }
@@ -52,7 +52,7 @@ void read_corners(const VtuFile& file, std::vector<std::array<std::uint32_t, 4>>
 
 TetMesh read_mesh(const VtuFile& file) {
   TetMesh mesh;
-  // Preparing the tets refuses what is too large.
+  // Too large coordinates are refused when the tets are prepared.
   mesh.vertices = file.read_points(INFINITY);
   if (file.has_wide_indices())
     read_corners<std::int64_t>(file, mesh.tets);
@@ -64,7 +64,7 @@ TetMesh read_mesh(const VtuFile& file) {
   return mesh;
 }
 
-/// Tets that were written make a solid as they are.
+/// Written tets form a valid solid, so an error means that the file is damaged.
 TetDomain domain_in(const std::filesystem::path& path) {
   TetMesh mesh = read_mesh(VtuFile(path));
   const std::size_t tets = mesh.tets.size();
@@ -134,7 +134,7 @@ std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::p
     if (solid.mesh.tets.size() != count) fail_damaged(path);
     return singularity_graph(singular_tet_edges(solid, tets.frames));
   } catch (const Error&) {
-    // Tets that were written make a solid.
+    // Written tets form a valid solid.
     fail_damaged(path);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads back what a field on tets has in its folder.
+// Reads a field on tets from its folder.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,13 @@
 
 namespace crossgrain {
 
-/// The tets that carry frames and those frames, in single precision as the file has them.
+/// Tets with their frames, in single precision as in the file.
 struct OntoTets {
   TetMesh mesh;
   std::vector<Quaternion> frames;
 };
 
-/// Of an onto.vtu; throws Error(kInput) where that is damaged.
+/// Reads an onto.vtu. Throws Error(kInput) if it is damaged.
 OntoTets read_onto_tets(const std::filesystem::path& path);
 
 }  // namespace crossgrain

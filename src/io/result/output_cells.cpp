@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Notation: h the mean of the coefficients of a cell's leaves, by volume.
+// Notation: h is the volume-weighted mean of the coefficients of a cell's leaves.
 #include "io/result/output_cells.hpp"
 
 #include <fmt/format.h>
@@ -18,20 +18,20 @@
 namespace crossgrain {
 namespace {
 
-/// Leaves that one task looks at before it looks at the monitor.
+/// Leaves that one task processes between two queries of the monitor.
 constexpr std::size_t kLeavesAtOnce = 1 << 14;
 
-/// Where h . h(R) reaches this share of |h| at a local maximum R, that is the nearest frame: any other as
-/// near would be within 0.36 rad of R, where there is one maximum only.
+/// If h . h(R) exceeds this share of |h| at a local maximum R, then R is the nearest frame: any other as near
+/// would be within 0.36 rad of R, where there is one maximum only.
 constexpr double kCertainlyNearest = 0.95;
 
-/// The cells of the output, in the order of their leaves, and the first leaf of each.
+/// Cells of the output in the order of their leaves, and the first leaf of each.
 struct ChosenCells {
   std::vector<CellAddress> addresses;
   std::vector<CellIndex> first_leaves;
 };
 
-/// Whether two boxes have a point in common.
+/// Returns whether two boxes intersect.
 bool meet(const Box& a, const Box& b) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (a.high[axis] < b.low[axis] || b.high[axis] < a.low[axis]) return false;
@@ -66,7 +66,7 @@ ChosenCells chosen_cells(const Octree& tree, const OutputOptions& options, const
   return cells;
 }
 
-/// A cell's leaves taken together, what output_cells promises.
+/// The leaves of a cell merged as output_cells promises.
 class MergedLeaves {
  public:
   MergedLeaves(const FieldData& field, CellAddress cell, CellIndex first_leaf)
@@ -81,7 +81,7 @@ class MergedLeaves {
       const double width = field_.tree[i].width();
       add_scaled(h, width * width * width, coefficients_of(i));
     }
-    // Uphill from the leaf that is nearest.
+    // Ascend from the nearest leaf's frame.
     CellIndex start = first_;
     double most = -INFINITY;
     for (CellIndex i = first_; i < last_; ++i) {
@@ -113,7 +113,7 @@ class MergedLeaves {
                        [](std::uint8_t holds_surface) { return holds_surface != 0; });
   }
 
-  /// That of most of its surface, by the areas of the sides of its leaves; of equals the lowest.
+  /// The class of most of its surface, measured by the areas of the sides of its leaves; the lowest on a tie.
   CellConstraint constraint() const {
     std::array<double, kCellConstraintCount> sides{};
     for (CellIndex i = first_; i < last_; ++i) {
@@ -124,7 +124,7 @@ class MergedLeaves {
     return static_cast<CellConstraint>(std::max_element(sides.begin(), sides.end()) - sides.begin());
   }
 
-  /// That of most of its volume; of equals the lowest.
+  /// The region of most of its volume; the lowest on a tie.
   std::int32_t region() const {
     std::map<std::int32_t, double> volumes;
     for (CellIndex i = first_; i < last_; ++i) {
@@ -152,7 +152,7 @@ class MergedLeaves {
     return frame_coefficients<4>(from_stored(field_.frames[i]));
   }
 
-  /// 0 where all weights are.
+  /// 0 if all weights are 0.
   template <class WeightOf>
   float mean_of(const std::vector<float>& values, const WeightOf& weight_of) const {
     if (last_ - first_ == 1) return values[first_];
@@ -169,7 +169,7 @@ class MergedLeaves {
   CellIndex first_, last_;
 };
 
-/// Shuts faces that are open to nothing.
+/// Closes faces that have no cell behind them.
 void shut_towards_missing(FieldData& part) {
   const LeafFinder finder(part.tree);
   parallel_for(part.tree.size(), [&](std::size_t i) {
@@ -184,7 +184,7 @@ void shut_towards_missing(FieldData& part) {
 
 namespace {
 
-/// Companions have names of their own, or that of the page.
+/// Companions must have their own names, or that of the page.
 void check_companions(const std::vector<CompanionFile>& companions) {
   std::vector<std::string> taken = all_result_files();
   std::erase(taken, kPageFile);
@@ -192,7 +192,7 @@ void check_companions(const std::vector<CompanionFile>& companions) {
     const bool is_name = !file.name.empty() && file.name != "." && file.name != ".." &&
                          std::filesystem::path(file.name).filename() == file.name;
     if (!is_name || std::find(taken.begin(), taken.end(), file.name) != taken.end())
-      throw Error(ErrorKind::kUsage, "'" + file.name + "' cannot be the name of a further file",
+      throw Error(ErrorKind::kUsage, "'" + file.name + "' cannot be the name of an additional file",
                   Remedy::kNameOutput);
     taken.push_back(file.name);
   }
@@ -210,9 +210,9 @@ void check_output_options(const OutputOptions& options) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = options.clip->low[axis], high = options.clip->high[axis];
     if (!(low <= high))
-      throw Error(ErrorKind::kUsage,
-                  fmt::format("the clip box reaches from {} to {} along {}, so it holds nothing", low, high,
-                              "xyz"[axis]));
+      throw Error(
+          ErrorKind::kUsage,
+          fmt::format("the clip box extends from {} to {} along {}, so it is empty", low, high, "xyz"[axis]));
   }
 }
 

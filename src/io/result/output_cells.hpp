@@ -7,21 +7,21 @@
 
 namespace crossgrain {
 
-/// Throws Error(kUsage) where the options make no sense: a level out of range, a box that is empty or no box.
+/// Throws Error(kUsage) if the options are invalid: a level out of range, or an empty or invalid box.
 void check_output_options(const OutputOptions& options);
 
-/// Whether these are all leaves of a tree as they are, so that there is nothing to choose.
+/// Returns whether the options select all leaves of a tree unchanged.
 bool ask_for_all(const OutputOptions& options, const Octree& tree);
 
-/// The cells that `options` ask for, as a field of their own with the report of the whole. Its tree has no
-/// leaf where no cell meets the box.
+/// Returns the cells that `options` select as a separate field with the report of the whole. Its tree has no
+/// leaf if no cell meets the box.
 ///
-/// A cell in place of smaller leaves has the frame nearest to the mean of their coefficients, of degree 4, by
-/// volume; the mean of their energy densities by volume; the mean of the angles of those that hold surface,
-/// by the areas of their sides, and the class of most of it; holds surface where one of them does; and is
-/// joined to what any of them is joined to across its faces. No face is open to a cell that is not there.
+/// A cell that replaces smaller leaves gets the frame nearest to the volume-weighted mean of their degree-4
+/// coefficients; the volume-weighted mean of their energy densities; of the leaves with surface, the mean
+/// angle weighted by the areas of their sides, and the class of most of it. It contains surface if a leaf
+/// does, and is connected across its faces to whatever a leaf is. No face is open to a cell that is missing.
 ///
-/// Takes 35 bytes a cell of its own and, at times, half as much again. Throws Error(kInterrupted).
+/// Uses 35 bytes per output cell, temporarily half as much again. Throws Error(kInterrupted).
 FieldData output_cells(const FieldData& field, const OutputOptions& options, const Monitor& monitor = {});
 
 }  // namespace crossgrain

@@ -20,7 +20,7 @@
 namespace crossgrain {
 namespace {
 
-/// Where an axis goes: e_k turned by a cube rotation is an axis or its opposite.
+/// Returns the axis that e_k becomes under a cube rotation, with its sign.
 int goes_to(const Vector3& turned) {
   for (int axis = 0; axis < 3; ++axis) {
     const double entry = turned[static_cast<std::size_t>(axis)];

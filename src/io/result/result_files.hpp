@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names of the files in a result folder.
+// Names of the files in a result folder.
 #pragma once
 
 namespace crossgrain {

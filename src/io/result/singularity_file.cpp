@@ -12,12 +12,12 @@
 namespace crossgrain {
 namespace {
 
-/// The graph as columns of the file.
+/// Columns of the file.
 struct Polylines {
   struct Points {
     std::vector<Vector3> places;
-    std::vector<std::int32_t> degrees;  ///< of nodes; between the ends of an arc 2
-    std::vector<std::int32_t> nodes;    ///< -1 between the ends of an arc
+    std::vector<std::int32_t> degrees;  ///< of nodes; 2 at points within an arc
+    std::vector<std::int32_t> nodes;    ///< -1 at points within an arc
     std::vector<std::int64_t> vertices;
     std::vector<std::uint8_t> on_boundary, verdicts;
   } points;

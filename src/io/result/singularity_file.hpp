@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A singularity graph as a file that ParaView opens: its arcs as polylines (docs/formats.md).
+// Writes a singularity graph as a file for ParaView: its arcs as polylines (docs/formats.md).
 #pragma once
 
 #include "crossgrain/monitor.hpp"
@@ -8,7 +8,7 @@
 
 namespace crossgrain {
 
-/// Points are the nodes in their order, then of one arc after the other those between. Throws Error(kOutput).
+/// Points are the nodes in their order, then the inner points of each arc in turn. Throws Error(kOutput).
 void write_singularities(OutputFile& file, const SingularityGraph& graph, const Monitor& monitor);
 
 }  // namespace crossgrain

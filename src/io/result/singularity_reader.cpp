@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads back what singularity_file.cpp writes.
+// Reads files of singularity_file.cpp.
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -72,7 +72,7 @@ class SingularityReader {
     require(begin == entries.size());
   }
 
-  /// The last arc and the nodes at its ends.
+  /// Adds the last arc to the nodes at its ends.
   void join(std::int64_t first, std::int64_t last, SingularityGraph& graph) const {
     require(static_cast<std::size_t>(first) < graph.nodes.size() &&
             static_cast<std::size_t>(last) < graph.nodes.size());

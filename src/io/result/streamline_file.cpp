@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Streamlines as polylines in a VTU file (docs/streamlines.md): each line has its points to itself, one after
-// the other.
+// Writes streamlines as polylines in a VTU file (docs/streamlines.md). Lines do not share points.
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -14,7 +13,7 @@
 namespace crossgrain {
 namespace {
 
-/// The lines with what their points need to find them.
+/// The lines, with prefix sums of their point counts.
 class LinesInFile {
  public:
   explicit LinesInFile(std::span<const Streamline> lines) : lines_(lines), ends_(lines.size()) {
@@ -28,7 +27,7 @@ class LinesInFile {
   std::size_t points_before(std::size_t line) const { return line == 0 ? 0 : ends_[line - 1]; }
   const Streamline& operator[](std::size_t line) const { return lines_[line]; }
 
-  /// Signed from the seed along the line, one a point.
+  /// Signed distances from the seed along the line, one per point.
   const std::vector<float>& distances() const { return distances_; }
 
   /// Calls use(line, first, last) for the points of each line that are in rows [begin, end) of the file.
@@ -51,11 +50,11 @@ class LinesInFile {
   }
 
   std::span<const Streamline> lines_;
-  std::vector<std::size_t> ends_;  ///< of each line's points, counted over all lines
+  std::vector<std::size_t> ends_;  ///< one past each line's points, counted over all lines
   std::vector<float> distances_;
 };
 
-/// Rows of three numbers of T, vectors_of(line)[i] for each point i of each line.
+/// Rows of three numbers of T: vectors_of(line)[i] for each point i of each line.
 template <class T, class VectorsOf>
 VtuArray point_vectors(VtuSection section, const char* name, const LinesInFile& lines, VectorsOf vectors_of) {
   return vtu_array<T>(
@@ -70,7 +69,7 @@ VtuArray point_vectors(VtuSection section, const char* name, const LinesInFile& 
       VtuPacking::kMeasured);
 }
 
-/// One T a line.
+/// One T per line.
 template <class T, class ValueOf>
 VtuArray line_array(const char* name, const LinesInFile& lines, ValueOf value_of) {
   return vtu_array<T>(VtuSection::kCellData, name, 1, lines.size(),

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLargestCoordinate = 1e102;
 
-/// Lines have their points to themselves, one after the other.
+/// Lines do not share points; each line's points are consecutive.
 template <class Index>
 std::vector<std::vector<Vector3>> lines_of(const VtuFile& file) {
   const auto require = [&](bool sound) {

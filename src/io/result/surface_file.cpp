@@ -17,10 +17,10 @@
 namespace crossgrain {
 namespace {
 
-/// Coordinates of a surface (surface/surface.hpp).
+/// Limit of the coordinates of a surface (surface/surface.hpp).
 constexpr double kLargestCoordinate = 1e100;
 
-/// A surface as rows of the file. Crease points follow the vertices, and no two cells share one.
+/// A surface as rows of the file. Crease points follow the vertices; no two cells share one.
 struct SurfaceRows {
   explicit SurfaceRows(const SolvedSurface& surface)
       : vertices(surface.vertices), triangles(surface.triangles) {
@@ -83,7 +83,7 @@ std::vector<VtuArray> arrays_of(const SurfaceRows& rows) {
   return arrays;
 }
 
-/// A surface from what a file says. The points of creases follow those of triangles, as they are written.
+/// Builds a surface from the file's arrays. Points of creases must follow those of triangles, as written.
 class SurfaceReader {
  public:
   explicit SurfaceReader(const VtuFile& file) : file_(file) {

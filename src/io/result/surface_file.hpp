@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface that a field was solved with as a file that ParaView opens (docs/field-file.md): triangles,
-// then creases as polylines.
+// Writes and reads the surface of a solve as a file for ParaView (docs/field-file.md): triangles, then
+// creases as polylines.
 #pragma once
 
 #include <filesystem>
@@ -14,9 +14,9 @@ namespace crossgrain {
 /// Throws Error(kOutput), and Error(kInterrupted) once the monitor is cancelled.
 void write_surface(OutputFile& file, const SolvedSurface& surface, const Monitor& monitor);
 
-/// The surface in a file that `write_surface` has written, to be read when it is asked for; none where there
-/// is no such file. The file is opened now, so that it does not matter what becomes of its name. Throws
-/// Error(kInput) where it is no such file, now or when asked.
+/// Returns the surface in a file written by `write_surface`, read when first needed; none if there is no such
+/// file. The file is opened now, so it may be renamed or removed afterwards. Throws Error(kInput), now or
+/// when read, if the file is invalid.
 SurfaceSource surface_in(const std::filesystem::path& path);
 
 }  // namespace crossgrain

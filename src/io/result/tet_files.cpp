@@ -80,7 +80,7 @@ void check_formats(const std::vector<std::string>& formats) {
   for (const std::string& name : formats) {
     if (!contains(names, name))
       throw Error(ErrorKind::kUsage,
-                  fmt::format("'{}' is no format; there are {}", name, fmt::join(names, ", ")));
+                  fmt::format("'{}' is not a format; choose from {}", name, fmt::join(names, ", ")));
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of what a field on tets can be written to.
+// Table of the output files of a field on tets.
 #pragma once
 
 #include <span>
@@ -11,23 +11,23 @@
 
 namespace crossgrain {
 
-/// One file of a format; a format may have several.
+/// A file of a format; a format may have several.
 struct TetFile {
   const char* format;  ///< OutputOptions::formats
   const char* name;    ///< in the folder
   const char* description;
   bool is_always_written;
-  bool has_rows_of_tets;  ///< one for each tet, or their numbers
+  bool has_rows_of_tets;  ///< one row per tet, or numbers of tets
   void (*write)(OutputFile& file, const TetOutput& output, const Monitor& monitor);
 };
 
-/// Files of one format follow one another.
+/// Returns all files; those of one format are consecutive.
 std::span<const TetFile> tet_files();
 
-/// Whether a file is to be written.
+/// Returns whether a file is to be written.
 bool is_asked_for(const TetFile& file, const std::vector<std::string>& formats);
 
-/// Throws Error(kUsage) where one of these is no format, with the names of all.
+/// Throws Error(kUsage) that lists all formats if one of these is unknown.
 void check_formats(const std::vector<std::string>& formats);
 
 }  // namespace crossgrain

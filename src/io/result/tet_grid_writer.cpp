@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// onto.vtu, the tets, and onto_features.vtu, what their file tags.
+// Writes onto.vtu, the tets, and onto_features.vtu, the tagged edges and triangles.
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -12,7 +12,7 @@
 namespace crossgrain {
 namespace {
 
-/// The vertices of the mesh in its order, used or not, so that their numbers are those of its file.
+/// All vertices of the mesh in its order, used or not, so that they keep the numbers of its file.
 void add_points(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
   arrays.push_back(points_array(mesh.vertices.size(), [&mesh](std::size_t i) { return mesh.vertices[i]; }));
 }

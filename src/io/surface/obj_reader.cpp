@@ -10,8 +10,8 @@
 namespace crossgrain {
 namespace {
 
-/// Two passes over the file, as faces may come before their vertices; negative indices count back from the
-/// face's own place in the file, so the second pass counts vertices again.
+/// Reads the file twice, since faces may come before their vertices. Negative indices count back from the
+/// face's own place, so the second pass counts vertices again.
 class ObjReader {
  public:
   explicit ObjReader(const InputFile& file) : file_(file), builder_(file, /*first_index=*/1) {}
@@ -37,14 +37,14 @@ class ObjReader {
     } while (scanner.next_line());
   }
 
-  /// x y z, then perhaps w or a colour.
+  /// Reads x y z; w or a colour may follow.
   void read_vertex(TextScanner& scanner) {
     Vector3 position;
     for (double& coordinate : position) coordinate = scanner.number(scanner.word(), "a coordinate");
     builder_.add_vertex(position, scanner.place());
   }
 
-  /// Corners as v, v/vt, v//vn or v/vt/vn.
+  /// Reads corners as v, v/vt, v//vn or v/vt/vn.
   void read_face(TextScanner& scanner, std::size_t vertices_so_far) {
     const Place place = scanner.place();
     corners_.clear();

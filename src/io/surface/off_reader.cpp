@@ -19,7 +19,7 @@ class OffReader {
     const std::string_view first_count = read_keyword();
     const std::size_t vertices = read_count(first_count, "the number of vertices", kVertexBytes);
     const std::size_t faces = read_count(scanner_.word_anywhere(), "the number of faces", kFaceBytes);
-    // The number of edges, which is of no use and often missing.
+    // The rest of the line is the number of edges, which is not needed and often missing.
     scanner_.next_line();
     builder_.reserve(vertices, faces);
     for (std::size_t i = 0; i < vertices; ++i) read_vertex();
@@ -28,20 +28,19 @@ class OffReader {
   }
 
  private:
-  // The shortest text of each, "0 0 0" and "0", with an end of line: what a header claims must be there.
+  // Bytes of the shortest vertex ("0 0 0") and face ("0") with a line end, to check the counts of the header.
   static constexpr std::size_t kVertexBytes = 6;
   static constexpr std::size_t kFaceBytes = 2;
 
-  /// Skips [ST][C][N]OFF and returns the word after it, also where no white space is between. The keyword may
-  /// be missing, says the format.
+  /// Skips [ST][C][N]OFF and returns the word after it, even without white space between. The format allows
+  /// the keyword to be missing.
   std::string_view read_keyword() {
     std::string_view word = scanner_.word_anywhere();
     const std::size_t found = word.find("OFF");
     if (found == std::string_view::npos ||
         word.substr(0, found).find_first_not_of("STCN4n") != std::string_view::npos) {
       if (word.empty() || word[0] < '0' || word[0] > '9')
-        scanner_.fail(in_quotes(word) + " where 'OFF' should stand: this is no OFF file",
-                      Remedy::kExportAgain);
+        scanner_.fail(in_quotes(word) + " instead of 'OFF': this is not an OFF file", Remedy::kExportAgain);
       return word;
     }
     const std::string_view prefix = word.substr(0, found);
@@ -66,7 +65,7 @@ class OffReader {
     return static_cast<std::size_t>(count);
   }
 
-  /// x y z; the rest of the line may hold a normal, a colour and texture coordinates.
+  /// Reads x y z; a normal, a colour and texture coordinates may follow on the line.
   void read_vertex() {
     Vector3 position;
     for (double& coordinate : position)
@@ -75,7 +74,7 @@ class OffReader {
     scanner_.next_line();
   }
 
-  /// The number of corners and the corners; the rest of the line may hold a colour.
+  /// Reads the number of corners and the corners; a colour may follow on the line.
   void read_face() {
     const std::int64_t count = scanner_.integer(scanner_.word_anywhere(), "the number of a face's corners");
     if (count < 0) scanner_.fail(fmt::format("a face of {} corners", count));

@@ -24,14 +24,15 @@ constexpr std::array kTypeNames = {
 
 NumberType parse_type(const TextScanner& scanner, std::string_view word) {
   if (const auto type = type_named(kTypeNames, word)) return *type;
-  scanner.fail(in_quotes(word) + " is no type of PLY");
+  scanner.fail(in_quotes(word) + " is not a PLY type");
 }
 
 PlyEncoding parse_encoding(const TextScanner& scanner, std::string_view word) {
   if (word == "ascii") return PlyEncoding::kAscii;
   if (word == "binary_little_endian") return PlyEncoding::kLittleEndian;
   if (word == "binary_big_endian") return PlyEncoding::kBigEndian;
-  scanner.fail(in_quotes(word) + " is no format of PLY: ascii, binary_little_endian or binary_big_endian");
+  scanner.fail(in_quotes(word) +
+               " is not a PLY format: choose ascii, binary_little_endian or binary_big_endian");
 }
 
 PlyElement parse_element(TextScanner& scanner) {
@@ -49,7 +50,7 @@ PlyProperty parse_property(TextScanner& scanner) {
   if (word == "list") {
     property.is_list = true;
     property.count_type = parse_type(scanner, scanner.word());
-    if (!is_integer(property.count_type)) scanner.fail("a list whose length is no whole number");
+    if (!is_integer(property.count_type)) scanner.fail("a list whose length is not a whole number");
     word = scanner.word();
   }
   property.type = parse_type(scanner, word);
@@ -73,7 +74,7 @@ bool PlyElement::has_list() const {
 PlyHeader read_ply_header(const InputFile& file) {
   TextScanner scanner(file, {});
   if (scanner.word() != "ply")
-    scanner.fail("the first line is not 'ply': this is no PLY file", Remedy::kExportAgain);
+    scanner.fail("the first line is not 'ply': this is not a PLY file", Remedy::kExportAgain);
   PlyHeader header;
   bool has_format = false;
   for (;;) {
@@ -89,7 +90,7 @@ PlyHeader read_ply_header(const InputFile& file) {
       if (header.elements.empty()) scanner.fail("a property of no element");
       header.elements.back().properties.push_back(parse_property(scanner));
     } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-      scanner.fail(in_quotes(keyword) + " is no word of a PLY header");
+      scanner.fail(in_quotes(keyword) + " is not a keyword of a PLY header");
     }
   }
   if (!has_format) scanner.fail("the header names no format, such as 'format ascii 1.0'");

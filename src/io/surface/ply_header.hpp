@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The header of a PLY file: which elements it holds, in which order, and the properties of each.
+// Parses the header of a PLY file: its elements in order, and the properties of each.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace crossgrain {
 struct PlyProperty {
   std::string name;
   NumberType type;       ///< of the value, or of each item of a list
-  bool is_list = false;  ///< a count of `count_type`, then as many items
+  bool is_list = false;  ///< a count of `count_type`, then that many items
   NumberType count_type{};
 };
 
@@ -38,7 +38,8 @@ struct PlyHeader {
   std::size_t body_line = 1;   ///< the line that byte is on
 };
 
-/// Throws Error(kInput) naming the line. Counts are as the header claims them, not checked against the file.
+/// Parses the header. Counts are those of the header, not checked against the file. Throws Error(kInput)
+/// naming the line.
 PlyHeader read_ply_header(const InputFile& file);
 
 }  // namespace crossgrain

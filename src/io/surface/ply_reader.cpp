@@ -55,9 +55,9 @@ class PlyBodyReader {
   }
 
  private:
-  /// What the header claims must have bytes behind it before anything is allocated for it.
+  /// Checks the counts of the header against the file size before memory is allocated.
   void check_claim(const PlyElement& element) const {
-    // In text a digit and a blank or line end for each value.
+    // In text, a value takes a digit and a blank or line end.
     const std::size_t row_bytes =
         values_.is_text() ? 2 * element.properties.size() : element.least_row_bytes();
     if (row_bytes == 0) return;
@@ -126,7 +126,7 @@ class PlyBodyReader {
     }
   }
 
-  /// Grows with what is read, not by what the list says of its length.
+  /// The vector grows with the numbers read, not by the claimed length of the list.
   void read_corners(const PlyProperty& property) {
     const std::uint64_t length = list_length(property);
     corners_.clear();

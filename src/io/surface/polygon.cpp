@@ -11,12 +11,13 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-/// Twice the signed area of a triangle: positive where a, b, c turn left.
+/// Returns twice the signed area of a triangle: positive if a, b, c are counter-clockwise.
 double signed_area(const Point& a, const Point& b, const Point& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Newell's normal, of length twice the area; well defined for bent polygons and those with straight corners.
+/// Returns Newell's normal, with length twice the area; well defined for bent polygons and for straight
+/// corners.
 Vector3 newell_normal(std::span<const std::uint32_t> corners, const std::vector<Vector3>& vertices) {
   const Vector3& origin = vertices[corners[0]];
   Vector3 normal{0, 0, 0};
@@ -39,8 +40,9 @@ bool PolygonTriangulator::triangulate(std::span<const std::uint32_t> corners,
   return true;
 }
 
-/// Drops the coordinate along which the normal is longest, and orders the other two so that the polygon turns
-/// left. Coordinates are taken from the first corner, to keep the digits of small faces far from the origin.
+/// Drops the coordinate with the largest component of the normal, and orders the other two so that the
+/// polygon is counter-clockwise. Coordinates are relative to the first corner, to keep the digits of small
+/// faces far from the origin.
 void PolygonTriangulator::project(std::span<const std::uint32_t> corners,
                                   const std::vector<Vector3>& vertices) {
   const Vector3 normal = newell_normal(corners, vertices);
@@ -56,8 +58,8 @@ void PolygonTriangulator::project(std::span<const std::uint32_t> corners,
     points_.push_back({vertices[corner][u] - origin[u], vertices[corner][v] - origin[v]});
 }
 
-/// Every corner turns left, and the fan about the first corner never folds back (a star that winds twice
-/// turns left everywhere too).
+/// Returns whether every corner is convex and the fan about the first corner never folds back (a star that
+/// winds twice has convex corners too).
 bool PolygonTriangulator::is_convex() const {
   const std::size_t count = points_.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -72,8 +74,9 @@ double PolygonTriangulator::turn(std::size_t corner) const {
   return signed_area(points_[previous_[corner]], points_[corner], points_[next_[corner]]);
 }
 
-/// A corner can be cut off if it turns left and none of the corners left over lies in its triangle or on its
-/// border. Corners at the place of one of its own (a slit that leads to a hole passes twice) do not count.
+/// Returns whether a corner can be cut off: it is convex, and no remaining corner lies in its triangle or on
+/// its border. Corners at the position of one of its own do not count (a slit to a hole visits a position
+/// twice).
 bool PolygonTriangulator::is_ear(std::size_t corner) {
   count_test();
   if (!convex_[corner]) return false;
@@ -82,7 +85,7 @@ bool PolygonTriangulator::is_ear(std::size_t corner) {
   const Point& c = points_[next_[corner]];
   for (std::size_t other = next_[next_[corner]]; other != previous_[corner]; other = next_[other]) {
     count_test();
-    // Where any corner lies inside, one that does not turn left does.
+    // If any corner lies inside, one that is not convex does.
     if (convex_[other]) continue;
     const Point& p = points_[other];
     if (p == a || p == b || p == c) continue;
@@ -129,7 +132,7 @@ bool PolygonTriangulator::clip_ears(std::span<const std::uint32_t> corners,
     }
     bool cut = is_ear(corner);
     if (!cut && ++refused >= left) {
-      // Only polygons that cross or touch themselves, or whose corners are all in line, have no ear.
+      // Only polygons that cross or touch themselves, or whose corners are collinear, have no ear.
       corner = flattest_corner(corner);
       cut = true;
     }
@@ -139,7 +142,8 @@ bool PolygonTriangulator::clip_ears(std::span<const std::uint32_t> corners,
       unlink(corner);
       --left;
       refused = 0;
-      // Going on one corner further spreads the triangles; cutting at one place makes a fan of slivers.
+      // Advancing by one corner spreads the triangles; cutting repeatedly at one place makes a fan of
+      // slivers.
       corner = next_[after];
     } else {
       corner = after;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Polygonal faces cut into triangles.
+// Triangulates polygonal faces.
 #pragma once
 
 #include <array>
@@ -12,20 +12,20 @@
 
 namespace crossgrain {
 
-/// Cuts polygons, one after the other, in the plane of their mean (Newell) normal: convex ones into a fan
-/// about their first corner, others by ear clipping. A polygon of n corners gives n - 2 triangles of its own
-/// corners and orientation, and their areas add up to its own if it is planar and does not cross itself; a
-/// polygon that does is cut all the same, somehow.
+/// Triangulates polygons in the plane of their mean (Newell) normal: convex ones as a fan about their first
+/// corner, others by ear clipping. A polygon of n corners gives n - 2 triangles of its corners, with its
+/// orientation. Their areas add up to its own if it is planar and does not cross itself; otherwise the
+/// triangulation is arbitrary.
 class PolygonTriangulator {
  public:
-  /// Looks at a corner, mostly tests of it against an ear, that one file may cost, half a second or so. Ear
-  /// clipping takes about n^2 of them for n corners, so a single polygon of some 10,000 corners passes.
+  /// Maximum number of corner tests per file, about half a second. Ear clipping takes about n^2 for n
+  /// corners, so a single polygon of 10,000 corners is possible.
   static constexpr std::size_t kEarTests = 200'000'000;
 
   explicit PolygonTriangulator(std::size_t ear_tests = kEarTests) : ear_tests_left_(ear_tests) {}
 
-  /// Appends the triangles of a polygon of three corners or more, indices into `vertices`. False, with
-  /// nothing appended, where the ear tests are used up.
+  /// Appends the triangles of a polygon of three or more corners, as indices into `vertices`. Returns false,
+  /// with nothing appended, once the ear tests are used up.
   bool triangulate(std::span<const std::uint32_t> corners, const std::vector<Vector3>& vertices,
                    std::vector<std::array<std::uint32_t, 3>>& triangles);
 
@@ -45,7 +45,7 @@ class PolygonTriangulator {
   }
 
   std::size_t ear_tests_left_;
-  // Of the polygon at hand: its corners in the plane, counter-clockwise, and the ring of those not yet cut.
+  // The current polygon: its corners in the plane, counter-clockwise, and the ring of the remaining ones.
   std::vector<Point> points_;
   std::vector<std::size_t> next_, previous_;
   std::vector<bool> convex_;

@@ -21,7 +21,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "binary STL is little endian and read as it stands");
 
-// The binary layout: a header of any 80 bytes, the count, then a record per triangle: the normal and three
+// Binary layout: a header of 80 arbitrary bytes, the count, then a record per triangle: the normal and three
 // corners as twelve floats, and two bytes of attributes.
 constexpr std::size_t kHeaderBytes = 84;
 constexpr std::size_t kCountOffset = 80;
@@ -35,8 +35,8 @@ std::uint64_t announced_triangles(std::string_view bytes) {
   return count;
 }
 
-/// Binary files may begin with "solid" as well, so their length decides; where it fits neither, text has no
-/// zero bytes.
+/// Returns whether a file is binary. Binary files may begin with "solid" too, so the length decides; if it
+/// fits neither, text has no zero bytes.
 bool is_binary(std::string_view bytes) {
   if (bytes.size() >= kHeaderBytes &&
       bytes.size() == kHeaderBytes + kTriangleBytes * announced_triangles(bytes))
@@ -47,7 +47,7 @@ bool is_binary(std::string_view bytes) {
   return !begins_like_text || bytes.substr(0, 1000).find('\0') != std::string_view::npos;
 }
 
-/// The triangles of a binary file, which share no vertices; their corners are counted through.
+/// Triangles of a binary file. They share no vertices; corners are numbered consecutively.
 class BinaryTriangles {
  public:
   BinaryTriangles(std::string_view bytes, std::size_t count)
@@ -62,13 +62,13 @@ class BinaryTriangles {
     return position;
   }
 
-  /// Corners of equal coordinates as one vertex, in the order of their first use. Vertices of all corners
-  /// would take more memory than all else together.
+  /// Merges corners of equal coordinates into one vertex, in the order of their first use. Separate vertices
+  /// for all corners would take more memory than everything else together.
   TriangleMesh welded() const {
     const auto bits_at = [&](std::size_t c) {
       std::array<std::uint32_t, 3> bits;
       const std::array<float, 3> position = corner(c);
-      // -0 becomes 0.
+      // Turns -0 into 0.
       for (std::size_t axis = 0; axis < 3; ++axis)
         bits[axis] = std::bit_cast<std::uint32_t>(position[axis] + 0.0f);
       return bits;
@@ -93,7 +93,7 @@ class BinaryTriangles {
   }
 
  private:
-  /// So many that a chunk does not share lines of memory with others but at its ends.
+  /// Large enough that chunks rarely share cache lines.
   static constexpr std::size_t kGrain = std::size_t{1} << 14;
 
   const char* records_;
@@ -109,7 +109,7 @@ void check_finite(const InputFile& file, const BinaryTriangles& triangles) {
     }
   });
   if (first_bad == SIZE_MAX) return;
-  // Says what is wrong as of any other format.
+  // Reports what is wrong as for any other format.
   const std::array<float, 3> bad = triangles.corner(first_bad);
   SurfaceBuilder(file).add_vertex({bad[0], bad[1], bad[2]}, {"triangle", first_bad / 3});
 }
@@ -147,7 +147,7 @@ TriangleMesh read_binary(const InputFile& file) {
 }
 
 /// A state machine over words, since line breaks, indentation and case differ between writers. Only the words
-/// that carry the corners matter; names and normals are skipped.
+/// before corners matter; names and normals are skipped.
 class AsciiStlReader {
  public:
   explicit AsciiStlReader(const InputFile& file) : scanner_(file, {}), builder_(file) {}
@@ -171,7 +171,7 @@ class AsciiStlReader {
       in_facet_ = true;
       corners_ = 0;
     } else if (equals_ignoring_case(word, "normal")) {
-      // Often wrong, and recomputed from the corners anyway.
+      // Often wrong; recomputed from the corners.
       for (int i = 0; i < 3; ++i) scanner_.word_anywhere();
     } else if (equals_ignoring_case(word, "endfacet")) {
       take_end_of_facet();
@@ -180,7 +180,7 @@ class AsciiStlReader {
       while (!scanner_.word().empty()) continue;
     } else if (!equals_ignoring_case(word, "outer") && !equals_ignoring_case(word, "loop") &&
                !equals_ignoring_case(word, "endloop")) {
-      scanner_.fail(in_quotes(word) + " is no word of an STL file");
+      scanner_.fail(in_quotes(word) + " is not a keyword of an STL file");
     }
   }
 

@@ -45,7 +45,7 @@ void SurfaceBuilder::add_polygon(std::span<const std::int64_t> corners, const Pl
 
 void SurfaceBuilder::fail_out_of_range(std::int64_t corner, const Place& place) const {
   if (mesh_.vertices.empty()) fail_input(*file_, place, "a face but no vertices");
-  // Unsigned, so that a corner at the very end of the 64 bits wraps instead of overflowing.
+  // Unsigned, so that a corner at the end of the 64-bit range wraps instead of overflowing.
   const auto shown = static_cast<std::int64_t>(static_cast<std::uint64_t>(corner) +
                                                static_cast<std::uint64_t>(first_index_));
   fail_input(*file_, place,

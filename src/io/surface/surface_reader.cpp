@@ -24,7 +24,7 @@ struct SurfaceFormat {
   bool is_cad = false;
 };
 
-/// A reader of triangles, whatever the options.
+/// Adapts a reader of triangles, which ignores the options.
 template <TriangleMesh (*read)(const InputFile&)>
 TriangleMesh triangles_by(const InputFile& file, const ReadOptions&, const Monitor&) {
   return read(file);
@@ -45,7 +45,7 @@ const SurfaceFormat* format_of(std::string_view extension) {
   return nullptr;
 }
 
-/// Whether the reader of a format is the one for files that begin so.
+/// Returns whether the reader of a format reads files that begin so.
 bool is_read_by(const SurfaceFormat& format, const FileSignature& signature) {
   const SurfaceFormat* suitable = format_of(signature.extension);
   return suitable != nullptr && suitable->read == format.read;
@@ -68,20 +68,20 @@ bool is_read_by(const SurfaceFormat& format, const FileSignature& signature) {
              Remedy::kConvertFile);
 }
 
-/// Of files of triangles, the file and the mesh together over the file (bench/read_surfaces, rounded).
+/// Memory of the file and the mesh together relative to the file size (bench/read_surfaces, rounded).
 constexpr double kMemoryOverFile = 2;
 
 void check_memory(const std::filesystem::path& path, const SurfaceFormat* format,
                   const ReadOptions& options) {
   std::error_code ignored;
   const std::uintmax_t size = std::filesystem::file_size(path, ignored);
-  // Of what is no file InputFile says so.
+  // InputFile reports it if there is no file.
   if (ignored || size == 0) return;
   const bool is_cad = format != nullptr && format->is_cad;
   check_read_memory(path.string(), size, is_cad ? 1 : kMemoryOverFile, options.max_memory_bytes);
 }
 
-/// The surface as it stands in the file. The bytes of the file are gone on return.
+/// Returns the surface as in the file. The bytes of the file are released on return.
 TriangleMesh read_unwelded(const std::filesystem::path& path, const ReadOptions& options,
                            const Monitor& monitor) {
   const std::string extension = path.extension().string();

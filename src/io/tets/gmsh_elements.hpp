@@ -45,7 +45,7 @@ inline constexpr std::array kGmshElements = {
     CellType{93, CellShape::kOtherSolid, 125, "hexahedra"},
 };
 
-/// Null where the type is none of these: how many nodes it has is not known then.
+/// Returns null for other types, whose number of nodes is unknown.
 constexpr const CellType* gmsh_element(std::int64_t code) {
   for (const CellType& type : kGmshElements) {
     if (type.code == code) return &type;

@@ -13,7 +13,7 @@ namespace {
 constexpr NumberType kInt = NumberType::kInt32;
 constexpr NumberType kDouble = NumberType::kFloat64;
 
-/// Groups have positive numbers; a sign tells on which side an entity looks.
+/// Groups have positive numbers; the sign is the orientation of an entity.
 std::int64_t group_of(std::int64_t physical_tag) {
   // Unsigned, so that the least number of 64 bits wraps instead of overflowing.
   return physical_tag < 0 ? static_cast<std::int64_t>(-static_cast<std::uint64_t>(physical_tag))
@@ -37,7 +37,7 @@ void GmshMesh::read_entities_4(NumberStream& in) {
   }
 }
 
-/// Tag, a point or a box, physical tags, and what bounds it.
+/// Tag, a point or a box, physical tags, and bounding entities.
 void GmshMesh::read_entity(NumberStream& in, int dimension) {
   const std::int64_t tag = in.integer(kInt, "the tag of an entity");
   in.skip(kDouble, dimension == 0 ? 3 : 6);
@@ -64,11 +64,11 @@ void GmshMesh::finish_nodes(NumberStream& in) {
 void GmshMesh::read_nodes_4(NumberStream& in) {
   const std::uint64_t blocks = count(in, size_type_, 4, kInt, "the number of blocks of nodes");
   const std::uint64_t nodes = count(in, size_type_, 4, kInt, "the number of nodes");
-  in.skip(size_type_, 2);  // the least and the largest number
+  in.skip(size_type_, 2);  // least and largest number
   builder_.reserve_vertices(nodes);
   for (std::uint64_t block = 0; block < blocks; ++block) {
     const std::int64_t dimension = in.integer(kInt, "the dimension of an entity");
-    in.skip(kInt, 1);  // its tag
+    in.skip(kInt, 1);  // tag
     const bool parametric = in.integer(kInt, "whether nodes have parameters") != 0;
     if (dimension < 0 || dimension > 3) in.fail(fmt::format("an entity of {} dimensions", dimension));
     const std::uint64_t rows = count(in, size_type_, 4, kInt, "the number of nodes of an entity");
@@ -96,7 +96,7 @@ void GmshMesh::read_nodes_2(NumberStream& in, std::int64_t count) {
 const CellType& GmshMesh::element_type(NumberStream& in) const {
   const std::int64_t code = in.integer(kInt, "the type of an element");
   const CellType* type = gmsh_element(code);
-  if (type == nullptr) in.fail(fmt::format("elements of type {}, whose number of nodes is not known", code));
+  if (type == nullptr) in.fail(fmt::format("elements of unknown type {}", code));
   return *type;
 }
 
@@ -119,7 +119,7 @@ void GmshMesh::read_element_nodes(NumberStream& in, NumberType type, const CellT
 void GmshMesh::read_elements_4(NumberStream& in) {
   const std::uint64_t blocks = count(in, size_type_, 4, kInt, "the number of blocks of elements");
   const std::uint64_t elements = count(in, size_type_, 2, size_type_, "the number of elements");
-  in.skip(size_type_, 2);  // the least and the largest number
+  in.skip(size_type_, 2);  // least and largest number
   for (std::uint64_t block = 0; block < blocks; ++block) {
     const std::int64_t dimension = in.integer(kInt, "the dimension of an entity");
     const std::int64_t entity = in.integer(kInt, "the tag of an entity");
@@ -130,7 +130,7 @@ void GmshMesh::read_elements_4(NumberStream& in) {
     const Tag tag = found == physical_tags_.end() ? Tag{entity, false} : Tag{found->second, true};
     if (type.shape == CellShape::kTet) builder_.reserve_tets(rows);
     for (std::uint64_t i = 0; i < rows; ++i) {
-      in.skip(size_type_, 1);  // the element's number
+      in.skip(size_type_, 1);  // number of the element
       read_element_nodes(in, size_type_, type, tag);
     }
   }
@@ -138,7 +138,7 @@ void GmshMesh::read_elements_4(NumberStream& in) {
     in.fail(fmt::format("{} elements are announced and {} are here", elements, elements_));
 }
 
-/// Physical group, entity; partitions and what else there is come after.
+/// Physical group and entity come first; partitions and others follow.
 GmshMesh::Tag GmshMesh::read_tags_2(NumberStream& in, std::uint64_t tags) const {
   std::array<std::int64_t, 2> first{};
   for (std::uint64_t i = 0; i < tags && i < first.size(); ++i) first[i] = in.integer(kInt, "a tag");
@@ -157,7 +157,7 @@ void GmshMesh::read_elements_2(NumberStream& in, std::int64_t count) {
 
 void GmshMesh::read_elements_2_text(NumberStream& in, std::uint64_t elements) {
   for (std::uint64_t i = 0; i < elements; ++i) {
-    in.skip(kInt, 1);  // the element's number
+    in.skip(kInt, 1);  // number of the element
     const CellType& type = element_type(in);
     const std::uint64_t tags = count(in, kInt, 1, kInt, "the number of tags");
     const Tag tag = read_tags_2(in, tags);
@@ -172,10 +172,10 @@ void GmshMesh::read_elements_2_binary(NumberStream& in, std::uint64_t elements) 
     const std::uint64_t rows = count(in, kInt, 1 + std::uint64_t{type.nodes}, kInt, "the number of elements");
     const std::uint64_t tags = count(in, kInt, 1, kInt, "the number of tags");
     if (rows == 0 || rows > elements - elements_)
-      in.fail(fmt::format("{} elements where {} are to come", rows, elements - elements_));
+      in.fail(fmt::format("{} elements, but {} are expected", rows, elements - elements_));
     if (type.shape == CellShape::kTet) builder_.reserve_tets(rows);
     for (std::uint64_t i = 0; i < rows; ++i) {
-      in.skip(kInt, 1);  // the element's number
+      in.skip(kInt, 1);  // number of the element
       const Tag tag = read_tags_2(in, tags);
       read_element_nodes(in, kInt, type, tag);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sections of a Gmsh mesh that hold its nodes, its elements and what they belong to.
+// Reads the sections of a Gmsh mesh with nodes, elements, and the entities they belong to.
 #pragma once
 
 #include <array>
@@ -15,11 +15,11 @@
 
 namespace crossgrain {
 
-/// Each `read_` takes the content of a section, with the stream at its first number, and leaves it behind the
-/// last. Elements must come after the nodes, and in version 4.1 after the entities.
+/// Each `read_` function reads the contents of a section, from the first number to the last. Elements must
+/// come after the nodes, and in version 4.1 after the entities.
 class GmshMesh {
  public:
-  /// `size_type`: that of counts and numbers in the binary form of version 4.1.
+  /// `size_type` is the type of counts and numbers in the binary form of version 4.1.
   GmshMesh(const InputFile& file, NumberType size_type)
       : file_(&file), size_type_(size_type), builder_(file) {}
 
@@ -35,7 +35,7 @@ class GmshMesh {
   TetMesh finish(const Place& end) { return builder_.finish(end); }
 
  private:
-  /// What $Entities says of an element's entity: dimension and tag, and the physical group.
+  /// From dimension and tag of an entity to its physical group, as in $Entities.
   using PhysicalTags = std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t>;
 
   std::uint64_t count(NumberStream& in, NumberType type, std::uint64_t least, NumberType least_type,
@@ -45,7 +45,7 @@ class GmshMesh {
   void finish_nodes(NumberStream& in);
   const CellType& element_type(NumberStream& in) const;
 
-  /// The number of a physical group, which somebody made; without one, that of the model's entity.
+  /// Number of a physical group, which the user assigned; without one, the number of the model's entity.
   struct Tag {
     std::int64_t number;
     bool is_physical;
@@ -61,7 +61,7 @@ class GmshMesh {
   NodeNumbers numbers_;
   PhysicalTags physical_tags_;
   bool has_nodes_ = false;
-  std::size_t elements_ = 0;  ///< read so far
+  std::size_t elements_ = 0;  ///< number read so far
 };
 
 }  // namespace crossgrain

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gmsh meshes, MSH 2 and 4.1, in text or binary ("Gmsh file formats"): sections from $Name to $EndName.
+// Reads Gmsh meshes, MSH 2 and 4.1, in text or binary ("Gmsh file formats"): sections from $Name to $EndName.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace crossgrain {
 namespace {
 
-/// What stands in $MeshFormat.
+/// Contents of $MeshFormat.
 struct GmshFormat {
   bool is_version_4 = false;
   bool is_binary = false;
@@ -37,7 +37,7 @@ class GmshReader {
       read_section(name, mesh);
     }
     if (!mesh.has_nodes() || !has_elements)
-      fail(fmt::format("no section {} up to here: cut short", mesh.has_nodes() ? "$Elements" : "$Nodes"),
+      fail(fmt::format("the section {} is missing: cut short", mesh.has_nodes() ? "$Elements" : "$Nodes"),
            Remedy::kCopyAgain);
     return mesh.finish(format_.is_binary ? Place{} : scanner_.place());
   }
@@ -47,15 +47,14 @@ class GmshReader {
     const std::string_view begin = scanner_.word_anywhere();
     if (begin == "$NOD") fail_version("1");
     if (begin != "$MeshFormat")
-      scanner_.fail(fmt::format("{} where $MeshFormat should stand: this is no Gmsh mesh", in_quotes(begin)),
+      scanner_.fail(fmt::format("{} instead of $MeshFormat: this is not a Gmsh mesh", in_quotes(begin)),
                     Remedy::kExportAgain);
     const std::string_view version = scanner_.word_anywhere();
     const bool is_version_2 = version == "2" || version.starts_with("2.");
     format_.is_version_4 = version == "4.1";
     if (!is_version_2 && !format_.is_version_4) fail_version(version);
     const std::int64_t kind = scanner_.integer(scanner_.word_anywhere(), "0 for text or 1 for binary");
-    if (kind != 0 && kind != 1)
-      scanner_.fail(fmt::format("{} where 0 for text or 1 for binary should stand", kind));
+    if (kind != 0 && kind != 1) scanner_.fail(fmt::format("{} instead of 0 for text or 1 for binary", kind));
     format_.is_binary = kind == 1;
     const std::int64_t size = scanner_.integer(scanner_.word_anywhere(), "the size of numbers");
     if (format_.is_binary && size != 8 && !(size == 4 && format_.is_version_4))
@@ -69,15 +68,15 @@ class GmshReader {
   void read_byte_order() {
     NumberStream stream(*file_, scanner_.position(), false);
     const std::int64_t one = stream.integer(NumberType::kInt32, "the number 1");
-    if (one != 1 && one != 1 << 24) stream.fail("no 1 where the byte order should stand");
+    if (one != 1 && one != 1 << 24) stream.fail("the number that tells the byte order is not 1");
     format_.is_swapped = one != 1;
     move_to(stream.position());
   }
 
   [[noreturn]] void fail_version(std::string_view version) const {
-    fail(fmt::format(
-             "MSH {}, where 2.2 and 4.1 are known (to convert: gmsh -save -format msh41 -o NEW.msh OLD.msh)",
-             in_quotes(version)),
+    fail(fmt::format("MSH {} has no reader, only 2.2 and 4.1 (to convert: gmsh -save -format msh41 -o "
+                     "NEW.msh OLD.msh)",
+                     in_quotes(version)),
          Remedy::kExportAgain);
   }
 
@@ -87,12 +86,12 @@ class GmshReader {
                remedy);
   }
 
-  /// The name of the section that begins here, without its $; empty at the end of the file.
+  /// Returns the name of the next section without its $; empty at the end of the file.
   std::string next_section() {
     const std::string_view word = scanner_.word_anywhere();
     if (word.empty()) return "";
     if (!word.starts_with('$') || word.size() == 1 || word.starts_with("$End"))
-      fail(fmt::format("{} where a section such as $Nodes should begin", in_quotes(word)));
+      fail(fmt::format("{} instead of a section such as $Nodes", in_quotes(word)));
     scanner_.next_line();
     return std::string(word.substr(1));
   }
@@ -104,7 +103,7 @@ class GmshReader {
     std::int64_t count = 0;
     if (!format_.is_version_4) {
       count = scanner_.integer(scanner_.word_anywhere(), "the number of rows");
-      // In text, rows may go on in this line.
+      // In text, rows may begin on this line.
       if (format_.is_binary) scanner_.next_line();
     }
     NumberStream in = format_.is_binary ? NumberStream(*file_, scanner_.position(), format_.is_swapped)
@@ -137,9 +136,9 @@ class GmshReader {
   void end_section(const std::string& name) {
     const std::string_view word = scanner_.word_anywhere();
     const std::string end = in_quotes("$End" + name);
-    if (word.empty()) fail(fmt::format("no {} up to here: cut short", end), Remedy::kCopyAgain);
+    if (word.empty()) fail(fmt::format("the line {} is missing: cut short", end), Remedy::kCopyAgain);
     if (!word.starts_with("$End") || word.substr(4) != name)
-      fail(fmt::format("{} where {} should stand: the number of rows of {} is wrong", in_quotes(word), end,
+      fail(fmt::format("{} instead of {}: the number of rows of {} is wrong", in_quotes(word), end,
                        in_quotes("$" + name)));
     scanner_.next_line();
   }
@@ -153,7 +152,7 @@ class GmshReader {
     end_section(name);
   }
 
-  /// Counts lines on the way, in binary files too, where they mean nothing.
+  /// Also counts lines; in binary files the count is meaningless.
   void move_to(std::size_t position) {
     const std::string_view passed =
         file_->bytes().substr(scanner_.position(), position - scanner_.position());

@@ -27,7 +27,7 @@ class MeditBinaryReader {
     NumberStream stream(file, sizeof(std::int32_t), swapped_);
     const std::int64_t version = stream.integer(NumberType::kInt32, "the version");
     if (version < 1 || version > 4)
-      stream.fail(fmt::format("version {} of the format, where 1 to 4 are known", version),
+      stream.fail(fmt::format("version {} of the format has no reader, only 1 to 4", version),
                   Remedy::kExportAgain);
     position_type_ = version >= 3 ? NumberType::kInt64 : NumberType::kInt32;
     numbers_.real = version == 1 ? NumberType::kFloat32 : NumberType::kFloat64;
@@ -57,12 +57,12 @@ class MeditBinaryReader {
   static bool is_swapped(const InputFile& file) {
     const std::int64_t code = NumberStream(file, 0, false).integer(NumberType::kInt32, "the code");
     if (code != kCode && code != kSwappedCode)
-      fail_input(file, {}, "does not begin with the number 1: this is no binary Medit mesh",
+      fail_input(file, {}, "does not begin with the number 1: this is not a binary Medit mesh",
                  Remedy::kExportAgain);
     return code == kSwappedCode;
   }
 
-  /// Jumps from keyword to keyword; every jump goes forward, so it ends.
+  /// Jumps from keyword to keyword. Every jump goes forward, so it terminates.
   void find_sections(NumberStream stream) {
     const std::size_t size = file_->bytes().size();
     while (stream.position() < size) {
@@ -91,7 +91,7 @@ class MeditBinaryReader {
     }
     const std::string what = fmt::format("the number of {}", section->keyword);
     const std::int64_t stated = stream.integer(numbers_.integer, what.c_str());
-    // Of vertices three numbers are real; the least that either kind takes will do.
+    // A vertex has three real numbers; the smaller of both types gives a valid lower bound.
     const NumberType least =
         size_of(numbers_.real) < size_of(numbers_.integer) ? numbers_.real : numbers_.integer;
     const auto columns = static_cast<std::uint64_t>(section->columns);

@@ -10,10 +10,10 @@
 namespace crossgrain {
 namespace {
 
-/// The largest number of nodes of a kind of cell that is not a solid of another shape: of a tet of degree 4.
+/// Maximum number of nodes of a cell that is not a solid of another shape: a tet of degree 4.
 constexpr std::size_t kMostNodes = 35;
 
-/// A number that is counted from 1, counted from 0. Unsigned, so that the least of 64 bits wraps instead of
+/// Converts a 1-based number to a 0-based one. Unsigned, so that the least of 64 bits wraps instead of
 /// overflowing.
 std::int64_t from_zero(std::int64_t number) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(number) - 1);

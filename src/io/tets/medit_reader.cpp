@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Medit meshes in text: keywords, each with a number of rows.
+// Reads Medit meshes in text: keywords, each with a number of rows.
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -29,11 +29,12 @@ class MeditReader {
     if (medit_section_named(word) == nullptr && !is_header(word))
       scanner_.fail(
           fmt::format(
-              "{} where a keyword such as MeshVersionFormatted should stand: this is no Medit mesh in text",
+              "{} instead of a keyword such as MeshVersionFormatted: this is not a Medit mesh in text",
               in_quotes(word)),
           Remedy::kExportAgain);
     while (!word.empty() && !equals_ignoring_case(word, "End")) word = read_part(word);
-    if (!mesh_.has_vertices()) scanner_.fail("no section Vertices up to here: cut short", Remedy::kCopyAgain);
+    if (!mesh_.has_vertices())
+      scanner_.fail("the section Vertices is missing: cut short", Remedy::kCopyAgain);
     for (Rows& rows : postponed_) mesh_.read_rows(rows.stream, *rows.section, rows.count);
     return mesh_.finish(scanner_.place());
   }
@@ -49,21 +50,21 @@ class MeditReader {
     return equals_ignoring_case(word, "MeshVersionFormatted") || equals_ignoring_case(word, "Dimension");
   }
 
-  /// What a keyword announces. Returns the next keyword.
+  /// Reads the section of a keyword. Returns the next keyword.
   std::string_view read_part(std::string_view keyword) {
     if (const MeditSection* section = medit_section_named(keyword)) {
       read_section(*section);
       const std::string_view next = scanner_.word_anywhere();
       if (!next.empty() && !begins_like_a_keyword(next))
-        scanner_.fail(fmt::format(
-            "{} where a keyword should stand after the last row of {}, whose rows have {} numbers each",
-            in_quotes(next), section->keyword, section->columns));
+        scanner_.fail(
+            fmt::format("{} instead of a keyword after the last row of {}, whose rows have {} numbers each",
+                        in_quotes(next), section->keyword, section->columns));
       return next;
     }
     std::string_view word = scanner_.word_anywhere();
     if (equals_ignoring_case(keyword, "Dimension") && scanner_.integer(word, "the number of dimensions") != 3)
       scanner_.fail("not a mesh in three dimensions (Dimension 3)", Remedy::kExportAgain);
-    // MeshVersionFormatted, bounds, names and what nobody knows: up to the next keyword.
+    // MeshVersionFormatted, bounds, names and unknown sections: skip to the next keyword.
     while (!word.empty() && !begins_like_a_keyword(word)) word = scanner_.word_anywhere();
     return word;
   }
@@ -97,7 +98,7 @@ class MeditReader {
   TextScanner scanner_;
   MeditMesh mesh_;
   std::set<const MeditSection*> seen_;
-  std::vector<Rows> postponed_;  ///< cells that stand before the vertices
+  std::vector<Rows> postponed_;  ///< cells that come before the vertices
 };
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace crossgrain {
 
 void NodeNumbers::add(std::int64_t number) {
   if (count_ == 0) first_ = number;
-  // Unsigned, so that a number at the very end of the 64 bits wraps instead of overflowing.
+  // Unsigned, so that a number at the end of the 64-bit range wraps instead of overflowing.
   const auto number_in_run = [this](std::size_t i) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(first_) + i);
   };

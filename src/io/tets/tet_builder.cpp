@@ -11,10 +11,10 @@
 namespace crossgrain {
 namespace {
 
-/// Six edges of each tet have numbers of 32 bits (tets/stiffness.cpp).
+/// The six edges of each tet have 32-bit numbers (tets/stiffness.cpp).
 constexpr std::size_t kMostTets = UINT32_MAX / 6;
 
-/// Exactly as many the first time, and twice as many where a file has them in many pieces.
+/// Exact the first time, doubling afterwards, for files with many blocks.
 template <class T>
 void reserve_more(std::vector<T>& values, std::size_t more) {
   const std::size_t needed = values.size() + more;
@@ -48,7 +48,7 @@ void TetBuilder::add_vertex(const Vector3& position, const Place& place) {
 
 std::uint32_t TetBuilder::checked_index(std::int64_t node, CellShape shape, const Place& place) const {
   if (node < 0 || static_cast<std::uint64_t>(node) >= mesh_.vertices.size()) {
-    // Unsigned, so that an index at the very end of the 64 bits wraps instead of overflowing.
+    // Unsigned, so that an index at the end of the 64-bit range wraps instead of overflowing.
     const auto shown = static_cast<std::int64_t>(static_cast<std::uint64_t>(node) +
                                                  static_cast<std::uint64_t>(first_index_));
     fail_input(
@@ -106,20 +106,20 @@ void TetBuilder::fail_other_solids() const {
     const char* const between = i == 0 ? "" : i + 1 < other_solids_.size() ? ", " : " and ";
     list += fmt::format("{}{} {}", between, other_solids_[i].second, other_solids_[i].first->plural);
   }
-  fail_input(*file_, first_other_solid_, list + ", where only tets can be used", Remedy::kCutIntoTets);
+  fail_input(*file_, first_other_solid_, list + ", but only tets can be used", Remedy::kCutIntoTets);
 }
 
 TetMesh TetBuilder::finish(const Place& end) {
   if (!other_solids_.empty()) fail_other_solids();
   if (mesh_.tets.empty() && !mesh_.feature_faces.empty())
     fail_input(*file_, end,
-               fmt::format("{} triangles but no tets (surfaces are read from STL, OBJ, PLY and OFF)",
+               fmt::format("{} triangles but no tets (for surfaces use STL, OBJ, PLY or OFF)",
                            mesh_.feature_faces.size()),
                Remedy::kCutIntoTets);
-  if (mesh_.tets.empty()) fail_input(*file_, end, "no tets up to here", Remedy::kExportAgain);
+  if (mesh_.tets.empty()) fail_input(*file_, end, "the file has no tets", Remedy::kExportAgain);
   if (curved_tets_ > 0)
     warn(WarningKind::kCurvedTets, {},
-         fmt::format("tets of higher order: {}; of these only the corners count, as if they were straight",
+         fmt::format("tets of higher order: {}; only their corners are used, as if they were straight",
                      curved_tets_));
   return std::move(mesh_);
 }

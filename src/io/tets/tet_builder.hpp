@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all readers of tet meshes share: checks of coordinates and indices, and what becomes of cells of every
-// shape.
+// Common parts of all readers of tet meshes: checks of coordinates and indices, and the handling of cells of
+// every shape.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,13 @@
 
 namespace crossgrain {
 
-/// What a cell of a file is to a tet mesh.
+/// Role of a cell in a tet mesh.
 enum class CellShape : std::uint8_t {
   kPassedOver,  ///< points and polygons
   kEdge,
   kTriangle,
   kTet,
-  kOtherSolid  ///< fills a part of the solid, so that the tets alone are not all of it
+  kOtherSolid  ///< part of the solid, so that the tets alone do not fill it
 };
 
 constexpr std::size_t corners_of(CellShape shape) {
@@ -38,8 +38,8 @@ constexpr std::size_t corners_of(CellShape shape) {
   }
 }
 
-/// A kind of cell that a format has. Nodes beyond the corners are those of curved cells; all formats put the
-/// corners first.
+/// A cell type of a format. Nodes beyond the corners are those of curved cells; all formats put the corners
+/// first.
 struct CellType {
   int code;  ///< its number in the format
   CellShape shape;
@@ -49,24 +49,24 @@ struct CellType {
 
 class TetBuilder {
  public:
-  /// `first_index`: the number that the format gives to the first vertex, for error messages.
+  /// `first_index` is the format's number of the first vertex, for error messages.
   explicit TetBuilder(const InputFile& file, int first_index = 0) : file_(&file), first_index_(first_index) {}
 
-  /// Makes room for more; the caller has checked that the file is long enough to hold as many.
+  /// Reserves memory; the caller must have checked that the file is long enough.
   void reserve_vertices(std::size_t more);
   void reserve_tets(std::size_t more);
 
-  /// Throws Error(kInput) naming `place` where a coordinate is NaN or infinite.
+  /// Throws Error(kInput) naming `place` if a coordinate is NaN or infinite.
   void add_vertex(const Vector3& position, const Place& place);
 
-  /// A tet, or a feature of fewer dimensions; solids of other shapes are counted for `finish` to refuse, with
-  /// or without their nodes. `nodes`: at least the corners, numbered from 0 whatever the format does. `tag`:
-  /// where there are any, all cells have one. Throws Error(kInput) naming `place` where a corner is out of
-  /// range or the tag has more than 32 bits. `is_stated`: of an edge, as TetMesh::Edge has it.
+  /// Adds a tet, or a feature of lower dimension; solids of other shapes are counted, and `finish` refuses
+  /// them. `nodes` are at least the corners, 0-based whatever the format; solids of other shapes may lack
+  /// them. `tag`: all cells have one, or none. `is_stated`: of an edge, as in TetMesh::Edge. Throws
+  /// Error(kInput) naming `place` if a corner is out of range or the tag has more than 32 bits.
   void add_cell(const CellType& type, std::span<const std::int64_t> nodes, std::optional<std::int64_t> tag,
                 const Place& place, bool is_stated = true);
 
-  /// Solids of another shape, without looking at their nodes.
+  /// Counts solids of another shape, without their nodes.
   void count_other_solids(const CellType& type, std::uint64_t count, const Place& place);
 
   std::size_t vertex_count() const { return mesh_.vertices.size(); }
@@ -76,8 +76,8 @@ class TetBuilder {
     mesh_.warnings.emplace_back(kind, Message{file_->name(), in_words(place), std::move(text)});
   }
 
-  /// The mesh. Throws Error(kInput) where there are no tets, naming `end`, the place up to which the file was
-  /// read, and where there are solids of other shapes, naming the first.
+  /// Returns the mesh. Throws Error(kInput) if there are no tets, naming `end`, the place where reading
+  /// ended, and if there are solids of other shapes, naming the first.
   TetMesh finish(const Place& end);
 
  private:

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The readers of tet mesh files. Each takes a whole file and gives its vertices, tets and features in the
-// order of the file; all throw Error(kInput) with the file, the place and the mend. Cells become what
-// io/tets/tet_builder.hpp says. A new format is a file with such a function and a row of the table in
-// tet_reader.cpp.
+// Readers of tet mesh files. Each takes a whole file and returns its vertices, tets and features in the order
+// of the file. All throw Error(kInput) with file, place and remedy. io/tets/tet_builder.hpp tells how cells
+// are handled. To add a format, add a file with such a function and a row to the table in tet_reader.cpp.
 #pragma once
 
 #include <string>
@@ -12,26 +11,26 @@
 
 namespace crossgrain {
 
-/// Medit in text (.mesh): sections Vertices and Tetrahedra, Edges, Ridges and Triangles, in any order among
-/// any others, which are passed over. Reference numbers are the tags.
+/// Reads Medit in text (.mesh): sections Vertices and Tetrahedra, Edges, Ridges and Triangles in any order;
+/// other sections are skipped. Reference numbers are the tags.
 TetMesh read_medit(const InputFile& file);
 
-/// The same in binary (.meshb), versions 1 to 4, in either byte order.
+/// Reads Medit in binary (.meshb), versions 1 to 4, in either byte order.
 TetMesh read_medit_binary(const InputFile& file);
 
-/// Gmsh (.msh), MSH 2 and 4.1, in text or in binary of either byte order. Tags are physical groups, or where
-/// there is none the entities.
+/// Reads Gmsh (.msh), MSH 2 and 4.1, in text or in binary of either byte order. Tags are physical groups, or
+/// entities if there are none.
 TetMesh read_gmsh(const InputFile& file);
 
-/// Legacy VTK (.vtk), DATASET UNSTRUCTURED_GRID in text or binary. Tags are an array of cell data
+/// Reads legacy VTK (.vtk), DATASET UNSTRUCTURED_GRID in text or binary. Tags are an array of cell data
 /// (io/tets/vtk_cells.hpp).
 TetMesh read_vtk(const InputFile& file);
 
-/// VTK XML (.vtu): arrays as text, in base64 or appended, plain or packed by zlib, in either byte order. Tags
-/// as in legacy VTK.
+/// Reads VTK XML (.vtu): arrays as text, in base64 or appended, plain or compressed by zlib, in either byte
+/// order. Tags are as in legacy VTK.
 TetMesh read_vtu_tets(const InputFile& file);
 
-/// The extensions that have a reader, as a sentence lists them: ".mesh, ... or .vtu".
+/// Lists the extensions that have a reader for use in a sentence: ".mesh, ... or .vtu".
 std::string tet_extensions();
 
 }  // namespace crossgrain

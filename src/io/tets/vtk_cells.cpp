@@ -10,7 +10,7 @@
 namespace crossgrain {
 namespace {
 
-// vtkCellType.h. Lagrange and Bezier cells (68 to 81) have as many points as their degree asks for.
+// vtkCellType.h. Lagrange and Bezier cells (68 to 81) have as many points as their degree requires.
 constexpr std::array kVtkTypes = {
     CellType{0, CellShape::kPassedOver, 0, "empty cells"},
     CellType{1, CellShape::kPassedOver, 1, "vertices"},
@@ -71,7 +71,8 @@ const CellType* type_of(std::int64_t code) {
   return nullptr;
 }
 
-/// What tets need is taken at once; lists of a million cells would else be copied some twenty times.
+/// Memory for tets is reserved at once; lists of a million cells would otherwise be copied about twenty
+/// times.
 std::size_t tets_among(VtkNumbers types, std::uint64_t count) {
   std::size_t tets = 0;
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -89,7 +90,7 @@ class CellSizes {
     if (!cells_->ends) return cells_->points.next("the number of points of a cell");
     const std::int64_t end = cells_->ends->next("the end of a cell"), begin = end_;
     end_ = end;
-    // Unsigned, so that places at the ends of the 64 bits wrap instead of overflowing.
+    // Unsigned, so that places at the ends of the 64-bit range wrap instead of overflowing.
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(end) - static_cast<std::uint64_t>(begin));
   }
 
@@ -115,8 +116,7 @@ void add_vtk_cells(VtkCells cells, TetBuilder& builder) {
     const std::int64_t code = cells.types.next("the type of a cell");
     const CellType* type = type_of(code);
     if (type == nullptr)
-      cells.types.stream.fail(fmt::format("cell {} has type {}, which is not known", i, code),
-                              Remedy::kCutIntoTets);
+      cells.types.stream.fail(fmt::format("cell {} has the unknown type {}", i, code), Remedy::kCutIntoTets);
     const std::int64_t size = sizes.next();
     check_size(cells.points, *type, size);
     const std::size_t corners = corners_of(type->shape);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cells of an unstructured grid of VTK, whatever file they come from.
+// Cells of an unstructured VTK grid from any kind of file.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace crossgrain {
 
-/// An array of numbers, from the first one on.
+/// An array of numbers, starting at its first number.
 struct VtkNumbers {
   NumberStream stream;
   NumberType type;
@@ -20,26 +20,26 @@ struct VtkNumbers {
   std::int64_t next(const char* what) { return stream.integer(type, what); }
 };
 
-/// The arrays that cells consist of, an entry a cell but for the first.
+/// The arrays of the cells. All but `points` have one entry per cell.
 struct VtkCells {
   std::uint64_t count = 0;
-  VtkNumbers points;  ///< of all cells, one after the other
+  VtkNumbers points;  ///< of all cells in sequence
 
-  /// Where in `points` each cell ends; without it, each cell's number of points stands there before them.
+  /// End of each cell in `points`; if absent, each cell's points are preceded by their number.
   std::optional<VtkNumbers> ends;
 
   VtkNumbers types;
   std::optional<VtkNumbers> tags;
 };
 
-/// Adds all cells. `points` must be known to the builder. Throws Error(kInput) naming the cell (or the line)
-/// for a wrong number of points, a point out of range and a type of cell that is not known.
+/// Adds all cells. The builder must know the points. Throws Error(kInput) naming the cell (or the line) for a
+/// wrong number of points, a point out of range or an unknown cell type.
 void add_vtk_cells(VtkCells cells, TetBuilder& builder);
 
-/// How well an array of cell data, by its name and type, does for the tags of cells: less is better. Nothing
-/// where it does not: only whole numbers do, one a cell, and none of what VTK itself adds (vtkGhostType,
-/// say). In this order: CellEntityIds, gmsh:physical, region, RegionId, tag, material, MaterialIds,
-/// gmsh:geometrical, in any case of their letters; then whatever comes first.
+/// Returns how suitable an array of cell data is, by its name and type, for the tags of cells: less is
+/// better. Nothing if it is unsuitable: arrays must hold one whole number per cell and not be added by VTK
+/// itself (such as vtkGhostType). Order: CellEntityIds, gmsh:physical, region, RegionId, tag, material,
+/// MaterialIds, gmsh:geometrical, ignoring case; then any other, the first in the file.
 std::optional<std::size_t> vtk_tag_rank(std::string_view name, NumberType type, std::uint64_t components);
 
 }  // namespace crossgrain

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unstructured grids in legacy VTK files, versions 1 to 5.1, in text or binary, where numbers are big endian
-// ("VTK file formats", simple legacy formats).
+// Reads unstructured grids in legacy VTK files, versions 1 to 5.1, in text or binary, where numbers are big
+// endian ("VTK file formats", simple legacy formats).
 #include <fmt/format.h>
 
 #include <array>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr bool kSwapped = std::endian::native == std::endian::little;
 
-// "long" is that of Linux and macOS; VTK writes its own ids with 32 bits under the name vtkIdType.
+// "long" is that of Linux and macOS; VTK writes its own ids with 32 bits as vtkIdType.
 constexpr std::array kTypeNames = {
     NumberTypeName{"char", NumberType::kInt8},
     NumberTypeName{"signed_char", NumberType::kInt8},
@@ -38,7 +38,7 @@ constexpr std::array kTypeNames = {
     NumberTypeName{"double", NumberType::kFloat64},
 };
 
-/// Attributes of one array each, by their keyword, with their numbers a point or cell.
+/// Keywords of attributes of one array each, with their numbers per point or cell.
 struct Attribute {
   std::string_view keyword;
   std::uint64_t components;
@@ -64,7 +64,7 @@ class VtkReader {
                                 : !types_        ? "CELL_TYPES"
                                                  : nullptr;
     if (missing != nullptr)
-      fail(fmt::format("no {} up to here: cut short, or no mesh", missing), Remedy::kCopyAgain);
+      fail(fmt::format("{} is missing: cut short, or not a mesh", missing), Remedy::kCopyAgain);
     if (cell_count_ != type_count_) fail(fmt::format("{} CELLS and {} CELL_TYPES", cell_count_, type_count_));
     add_points();
     add_vtk_cells({cell_count_, *connectivity_, ends_, *types_, tags_}, builder_);
@@ -80,24 +80,24 @@ class VtkReader {
 
   void read_header() {
     if (scanner_.word() != "#" || scanner_.word() != "vtk")
-      scanner_.fail("does not begin with '# vtk DataFile Version': this is no VTK file",
+      scanner_.fail("does not begin with '# vtk DataFile Version': this is not a VTK file",
                     Remedy::kExportAgain);
     for (int i = 0; i < 2; ++i) scanner_.word();  // DataFile Version
     const double version = scanner_.number(scanner_.word(), "the version");
     if (!(version >= 1 && version < 6))
-      scanner_.fail("a version that is not known, unlike 4.2 and 5.1", Remedy::kExportAgain);
+      scanner_.fail("the version cannot be read, unlike 4.2 and 5.1", Remedy::kExportAgain);
     new_cells_ = version >= 5;
     scanner_.next_line();
-    scanner_.next_line();  // the title
+    scanner_.next_line();  // title
     const std::string_view encoding = scanner_.word();
     is_binary_ = equals_ignoring_case(encoding, "BINARY");
     if (!is_binary_ && !equals_ignoring_case(encoding, "ASCII"))
-      scanner_.fail(fmt::format("{} where ASCII or BINARY should stand", in_quotes(encoding)));
+      scanner_.fail(fmt::format("{} instead of ASCII or BINARY", in_quotes(encoding)));
   }
 
   std::string_view next_keyword() { return scanner_.word_anywhere(); }
 
-  /// What a keyword announces. False where the rest of the file is to be left alone.
+  /// Reads the section of a keyword. Returns false if the rest of the file must be ignored.
   bool read_part(std::string_view keyword) {
     const auto is = [keyword](std::string_view name) { return equals_ignoring_case(keyword, name); };
     if (is("DATASET")) {
@@ -123,7 +123,7 @@ class VtkReader {
   void read_dataset() {
     const std::string_view kind = scanner_.word();
     if (!equals_ignoring_case(kind, "UNSTRUCTURED_GRID"))
-      fail(fmt::format("DATASET {}, where tets are in an UNSTRUCTURED_GRID", in_quotes(kind)),
+      fail(fmt::format("DATASET {}, but tets must be in an UNSTRUCTURED_GRID", in_quotes(kind)),
            Remedy::kExportAgain);
   }
 
@@ -136,11 +136,11 @@ class VtkReader {
   NumberType read_type() {
     const std::string_view name = scanner_.word();
     const auto type = type_named(kTypeNames, name, equals_ignoring_case);
-    if (!type) fail(fmt::format("{} is no type of numbers", in_quotes(name)));
+    if (!type) fail(fmt::format("{} is not a number type", in_quotes(name)));
     return *type;
   }
 
-  /// The array that begins behind this line, or in text behind this word, and which is passed over here.
+  /// Returns the array that begins after this line, or in text after this word, and skips it.
   VtkNumbers take_numbers(NumberType type, std::uint64_t count, const char* what) {
     if (is_binary_) scanner_.next_line();
     NumberStream stream =
@@ -155,7 +155,7 @@ class VtkReader {
     return begin;
   }
 
-  /// `rows` of `components` numbers, of which the product may be beyond 64 bits.
+  /// Reads `rows` of `components` numbers; their product may exceed 64 bits.
   VtkNumbers take_rows(NumberType type, std::uint64_t rows, std::uint64_t components, const char* what) {
     if (components > 0 && rows > file_->bytes().size() / components)
       fail(fmt::format("{} rows of {} numbers are more than the file can hold", rows, components),
@@ -170,8 +170,8 @@ class VtkReader {
     points_ = take_rows(type, point_count_, 3, "POINTS");
   }
 
-  /// Up to version 4 one array, with each cell's number of points before them; then two, where cells begin
-  /// and end and their points.
+  /// Up to version 4 cells are one array with each cell's number of points before them; from version 5,
+  /// offsets and connectivity.
   void read_cells() {
     if (connectivity_) fail("a second section CELLS");
     const std::uint64_t first = read_count("the number of CELLS"), second = read_count("the size of CELLS");
@@ -189,13 +189,12 @@ class VtkReader {
 
   VtkNumbers take_named(const char* name, std::uint64_t count) {
     const std::string_view keyword = scanner_.word_anywhere();
-    if (!equals_ignoring_case(keyword, name))
-      fail(fmt::format("{} where {} should stand", in_quotes(keyword), name));
+    if (!equals_ignoring_case(keyword, name)) fail(fmt::format("{} instead of {}", in_quotes(keyword), name));
     const NumberType type = read_type();
     return take_numbers(type, count, name);
   }
 
-  /// Lines up to an empty one.
+  /// Skips lines up to an empty one.
   void skip_metadata() {
     while (scanner_.next_line()) {
       if (scanner_.word().empty()) return;
@@ -225,7 +224,7 @@ class VtkReader {
     const std::string_view stated = scanner_.word();
     const std::int64_t components = stated.empty() ? 1 : scanner_.integer(stated, "the number of components");
     if (components < 1) fail(fmt::format("{} components", components));
-    // Its line is of no other use here. Files without it have numbers in its place.
+    // The line of the lookup table is skipped. In files without it, numbers follow.
     TextScanner ahead = scanner_;
     if (equals_ignoring_case(ahead.word_anywhere(), "LOOKUP_TABLE")) {
       ahead.word();
@@ -241,7 +240,7 @@ class VtkReader {
   }
 
   bool read_field() {
-    scanner_.word();  // its name
+    scanner_.word();  // name
     const std::uint64_t arrays = read_count("the number of arrays");
     for (std::uint64_t i = 0; i < arrays; ++i) {
       std::string_view word = scanner_.word_anywhere();
@@ -253,7 +252,7 @@ class VtkReader {
       const std::uint64_t components = read_count("the number of components");
       const std::uint64_t rows = read_count("the number of rows");
       const std::uint64_t rows_before = rows_;
-      // Outside of point and cell data, arrays of a field have any number of rows and are no tags.
+      // Outside point and cell data, arrays of a field have any number of rows and are no tags.
       const bool may_be_tags = in_cell_data_ && rows == rows_before;
       rows_ = rows;
       const bool go_on = read_array(name, scanner_.word(), components, may_be_tags);
@@ -286,12 +285,12 @@ class VtkReader {
     return true;
   }
 
-  /// What cannot be passed over, strings say, is no harm where the mesh is complete.
+  /// Data that cannot be skipped, such as strings, are harmless if the mesh is complete.
   bool leave_the_rest(std::string_view word) {
     if (!points_ || !connectivity_ || !types_)
-      fail(fmt::format("{}, which is not known here", in_quotes(word)), Remedy::kExportAgain);
+      fail(fmt::format("{} is not a known keyword", in_quotes(word)), Remedy::kExportAgain);
     builder_.warn(WarningKind::kSkippedData, here(),
-                  fmt::format("{} is not known, and data after it were passed over", in_quotes(word)));
+                  fmt::format("{} is not known, and data after it are ignored", in_quotes(word)));
     return false;
   }
 
@@ -309,7 +308,7 @@ class VtkReader {
   TetBuilder builder_;
   bool is_binary_ = false, new_cells_ = false, in_cell_data_ = false;
   std::uint64_t point_count_ = 0, cell_count_ = 0, type_count_ = 0;
-  std::uint64_t rows_ = 0;  ///< of the point or cell data at hand
+  std::uint64_t rows_ = 0;  ///< of the current point or cell data
   std::optional<VtkNumbers> points_, connectivity_, ends_, types_, tags_;
   std::size_t tag_rank_ = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tets in VTK XML files of unstructured grids (.vtu), whoever wrote them.
+// Reads tets from VTK XML files of unstructured grids (.vtu) of any writer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,16 +29,16 @@ class VtuTetReader {
   TetMesh read() {
     read_header();
     if (const DataArray* schema = header_.find(VtuSection::kFieldData, field_arrays::kSchema))
-      fail(schema->begin, "a frame field that crossgrain has written, no mesh", Remedy::kGiveModel);
+      fail(schema->begin, "a frame field written by crossgrain, not a mesh", Remedy::kGiveModel);
     if (header_.cells == 0)
-      fail(file_->bytes().size(), "no <Piece> with cells: cut short, or empty", Remedy::kExportAgain);
+      fail(file_->bytes().size(), "<Piece> with cells is missing: cut short, or empty", Remedy::kExportAgain);
     add_points();
     add_cells();
     return builder_.finish({});
   }
 
  private:
-  /// Names the line of a byte that is part of the XML.
+  /// Returns the line of a byte of the XML.
   [[noreturn]] void fail(std::size_t position, const std::string& text,
                          Remedy remedy = Remedy::kRepairFile) const {
     fail_input(*file_, at_line(line_of(position)), text, remedy);
@@ -60,18 +60,18 @@ class VtuTetReader {
     if (header_.appended->is_base64) appended_ = appended_.substr(0, appended_.find('<'));
   }
 
-  /// By its name, or the first of the section where that is empty.
+  /// Returns the array of a name, or the first of the section if the name is empty.
   const DataArray& require(VtuSection section, std::string_view name) const {
     const DataArray* array = header_.find(section, name);
     if (array == nullptr)
       fail_input(*file_, {},
-                 fmt::format("no array {} in {}: cut short, or no mesh",
+                 fmt::format("the array {} is missing in {}: cut short, or not a mesh",
                              name.empty() ? "of coordinates" : in_quotes(name), name_of(section)));
     return *array;
   }
 
-  /// The numbers of an array, `count` of them where that is given. Unpacked bytes are kept for as long as the
-  /// reader lives.
+  /// Returns the numbers of an array; checks that there are `count` if that is given. Decompressed bytes are
+  /// kept as long as the reader.
   VtkNumbers numbers(const DataArray& array, std::optional<std::uint64_t> count) {
     if (array.format == "ascii" || array.format.empty()) {
       const TextScanner scanner(*file_, {}, array.begin, line_of(array.begin), array.end);
@@ -89,7 +89,7 @@ class VtuTetReader {
                  Remedy::kCopyAgain);
     if (bytes->size() % size_of(array.type) != 0 || (count && *count != bytes->size() / size_of(array.type)))
       fail_input(*file_, {},
-                 fmt::format("array {} has {} numbers where {} should be", in_quotes(array.name),
+                 fmt::format("array {} has {} numbers instead of {}", in_quotes(array.name),
                              bytes->size() / size_of(array.type), count.value_or(0)));
     unpacked_.push_back(std::make_unique<std::string>(std::move(*bytes)));
     return {NumberStream(*file_, array.name, *unpacked_.back(), header_.package.is_swapped), array.type};
@@ -142,7 +142,7 @@ class VtuTetReader {
     return best;
   }
 
-  /// Zlib packs a thousand bytes into one, and a number takes one at least.
+  /// Zlib compresses at most a thousand bytes into one, and a number takes at least one byte.
   static constexpr std::uint64_t kMostNumbersAByte = 1040;
 
   const InputFile* file_;

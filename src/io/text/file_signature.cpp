@@ -40,7 +40,7 @@ constexpr std::array kSignatures = {
 }  // namespace
 
 const FileSignature* signature_of(std::string_view bytes) {
-  // Declarations and comments of any length may stand before the first tag.
+  // Declarations and comments of any length may precede the first tag.
   constexpr std::size_t kLongestPrologue = 1000;
   if (bytes.starts_with("<?xml") &&
       bytes.substr(0, kLongestPrologue).find(kVtkXml.beginning) != std::string_view::npos)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How files of a kind begin. Only used to explain a failure: several formats begin in no certain way.
+// Recognises file formats by their first bytes. Only used to explain a failure, since several formats have no
+// fixed beginning.
 #pragma once
 
 #include <string>
@@ -12,19 +13,19 @@ namespace crossgrain {
 struct FileSignature {
   std::string_view beginning;
   std::string_view kind;       ///< "an STL file"
-  std::string_view extension;  ///< of the reader that takes it; empty where there is none
+  std::string_view extension;  ///< of the reader for this format; empty if there is none
 };
 
-/// Null where a file begins in no way that is known.
+/// Returns the signature that matches, or null.
 const FileSignature* signature_of(std::string_view bytes);
 
-/// "an STL file (.stl)".
+/// Description such as "an STL file (.stl)".
 std::string kind_of(const FileSignature& signature);
 
-/// What to do with such a file that has another name.
+/// Remedy for a file of this format with the wrong extension.
 Remedy remedy_for(const FileSignature& signature);
 
-/// Throws Error(kInput) where a file, whose name ends in `extension`, begins like one of another kind.
+/// Throws Error(kInput) if a file named with `extension` begins like a file of another format.
 void fail_if_misnamed(const InputFile& file, std::string_view extension);
 
 }  // namespace crossgrain

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text files of points and of normals.
+// Reads text files of points and of normals.
 #include <fmt/format.h>
 
 #include <array>
@@ -18,18 +18,18 @@ InputFile open(const std::filesystem::path& path) {
   return path == "-" ? InputFile::standard_input() : InputFile(path);
 }
 
-/// What a spectrum takes (constraint/spectrum_report.cpp); beyond it, or below its inverse, sums overflow or
-/// vanish.
+/// Range that a spectrum accepts (constraint/spectrum_report.cpp); beyond it, or below its inverse, sums
+/// overflow or underflow.
 constexpr double kLargestWeight = 1e100;
 
-/// The names of the numbers in a row, for error messages; those from `needed` on may be left out.
+/// Names of the numbers in a row, for error messages; those from `needed` on are optional.
 struct Columns {
   std::array<const char*, 4> names;
   std::size_t count;
   std::size_t needed;
 };
 
-/// Calls take(scanner, numbers, how many) for every line that holds any.
+/// Calls take(scanner, numbers, count) for every line that is not empty.
 template <class Take>
 void for_each_row(const InputFile& file, const Columns& columns, const Take& take) {
   TextScanner scanner(file, {.comments = true});
@@ -60,7 +60,7 @@ std::vector<Vector3> read_points(const std::filesystem::path& path) {
   for_each_row(file, {{"x", "y", "z", ""}, 3, 3}, [&](const TextScanner&, const auto& row, std::size_t) {
     points.push_back({row[0], row[1], row[2]});
   });
-  if (points.empty()) fail_input(file, {}, "holds no point ('x y z' on a line)", Remedy::kNone);
+  if (points.empty()) fail_input(file, {}, "has no points ('x y z' on each line)", Remedy::kNone);
   return points;
 }
 
@@ -81,7 +81,7 @@ std::vector<WeightedNormal> read_normals(const std::filesystem::path& path) {
                  normals.push_back(normal);
                });
   if (normals.empty())
-    fail_input(file, {}, "holds no normal ('nx ny nz' or 'nx ny nz weight' on a line)", Remedy::kNone);
+    fail_input(file, {}, "has no normals ('nx ny nz' or 'nx ny nz weight' on each line)", Remedy::kNone);
   return normals;
 }
 

@@ -54,10 +54,10 @@ std::int64_t NumberStream::binary_integer(NumberType type) {
     case NumberType::kInt64:
       return take<std::int64_t>();
     case NumberType::kUint64:
-      // Beyond 63 bits they turn negative, which no index or count may be either.
+      // Beyond 63 bits they become negative, which is invalid for an index or count too.
       return static_cast<std::int64_t>(take<std::uint64_t>());
     default:
-      fail("numbers with decimals where whole ones should stand");
+      fail("numbers with decimals instead of whole numbers");
   }
 }
 
@@ -75,7 +75,7 @@ void NumberStream::skip(NumberType type, std::uint64_t count) {
 }
 
 std::uint64_t NumberStream::most_left(NumberType type) const {
-  // In text a digit and a blank each; one byte more, since the last line may lack its end.
+  // In text a number takes a digit and a blank; one is added, since the last line may lack its end.
   return scanner_ ? (bytes_left() + 1) / 2 : bytes_left() / size_of(type);
 }
 

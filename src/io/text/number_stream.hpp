@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of a text or of raw bytes, one after the other, so that one reader does for all encodings of a
-// format.
+// Sequence of numbers in text or raw bytes, so that one reader handles all encodings of a format.
 #pragma once
 
 #include <cstddef>
@@ -15,47 +14,48 @@
 
 namespace crossgrain {
 
-/// Copies go on from the same place, each by itself. The file and the bytes must outlive the stream.
+/// Copies continue independently from the same place. The file and the bytes must outlive the stream.
 class NumberStream {
  public:
-  /// Words of a text from where the scanner stands; line breaks do not matter.
+  /// Reads words of a text from the current place of the scanner; line breaks are ignored.
   explicit NumberStream(const TextScanner& scanner) : file_(&scanner.file()), scanner_(scanner) {}
 
-  /// The bytes of a binary file from `begin` on; `swapped` where their order is not that of this machine.
+  /// Reads the bytes of a binary file from `begin` on; `swapped` if their byte order is not that of this
+  /// machine.
   NumberStream(const InputFile& file, std::size_t begin, bool swapped)
       : file_(&file), bytes_(file.bytes()), position_(begin), swapped_(swapped) {}
 
-  /// The bytes of an array that stands in the file in another form; errors name the array.
+  /// Reads the decoded bytes of an array of the file; errors name the array.
   NumberStream(const InputFile& file, std::string array, std::string_view bytes, bool swapped)
       : file_(&file), bytes_(bytes), swapped_(swapped), array_(std::move(array)) {}
 
-  /// A number of the type given; in text any. `what` names it in errors ("a coordinate").
+  /// Reads a number of the given type; in text any number. `what` names it in errors ("a coordinate").
   double real(NumberType type, const char* what) {
     return scanner_ ? scanner_->number(scanner_->word_anywhere(), what) : binary_real(type);
   }
 
-  /// A whole number; in text any of 64 bits.
+  /// Reads a whole number of the given type; in text any of 64 bits.
   std::int64_t integer(NumberType type, const char* what) {
     return scanner_ ? scanner_->integer(scanner_->word_anywhere(), what) : binary_integer(type);
   }
 
-  /// Passes over numbers, whatever they are.
+  /// Skips numbers without checking them.
   void skip(NumberType type, std::uint64_t count);
 
-  /// How many numbers can follow at most: to be asked before memory is taken for them.
+  /// Upper bound of the remaining numbers. Check it before allocating memory for them.
   std::uint64_t most_left(NumberType type) const;
 
-  /// A count of things to come that take at least `least` numbers of `type` each. Throws Error(kInput) where
-  /// it is negative or the rest is too short for as many.
+  /// Returns the count of items that take at least `least` numbers of `type` each. Throws Error(kInput) if it
+  /// is negative or the rest of the file is too short.
   std::uint64_t checked_count(std::int64_t count, std::uint64_t least, NumberType type,
                               const std::string& what) const;
 
-  /// The line of a text, or the numbered element of a binary file.
+  /// Returns the line of a text, or the numbered element of a binary file.
   Place place(const char* unit, std::size_t number) const {
     return scanner_ ? scanner_->place() : Place{unit, number};
   }
 
-  /// From here on errors in a binary file name this element instead of a byte.
+  /// From now on errors in a binary file name this element instead of a byte.
   void begin_element(const char* unit, std::size_t number) { element_ = {unit, number}; }
 
   bool is_text() const { return scanner_.has_value(); }
@@ -63,7 +63,7 @@ class NumberStream {
   std::size_t position() const { return scanner_ ? scanner_->position() : position_; }
   const TextScanner& scanner() const { return *scanner_; }
 
-  /// Throws Error(kInput) that names this line, this byte or element, or the array.
+  /// Throws Error(kInput) that names the current line, byte, element or array.
   [[noreturn]] void fail(const std::string& text, Remedy remedy = Remedy::kRepairFile) const;
 
  private:

@@ -12,7 +12,7 @@
 
 namespace crossgrain {
 
-/// What a number in a file is, one enumerator for each kind that a binary encoding can hold.
+/// Type of a number in a file: one enumerator for each type of a binary encoding.
 enum class NumberType : std::uint8_t {
   kFloat32,
   kFloat64,
@@ -47,7 +47,7 @@ constexpr bool is_integer(NumberType type) {
   return type != NumberType::kFloat32 && type != NumberType::kFloat64;
 }
 
-/// The type that holds values of T.
+/// NumberType of the C++ type T.
 template <class T>
 constexpr NumberType number_type_of() {
   static_assert(std::is_arithmetic_v<T> && sizeof(T) <= 8);
@@ -64,13 +64,13 @@ constexpr NumberType number_type_of() {
   }
 }
 
-/// What a format calls a type.
+/// Name of a type in a format.
 struct NumberTypeName {
   std::string_view name;
   NumberType type;
 };
 
-/// The type that a format calls so; nothing where it has none of this name.
+/// Returns the type with a name; nothing if the format has no such name.
 template <class Equal = std::equal_to<>>
 constexpr std::optional<NumberType> type_named(std::span<const NumberTypeName> names, std::string_view name,
                                                const Equal& equal = {}) {

@@ -11,10 +11,10 @@
 namespace crossgrain {
 namespace {
 
-/// Text that one task makes, at most.
+/// Maximum text made by one task.
 constexpr std::size_t kTaskBytes = 1 << 18;
 
-/// Tasks between two looks at the monitor: enough to keep many threads busy.
+/// Tasks between two queries of the monitor: enough to keep many threads busy.
 constexpr std::size_t kTasksAtOnce = 64;
 
 constexpr int kDigits = 17;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of numbers, made in parallel and written in order.
+// Lines of numbers, formatted in parallel and written in order.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,20 @@
 
 namespace crossgrain {
 
-/// What put_number takes at most, with the character behind it: sign, 17 digits, point, an exponent such as
-/// e-308.
+/// Maximum bytes of put_number with the separator: sign, 17 digits, point, an exponent such as e-308.
 inline constexpr std::size_t kNumberBytes = 25;
 
-/// What put_integer takes at most, with the character behind it.
+/// Maximum bytes of put_integer with the separator.
 inline constexpr std::size_t kIntegerBytes = 21;
 
-/// A number with 17 significant digits, which read back as the same bits, and a blank or the like behind it.
-/// Returns where the next one goes.
+/// Writes a number with 17 significant digits, which restore the same bits, and a separator. Returns the end
+/// of the text.
 char* put_number(char* out, double number, char behind);
 char* put_integer(char* out, std::int64_t number, char behind);
 
-/// Writes the text of `items` items, one after the other. put(item, out) makes that of one, of at most
-/// `most_bytes` bytes, and returns its end; it is called from several threads at once. Holds some 10 MB of
-/// text at a time. Throws Error(kInterrupted).
+/// Writes the text of `items` items in order. put(item, out) formats one item in at most `most_bytes` bytes
+/// and returns its end; it is called from several threads at once. Uses about 10 MB at a time. Throws
+/// Error(kInterrupted).
 void write_text_lines(OutputFile& file, std::size_t items, std::size_t most_bytes,
                       const std::function<char*(std::size_t item, char* out)>& put,
                       const Monitor& monitor = {});

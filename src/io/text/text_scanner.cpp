@@ -14,7 +14,7 @@ namespace {
 
 enum class Character : unsigned char { kOther, kBlank, kLineEnd };
 
-/// Looked up, since telling them apart is half of what reading text takes.
+/// A table, since classifying characters takes half the time of reading text.
 constexpr std::array<Character, 256> kCharacters = [] {
   std::array<Character, 256> characters{};
   for (const unsigned char c : {' ', '\t', '\v', '\f'}) characters[c] = Character::kBlank;
@@ -34,7 +34,7 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// The power of ten behind the 'e' of a number; far out of range where it does not fit into 64 bits.
+/// Returns the exponent after the 'e' of a number; a huge value if it does not fit into 64 bits.
 std::int64_t power_of_ten(std::string_view digits) {
   constexpr std::int64_t kFarOut = std::int64_t{1} << 60;
   if (digits.starts_with('+')) digits.remove_prefix(1);
@@ -44,13 +44,14 @@ std::int64_t power_of_ten(std::string_view digits) {
   return std::clamp(power, -kFarOut, kFarOut);
 }
 
-/// The value of a number that std::from_chars finds out of range, without a value: infinity if it is too
-/// large, zero if it is too small. Not by std::strtod, which follows the locale of the program.
+/// Value of a number that std::from_chars reports as out of range: infinity if it is too large, zero if it is
+/// too small. std::strtod is not used because it follows the locale of the program.
 double out_of_range_value(std::string_view number) {
   const std::string_view digits = number.substr(0, number.find_first_of("eE"));
   const std::size_t point = std::min(digits.find('.'), digits.size());
   const std::size_t first = std::min(digits.find_first_of("123456789"), digits.size());
-  // The largest double is near 1e308, the smallest near 5e-324: give or take one, the sign tells.
+  // The largest double is near 1e308, the smallest near 5e-324, so the sign decides even if this is off by
+  // one.
   std::int64_t power = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
   if (digits.size() < number.size()) power += power_of_ten(number.substr(digits.size() + 1));
   const double magnitude = power > 0 ? std::numeric_limits<double>::infinity() : 0;
@@ -131,7 +132,7 @@ double TextScanner::number(std::string_view word, const char* what) const {
   const auto [stop, code] = std::from_chars(digits.data(), end, value);
   if (code == std::errc::result_out_of_range) value = out_of_range_value(digits);
   if (code == std::errc::invalid_argument || stop != end)
-    fail(fmt::format("{} where {} should stand, a number with a decimal point", in_quotes(word), what));
+    fail(fmt::format("{} instead of {} (a number with a decimal point)", in_quotes(word), what));
   if (!std::isfinite(value)) fail(fmt::format("{} is {}, not a finite number", what, in_quotes(word)));
   return value;
 }
@@ -143,7 +144,7 @@ std::int64_t TextScanner::integer(std::string_view word, const char* what) const
   const char* end = digits.data() + digits.size();
   const auto [stop, code] = std::from_chars(digits.data(), end, value);
   if (code != std::errc() || stop != end)
-    fail(fmt::format("{} where {} should stand, a whole number", in_quotes(word), what));
+    fail(fmt::format("{} instead of {} (a whole number)", in_quotes(word), what));
   return value;
 }
 

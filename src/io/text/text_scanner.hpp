@@ -17,24 +17,24 @@ class TextScanner {
     bool continuations = false;  ///< a backslash at the end of a line joins it with the next one
   };
 
-  /// Starts at byte `begin`, which lies on line `line`, and takes `end` for the end of the file where that
-  /// comes earlier. The file must outlive the scanner.
+  /// Starts at byte `begin` on line `line`; the text ends at `end` or at the end of the file, whichever comes
+  /// first. The file must outlive the scanner.
   TextScanner(const InputFile& file, Syntax syntax, std::size_t begin = 0, std::size_t line = 1,
               std::size_t end = std::string_view::npos);
 
-  /// The next word of this line; empty at its end.
+  /// Returns the next word of this line; empty at its end.
   std::string_view word();
 
-  /// The next word of this line or a later one; empty at the end of the file.
+  /// Returns the next word of this or a later line; empty at the end of the file.
   std::string_view word_anywhere();
 
-  /// Skips to the start of the next line; false at the end of the file.
+  /// Skips to the start of the next line. Returns false at the end of the file.
   bool next_line();
 
-  /// A finite number; `what` names it in errors ("a coordinate").
+  /// Returns a word as a finite number; `what` names it in errors ("a coordinate").
   double number(std::string_view word, const char* what) const;
 
-  /// A whole number that fits into 64 bits.
+  /// Returns a word as a whole number of 64 bits.
   std::int64_t integer(std::string_view word, const char* what) const;
 
   std::size_t line() const { return line_; }
@@ -43,7 +43,7 @@ class TextScanner {
   Place place() const { return at_line(line_); }
   const InputFile& file() const { return *file_; }
 
-  /// Throws Error(kInput) that names this line.
+  /// Throws Error(kInput) that names the current line.
   [[noreturn]] void fail(const std::string& text, Remedy remedy = Remedy::kRepairFile) const {
     fail_input(*file_, place(), text, remedy);
   }
@@ -60,7 +60,7 @@ class TextScanner {
   std::size_t line_;
 };
 
-/// Whether two words are equal but for the case of their letters.
+/// Returns whether two words are equal up to the case of their letters.
 bool equals_ignoring_case(std::string_view a, std::string_view b);
 
 }  // namespace crossgrain

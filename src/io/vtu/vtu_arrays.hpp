@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays that the files of more than one kind of grid have.
+// Arrays that files of several kinds of grids share.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace crossgrain {
 
-/// A vector as it stands in memory, which must outlive the array.
+/// Writes a vector as it stands in memory. It must outlive the array.
 template <class T>
 VtuArray stored_array(VtuSection section, const char* name, const std::vector<T>& values) {
   const auto copy = [&values](std::size_t begin, std::size_t end, T* out) {
@@ -29,7 +29,7 @@ VtuArray stored_array(VtuSection section, const char* name, const std::vector<T>
                       kIsMeasured ? VtuPacking::kMeasured : VtuPacking::kRepetitions);
 }
 
-/// Rows of `components` floats, row i from row_of(i), any sequence of as many numbers.
+/// Rows of `components` floats; row_of(i) returns row i, any sequence of that many numbers.
 template <class RowOf>
 VtuArray float_array(VtuSection section, const char* name, std::size_t components, std::size_t rows,
                      RowOf row_of) {
@@ -43,7 +43,7 @@ VtuArray float_array(VtuSection section, const char* name, std::size_t component
       VtuPacking::kMeasured);
 }
 
-/// axis_u, axis_v and axis_w of the unit quaternions frame_of(i), i < count.
+/// Arrays axis_u, axis_v and axis_w of the unit quaternions frame_of(i), i < count.
 template <class FrameOf>
 void add_axes(VtuSection section, std::size_t count, const FrameOf& frame_of, std::vector<VtuArray>& arrays) {
   const std::array names{"axis_u", "axis_v", "axis_w"};
@@ -53,7 +53,7 @@ void add_axes(VtuSection section, std::size_t count, const FrameOf& frame_of, st
   }
 }
 
-/// Where the points of the grid are: point_of(i), i < count.
+/// Positions of the points of the grid: point_of(i), i < count.
 template <class PointOf>
 VtuArray points_array(std::size_t count, PointOf point_of) {
   return vtu_array<double>(
@@ -77,7 +77,7 @@ VtuArray constant_array(const char* name, std::vector<T> values) {
 // Types of cells (vtkCellType.h).
 inline constexpr std::uint8_t kVtkLine = 3, kVtkPolyLine = 4, kVtkTriangle = 5, kVtkTet = 10, kVtkVoxel = 11;
 
-/// The types of `cells` cells that are all of one.
+/// Array of types for `cells` cells of one type.
 inline VtuArray uniform_types(std::size_t cells, std::uint8_t vtk_type) {
   return vtu_array<std::uint8_t>(VtuSection::kCells, "types", 1, cells,
                                  [vtk_type](std::size_t begin, std::size_t end, std::uint8_t* out) {
@@ -85,14 +85,14 @@ inline VtuArray uniform_types(std::size_t cells, std::uint8_t vtk_type) {
                                  });
 }
 
-/// Whether 32 bits do for a connectivity of `entries` numbers of `points` points, and for its offsets: it
-/// takes half the time then, and less space.
+/// Returns whether 32-bit indices suffice for a connectivity of `entries` indices of `points` points, and for
+/// its offsets. They halve the time and take less space.
 inline bool fits_32_bits(std::size_t points, std::size_t entries) {
   return std::max(points, entries) <= std::numeric_limits<std::int32_t>::max();
 }
 
-/// "offsets", of the same integer type as the connectivity, and "types" of `cells` cells that all have
-/// `corners` corners and the same VTK type.
+/// Appends "offsets", of the same integer type as the connectivity, and "types" of `cells` cells that all
+/// have `corners` corners and the same VTK type.
 template <class Index>
 void add_uniform_cells(std::size_t cells, std::size_t corners, std::uint8_t vtk_type,
                        std::vector<VtuArray>& arrays) {
@@ -104,7 +104,7 @@ void add_uniform_cells(std::size_t cells, std::size_t corners, std::uint8_t vtk_
   arrays.push_back(uniform_types(cells, vtk_type));
 }
 
-/// Makes the arrays ask the monitor between blocks whether to go on. It must outlive them.
+/// Makes the arrays query the monitor between blocks. It must outlive them.
 inline void watch(std::vector<VtuArray>& arrays, const Monitor& monitor) {
   for (VtuArray& array : arrays) {
     array.produce = [produce = std::move(array.produce), &monitor](std::size_t begin, std::size_t end,

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint8_t kNoDigit = 0xff, kPadding = 0xfe;
 
-/// The six bits that a character stands for (RFC 4648).
+/// Returns the six bits that a character encodes (RFC 4648).
 constexpr std::array<std::uint8_t, 256> base64_digits() {
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::array<std::uint8_t, 256> digits{};
@@ -27,19 +27,19 @@ constexpr std::array<std::uint8_t, 256> base64_digits() {
 
 constexpr auto kDigits = base64_digits();
 
-/// Bytes one after the other. Some writers encode header and data apart, some as one: padding is allowed at
-/// the end of any group of four characters.
+/// Reads consecutive bytes from base64. Some writers encode header and data separately, some together, so
+/// padding is allowed at the end of any group of four characters.
 class PackedBytes {
  public:
   PackedBytes(std::string_view text, bool is_base64) : text_(text), is_base64_(is_base64) {}
 
-  /// How many bytes can follow at most.
+  /// Upper bound of the remaining bytes.
   std::uint64_t most_left() const {
     const std::uint64_t left = text_.size() - position_;
     return is_base64_ ? (left + 3) / 4 * 3 + (group_size_ - group_begin_) : left;
   }
 
-  /// False where there are fewer.
+  /// Reads bytes. Returns false if there are fewer.
   bool read(char* out, std::uint64_t count) {
     if (count > most_left()) return false;
     if (!is_base64_) {
@@ -76,7 +76,7 @@ class PackedBytes {
   std::string_view text_;
   bool is_base64_;
   std::size_t position_ = 0;
-  std::array<char, 3> group_{};  ///< decoded bytes, those from group_begin_ on not yet taken
+  std::array<char, 3> group_{};  ///< decoded bytes; those from group_begin_ on are unread
   std::size_t group_begin_ = 0, group_size_ = 0;
 };
 
@@ -94,7 +94,7 @@ class Unpacker {
       std::array<char, sizeof(std::uint64_t)> raw{};
       if (!bytes_.read(raw.data(), size)) return false;
       if (package_.is_swapped) std::reverse(raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(size));
-      std::memcpy(&word, raw.data(), sizeof word);  // little endian, so that four bytes do as well
+      std::memcpy(&word, raw.data(), sizeof word);  // little endian, so that four bytes suffice
     }
     return true;
   }
@@ -109,7 +109,7 @@ class Unpacker {
 
   std::optional<std::string> inflate() {
     std::array<std::uint64_t, 3> head{};
-    // Writers may leave out the rest of the header where there are no blocks.
+    // Without blocks, writers may omit the rest of the header.
     if (!read_words(std::span(head).first(1))) return std::nullopt;
     if (head[0] == 0) return std::string();
     if (!read_words(std::span(head).last(2)) || head[0] > bytes_.most_left() / size_of(package_.header_type))

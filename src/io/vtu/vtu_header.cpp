@@ -24,8 +24,9 @@ class VtuHeaderReader {
 
   VtuHeader read() {
     read_tags();
-    if (!has_grid_) fail(0, "no <VTKFile>: this is no VTK XML file", Remedy::kExportAgain);
-    if (!has_piece_) fail(text_.size(), "no <Piece> with cells: cut short, or empty", Remedy::kExportAgain);
+    if (!has_grid_) fail(0, "no <VTKFile>: this is not a VTK XML file", Remedy::kExportAgain);
+    if (!has_piece_)
+      fail(text_.size(), "<Piece> with cells is missing: cut short, or empty", Remedy::kExportAgain);
     return std::move(header_);
   }
 
@@ -48,31 +49,30 @@ class VtuHeaderReader {
         section = opened;
       }
     }
-    if (tags.malformed()) fail(tags.position(), "no XML, or cut short inside a tag", Remedy::kCopyAgain);
+    if (tags.malformed()) fail(tags.position(), "not XML, or cut short inside a tag", Remedy::kCopyAgain);
   }
 
   void read_layout(const XmlTag& tag, std::size_t position) {
     const std::string_view kind = tag.attribute("type");
     if (kind != "UnstructuredGrid")
       fail(position,
-           fmt::format("a VTK file of type {}, where tets are in an UnstructuredGrid", in_quotes(kind)),
+           fmt::format("a VTK file of type {}, but tets must be in an UnstructuredGrid", in_quotes(kind)),
            Remedy::kExportAgain);
     VtuPackage& package = header_.package;
     const std::string_view order = tag.attribute("byte_order");
     if (!order.empty() && order != "BigEndian" && order != "LittleEndian")
-      fail(position,
-           fmt::format("a byte order {}, where LittleEndian and BigEndian are known", in_quotes(order)),
+      fail(position, fmt::format("the byte order {} is not LittleEndian or BigEndian", in_quotes(order)),
            Remedy::kExportAgain);
     const bool is_big = order == "BigEndian";
     package.is_swapped = is_big != (std::endian::native == std::endian::big);
     const std::string_view header = tag.attribute("header_type");
     if (header == "UInt64") package.header_type = NumberType::kUint64;
     if (!header.empty() && header != "UInt64" && header != "UInt32")
-      fail(position, fmt::format("headers of type {}, where UInt32 and UInt64 are known", in_quotes(header)));
+      fail(position, fmt::format("headers of type {}, but must be UInt32 or UInt64", in_quotes(header)));
     const std::string_view compressor = tag.attribute("compressor");
     package.is_compressed = !compressor.empty();
     if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-      fail(position, fmt::format("compressed by {}, where zlib or none is known", in_quotes(compressor)),
+      fail(position, fmt::format("compressed by {}, but only zlib can be read", in_quotes(compressor)),
            Remedy::kExportAgain);
     has_grid_ = true;
   }
@@ -84,12 +84,12 @@ class VtuHeaderReader {
     std::uint64_t value = 0;
     const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (code != std::errc() || stop != text.data() + text.size())
-      fail(position, fmt::format("{} is {}, no whole number", attribute, in_quotes(text)));
+      fail(position, fmt::format("{} is {}, not a whole number", attribute, in_quotes(text)));
     return value;
   }
 
-  /// Writers that run in parallel leave pieces without cells, of which only the first counts, and only where
-  /// no other has any.
+  /// Parallel writers leave pieces without cells. Only the first of these counts, and only if no piece has
+  /// cells.
   void read_piece(const XmlTag& tag, std::size_t position) {
     const std::uint64_t points = read_count(tag, "NumberOfPoints", position);
     const std::uint64_t cells = read_count(tag, "NumberOfCells", position);
@@ -108,7 +108,7 @@ class VtuHeaderReader {
   void read_array(VtuSection section, const XmlTag& tag, std::size_t position) {
     const std::string name(tag.attribute("Name"));
     const auto type = type_named(kVtuTypeNames, tag.attribute("type"));
-    // Of strings, which are for people, there is nothing to tell.
+    // Arrays of strings are ignored.
     if (!type) return;
     VtuHeader::Array array{section, name,     *type,   0, std::string(tag.attribute("format")),
                            0,       position, position};
@@ -126,7 +126,7 @@ class VtuHeaderReader {
   void read_appended(const XmlTag& tag, std::size_t position) {
     const std::string_view encoding = tag.attribute("encoding");
     if (encoding != "base64" && encoding != "raw")
-      fail(position, fmt::format("appended data in {}, where raw and base64 are known", in_quotes(encoding)));
+      fail(position, fmt::format("appended data in {}, but must be raw or base64", in_quotes(encoding)));
     const std::size_t mark = text_.find('_', position);
     if (mark == std::string_view::npos)
       fail(position, "no '_' before the appended data: cut short", Remedy::kCopyAgain);

@@ -20,7 +20,7 @@
 namespace crossgrain {
 namespace {
 
-/// More than any header needs that lists some dozens of arrays.
+/// More than any header with some dozens of arrays needs.
 constexpr std::size_t kLongestHeader = 1 << 20;
 
 constexpr std::string_view kDataTag = "<AppendedData";
@@ -60,13 +60,14 @@ std::string VtuFile::read_header() const {
   const std::size_t data_tag = header.find(kDataTag);
   const std::size_t mark = data_tag == std::string::npos ? data_tag : header.find('_', data_tag);
   if (mark == std::string::npos)
-    fail("is no field written by crossgrain (it has no appended data), or is cut short", Remedy::kSolveAgain);
+    fail("is not a field written by crossgrain (it has no appended data), or is cut short",
+         Remedy::kSolveAgain);
   header.resize(mark + 1);
   return header;
 }
 
 void VtuFile::parse_header(const std::string& text) {
-  const auto fail_foreign = [&] { fail("is no field written by crossgrain", Remedy::kGiveFieldFolder); };
+  const auto fail_foreign = [&] { fail("is not a field written by crossgrain", Remedy::kGiveFieldFolder); };
   try {
     header_ = read_vtu_header(text);
   } catch (const VtuHeaderFault&) {
@@ -87,7 +88,7 @@ const VtuFile::Array& VtuFile::require(VtuSection section, std::string_view name
   if (array == nullptr)
     fail(fmt::format("has no array '{}' in {}", name, name_of(section)), Remedy::kGiveFieldFolder);
   if (array->type != type || array->components != components)
-    fail(fmt::format("array '{}' holds {} x {} where {} x {} should be", name, array->components,
+    fail(fmt::format("array '{}' holds {} x {} instead of {} x {}", name, array->components,
                      vtu_name_of(array->type), components, vtu_name_of(type)),
          Remedy::kSolveAgain);
   return *array;
@@ -136,7 +137,7 @@ ZlibBlocks VtuFile::locate(const Array& array) const {
   if (array.section == VtuSection::kPoints || array.section == VtuSection::kPointData)
     check(rows == header_.points);
   if (array.section == VtuSection::kCellData) check(rows == header_.cells);
-  // All blocks but the last claim one size, for which memory will be taken.
+  // All blocks but the last claim one size, and memory is allocated for it.
   if (blocks->count() > 0) {
     std::vector<unsigned char> first(blocks->begins[1] - blocks->begins[0]);
     read_at(blocks->begins[0], first.data(), first.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads back the .vtu files that vtu_writer.hpp writes, an array at a time.
+// Reads .vtu files of vtu_writer.hpp, one array at a time.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@
 
 namespace crossgrain {
 
-/// A .vtu file, open for reading. Only the layout of vtu_types.hpp is understood; any other file, also a VTU
-/// in another encoding, and a file cut short throw Error(kInput).
+/// An open .vtu file. Only the layout of vtu_types.hpp is supported. Throws Error(kInput) for any other file,
+/// including VTU in another encoding, and for one that is cut short.
 class VtuFile {
  public:
   using Array = VtuHeader::Array;
@@ -30,11 +30,11 @@ class VtuFile {
   std::size_t cells() const { return header_.cells; }
   const std::vector<Array>& arrays() const { return header_.arrays; }
 
-  /// Null where there is none.
+  /// Returns the header of an array, or null.
   const Array* find(VtuSection section, std::string_view name) const { return header_.find(section, name); }
 
-  /// All values of an array, row after row. Throws Error(kInput) where it is missing, of another type or
-  /// number of components, damaged, or of another length than the grid.
+  /// Returns all values of an array, row after row. Throws Error(kInput) if it is missing or damaged, or has
+  /// the wrong type, number of components or length.
   template <class T>
   std::vector<T> read(VtuSection section, std::string_view name, std::size_t components) const {
     const Array& array = require(section, name, number_type_of<T>(), components);
@@ -44,11 +44,11 @@ class VtuFile {
     return values;
   }
 
-  /// The positions of all points. Throws Error(kInput) as `read` does, and where a coordinate is not a number
-  /// or not of a size below `limit`.
+  /// Returns the positions of all points. Throws Error(kInput) as `read` does, and if a coordinate is not a
+  /// number or its magnitude is not below `limit`.
   std::vector<Vector3> read_points(double limit) const;
 
-  /// Whether numbers of points and offsets of cells have 64 bits; 32 where they fit (fits_32_bits).
+  /// Returns whether point indices and cell offsets have 64 bits; otherwise they have 32 (fits_32_bits).
   bool has_wide_indices() const;
 
  private:

@@ -39,8 +39,8 @@ constexpr std::string_view vtu_name_of(NumberType type) {
   return {};
 }
 
-/// Where an array stands in the file, in the order of the file. kPoints holds the one array of positions;
-/// kCells holds "connectivity", "offsets" and "types".
+/// Section of the file that holds an array, in the order of the file. kPoints holds the positions; kCells
+/// holds "connectivity", "offsets" and "types".
 enum class VtuSection { kFieldData, kPointData, kCellData, kPoints, kCells };
 
 inline constexpr std::array<std::string_view, 5> kVtuSectionNames = {"FieldData", "PointData", "CellData",

@@ -15,16 +15,16 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "arrays are written as they stand in memory");
 
-/// Raw bytes of a block, about. Files are 2 % smaller than with 32 KiB and 1 % larger than with 1 MiB, where
-/// the blocks at hand would take 100 MB.
+/// Approximate raw bytes of a block. Files are 2 % smaller than with 32 KiB and 1 % larger than with 1 MiB,
+/// for which the blocks in memory would take 100 MB.
 constexpr std::size_t kBlockBytes = 1 << 18;
 
-/// Blocks that are compressed at a time, while as many go to the disk: enough for many threads to share,
-/// about 25 MB in all.
+/// Blocks that are compressed at a time, while as many are written: enough for many threads, about 25 MB in
+/// total.
 constexpr std::size_t kBlocksAtOnce = 16;
 
-/// Room for offset="..." with any 64-bit number; what is left of it is filled with blanks, which XML allows
-/// between attributes.
+/// Space for offset="..." with any 64-bit number; the rest is filled with blanks, which XML allows between
+/// attributes.
 constexpr std::size_t kOffsetBytes = 29;
 
 std::string escaped(const std::string& text) {
@@ -93,7 +93,7 @@ class VtuWriter {
     const std::size_t block_rows = std::max<std::size_t>(1, kBlockBytes / row_bytes);
     const std::size_t blocks = (array.tuples + block_rows - 1) / block_rows;
 
-    // The compressed sizes become known as the blocks are written.
+    // The compressed sizes are known once the blocks are written.
     std::vector<std::uint64_t> header(3 + blocks, 0);
     header[0] = blocks;
     header[1] = block_rows * row_bytes;
@@ -111,7 +111,7 @@ class VtuWriter {
         file_.write(slots[i].compressed.data(), slots[i].compressed_bytes);
       }
     };
-    std::size_t waiting = 0;  // blocks of the other slots that are compressed and not written
+    std::size_t waiting = 0;  // compressed blocks of the other slots that are not yet written
     for (std::size_t first = 0; first < blocks; first += kBlocksAtOnce) {
       const std::size_t count = std::min(kBlocksAtOnce, blocks - first);
       Slots& slots = slots_[first / kBlocksAtOnce % 2];
@@ -129,7 +129,7 @@ class VtuWriter {
     file_.patch(header_place, header_bytes());
   }
 
-  /// Memory of one block, used again and again. Raw data are kept in units of 8 bytes for their alignment.
+  /// Reused memory of one block. Raw data are stored in units of 8 bytes for alignment.
   struct Slot {
     std::vector<std::uint64_t> raw;
     std::vector<unsigned char> compressed;

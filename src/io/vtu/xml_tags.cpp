@@ -35,7 +35,7 @@ void XmlTags::skip_blanks() {
   position_ = std::min(text_.find_first_not_of(kBlanks, position_), text_.size());
 }
 
-/// Moves behind the next '<' that opens a tag; false at the end of the text.
+/// Moves to the byte after the next '<' that opens a tag. Returns false at the end of the text.
 bool XmlTags::skip_markup_but_tags() {
   for (;;) {
     position_ = std::min(text_.find('<', position_), text_.size());
@@ -85,7 +85,7 @@ bool XmlTags::parse_attributes(XmlTag& tag) {
   }
 }
 
-/// A name, '=' and a value in quotes; blanks may stand around '='.
+/// Reads a name, '=' and a quoted value; blanks may surround '='.
 bool XmlTags::parse_attribute(XmlTag& tag) {
   const std::size_t begin = position_;
   position_ = std::min(text_.find_first_of(kNameEnds, position_), text_.size());

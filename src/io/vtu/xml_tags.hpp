@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tags of an XML text, one after the other: as much of XML as the headers of VTK files need.
+// Iterates over the tags of an XML text: the part of XML that headers of VTK files use.
 #pragma once
 
 #include <cstddef>
@@ -14,20 +14,20 @@ struct XmlTag {
   std::string name;  ///< "/Piece" for </Piece>
   std::map<std::string, std::string, std::less<>> attributes;
 
-  /// Empty where there is none.
+  /// Value of an attribute; empty if there is none.
   std::string_view attribute(std::string_view key) const;
 };
 
-/// Passes over text, comments and declarations. Never looks beyond its text.
+/// Skips text, comments and declarations. Never reads beyond its text.
 class XmlTags {
  public:
   explicit XmlTags(std::string_view text) : text_(text) {}
 
-  /// The next tag; nothing at the end of the text or where it is malformed.
+  /// Returns the next tag; nothing at the end of the text or if it is malformed.
   std::optional<XmlTag> next();
 
-  /// Whether `next` ended at what is no XML, or in the middle of a tag or comment, not at the end of the
-  /// text.
+  /// Returns whether `next` stopped at malformed XML, or within a tag or comment, rather than at the end of
+  /// the text.
   bool malformed() const { return malformed_; }
 
   /// The byte after the last tag, or the one where the text is malformed.

@@ -9,7 +9,7 @@
 namespace crossgrain {
 namespace {
 
-/// Deflate cannot shrink data further than about 1032:1, so what claims to is damaged.
+/// Deflate cannot compress by more than about 1032:1, so data that claim more are damaged.
 constexpr std::uint64_t kLargestRatio = 1040;
 
 }  // namespace
@@ -44,7 +44,7 @@ bool inflate_onto(std::string& out, std::span<const unsigned char> compressed, s
   constexpr std::uint64_t kPiece = 1 << 16;
   if (compressed.size() > std::numeric_limits<uInt>::max()) return false;
   z_stream stream{};
-  // Zlib leaves it alone; its interface is older than const.
+  // The interface of zlib lacks const; it does not write to the input.
   stream.next_in = const_cast<unsigned char*>(compressed.data());
   stream.avail_in = static_cast<uInt>(compressed.size());
   if (inflateInit(&stream) != Z_OK) return false;
@@ -52,7 +52,7 @@ bool inflate_onto(std::string& out, std::span<const unsigned char> compressed, s
   int code = Z_OK;
   while (code == Z_OK) {
     const std::size_t done = out.size();
-    // One more, to see a stream that goes on.
+    // One byte more, to detect a stream that continues.
     const std::uint64_t room = std::min(kPiece, raw_bytes - (done - begin) + 1);
     out.resize(done + room);
     stream.next_out = reinterpret_cast<unsigned char*>(out.data() + done);

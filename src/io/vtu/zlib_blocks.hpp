@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays of VTK files that are cut into blocks, each a zlib stream of its own (vtu_types.hpp).
+// Arrays of VTK files in blocks that are separate zlib streams (vtu_types.hpp).
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 
 namespace crossgrain {
 
-/// Where the blocks stand, and how much they hold.
+/// Positions and sizes of the blocks.
 struct ZlibBlocks {
   std::uint64_t raw_bytes = 0;        ///< of all blocks together
-  std::uint64_t block_bytes = 0;      ///< raw ones of each but the last
+  std::uint64_t block_bytes = 0;      ///< raw bytes of each block but the last
   std::vector<std::uint64_t> begins;  ///< one more than there are blocks
 
   std::size_t count() const { return begins.size() - 1; }
@@ -25,19 +25,19 @@ struct ZlibBlocks {
   }
 };
 
-/// The blocks that a header speaks of: `head` its first three numbers, `sizes` the others, `begin` the place
-/// behind it. Nothing where they contradict each other, reach beyond `end`, or claim to hold more than zlib
-/// can pack into as many bytes. That is a thousand times as many: before memory is taken for what is
-/// returned, inflate a block.
+/// Returns the blocks that a header describes: `head` its first three numbers, `sizes` the others, `begin`
+/// the position behind it. Nothing if they are inconsistent, exceed `end`, or claim more than zlib can
+/// compress into that many bytes. That is a factor of a thousand: inflate a block before allocating memory
+/// for all.
 std::optional<ZlibBlocks> zlib_blocks(const std::array<std::uint64_t, 3>& head,
                                       std::span<const std::uint64_t> sizes, std::uint64_t begin,
                                       std::uint64_t end);
 
-/// Whether `compressed` is a zlib stream of exactly `raw_bytes` bytes, which are then in `out`.
+/// Decompresses into `out`. Returns whether `compressed` is a zlib stream of exactly `raw_bytes` bytes.
 bool inflate_block(std::span<const unsigned char> compressed, char* out, std::uint64_t raw_bytes);
 
-/// Appends what `compressed` holds to `out`, which grows with what comes, whatever `raw_bytes` claims.
-/// Whether that was a zlib stream of exactly `raw_bytes` bytes.
+/// Decompresses and appends to `out`, which grows with the data, whatever `raw_bytes` claims. Returns whether
+/// it was a zlib stream of exactly `raw_bytes` bytes.
 bool inflate_onto(std::string& out, std::span<const unsigned char> compressed, std::uint64_t raw_bytes);
 
 }  // namespace crossgrain

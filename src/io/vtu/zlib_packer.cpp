@@ -7,12 +7,12 @@
 namespace crossgrain {
 namespace {
 
-/// Of a block, what tells whether it has repetitions, and to what share it must shrink. At a half the search
-/// takes a fifth of the time that it takes of numbers without any.
+/// A block is searched for repetitions if its first 1 / kSampleShare shrinks to this share. The search takes
+/// a fifth of the time at a half that it takes for data without repetitions.
 constexpr std::size_t kSampleShare = 16;
 constexpr double kManyRepetitions = 0.5;
 
-/// `bytes` as a zlib stream of stored blocks (RFC 1950, RFC 1951 section 3.2.4).
+/// Returns `bytes` as a zlib stream of stored blocks (RFC 1950, RFC 1951 section 3.2.4).
 std::size_t store(std::span<const unsigned char> bytes, std::vector<unsigned char>& out) {
   constexpr std::size_t kLongestBlock = 0xffff, kHeaderBytes = 2, kBlockHeaderBytes = 5, kCheckBytes = 4;
   const std::size_t blocks = std::max<std::size_t>(1, (bytes.size() + kLongestBlock - 1) / kLongestBlock);
@@ -40,7 +40,7 @@ std::size_t store(std::span<const unsigned char> bytes, std::vector<unsigned cha
 }  // namespace
 
 ZlibPacker::ZlibPacker(int level) : level_(level) {
-  // With a level that exists, zlib fails for lack of memory only.
+  // With a valid level, zlib fails only for lack of memory.
   if (deflateInit(&stream_, level) != Z_OK) throw std::bad_alloc();
 }
 
@@ -65,11 +65,11 @@ std::size_t ZlibPacker::deflate_all(std::span<const unsigned char> bytes, int st
   deflateParams(&stream_, level_, strategy);
   const std::size_t bound = deflateBound(&stream_, bytes.size());
   if (out.size() < bound) out.resize(bound);
-  stream_.next_in = const_cast<Bytef*>(bytes.data());  // which zlib does not write to
+  stream_.next_in = const_cast<Bytef*>(bytes.data());  // zlib does not write to it
   stream_.avail_in = static_cast<uInt>(bytes.size());
   stream_.next_out = out.data();
   stream_.avail_out = static_cast<uInt>(out.size());
-  // With a buffer of that size there is nothing to fail but memory.
+  // The buffer is large enough, so only lack of memory can fail.
   if (deflate(&stream_, Z_FINISH) != Z_STREAM_END) throw std::bad_alloc();
   return stream_.total_out;
 }

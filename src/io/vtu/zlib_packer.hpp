@@ -9,21 +9,21 @@
 
 namespace crossgrain {
 
-/// How an array is packed into zlib streams.
+/// Strategy of packing an array into zlib streams.
 enum class VtuPacking {
   /// With a search for repetitions: grids, numbers, flags.
   kRepetitions,
 
-  /// Byte by byte: numbers of few different bytes in no order. Takes half the time.
+  /// Byte by byte (Huffman only): numbers of few distinct bytes without order. Takes half the time.
   kSingleBytes,
 
-  /// Repetitions where a block has many, and as it is where not: measured numbers, directions. Of a curved
-  /// part's a third would go, at 50 MB a second, and a tenth byte by byte, at 115; a flat part's are all the
-  /// same.
+  /// With a search if a block has many repetitions, else stored: measured numbers, directions. On a curved
+  /// part, a search would save a third at 50 MB/s, and byte by byte a tenth at 115 MB/s; on a flat part
+  /// nearly everything repeats.
   kMeasured
 };
 
-/// Makes zlib streams, of the same bytes whatever it made before.
+/// Makes zlib streams whose bytes do not depend on earlier calls.
 class ZlibPacker {
  public:
   /// `level` of zlib, 1 to 9. Takes 270 kB.
@@ -32,8 +32,8 @@ class ZlibPacker {
   ZlibPacker(const ZlibPacker&) = delete;
   ZlibPacker& operator=(const ZlibPacker&) = delete;
 
-  /// A stream of `bytes`, less than 4 GB, at the front of `out`, which is made large enough; returns its
-  /// length.
+  /// Writes `bytes`, less than 4 GB, as a stream to the start of `out`, which is enlarged if needed. Returns
+  /// its length.
   std::size_t pack(std::span<const unsigned char> bytes, VtuPacking packing, std::vector<unsigned char>& out);
 
  private:

@@ -19,11 +19,11 @@
 namespace crossgrain {
 namespace {
 
-/// Of the longest side: above what IGES files are off by, below the finest cells that anybody takes.
+/// Relative to the longest side: above the gaps of IGES files, below any practical cell size.
 constexpr double kSewingTolerance = 1e-5;
 
-/// Shapes of a kind, each once, in the order of TopExp::MapShapes; those inside a shape of `avoided` are left
-/// out.
+/// Returns the distinct shapes of a kind in the order of TopExp::MapShapes, except those inside a shape of
+/// `avoided`.
 std::vector<TopoDS_Shape> shapes_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
                                     TopAbs_ShapeEnum avoided = TopAbs_SHAPE) {
   TopTools_IndexedMapOfShape seen;
@@ -51,7 +51,7 @@ TopoDS_Shape shell_of(const TopoDS_Shape& face) {
   return shell;
 }
 
-/// The faces of no solid as shells: those that are closed as they are, all else sewn.
+/// Joins the faces that belong to no solid into shells: closed shells stay as they are, all else is sewn.
 class LooseFaces {
  public:
   LooseFaces(const TopoDS_Shape& shape, double longest_side) : sewing_(kSewingTolerance * longest_side) {
@@ -71,7 +71,7 @@ class LooseFaces {
 
   const std::vector<TopoDS_Shape>& shells() const { return shells_; }
 
-  /// What a face of the shape as read has become.
+  /// Returns what a face of the original shape has become.
   TopoDS_Shape now(const TopoDS_Shape& face) const { return sewing_.ModifiedSubShape(face); }
 
  private:
@@ -83,9 +83,9 @@ Warning warning_of(std::size_t solids, const std::vector<TopoDS_Shape>& shells) 
   const auto closed = std::count_if(shells.begin(), shells.end(),
                                     [](const TopoDS_Shape& shell) { return BRep_Tool::IsClosed(shell); });
   const std::string parts =
-      fmt::format("{} closed and {} open, each taken as a solid of its own", closed, shells.size() - closed);
-  const char* const what = solids == 0 ? "the file has no solids, only faces, which make up shells: "
-                                       : "the file has faces beside its solids, which make up shells: ";
+      fmt::format("{} closed and {} open, each solved as a separate solid", closed, shells.size() - closed);
+  const char* const what = solids == 0 ? "the file has no solids, only faces, which form shells: "
+                                       : "the file has faces that belong to no solid and form shells: ";
   return {WarningKind::kLooseFaces, what + parts};
 }
 
@@ -105,7 +105,7 @@ double longest_side_at_most(const TopoDS_Shape& shape) {
 Bodies find_bodies(const TopoDS_Shape& shape) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  if (faces.IsEmpty()) throw Fault("holds no faces, only curves or points", Remedy::kExportAgain);
+  if (faces.IsEmpty()) throw Fault("has no faces, only curves or points", Remedy::kExportAgain);
 
   Bodies result;
   result.whole = shape;

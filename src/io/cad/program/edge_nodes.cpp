@@ -34,7 +34,7 @@ std::uint32_t EdgeNodes::add(const gp_Pnt& point) {
     if (!std::isfinite(coordinate)) throw Fault("has a point at infinity");
   }
   if (positions_.size() >= kNone)
-    throw Fault("takes more than 4294967295 vertices", Remedy::kLowerResolution);
+    throw Fault("needs more than 4294967295 vertices", Remedy::kLowerResolution);
   positions_.push_back(position);
   return static_cast<std::uint32_t>(positions_.size() - 1);
 }
@@ -52,7 +52,7 @@ std::vector<std::uint32_t> EdgeNodes::vertices_of(const TopoDS_Face& face,
                                                   const TopLoc_Location& location) {
   const auto point = [&](int node) { return mesh->Node(node).Transformed(location); };
   std::vector<std::uint32_t> vertices(static_cast<std::size_t>(mesh->NbNodes()) + 1, kNone);
-  // Forward, so that the edges of a seam say by their orientation which of its two sides is meant.
+  // Forward, so that the orientation of a seam's edges tells which of its two sides is meant.
   const TopoDS_Shape forward = face.Oriented(TopAbs_FORWARD);
   for (TopExp_Explorer edges(forward, TopAbs_EDGE); edges.More(); edges.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
@@ -76,7 +76,7 @@ std::vector<std::uint32_t> EdgeNodes::vertices_of(const TopoDS_Face& face,
         if (polygon->HasParameters()) line.parameters.push_back(polygon->Parameter(i));
       }
     }
-    // Otherwise the edge was cut in another way for the face before: bits have to tell.
+    // Otherwise the edge was cut differently for an earlier face, and equal coordinates are merged later.
     if (line.vertices.size() != static_cast<std::size_t>(count)) continue;
     for (int i = 1; i <= count; ++i)
       vertices[static_cast<std::size_t>(polygon->Node(i))] = line.vertices[static_cast<std::size_t>(i - 1)];

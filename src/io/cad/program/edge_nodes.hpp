@@ -13,24 +13,24 @@
 
 namespace crossgrain {
 
-/// Numbers the nodes of the triangulations of faces so that faces share those on common edges, whatever
-/// rounding does to their coordinates.
+/// Numbers the nodes of the triangulations of faces such that faces share nodes on common edges, even if
+/// their coordinates differ by rounding.
 class EdgeNodes {
  public:
   explicit EdgeNodes(const Bodies& bodies);
 
-  /// The vertex of each node of a face's triangulation, from 1; [0] is nothing.
+  /// Returns the vertex of each node of a face's triangulation, from 1; entry 0 is unused.
   std::vector<std::uint32_t> vertices_of(const TopoDS_Face& face, const Handle(Poly_Triangulation) & mesh,
                                          const TopLoc_Location& location);
 
-  /// An edge as a polyline of vertices, by increasing parameter; empty where no face with it was meshed.
+  /// An edge as a polyline of vertices, by increasing parameter; empty if no face with it was meshed.
   struct Line {
     std::vector<std::uint32_t> vertices;
     std::vector<double> parameters;
   };
   const Line& line(int edge) const { return lines_[static_cast<std::size_t>(edge)]; }
 
-  /// The coordinates of all vertices so far.
+  /// Coordinates of all vertices so far.
   const std::vector<Vector3>& positions() const { return positions_; }
 
  private:

@@ -10,13 +10,13 @@
 namespace crossgrain {
 namespace {
 
-/// Of the model's size. At the apex of a cone and the pole of a sphere rounding leaves some 1e-16 of it.
+/// Relative to the model's size. At the apex of a cone and the pole of a sphere rounding leaves about 1e-16.
 constexpr double kPoint = 1e-9;
 
-/// The sine of the angle between the derivatives below which their product has no direction.
+/// If the sine of the angle between the derivatives is less, their product has no direction.
 constexpr double kParallel = 1e-9;
 
-/// How far beside a point, as a share of the way: much more than kPoint, much less than facets turn.
+/// Offset from a point as a share of the way: much more than kPoint, much less than the size of facets.
 constexpr double kBeside = 1e-6;
 
 Vector3 vector_of(const gp_Vec& v) {

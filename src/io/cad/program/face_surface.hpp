@@ -10,30 +10,31 @@
 
 namespace crossgrain {
 
-/// The true surface of a face, for its normals.
+/// The exact surface of a face, for its normals.
 class FaceSurface {
  public:
-  /// `size`: of the model; what is much smaller counts as a point.
+  /// `size` is that of the model; what is much smaller counts as a point.
   FaceSurface(const TopoDS_Face& face, double size);
 
-  /// The unit vector along the product of the derivatives by u and by v, the outward normal of a face of
-  /// orientation FORWARD. None where the surface comes together in a point, as at the apex of a cone.
+  /// Returns the unit vector along the product of the derivatives by u and v, which is the outward normal of
+  /// a face of orientation FORWARD. None if the surface degenerates to a point there, as at the apex of a
+  /// cone.
   std::optional<Vector3> normal_at(const gp_Pnt2d& uv) const;
 
-  /// The same just beside `uv`, where the surface comes together in a point: on the line of u or v that
-  /// leads from that point to `towards`.
+  /// Returns the normal next to `uv`, where the surface degenerates to a point: on the line of u or v from
+  /// there to `towards`.
   std::optional<Vector3> normal_beside(const gp_Pnt2d& uv, const gp_Pnt2d& towards) const;
 
  private:
   struct Derivatives {
     Vector3 by_u, by_v;
-    bool u_is_point, v_is_point;  ///< the surface stands still along u or v
+    bool u_is_point, v_is_point;  ///< derivative by u or v is zero
   };
   Derivatives derivatives_at(const gp_Pnt2d& uv) const;
 
   BRepAdaptor_Surface surface_;
   double u_span_, v_span_;
-  double smallest_;  ///< how far the surface must go over the face in u and in v, at the speed at a point
+  double smallest_;  ///< a derivative counts as zero if its length times the range of u or v is at most this
 };
 
 }  // namespace crossgrain

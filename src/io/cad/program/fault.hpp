@@ -8,7 +8,7 @@
 
 namespace crossgrain {
 
-/// What is wrong with a CAD file. It does not leave the program.
+/// Error in a CAD file. It is not thrown out of the program.
 class Fault : public std::runtime_error {
  public:
   explicit Fault(const std::string& text, Remedy remedy = Remedy::kRepairFile)

@@ -38,7 +38,7 @@ TriangleMesh read(const CadRequest& request) {
   return mesh;
 }
 
-/// Errors are one line, whatever OpenCASCADE says.
+/// Returns the text as one line, whatever OpenCASCADE puts in.
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
@@ -67,10 +67,10 @@ CadAnswer answer_to(const CadRequest& request) {
   }
 }
 
-/// Set before anything can fail; its buffer is there from the greeting on.
+/// Set before anything can fail; its buffer exists from the greeting on.
 std::FILE* answer_file = nullptr;
 
-/// OpenCASCADE lets few exceptions through: what it does once memory is missing cannot be foretold.
+/// OpenCASCADE lets few exceptions through; its behaviour without memory is unpredictable.
 void end_without_memory() {
   write_cad_answer(answer_file, {CadEnd::kOutOfMemory, {}, {}});
   ::_exit(0);
@@ -91,14 +91,14 @@ void limit(__rlimit_resource resource, std::size_t most) {
   ::setrlimit(resource, &both);
 }
 
-/// No more memory than that, no core file after a crash, and an end as soon as nobody waits any more.
+/// Limits memory, disables core dumps, and ends this process when its parent ends.
 void restrict_to(const CadRequest& request) {
   limit(RLIMIT_CORE, 0);
 #ifndef __SANITIZE_ADDRESS__  // which reserves terabytes
   limit(RLIMIT_DATA, request.options.max_memory_bytes);
 #endif
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // It may have ended before.
+  // The parent may have ended before.
   if (::getppid() != request.asking_process) ::_exit(kNotAsked);
 }
 
@@ -122,6 +122,6 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
   const int status = crossgrain::run({argv + 1, argv + argc});
-  // Everything is said; taking OpenCASCADE down takes time, and crashes now and then.
+  // The answer is complete. Destroying OpenCASCADE takes time and sometimes crashes.
   ::_exit(status);
 }

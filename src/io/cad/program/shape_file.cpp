@@ -26,14 +26,14 @@
 namespace crossgrain {
 namespace {
 
-/// The unit that OpenCASCADE converts to, its own default too.
+/// Unit to which OpenCASCADE converts, also its default.
 constexpr const char* kUnit = "mm";
 
 void ask_for_millimetres() {
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
 }
 
-/// As people write it; unknown names in lower case.
+/// Common spelling of a unit; unknown names in lower case.
 std::string short_unit(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
   constexpr std::array<std::pair<const char*, const char*>, 6> kShort = {{{"millimetre", "mm"},
@@ -48,7 +48,7 @@ std::string short_unit(std::string name) {
   return name;
 }
 
-/// Where a piece of geometry did not load, OpenCASCADE goes on with null pointers in it and ends the process.
+/// Throws Fault if part of the geometry did not load: OpenCASCADE would go on with null pointers and crash.
 void refuse_damaged_geometry(const Handle(Interface_InterfaceModel) & model) {
   constexpr std::array<std::string_view, 4> kGeometry = {"StepGeom_", "StepShape_", "IGESGeom_",
                                                          "IGESSolid_"};
@@ -65,14 +65,14 @@ void refuse_damaged_geometry(const Handle(Interface_InterfaceModel) & model) {
 void warn_without_unit(CadShape& result) {
   if (result.file_unit.empty())
     result.warnings.emplace_back(WarningKind::kUnknownUnit,
-                                 "the file names no unit of length: its numbers are taken for millimetres");
+                                 "the file does not give a unit of length; millimetres are assumed");
 }
 
 CadShape read_step_shape(const std::string& path) {
   STEPControl_Reader reader;
   ask_for_millimetres();
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    throw Fault("is damaged, or no STEP file that OpenCASCADE can read", Remedy::kExportAgain);
+    throw Fault("is damaged, or not a STEP file that OpenCASCADE can read", Remedy::kExportAgain);
   refuse_damaged_geometry(reader.Model());
   CadShape result;
   result.unit = kUnit;
@@ -85,12 +85,14 @@ CadShape read_step_shape(const std::string& path) {
   if (read < parts)
     result.warnings.emplace_back(
         WarningKind::kMissingParts,
-        fmt::format("parts that OpenCASCADE could not read, and are missing: {} of {}", parts - read, parts));
+        fmt::format("parts that OpenCASCADE could not read, so they are missing: {} of {}", parts - read,
+                    parts));
   result.shape = reader.OneShape();
   return result;
 }
 
-/// The unit by the flag of the global section (IGES 5.3, section 2.2.4.3.14), whose name is optional.
+/// Returns the unit by the flag of the global section (IGES 5.3, section 2.2.4.3.14); the unit's name is
+/// optional.
 std::string iges_unit(const IGESData_GlobalSection& section) {
   constexpr std::array kNames = {"",  "inch", "mm",  "",   "foot", "mile",
                                  "m", "km",   "mil", "um", "cm",   "microinch"};
@@ -104,7 +106,7 @@ CadShape read_iges_shape(const std::string& path) {
   IGESControl_Reader reader;
   ask_for_millimetres();
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    throw Fault("is damaged, or no IGES file that OpenCASCADE can read", Remedy::kExportAgain);
+    throw Fault("is damaged, or not an IGES file that OpenCASCADE can read", Remedy::kExportAgain);
   refuse_damaged_geometry(reader.Model());
   CadShape result;
   result.unit = kUnit;
@@ -130,7 +132,7 @@ CadShape read_brep_shape(const std::string& path) {
   } else {
     done = BRepTools::Read(result.shape, path.c_str(), BRep_Builder());
   }
-  if (!done) throw Fault("is damaged, or no BREP file that OpenCASCADE can read", Remedy::kExportAgain);
+  if (!done) throw Fault("is damaged, or not a BREP file that OpenCASCADE can read", Remedy::kExportAgain);
   return result;
 }
 
@@ -140,7 +142,7 @@ CadShape read_shape(const std::string& path, CadFormat format) {
   CadShape result = format == CadFormat::kStep   ? read_step_shape(path)
                     : format == CadFormat::kIges ? read_iges_shape(path)
                                                  : read_brep_shape(path);
-  if (result.shape.IsNull()) throw Fault("holds no shapes that could be read", Remedy::kExportAgain);
+  if (result.shape.IsNull()) throw Fault("has no shapes that could be read", Remedy::kExportAgain);
   return result;
 }
 

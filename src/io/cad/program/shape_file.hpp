@@ -12,13 +12,13 @@ namespace crossgrain {
 
 struct CadShape {
   TopoDS_Shape shape;     ///< not null
-  std::string unit;       ///< of the shape: "mm", or empty where the format has no units
-  std::string file_unit;  ///< of the file, such as "inch"; empty where it does not say
+  std::string unit;       ///< of the shape: "mm", or empty if the format has no units
+  std::string file_unit;  ///< of the file, such as "inch"; empty if it does not say
   std::vector<Warning> warnings;
 };
 
-/// Everything in a CAD file as one shape, assemblies with all parts at their places. Throws Fault, and
-/// whatever OpenCASCADE throws.
+/// Returns the contents of a CAD file as one shape, with all parts of assemblies in their places. Throws
+/// Fault, and whatever OpenCASCADE throws.
 CadShape read_shape(const std::string& path, CadFormat format);
 
 }  // namespace crossgrain

@@ -17,15 +17,16 @@
 namespace crossgrain {
 namespace {
 
-/// Places along an edge where the surfaces on its sides are compared; none at its ends, where surfaces may
-/// come together in a point. An edge that is sharp in less than a seventh of its length may be missed.
+/// Places along an edge where the surfaces on both sides are compared; none at its ends, where surfaces may
+/// degenerate to a point. An edge that is sharp on less than a seventh of its length may be missed.
 constexpr int kPlaces = 7;
 
 double cosine_of_degrees(double angle_deg) {
   return std::cos(angle_deg * std::numbers::pi / 180);
 }
 
-/// Tangents of the curve at the points of a polyline; those of the polyline where the curve stands still.
+/// Tangents of the curve at the points of a polyline; those of the polyline if the curve's derivative is
+/// zero.
 std::vector<Vector3> tangents_of(const TopoDS_Edge& edge, const std::vector<double>& parameters,
                                  const std::vector<Vector3>& points) {
   const BRepAdaptor_Curve curve(edge);

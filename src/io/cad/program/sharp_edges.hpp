@@ -11,24 +11,24 @@
 
 namespace crossgrain {
 
-/// Finds the edges at which the true surface of a body turns.
+/// Finds the edges where the exact surface of a body has a crease.
 class SharpEdges {
  public:
   SharpEdges(const Bodies& bodies, const std::vector<FaceSurface>& surfaces, double crease_angle_deg);
 
-  /// Looks at all edges of a body. `inside_out`: its faces look inwards.
+  /// Checks all edges of a body. `inside_out`: its faces are oriented inwards.
   void add(const TopoDS_Shape& body, bool inside_out);
 
-  /// The edges found so far, in the order of `Bodies::edges`, as polylines through the vertices of their
-  /// triangles, with the tangents of the true curves.
+  /// Returns the edges found so far, in the order of `Bodies::edges`, as polylines through the vertices of
+  /// their triangles, with the tangents of the exact curves.
   std::vector<CreaseCurve> creases(const EdgeNodes& nodes) const;
 
  private:
-  /// A face along an edge; a seam has two of them in one face.
+  /// A face along an edge; a seam has two sides in one face.
   struct Side {
     TopoDS_Edge edge;  ///< as oriented in `face`
     int face;          ///< in `Bodies::faces`
-    double sign;       ///< of the surface's normal to look outwards
+    double sign;       ///< of the surface's normal to point outwards
   };
 
   bool is_sharp(const std::vector<Side>& sides) const;

@@ -23,11 +23,11 @@
 namespace crossgrain {
 namespace {
 
-/// Bounds of the chord error, of the longest side (ReadOptions::chord_error_cells).
+/// Bounds of the chord error relative to the longest side (ReadOptions::chord_error_cells).
 constexpr double kLargestChord = 1.0 / 40, kSmallestChord = 1e-6;
 
-/// The box that is known before meshing encloses the poles of splines too. Where it was larger than that of
-/// the triangles by more than this, they are cut again, finer.
+/// The box before meshing also contains the poles of splines. If it exceeds that of the triangles by more
+/// than this factor, the faces are meshed again, finer.
 constexpr double kBoxTooLarge = 1.1;
 
 double chord_error(double longest_side, const ReadOptions& options) {
@@ -38,14 +38,14 @@ double chord_error(double longest_side, const ReadOptions& options) {
 }
 
 void mesh_faces(const TopoDS_Shape& shape, double chord, const ReadOptions& options) {
-  // Files of BREP may bring triangles of their own, of any fineness.
+  // BREP files may contain triangles of any size.
   BRepTools::Clean(shape);
   const double angle_rad = options.facet_angle_deg * std::numbers::pi / 180;
   const bool relative = false, in_parallel = false;
   BRepMesh_IncrementalMesh(shape, chord, relative, angle_rad, in_parallel);
 }
 
-/// A face cut into triangles, in the orientation of its surface.
+/// Triangles of a face, in the orientation of its surface.
 struct FacetedFace {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::array<Vector3, 3>> corner_normals;
@@ -57,7 +57,7 @@ class Tessellation {
       : bodies_(bodies), options_(options), nodes_(bodies) {
     const double size = mesh_all();
     surfaces_.reserve(static_cast<std::size_t>(bodies.faces.Extent()) + 1);
-    surfaces_.emplace_back(TopoDS::Face(bodies.faces(1)), size);  // of [0] there is no face
+    surfaces_.emplace_back(TopoDS::Face(bodies.faces(1)), size);  // entry 0 is unused
     faces_.resize(1);
     for (int number = 1; number <= bodies.faces.Extent(); ++number) {
       const TopoDS_Face face = TopoDS::Face(bodies.faces(number).Oriented(TopAbs_FORWARD));
@@ -78,20 +78,20 @@ class Tessellation {
                use.reversed != inside_out);
       sharp.add(body.shape, inside_out);
     }
-    if (mesh_.triangles.empty()) throw Fault("none of its faces could be cut into triangles");
+    if (mesh_.triangles.empty()) throw Fault("none of its faces could be triangulated");
     mesh_.creases = sharp.creases(nodes_);
     warn_of_missing_faces();
     return std::move(mesh_);
   }
 
  private:
-  /// A face as it bounds a body.
+  /// A face of a body with its orientation.
   struct Use {
     std::size_t face;
     bool reversed;
   };
 
-  /// Returns the longest side of the box of the triangles.
+  /// Meshes all faces. Returns the longest side of the box of the triangles.
   double mesh_all() {
     const double at_most = longest_side_at_most(bodies_.whole);
     mesh_faces(bodies_.whole, chord_error(at_most, options_), options_);
@@ -119,7 +119,7 @@ class Tessellation {
     return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 0.0});
   }
 
-  /// `face` is FORWARD.
+  /// `face` must be FORWARD.
   FacetedFace facets_of(const TopoDS_Face& face, const FaceSurface& surface) {
     FacetedFace result;
     TopLoc_Location location;
@@ -135,7 +135,7 @@ class Tessellation {
         triangle[k] = vertices[static_cast<std::size_t>(nodes[k])];
         uv[k] = mesh->UVNode(nodes[k]);
       }
-      // At the apex of a cone an edge of the face is one point.
+      // At the apex of a cone an edge of the face is a single point.
       if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
       result.triangles.push_back(triangle);
       result.corner_normals.push_back(corner_normals(surface, uv, facet_normal(triangle)));
@@ -149,8 +149,8 @@ class Tessellation {
     return normalised(cross(at[b] - at[a], at[c] - at[a]));
   }
 
-  /// Where the surface has no normal it is that of the triangle's own strip, as on a cone; failing that, the
-  /// triangle's.
+  /// Corner normals. Where the surface has none, that of the triangle's own strip, as on a cone; failing
+  /// that, the triangle's.
   static std::array<Vector3, 3> corner_normals(const FaceSurface& surface, const std::array<gp_Pnt2d, 3>& uv,
                                                const Vector3& facet_normal) {
     std::array<Vector3, 3> normals;
@@ -166,7 +166,7 @@ class Tessellation {
     std::vector<Use> uses;
     for (TopExp_Explorer faces(body, TopAbs_FACE); faces.More(); faces.Next()) {
       const TopoDS_Shape& face = faces.Current();
-      // The others lie inside a body, or outside, and do not bound it.
+      // Faces of other orientations lie inside or outside a body and do not bound it.
       if (face.Orientation() != TopAbs_FORWARD && face.Orientation() != TopAbs_REVERSED) continue;
       uses.push_back(
           {static_cast<std::size_t>(bodies_.faces.FindIndex(face)), face.Orientation() == TopAbs_REVERSED});
@@ -174,7 +174,8 @@ class Tessellation {
     return uses;
   }
 
-  /// Six times the volume that faces enclose, seen from one of their vertices lest it drown in rounding.
+  /// Returns six times the enclosed volume. Coordinates are relative to one of the vertices, to limit
+  /// rounding errors.
   double volume_of(const std::vector<Use>& uses) const {
     double volume = 0;
     const Vector3* origin = nullptr;
@@ -216,7 +217,7 @@ class Tessellation {
       mesh_.warnings.emplace_back(
           WarningKind::kMissingFaces,
           fmt::format(
-              "faces that could not be cut into triangles, and are missing: {} of {}; the first is face {}",
+              "faces that could not be triangulated, so they are missing: {} of {}; the first is face {}",
               missing, faces_.size() - 1, first));
   }
 
@@ -224,7 +225,7 @@ class Tessellation {
   const ReadOptions& options_;
   EdgeNodes nodes_;
   std::vector<FaceSurface> surfaces_;  ///< of the faces, from 1
-  std::vector<FacetedFace> faces_;     ///< the same
+  std::vector<FacetedFace> faces_;     ///< of the faces, from 1
   TriangleMesh mesh_;
 };
 

@@ -6,9 +6,9 @@
 
 namespace crossgrain {
 
-/// The faces of all bodies as triangles, one body after the other, each face in the orientation that looks
-/// out of its body; with faces, solids, corner normals and creases. Warns of faces that could not be meshed.
-/// Throws Fault where none could. The same on every run: meshing is on one thread.
+/// Returns the triangles of all bodies, one body after the other, with faces oriented outwards; with faces,
+/// solids, corner normals and creases. Warns of faces that could not be meshed. Throws Fault if none could.
+/// Results are reproducible: meshing uses one thread.
 TriangleMesh tessellate(const Bodies& bodies, const ReadOptions& options);
 
 }  // namespace crossgrain
