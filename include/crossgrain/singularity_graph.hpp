@@ -28,7 +28,7 @@ struct SingularityGraph {
   enum class Verdict : std::uint8_t {
     kMeshable = 0,
     kNotMeshable = 1,
-    kUndecided = 2,  ///< not in the program's tables
+    kUndecided = 2,  ///< a node with too many hexahedra to judge
   };
 
   struct Arc {

@@ -2,9 +2,12 @@
 #include "singularity/arc_type.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <vector>
+
+#include "singularity/vertex_link.hpp"
 
 namespace crossgrain {
 namespace {
@@ -104,19 +107,14 @@ Graph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singula
 }
 
 Graph::Verdict node_verdict(std::span<const Graph::Arc* const> arcs) {
-  std::array<std::size_t, 2> counts{0, 0};
-  bool has_half = false;
+  std::vector<int> valences;
   for (const Graph::Arc* arc : arcs) {
     if (arc->verdict == Graph::Verdict::kNotMeshable) return Graph::Verdict::kNotMeshable;
-    has_half |= std::abs(arc->index) == 0.5;
-    if (std::abs(arc->index) == 0.25) ++counts[arc->index > 0 ? 0 : 1];
+    valences.push_back(4 - static_cast<int>(std::lround(4 * arc->index)));
   }
-  if (has_half) return Graph::Verdict::kUndecided;
-  constexpr std::array<std::array<std::size_t, 2>, 11> kOfTriangulations = {
-      {{0, 0}, {4, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 3}, {0, 4}, {2, 6}, {0, 6}, {0, 8}, {0, 12}}};
-  const bool found =
-      std::find(kOfTriangulations.begin(), kOfTriangulations.end(), counts) != kOfTriangulations.end();
-  return found ? Graph::Verdict::kMeshable : Graph::Verdict::kNotMeshable;
+  const std::optional<bool> has_link = has_inner_link(valences);
+  if (!has_link) return Graph::Verdict::kUndecided;
+  return *has_link ? Graph::Verdict::kMeshable : Graph::Verdict::kNotMeshable;
 }
 
 }  // namespace crossgrain

@@ -17,12 +17,11 @@ SingularityGraph::Arc described(const MergedNetwork::Arc& arc, const SingularEdg
                                 const MergedNetwork& network, std::span<const Vector3> positions,
                                 const SingularityOptions& options);
 
-/// Whether hexahedra can meet at an inner point with exactly these arcs. They cut a small sphere around it
-/// into triangles, one per hexahedron, with a vertex for each of their edges: of valence 3 for an arc of
-/// index 1/4, 5 for -1/4, and 4 for a regular edge. Triangulations with these three valences exist for eleven
-/// pairs of counts; tests/singularity/arc_type_test.cpp finds those with up to nine vertices by search: no
-/// arc, one line of either index that passes straight through, and the eight common singular nodes of
-/// hexahedral meshes (P. Zhang and others, arXiv 2202.09686).
+/// Returns whether hexahedra can meet at an inner point with exactly these arcs (`has_inner_link`): an arc of
+/// index 1/4 is an edge of 3 hexahedra, one of -1/4 of 5, one of -1/2 of 6. Undecided for nodes of more
+/// hexahedra than are searched. Without arcs of index -1/2 eleven pairs of counts are possible: no arc, one
+/// line of either index that passes straight through, and the eight common singular nodes of hexahedral
+/// meshes (P. Zhang and others, arXiv 2202.09686).
 SingularityGraph::Verdict node_verdict(std::span<const SingularityGraph::Arc* const> arcs);
 
 }  // namespace crossgrain
