@@ -210,9 +210,9 @@ export function components_scene() {
       input: {
         closed: true,
         findings: [
-          { kind: "holes", count: 2, at_least: false, place: [60, 8, 0], length: 3.25, done: "bridged by the winding number" },
-          { kind: "self-intersections", count: 100123, at_least: true, place: [14, 35, 7], length: null, done: "stay; what is enclosed at all is inside" },
-          { kind: "duplicated triangles", count: 1, at_least: false, place: null, length: null, done: "left out" },
+          { kind: "holes", count: 2, at_least: false, place: [60, 8, 0], length: 3.25, done: "bridged", done_text: "bridged by the winding number" },
+          { kind: "self-intersections", count: 100123, at_least: true, place: [14, 35, 7], length: null, done: "all_inside", done_text: "left as they are: all that they enclose is inside" },
+          { kind: "duplicated triangles", count: 1, at_least: false, place: null, length: null, done: "left_out", done_text: "left out" },
         ],
       },
       creases: {

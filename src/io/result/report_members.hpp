@@ -191,6 +191,7 @@ void describe_finding(File& file, Finding& finding) {
   file.member("place", finding.place);
   file.member("length", finding.length);
   file.name("done", finding.done);
+  file.note("done_text", words_of(finding.done));
 }
 
 template <class File, class Points>

@@ -37,7 +37,7 @@ export function place_groups(report: Report, scene: Scene | null): PlaceGroup[] 
       name: "Found in the input",
       places: (report.input?.findings ?? []).map((finding) => ({
         label: `${finding.at_least ? "at least " : ""}${counted(finding.count)} ${finding.kind}`,
-        detail: [finding.length ? `${measured(finding.length)} long` : "", finding.done ?? ""].filter(Boolean).join("; "),
+        detail: [finding.length ? `${measured(finding.length)} long` : "", finding.done_text ?? ""].filter(Boolean).join("; "),
         point: local(finding.place),
         warn: false,
       })),
