@@ -36,11 +36,11 @@ std::size_t arcs_of_index(const Singularity& graph, double index) {
 const char* fault_of(SingularityGraph::ArcType type) {
   switch (type) {
     case SingularityGraph::ArcType::kAcross:
-      return "its frames turn about an axis across it";
+      return "its frames rotate about an axis across it";
     case SingularityGraph::ArcType::kChanging:
       return "its index changes along it";
     case SingularityGraph::ArcType::kNoAxis:
-      return "its frames turn about no axis of theirs";
+      return "its frames rotate about none of their axes";
     case SingularityGraph::ArcType::kRegular:
       break;
   }
@@ -83,7 +83,7 @@ std::string unfinished_line(const SolveReport& report) {
                           unfinished.levels_missing, unfinished.levels_missing == 1 ? "" : "s",
                           report.resolution, unfinished.resolution_asked);
   if (unfinished.tets_missing) missing += std::string(missing.empty() ? "" : "; ") + "no field on the tets";
-  return "UNFINISHED, for the solve was stopped: " + missing + "\n";
+  return "UNFINISHED, the solve was stopped: " + missing + "\n";
 }
 
 std::string text_of(const Graphs& graphs, std::size_t cells) {

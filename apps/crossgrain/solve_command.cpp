@@ -179,7 +179,7 @@ std::string summary_of(const SolveReport& report, const SolveArguments& argument
       report.energy.total, report.energy.smoothness, report.energy.boundary, report.energy.unavoidable);
   text += fmt::format(
       "alignment  {:.3g} degrees off the surface in the mean, 95 % within {:.3g}, all within {:.3g}; {:.3g} "
-      "% left out\n",
+      "% of the surface excluded\n",
       alignment.mean, alignment.p95, alignment.max, 100 * alignment.excluded_share);
   if (report.constraints) text += constraints_lines(*report.constraints);
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
@@ -210,7 +210,7 @@ ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& op
 
 /// Of what a stop leaves, on standard error.
 void tell_of_stop(const std::string& what_is_written) {
-  print_message("interrupted: writing " + what_is_written + "; Ctrl-C again to drop it");
+  print_message("interrupted: writing " + what_is_written + "; press Ctrl-C again to discard it");
 }
 
 std::string millions(std::size_t cells) {

@@ -220,7 +220,7 @@ export function components_scene() {
         knife_edge_places: Array.from({ length: 9 }, (_, k) => [46 + 9 * Math.cos(k), 26 + 9 * Math.sin(k), (k % 2) * 12 - 6]),
       },
       warnings: [
-        { kind: "skipped_data", file: "components.vtk", place: "line 12", text: "'LOOKUP' is not known, and data after it were passed over" },
+        { kind: "skipped_data", file: "components.vtk", place: "line 12", text: "'LOOKUP' is not known, and data after it are ignored" },
         { kind: "surface_finding", text: "the surface has 2 holes, bridged where they are less than half open" },
       ],
     },

@@ -22,7 +22,7 @@ export interface PlaceGroup {
   empty?: string;
 }
 
-const kArcTypes = ["of index +1/2", "turned about an axis across it", "of changing index", "turned about no axis of the frame"];
+const kArcTypes = ["of index +1/2", "rotation about an axis across it", "of changing index", "rotation about no axis of the frame"];
 // Lists begin this short: what matters is that there are many.
 const kFirst = 6;
 
