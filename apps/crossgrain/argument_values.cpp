@@ -13,14 +13,14 @@
 namespace crossgrain::app {
 namespace {
 
-/// Reads all of a text as a number in the way of CLI11, which reads the options that need no such check.
+/// Parses a whole text as a number, like CLI11 does for options without a check of their own.
 bool parse_number(const std::string& text, double& number) {
   char* end = nullptr;
   number = static_cast<double>(std::strtold(text.c_str(), &end));
   return !text.empty() && end == text.c_str() + text.size();
 }
 
-/// Names with commas between them, less what is always written.
+/// Returns the names of formats, separated by commas, without those that are always written.
 std::string names_of_formats() {
   std::string names;
   for (const OutputFormat& format : output_formats())

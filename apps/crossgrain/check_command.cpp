@@ -17,7 +17,7 @@ namespace {
 
 using Singularity = SolveReport::Singularity;
 
-/// The field on tets, where there is one, and that on the grid.
+/// The singular lines of the field on tets, if there is one, then those on the grid.
 using Graphs = std::vector<Singularity>;
 
 std::string row_of(const char* what, const Graphs& graphs,
@@ -32,7 +32,7 @@ std::size_t arcs_of_index(const Singularity& graph, double index) {
                                                 [&](const auto& arc) { return arc.index == index; }));
 }
 
-/// What is wrong with an arc of this type that hexahedra cannot have.
+/// Returns why hexahedra cannot have an arc of this type.
 const char* fault_of(SingularityGraph::ArcType type) {
   switch (type) {
     case SingularityGraph::ArcType::kAcross:
@@ -47,7 +47,7 @@ const char* fault_of(SingularityGraph::ArcType type) {
   return "it has index +1/2";
 }
 
-/// What is wrong first, and where.
+/// Returns the first fault and its place.
 std::string first_fault(const Singularity& graph) {
   const auto is_bad = [](const auto& part) {
     return part.verdict == SingularityGraph::Verdict::kNotMeshable;
@@ -73,7 +73,7 @@ std::string verdict_of(const Singularity& graph) {
   return "MESHABLE: a hexahedral mesh can have each of these arcs and nodes";
 }
 
-/// Where the solve was stopped, what is missing.
+/// Returns a line about what is missing if the solve was stopped.
 std::string unfinished_line(const SolveReport& report) {
   if (!report.unfinished) return "";
   const SolveReport::Unfinished& unfinished = *report.unfinished;

@@ -13,7 +13,8 @@
 namespace crossgrain::app {
 namespace {
 
-/// An option whose text becomes what parse(text) points to, and goes to use(value).
+/// Adds an option whose text is parsed by parse(text), which returns a pointer or optional, and passed to
+/// use(value).
 template <class Parse, class Use>
 CLI::Option* add_parsed(CLI::App& command, const char* name, Parse parse, Use use, const char* fault,
                         const char* help) {
