@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where singular arcs come to lie (docs/notes/solver.md): a cylinder of radius 0.55 and height 1.4 has four,
-// straight and alike, however it stands in the grid.
+// Measures where singular arcs lie (docs/notes/solver.md). A cylinder of radius 0.55 and height 1.4 has four
+// straight arcs, which are alike for any rotation relative to the grid.
 //
 //   arc_sweep [RELAXED_CELLS...]      default: that of SolverOptions
 //
-// Prints for every value, standing and resolution: how far the mean radii of the four arcs are apart, as a
-// share of their mean, and how far a point is from its arc's mean line at most, in cells; both over the parts
+// Prints for every value, rotation and resolution: the range of the mean radii of the four arcs, relative to
+// their mean, and the largest distance of a point from its arc's mean line, in cells; both for the parts
 // farther than 0.2 from the caps.
 #include <algorithm>
 #include <cmath>

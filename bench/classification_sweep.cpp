@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep behind ClassificationTolerances: cells of known shape, turned at random, classified for a grid of
-// the two tolerances. Prints the share of cells in the wrong class, in percent, and with the defaults that of
-// each shape.
+// The sweep that chose ClassificationTolerances: cells of known shape in random rotations, classified for a
+// grid of the two tolerances. Prints the percentage of cells in the wrong class, and for the defaults also
+// that of each shape.
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -31,7 +31,7 @@ Vector3 on_sphere(double polar_rad, double azimuth_rad) {
           std::cos(polar_rad)};
 }
 
-// Normals turned by a random rotation as they are added.
+// A cell whose normals are all rotated by one random rotation.
 class Cell {
  public:
   explicit Cell(Random& random) {

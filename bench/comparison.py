@@ -5,7 +5,7 @@
     comparison.py tets PROGRAM EVALUATE MESH...      our rows: energies of ten seeds, seconds, memory
     comparison.py degrees PROGRAM EVALUATE FILE...   degree 3 against degree 4, on tet meshes and surfaces
 
-PROGRAM is the built command line program. EVALUATE is a script that judges a field on tets: called with a mesh and a
+PROGRAM is the built command line program. EVALUATE is a script that evaluates a field on tets: called with a mesh and a
 file of frames it prints one JSON object with `dirichlet`, `edge_sum`, `singular` and `crease_deg` (see docs/comparison.md).
 MESH is a Medit .mesh file, or one packed as .mesh.xz; FILE is one too, or a surface, which is solved 64 cells across.
 Seconds are medians of five whole runs with two threads, memory is the highest of those runs.
@@ -26,7 +26,7 @@ SURFACE_OPTIONS = ["--resolution", "64"]
 
 
 class Run:
-    """One run of the program, its report, and what the evaluator says of its field on tets."""
+    """Runs the program once; returns its report and the evaluation of its field on tets."""
 
     def __init__(self, program, model, folder, *options):
         command = [program, "solve", model, "-o", folder, "--threads", "2", "--quiet", "--no-report", *options]
@@ -38,7 +38,7 @@ class Run:
 
 
 def unpacked(path, folder):
-    """The mesh itself, of a packed one a copy without the packing."""
+    """Returns the mesh, or an unpacked copy of a packed one."""
     if path.suffix != ".xz":
         return path
     copy = Path(folder) / path.stem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep behind SolverOptions::crease_weight (docs/notes/solver.md).
+// The sweep that chose SolverOptions::crease_weight (docs/notes/solver.md).
 //
 //   crease_sweep RESOLUTION MODEL...      models of any kind; RESOLUTION 0: the one of the program
 //

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep behind SolverOptions::diagonal_share (docs/notes/solver.md): how far energies of turned parts are
-// from those of the upright ones.
+// The sweep that chose SolverOptions::diagonal_share (docs/notes/solver.md): ratios of the energies of
+// rotated parts to those of the upright ones.
 //
 //   diagonal_sweep [PART.stl...]      default: the bracket of the tests
 //
-// For every share one line a part: smallest and largest ratio of total energies, and of smoothness, over
-// cells from 60 to 67 along the longest side and two rotations each, and the processor seconds of all solves.
+// Prints one line per share and part: smallest and largest ratio of total energies, and of smoothness, over
+// 60 to 67 cells along the longest side and two rotations each, and the processor seconds of all solves.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -4,8 +4,8 @@
 
     kernel_table.py PROGRAM [--repetitions N] [--filter REGEX]
 
-PROGRAM is the built bench/kernels. Kernels take turns, so that a slow moment of the machine meets all of them alike; of
-the repetitions the fastest counts.
+PROGRAM is the built bench/kernels. Kernels alternate, so that a slow moment of the machine affects all of
+them alike. The fastest repetition counts.
 """
 
 import argparse
@@ -17,14 +17,14 @@ OURS = "manifold sweep, degree 4, inside"
 
 
 def results_of(program, repetitions, pattern):
-    """What Google Benchmark has to say of a run: its context, and one entry for each kernel and repetition."""
+    """Returns the output of Google Benchmark: its context, and one entry for each kernel and repetition."""
     command = [program, "--benchmark_format=json", f"--benchmark_repetitions={repetitions}",
                "--benchmark_enable_random_interleaving=true", f"--benchmark_filter={pattern}"]
     return json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)
 
 
 def fastest(entries):
-    """{kernel: its entry of the highest rate}, in the order of the program."""
+    """Returns {kernel: its entry with the highest rate}, in the order of the program."""
     best = {}
     for entry in sorted(entries, key=lambda entry: entry["family_index"]):
         if entry["run_type"] != "iteration":

@@ -13,7 +13,7 @@ import numpy as np
 
 
 def torus(n):
-    """Vertices in single precision, and triangles."""
+    """Returns vertices in single precision, and triangles."""
     angle = 2 * np.pi * np.arange(n) / n
     ring = 1 + 0.4 * np.cos(angle)
     points = np.stack([np.cos(angle)[:, None] * ring, np.sin(angle)[:, None] * ring,

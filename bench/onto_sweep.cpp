@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep behind the defaults of OntoOptions (docs/notes/solver.md): the Dirichlet energy on tet meshes for
-// one option at a time, each over several seeds.
+// The sweep that chose the defaults of OntoOptions (docs/notes/solver.md): the Dirichlet energy on tet meshes
+// for one option at a time, each over several seeds.
 //
 //   onto_sweep SEEDS MESH...      MESH as for `crossgrain solve`
 //
 // Prints one line per value: smallest .. largest energy over the seeds and the largest angle at creases for
-// each mesh, and the processor seconds of all, reading left out.
+// each mesh, and the processor seconds of all solves without reading.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

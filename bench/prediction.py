@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What solves say that they will come to, against what they come to.
+"""Compares the predictions of solves with their results.
 
 Usage: bench/prediction.py PROGRAM [--part NAME]... [--resolution N]... [--threads N]
 
-Prints, for each part and resolution, the expected and actual cells, memory and seconds of `report.json`, and exits with 1 where one
-of them is off by more than a factor of 1.5. Times are only as good as the machine is idle: on a loaded one say `--no-time`.
+Prints, for each part and resolution, the expected and actual cells, memory and seconds of `report.json`, and exits with 1 if one
+of them is wrong by more than a factor of 1.5. Times are reliable only on an idle machine: use `--no-time` on a loaded one.
 """
 
 import argparse
@@ -24,7 +24,7 @@ MOST_OFF = 1.5
 
 
 def report_of(program, model, resolution, threads, folder):
-    """report.json of a solve; None where it failed, which is said."""
+    """Returns the report.json of a solve; prints a message and returns None if it failed."""
     command = [program, "solve", model, "-o", folder, "--resolution", resolution, "--threads", threads, "--quiet"]
     done = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=False)
     if done.returncode == 0:
@@ -34,7 +34,7 @@ def report_of(program, model, resolution, threads, folder):
 
 
 def compared(report):
-    """{what: (expected, actual)}; empty for a field so small that nothing was expected of it."""
+    """Returns {what: (expected, actual)}; empty for a field too small for a prediction."""
     expected = report.get("expected")
     if not expected:
         return {}

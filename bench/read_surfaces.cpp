@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long reading surface files takes, the best of five times, and the largest memory of the process, over
-// the size of the file and over that of the mesh. A process for each file, since memory does not come down
-// again.
+// Measures the best time of five to read a surface file, and the peak memory of the process relative to the
+// size of the file and of the mesh. Each file gets its own process, since the peak never decreases.
 //
 //   bench/make_surface.py 707 /tmp/torus.stl && build/release/bench/read_surfaces /tmp/torus.stl
 #include <fmt/format.h>

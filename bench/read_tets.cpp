@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long reading a tet mesh takes, the best of five times, and the largest memory of the process.
+// Measures the best time of five to read a tet mesh, and the peak memory of the process.
 //
 //   bench/make_tets.py 55 /tmp/cube.mesh && build/release/bench/read_tets /tmp/cube.mesh
 #include <fmt/format.h>

@@ -1,18 +1,18 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What whole solves cost as they grow: the bracket, a sphere and a thin-walled tube at one resolution after the other.
+"""Measures the cost of whole solves of the bracket, a sphere and a thin-walled tube at increasing resolutions.
 
     scaling.py PROGRAM [--most CELLS] [--threads N] [--part NAME]... [--figure PNG]
     scaling.py PROGRAM --pairs [CELLS]
 
-PROGRAM is the built command line program. The first form prints a Markdown table, a row for each run, and draws seconds
-and bytes a cell over cells. Resolutions are chosen so that the numbers of active cells come near 10,000, 32,000, 100,000
+PROGRAM is the built command line program. The first form prints a Markdown table, one row per run, and draws seconds
+and bytes per cell over cells. Resolutions are chosen so that the numbers of active cells come near 10,000, 32,000, 100,000
 and so on, up to CELLS. The second form solves each part once with about CELLS cells (default a million) on one thread
-and on two, by turns, and prints how many times as fast two are, phase by phase; the fastest of three rounds counts.
+and on two, alternating, and prints the speedup of each phase; the fastest of three rounds counts.
 
-Analysis is what is left of the total: alignment, singular arcs and walls for the report. Memory is that of the whole
-process at its peak, program and input included. Fields are written to a temporary folder and removed after each run. A run
-that fails is named on standard error, and so is one that would not fit into memory by what the run before took.
+Analysis is the rest of the total: alignment, singular arcs and walls for the report. Memory is the peak of the whole
+process, including program and input. Fields are written to a temporary folder and removed after each run. Runs
+that fail, or would not fit into memory judging by the previous run, are named on standard error.
 """
 
 import argparse
@@ -35,20 +35,20 @@ PHASES = ("read", "grid", "solve", "analysis", "write")
 FEWEST_CELLS = 10_000
 FACTOR = math.sqrt(10)
 PAIR_ROUNDS = 3
-# Cells of pairs are found by trials, until their number is within 15 %.
+# The resolution of pairs is found by trials, until the number of cells is within 15 %.
 NEAR = 0.15
 MOST_TRIALS = 6
 
-# A first guess is made from this; it is too small to be a row.
+# Resolution of the first guess, too small for a row.
 PROBE_RESOLUTION = 32
-# Cells grow with the resolution to this power until two runs tell: between a surface's 2 and a solid's 3.
+# Power of the resolution with which cells grow, before two runs determine it: between 2 of a surface and 3 of a solid.
 FIRST_POWER, LEAST_POWER, MOST_POWER = 2.2, 1.7, 3.0
-# Of the memory that is free a run may be expected to take so much.
+# Largest share of the free memory that a run may be expected to take.
 MEMORY_SHARE = 0.9
 
 
 def sphere(subdivisions=6):
-    """Corners of the triangles of a unit sphere: an octahedron, each triangle cut into four again and again."""
+    """Returns the corners of the triangles of a unit sphere, a repeatedly subdivided octahedron."""
     x, y, z = np.eye(3)
     corners = np.array([[sx * x, sy * y, sz * z] if sx * sy * sz > 0 else [sy * y, sx * x, sz * z]
                         for sx in (1, -1) for sy in (1, -1) for sz in (1, -1)])
@@ -61,7 +61,7 @@ def sphere(subdivisions=6):
 
 
 def tube(wall=0.03, segments=256):
-    """Corners of the triangles of an open tube, 1 long and 1 across, with a wall of 3 % of that."""
+    """Returns the corners of the triangles of an open tube, 1 long and 1 across, with a wall of 3 % of that."""
     outline = np.array([[0.5, -0.5], [0.5, 0.5], [0.5 - wall, 0.5], [0.5 - wall, -0.5]])  # radius, height
     angle = 2 * np.pi * np.arange(segments) / segments
     ring = np.stack([np.cos(angle), np.sin(angle)], axis=1)
@@ -79,7 +79,7 @@ def write_stl(path, corners):
 
 
 def models(folder, names):
-    """{name: path of its surface} for the parts asked for; those that are generated are written to `folder`."""
+    """Returns {name: path of its surface} for the requested parts; writes generated ones to `folder`."""
     generated = {"sphere": sphere, "tube": tube}
     for name in names:
         if name in generated:
@@ -89,7 +89,7 @@ def models(folder, names):
 
 @dataclass
 class Run:
-    """One solve, by its report."""
+    """The numbers of one solve from its report."""
 
     resolution: int
     cells: int
@@ -106,7 +106,7 @@ class Run:
 
 
 class Solver:
-    """The program, with what it can leave out of its output."""
+    """The program, with options that reduce its output."""
 
     def __init__(self, program, folder, output_level):
         self.program, self.output = program, folder / "field"
@@ -116,7 +116,7 @@ class Solver:
             self.options += ["--output-level", str(output_level)]
 
     def run(self, model, resolution, threads):
-        """The Run; None where the program failed, which is said."""
+        """Returns the Run; prints a message and returns None if the program failed."""
         command = [self.program, "solve", model, "-o", self.output, "--resolution", resolution, "--threads", threads]
         try:
             done = subprocess.run(list(map(str, command + self.options)), capture_output=True, text=True, check=False)
@@ -134,7 +134,7 @@ def say(message):
 
 
 def resolution_for(cells, runs):
-    """The resolution that makes about so many cells, from the runs so far."""
+    """Returns the resolution for about this number of cells, from the runs so far."""
     power = FIRST_POWER
     if len(runs) > 1 and runs[-1].resolution != runs[-2].resolution:
         power = math.log(runs[-1].cells / runs[-2].cells) / math.log(runs[-1].resolution / runs[-2].resolution)
@@ -144,7 +144,7 @@ def resolution_for(cells, runs):
 
 
 def available_bytes():
-    """Memory that the system would give, its file cache included; without end where it does not tell."""
+    """Returns the available memory, including the file cache; infinite if the system does not provide it."""
     try:
         lines = Path("/proc/meminfo").read_text().splitlines()
     except OSError:
@@ -189,7 +189,7 @@ def print_series(solver, parts, most, threads):
 
 
 def run_near(solver, model, cells):
-    """A run of about so many cells; None where one fails."""
+    """Returns a run of about this number of cells; None if a run fails."""
     runs = [solver.run(model, PROBE_RESOLUTION, 2)]
     while runs[-1] is not None and len(runs) < MOST_TRIALS and abs(math.log(runs[-1].cells / cells)) > NEAR:
         runs.append(solver.run(model, resolution_for(cells, runs), 2))
@@ -197,7 +197,7 @@ def run_near(solver, model, cells):
 
 
 def fastest_seconds(solver, model, resolution):
-    """{threads: the fastest seconds of every phase} for one thread and two; None where a run fails."""
+    """Returns {threads: fastest seconds of each phase} for one thread and two; None if a run fails."""
     fastest = {}
     for _ in range(PAIR_ROUNDS):
         for threads in (1, 2):
@@ -224,7 +224,7 @@ def print_pairs(solver, parts, cells):
 
 
 def draw(runs, path):
-    """Seconds and bytes a cell over cells, both axes logarithmic."""
+    """Draws seconds and bytes per cell over cells, both axes logarithmic."""
     try:
         import matplotlib
     except ImportError:

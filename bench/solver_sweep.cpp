@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep behind the defaults of SolverOptions (docs/notes/solver.md): the final degree-4 energy on four
-// generated solids for one option at a time, each over several seeds.
+// The sweep that chose the defaults of SolverOptions (docs/notes/solver.md): the final degree-4 energy on
+// four generated solids for one option at a time, each over several seeds.
 //
 //   solver_sweep [SEEDS]      default 3
 //

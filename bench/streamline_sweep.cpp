@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What tolerance and steps of streamlines cost and buy (docs/notes/streamlines.md).
+// Measures accuracy and cost of streamlines for tolerances and step sizes (docs/notes/streamlines.md).
 //
 //   streamline_sweep                  circles about an axis, and how near to a singular line a field holds
 //   streamline_sweep FOLDER [MODEL]   lines of a solved field
@@ -42,8 +42,8 @@ double distance(const Vector3& p, const Vector3& a, const Vector3& b) {
   return norm(p - (a + t * ab));
 }
 
-/// From the point of `line` that is `along` from its seed to the nearest of `reference`; negative where the
-/// line does not go so far.
+/// Returns the distance from the point of `line` at length `along` from its seed to the nearest point of
+/// `reference`; negative if the line is shorter.
 double deviation(const Streamline& line, const Streamline& reference, double along) {
   Vector3 place = line.points[line.seed_point];
   double left = along;
@@ -53,7 +53,7 @@ double deviation(const Streamline& line, const Streamline& reference, double alo
     ++i;
   }
   if (i + 1 == line.points.size()) return -1;
-  // Points lie on the curve; straight pieces between them do not.
+  // Only the points lie on the curve, not the straight pieces between them.
   place = line.points[i];
   double least = INFINITY;
   for (std::size_t k = 0; k + 1 < reference.points.size(); ++k)
@@ -152,7 +152,7 @@ void near_singular_line() {
       const auto edges = singular_edges(tree, frames, open);
       const Sampler sampler(tree, frames, open);
       for (int k = 0; k < 4000; ++k) {
-        // Around a singular edge, not around the line itself.
+        // Circles around a singular edge, not the line itself.
         const GridEdge& edge = edges[engine() % edges.size()];
         const Vector3 middle = tree.root().position(edge.start);
         const Vector3 p = middle + (3.5 * cell) * Vector3{uniform(engine), uniform(engine), uniform(engine)};
@@ -177,7 +177,8 @@ void near_singular_line() {
   }
 }
 
-/// What the smallest step costs and buys: lines that end elsewhere than with steps down to 1/1024.
+/// Measures the smallest step: its cost, and the number of lines that end elsewhere than with steps down to
+/// 1/1024.
 void small_steps(const FrameField& field, const std::vector<Vector3>& seeds, const TriangleMesh* surface) {
   StreamlineOptions options;
   options.smallest_step_cells = 1.0 / 1024;
@@ -200,7 +201,7 @@ void small_steps(const FrameField& field, const std::vector<Vector3>& seeds, con
   }
 }
 
-/// How many lines close, and how much length that saves.
+/// Counts the lines that close, and the length that this saves.
 void closing(const FrameField& field, const std::vector<Vector3>& seeds, const TriangleMesh* surface) {
   std::printf("\nclosing distance  closed lines  ends that are too long\n");
   for (const double cells : {0.0, 0.01, 0.05, 0.2, 0.5}) {

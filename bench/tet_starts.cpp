@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where random frames on the tets themselves end, with creases free: how likely the field of `solve
-// --boundary smooth-only` is the minimum with normals held (docs/notes/fields.md).
+// Measures the energies that random frames on the tets themselves reach, with creases free: how likely the
+// field of `solve --boundary smooth-only` is the minimum with normals held (docs/notes/fields.md).
 //
 //   tet_starts STARTS MESH      MESH as for `crossgrain solve`
 //
-// Each start is relaxed for 0, 60 or 300 sweeps under one of two penalties and one of three
-// over-relaxations, then settled. Prints how many end at which energy, lowest first.
+// Each start is relaxed for 0, 60 or 300 sweeps with one of two penalties and one of three over-relaxations,
+// then settled. Prints the number of starts for each energy, lowest first.
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   }
   const TetDomain domain(read_tets(argv[2]));
   const TetDomainData& tets = domain.data();
-  std::map<long, int> ends;  // by thousandths
+  std::map<long, int> ends;  // key: energy in thousandths
   for (int k = 0; k < starts; ++k) {
     std::vector<Quaternion> frames;
     for (const StoredQuaternion& frame :

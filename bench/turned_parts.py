@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The energies of a part turned by random rotations, over that of the part as it stands (docs/notes/solver.md).
+"""Measures the energies of a part in random rotations, relative to that of the part as given (docs/notes/solver.md).
 
     turned_parts.py PROGRAM PART.stl [CELLS] [ROTATIONS] [SIZES]
 
-PROGRAM is the built command line program, PART a binary STL file, CELLS along its longest side as it stands (default
+PROGRAM is the built command line program, PART a binary STL file, CELLS along its longest side as given (default
 64); all rotations are solved on cells of the same size.
 
 With SIZES above 1 each energy is the mean over so many cell sizes, from about CELLS - SIZES / 2 to CELLS + SIZES / 2
-cells across, and behind it stands how far the sizes are apart: smallest and largest over the mean. Creases along the
-axes of the grid cut all their cells alike, so that one size says little of the part as it stands.
+cells across, followed by the smallest and largest relative to the mean. Creases along the axes of the grid cut all
+their cells alike, so one size is not representative of the part as given.
 """
 
 import json
@@ -36,7 +36,7 @@ KEYS = ("total", "smoothness", "boundary")
 
 
 def energies(program, facets, turn, cell_sizes):
-    """One row of KEYS for each cell size."""
+    """Returns one row of KEYS for each cell size."""
     turned = facets.copy()
     turned["corners"] = facets["corners"].astype(float) @ turn.T
     with tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of a sweep: options changed one at a time.
+// The rows of a sweep, which change options one at a time.
 #pragma once
 
 #include <cstdio>
@@ -16,7 +16,7 @@ struct Variant {
   std::function<void(SolveOptions&)> apply;
 };
 
-/// One row for each value of a member of `section`, a part of SolveOptions.
+/// Returns one row for each value of a member of `section`, a part of SolveOptions.
 template <class Section, class Value>
 void add(std::vector<Variant>& variants, const char* name, Section SolveOptions::*section,
          Value Section::*member, std::vector<Value> values) {

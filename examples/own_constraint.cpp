@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A constraint of one's own beside those of the surface: an axis along a diagonal in the middle of a box.
+// Adds a constraint to those of the surface: an axis along a diagonal in the middle of a box.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,7 +13,7 @@ int main() {
     const Vector3 middle{1, 1, 0.5}, diagonal{std::sqrt(0.5), std::sqrt(0.5), 0};
     SolveOptions options;
     options.resolution = 32;
-    // With weight 1 an axis counts as much in its cell as surface across it that fills the cell's width.
+    // With weight 1 an axis counts as much in its cell as a surface across it with the cell's width.
     options.constraints.points.push_back({middle, {diagonal}, 10});
     const FrameField field = solve(box({2, 2, 1}), options);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frame at any point.
+// Samples the frame at any point.
 #include <cstdio>
 #include <vector>
 
@@ -12,7 +12,7 @@ int main() {
     SolveOptions options;
     options.resolution = 32;
     const FrameField field = solve(cylinder(0.5, 2), options);
-    // Outside the solid the nearest cell answers, and says so.
+    // Outside the solid the result is that of the nearest cell, and is marked as outside.
     const std::vector<Vector3> points{{0, 0, 1}, {0.45, 0, 1}, {0.3, 0.3, 0.1}, {2, 0, 1}};
     std::size_t outside = 0;
     for (const Vector3& point : points) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces that the examples make for themselves.
+// Surfaces for the examples.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "crossgrain/types.hpp"
 
-/// A box from the origin to `size`, its twelve triangles outward.
+/// Returns a box from the origin to `size`: twelve triangles, oriented outwards.
 inline crossgrain::TriangleMesh box(const crossgrain::Vector3& size) {
   crossgrain::TriangleMesh mesh;
   for (int corner = 0; corner < 8; ++corner)
@@ -18,7 +18,7 @@ inline crossgrain::TriangleMesh box(const crossgrain::Vector3& size) {
   return mesh;
 }
 
-/// A cylinder about the z axis from z = 0 to `height`.
+/// Returns a cylinder about the z axis from z = 0 to `height`.
 inline crossgrain::TriangleMesh cylinder(double radius, double height) {
   constexpr std::uint32_t kSegments = 64, kBottom = 2 * kSegments, kTop = kBottom + 1;
   crossgrain::TriangleMesh mesh;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A field from arrays in memory, written for ParaView.
+// Solves for a field from arrays in memory and writes it for ParaView.
 //
 //   example_solve_from_arrays [FOLDER]
 //
-// Vertices and triangles come from wherever a program has them; here they are those of a box. The frames of a
-// box are its own directions everywhere.
+// Vertices and triangles may come from any source; here they are those of a box. The frames in a box have its
+// directions everywhere.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lines around which the frames turn, and whether a hexahedral mesh can have them. In a cylinder there
-// are four, from one end to the other: three hexahedra meet at each.
+// Lists the lines around which the frames rotate, and whether a hexahedral mesh can have them. A cylinder has
+// four, from one end to the other, each with three hexahedra around it.
 #include <cstdio>
 
 #include "crossgrain/crossgrain.hpp"

@@ -13,14 +13,14 @@
 namespace crossgrain::app {
 namespace {
 
-/// Reads all of a text as a number in the way of CLI11, which reads the options that need no such check.
+/// Parses a whole text as a number, like CLI11 does for options without a check of their own.
 bool parse_number(const std::string& text, double& number) {
   char* end = nullptr;
   number = static_cast<double>(std::strtold(text.c_str(), &end));
   return !text.empty() && end == text.c_str() + text.size();
 }
 
-/// Names with commas between them, less what is always written.
+/// Returns the names of formats, separated by commas, without those that are always written.
 std::string names_of_formats() {
   std::string names;
   for (const OutputFormat& format : output_formats())
@@ -33,20 +33,20 @@ std::string names_of_formats() {
 std::string fault_of_length(const std::string& text) {
   double value = 0;
   const bool is_number = parse_number(text, value);
-  return is_number && value > 0 && std::isfinite(value) ? "" : "'" + text + "' is no positive number";
+  return is_number && value > 0 && std::isfinite(value) ? "" : "'" + text + "' is not a positive number";
 }
 
 std::string fault_of_angle(const std::string& text) {
   double value = 0;
   const bool is_number = parse_number(text, value);
-  return is_number && value > 0 && value <= 180 ? "" : "'" + text + "' is no angle above 0 and up to 180";
+  return is_number && value > 0 && value <= 180 ? "" : "'" + text + "' is not an angle above 0 and up to 180";
 }
 
 std::string fault_of_axes(const std::string& text) {
   bool is_fine = !text.empty();
   for (std::size_t i = 0; i < text.size(); ++i)
     is_fine = is_fine && std::string_view("xyz").find(text[i]) != text.npos && text.find(text[i]) == i;
-  return is_fine ? "" : "'" + text + "' is no choice of axes such as xyz, xy or z";
+  return is_fine ? "" : "'" + text + "' is not a choice of axes such as xyz, xy or z";
 }
 
 std::optional<Box> parse_box(const std::string& text) {
@@ -65,10 +65,10 @@ std::optional<Box> parse_box(const std::string& text) {
 
 std::string fault_of_box(const std::string& text) {
   const std::optional<Box> box = parse_box(text);
-  if (!box) return "'" + text + "' is no six numbers with commas between them";
+  if (!box) return "'" + text + "' is not six numbers separated by commas";
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (box->low[axis] > box->high[axis])
-      return "'" + text + "' has its " + "xyz"[axis] + " bounds the wrong way round";
+      return "'" + text + "' has its " + "xyz"[axis] + " bounds in the wrong order";
   }
   return "";
 }
@@ -94,7 +94,7 @@ std::optional<std::size_t> parse_bytes(const std::string& text) {
 }
 
 std::string fault_of_bytes(const std::string& text) {
-  return parse_bytes(text) ? "" : "'" + text + "' is no amount of memory such as 12GB, 800MB or 1.5GiB";
+  return parse_bytes(text) ? "" : "'" + text + "' is not an amount of memory such as 12GB, 800MB or 1.5GiB";
 }
 
 std::vector<std::string> parts_of(const std::string& text) {
@@ -112,8 +112,8 @@ std::string fault_of_formats(const std::string& text) {
   const std::vector<OutputFormat> formats = output_formats();
   for (const std::string& name : parts_of(text)) {
     if (std::none_of(formats.begin(), formats.end(), [&](const auto& format) { return format.name == name; }))
-      return "'" + name + "' is no format to write; choose from " + names_of_formats() +
-             ", with commas between them";
+      return "'" + name + "' is not an output format; choose from " + names_of_formats() +
+             ", separated by commas";
   }
   return "";
 }

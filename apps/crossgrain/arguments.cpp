@@ -18,8 +18,8 @@ namespace {
 
 constexpr const char* kFooter =
     "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 output cannot be written;\n"
-    "5 no convergence or out of a stated limit; 130 interrupted: Ctrl-C ends a solve with\n"
-    "the last level that is finished, a second one with nothing written.";
+    "5 a stated limit is exceeded; 130 interrupted: the first Ctrl-C writes the last\n"
+    "finished level of a solve, a second one discards it.";
 
 [[noreturn]] void refuse(const std::string& message, const CLI::App* command) {
   std::string line = message.substr(0, message.find_last_not_of('\n') + 1);
@@ -28,7 +28,7 @@ constexpr const char* kFooter =
   throw Error(ErrorKind::kUsage, line + "; try '" + name + " --help'");
 }
 
-/// What options alone do not rule out.
+/// Checks combinations of options.
 void check_arguments(SolveArguments& arguments, const CLI::App* command) {
   if (arguments.model.empty()) refuse("MODEL is empty", command);
   if (command->count("--output") > 0 && arguments.output.empty())
@@ -61,7 +61,7 @@ void check_arguments(StreamlinesArguments& arguments, const CLI::App* command) {
   if (is_empty("--output", arguments.output)) refuse("the file of -o is empty", command);
   if (is_empty("--surface", arguments.surface)) refuse("the file of --surface is empty", command);
   if (arguments.output == "-") refuse("the lines go to a file; name one with -o", command);
-  // Steps that are asked for are not to be below what is taken for the smallest.
+  // The largest step must not be below the smallest one.
   StreamlineOptions& options = arguments.options;
   options.smallest_step_cells = std::min(options.smallest_step_cells, options.largest_step_cells / 4);
   if (arguments.output.empty())
@@ -102,7 +102,7 @@ Arguments parse_arguments(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // Help and version are such "errors" too.
+    // CLI11 reports help and version as errors too.
     if (error.get_exit_code() == 0) {
       app.exit(error);
       return Finished{0};

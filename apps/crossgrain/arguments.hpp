@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line says, parsed.
+// The parsed command line.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ namespace crossgrain::app {
 
 struct SolveArguments {
   std::string model;
-  std::string output;       ///< the folder to write; never empty
-  std::string from;         ///< the folder of an earlier field; empty for none
-  std::string onto;         ///< the tet mesh to carry the field onto; empty for none
-  std::string constraints;  ///< a file of them; empty for none
+  std::string output;       ///< folder to write; never empty
+  std::string from;         ///< folder of an earlier field; empty for none
+  std::string onto;         ///< tet mesh for the field; empty for none
+  std::string constraints;  ///< file of constraints; empty for none
   SolveOptions options;
   OutputOptions output_options;
   bool page = true;  ///< whether to write report.html
@@ -35,9 +35,9 @@ struct SampleArguments {
 
 struct StreamlinesArguments {
   std::string field;
-  std::string seeds;    ///< a file, or "-"; empty for `count` of them evenly spread
+  std::string seeds;    ///< file, or "-"; empty for `count` evenly spread seeds
   std::string output;   ///< never empty
-  std::string surface;  ///< the model; empty where lines are to end with the active cells
+  std::string surface;  ///< model; if empty, lines end where the active cells do
   std::size_t count = 100;
   StreamlineOptions options;
   bool quiet = false;
@@ -45,15 +45,15 @@ struct StreamlinesArguments {
 
 struct RenderArguments {
   std::string field;
-  std::string output;  ///< the PNG file; never empty
+  std::string output;  ///< PNG file; never empty
   PictureOptions options;
-  bool streamlines = false;  ///< draw those of kStreamlinesFile in the folder
+  bool streamlines = false;  ///< draw the lines of kStreamlinesFile in the folder
   int threads = 0;
   bool quiet = false;
 };
 
 struct SpectrumArguments {
-  std::string preset;   ///< empty where `normals` is given
+  std::string preset;   ///< empty if `normals` is given
   std::string normals;  ///< a file, or "-"
   Degree degree = Degree::kFour;
   bool json = false;
@@ -70,7 +70,7 @@ struct ViewArguments {
   bool no_browser = false;
 };
 
-/// Nothing is left to do but to end with `exit_code`; what there was to say has been said.
+/// The program ends with `exit_code`; all output has been printed.
 struct Finished {
   int exit_code;
 };
@@ -78,7 +78,8 @@ struct Finished {
 using Arguments = std::variant<Finished, SolveArguments, SampleArguments, SpectrumArguments, CheckArguments,
                                StreamlinesArguments, RenderArguments, ViewArguments>;
 
-/// Prints help and version on standard output; throws Error(kUsage) for a command line that makes no sense.
+/// Returns the parsed arguments. Prints help and version on standard output. Throws Error(kUsage) for an
+/// invalid command line.
 Arguments parse_arguments(int argc, char** argv);
 
 }  // namespace crossgrain::app

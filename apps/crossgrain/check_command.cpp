@@ -17,7 +17,7 @@ namespace {
 
 using Singularity = SolveReport::Singularity;
 
-/// The field on tets, where there is one, and that on the grid.
+/// The singular lines of the field on tets, if there is one, then those on the grid.
 using Graphs = std::vector<Singularity>;
 
 std::string row_of(const char* what, const Graphs& graphs,
@@ -32,22 +32,22 @@ std::size_t arcs_of_index(const Singularity& graph, double index) {
                                                 [&](const auto& arc) { return arc.index == index; }));
 }
 
-/// What is wrong with an arc of this type that hexahedra cannot have.
+/// Returns why hexahedra cannot have an arc of this type.
 const char* fault_of(SingularityGraph::ArcType type) {
   switch (type) {
     case SingularityGraph::ArcType::kAcross:
-      return "its frames turn about an axis across it";
+      return "its frames rotate about an axis across it";
     case SingularityGraph::ArcType::kChanging:
       return "its index changes along it";
     case SingularityGraph::ArcType::kNoAxis:
-      return "its frames turn about no axis of theirs";
+      return "its frames rotate about none of their axes";
     case SingularityGraph::ArcType::kRegular:
       break;
   }
   return "it has index +1/2";
 }
 
-/// What is wrong first, and where.
+/// Returns the first fault and its place.
 std::string first_fault(const Singularity& graph) {
   const auto is_bad = [](const auto& part) {
     return part.verdict == SingularityGraph::Verdict::kNotMeshable;
@@ -73,7 +73,7 @@ std::string verdict_of(const Singularity& graph) {
   return "MESHABLE: a hexahedral mesh can have each of these arcs and nodes";
 }
 
-/// Where the solve was stopped, what is missing.
+/// Returns a line about what is missing if the solve was stopped.
 std::string unfinished_line(const SolveReport& report) {
   if (!report.unfinished) return "";
   const SolveReport::Unfinished& unfinished = *report.unfinished;
@@ -83,7 +83,7 @@ std::string unfinished_line(const SolveReport& report) {
                           unfinished.levels_missing, unfinished.levels_missing == 1 ? "" : "s",
                           report.resolution, unfinished.resolution_asked);
   if (unfinished.tets_missing) missing += std::string(missing.empty() ? "" : "; ") + "no field on the tets";
-  return "UNFINISHED, for the solve was stopped: " + missing + "\n";
+  return "UNFINISHED, the solve was stopped: " + missing + "\n";
 }
 
 std::string text_of(const Graphs& graphs, std::size_t cells) {

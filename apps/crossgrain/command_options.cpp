@@ -13,7 +13,8 @@
 namespace crossgrain::app {
 namespace {
 
-/// An option whose text becomes what parse(text) points to, and goes to use(value).
+/// Adds an option whose text is parsed by parse(text), which returns a pointer or optional, and passed to
+/// use(value).
 template <class Parse, class Use>
 CLI::Option* add_parsed(CLI::App& command, const char* name, Parse parse, Use use, const char* fault,
                         const char* help) {
@@ -51,13 +52,13 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
   command
       .add_option(
           "--output-level", options.level,
-          "Depth of the smallest cells in field.vtu, as its array 'level' counts: deeper ones are merged")
+          "Octree depth of the smallest cells in field.vtu (its array 'level'); deeper cells are merged")
       ->check(CLI::Range(0, kDeepest))
       ->type_name("N");
   command
       .add_option_function<std::string>(
           "--clip", [&options](const std::string& text) { options.clip = parse_box(text); },
-          "Only cells that meet this box go to field.vtu; model units, inf and -inf too")
+          "Write only cells that intersect this box to field.vtu; in model units, may be inf or -inf")
       ->check(fault_of_box)
       ->type_name("XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX");
   std::string formats = "Formats to write the field on tets in, besides onto.frames and onto.vtu:";
@@ -74,14 +75,15 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
 void add_tets_options(CLI::App& command, SolveArguments& arguments) {
   command
       .add_option("--onto", arguments.onto,
-                  "Carry the field of a surface onto this tet mesh and finish it there")
+                  "Transfer the field of a surface to this tet mesh and relax it there")
       ->type_name("TETS");
-  add_choice(command, "--boundary", arguments.options.onto.boundary,
-             {{name_of(TetBoundary::kAll), TetBoundary::kAll},
-              {name_of(TetBoundary::kSmoothOnly), TetBoundary::kSmoothOnly}},
-             "Boundary vertices of tets that are held to the surface: all (default), or smooth-only, which "
-             "leaves creases and corners free",
-             "all|smooth-only");
+  add_choice(
+      command, "--boundary", arguments.options.onto.boundary,
+      {{name_of(TetBoundary::kAll), TetBoundary::kAll},
+       {name_of(TetBoundary::kSmoothOnly), TetBoundary::kSmoothOnly}},
+      "Boundary vertices of tets that are constrained to the surface: all (default), or smooth-only, which "
+      "leaves creases and corners free",
+      "all|smooth-only");
 }
 
 void add_looks(CLI::App& command, PictureOptions& options) {
@@ -90,31 +92,32 @@ void add_looks(CLI::App& command, PictureOptions& options) {
               {"alignment", PictureColour::kAlignment},
               {"energy", PictureColour::kEnergy},
               {"class", PictureColour::kConstraint}},
-             "Colour the surface by its angle to the nearest axis, by energy density, or by what it asks for",
+             "Colour the surface by its angle to the nearest axis, by energy density or by constraint class",
              "none|alignment|energy|class");
   add_parsed(
       command, "--range", parse_range, [&options](const auto& range) { options.range = range; },
-      "is no two numbers with a comma between them, the lower one first",
+      "is not two numbers separated by a comma, the lower one first",
       "Ends of the colour scale (default: from the field)")
       ->type_name("LOW,HIGH");
-  command.add_option("--opacity", options.opacity, "Of faces, 0 to 1 (default: what suits the colour)")
+  command
+      .add_option("--opacity", options.opacity, "Opacity of faces, 0 to 1 (default: depends on the colour)")
       ->check(CLI::Range(0.0, 1.0))
       ->type_name("X");
   add_choice(command, "--frames", options.frames,
              {{"boxes", PictureFrames::kBoxes},
               {"crosses", PictureFrames::kCrosses},
               {"none", PictureFrames::kNone}},
-             "What frames on the cut are drawn as (default boxes)", "boxes|crosses|none");
+             "Shape of the frames on the cut (default boxes)", "boxes|crosses|none");
   command
       .add_option("--frame-spacing", options.frame_spacing,
-                  "Distance of frames on the cut, in pixels of a picture 1200 high (default 30)")
+                  "Distance between frames on the cut, in pixels of a picture 1200 high (default 30)")
       ->check(CLI::Range(4.0, 1000.0))
       ->type_name("X");
   add_choice(command, "--background", options.background,
              {{"light", PictureBackground::kLight},
               {"dark", PictureBackground::kDark},
               {"transparent", PictureBackground::kTransparent}},
-             "Behind the part (default light)", "light|dark|transparent");
+             "Background (default light)", "light|dark|transparent");
   command.add_flag("!--no-lines", options.lines, "Leave out singular lines and nodes");
   command.add_flag("!--no-creases", options.creases, "Leave out sharp edges");
   command.add_flag("!--no-legend", options.legend, "Leave out legend and axes");
@@ -151,42 +154,42 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   command
       ->add_option(
           "--crease-angle", options.creases.least_deg,
-          "Edges where the normal turns by more degrees are creases, which frames run along (default "
-          "35; 180 for none)")
+          "Edges between faces whose normals differ by more degrees are creases, which frames follow "
+          "(default 35; 180 for none)")
       ->check(fault_of_angle)
       ->type_name("DEG");
-  command->add_option("--threads", options.threads, "Threads; 0 (default) for all there are")
+  command->add_option("--threads", options.threads, "Number of threads; 0 (default) uses all")
       ->check(CLI::Range(0, kMany))
       ->type_name("N");
   command
       ->add_option_function<std::string>(
           "--max-memory",
           [&options](const std::string& text) { options.max_memory_bytes = *parse_bytes(text); },
-          "Memory to take at most, such as 12GB, 800MB or bytes; cells get up to 8 times larger to stay "
-          "within it (default: nine tenths of what there is)")
+          "Most memory to use, such as 12GB, 800MB or bytes; cells become up to 8 times larger to stay "
+          "within it (default: nine tenths of the machine or container)")
       ->check(fault_of_bytes)
       ->type_name("SIZE");
-  command->add_option("--seed", options.seed, "Changes the initial frames of every start (default 0)")
+  command->add_option("--seed", options.seed, "Seed of the random initial frames (default 0)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command->add_flag("--union", options.unite_solids,
-                    "Take several solids as one: pass over the faces between them");
+                    "Treat several solids as one: ignore the faces between them");
   command
       ->add_option("--read-seconds", arguments.read_seconds,
-                   "Give up on a CAD file after so many seconds, and 10 for each megabyte of it (default 60)")
+                   "Time limit for reading a CAD file, to which 10 s per megabyte are added (default 60)")
       ->check(fault_of_length)
       ->type_name("SECONDS");
   add_tets_options(*command, arguments);
   add_output_options(*command, arguments.output_options);
   command
       ->add_option("--constraints", arguments.constraints,
-                   "What frames are to follow besides the surface, as JSON: axes and frames at points, along "
-                   "polylines and on faces, and stress tensors (docs/constraints.md)")
+                   "JSON file of constraints besides the surface: axes and frames at points, along polylines "
+                   "and on faces, and stress tensors (docs/constraints.md)")
       ->type_name("FILE");
   command->add_option("--from", arguments.from, "Start from the field in this folder")->type_name("DIR");
   command->add_flag("--quiet", arguments.quiet, "Print no summary and no progress");
   command->add_flag("--progress", arguments.progress,
-                    "Show progress on standard error even where that is no terminal");
+                    "Show progress on standard error even if it is not a terminal");
   command->add_flag("!--no-report", arguments.page,
                     "Write no report.html, the page that shows the field; report.json is always written");
   return command;
@@ -237,20 +240,22 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
           [&options](const std::string& text) {
             for (std::size_t k = 0; k < 3; ++k) options.axes[k] = text.find("xyz"[k]) != text.npos;
           },
-          "Of the axes at a seed, those to follow: the ones that go with x, y and z (default xyz)")
+          "Axes at a seed to follow: those matched with x, y and z (default xyz)")
       ->check(fault_of_axes)
       ->type_name("xyz");
   command
       ->add_option("--tolerance", options.tolerance,
-                   "How far a line may get off the interpolated field, per length (default 1e-3)")
+                   "Largest deviation of a line from the interpolated field, per length (default 1e-3)")
       ->check(fault_of_length)
       ->type_name("X");
-  command->add_option("--step", options.largest_step_cells, "Most distance of points, in cells (default 1)")
+  command
+      ->add_option("--step", options.largest_step_cells,
+                   "Largest distance between points, in cells (default 1)")
       ->check(CLI::Range(1e-3, 4.0))
       ->type_name("X");
   command
       ->add_option("--longest", options.longest_sides,
-                   "Most length each way from a seed, in longest sides of the field (default 4)")
+                   "Largest length in each direction from a seed, in longest sides of the field (default 4)")
       ->check(fault_of_length)
       ->type_name("X");
   command->add_flag("--quiet", arguments.quiet, "Print no summary");
@@ -268,11 +273,11 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
   command->add_option("-o,--output", arguments.output, "PNG file to write (default: DIR-stem.png here)")
       ->type_name("FILE");
   command->add_flag("--streamlines", arguments.streamlines,
-                    "Draw the lines that 'crossgrain streamlines' has written to the folder too");
+                    "Also draw the lines that 'crossgrain streamlines' has written to the folder");
   add_parsed(
       *command, "--size", parse_size,
       [&options](const auto& size) { options.width = size[0], options.height = size[1]; },
-      "is no size such as 1600x1200", "Width and height in pixels (default 1600x1200)")
+      "is not a size such as 1600x1200", "Width and height in pixels (default 1600x1200)")
       ->type_name("WxH");
   add_parsed(
       *command, "--view", parse_view,
@@ -280,22 +285,20 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
         options.azimuth_deg = angles[0];
         options.elevation_deg = angles[1];
       },
-      "is no view: iso, front, back, left, right, top, bottom, or azimuth and elevation such as -55,28",
-      "From where: iso (default), front, back, left, right, top, bottom, or degrees about z from x, and "
-      "above "
-      "the xy plane")
+      "is not a view: iso, front, back, left, right, top, bottom, or azimuth and elevation such as -55,28",
+      "Viewpoint: iso (default), front, back, left, right, top, bottom, or degrees about z from x and "
+      "degrees above the xy plane")
       ->type_name("NAME|A,E");
   add_choice(*command, "--up", options.up_axis, std::map<std::string, int>{{"x", 0}, {"y", 1}, {"z", 2}},
              "The axis of the model that points up (default z)", "x|y|z");
   add_parsed(
       *command, "--cut", parse_cut, [&options](const auto& cut) { options.cut = cut; },
-      "is no cut such as x, y=12.5 or none",
-      "Take away what is before a plane across this axis, at the middle or where it says, and draw the "
-      "frames "
-      "on it (default none)")
+      "is not a cut such as x, y=12.5 or none",
+      "Remove the part in front of a plane across this axis, at the middle or at the given place, and draw "
+      "the frames on the plane (default none)")
       ->type_name("x|y|z[=AT]");
   add_looks(*command, options);
-  command->add_option("--threads", arguments.threads, "Threads; 0 (default) for all there are")
+  command->add_option("--threads", arguments.threads, "Number of threads; 0 (default) uses all")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()))
       ->type_name("N");
   command->add_flag("--quiet", arguments.quiet, "Print no summary");
@@ -303,9 +306,9 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
 }
 
 CLI::App* add_spectrum(CLI::App& app, SpectrumArguments& arguments) {
-  CLI::App* command =
-      app.add_subcommand("spectrum", "Prints what some surface normals say together about a frame");
-  CLI::Option* preset = command->add_option("--preset", arguments.preset, "A shape instead of normals")
+  CLI::App* command = app.add_subcommand(
+      "spectrum", "Prints eigenvalues and null space of the constraint of a set of normals");
+  CLI::Option* preset = command->add_option("--preset", arguments.preset, "Use the normals of this shape")
                             ->check(CLI::IsMember({"plane", "cube", "cylinder", "sphere"}))
                             ->type_name("plane|cube|cylinder|sphere");
   command
@@ -329,8 +332,8 @@ CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
 }
 
 CLI::App* add_view(CLI::App& app, ViewArguments& arguments) {
-  CLI::App* command = app.add_subcommand(
-      "view", "Shows the page of a field in a browser, until Ctrl-C; to this machine only");
+  CLI::App* command =
+      app.add_subcommand("view", "Shows the page of a field in a browser on this machine, until Ctrl-C");
   constexpr int kMostPort = 65535;
   command->add_option("DIR", arguments.folder, "The folder that 'crossgrain solve' wrote")
       ->required()
@@ -338,7 +341,8 @@ CLI::App* add_view(CLI::App& app, ViewArguments& arguments) {
   command->add_option("--port", arguments.port, "Port on 127.0.0.1 (default: a free one)")
       ->check(CLI::Range(1, kMostPort))
       ->type_name("N");
-  command->add_flag("--no-browser", arguments.no_browser, "Start no browser, only print the address");
+  command->add_flag("--no-browser", arguments.no_browser,
+                    "Only print the address, without starting a browser");
   return command;
 }
 

@@ -38,7 +38,8 @@ void stop(Monitor& monitor) {
   monitor.stop();
   // The computation ends soon and reports which level it writes.
   if (has_field.load())
-    say("crossgrain: interrupted: the field is solved and will be written; Ctrl-C again to drop it\n");
+    say("crossgrain: interrupted: the field is solved and will be written; press Ctrl-C again to discard "
+        "it\n");
 }
 
 extern "C" void on_signal(int signal) {

@@ -33,7 +33,7 @@ double seconds_since(Clock::time_point start) {
 
 using Warn = std::function<void(const Warning& warning)>;
 
-/// Found by reading, and told before the solve.
+/// Returns whether the warning comes from reading a file; it is printed before the solve.
 bool is_of_reading(WarningKind kind) {
   switch (kind) {
     case WarningKind::kUnknownUnit:
@@ -48,7 +48,8 @@ bool is_of_reading(WarningKind kind) {
   }
 }
 
-/// Told even where the summary is not: that the solve was not of what was given or asked for.
+/// Returns whether the warning is printed even with --quiet: what was solved differs from the input or the
+/// request.
 bool is_of_input(WarningKind kind) {
   return kind == WarningKind::kMemoryLimited || kind == WarningKind::kSurfaceFinding ||
          kind == WarningKind::kConstraintsOutside;
@@ -59,7 +60,7 @@ void print_warning(Warning warning, const std::string& model) {
   print_message("warning: " + line_of(warning, Command::kSolve));
 }
 
-/// The tet mesh that the command line names, as MODEL or with --onto; none otherwise.
+/// Returns the tet mesh given as MODEL or with --onto; none otherwise.
 std::optional<TetDomain> read_domain(const SolveArguments& arguments, const Warn& warn) {
   const std::string& file = arguments.onto.empty() ? arguments.model : arguments.onto;
   if (!is_tet_file(file) && arguments.onto.empty()) return std::nullopt;
@@ -85,7 +86,7 @@ double longest_side(const std::vector<Vector3>& points) {
   return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 0.0});
 }
 
-/// A box beside the model is found out before the solve, not after it.
+/// Throws if the box of --clip lies outside the model, before the solve.
 void check_clip(const SolveArguments& arguments, const TriangleMesh& mesh) {
   if (!arguments.output_options.clip || mesh.vertices.empty()) return;
   const Box &clip = *arguments.output_options.clip, model = bounds_of(mesh.vertices);
@@ -100,10 +101,10 @@ void check_clip(const SolveArguments& arguments, const TriangleMesh& mesh) {
   }
 }
 
-/// A surface in millimetres and tets in metres make a field that looks right and is not, or a grid beyond any
-/// memory.
+/// Throws if the sizes differ so much that the units probably do, which gives a wrong field or a grid beyond
+/// any memory.
 void check_same_unit(const SolveArguments& arguments, const TriangleMesh& surface, const TetDomain& domain) {
-  constexpr double kMostTimes = 5;  // the tets may fill but a part of the solid
+  constexpr double kMostTimes = 5;  // the tets may fill only part of the solid
   const double size = longest_side(surface.vertices), tets_size = longest_side(domain.boundary().vertices);
   if (std::max(size, tets_size) <= kMostTimes * std::min(size, tets_size)) return;
   throw Error(ErrorKind::kInput, {arguments.onto, "",
@@ -179,7 +180,7 @@ std::string summary_of(const SolveReport& report, const SolveArguments& argument
       report.energy.total, report.energy.smoothness, report.energy.boundary, report.energy.unavoidable);
   text += fmt::format(
       "alignment  {:.3g} degrees off the surface in the mean, 95 % within {:.3g}, all within {:.3g}; {:.3g} "
-      "% left out\n",
+      "% of the surface excluded\n",
       alignment.mean, alignment.p95, alignment.max, 100 * alignment.excluded_share);
   if (report.constraints) text += constraints_lines(*report.constraints);
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
@@ -190,7 +191,7 @@ std::string summary_of(const SolveReport& report, const SolveArguments& argument
   return text + fmt::format("result     {}\n", files_line(report, arguments));
 }
 
-/// What is missing would start from the nearest cells that are there, and the field end worse for it.
+/// Throws if the initial field was clipped, because cells outside it would have poor initial frames.
 void check_start(const SolveArguments& arguments) {
   if (arguments.from.empty() || !is_clipped_field(arguments.from)) return;
   throw Error(
@@ -208,9 +209,9 @@ ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& op
   return result;
 }
 
-/// Of what a stop leaves, on standard error.
+/// Says on standard error what is written after a stop.
 void tell_of_stop(const std::string& what_is_written) {
-  print_message("interrupted: writing " + what_is_written + "; Ctrl-C again to drop it");
+  print_message("interrupted: writing " + what_is_written + "; press Ctrl-C again to discard it");
 }
 
 std::string millions(std::size_t cells) {
@@ -218,7 +219,7 @@ std::string millions(std::size_t cells) {
   return fmt::format("{:.3g} million cells", static_cast<double>(cells) / 1e6);
 }
 
-/// The field on the tets; none where a stop comes before it is finished.
+/// Returns the field on the tets; none if a stop comes before it is complete.
 std::optional<TetFrameField> carried(const SolveArguments& arguments, const SolveOptions& options,
                                      const FrameField& field, const TetDomain& domain, const Monitor& monitor,
                                      const std::function<void()>& leave_line) {
@@ -235,8 +236,8 @@ std::optional<TetFrameField> carried(const SolveArguments& arguments, const Solv
   }
 }
 
-/// Solves, carries onto the tets where there are any, and writes all files. `warn` is told what reading has
-/// found, before the solve.
+/// Solves, transfers the field to the tets if there are any, and writes all files. Warnings from reading go
+/// to `warn` before the solve.
 SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point start, const Monitor& monitor,
                             const Warn& warn, const std::function<void()>& leave_line) {
   check_start(arguments);
@@ -266,12 +267,12 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   report.seconds.read = read_seconds;
   report.seconds.total = seconds_since(start);
   if (report.expected) {
-    // The library's clock began after reading.
+    // The library's clock starts after reading.
     report.expected->after_seconds += read_seconds;
     report.expected->seconds += read_seconds;
   }
   if (tet_field) return write_field(*tet_field, report, arguments.output, monitor, output_options);
-  output_options.formats.clear();  // of fields on tets
+  output_options.formats.clear();  // these are for fields on tets
   if (domain) mark_tets_missing(report);
   return write_field(field, report, arguments.output, monitor, output_options);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A double that counts what is done to it: the library's formulas, written for any Real, then tell how much
-// arithmetic they are.
+// A double that counts operations. The library's formulas work for any Real, so they can count their own
+// arithmetic.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace crossgrain {
 class CountedReal {
  public:
   CountedReal() = default;
-  CountedReal(double value) : value_(value) {}  // NOLINT: stands where a double would
+  CountedReal(double value) : value_(value) {}  // NOLINT: replaces a double
 
   CountedReal& operator+=(const CountedReal& other) { return *this = *this + other; }
   CountedReal& operator-=(const CountedReal& other) { return *this = *this - other; }
@@ -42,7 +42,7 @@ class CountedReal {
   friend bool operator>=(const CountedReal& a, const CountedReal& b) { return a.value_ >= b.value_; }
   friend CountedReal select(bool mask, const CountedReal& a, const CountedReal& b) { return mask ? a : b; }
 
-  /// Additions, multiplications, divisions and roots in run().
+  /// Returns the additions, multiplications, divisions and roots in run().
   template <class Run>
   static double operations_in(const Run& run) {
     const std::size_t before = operations_;
@@ -60,7 +60,7 @@ class CountedReal {
   double value_ = 0;
 };
 
-/// Where the plain Newton step does, as nearly always.
+/// Returns the plain Newton step, which the guarded one almost always equals.
 inline BasicVector3<CountedReal> guarded_newton_step(const BasicSymmetricMatrix3<CountedReal>& hessian,
                                                      const BasicVector3<CountedReal>& gradient,
                                                      double max_angle_rad) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is done with a solved field: frames nearest to any coefficients, sampling, writing.
+// Kernels of a solved field: nearest frames to arbitrary coefficients, sampling, writing.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -34,19 +34,19 @@ const FrameField& solved_field() {
   return field;
 }
 
-/// Of a million cells.
+/// A field of a million cells.
 const FrameField& large_field() {
   static const FrameField field = solved_bracket(431);
   return field;
 }
 
 enum class Spread {
-  kOverVolume,  ///< at random; few in small cells
-  kOverCells,   ///< at random, all cells alike
+  kOverVolume,  ///< random; few in small cells
+  kOverCells,   ///< random, the same number in every cell
   kInOrder,     ///< the same in the order of cells
 };
 
-/// Points in cells.
+/// Random points in cells.
 std::vector<Vector3> points_in(const FrameField& field, std::size_t count, Spread spread) {
   std::mt19937_64 random(1);
   std::vector<double> volume_up_to(field.size());
@@ -70,13 +70,13 @@ std::vector<Vector3> points_in(const FrameField& field, std::size_t count, Sprea
   return points;
 }
 
-/// Bytes of a sample: the frames and turns of eight cells are read, the point, the answer.
+/// Bytes of a sample: the frames and rotations of eight cells, the point, the result.
 ItemCost sample_cost() {
   constexpr double kCellBytes = 16 + 40 + 8 + 1;  // frame, turn, address, open faces
   return {sample_flops(), 8 * kCellBytes + sizeof(Vector3) + sizeof(FrameField::Sample)};
 }
 
-/// The search over all frames, of which eight starts are refined: what projection falls back to.
+/// The search over all frames with eight refined starts, the fallback of projection.
 template <int D>
 void nearest_frames(benchmark::State& state) {
   constexpr int kStarts = 8;  // harmonics/nearest_frame.cpp
@@ -92,7 +92,7 @@ void nearest_frames(benchmark::State& state) {
   report(state, targets.size(), {flops, sizeof(Coefficients<D>) + sizeof(Quaternion)});
 }
 
-/// Points one by one, in no order.
+/// Samples points one by one in random order.
 void sampling(benchmark::State& state) {
   const FrameField& field = solved_field();
   const std::vector<Vector3> points = points_in(field, 20000, Spread::kOverCells);
@@ -103,7 +103,7 @@ void sampling(benchmark::State& state) {
   report(state, points.size(), sample_cost());
 }
 
-/// As many points as there are cells, in one call.
+/// Samples as many points as there are cells in one call.
 void sampling_many(benchmark::State& state, Spread spread) {
   const ThreadLimit limit(1);
   const FrameField& field = large_field();
@@ -113,8 +113,8 @@ void sampling_many(benchmark::State& state, Spread spread) {
   report(state, points.size(), sample_cost());
 }
 
-/// field.vtu with all that belongs to a cell, compressed. Bytes: of the arrays before compression, which is
-/// nearly all of the time, and whose steps are no arithmetic of doubles.
+/// Writes field.vtu with all arrays of cells, compressed. Bytes: the arrays before compression, which takes
+/// nearly all of the time and no floating-point arithmetic.
 void writing(benchmark::State& state) {
   const FrameField& field = solved_field();
   const std::filesystem::path folder =

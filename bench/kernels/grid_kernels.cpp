@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The octree and the graph that is made of it: items are leaves of the finer level.
+// Kernels of the octree and its graph; items are leaves of the finer level.
 #include <benchmark/benchmark.h>
 
 #include "crossgrain/options.hpp"
@@ -10,7 +10,7 @@
 namespace crossgrain::bench {
 namespace {
 
-/// Bytes: the level before is read, the new one written. Flops: of clipping and of crossings.
+/// Bytes: reads the previous level and writes the new one. Flops: clipping and crossings.
 template <Part kPart>
 void refinement(benchmark::State& state) {
   const PartLevel& part = part_level(kPart);
@@ -23,7 +23,7 @@ void refinement(benchmark::State& state) {
   report(state, part.level.size(), {flops / leaves, (bytes_of(part.before) + bytes_of(part.level)) / leaves});
 }
 
-/// Bytes: the level is read, the faces are written. Flops: of the samples of open fractions.
+/// Bytes: reads the level and writes the faces. Flops: samples of open fractions.
 template <Part kPart>
 void connection(benchmark::State& state) {
   const PartLevel& part = part_level(kPart);
@@ -35,7 +35,7 @@ void connection(benchmark::State& state) {
           (bytes_of(part.level) + bytes_of(part.connections)) / leaves});
 }
 
-/// Bytes: addresses and faces are read, lists and the order written. Flops: none but sums of weights.
+/// Bytes: reads addresses and faces, writes lists and the order. Flops: only sums of weights.
 template <Part kPart>
 void adjacency(benchmark::State& state) {
   const PartLevel& part = part_level(kPart);

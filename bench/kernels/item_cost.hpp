@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a kernel reports: items a second on one core, and how near that comes to what the machine can do.
+// The results of a kernel: items per second on one core, and the share of the machine's limit.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -11,17 +11,17 @@
 
 namespace crossgrain::bench {
 
-/// What one item takes at least, whatever the code: arithmetic counted from the formulas (additions,
-/// multiplications, divisions and roots one each; comparisons and copies nothing), and bytes of the data
-/// structures that a pass reads or writes, each once.
+/// Minimal cost of one item: arithmetic counted from the formulas (additions, multiplications, divisions and
+/// roots count one each; comparisons and copies nothing), and bytes of the data structures that a pass reads
+/// or writes, each once.
 struct ItemCost {
   double flops = 0;
   double bytes = 0;
 };
 
-/// Counters of a benchmark on one thread of which each iteration does `items` items. `share_of_limit` is the
-/// part of the machine's limit that the rate reaches: of bandwidth or of multiply-adds, whichever allows
-/// fewer items a second; the label says which. Times are CPU times.
+/// Sets the counters of a benchmark on one thread, each iteration of which processes `items` items.
+/// `share_of_limit` is the rate relative to the machine's limit: that of bandwidth or of multiply-adds,
+/// whichever allows fewer items per second; the label names it. Times are CPU times.
 inline void report(benchmark::State& state, std::size_t items, const ItemCost& cost) {
   using benchmark::Counter;
   const double by_memory = cost.bytes / machine_limits().bytes_per_second;

@@ -15,7 +15,8 @@
 namespace crossgrain::bench {
 namespace {
 
-/// Finest cells along the longest side of a part: some hundred thousand cells, beyond any cache.
+/// Finest cells along the longest side of a part; gives some hundred thousand cells, more than any cache
+/// holds.
 constexpr int kResolution = 256;
 constexpr int kCoarsestDepth = 4;
 constexpr int kBoxAcross = 96;
@@ -56,7 +57,7 @@ std::shared_ptr<const Connectivity> box_connectivity() {
   std::sort(leaves.begin(), leaves.end());
   const GridLevel level =
       testing::interior_level({{{0, 0, 0}, kBoxCellSize * (1 << depth)}, std::move(leaves)});
-  // No leaf holds surface, so none is looked at.
+  // No leaf holds surface, so the solid is not used.
   const testing::TestSolid any(make_box({1, 1, 1}));
   const std::vector<FaceNeighbours> neighbours = face_neighbours(level.tree);
   return connected(level, neighbours, connect_leaves(level, neighbours, any.solid()));
@@ -145,7 +146,7 @@ ItemCost sweep_cost(const FieldGraph<D>& graph, double (*flops_of)(const CellKin
   }
   const auto cells = static_cast<double>(graph.size());
   cost.flops /= cells;
-  // What each cell has: its place in the order, which form it has, and the state.
+  // Data of each cell: its position in the order, its form, and the state.
   cost.bytes = (cost.bytes + bytes_of(graph.adjacency())) / cells + 2 * sizeof(std::uint32_t) +
                2 * sizeof(StoredCoefficients<D>);
   if (changed == SweptData::kFramesAndCoefficients) cost.bytes += 2 * sizeof(StoredQuaternion);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What kernels run on: levels of generated parts as a solve makes them, and a box of cells that are all
-// inside. Each is made once. Of the headers of src/grid and src/field that hold levels, graphs and states,
-// the benchmarks look into them here and in levels.cpp only.
+// Input of kernels: levels of generated parts, as a solve makes them, and a box of cells that are all inside.
+// Each is made once. Only this file and levels.cpp include the headers of src/grid and src/field for levels,
+// graphs and states.
 #pragma once
 
 #include <cstddef>
@@ -19,10 +19,10 @@ namespace crossgrain::bench {
 
 enum class Part {
   kBracket,  ///< flat faces, creases, a fillet and a hole
-  kTorus     ///< curved everywhere: every cell with surface has several normals
+  kTorus     ///< curved everywhere, so every cell with surface has several normals
 };
 
-/// The finest level of a part, and the one that it was refined from.
+/// The finest level of a part, and the previous one.
 struct PartLevel {
   testing::TestSolid solid;
   GridLevel before;
@@ -38,39 +38,40 @@ struct PartLevel {
 
 const PartLevel& part_level(Part part);
 
-/// A graph to sweep over, and a state to begin with: frames a tenth of a radian off a constant field, so that
-/// cells take real steps as they do in a solve; at rest they would spend their time halving steps that gain
-/// nothing.
+/// A graph for sweeps, and an initial state: frames a tenth of a radian off a constant field, so that cells
+/// take steps of realistic size. At a minimum they would only halve steps that gain nothing.
 template <int D>
 struct SweptField {
   FieldGraph<D> graph;
   FieldState<D> start;
 };
 
-/// 96 cells across: but for the sides of the box all have eighteen neighbours of one weight, and no form.
+/// Returns a box of 96 cells across. Except at its sides, all cells have eighteen neighbours of equal weight
+/// and no form.
 template <int D>
 const SweptField<D>& box_field();
 
 template <int D>
 const SweptField<D>& part_field(Part part);
 
-/// The mean over the cells of a graph: flops as flops_of tells for each kind of cell, bytes of the graph and,
-/// read and written, of what a sweep changes.
+/// Returns the mean cost of a cell of a graph: flops by `flops_of` for each kind of cell; bytes of the graph
+/// and, read and written, of the state that a sweep changes.
 enum class SweptData { kCoefficients, kFramesAndCoefficients };
 template <int D>
 ItemCost sweep_cost(const FieldGraph<D>& graph, double (*flops_of)(const CellKind&), SweptData changed);
 
-/// Bytes of the arrays of a level (with neighbours and parents), of faces between leaves, and of the lists
-/// that a graph makes of them.
+/// Returns the bytes of the arrays of a level (with neighbours and parents), of faces between leaves, and of
+/// the lists that a graph makes of them.
 double bytes_of(const GridLevel& level);
 double bytes_of(const LeafConnections& connections);
 double bytes_of(const Adjacency& adjacency);
 
-/// Faces between two leaves of `level` that both hold surface, for which connect_leaves takes samples, times
-/// the pieces that each sample looks at.
+/// Returns the number of faces between leaves of `level` that both hold surface, for which connect_leaves
+/// takes samples, times the number of pieces that each sample tests.
 double sampled_pieces(const PartLevel& part);
 
-/// Pieces that refining `part.before` clips, and those of them that something was left of.
+/// Returns the number of pieces that refining `part.before` clips, and of those that are not empty
+/// afterwards.
 struct ClippedPieces {
   double tried = 0, kept = 0;
 };

@@ -22,10 +22,10 @@ constexpr int kRounds = 7;
 constexpr std::size_t kCopiedBytes = std::size_t{256} << 20;
 constexpr long kMultiplyAddSteps = 8'000'000;
 
-/// Chains of multiply-adds that do not wait for each other: two units of a latency of four, and some more.
+/// Number of independent chains of multiply-adds: two units with a latency of four, and some more.
 constexpr int kChains = 12;
 
-/// Each step multiplies by this and adds what keeps the number near 1.
+/// Each step multiplies by this factor and adds a term that keeps the number near 1.
 constexpr double kFactor = 0.999, kSummand = 0.001;
 
 template <class Run>
@@ -39,7 +39,7 @@ double copy_bytes_per_second() {
   std::vector<char> from(kCopiedBytes, 1), to(kCopiedBytes, 0);
   const double seconds = best_seconds([&] {
     std::memcpy(to.data(), from.data(), kCopiedBytes);
-    asm volatile("" : : "r"(to.data()) : "memory");  // so that no copy is left out
+    asm volatile("" : : "r"(to.data()) : "memory");  // prevents the compiler from removing copies
   });
   return 2.0 * kCopiedBytes / seconds;
 }

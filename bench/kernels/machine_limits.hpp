@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one core of this machine can do at most: kernels are measured against it, in the same process.
+// Limits of one core of this machine. Kernels are compared with them in the same process.
 #pragma once
 
 namespace crossgrain::bench {
 
 struct MachineLimits {
-  double bytes_per_second;  ///< read and written together, by a copy far larger than any cache
-  double flops_per_second;  ///< of double precision, by multiply-adds in the widest vectors there are
+  double bytes_per_second;  ///< reads plus writes of a copy far larger than any cache
+  double flops_per_second;  ///< multiply-adds in double precision in the widest vectors
 };
 
-/// Measured at the first call, which takes a second.
+/// Returns the limits, which the first call measures in a second.
 const MachineLimits& machine_limits();
 
 }  // namespace crossgrain::bench

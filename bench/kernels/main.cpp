@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rates of the kernels on one core beside what the machine can do (docs/notes/performance.md, "Kernels").
-// bench/kernel_table.py runs it and makes a table.
+// Measures the rates of the kernels on one core and the limits of the machine (docs/notes/performance.md,
+// "Kernels"). bench/kernel_table.py runs it and makes a table.
 //
 //   kernels [--benchmark_filter=REGEX] [--benchmark_format=json] [options of Google Benchmark]
 #include <benchmark/benchmark.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geometry of the surface, and forms from it.
+// Kernels of the geometry of the surface and of its forms.
 #include <benchmark/benchmark.h>
 
 #include <utility>
@@ -22,11 +22,11 @@ void for_each_split_leaf(const PartLevel& part, const Visit& visit) {
   }
 }
 
-/// Of a triangle: its place in the list, three indices and three corners, which eight children share.
+/// Bytes of a triangle: its position in the list, three indices and three corners, shared by eight children.
 constexpr double kTriangleBytesPerChild =
     (sizeof(SurfacePiece) + 3 * sizeof(std::uint32_t) + 3 * sizeof(Vector3)) / 8.0;
 
-/// Triangles in a leaf against each of its eight children; items are such pairs.
+/// Clips the triangles in a leaf to each of its eight children; items are pairs of triangle and child.
 void clipping(benchmark::State& state) {
   const PartLevel& part = part_level(Part::kTorus);
   const Octree& tree = part.before.tree;
@@ -55,8 +55,8 @@ PointsByAxis<8> centres_of_children(const Octree& tree, CellIndex i) {
   return centres;
 }
 
-/// Triangles in a leaf against the ways from its centre to those of its children, which are known before;
-/// items are such pairs.
+/// Tests the triangles in a leaf against the segments from its centre to those of its children, which are
+/// known before; items are pairs of triangle and segment.
 void crossings(benchmark::State& state) {
   const PartLevel& part = part_level(Part::kTorus);
   const Solid solid = part.solid.solid();
@@ -76,8 +76,8 @@ void crossings(benchmark::State& state) {
          {crossing_flops(8), kTriangleBytesPerChild + bytes_of_ends / items});
 }
 
-/// What a query visits: clusters of the tree of boxes stand for those of the winding number, each with half
-/// the diagonal of its box for a radius.
+/// Numbers of visits of a query. Clusters of the tree of boxes represent those of the winding number, each
+/// with half the diagonal of its box as its radius.
 struct Visits {
   double clusters = 0, far_clusters = 0, near_triangles = 0;
 };
@@ -95,7 +95,7 @@ void count_visits(const TriangleBvh& bvh, const Vector3& point, Visits& visits) 
   }
 }
 
-/// Centres of leaves with surface, where most of a tree is looked into; items are points.
+/// Winding numbers at the centres of leaves with surface, which visit most of a tree; items are points.
 void winding_numbers(benchmark::State& state) {
   const PartLevel& part = part_level(Part::kTorus);
   const Solid solid = part.solid.solid();
@@ -113,11 +113,11 @@ void winding_numbers(benchmark::State& state) {
   }
   const double flops = visits.clusters * kClusterFlops + visits.far_clusters * kFarClusterFlops +
                        visits.near_triangles * kNearTriangleFlops;
-  // The tree stays in the cache from point to point: compulsory is the point alone.
+  // The tree stays in the cache between points, so only the point counts.
   report(state, points.size(), {flops / static_cast<double>(points.size()), sizeof(Vector3)});
 }
 
-/// The forms of all leaves with surface; items are pieces.
+/// Computes the forms of all leaves with surface; items are pieces.
 template <int D>
 void cell_forms(benchmark::State& state) {
   const PartLevel& part = part_level(Part::kTorus);

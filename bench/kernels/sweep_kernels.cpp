@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sweeps and projection: items are cells.
+// Kernels of sweeps and projection; items are cells.
 #include <benchmark/benchmark.h>
 
 #include "crossgrain/options.hpp"
@@ -11,7 +11,7 @@
 namespace crossgrain::bench {
 namespace {
 
-/// After so many sweeps the field begins anew, so that it is never near rest.
+/// Number of sweeps after which the field is reset, so that it never comes near a minimum.
 constexpr int kSweepsPerStart = 8;
 
 template <int D, class Sweep>
@@ -63,7 +63,7 @@ void relaxation_part(benchmark::State& state) {
   relaxation(state, part_field<D>(kPart));
 }
 
-/// What the other sweeps are compared with. Doubles and lists of its own: neighbours, frames, coefficients.
+/// The reference for other sweeps, with its own arrays of doubles: neighbours, frames, coefficients.
 void plain(benchmark::State& state) {
   PlainBox box(96);
   for (auto _ : state) box.sweep();
@@ -72,7 +72,7 @@ void plain(benchmark::State& state) {
   report(state, box.size(), {manifold_update_flops<4>(kInside), bytes});
 }
 
-/// Coefficients as a relaxation leaves them to the frames nearest to them.
+/// Projects coefficients after a relaxation to the nearest frames.
 template <int D, Part kPart>
 void projection(benchmark::State& state) {
   const SolverOptions options;

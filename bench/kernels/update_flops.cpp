@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Notation as in field/local_energy.hpp: f(h) = h^T A h - 2 b.h on |h| = 1. Coefficients and frames here are
-// any that make sense: the number of operations does not depend on them, but for the steps of a climb.
+// Notation of field/local_energy.hpp: f(h) = h^T A h - 2 b.h on |h| = 1. Coefficients and frames are
+// arbitrary valid ones: only the number of ascent steps depends on them.
 #include "kernels/update_flops.hpp"
 
 #include "constraint/normal_form.hpp"
@@ -29,7 +29,7 @@ Vector<D> plain_coefficients() {
   return frame_coefficients<D>(BasicQuaternion<Real>{});
 }
 
-/// A and b of one cell's local energy, whatever it is made of.
+/// A and b of one cell's local energy, for any kind of cell.
 template <int D>
 class LocalWork {
  public:
@@ -38,10 +38,10 @@ class LocalWork {
     add_identity<D>(matrix_, 10.0);
   }
 
-  /// Summing up neighbours, and forms for cells that have one.
+  /// Returns the operations to sum over neighbours, and to add the form if the cell has one.
   double gathering_flops() const {
-    // Sums of w h, without the product where all weights are equal, and of w; then times the factor of the
-    // degree. In degree 3 w is the weight times an overlap. No cell is counted as one far from a neighbour.
+    // Sums of w h, without the product if all weights are equal, and of w; then times the factor of the
+    // degree. In degree 3 w is the weight times an overlap. No cell counts as far from a neighbour.
     constexpr int n = kCoefficientCount<D>, entries = kFormEntryCount<D>;
     const double overlap = D == 3 ? 2 * n - 1 : 0;
     const double weighing = kind_.equal_weights ? (D == 3 ? n : 0) : n + (D == 3 ? 2 : 1);

@@ -34,7 +34,7 @@ constexpr std::uint64_t spread(std::uint64_t x) {
   return x;
 }
 
-/// Where the bits of x stand in a code, of all kMaxDepth of them.
+/// Mask of the bits of x in a code of kMaxDepth levels.
 inline constexpr std::uint64_t kEveryThirdBit = spread((std::uint64_t{1} << kMaxDepth) - 1);
 
 /// Inverse of `spread`.
@@ -54,7 +54,7 @@ class CellAddress {
  public:
   constexpr CellAddress() = default;
 
-  /// The cell of `depth` whose low corner is `corner`, a multiple of its width.
+  /// Makes the cell of `depth` whose low corner is `corner`, a multiple of its width.
   constexpr CellAddress(const GridPoint& corner, int depth)
       : packed_((morton::spread(static_cast<std::uint64_t>(corner[0])) |
                  morton::spread(static_cast<std::uint64_t>(corner[1])) << 1 |
@@ -76,7 +76,7 @@ class CellAddress {
             static_cast<std::int32_t>(morton::gather(code >> 2))};
   }
 
-  /// Child 0..7; bit a of `octant` says whether it lies on the high side along axis a.
+  /// Returns child 0 to 7; bit a of `octant` is 1 for the high side along axis a.
   constexpr CellAddress child(int octant) const {
     const int child_depth = depth() + 1;
     const std::uint64_t code = packed_ >> 5 | static_cast<std::uint64_t>(octant)
@@ -90,14 +90,14 @@ class CellAddress {
     return from_packed(packed_ >> 5 >> low_bits << low_bits << 5 | static_cast<std::uint64_t>(parent_depth));
   }
 
-  /// The cell of the given depth around this one; this one where it is no deeper.
+  /// Returns the ancestor of this depth; the cell itself if it is not deeper.
   constexpr CellAddress ancestor_at(int ancestor_depth) const {
     CellAddress cell = *this;
     while (cell.depth() > ancestor_depth) cell = cell.parent();
     return cell;
   }
 
-  /// Which child of its parent this is.
+  /// Returns the number of this cell among its parent's children, as in `child`.
   constexpr int octant() const { return static_cast<int>(packed_ >> 5 >> 3 * (kMaxDepth - depth()) & 7); }
 
   constexpr bool contains(CellAddress other) const {

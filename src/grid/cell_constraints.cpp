@@ -52,10 +52,11 @@ double constrained_area(const GridLevel& level, CellIndex i) {
 
 namespace {
 
-/// Whether normals are so close to one of them, n, that the class is kPlane by classify's default tolerances
-/// without a look at eigenvalues. On the two harmonics with |m| = 2 about n, the form of a normal at an angle
-/// t to n is at most 4 sin^2 t. Two eigenvalues are no larger than the mean q of that. No eigenvalue is above
-/// 1 and all seven add up to 5, so the third is at least 1 - 2 q: with q up to 0.1 far from the first two.
+/// Returns whether all normals are so close to one of them, n, that the class is kPlane by classify's default
+/// tolerances; no eigenvalues are needed. On the two harmonics with |m| = 2 about n, the form of a normal at
+/// an angle t to n is at most 4 sin^2 t. So two eigenvalues are at most the mean q of 4 sin^2 t. No
+/// eigenvalue is above 1 and all seven add up to 5, so the third is at least 1 - 2 q, which is far from the
+/// first two if q is at most 0.1.
 bool is_surely_plane(const GridLevel& level, const Solid& solid, CellIndex i) {
   constexpr ClassificationTolerances kTolerances{};
   constexpr double kLargest = std::min(kTolerances.same_eigenvalue, kTolerances.fits);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The constraints of the surface and the guides inside a leaf as one quadratic form (docs/design.md section
-// 3).
+// The constraints of the surface and the guides in a leaf as one quadratic form (docs/design.md section 3).
 #pragma once
 
 #include "constraint/classification.hpp"
@@ -9,40 +8,41 @@
 
 namespace crossgrain {
 
-/// The sum over the pieces and guides in leaf `i` of area * E_n, for guides with their direction for n; its
-/// weight is their area in squared model units.
+/// Returns the sum of area * E_n over the pieces and guides in leaf `i`, where n is the normal of a piece or
+/// the direction of a guide. The weight of the form is the sum of the areas, in squared model units.
 template <int D>
 QuadraticForm<D> cell_form(const GridLevel& level, const Solid& solid, CellIndex i);
 
 extern template QuadraticForm<3> cell_form<3>(const GridLevel&, const Solid&, CellIndex);
 extern template QuadraticForm<4> cell_form<4>(const GridLevel&, const Solid&, CellIndex);
 
-/// The normal that a piece in leaf `i` constrains frames by: that of the true surface near the leaf's centre.
+/// Returns the normal to which a piece in leaf `i` constrains frames: that of the true surface near the
+/// leaf's centre.
 inline Vector3 normal_of(const GridLevel& level, const Solid& solid, CellIndex i, const SurfacePiece& piece) {
   return solid.surface.mesh.corner_normals.empty()
              ? solid.surface.normals[piece.triangle]
              : solid.surface.normal_at(piece.triangle, level.tree.centre(i));
 }
 
-/// Where there is one direction only that the pieces of leaf `i` have for a normal and the guides in it for
-/// their direction: true. Such a leaf needs no matrix. Normals within kSameNormal of each other count as one.
+/// Returns whether all normals of pieces and directions of guides in leaf `i` are the same
+/// (`is_same_normal`). Such a leaf needs no matrix.
 bool has_single_normal(const GridLevel& level, const Solid& solid, CellIndex i);
 
-/// That of the first piece of a leaf that is constrained, or where it has none the direction of its first
-/// guide.
+/// Returns the normal of the first piece in leaf `i`, or the direction of its first guide if it has no
+/// pieces. The leaf must be constrained.
 Vector3 first_normal(const GridLevel& level, const Solid& solid, CellIndex i);
 
-/// Of the pieces and guides in leaf `i`: the weight of its form.
+/// Returns the area of the pieces and guides in leaf `i`, which is the weight of its form.
 double constrained_area(const GridLevel& level, CellIndex i);
 
-/// Whether two unit normals count as one, either way round.
+/// Returns whether two unit normals, or one and the opposite of the other, differ by at most kSameNormal.
 bool is_same_normal(const Vector3& a, const Vector3& b);
 
-/// Squared sine up to which two normals are one: 1e-4 degrees, below what a frame in single precision
-/// resolves.
+/// Squared sine of the angle up to which two normals are the same: 1e-4 degrees, less than a frame in single
+/// precision resolves.
 inline constexpr double kSameNormal = 3e-12;
 
-/// The class of a leaf that is constrained, from its degree-3 form.
+/// Returns the class of a constrained leaf, from its degree-3 form.
 ConstraintClass constraint_class(const GridLevel& level, const Solid& solid, CellIndex i);
 
 }  // namespace crossgrain

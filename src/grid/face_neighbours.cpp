@@ -12,7 +12,7 @@
 namespace crossgrain {
 namespace {
 
-/// Leaves of the tree after splitting, by leaves of the tree before.
+/// Finds the leaves of the tree after splitting that replace a leaf of the tree before.
 class Descendants {
  public:
   Descendants(const SplitTree& before, const Octree& after, std::span<const CellIndex> parent)
@@ -29,10 +29,10 @@ class Descendants {
     });
   }
 
-  /// What has become of a leaf that was not split.
+  /// Returns the new index of a leaf that was not split.
   CellIndex kept(CellIndex leaf) const { return first_[leaf]; }
 
-  /// A child of a leaf that was split; kNoCell where that child is not active.
+  /// Returns a child of a leaf that was split; kNoCell if that child is not active.
   CellIndex child(CellIndex leaf, int octant) const {
     const unsigned octants = octants_[leaf], bit = 1u << octant;
     if (!(octants & bit)) return kNoCell;
@@ -67,14 +67,14 @@ class NeighboursAfterSplit {
  private:
   int depth(CellIndex leaf) const { return before_.tree[leaf].depth(); }
 
-  /// The octant in which the neighbour across a face lies in its parent.
+  /// Returns the octant, in its parent, of the neighbour across a face.
   static int octant_across(CellAddress cell, int face) { return cell.octant() ^ 1 << face_axis(face); }
 
   CellIndex of_kept(CellIndex leaf, int face) const {
     const CellIndex beside = before_.neighbours[leaf][face];
     if (beside == kNoCell) return kNoCell;
     if (!before_.split[beside]) return descendants_.kept(beside);
-    if (depth(beside) == depth(leaf)) return kNoCell;  // smaller now
+    if (depth(beside) == depth(leaf)) return kNoCell;  // its children are smaller than the leaf
     return descendants_.child(beside, octant_across(before_.tree[leaf], face));
   }
 
@@ -86,7 +86,8 @@ class NeighboursAfterSplit {
     return descendants_.child(beside, octant_across(as_large ? after_[child] : before_.tree[parent], face));
   }
 
-  /// The leaf of a child's size that was beside the child's parent already. This one is looked up.
+  /// Returns the neighbour of a child that was already as small as the child before the split. Only this case
+  /// searches the tree.
   CellIndex as_small(CellIndex child, CellIndex parent, int face) const {
     if (depth(parent) == deepest_) return kNoCell;
     const auto across = adjacent(after_[child], face);
@@ -128,8 +129,8 @@ std::vector<FaceNeighbours> face_neighbours(const SplitTree& before, const Octre
 void balance_marks(const Octree& tree, std::span<const FaceNeighbours> neighbours,
                    std::vector<bool>& marked) {
   assert(marked.size() == tree.size() && neighbours.size() == tree.size());
-  // A split leaf of depth d forces neighbours of depth d - 1 to split, and those force others of depth d - 2:
-  // from the deepest up, one pass is enough.
+  // A split leaf of depth d forces neighbours of depth d - 1 to split, and those force neighbours of depth d
+  // - 2. So one pass from the deepest level upwards is enough.
   std::array<std::vector<CellIndex>, kMaxDepth + 1> by_depth;
   for (CellIndex i = 0; i < tree.size(); ++i) {
     if (marked[i]) by_depth[tree[i].depth()].push_back(i);

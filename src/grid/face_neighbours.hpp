@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who lies behind the faces of leaves, for all leaves at once.
+// The leaves across the faces of all leaves of a tree.
 #pragma once
 
 #include <array>
@@ -10,28 +10,27 @@
 
 namespace crossgrain {
 
-/// What Octree::neighbour says of each face of a leaf: the leaf of the same size or larger behind it, kNoCell
-/// where there is none.
+/// Octree::neighbour for each face of a leaf: the leaf of the same size or larger across it, or kNoCell.
 using FaceNeighbours = std::array<CellIndex, kFaceCount>;
 
-/// The neighbours of all leaves, each looked up in the tree.
+/// Returns the neighbours of all leaves by a search for each.
 std::vector<FaceNeighbours> face_neighbours(const Octree& tree);
 
-/// A balanced tree, and which of its leaves are split to make the next one.
+/// A balanced tree and the leaves to split.
 struct SplitTree {
   const Octree& tree;
   std::span<const FaceNeighbours> neighbours;
   const std::vector<bool>& split;
 };
 
-/// The neighbours of all leaves of `after`, the balanced tree that `before` becomes; `parent` tells for each
-/// leaf of `after` which leaf of `before` it is or is a child of. Neighbours of children are siblings, or
-/// children of the neighbours of their parents: hardly anything is looked up.
+/// Returns the neighbours of all leaves of `after`, the balanced tree that results from splitting `before`.
+/// `parent[k]` is the leaf of `before` that equals leaf k of `after` or is its parent. Neighbours of a child
+/// are siblings, or children of the neighbours of its parent, so few searches are needed.
 std::vector<FaceNeighbours> face_neighbours(const SplitTree& before, const Octree& after,
                                             std::span<const CellIndex> parent);
 
-/// Adds to `marked` what keeps face neighbours within a factor of two once all marked leaves are split into
-/// eight. `tree` itself must be balanced so.
+/// Adds to `marked` the leaves that must also be split so that neighbours across a face differ by at most a
+/// factor of two in size. `tree` must be balanced in this sense.
 void balance_marks(const Octree& tree, std::span<const FaceNeighbours> neighbours, std::vector<bool>& marked);
 
 }  // namespace crossgrain

@@ -14,22 +14,22 @@
 namespace crossgrain {
 namespace {
 
-/// Pieces smaller than this share both of a cell face and of their triangle are rounding noise of a triangle
-/// that only touches the cell.
+/// Pieces below this share of both a cell face and their triangle are rounding errors of a triangle that only
+/// touches the cell.
 constexpr double kSmallestPiece = 1e-9;
 
-/// Leaves that one task refines.
+/// Number of leaves that one task refines.
 constexpr std::size_t kRefineGrain = 512;
 
-/// Fraction of a finest cell by which the surface is off the centre of the root cube; any three numbers that
-/// are not near a fraction with a small denominator do.
+/// Offset of the surface from the centre of the root cube, in finest cells. Any three numbers work that are
+/// not close to a fraction with a small denominator.
 constexpr Vector3 kGenericShift{0.3127, 0.3719, 0.4337};
 
-/// Over a hole of an open surface lies a cap, where the winding number passes 1/2 without any surface. The
-/// cap is not in cells without surface at whose centre the number is this near to 0 or 1.
+/// A hole of an open surface is closed by a cap, on which the winding number is 1/2. A cell without surface
+/// is away from the cap if the winding number at its centre is within this distance of 0 or 1.
 constexpr double kFarFromCap = 0.1;
 
-/// Leaves made from a run of leaves of the level before.
+/// Leaves that replace a run of leaves of the previous level.
 struct RefinedRun {
   std::vector<CellAddress> leaves;
   std::vector<std::uint32_t> piece_counts;
@@ -43,7 +43,7 @@ std::int8_t in_byte(int winding) {
   return static_cast<std::int8_t>(std::clamp<int>(winding, INT8_MIN, INT8_MAX));
 }
 
-/// How often the surface winds around a point, and whether that tells of a cap nearby.
+/// Winding number at a point, rounded, and whether the cap of a hole may be near.
 struct Winding {
   std::int8_t count = 0;
   bool near_cap = false;
@@ -87,7 +87,7 @@ class Refiner {
     }
   }
 
-  /// Adds what is left of the pieces in `child`; returns how many there are.
+  /// Clips the pieces to `child`, appends the results to `clipped`, and returns their number.
   std::size_t clip_to(CellAddress child, std::span<const SurfacePiece> pieces,
                       std::vector<SurfacePiece>& clipped) const {
     const std::size_t before = clipped.size();
@@ -101,9 +101,9 @@ class Refiner {
     return clipped.size() - before;
   }
 
-  /// At the centres of the children of leaf i. From the leaf's centre the number changes only where the
-  /// surface that the leaf holds, or a cap, is crossed; where rounding could count that wrong, or the surface
-  /// is open, it is computed anew.
+  /// Returns the winding numbers at the centres of the children of leaf i. Between the leaf's centre and
+  /// these points the number changes only at the surface in the leaf, or at a cap. It is computed directly if
+  /// rounding could miscount the crossings, or if the surface is open.
   std::array<Winding, 8> windings_of_children(CellIndex i) const {
     std::array<Winding, 8> windings;
     windings.fill({level_.centre_winding[i], false});
@@ -125,7 +125,8 @@ class Refiner {
     return windings;
   }
 
-  /// Whether a corner of a leaf is inside. Where its centre is not, its children may be: it is kept for them.
+  /// Returns whether a corner of a leaf is inside. Then children may have their centres inside even if the
+  /// leaf has not, so it is kept.
   bool reaches_inside(CellAddress leaf) const {
     const Box box = level_.tree.root().box(leaf);
     for (int corner = 0; corner < 8; ++corner) {
@@ -188,7 +189,7 @@ RefinedLevel joined(const RootCube& root, std::vector<RefinedRun> runs, std::siz
   return made;
 }
 
-/// The root as a single leaf that holds the whole surface.
+/// Returns the level whose only leaf is the root, with the whole surface.
 RefinedLevel root_level(const Solid& solid, const RootCube& root) {
   RefinedLevel made;
   GridLevel& level = made.level;
@@ -211,7 +212,7 @@ RefinedLevel root_level(const Solid& solid, const RootCube& root) {
 GridFrame frame_around(const Box& box, double cell_size) {
   const Vector3 extent = box.high - box.low;
   const double cells = std::max({extent[0], extent[1], extent[2]}) / cell_size;
-  // One cell of margin on either side takes the shift.
+  // One cell of margin on each side leaves room for the offset.
   int depth = 0;
   while (depth <= kMaxDepth && std::ldexp(1.0, depth) < cells + 2) ++depth;
   if (depth > kMaxDepth) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One level of the nested iteration: the octree refined so far, with the surface inside each leaf.
+// One level of the nested iteration: the octree so far, with the surface in each leaf.
 #pragma once
 
 #include <cstdint>
@@ -23,23 +23,22 @@ struct SurfacePiece {
   float area;  ///< of the clipped triangle, model units squared
 };
 
-/// The cells of a level. A leaf is active if it holds surface or its centre is inside, beside the cap over a
-/// hole also if only a corner is; only active leaves are kept.
+/// The cells of a level. Only active leaves are stored: those that hold surface or have their centre inside,
+/// and near the cap of a hole also those with a corner inside.
 struct GridLevel {
   Octree tree;
 
-  /// Pieces of leaf i: pieces[piece_begin[i] .. piece_begin[i + 1]).
+  /// The pieces of leaf i are pieces[piece_begin[i] .. piece_begin[i + 1]).
   std::vector<std::uint32_t> piece_begin;
   std::vector<SurfacePiece> pieces;
 
-  /// What the frames of leaves are to follow besides the surface in them.
+  /// Constraints on the frames of leaves besides the surface.
   LeafGuides guides;
 
-  /// How often the surface winds around the centre of leaf i: a whole number, 0 or 1 where the surface is not
-  /// closed.
+  /// Winding number of the surface at the centre of leaf i, an integer; 0 or 1 if the surface is not closed.
   std::vector<std::int8_t> centre_winding;
 
-  /// Leaves of the complete octree, those outside counted too.
+  /// Number of leaves of the complete octree, including those outside.
   std::size_t examined_leaves = 0;
 
   std::size_t size() const { return tree.size(); }
@@ -51,51 +50,50 @@ struct GridLevel {
   bool is_constrained(CellIndex i) const { return holds_surface(i) || guides.has(i); }
 };
 
-/// A new level, with what is needed only until it is solved and the next one is made.
+/// A new level, with data that are needed only until it is solved and refined.
 struct RefinedLevel {
   GridLevel level;
 
-  /// The cells behind the faces of each leaf.
+  /// The neighbours across the faces of each leaf.
   std::vector<FaceNeighbours> neighbours;
 
-  /// The leaf of the level before that is leaf i or its parent; empty on the coarsest level.
+  /// For each leaf, the same leaf on the previous level or its parent there; empty on the coarsest level.
   std::vector<CellIndex> parent;
 };
 
-/// What the grid is built from; the referred objects must outlive it.
+/// Input of the grid. The objects that it refers to must outlive it.
 struct Solid {
   const Surface& surface;
   const TriangleBvh& bvh;
   const WindingNumber& winding;
 
-  /// The surface has no boundary and no two sides of an edge contradict each other
-  /// (MendedSurface::closed): winding numbers are whole, and change by one where a path crosses the
-  /// surface.
+  /// Whether the surface has no boundary and is consistently oriented (MendedSurface::closed). Then winding
+  /// numbers are integers and change by one at each crossing of the surface.
   bool closed = false;
 
-  /// Null for none.
+  /// Null if there are none.
   const Guides* guides = nullptr;
 
-  /// The normal of a triangle that points out of the solid, also where the surface is inside out.
+  /// Returns the normal of a triangle that points out of the solid, even if the surface is inside out.
   Vector3 outward_normal(std::uint32_t triangle) const {
     return winding.flipped() ? -surface.normals[triangle] : surface.normals[triangle];
   }
 };
 
-/// The root cube for cells of `cell_size` at depth `finest_depth` around the surface. The surface is centred
-/// up to a generic shift of a fraction of a cell, so that faces of parts drawn in round numbers do not lie in
-/// cell faces. Throws Error(kLimit) where more than 2^kMaxDepth cells would be needed across.
+/// Returns the root cube and the depth at which its cells have `cell_size`. The surface is centred, except
+/// for an offset by a fraction of a cell, so that faces at round coordinates do not lie in cell faces. Throws
+/// Error(kLimit) if more than 2^kMaxDepth cells across are needed.
 struct GridFrame {
   RootCube root;
   int finest_depth;
 };
 GridFrame frame_around(const Box& box, double cell_size);
 
-/// The uniform octree of `depth`. Throws Error(kInterrupted) once the monitor is cancelled, as does
-/// `refined`.
+/// Returns the uniform octree of `depth`. Like `refined`, throws Error(kInterrupted) once the monitor is
+/// cancelled.
 RefinedLevel uniform_level(const Solid& solid, const RootCube& root, int depth, const Monitor& monitor = {});
 
-/// Splits the marked leaves of `level` (and those that balance demands) into eight.
+/// Returns `level` with the marked leaves, and those that balance requires, split into eight.
 RefinedLevel refined(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid,
                      std::vector<bool> marked, const Monitor& monitor = {});
 

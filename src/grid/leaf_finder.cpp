@@ -4,8 +4,8 @@
 namespace crossgrain {
 
 LeafFinder::LeafFinder(const Octree& tree) : tree_(&tree) {
-  // As many cells as fit into a quarter of the leaves: leaves fill a part of the cube only, so about ten
-  // share one.
+  // The number of cells is at most a quarter of the number of leaves. Leaves fill only part of the cube, so a
+  // cell has about ten of them.
   int depth = 0;
   while (depth < kMaxDepth && std::size_t{4} << 3 * (depth + 1) <= tree.size()) ++depth;
   shift_ = 5 + 3 * (kMaxDepth - depth);
@@ -24,7 +24,7 @@ std::pair<CellIndex, CellIndex> LeafFinder::over(CellAddress cell) const {
   const CellAddress* const end = leaves + tree_->size();
   const auto index = [&](const CellAddress* leaf) { return static_cast<CellIndex>(leaf - leaves); };
   const std::size_t coarse = cell.packed() >> shift_;
-  // std::upper_bound, but without branches, which would be foreseen half of the time only.
+  // std::upper_bound without branches, half of which would be mispredicted.
   const CellAddress* after = leaves + begin_[coarse];
   for (std::size_t left = begin_[coarse + 1] - begin_[coarse]; left > 0;) {
     const std::size_t half = (left + 1) / 2;

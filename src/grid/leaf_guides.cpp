@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::size_t kLeavesPerBegin = 256;
 
-/// Segments or faces that one task follows.
+/// Number of segments or faces that one task processes.
 constexpr std::size_t kGuideGrain = 64;
 
-/// Fraction of a finest cell that a walk goes past a face, so that it is surely behind it.
+/// Distance, in finest cells, by which a walk goes beyond a face to be certainly in the next leaf.
 constexpr double kPastFace = 1e-6;
 
-/// The part of a segment inside one leaf, as fractions of its length.
+/// The part of a segment in one leaf, as fractions of the segment's length.
 struct Passage {
   CellIndex leaf;
   double from, to;
@@ -39,7 +39,8 @@ class SegmentWalker {
     return address ? finder_.containing(*address) : kNoCell;
   }
 
-  /// A point passes through its leaf from 0 to 1.
+  /// Appends the leaves that a segment passes through. A segment without length passes through its leaf from
+  /// 0 to 1.
   void walk(const GuideSegment& segment, std::vector<Passage>& passages) const {
     const auto& [a, b] = segment.ends;
     const Vector3 along = b - a;
@@ -49,7 +50,7 @@ class SegmentWalker {
       if (leaf != kNoCell) passages.push_back({leaf, 0, 1});
       return;
     }
-    // There may be much more of it beside the root cube.
+    // Most of the segment may lie outside the root cube.
     const ClippedSegment part = clip_segment(segment.ends, tree_.root().box(CellAddress::root()));
     if (part.empty()) return;
     const double past = kPastFace * finest_ / length;
@@ -65,7 +66,7 @@ class SegmentWalker {
   }
 
  private:
-  /// Where a leaf might be that is none.
+  /// Returns the box of the finest possible cell at a point that is in no leaf.
   Box finest_cell_around(const Vector3& point) const {
     Box box;
     for (int k = 0; k < 3; ++k) {
@@ -76,7 +77,7 @@ class SegmentWalker {
     return box;
   }
 
-  /// The fraction at which a + t along leaves the box.
+  /// Returns the t at which a + t along leaves the box.
   static double leaving(const Box& box, const Vector3& a, const Vector3& along) {
     double t = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k) {
@@ -112,7 +113,7 @@ LeafGuide guide_of(const Octree& tree, const GuideSegment& segment, const Passag
                   segment.weight * within * cell);
 }
 
-/// The pieces that `add_pieces(k, pieces)` gives for each k below `count`, in the order of k.
+/// Returns the guides that `add_pieces(k, pieces)` appends for each k below `count`, in the order of k.
 template <class AddPieces>
 std::vector<std::vector<LeafGuide>> in_runs(std::size_t count, const AddPieces& add_pieces) {
   std::vector<std::vector<LeafGuide>> runs((count + kGuideGrain - 1) / kGuideGrain);
@@ -126,7 +127,7 @@ void append(std::vector<LeafGuide>& guides, const std::vector<std::vector<LeafGu
   for (const auto& run : runs) guides.insert(guides.end(), run.begin(), run.end());
 }
 
-/// `left_out`: leaves in which they do not count, sorted.
+/// Returns the guides of segments, except in the leaves `left_out`, which are sorted.
 std::vector<std::vector<LeafGuide>> along_segments(const Octree& tree, const SegmentWalker& walker,
                                                    const std::vector<GuideSegment>& segments,
                                                    const std::vector<CellIndex>& left_out) {
@@ -140,7 +141,8 @@ std::vector<std::vector<LeafGuide>> along_segments(const Octree& tree, const Seg
   });
 }
 
-/// At the point of the face nearest to `point`, about: blended by barycentric coordinates.
+/// Returns the direction at about the point of the face nearest to `point`, blended by barycentric
+/// coordinates.
 Vector3 direction_at(const GuideFace& face, const Vector3& point) {
   const auto& [a, b, c] = face.corners;
   const Vector3 normal = cross(b - a, c - a);
@@ -157,7 +159,7 @@ Vector3 direction_at(const GuideFace& face, const Vector3& point) {
   return direction == Vector3{0, 0, 0} ? face.directions[0] : direction;
 }
 
-/// Cuts faces into pieces, a leaf each, from the root cube down.
+/// Cuts faces into one piece per leaf, by recursion from the root cube.
 class FaceCutter {
  public:
   explicit FaceCutter(const Octree& tree) : tree_(tree), finder_(tree) {}

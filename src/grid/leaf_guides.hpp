@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The guides (surface/guides.hpp) inside each leaf.
+// The guides (surface/guides.hpp) in each leaf.
 #pragma once
 
 #include <array>
@@ -12,7 +12,8 @@
 
 namespace crossgrain {
 
-/// Frames in a leaf are to have an axis along a direction, as if it were the normal of so much surface.
+/// A constraint that frames in a leaf have an axis along a direction, equal to that of a piece of surface
+/// with this normal and area.
 struct LeafGuide {
   CellIndex leaf;
   std::array<float, 3> direction;  ///< unit
@@ -21,15 +22,15 @@ struct LeafGuide {
   Vector3 unit_direction() const;
 };
 
-/// Few leaves have any, so they are found among a list of those that do.
+/// Finds the guides of a leaf. Only leaves with guides take memory, since few have any.
 class LeafGuides {
  public:
   LeafGuides() = default;
 
-  /// What lies outside all leaves is passed over.
+  /// Distributes guides among leaves. Parts outside all leaves are ignored.
   LeafGuides(const Octree& tree, const Guides& guides);
 
-  /// Creases first, then segments, faces and points, each in their order.
+  /// Returns the guides of a leaf: creases, then segments, faces and points, each in the given order.
   std::span<const LeafGuide> of(CellIndex leaf) const {
     if (guides_.empty()) return {};
     return found(leaf);
@@ -41,7 +42,7 @@ class LeafGuides {
   std::span<const LeafGuide> found(CellIndex leaf) const;
 
   std::vector<LeafGuide> guides_;     ///< ordered by leaf
-  std::vector<std::uint32_t> begin_;  ///< of every 256th leaf among them, and the end of the last
+  std::vector<std::uint32_t> begin_;  ///< first guide of each run of 256 leaves, then the number of guides
 };
 
 }  // namespace crossgrain

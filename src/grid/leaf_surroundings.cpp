@@ -10,7 +10,7 @@
 namespace crossgrain {
 namespace {
 
-/// A child of one of the 27 cells that is one of the 64.
+/// A child of one of the 27 cells, and its slot among the 64.
 struct SlottedChild {
   std::int8_t octant, slot;
 };
@@ -18,7 +18,7 @@ struct SlottedChild {
 struct SlottedChildren {
   std::array<SlottedChild, 8> children{};
   int count = 0;
-  std::uint64_t slots = 0;  ///< bit by bit
+  std::uint64_t slots = 0;  ///< bit s: slot s is one of them
 };
 
 constexpr std::array<SlottedChildren, 27> children_in_slots() {
@@ -51,13 +51,13 @@ constexpr int slot_of_octant(int octant) {
   return kLowestSlotOfParent + (octant & 1) + 4 * (octant >> 1 & 1) + 16 * (octant >> 2 & 1);
 }
 
-/// The 27 slots of a child and of what touches it.
+/// Returns the slots of a child and the 26 cells that touch it.
 constexpr std::uint64_t slots_around(int own_slot) {
   constexpr std::uint64_t kRow = 0x7, kLayer = kRow | kRow << 4 | kRow << 8;
   return (kLayer | kLayer << 16 | kLayer << 32) << (own_slot - kLowestSlotOfParent);
 }
 
-/// The eight cells of the parent's size that touch each of its children.
+/// Returns, for each child, the eight cells of the parent's size that touch it, as bits.
 constexpr std::array<std::uint32_t, 8> parents_around_octants() {
   std::array<std::uint32_t, 8> result{};
   for (int octant = 0; octant < 8; ++octant) {
@@ -77,7 +77,7 @@ constexpr auto kParentsAround = parents_around_octants();
 void LeafSurroundings::move_to(CellIndex leaf) {
   const CellAddress cell = tree_[leaf];
   leaf_ = leaf;
-  if (cell.depth() == 0) {  // no parent, and nothing around
+  if (cell.depth() == 0) {  // it has no parent and no neighbours
     own_slot_ = kLowestSlotOfParent;
     ranges_[kLowestSlotOfParent] = {leaf, leaf + 1};
     occupied_ = equal_ = std::uint64_t{1} << kLowestSlotOfParent;
@@ -102,9 +102,9 @@ void LeafSurroundings::move_to(CellIndex leaf) {
   }
 }
 
-/// Those of the steps of 0 or `signs` along each axis.
+/// Returns the slots at steps of 0 or `signs` along each axis.
 LeafSurroundings::Slots LeafSurroundings::slots_towards(const Step& signs) const {
-  // Bit k says that the step k - 1 is among them. The factors put copies of a row one above the other.
+  // Bit k is set if step k - 1 is among them. The factors repeat a row for several rows and layers.
   constexpr std::array<std::uint64_t, 3> kSteps{0b011, 0b010, 0b110};
   const auto steps = [&](std::size_t axis) { return kSteps[static_cast<std::size_t>(signs[axis] + 1)]; };
   const std::uint64_t y = steps(1), z = steps(2);
@@ -113,7 +113,7 @@ LeafSurroundings::Slots LeafSurroundings::slots_towards(const Step& signs) const
   return (steps(0) * rows * layers) << (own_slot_ - kLowestSlotOfParent);
 }
 
-/// The leaves over the cell at `step` from the parent, of its size.
+/// Returns the leaves that overlap the cell of the parent's size at `step` from the parent.
 LeafRange LeafSurroundings::over_beside_parent(const Step& step) {
   const auto find = [&]() -> LeafRange {
     const auto cell = moved(parent_, step);
@@ -148,11 +148,11 @@ void LeafSurroundings::look_up(int parent_number) {
   for (const auto& [octant, slot] : children) place(leaves, cell.child(octant), slot);
 }
 
-/// Fills a slot with those of `leaves`, all in the parent of `cell`, that are in `cell`.
+/// Fills a slot with the leaves in `cell`, out of `leaves`, which are in the parent of `cell`.
 void LeafSurroundings::place(LeafRange leaves, CellAddress cell, int child_slot) {
   LeafRange& range = ranges_[static_cast<std::size_t>(child_slot)];
   const std::uint64_t bit = std::uint64_t{1} << child_slot;
-  // Where no sibling before it is missing or divided a child stands at its number.
+  // If all siblings before it are undivided leaves, the position of a child equals its octant.
   const CellIndex likely = leaves.first + static_cast<CellIndex>(cell.octant());
   if (likely < leaves.last && tree_[likely] == cell) {
     range = {likely, likely + 1};

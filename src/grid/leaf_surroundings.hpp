@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The leaves around one leaf after another.
+// The leaves around a leaf, for a sequence of leaves.
 //
-// The 4 x 4 x 4 cells of a leaf's size in and around its parent P hold all that touches the leaf or one of
-// its siblings. They lie in the 27 cells of P's size that touch P, so it takes 27 searches for all eight
-// siblings, and 8 for one of them alone. In the same way, those 27 cells are among the 64 of P's size in and
-// around P's own parent, which are searched for once for all the children of that:
+// The 4 x 4 x 4 cells of a leaf's size in and around its parent P contain everything that touches the leaf or
+// its siblings. They lie in the 27 cells of P's size that touch P or are P, so 27 searches suffice for all
+// eight siblings, and 8 for one of them. In the same way, these 27 cells are among the 64 of P's size in and
+// around P's own parent, whose search results serve all its children:
 //
 //   +---+-------+---+
 //   |12 | 13  14|15 |   one layer of cells, by their slots, which are x + 4 y + 16 z
@@ -32,40 +32,41 @@ struct LeafRange {
   bool empty() const { return first == last; }
 };
 
-/// Moves from leaf to leaf, cheaply between siblings. For one thread; refers to the tree and the finder.
+/// Moves from leaf to leaf, at little cost between siblings. Use one object per thread. It refers to the tree
+/// and the finder.
 class LeafSurroundings {
  public:
-  /// In widths of the leaf, entries -1, 0 or 1.
+  /// Offset in widths of the leaf, each -1, 0 or 1.
   using Step = std::array<int, 3>;
 
   LeafSurroundings(const Octree& tree, const LeafFinder& finder) : tree_(tree), finder_(finder) {}
 
-  /// Makes `leaf` the one in the middle, of which all else here speaks.
+  /// Makes `leaf` the current leaf, to which all other functions refer.
   void move_to(CellIndex leaf);
 
   CellIndex leaf() const { return leaf_; }
 
-  /// LeafFinder::over of the cell at `step`, of the leaf's size; empty beyond the root cube.
+  /// Returns LeafFinder::over of the cell of the leaf's size at `step`; empty outside the root cube.
   const LeafRange& over(const Step& step) const { return ranges_[slot(step)]; }
 
-  /// Whether what lies there is a leaf larger than this one, or of its size.
+  /// Returns whether the cell at `step` is in a leaf larger than the current one, or is a leaf.
   bool is_larger(const Step& step) const { return larger_ >> slot(step) & 1; }
   bool is_equal(const Step& step) const { return equal_ >> slot(step) & 1; }
 
-  /// Cells of this leaf's size in it and around it, by their slots bit by bit.
+  /// A set of cells of the leaf's size in and around the parent; bit s is slot s.
   using Slots = std::uint64_t;
 
-  /// Those that a point to which `signs` lead from the middle lies between, entries -1, 0 or 1: eight with
-  /// the leaf's own, or fewer where there is a 0. Empty ones are left out.
+  /// Returns the cells around a point in direction `signs` from the leaf's centre, entries -1, 0 or 1: eight
+  /// including the leaf itself, fewer for each 0. Empty cells are excluded.
   Slots towards(const Step& signs) const { return occupied_ & slots_towards(signs); }
 
-  /// The leaf's neighbours that are larger than it, one slot for each cell of the parent's size.
+  /// Returns the larger neighbours of the leaf, with one slot for each cell of the parent's size.
   Slots larger() const { return larger_ & slots_towards(outward_); }
 
-  /// Whether all of `slots` are leaves of this one's size.
+  /// Returns whether all of `slots` are leaves of the current leaf's size.
   bool are_equal(Slots slots) const { return (slots & ~equal_) == 0; }
 
-  /// Calls visit(step, leaves) for each of `slots`, x first and z last.
+  /// Calls visit(step, leaves) for each of `slots`; x varies fastest.
   template <class Visit>
   void for_each(Slots slots, const Visit& visit) const {
     for (; slots != 0; slots &= slots - 1) {
@@ -88,16 +89,16 @@ class LeafSurroundings {
   const Octree& tree_;
   const LeafFinder& finder_;
   CellIndex leaf_ = kNoCell;
-  Step outward_{};  ///< from the middle of the parent to that of the leaf
+  Step outward_{};  ///< direction from the parent's centre to the leaf's
   CellAddress parent_ = CellAddress::from_packed(~std::uint64_t{0});
   int own_slot_ = 0;
-  std::uint32_t looked_up_ = 0;  ///< which of the 27 cells of the parent's size, bit by bit
-  std::uint64_t larger_ = 0, equal_ = 0, occupied_ = 0;  ///< slot by slot
+  std::uint32_t looked_up_ = 0;                          ///< bit k: cell k of the 27 has been searched for
+  std::uint64_t larger_ = 0, equal_ = 0, occupied_ = 0;  ///< one bit per slot
   std::array<LeafRange, 64> ranges_;
 
-  // The same around the parent's parent.
+  // Search results in and around the grandparent.
   CellAddress grandparent_ = CellAddress::from_packed(~std::uint64_t{0});
-  std::uint64_t found_ = 0;  ///< which of these ranges are known
+  std::uint64_t found_ = 0;  ///< bit s: parent_ranges_[s] is valid
   std::array<LeafRange, 64> parent_ranges_;
 };
 

@@ -12,32 +12,32 @@
 namespace crossgrain {
 namespace {
 
-/// Cells with surface that are looked at closely: shares of them are then known to two per cent.
+/// Number of cells with surface that are sampled, which gives shares to within two per cent.
 constexpr std::size_t kSampleSize = 2048;
 
-/// Layers of finest cells below the surface where walls are thick: the cells that held it on the level before
+/// Layers of finest cells below the surface of thick walls: the cells with surface of the previous level
 /// reach one layer deep on average, and balance and creases add a third.
 constexpr double kFinestLayers = 4.0 / 3;
 
-/// The share of a cell with surface that is outside.
+/// Share of a cell with surface that is outside the solid.
 constexpr double kOutsideShare = 0.5;
 
-/// Levels above the finest whose cells are counted: each holds an eighth of what the next would.
+/// Number of coarser levels whose cells are counted: each has an eighth of the cells of the next finer one.
 constexpr int kLevelsCounted = 8;
 
-/// Below this share of cells with several normals, it tells how many edges a cell holds.
+/// Share of cells with several normals up to which that share determines the number of edges per cell.
 constexpr double kSaturated = 0.9;
 
-/// A guide in a cell takes as much memory as this many pieces of surface.
+/// Memory of a guide in a cell, in pieces of surface.
 constexpr double kPiecesOfAGuide = 2.5;
 
-/// Cells around a point whose directions they follow, by its reach.
+/// Number of cells around a point whose frames it constrains, without and with a larger reach.
 constexpr double kCellsOfPoint = 6, kCellsOfWidePoint = 36;
 
-/// Cells per length, in their own sizes, of curves that lie anyhow.
+/// Number of cells along a curve of any direction, per length in cells.
 constexpr double kCellsOfCurve = 1.5;
 
-/// Cells that are split for balance, for each one that guides mark.
+/// Number of cells that balance splits for each cell that guides mark.
 constexpr double kSplitForBalance = 1;
 
 double sum_of_components(const Vector3& v) {
@@ -97,10 +97,10 @@ void LevelGrowth::count_guides(const GridLevel& level, const Solid& solid) {
     guide_length_ += norm(segment.ends[1] - segment.ends[0]) / finest;
 }
 
-/// Leaves with guides at points or along curves and without surface.
+/// Returns the number of leaves with guides at points or along curves and without surface.
 double LevelGrowth::guided_after(int levels) const {
   const double at_most = guided_by_points_ + kCellsOfCurve * std::ldexp(guide_length_, levels);
-  // Scattered over the cells that there can be, some of them fall together.
+  // Some of them coincide; the count assumes random places among all possible cells.
   const double all = std::ldexp(guided_cells_, 3 * levels);
   return all > 0 ? all * -std::expm1(-at_most / all) : 0;
 }
@@ -112,13 +112,13 @@ void LevelGrowth::look_around(const GridLevel& level, const Solid& solid, CellIn
   columns_.push_back({thickness, thickness / 2 / sum_of_components(ray->direction)});
 }
 
-/// Cells of `cell_size` and above in a column as wide as such a cell.
+/// Returns the number of cells, of `cell_size` or larger, in a column with the width of one cell.
 double LevelGrowth::cells_in(const Column& column, double cell_size) const {
   const double half = column.half / cell_size;
   double cells = kOutsideShare, filled_before = 0;
   for (int level = 0; level < kLevelsCounted; ++level) {
     const double size = std::ldexp(cell_size, level);
-    // Marked for splitting while its cells were twice as large.
+    // Cells were marked for splitting when they were twice as large.
     const bool throughout = column.thickness < thickness_cells_ * 2 * size;
     const double filled = throughout ? half : std::min(half, std::ldexp(kFinestLayers, level));
     if (filled > filled_before) {
@@ -131,9 +131,9 @@ double LevelGrowth::cells_in(const Column& column, double cell_size) const {
 
 LevelCounts LevelGrowth::after(int levels) const {
   if (levels <= 0 || columns_.empty()) return now_;
-  const double cell_size = std::ldexp(1.0, -levels);  // in those of the given level
+  const double cell_size = std::ldexp(1.0, -levels);  // in cells of the given level
   LevelCounts counts;
-  // Along creases there are as many more as there are cells along them.
+  // The additional cells at creases are proportional to their length in cells.
   const double at_creases = (now_.surface_cells - flat_surface_cells_) / cell_size;
   counts.surface_cells = flat_surface_cells_ / (cell_size * cell_size) + at_creases;
   counts.surface_cells = std::max(counts.surface_cells, now_.surface_cells);
@@ -143,8 +143,8 @@ LevelCounts LevelGrowth::after(int levels) const {
   for (int level = 0; level < levels; ++level) cells += 7 * (1 + kSplitForBalance) * guided_after(level);
   counts.cells = std::clamp(cells, now_.cells, std::ldexp(now_.cells, 3 * levels));
 
-  // Beside one piece a cell has one for every edge that crosses it, which are fewer in proportion to its
-  // size, and for every vertex in it, fewer with its square.
+  // Besides its first piece, a cell has one for each edge that crosses it, in proportion to its size, and one
+  // for each vertex in it, in proportion to the square of its size.
   const double vertices = triangles_ / now_.surface_cells;
   const double more = std::max(0.0, now_.pieces / now_.surface_cells - 1);
   const double more_pieces =
@@ -157,7 +157,7 @@ LevelCounts LevelGrowth::after(int levels) const {
   return counts;
 }
 
-/// Finest cells lie on both of their sides. Faces that are all on the surface add none.
+/// Adds the finest cells on both sides of guide faces. Faces that lie entirely on the surface add none.
 void LevelGrowth::add_guide_faces(double cell_size, LevelCounts& counts) const {
   if (guided_cells_ == 0) return;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many cells the next levels will have, told by the one there is.
+// Prediction of the number of cells of finer levels.
 #pragma once
 
 #include <vector>
@@ -9,32 +9,34 @@
 
 namespace crossgrain {
 
-/// What the memory of a level grows with.
+/// Numbers that determine the memory of a level.
 struct LevelCounts {
-  double cells = 0;            ///< active ones
-  double surface_cells = 0;    ///< that hold surface
-  double several_normals = 0;  ///< of those, the ones in which the surface has more than one normal
-  double pieces = 0;           ///< of surface in cells
+  double cells = 0;            ///< active cells
+  double surface_cells = 0;    ///< cells that hold surface
+  double several_normals = 0;  ///< cells in which the surface has more than one normal
+  double pieces = 0;           ///< pieces of surface in cells
 };
 
-/// Counts of the levels after a given one.
+/// Predicts counts of the levels after a given one.
 ///
-/// Cells with surface are as many as the components of the normal add up to over the surface, in areas of
-/// (cell size)^2, and some more along creases. Below each the solid is filled with finest cells: in a wall
-/// that is refined throughout for being thin down to its middle, elsewhere as far as the cells that held the
-/// surface before reach. How thick the walls are is asked of a sample of the cells with surface.
+/// The number of cells with surface is the integral of |n_x| + |n_y| + |n_z| over the surface, divided by the
+/// squared cell size, plus some along creases. Below each of them the solid is filled with finest cells: down
+/// to the middle of walls that are refined throughout because they are thin, otherwise as deep as the cells
+/// with surface of the previous level reach. The thickness of walls comes from a sample of the cells with
+/// surface.
 class LevelGrowth {
  public:
   LevelGrowth(const GridLevel& level, const Solid& solid, const RefinementOptions& options);
 
-  /// Of the level after `levels` refinements; of the given one for 0.
+  /// Returns the counts after `levels` refinements; those of the given level for 0.
   LevelCounts after(int levels) const;
 
  private:
-  /// What lies behind one cell with surface. Lengths are in cells of the given level.
+  /// The solid behind one cell with surface. Lengths are in cells of the given level.
   struct Column {
-    double thickness;  ///< of the solid, along the normal
-    double half;       ///< of the column over a cell's face that is as large as the cell's share of the wall
+    double thickness;  ///< thickness of the solid along the normal
+    double half;  ///< half the height of a column over a cell face with the volume of the cell's share of the
+                  ///< wall
   };
 
   void count(const GridLevel& level);
@@ -45,15 +47,15 @@ class LevelGrowth {
   double cells_in(const Column& column, double cell_size) const;
 
   LevelCounts now_;
-  double flat_surface_cells_ = 0;  ///< what there would be of them without creases
-  double guide_face_cells_ = 0;    ///< that hold a guide face, such as one between two solids
+  double flat_surface_cells_ = 0;  ///< number of cells with surface, without creases
+  double guide_face_cells_ = 0;    ///< cells that hold a guide face, such as one between two solids
   double triangles_;
 
-  /// Of guides inside: the leaves of this level with such and no surface, and what is refined along them:
-  /// cells around points, lengths in cells of this level.
+  /// Guides inside: number of leaves of this level with guides and without surface; cells that points refine;
+  /// length of curves, in cells of this level.
   double guided_cells_ = 0, guided_by_points_ = 0, guide_length_ = 0;
 
-  double thickness_cells_;  ///< walls of fewer cells are refined throughout
+  double thickness_cells_;  ///< walls with fewer cells across are refined throughout
   std::vector<Column> columns_;
   std::size_t several_normals_in_sample_ = 0;
 };

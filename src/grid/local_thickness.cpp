@@ -15,7 +15,7 @@ std::optional<InwardRay> inward_ray(const GridLevel& level, const Solid& solid, 
   const Box box = level.tree.root().box(level.tree[i]);
   const Vector3 origin = clip_triangle(solid.surface.corners(largest->triangle), box).centroid;
   const Vector3 direction = -solid.outward_normal(largest->triangle);
-  // The start is off the surface by rounding only; a millionth of a cell clears it.
+  // The origin is off the surface by rounding only, which is less than a millionth of a cell.
   const double start = 1e-6 * level.tree.cell_size(i);
   const auto hit = solid.bvh.first_hit(origin, direction, start, longest);
   return InwardRay{origin, direction, hit ? hit->t : std::numeric_limits<double>::infinity(),

@@ -6,7 +6,7 @@
 namespace crossgrain {
 namespace {
 
-/// The depth of the smallest cell that holds both.
+/// Returns the depth of the smallest cell that contains both.
 int common_depth(CellAddress a, CellAddress b) {
   while (!a.contains(b)) a = a.parent();
   return a.depth();
@@ -15,7 +15,8 @@ int common_depth(CellAddress a, CellAddress b) {
 }  // namespace
 
 int merged_depth(const Octree& tree, std::size_t most, int deepest) {
-  // A leaf is the first of a new cell at every depth below the one that it shares with the leaf before.
+  // A leaf begins a new cell at each depth below that of the smallest cell that contains it and the previous
+  // leaf.
   std::array<std::size_t, kMaxDepth + 2> first_at{};
   for (CellIndex i = 1; i < tree.size(); ++i) ++first_at[common_depth(tree[i - 1], tree[i]) + 1];
   std::size_t cells = 1;

@@ -7,8 +7,8 @@
 
 namespace crossgrain {
 
-/// The greatest depth, up to `deepest`, at which at most `most` cells remain when all deeper leaves are
-/// merged into their ancestors of that depth; 0 where there is none.
+/// Returns the greatest depth, up to `deepest`, at which at most `most` cells remain if all deeper leaves are
+/// merged into their ancestors of that depth; 0 if there is none.
 int merged_depth(const Octree& tree, std::size_t most, int deepest = kMaxDepth);
 
 }  // namespace crossgrain

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A linear octree of active leaves: sorted addresses in a cube. Space that no leaf covers is outside the
+// A linear octree: the sorted addresses of active leaves in a cube. Space that no leaf covers is outside the
 // solid.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace crossgrain {
 using CellIndex = std::uint32_t;
 inline constexpr CellIndex kNoCell = ~CellIndex{0};
 
-/// Where the cells are in space: the root cube of an octree.
+/// The root cube of an octree, which determines the position of cells in space.
 struct RootCube {
   Vector3 origin;  ///< low corner, model units
   double size;     ///< side, model units
@@ -38,7 +38,7 @@ struct RootCube {
     return 0.5 * (b.low + b.high);
   }
 
-  /// The smallest possible cell that holds p; empty outside the cube.
+  /// Returns the smallest possible cell that contains p; empty outside the cube.
   std::optional<CellAddress> locate(const Vector3& p) const;
 };
 
@@ -46,7 +46,7 @@ class Octree {
  public:
   Octree() = default;
 
-  /// `leaves` sorted, none containing another.
+  /// Takes sorted leaves, none of which contains another.
   Octree(const RootCube& root, std::vector<CellAddress> leaves) : root_(root), leaves_(std::move(leaves)) {}
 
   const RootCube& root() const { return root_; }
@@ -57,12 +57,12 @@ class Octree {
   double cell_size(CellIndex i) const { return root_.cell_size(leaves_[i].depth()); }
   Vector3 centre(CellIndex i) const { return root_.centre(leaves_[i]); }
 
-  /// The leaf that is `cell` or contains it; kNoCell where there is none (`cell` is inactive, or is
+  /// Returns the leaf that is `cell` or contains it; kNoCell if there is none (`cell` is inactive or
   /// subdivided).
   CellIndex find_containing(CellAddress cell) const;
 
-  /// The leaf of the same size or larger across face `face` of leaf `i`; kNoCell where there is none
-  /// (outside, or smaller leaves lie there).
+  /// Returns the leaf of the same size or larger across face `face` of leaf `i`; kNoCell if there is none (it
+  /// is outside, or smaller leaves are there).
   CellIndex neighbour(CellIndex i, int face) const;
 
  private:
@@ -70,11 +70,11 @@ class Octree {
   std::vector<CellAddress> leaves_;
 };
 
-/// The address of the same size across a face; empty beyond the root cube.
+/// Returns the address of the same size across a face; empty outside the root cube.
 inline std::optional<CellAddress> adjacent(CellAddress cell, int face) {
   if (cell.depth() == 0) return std::nullopt;
-  // Sums and differences of one coordinate where it stands, among the bits of the others: those are set for
-  // a sum, so that carries pass them by, and clear for a difference.
+  // Adds to or subtracts from one coordinate in place, between the bits of the others. Those are set for a
+  // sum, so that carries pass through them, and clear for a difference.
   const std::uint64_t mask = morton::kEveryThirdBit << (5 + face_axis(face));
   const std::uint64_t width = std::uint64_t{1} << (5 + face_axis(face) + 3 * (kMaxDepth - cell.depth()));
   const std::uint64_t here = cell.packed() & mask;
@@ -84,7 +84,8 @@ inline std::optional<CellAddress> adjacent(CellAddress cell, int face) {
   return CellAddress::from_packed((cell.packed() & ~mask) | there);
 }
 
-/// The address of the same size at `step` times its width, entries -1, 0 or 1; empty beyond the root cube.
+/// Returns the address of the same size at `step` times its width, entries -1, 0 or 1; empty outside the root
+/// cube.
 inline std::optional<CellAddress> moved(CellAddress cell, const std::array<int, 3>& step) {
   for (int axis = 0; axis < 3; ++axis) {
     if (step[axis] == 0) continue;
@@ -95,7 +96,7 @@ inline std::optional<CellAddress> moved(CellAddress cell, const std::array<int, 
   return cell;
 }
 
-/// Whether no two leaves that share a face differ by more than a factor of two.
+/// Returns whether leaves that share a face differ by at most a factor of two in size.
 bool is_balanced(const Octree& tree);
 
 }  // namespace crossgrain

@@ -9,11 +9,11 @@
 namespace crossgrain {
 namespace {
 
-/// How far a sample moves, in cells, where the way there runs along an edge of the surface: faces of parts
-/// drawn in round numbers are cut along lines that lead through many samples.
+/// Distance, in cells, by which a sample moves if its segment meets an edge of the surface: faces at round
+/// coordinates are often cut along lines through many samples.
 constexpr double kNudge1 = 0.0137, kNudge2 = 0.0071;
 
-/// The samples of a face, each `nudge` times off its place.
+/// Returns the samples of a face, moved by `nudge` times that distance.
 PointsByAxis<kOpenFaceSamples> samples_of(const GridLevel& level, CellIndex i, int face, double nudge) {
   const double size = level.tree.cell_size(i);
   const int axis = face_axis(face), axis1 = (axis + 1) % 3, axis2 = (axis + 2) % 3;
@@ -49,7 +49,7 @@ int open_samples(const GridLevel& level, const Solid& solid, CellIndex i, int fa
 bool holds_two_sheets(const GridLevel& level, const Solid& solid, CellIndex i) {
   const auto pieces = level.pieces_of(i);
   const double size = level.tree.cell_size(i);
-  // The sheets are told apart against the largest piece, so that the cost stays linear.
+  // Pieces are compared with the largest one only, so that the cost is linear.
   const SurfacePiece* largest = nullptr;
   for (const SurfacePiece& piece : pieces) {
     if (!largest || piece.area > largest->area) largest = &piece;

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much of a cell face is inside the solid: two cells are neighbours through that part only.
+// The part of a cell face that is inside the solid. Two cells are neighbours only through this part.
 #pragma once
 
 #include "grid/grid_level.hpp"
 
 namespace crossgrain {
 
-/// Sample points on a face that the surface may cross, as many along either side.
+/// Number of sample points on a face that the surface may cross, per side and in total.
 inline constexpr int kOpenFaceSide = 4;
 inline constexpr int kOpenFaceSamples = kOpenFaceSide * kOpenFaceSide;
 
-/// How many samples of face `face` of leaf `i` are inside the solid. Points of the face are told
-/// inside from outside by what the segment from the cell's centre to them crosses; the leaf's own pieces are
-/// all there is to cross. A leaf without surface has open faces.
+/// Returns the number of samples of face `face` of leaf `i` that are inside the solid. The winding number of
+/// a sample follows from the crossings of the segment from the cell's centre with the leaf's own pieces. All
+/// samples of a leaf without surface are inside.
 int open_samples(const GridLevel& level, const Solid& solid, CellIndex i, int face);
 
-/// Whether the leaf holds two sheets of the surface: pieces that face away from each other by more than 120
-/// degrees, each with more than a tenth of a cell face in area. One frame stands for both sides of such a
-/// wall or gap.
+/// Returns whether the leaf holds two sheets of the surface: pieces whose normals differ by more than 120
+/// degrees, each set with more than a tenth of the area of a cell face. One frame represents both sides of
+/// such a wall or gap.
 bool holds_two_sheets(const GridLevel& level, const Solid& solid, CellIndex i);
 
 }  // namespace crossgrain

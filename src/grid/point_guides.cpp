@@ -10,10 +10,10 @@
 namespace crossgrain {
 namespace {
 
-/// Shares of a point below this go to no leaf: they would cost as much as large ones.
+/// Smallest share of a point that a leaf receives; smaller shares would cost as much as large ones.
 constexpr double kSmallestShare = 0.1;
 
-/// A point in one of the leaves around it.
+/// A point and its share in one of the leaves around it.
 struct PlacedPoint {
   CellIndex leaf;
   std::uint32_t point;
@@ -24,13 +24,13 @@ double largest_weight(const GuidePoint& point) {
   return *std::max_element(point.weights.begin(), point.weights.end());
 }
 
-/// What a point weighs `cells` away from the centre of a cell, along one axis.
+/// Returns the share of a point at a distance of `cells` from the centre of a cell, along one axis.
 double share_at(double cells, int reach) {
   return std::clamp(reach - std::abs(cells), 0.0, 1.0);
 }
 
-/// Adds the leaves around a point, among cells as large as the leaf that holds it, with the product of their
-/// shares over the largest.
+/// Appends the leaves around a point, at positions spaced by the size of its own leaf. A share is the product
+/// over the axes, divided by the largest.
 void place_point(const Octree& tree, const LeafFinder& finder, const GuidePoint& point, std::uint32_t index,
                  std::vector<PlacedPoint>& placed) {
   const auto address = tree.root().locate(point.place);
@@ -56,7 +56,7 @@ void place_point(const Octree& tree, const LeafFinder& finder, const GuidePoint&
   }
 }
 
-/// In the order of leaves, in one leaf in that of points.
+/// Returns the shares of all points, ordered by leaf, then by point.
 std::vector<PlacedPoint> placed_points(const Octree& tree, const std::vector<GuidePoint>& points) {
   const LeafFinder finder(tree);
   std::vector<std::vector<PlacedPoint>> runs((points.size() + kParallelGrain - 1) / kParallelGrain);

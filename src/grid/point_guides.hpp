@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points at which frames are guided (surface/guides.hpp), in the leaves that hold them.
+// Point constraints (surface/guides.hpp) in the leaves around them.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace crossgrain {
 
-/// In the leaves around each point. Ordered by leaf, in one leaf by point. Points outside all leaves are
-/// passed over.
+/// Returns the guides in the leaves around each point, ordered by leaf, then by point. Points outside all
+/// leaves are ignored.
 std::vector<LeafGuide> guides_at_points(const Octree& tree, const std::vector<GuidePoint>& points);
 
 }  // namespace crossgrain

@@ -41,11 +41,11 @@ void mark_thin_walls(const GridLevel& level, const Solid& solid, double thicknes
       const auto ray = inward_ray(level, solid, i, thickness_cells * size);
       if (!ray || ray->thickness >= thickness_cells * size) continue;
       found.push_back(i);
-      // Half a cell a step passes by no more than a corner of a cell.
+      // Steps of half a cell miss at most a corner of a cell.
       for (double t = size / 2; t < ray->thickness; t += size / 2) {
         const auto address = level.tree.root().locate(ray->origin + t * ray->direction);
         const CellIndex j = address ? level.tree.find_containing(*address) : kNoCell;
-        // Cells that are finer than this one judge for themselves.
+        // Finer cells are marked by rays of their own.
         if (j != kNoCell && level.tree[j].depth() <= level.tree[i].depth()) found.push_back(j);
       }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which leaves of a level to split: one function a criterion, each adding to the marks.
+// Criteria for the leaves of a level to split. Each function adds to the marks.
 #pragma once
 
 #include <span>
@@ -12,23 +12,23 @@ namespace crossgrain {
 
 using Marks = std::vector<bool>;
 
-/// Leaves that hold surface or guides.
+/// Marks leaves that hold surface or guides.
 void mark_surface(const GridLevel& level, Marks& marks);
 
-/// Leaves with constraints that no frame meets, and the leaves across their faces.
+/// Marks leaves with constraints that no frame meets, and their neighbours across faces.
 void mark_spectral_conflict(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
                             const Solid& solid, Marks& marks);
 
-/// Leaves of walls with less than `thickness_cells` of their own cells across: along the inward ray from
-/// every leaf with surface, to where it leaves the solid.
+/// Marks leaves in walls with less than `thickness_cells` of their own cells across: along the inward ray
+/// from each leaf with surface, to where it leaves the solid.
 void mark_thin_walls(const GridLevel& level, const Solid& solid, double thickness_cells, Marks& marks);
 
-/// Leaves with energy_density[i] * (cell size)^2 above `threshold` (the energy of RefinementOptions).
+/// Marks leaves with energy_density[i] * (cell size)^2 above `threshold` (RefinementOptions).
 void mark_energy_density(const GridLevel& level, std::span<const float> energy_density, double threshold,
                          Marks& marks);
 
-/// All criteria that `options` names, less the leaves that are at `finest_depth` already. `energy_density`
-/// may be empty where no field is known yet.
+/// Returns the marks of all criteria that `options` enables, except on leaves at `finest_depth`.
+/// `energy_density` may be empty if there is no field yet.
 Marks refinement_marks(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid,
                        std::span<const float> energy_density, int finest_depth,
                        const RefinementOptions& options);

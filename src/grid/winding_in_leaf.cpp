@@ -7,7 +7,7 @@
 namespace crossgrain {
 namespace {
 
-/// By what part of its size points of a leaf may be outside it.
+/// Distance, relative to its size, by which points of a leaf may be outside it.
 constexpr double kRounding = 1e-9;
 
 template <int W, std::size_t N>

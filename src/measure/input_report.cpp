@@ -23,10 +23,10 @@ constexpr Treatment kTreatments[] = {
     {FindingKind::kCrack, " where open edges run along each other", FindingOutcome::kBridged},
     {FindingKind::kNonmanifoldEdge, " of more than two triangles", FindingOutcome::kUnchanged},
     {FindingKind::kDegenerateTriangle, " without area", FindingOutcome::kLeftOut},
-    {FindingKind::kDuplicatedTriangle, " drawn again", FindingOutcome::kLeftOut},
-    {FindingKind::kInternalSheet, " drawn from both sides, between parts that touch",
+    {FindingKind::kDuplicatedTriangle, " repeated", FindingOutcome::kLeftOut},
+    {FindingKind::kInternalSheet, " present in both orientations, between parts that touch",
      FindingOutcome::kFollowed},
-    {FindingKind::kFlippedFacet, " turned against their neighbours", FindingOutcome::kReoriented},
+    {FindingKind::kFlippedFacet, " oriented against their neighbours", FindingOutcome::kReoriented},
     {FindingKind::kInsideOutPart, "", FindingOutcome::kReoriented},
     {FindingKind::kOneSidedSheet, ", such as a Moebius band", FindingOutcome::kLeftOutIfOpen},
     {FindingKind::kOpenSheet, " that bound nothing", FindingOutcome::kLeftOut},
@@ -73,7 +73,7 @@ std::string sentence_of(const SolveReport::Finding& finding) {
   const auto& [x, y, z] = finding.place;
   return fmt::format("{}: {}{}{}, {}{} {:.6g} {:.6g} {:.6g}; {}", name_of(finding.kind),
                      finding.at_least ? "at least " : "", finding.count, treatment_of(finding.kind).detail,
-                     size, which, x, y, z, name_of(finding.done));
+                     size, which, x, y, z, words_of(finding.done));
 }
 
 }  // namespace crossgrain

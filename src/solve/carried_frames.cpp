@@ -12,7 +12,7 @@
 namespace crossgrain {
 namespace {
 
-/// The components of leaves that a component of tets lies in, pair by pair.
+/// Pairs of a component of tets and a component of leaves that contains a vertex of it.
 class SharedComponents {
  public:
   explicit SharedComponents(std::vector<std::uint32_t> of_leaf) : of_leaf_(std::move(of_leaf)) {}

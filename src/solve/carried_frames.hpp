@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frames that a field on the grid gives to the vertices of a tet mesh.
+// Initial frames of the vertices of a tet mesh, from a field on the grid.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +16,10 @@ struct CarriedFrames {
   std::size_t outside = 0;         ///< vertices of tets that are in no active cell
 };
 
-/// Each vertex in an active cell takes the frame of that cell; relaxation forgets what interpolation would
-/// add. Others take that of the nearest cell of their own component: one that is joined through open faces to
-/// a cell which holds a vertex of the same component of tets. Where there is none such, of the nearest cell.
+/// Returns for each vertex in an active cell the frame of that cell; interpolation would not help, since
+/// relaxation follows. Other vertices get the frame of the nearest cell of their own component: a cell
+/// connected, through open faces, to one that contains a vertex of the same component of tets. If there is
+/// none, they get the frame of the nearest cell.
 CarriedFrames carried_frames(const FieldData& field, const TetSolid& solid);
 
 }  // namespace crossgrain

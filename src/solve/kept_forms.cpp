@@ -10,7 +10,7 @@
 namespace crossgrain {
 namespace {
 
-/// A cell of the merged field with its leaves [first, last).
+/// A cell of the merged field, which contains the leaves [first, last).
 struct Cell {
   CellAddress address;
   CellIndex first, last;
@@ -38,7 +38,7 @@ CellsWithSurface cells_with_surface(const Octree& tree, std::span<const CellCons
   return result;
 }
 
-/// `count` of `cells`, or all, evenly.
+/// Appends `count` of `cells`, evenly spaced, or all of them if there are fewer.
 void add_evenly(const std::vector<Cell>& cells, std::size_t count, std::vector<Cell>& chosen) {
   count = std::min(count, cells.size());
   for (std::size_t k = 0; k < count; ++k) chosen.push_back(cells[k * cells.size() / count]);

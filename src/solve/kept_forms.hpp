@@ -10,8 +10,9 @@
 
 namespace crossgrain {
 
-/// The forms of up to `options.most` cells of the field merged to `options.merged_cells` cells: cells that
-/// hold more than a plane first, then others, evenly chosen in the order of the leaves.
+/// Returns the forms of up to `options.most` cells of the field, merged to `options.merged_cells` cells.
+/// Cells with more than one normal come first, then others; each kind is evenly spaced in the order of the
+/// leaves.
 KeptForms kept_forms(const GridLevel& level, const Solid& solid, Degree degree,
                      std::span<const CellConstraint> constraints, const KeptFormOptions& options);
 

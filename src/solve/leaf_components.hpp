@@ -9,8 +9,9 @@
 
 namespace crossgrain {
 
-/// For each leaf the number of its component, those joined through open faces (LeafConnections::open_faces),
-/// counted from 0 in the order of their first leaves.
+/// Returns the number of each leaf's component. Leaves joined through open faces
+/// (LeafConnections::open_faces) are in one component. Components are numbered from 0 in the order of their
+/// first leaves.
 std::vector<std::uint32_t> leaf_components(const Octree& tree, std::span<const std::uint8_t> open_faces);
 
 }  // namespace crossgrain

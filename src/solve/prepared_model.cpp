@@ -49,7 +49,7 @@ PreparedModel::PreparedModel(const TriangleMesh& mesh, SolidSplit split, const S
       solid_{mended_.surface, bvh_, winding_, mended_.closed, &guides_} {}
 
 SolveReport::Model PreparedModel::description() const {
-  // Solids may touch along edges, which have more than two triangles then.
+  // Edges along which solids touch have more than two triangles.
   const SurfaceTopology& topology = mended_.topology;
   SolveReport::Model model;
   model.triangles = mesh_.triangles.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model made ready to be solved: mended, its insides known, and all gathered that frames are to follow.
+// A model prepared for a solve: the repaired surface, tests for inside, and all constraints on frames.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@
 
 namespace crossgrain {
 
-/// Refers to itself, so that it is neither copied nor moved.
+/// Refers to itself, so it can be neither copied nor moved.
 class PreparedModel {
  public:
-  /// Throws Error for models that are refused before any solve: kInput for those that make no sense, kUsage
-  /// for cells too large, kLimit for want of memory.
+  /// Prepares a model. Throws Error for models that cannot be solved: kInput for an invalid model, kUsage for
+  /// cells that are too large, kLimit if the memory does not suffice.
   PreparedModel(const TriangleMesh& mesh, const SolveOptions& options);
   PreparedModel(const PreparedModel&) = delete;
   PreparedModel& operator=(const PreparedModel&) = delete;
@@ -28,14 +28,15 @@ class PreparedModel {
   const Surface& surface() const { return mended_.surface; }
   const MendedSurface& mended() const { return mended_; }
 
-  /// Faces between solids, and others inside that frames are to have an axis across.
+  /// Returns the faces inside the model across which frames have an axis: those between solids, and tagged
+  /// ones.
   const TriangleMesh& inner_faces() const { return inner_faces_; }
   const CreaseNetwork& creases() const { return creases_; }
 
   SolveReport::Model description() const;
   SolveReport::Input findings() const;
 
-  /// The surface that was solved, moved out of a model that is not used afterwards.
+  /// Returns the surface that was solved. Leaves the model unusable.
   SolvedSurface solved_surface() &&;
 
  private:

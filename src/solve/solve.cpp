@@ -34,7 +34,7 @@
 namespace crossgrain {
 namespace {
 
-/// Of the coefficients as they are written.
+/// Returns the largest deviation from symmetry of the coefficients, rounded to single precision as in files.
 template <int D>
 double largest_deviation(std::span<const StoredQuaternion> frames) {
   std::vector<double> largest((frames.size() + kParallelGrain - 1) / kParallelGrain);
@@ -88,7 +88,7 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// What is known before anything is asked of the field between its cells.
+/// Sets what can be computed from the cells alone, without interpolation between them.
 void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, SolvedField& solved,
                     const SolveOptions& options, FieldData& data) {
   AlignmentMeasurement alignment =
@@ -124,7 +124,7 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, Solved
   append(warnings, found.warnings);
 }
 
-/// How well the field follows what it was to follow besides the surface.
+/// Reports how well the interpolated field meets the constraints besides the surface.
 void describe_guides(const PreparedModel& model, const AskedAxes& asked, const SolveOptions& options,
                      FieldData& data) {
   const double finest = finest_cell_size(model.surface().box, options);
@@ -151,7 +151,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   SolvedField solved = nested_solve(model.solid(), options, monitor, initial_frame, watch.restart());
   check_interior(solved.level, model.mended());
 
-  // There is a field: a stop changes nothing any more.
+  // The field is complete, so a stop has no effect from here on.
   const WatchedLoops watched_to_the_end(monitor, Stops::kIgnored);
   const int level = static_cast<int>(solved.levels.size());
   monitor.report({Phase::kAnalysis, 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN(),

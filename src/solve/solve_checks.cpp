@@ -17,34 +17,35 @@
 namespace crossgrain {
 namespace {
 
-/// Fewer cells across than this are no grid to speak of.
+/// Smallest number of cells along the longest side.
 constexpr int kSmallestResolution = 4;
 
-/// Longest sides between which cubes and inverse squares of cell sizes are far from the ends of single
-/// precision.
+/// Range of the longest side in which cubes and inverse squares of cell sizes fit into single precision.
 constexpr double kSmallestModel = 1e-9;
 constexpr double kLargestModel = 1e12;
 
-/// Coordinates this many times the model's size leave too few digits for its shape.
+/// Largest distance from the origin, in sizes of the model. Farther away, coordinates have too few digits for
+/// its shape.
 constexpr double kFarthestModel = 1e9;
 
-/// Active cells per squared finest cell of surface: about as few as there are where all walls are thick.
+/// Number of active cells per squared finest cell of surface, if all walls are thick.
 constexpr double kCellsPerFace = 2;
 
-/// Cells with surface are half of all then, with a piece each.
+/// Share of cells with surface in that case; each has one piece.
 constexpr double kSurfaceShare = 0.5;
 
-/// Steps down the penalty after a relaxation sweep, beyond which they take longer than they can be worth.
+/// Largest number of symmetrisation steps after a relaxation sweep; more cost more than they can gain.
 constexpr double kMostPenaltySteps = 100;
 
-/// Rounding of forms in single precision stays far below the weight of the edges up to this weight of
-/// creases.
+/// Largest weight of creases. Up to this weight, rounding of forms in single precision is far below the
+/// weight of the edges.
 constexpr double kLargestCreaseWeight = 1e4;
 
-/// Mean thickness, relative to the longest side, below which a solid is a sheet with two sides drawn.
+/// Mean thickness, relative to the longest side, below which a solid is a flat sheet with two sides.
 constexpr double kFlat = 1e-9;
 
-/// Shares of the surface's area above which the user is warned of thin walls and of what no frame can meet.
+/// Shares of the surface's area above which the user is warned of thin walls, and of constraints that no
+/// frame meets.
 constexpr double kThinShareToWarnOf = 0.02;
 constexpr double kExcludedShareToWarnOf = 0.1;
 
@@ -63,7 +64,7 @@ void demand(bool met, const char* message) {
   if (!met) throw Error(ErrorKind::kUsage, message);
 }
 
-/// What the solver's options and those for tets have in common.
+/// Checks what SolverOptions and OntoOptions have in common.
 template <class Options>
 void check_sweeps(const Options& options) {
   demand(options.most_sweeps >= 0, "numbers of sweeps must not be negative");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a solve refuses before it begins or once it sees that there is nothing to solve, and what it warns of.
+// Errors that a solve raises before it begins, or if nothing is inside; and its warnings.
 #pragma once
 
 #include <optional>
@@ -15,32 +15,31 @@ namespace crossgrain {
 /// Throws Error(kUsage) for an option out of its range.
 void check_options(const SolveOptions& options);
 
-/// Throws Error(kInput) for a model so small, large or far away that numbers derived from it leave single
-/// precision.
+/// Throws Error(kInput) for a model so small, large or far away that derived numbers exceed single precision.
 void check_scale(const Box& box);
 
-/// `check_scale`; and throws Error(kUsage) for cells too large for it, Error(kLimit) where even the largest
-/// cells that may be taken for want of memory (kMostLevelsLeftOut) would need more than is allowed.
+/// Calls `check_scale`. Throws Error(kUsage) if the cells are too large for the model, and Error(kLimit) if
+/// even the largest cells that lack of memory permits (kMostLevelsLeftOut) need more memory than allowed.
 void check_size(const Surface& surface, const SolveOptions& options);
 
-/// Throws Error(kInput) where no cell has its centre inside and that is not for want of resolution: the
-/// surface is open, or flat.
+/// Throws Error(kInput) if no cell has its centre inside and a finer grid would not help: the surface is open
+/// or flat.
 void check_interior(const GridLevel& finest, const MendedSurface& mended);
 
-/// Warnings of what the finest cells do not resolve of the surface.
+/// Returns warnings about details of the surface that the finest cells do not resolve.
 std::vector<Warning> resolution_warnings(const SolveReport& report);
 bool is_of_resolution(const Warning& warning);
 
-/// A warning that the cells are larger than was asked for; where report.limited.
+/// Returns the warning that the cells are larger than requested; report.limited must be set.
 Warning memory_warning(const SolveReport& report);
 
-/// A warning that the solve was stopped; where report.unfinished.
+/// Returns the warning that the solve was stopped; report.unfinished must be set.
 Warning unfinished_warning(const SolveReport& report);
 
-/// A warning of vertices of a tet mesh outside every cell.
+/// Returns the warning about vertices of a tet mesh outside all cells.
 Warning outside_warning(std::size_t outside, std::size_t vertices);
 
-/// A warning where a field is started from that of a model of another size or place; none otherwise.
+/// Returns a warning if the initial field is of a model of another size or place.
 std::optional<Warning> other_model_warning(const Box& earlier, const Box& box);
 
 }  // namespace crossgrain

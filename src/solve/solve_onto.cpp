@@ -60,7 +60,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
     throw Error(ErrorKind::kInput, "no vertex of the tets lies in the field's solid", Remedy::kMatchUnits);
   monitor.check_stop();
   auto field = std::make_shared<TetField>();
-  // The domain's own, unless it knows of walls that are to be passed over.
+  // The features and boundary of the domain are used, unless it has walls that the union ignores.
   std::optional<InnerFeatures> united_features;
   std::optional<BoundaryVertices> united_boundary;
   if (options.unite_solids && has_several_regions(tets.solid.mesh)) {
@@ -69,7 +69,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   }
   const InnerFeatures& features = united_features ? *united_features : tets.features;
   const BoundaryVertices& boundary = united_boundary ? *united_boundary : tets.boundary;
-  // Half an edge passes by no tet but by its corners.
+  // With steps of half an edge, a polyline misses only corners of tets.
   const std::vector<VertexGuide> guides =
       vertex_guides(options.constraints, tets.solid, boundary, 0.5 * tets.typical_edge_length);
   TetFrames finished = finish_on_tets(tets.edges, boundary, std::move(start.frames), grid.data().degree,
@@ -80,7 +80,8 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   monitor.check_stop();
 
   SolveReport report = grid.report();
-  // Tets have cells of their own: the grid is only where they start (docs/solver.md, "On tets").
+  // The grid only provides initial frames, so its resolution does not limit the field on tets
+  // (docs/solver.md, "On tets").
   std::erase_if(report.warnings, is_of_resolution);
   report.onto = describe(tets, evaluate_vertex_field(tets.solid, boundary, tets.edges, field->vertex_frames));
   report.onto->feature_edge_deg = angles_along(tets.solid, features.edges, field->vertex_frames);

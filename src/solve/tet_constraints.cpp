@@ -16,16 +16,17 @@ namespace {
 
 constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
 
-/// Barycentric coordinates down to this still count as inside: a point on a common face is in either tet.
+/// Smallest barycentric coordinate of a point inside a tet. Points on a common face are inside both tets.
 constexpr double kInside = -1e-9;
 
-/// As on the grid: smaller shares would cost as much as large ones.
+/// Smallest share of a point that a vertex receives, as on the grid; smaller shares would cost as much as
+/// large ones.
 constexpr double kSmallestShare = 0.1;
 
 using Shares = std::array<double, 4>;
 
-/// Points of segments, each as a point of its own: on vertices points do not add up, so that it does not
-/// matter how many there are.
+/// Appends points along a segment. Their number does not matter, because the points at a vertex are averaged,
+/// not added.
 void add_middles(const GuideSegment& segment, const Box& box, double step, std::vector<GuidePoint>& points) {
   const ClippedSegment part = clip_segment(segment.ends, box);
   if (part.empty()) return;
@@ -56,7 +57,7 @@ Shares barycentric(const TetMesh& mesh, const std::array<std::uint32_t, 4>& tet,
   return shares;
 }
 
-/// Points by their first coordinate, so that a tet finds those that it may hold.
+/// Points sorted by their first coordinate, for queries by the box of a tet.
 class SortedPoints {
  public:
   explicit SortedPoints(const std::vector<GuidePoint>& points) : points_(points), order_(points.size()) {
@@ -66,7 +67,7 @@ class SortedPoints {
     });
   }
 
-  /// take(point) for each point in a box.
+  /// Calls take(point) for each point in a box.
   template <class Take>
   void within(const Box& box, const Take& take) const {
     auto k = std::partition_point(order_.begin(), order_.end(),
@@ -82,7 +83,7 @@ class SortedPoints {
   std::vector<std::uint32_t> order_;
 };
 
-/// The tet of lowest number that holds each point, kNoPoint for none.
+/// Returns the first tet that contains each point, or kNoPoint.
 std::vector<std::uint32_t> tets_of(const TetMesh& mesh, const std::vector<GuidePoint>& points) {
   const SortedPoints sorted(points);
   const std::size_t run_count = (mesh.tets.size() + kParallelGrain - 1) / kParallelGrain;

@@ -11,11 +11,11 @@
 
 namespace crossgrain {
 
-/// What constraints at points, along polylines and of stresses ask of the vertices inside, ordered by vertex.
-/// A place acts on the vertices of the tet that holds it, as much as it weighs in linear interpolation there
-/// over the largest such weight; polylines at the middles of pieces no longer than `step`. All that acts on
-/// one vertex counts together as much as the weightiest of it would alone, as in a cell of the grid. Vertices
-/// of `boundary` are left to the surface, and so are constraints on faces.
+/// Returns the constraints of points, polylines and stresses on the vertices inside, ordered by vertex. A
+/// point acts on the vertices of the tet that contains it; the share of a vertex is its weight in linear
+/// interpolation, divided by the largest of the four. Polylines act at the middles of pieces no longer than
+/// `step`. As in a cell of the grid, all constraints on a vertex together have the weight of the strongest
+/// one. Vertices of `boundary` follow the surface instead. Constraints on faces are not included.
 std::vector<VertexGuide> vertex_guides(const Constraints& constraints, const TetSolid& solid,
                                        const BoundaryVertices& boundary, double step);
 

@@ -11,7 +11,7 @@
 namespace crossgrain {
 namespace {
 
-/// That of a regular tet, edge^3 / (6 sqrt 2), with the mean volume.
+/// Returns the edge of a regular tet, whose volume is edge^3 / (6 sqrt 2), with the mean volume.
 double edge_of_mean_tet(const TetMesh& mesh) {
   double six_volumes = 0;
   for (const auto& [a, b, c, d] : mesh.tets) {

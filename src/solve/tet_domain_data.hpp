@@ -12,14 +12,14 @@
 
 namespace crossgrain {
 
-/// What a TetDomain holds.
+/// The data of a TetDomain.
 struct TetDomainData {
   TetSolid solid;
   std::vector<StiffnessEdge> edges;
   std::vector<InnerWall> walls;
-  InnerFeatures features;  ///< walls and tagged edges; none of it left out
+  InnerFeatures features;  ///< all walls and tagged edges
   BoundaryVertices boundary;
-  Box box{};  ///< of the boundary
+  Box box{};  ///< bounding box of the boundary
   double typical_edge_length = 0;
   std::vector<Warning> warnings;
 };

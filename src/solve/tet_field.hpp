@@ -11,15 +11,15 @@
 
 namespace crossgrain {
 
-/// Unit quaternions in double precision: a boundary normal that a vertex holds exactly stays so.
+/// Unit quaternions, in double precision so that frames on the boundary keep their normals exactly.
 struct TetField {
-  std::vector<Quaternion> vertex_frames;  ///< one per vertex of the mesh, used or not
+  std::vector<Quaternion> vertex_frames;  ///< one per vertex of the mesh, including unused ones
   std::vector<Quaternion> tet_frames;     ///< one per tet
   SingularityGraph singularities;         ///< of the frames of tets
 };
 
-/// For each tet the frame nearest to the mean of its four vertices' degree-4 coefficients: the maximum uphill
-/// from the most central of the four frames, or, where they disagree, the global one.
+/// Returns for each tet the frame nearest to the mean of its four vertices' degree-4 coefficients: the local
+/// maximum found from the most central of the four frames, or the global one if they differ too much.
 std::vector<Quaternion> tet_frames_of(const TetMesh& mesh, std::span<const Quaternion> vertex_frames);
 
 }  // namespace crossgrain

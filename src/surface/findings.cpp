@@ -28,18 +28,23 @@ const char* name_of(FindingKind kind) {
 }
 
 const char* name_of(FindingOutcome outcome) {
-  constexpr std::array kNames{
-      "joined where edges run along each other",
-      "bridged by the winding number; close them where the surface matters there",
-      "bridged by the winding number",
-      "left as they are",
-      "left out",
-      "kept: frames follow them",
-      "turned round",
-      "left out where they bound nothing",
-      "left as they are: all that is enclosed is inside",
-      "taken as one solid; what lies inside it of their surfaces still guides frames"};
+  constexpr std::array kNames{"joined",   "hole_bridged", "bridged",          "unchanged",  "left_out",
+                              "followed", "reoriented",   "left_out_if_open", "all_inside", "united"};
   return name_among<FindingOutcome::kUnited>(kNames, outcome);
+}
+
+const char* words_of(FindingOutcome outcome) {
+  constexpr std::array kWords{"joined where edges run along each other",
+                              "bridged by the winding number; close them if the surface there matters",
+                              "bridged by the winding number",
+                              "left as they are",
+                              "left out",
+                              "kept: frames follow them",
+                              "reoriented",
+                              "left out where they bound nothing",
+                              "left as they are: all that they enclose is inside",
+                              "united into one solid; frames still follow their surfaces inside it"};
+  return name_among<FindingOutcome::kUnited>(kWords, outcome);
 }
 
 const Finding* find(const SurfaceFindings& findings, FindingKind kind) {

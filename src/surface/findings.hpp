@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with a surface, kind by kind: how often, where, and how much.
+// The faults of a surface: number, place and size for each kind.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +14,15 @@ namespace crossgrain {
 struct Finding {
   FindingKind kind;
   std::size_t count;
-  Vector3 place;                 ///< of the first, or of the largest, in model units
-  std::optional<double> length;  ///< in model units, where the kind has one
+  Vector3 place;                 ///< place of the first, or of the largest, in model units
+  std::optional<double> length;  ///< in model units, if the kind has one
   bool at_least = false;         ///< counting ended early
 };
 
-/// In the order of FindingKind, at most one of each kind.
+/// Findings in the order of FindingKind, at most one of each kind.
 using SurfaceFindings = std::vector<Finding>;
 
-/// The finding of a kind; null where there is none.
+/// Returns the finding of a kind; null if there is none.
 const Finding* find(const SurfaceFindings& findings, FindingKind kind);
 
 /// Counts things of one kind and keeps where the first one is.

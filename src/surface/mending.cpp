@@ -31,7 +31,7 @@ Vector3 middle_of(const TriangleMesh& mesh, const EdgeUse& use) {
 }
 
 /// The parts of a mesh: sets of triangles connected through edges, numbered in the order of their first
-/// triangles. Triangles without part in edges have none.
+/// triangles. Collapsed triangles have no part.
 struct Parts {
   std::vector<std::uint32_t> of;
   std::size_t count = 0;
@@ -56,12 +56,12 @@ Parts parts_of(std::size_t triangles, std::span<const EdgeUse> uses) {
   return parts;
 }
 
-/// Mean thickness relative to the square root of the area, below which a part is a sheet with two sides
-/// drawn.
+/// Mean thickness, relative to the square root of the area, below which a part is a flat sheet with two
+/// sides.
 constexpr double kFlat = 1e-9;
 
-/// Whether the volumes of all parts of a closed mesh have the same sign, and none of them is flat; -1, 1 or 0
-/// for "no".
+/// Returns 1 or -1 if the volumes of all parts of a closed mesh have this sign and no part is flat; otherwise
+/// 0.
 int common_orientation(const TriangleMesh& mesh, const Parts& parts) {
   std::vector<double> volumes(parts.count), areas(parts.count);
   std::vector<Vector3> origins(parts.count);
@@ -84,7 +84,7 @@ int common_orientation(const TriangleMesh& mesh, const Parts& parts) {
   return outward ? 1 : inward ? -1 : 0;
 }
 
-/// The mesh in the course of being mended. Triangles keep their numbers until the end.
+/// Repairs a mesh. Triangles keep their numbers until the end.
 class Mender {
  public:
   explicit Mender(TriangleMesh mesh) : mesh_(std::move(mesh)) {
@@ -99,14 +99,14 @@ class Mender {
     roles_ = find_duplicates(mesh_, result_.findings);
     orient_within_patches();
     const std::vector<std::uint32_t> kept = kept_triangles();
-    if (kept.empty()) prepare_surface(CheckedMesh::derived(mesh_));  // says what is wrong
+    if (kept.empty()) prepare_surface(CheckedMesh::derived(mesh_));  // throws the Error
     judge(kept);
     finish();
     return std::move(result_);
   }
 
  private:
-  /// Of the triangles that are surface and, where `left_out` is there, not left out.
+  /// Returns the edges of surface triangles, except those left out once `left_out_` is set.
   std::vector<EdgeUse> edge_uses() const {
     std::vector<Corners> triangles = mesh_.triangles;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -168,7 +168,7 @@ class Mender {
       }
     }
     report_patches(sides);
-    // The rim of a sheet that is left out is no hole.
+    // The boundary of a sheet that is left out is not a hole.
     std::erase_if(open_.edges, [&](const EdgeUse& use) { return left_out_[use.triangle]; });
     std::erase_if(open_.cracks, [&](const CrackSide& side) { return left_out_[side.edge.triangle]; });
     report_open_edges(mesh_.vertices, open_, result_.findings);
@@ -192,7 +192,7 @@ class Mender {
         sheets.add(place);
       }
     }
-    // Both triangles of a wall have the same fate, and it counts once.
+    // Both triangles of a wall are treated alike and count once.
     std::size_t halves = 0;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       if (roles_[t] != TriangleRole::kInternalSheet || areas_[t] == 0 || halves++ % 2 == 1) continue;
@@ -264,7 +264,7 @@ class Mender {
   MendedSurface result_;
 };
 
-/// Of a closed mesh with all its parts the same way round, which stays as it is.
+/// Returns a closed, consistently oriented mesh unchanged, with its findings.
 MendedSurface as_it_is(TriangleMesh mesh, const SurfaceTopology& topology, const Parts& parts,
                        int orientation) {
   MendedSurface result;
@@ -287,8 +287,8 @@ MendedSurface as_it_is(TriangleMesh mesh, const SurfaceTopology& topology, const
   return result;
 }
 
-/// The mesh as it is, moved, if it is closed and all its parts are the same way round. Parts that have no
-/// vertex in common may still lie on each other: for that they must be welded.
+/// Returns the mesh unchanged, by a move, if it is closed and all its parts have the same orientation. Parts
+/// without common vertices may still touch each other, which requires welding.
 std::optional<MendedSurface> if_sound(TriangleMesh& mesh, bool is_welded) {
   const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
   const SurfaceTopology topology = analyse_topology(mesh, uses);

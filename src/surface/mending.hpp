@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From triangles as a file gives them to a surface that bounds a solid.
+// Repair: from the triangles of a file to a surface that bounds a solid.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,31 @@
 
 namespace crossgrain {
 
-/// A surface that winding numbers can be trusted of, as far as its triangles allow without moving them.
+/// A surface whose winding numbers are reliable, as far as possible without moving vertices.
 struct MendedSurface {
   Surface surface;
-  SurfaceTopology topology;  ///< of the mesh as it was given, its vertices welded
+  SurfaceTopology topology;  ///< of the given mesh with welded vertices
   SurfaceFindings findings;
 
-  /// Every edge of the surface is run along as often in the one direction as in the other, so that winding
-  /// numbers are whole.
+  /// Whether triangles run along every edge equally often in both directions, so that winding numbers are
+  /// integers.
   bool closed = false;
 
-  /// The closed part that each triangle of the surface belongs to, connected through edges; kNoPart for those
-  /// of open parts. Empty where there are fewer than two parts.
+  /// For each triangle of the surface, the closed part (connected through edges) that it belongs to; kNoPart
+  /// if its part is open. Empty if there are fewer than two parts.
   std::vector<std::uint32_t> part_of;
   std::size_t parts = 0;
 };
 
 inline constexpr std::uint32_t kNoPart = UINT32_MAX;
 
-/// Triangles without area, duplicates and what bounds nothing are left out; triangles are turned to agree
-/// with their neighbours, and patches to look out of the solid; voids stay voids, and parts that overlap stay
-/// as they are (patch_sides.hpp). No vertex moves. A mesh that is closed, with all its parts the right way
-/// round, or all inside out, comes out as it is.
+/// Leaves out triangles without area, duplicates and sheets that bound nothing. Reorients triangles to agree
+/// with their neighbours, and patches to face out of the solid. Voids stay voids, and overlapping parts stay
+/// as they are (patch_sides.hpp). No vertex moves. A closed mesh whose parts are all oriented outwards, or
+/// all inwards, is returned unchanged.
 ///
-/// Throws Error(kInput) as `prepare_surface` does, and where nothing bounds anything: the message says what
-/// the triangles are instead.
+/// Throws Error(kInput) as `prepare_surface` does, and if the triangles enclose nothing; the message says
+/// what they are instead.
 MendedSurface mend_surface(CheckedMesh mesh);
 
 }  // namespace crossgrain

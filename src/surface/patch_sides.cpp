@@ -15,24 +15,25 @@
 namespace crossgrain {
 namespace {
 
-/// |own| from here on: half of the 1/2 of a closed patch. A half sphere is at .25 to .35.
+/// Smallest |own| of a patch that encloses a volume: half of the 1/2 of a closed patch. A half sphere has
+/// 0.25 to 0.35.
 constexpr double kCurvesRound = 0.25;
 
-/// A sheet bounds something where its two sides have winding numbers within so much of 0 and 1.
+/// A sheet bounds a solid if the winding numbers on its two sides are within this distance of 0 and 1.
 constexpr double kBounds = 0.25;
 
-/// Triangles of a patch that are looked at; their median decides.
+/// Number of triangles of a patch that are tested; the median decides.
 constexpr std::size_t kLooks = 7;
 
-/// Distance of the points that are looked from, in units of the square root of the triangle's area: far above
-/// rounding, and below the thickness of any wall: what is thinner is flat.
+/// Distance of the test points from the triangle, in units of the square root of its area. It is far above
+/// rounding and below the thickness of any wall, since thinner walls count as flat.
 constexpr double kStepOff = 1e-6;
 
-/// A look costs microseconds, but among large triangles that all lie across each other as much as all of
-/// them.
+/// A test costs microseconds, but among large triangles that all cross each other its cost grows with their
+/// number.
 constexpr std::size_t kMostPatches = 3000;
 
-/// Flips and removals bear on each other. In practice it takes two or three.
+/// Largest number of rounds, since flips and removals influence each other. Two or three suffice in practice.
 constexpr int kMostRounds = 8;
 
 double median(std::vector<double>& values) {
@@ -41,8 +42,8 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-/// The part of the full sphere that a triangle fills as seen from p, positive from behind (Van Oosterom and
-/// Strackee 1983).
+/// Returns the share of the full sphere that a triangle covers as seen from p, positive from behind (Van
+/// Oosterom and Strackee 1983).
 double winding_of(const std::array<Vector3, 3>& corners, const Vector3& p) {
   const Vector3 a = corners[0] - p, b = corners[1] - p, c = corners[2] - p;
   const double la = norm(a), lb = norm(b), lc = norm(c);
@@ -50,10 +51,10 @@ double winding_of(const std::array<Vector3, 3>& corners, const Vector3& p) {
   return std::atan2(dot(a, cross(b, c)), denominator) / (2 * std::numbers::pi);
 }
 
-/// What there is around a patch, or around one side of a sheet.
+/// Winding numbers at a patch.
 struct View {
   double own = 0, others = 0;
-  bool any = false;  ///< something of it is left
+  bool any = false;  ///< the patch still has triangles
 };
 
 class PatchJudge {
@@ -84,7 +85,7 @@ class PatchJudge {
   }
 
  private:
-  /// The triangles that are left, and those of each patch among them.
+  /// Collects the triangles that are left, and those of each patch among them.
   void gather() {
     rest_.clear();
     members_.assign(patches_.size(), {});
@@ -96,7 +97,7 @@ class PatchJudge {
     }
   }
 
-  /// Spread evenly over the area of the patch.
+  /// Returns triangles that are spread evenly over the area of the patch.
   std::vector<std::uint32_t> looks_of(const Surface& surface,
                                       const std::vector<std::uint32_t>& members) const {
     double area = 0;
@@ -187,7 +188,7 @@ class PatchJudge {
     return any;
   }
 
-  /// Of internal sheets, those that are not inside.
+  /// Leaves out the internal sheets that are not inside. Returns whether there are any.
   bool leave_out_sheets(const Surface& surface, const WindingNumber& winding) {
     std::vector<std::uint32_t> sheets;
     for (std::uint32_t t = 0; t < rest_.size(); ++t)
@@ -209,7 +210,7 @@ class PatchJudge {
   const std::vector<Patch>& patches_;
   PatchSides sides_;
   std::vector<std::uint32_t> rest_;
-  std::vector<std::vector<std::uint32_t>> members_;  ///< as places in rest_
+  std::vector<std::vector<std::uint32_t>> members_;  ///< positions in rest_
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A triangle by its corners in ascending order, and whether that is an even permutation of its own.
+/// A triangle with its corners in ascending order; `even` tells whether that is an even permutation.
 struct SortedCorners {
   Triangle corners;
   bool even;
@@ -46,10 +46,10 @@ SortedCorners sorted_corners(const Triangle& t, const std::vector<std::uint32_t>
   return {corners, even, index};
 }
 
-/// Of two triangles the one of the solid of the lower number first.
+/// Two triangles; that of the solid of lower number is first.
 using Pair = std::array<std::uint32_t, 2>;
 
-/// Among triangles of the same corners.
+/// Pairs triangles with the same corners.
 void pair_up(std::span<const SortedCorners> same, const std::vector<std::int32_t>& solids,
              std::vector<Pair>& pairs, std::vector<bool>& paired) {
   for (const SortedCorners& a : same) {
@@ -83,7 +83,7 @@ std::vector<Pair> separating_pairs(const TriangleMesh& mesh, std::vector<bool>& 
   return pairs;
 }
 
-/// Those without area are left out: they have no normal.
+/// Appends a triangle unless it has no area and hence no normal.
 void append_inner(const TriangleMesh& mesh, const Triangle& triangle,
                   const std::array<Vector3, 3>* corner_normals, TriangleMesh& inner) {
   const TriangleShape shape = shape_of(corners_of(triangle, mesh.vertices));
@@ -109,14 +109,14 @@ TriangleMesh without(TriangleMesh mesh, const std::vector<bool>& left_out) {
   return mesh;
 }
 
-/// The ends of a straight piece of a curve, the lower one first.
+/// The ends of a straight piece of a curve in ascending order.
 using Piece = std::pair<Vector3, Vector3>;
 
 Piece piece_between(const Vector3& a, const Vector3& b) {
   return a < b ? Piece{a, b} : Piece{b, a};
 }
 
-/// Edges of triangles at which normals are further apart than CreaseAngles::least_deg.
+/// Returns the edges at which normals differ by more than CreaseAngles::least_deg.
 std::set<Piece> sharp_pieces(const TriangleMesh& mesh) {
   const double least_cosine = std::cos(CreaseAngles{}.least_deg * std::numbers::pi / 180);
   const std::vector<EdgeUse> all_uses = sorted_edge_uses(mesh.triangles);

@@ -10,30 +10,30 @@
 
 namespace crossgrain {
 
-/// Whether the triangles of a mesh bound more than one solid (TriangleMesh::solids).
+/// Returns whether the triangles of a mesh bound more than one solid (TriangleMesh::solids).
 bool has_several_solids(const TriangleMesh& mesh);
 
-/// A mesh whose solids lie side by side, taken apart.
+/// A mesh of adjacent solids, split.
 struct SolidSplit {
-  /// What bounds all solids together, in the order given, with all else that the mesh knows: the mesh itself
-  /// where there are no pairs.
+  /// The common boundary of all solids, in the given order, with all other data of the mesh. It is the mesh
+  /// itself if there are no pairs.
   CheckedMesh outer;
 
-  /// Over the vertices of the mesh, with corner normals: one triangle of each pair between two solids, that
-  /// of the solid of the lower number, so that all of a face run the same way; then TriangleMesh::inner_faces
-  /// that have an area.
+  /// One triangle of each pair between two solids, that of the solid of lower number so that all triangles of
+  /// a face have the same orientation; then TriangleMesh::inner_faces with an area. Has the vertices of the
+  /// mesh, and corner normals.
   TriangleMesh inner;
 };
 
-/// Takes the triangles between solids out of a mesh. Two are a pair where they are of different solids and
-/// have the same corners in opposite order, vertices of equal coordinates taken as one; of more than two,
-/// pairs are made as long as there are any.
+/// Removes the triangles between solids from a mesh. Two triangles are a pair if they belong to different
+/// solids and have the same corners in opposite order; vertices of equal coordinates count as one. Of more
+/// than two such triangles, as many pairs as possible are made.
 ///
-/// `unite`: pairs are left out of `inner` too, and so are the creases of the mesh that run along them and
-/// along which `outer` is not sharp (CreaseAngles::least_deg).
+/// `unite` excludes the pairs from `inner` too, and removes the creases that run along them, except where
+/// `outer` is sharp (CreaseAngles::least_deg).
 SolidSplit split_solids(CheckedMesh mesh, bool unite);
 
-/// Frames are to have an axis across them, as across the surface.
+/// Returns guides by which frames have an axis across inner faces, as across the surface.
 std::vector<GuideFace> guides_across(const TriangleMesh& inner);
 
 }  // namespace crossgrain

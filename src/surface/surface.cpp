@@ -14,11 +14,11 @@
 namespace crossgrain {
 namespace {
 
-/// Volumes of lengths below this stay far from the largest double (1.8e308) even after summation.
+/// Largest coordinate. Volumes stay far below the largest double (1.8e308), even after summation.
 constexpr double kLargestCoordinate = 1e100;
 
-/// The cross product of two edges scaled to at most 1 per component is off by a few units in the last place;
-/// below this length it has no direction.
+/// Smallest length of the cross product of two edges that are scaled to at most 1 per component. It is
+/// accurate to a few units in the last place, so a shorter one has no direction.
 constexpr double kSmallestCross = 8 * std::numeric_limits<double>::epsilon();
 
 double largest_component(const Vector3& a, const Vector3& b) {
@@ -27,7 +27,7 @@ double largest_component(const Vector3& a, const Vector3& b) {
   return largest;
 }
 
-/// Whether a member with an entry a triangle has as many as it should.
+/// Throws unless a member with one entry per triangle is empty or complete.
 template <class T>
 void check_count(const std::vector<T>& entries, std::size_t triangles, const char* name) {
   if (entries.empty() || entries.size() == triangles) return;
@@ -37,7 +37,7 @@ void check_count(const std::vector<T>& entries, std::size_t triangles, const cha
                    " triangles, where there must be one for each or none"});
 }
 
-/// Moves the entry of triangle `from` to `to`, where there are entries.
+/// Moves the entry of triangle `from` to `to`, if there are entries.
 template <class T>
 void move_entry(std::vector<T>& entries, std::size_t from, std::size_t to) {
   if (!entries.empty()) entries[to] = entries[from];
@@ -119,7 +119,7 @@ TriangleShape shape_of(const std::array<Vector3, 3>& corners) {
   const Vector3 ab = corners[1] - corners[0], ac = corners[2] - corners[0];
   const double scale = largest_component(ab, ac);
   if (scale == 0) return {{0, 0, 0}, 0};
-  // Divided, not multiplied by the inverse: vectors along an axis stay exactly so.
+  // Divides instead of multiplying by the inverse, so that vectors along an axis stay exact.
   const auto over = [](const Vector3& v, double d) { return Vector3{v[0] / d, v[1] / d, v[2] / d}; };
   const Vector3 normal = cross(over(ab, scale), over(ac, scale));
   const double twice_area = norm(normal);
@@ -140,7 +140,7 @@ Box box_of_solid_triangles(const TriangleMesh& mesh) {
 
 Vector3 Surface::blended_normal(std::size_t triangle, const Vector3& point) const {
   const auto [a, b, c] = corners(triangle);
-  // Barycentric coordinates of the point's projection, none of them below zero.
+  // Barycentric coordinates of the projection of the point, clamped to at least zero.
   const auto share = [&](const Vector3& from, const Vector3& to) {
     return std::max(0.0, dot(cross(to - from, point - from), normals[triangle]));
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A triangle mesh made ready for the grid: checked, without triangles of no area, with normals and areas.
+// A triangle mesh prepared for the grid: validated, without triangles of zero area, with normals and areas.
 #pragma once
 
 #include <array>
@@ -12,20 +12,20 @@
 
 namespace crossgrain {
 
-/// Where the corners of a triangle with these indices are.
+/// Returns the corners of a triangle with these indices.
 inline std::array<Vector3, 3> corners_of(const std::array<std::uint32_t, 3>& triangle,
                                          const std::vector<Vector3>& vertices) {
   return {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
 }
 
-/// Triangles of positive area, each with its unit normal. Plain data that nothing changes after
-/// `prepare_surface`; safe to read from any number of threads.
+/// Triangles of positive area, with unit normals. Immutable after `prepare_surface`, so safe to read from any
+/// number of threads.
 struct Surface {
-  TriangleMesh mesh;             ///< as given, but only triangles of positive area, in the order given
-  std::vector<Vector3> normals;  ///< per triangle, by the right-hand rule over its corners
-  std::vector<double> areas;     ///< per triangle, in squared model units, > 0
-  Box box;                       ///< of the corners of `mesh.triangles`; vertices nobody uses do not count
-  std::size_t degenerate_triangles = 0;  ///< how many triangles were dropped for want of an area
+  TriangleMesh mesh;                     ///< the triangles of positive area, in the given order
+  std::vector<Vector3> normals;          ///< per triangle, by the right-hand rule over its corners
+  std::vector<double> areas;             ///< per triangle, in squared model units, > 0
+  Box box;                               ///< of the corners of `mesh.triangles`, without unused vertices
+  std::size_t degenerate_triangles = 0;  ///< number of triangles removed because they have no area
 
   std::size_t size() const { return mesh.triangles.size(); }
 
@@ -33,8 +33,8 @@ struct Surface {
     return corners_of(mesh.triangles[triangle], mesh.vertices);
   }
 
-  /// The unit normal of the true surface at the point of the triangle nearest to `point`, about: blended from
-  /// those of the corners where the mesh has them (TriangleMesh::corner_normals), else the triangle's own.
+  /// Returns the unit normal of the true surface at about the point of the triangle nearest to `point`:
+  /// blended from TriangleMesh::corner_normals if the mesh has them, otherwise the triangle's own.
   Vector3 normal_at(std::size_t triangle, const Vector3& point) const {
     return mesh.corner_normals.empty() ? normals[triangle] : blended_normal(triangle, point);
   }
@@ -43,10 +43,10 @@ struct Surface {
   Vector3 blended_normal(std::size_t triangle, const Vector3& point) const;
 };
 
-/// A place of a Message, such as "vertex 7 (counted from 0)".
+/// Returns a Message::place such as "vertex 7 (counted from 0)".
 std::string counted_from_0(const char* what, std::size_t index);
 
-/// Throws Error(kInput) for the index of a vertex that is not below `vertices`.
+/// Throws Error(kInput) for a vertex index that is not below `vertices`.
 [[noreturn]] void fail_index(const std::string& place, std::uint32_t vertex, std::size_t vertices);
 
 /// Throws Error(kInput) unless every coordinate is finite and below 1e100 (squares and cubes of lengths must
@@ -74,21 +74,21 @@ class CheckedMesh {
   TriangleMesh mesh_;
 };
 
-/// Normal and area of a triangle; the area is 0 (and the normal {0, 0, 0}) where the corners are collinear to
-/// rounding, so that the direction of the normal would be noise.
+/// Normal and area of a triangle. Both are 0 if the corners are collinear up to rounding, since the direction
+/// of the normal would be noise.
 struct TriangleShape {
   Vector3 normal;
   double area;
 };
 TriangleShape shape_of(const std::array<Vector3, 3>& corners);
 
-/// Of the corners of all triangles that have an area; empty where none has. Indices must be in range.
+/// Returns the bounding box of all triangles with an area; empty if there are none. Indices must be in range.
 Box box_of_solid_triangles(const TriangleMesh& mesh);
 
-/// The volume that a closed surface encloses, in cubed model units, whichever way its normals point.
+/// Returns the volume that a closed surface encloses, in cubed model units, for either orientation.
 double enclosed_volume(const Surface& surface);
 
-/// The mesh as a Surface. Throws Error(kInput) where no triangle has a positive area.
+/// Returns the mesh as a Surface. Throws Error(kInput) if no triangle has a positive area.
 Surface prepare_surface(CheckedMesh mesh);
 
 }  // namespace crossgrain

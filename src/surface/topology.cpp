@@ -18,8 +18,8 @@
 namespace crossgrain {
 namespace {
 
-/// The bits of a coordinate with -0 as 0: unlike the numbers themselves they are totally ordered, NaN
-/// included.
+/// Returns the bits of the coordinates, with -0 as 0. Unlike doubles, they are totally ordered, including
+/// NaN.
 std::array<std::uint64_t, 3> bits_of(const Vector3& p) {
   return {std::bit_cast<std::uint64_t>(p[0] + 0.0), std::bit_cast<std::uint64_t>(p[1] + 0.0),
           std::bit_cast<std::uint64_t>(p[2] + 0.0)};

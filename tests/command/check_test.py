@@ -121,7 +121,7 @@ class Faults(CheckTest):
     def test_of_a_report_with_unknown_names_or_of_an_earlier_schema_are_one_line_and_exit_code_3(self):
         self.write("box.stl", stl_bytes(box_triangles((2, 1, 1.5))))
         sound = self.solve("box.stl", "--resolution", "8", "--no-report")
-        finding = {"kind": "holes", "count": 1, "at_least": False, "place": [0, 0, 0], "length": None, "done": "left out"}
+        finding = {"kind": "holes", "count": 1, "at_least": False, "place": [0, 0, 0], "length": None, "done": "left_out"}
         arc = {"type": "regular", "index": 0.25, "verdict": "meshable", "length": 1, "across_length": 0,
                "on_boundary": False, "place": [0, 0, 0], "nodes": []}
         node = {"place": [0, 0, 0], "on_boundary": False, "verdict": "meshable", "arcs": []}

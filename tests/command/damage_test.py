@@ -88,7 +88,7 @@ class Damage(CommandTest):
             self.assertIn(f"{name}.stl: {finding['kind']}: ", line)
             self.assertIn(str(finding["count"]), line)
             self.assertIn(" ".join(f"{x:.6g}" for x in finding["place"]), line)
-            self.assertIn(finding["done"], line)
+            self.assertTrue(line.endswith("; " + finding["done_text"]), line)
         found = [warning["text"] for warning in report["warnings"] if warning["kind"] == "surface_finding"]
         self.assertEqual([line.split(f"{name}.stl: ", 1)[1] for line in lines], found)
         return report

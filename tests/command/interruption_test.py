@@ -93,7 +93,7 @@ class Stopped(InterruptionTest):
         self.assertEqual(report["warnings"][0]["kind"], "unfinished")
         self.assertIn("unfinished", output)
         cells = report["levels"][-1]["active_cells"]
-        self.assertIn(f"crossgrain: interrupted: writing level {finished} of {LEVELS}, {cells} cells; Ctrl-C again to drop it\n",
+        self.assertIn(f"crossgrain: interrupted: writing level {finished} of {LEVELS}, {cells} cells; press Ctrl-C again to discard it\n",
                       errors)
         field = Field(self.folder / "out" / "field.vtu")
         self.assertEqual(len(field), cells)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -95,13 +96,20 @@ TEST(NameOfAFinding, IsThatOfSchema4) {
                                       "stray facets", "self-intersections", "overlapping components",
                                       "touching components"}));
   EXPECT_EQ(all_names<FindingOutcome>(),
-            (std::vector<std::string>{
-                "joined where edges run along each other",
-                "bridged by the winding number; close them where the surface matters there",
-                "bridged by the winding number", "left as they are", "left out", "kept: frames follow them",
-                "turned round", "left out where they bound nothing",
-                "left as they are: all that is enclosed is inside",
-                "taken as one solid; what lies inside it of their surfaces still guides frames"}));
+            (std::vector<std::string>{"joined", "hole_bridged", "bridged", "unchanged", "left_out",
+                                      "followed", "reoriented", "left_out_if_open", "all_inside", "united"}));
+}
+
+TEST_F(NamesInReports, OfOutcomesStandBesideTheirWords) {
+  std::set<std::string> all_words;
+  for (const auto done : all_values<FindingOutcome>()) {
+    const std::string words = words_of(done);
+    EXPECT_TRUE(!words.empty() && all_words.insert(words).second) << words;
+    SolveReport report;
+    report.input.findings.emplace_back().done = done;
+    EXPECT_NE(report_json(report).find("\"done_text\": \"" + words + '"'), std::string::npos) << words;
+  }
+  EXPECT_STREQ(words_of(static_cast<FindingOutcome>(all_words.size())), "");
 }
 
 TEST(NameOfAnArcOrNode, IsThatOfSchema4) {
@@ -119,7 +127,7 @@ TEST_F(NamesInReports, AreRefusedWhereTheyAreUnknown) {
   for (const auto& [key, name] : {std::pair<std::string, std::string>{"kind", "thin_walls"},
                                   {"remedy", "raise_resolution"},
                                   {"kind", "holes"},
-                                  {"done", "left out"},
+                                  {"done", "left_out"},
                                   {"type", "across"},
                                   {"verdict", "not_meshable"},
                                   {"boundary", "smooth-only"}}) {

@@ -47,7 +47,7 @@ test("the numbers and the verdict are those of the report", async () => {
   assert.equal(await page.locator(by_test("alignment-max")).innerText(), `${report.alignment_deg.max.toFixed(1)}°`);
   assert.match(await page.locator(by_test("verdict")).innerText(), /No hexahedral mesh can have .* 2 lines and 1 node/);
   assert.deepEqual(await page.locator(`${by_test("warnings")} li`).allInnerTexts(), [
-    "line 12: 'LOOKUP' is not known, and data after it were passed over",
+    "line 12: 'LOOKUP' is not known, and data after it are ignored",
     "the surface has 2 holes, bridged where they are less than half open",
   ]);
   assert.equal(await page.locator(by_test("part-name")).innerText(), "five components <v2>.step");
@@ -273,7 +273,7 @@ test("without WebGL 2 the page says so and shows the numbers", async () => {
   };
   for (const device of [kDesktop, kPhone]) {
     const { page, context, problems } = await open(browser, scene_file("ball"), { device, before: without });
-    assert.match(await page.locator("#message").innerText(), /no WebGL 2/);
+    assert.match(await page.locator("#message").innerText(), /needs WebGL 2/);
     if (device === kPhone) await page.locator(by_test("tab-field")).tap();
     assert.ok(await page.locator(by_test("numbers")).isVisible());
     assert.equal(await page.locator(by_test("panel-view")).isVisible(), false);

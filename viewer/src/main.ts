@@ -38,16 +38,16 @@ async function open(): Promise<void> {
   let tabs_changed = (): void => {};
   const tabs = new Tabs(() => tabs_changed());
   show_no_cell(by_id("panel-cell"));
-  if (!report) return say_instead_of_view("This page carries no field yet: `crossgrain solve` writes one that does.");
+  if (!report) return say_instead_of_view("This page contains no field yet; `crossgrain solve` writes pages with one.");
   show_report(report);
   // The numbers are on the screen before the scene is unpacked.
   await new Promise((resolve) => setTimeout(resolve, 0));
   const context = view_context(by_id("view") as HTMLCanvasElement);
   if (!context) {
-    return say_instead_of_view("This browser has no WebGL 2, which the 3D view needs: another browser, or graphics acceleration switched on, would show the part. The numbers of the field are here all the same.");
+    return say_instead_of_view("The 3D view needs WebGL 2, which this browser lacks: use another browser, or switch graphics acceleration on. The numbers of the field are shown here.");
   }
   const scene = await embedded_scene();
-  if (!scene) return say_instead_of_view("This page carries numbers only, no scene to show.");
+  if (!scene) return say_instead_of_view("This page contains numbers only, no 3D scene.");
   const application = new Application(scene, report, tabs, context);
   tabs_changed = () => application.panels_changed();
   await application.started();

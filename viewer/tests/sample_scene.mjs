@@ -210,9 +210,9 @@ export function components_scene() {
       input: {
         closed: true,
         findings: [
-          { kind: "holes", count: 2, at_least: false, place: [60, 8, 0], length: 3.25, done: "bridged by the winding number" },
-          { kind: "self-intersections", count: 100123, at_least: true, place: [14, 35, 7], length: null, done: "stay; what is enclosed at all is inside" },
-          { kind: "duplicated triangles", count: 1, at_least: false, place: null, length: null, done: "left out" },
+          { kind: "holes", count: 2, at_least: false, place: [60, 8, 0], length: 3.25, done: "bridged", done_text: "bridged by the winding number" },
+          { kind: "self-intersections", count: 100123, at_least: true, place: [14, 35, 7], length: null, done: "all_inside", done_text: "left as they are: all that they enclose is inside" },
+          { kind: "duplicated triangles", count: 1, at_least: false, place: null, length: null, done: "left_out", done_text: "left out" },
         ],
       },
       creases: {
@@ -220,7 +220,7 @@ export function components_scene() {
         knife_edge_places: Array.from({ length: 9 }, (_, k) => [46 + 9 * Math.cos(k), 26 + 9 * Math.sin(k), (k % 2) * 12 - 6]),
       },
       warnings: [
-        { kind: "skipped_data", file: "components.vtk", place: "line 12", text: "'LOOKUP' is not known, and data after it were passed over" },
+        { kind: "skipped_data", file: "components.vtk", place: "line 12", text: "'LOOKUP' is not known, and data after it are ignored" },
         { kind: "surface_finding", text: "the surface has 2 holes, bridged where they are less than half open" },
       ],
     },

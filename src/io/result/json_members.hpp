@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Members of a JSON object from and to variables, by calls of the same form.
+// Reading and writing of the members of a JSON object by calls of the same form.
 #pragma once
 
 #include <fmt/format.h>
@@ -32,29 +32,29 @@ class JsonWriter {
     json_[key] = value;
   }
 
-  /// A number that there may be none of: then null.
+  /// Writes an optional number; null if there is none.
   void member(const char* key, const std::optional<double>& value) {
     json_[key] = value ? Json(*value) : Json(nullptr);
   }
 
-  /// A text that may be empty: then no such key.
+  /// Writes a text; no key if it is empty.
   void text(const char* key, const std::string& value) {
     if (!value.empty()) json_[key] = value;
   }
 
-  /// A value of an enumeration, by its name.
+  /// Writes the name of an enumerator.
   template <class Enum>
   void name(const char* key, Enum value) {
     json_[key] = name_of(value);
   }
 
-  /// The same; no such key for the first value.
+  /// Writes the name of an enumerator; no key for the first one.
   template <class Enum>
   void optional_name(const char* key, Enum value) {
     if (value != Enum{}) name(key, value);
   }
 
-  /// What follows from other members, for people; no such key where it is empty.
+  /// Writes a text for people that follows from other members; no key if it is empty. Reading skips it.
   void note(const char* key, const char* words) { text(key, words); }
 
   template <class Members>
@@ -63,13 +63,13 @@ class JsonWriter {
     members(inner);
   }
 
-  /// An object that there may be none of: then no such key.
+  /// Writes an optional object; no key if there is none.
   template <class T, class Describe>
   void optional_object(const char* key, const std::optional<T>& value, const Describe& describe) {
     if (value) object(key, [&](auto& inner) { describe(inner, *value); });
   }
 
-  /// A list that may be empty: then no such key.
+  /// Writes a list; no key if it is empty.
   template <class T, class Describe>
   void optional_list(const char* key, const std::vector<T>& values, const Describe& describe) {
     if (!values.empty()) list(key, values, describe);
@@ -88,8 +88,8 @@ class JsonWriter {
   Json& json_;
 };
 
-/// Reads members of a JSON object of a file. Throws Error(kInput) that names the key of a member that is
-/// missing or not what it should be.
+/// Reads members of a JSON object of a file. Throws Error(kInput) with the key of a member that is missing or
+/// of the wrong type.
 class JsonReader {
  public:
   using Json = nlohmann::ordered_json;
@@ -103,7 +103,7 @@ class JsonReader {
     if constexpr (std::is_same_v<T, bool>)
       fits = json.is_boolean();
     else if constexpr (std::is_same_v<T, std::int64_t>)
-      fits = json.is_number_integer();  // negative too
+      fits = json.is_number_integer();  // may be negative
     else if constexpr (std::is_integral_v<T>)
       fits = json.is_number_unsigned() && json.get<std::uint64_t>() <= std::numeric_limits<T>::max();
     if (!fits) fail(key);
@@ -146,7 +146,8 @@ class JsonReader {
   template <class T, class Describe>
   void optional_object(const char* key, std::optional<T>& value, const Describe& describe) {
     value.reset();
-    // From a T{}, since clang takes a struct with initialisers inside another one for one without a default.
+    // T{} is needed because clang takes a nested struct with initialisers for one without a default
+    // constructor.
     if (json_.is_object() && json_.contains(key))
       object(key, [&](auto& inner) { describe(inner, value.emplace(T{})); });
   }

@@ -56,7 +56,7 @@ std::string singularity_json(const SolveReport::Singularity& grid, const SolveRe
 SolveReport read_report(const std::filesystem::path& path) {
   const InputFile file(path);
   const Json json = Json::parse(file.bytes(), nullptr, false);
-  if (json.is_discarded()) fail_input(file, {}, "is no JSON", Remedy::kCopyOrSolveAgain);
+  if (json.is_discarded()) fail_input(file, {}, "is not JSON", Remedy::kCopyOrSolveAgain);
   JsonReader reader(json, file);
   int schema = 0;
   reader.member("schema", schema);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// report.json, to and from SolveReport.
+// Conversion between SolveReport and report.json.
 #pragma once
 
 #include <filesystem>
@@ -9,18 +9,17 @@
 
 namespace crossgrain {
 
-/// Counts up when a key is removed or changes its meaning; new keys leave it as it is.
+/// Increases if a key is removed or changes its meaning, not for new keys.
 inline constexpr int kReportSchema = 4;
 
-/// The report as docs/report.md describes it, with the schema number and the version of this library.
+/// Returns the report as docs/report.md describes it, with schema number and version of this library.
 nlohmann::ordered_json json_of(const SolveReport& report);
 
-/// Adds a warning on the numbers of the report that are not finite, where there are any: report.json has null
-/// for them.
+/// Adds a warning if numbers of the report are not finite; report.json has null for them.
 void warn_of_numbers_not_finite(SolveReport& report);
 
-/// A report.json of schema kReportSchema; keys that are not known are passed over, and null is NaN where
-/// a number should stand. Throws Error(kInput).
+/// Returns the report in a report.json of schema kReportSchema. Unknown keys are ignored; null for a number
+/// becomes NaN. Throws Error(kInput).
 SolveReport read_report(const std::filesystem::path& path);
 
 }  // namespace crossgrain

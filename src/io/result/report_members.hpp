@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every member of report.json by its key, in the order of the file, said once for writing and reading: File
-// is a JsonWriter or a JsonReader.
+// The members of report.json in the order of the file, listed once for writing and reading: File is a
+// JsonWriter or a JsonReader.
 #pragma once
 
 #include "crossgrain/message.hpp"
@@ -191,6 +191,7 @@ void describe_finding(File& file, Finding& finding) {
   file.member("place", finding.place);
   file.member("length", finding.length);
   file.name("done", finding.done);
+  file.note("done_text", words_of(finding.done));
 }
 
 template <class File, class Points>

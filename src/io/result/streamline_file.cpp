@@ -110,7 +110,7 @@ void check_regular(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path, unknown) || std::filesystem::is_regular_file(path, unknown) ||
       std::filesystem::is_directory(path, unknown))
     return;
-  throw Error(ErrorKind::kOutput, {path.string(), "", "is no regular file", Remedy::kNameOutput});
+  throw Error(ErrorKind::kOutput, {path.string(), "", "is not a regular file", Remedy::kNameOutput});
 }
 
 }  // namespace

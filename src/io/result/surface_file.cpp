@@ -142,7 +142,7 @@ class SurfaceReader {
   void require(bool sound) const {
     if (!sound)
       throw Error(ErrorKind::kInput,
-                  {file_.name(), "", "is no surface written by crossgrain", Remedy::kSolveAgain});
+                  {file_.name(), "", "is not a surface written by crossgrain", Remedy::kSolveAgain});
   }
 
   const VtuFile& file_;

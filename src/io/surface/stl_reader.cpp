@@ -117,11 +117,12 @@ void check_finite(const InputFile& file, const BinaryTriangles& triangles) {
 TriangleMesh read_binary(const InputFile& file) {
   const std::string_view bytes = file.bytes();
   if (bytes.size() < kHeaderBytes)
-    fail_input(file, {},
-               fmt::format("is no STL file: it does not begin with 'solid', and its {} bytes are too few for "
-                           "the binary form",
-                           bytes.size()),
-               Remedy::kExportAgain);
+    fail_input(
+        file, {},
+        fmt::format("is not an STL file: it does not begin with 'solid', and its {} bytes are too few for "
+                    "the binary form",
+                    bytes.size()),
+        Remedy::kExportAgain);
   const std::uint64_t announced = announced_triangles(bytes);
   const std::uint64_t present = (bytes.size() - kHeaderBytes) / kTriangleBytes;
   if (announced > present)

@@ -35,11 +35,11 @@ export interface CellClass {
 
 export const kClasses: CellClass[] = [
   { name: "inside", meaning: "no surface", color: { light: "#dfe3e8", dark: "#343a43" } },
-  { name: "plane", meaning: "one normal", color: { light: "#b9c7d6", dark: "#4d6179" } },
-  { name: "axis", meaning: "one direction, as of a rod", color: { light: "#1f9a8a", dark: "#35c2ad" } },
-  { name: "frame", meaning: "a whole frame", color: { light: "#2a6fb8", dark: "#6aaef5" } },
-  { name: "free", meaning: "asks for nothing", color: { light: "#e3b43c", dark: "#f2cf63" } },
-  { name: "conflicted", meaning: "what no frame meets", color: { light: "#b3202c", dark: "#ff6b6b" } },
+  { name: "plane", meaning: "one axis along the normal", color: { light: "#b9c7d6", dark: "#4d6179" } },
+  { name: "axis", meaning: "one axis, by compromise", color: { light: "#1f9a8a", dark: "#35c2ad" } },
+  { name: "frame", meaning: "all three axes", color: { light: "#2a6fb8", dark: "#6aaef5" } },
+  { name: "free", meaning: "any frame", color: { light: "#e3b43c", dark: "#f2cf63" } },
+  { name: "conflicted", meaning: "no frame fits", color: { light: "#b3202c", dark: "#ff6b6b" } },
 ];
 
 export function parse_color(hex: string): Color {

@@ -16,7 +16,7 @@ export interface Finding {
   at_least?: boolean;
   place?: Vector | null;
   length?: number | null;
-  done?: string;
+  done_text?: string;
 }
 
 export interface ArcEntry {

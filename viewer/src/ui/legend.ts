@@ -59,7 +59,7 @@ function decade_ticks({ low, high }: Range): [string, number][] {
 
 function class_list(theme: Theme): HTMLElement {
   return element("div", { class: "legend-block", "data-testid": "legend-class" },
-    element("h3", {}, "What the surface asks for"),
+    element("h3", {}, "Surface constraints"),
     element("ul", { class: "keys" }, ...kClasses.slice(1).map(({ name, meaning, color }) =>
       element("li", { title: meaning },
         element("span", { class: `swatch ${name === "conflicted" ? "hatched" : name === "free" ? "hatched back" : ""}`, style: `background-color: ${color[theme]}` }),

@@ -27,7 +27,7 @@ export function levels_chart(report: Report): HTMLElement | null {
     element("h2", {}, "Levels"),
     drawing("svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, class: "chart", "aria-hidden": "true", "data-testid": "levels" }, ...energy, ...time, ...depths),
     table,
-    element("p", { class: "fine" }, "By depth of the octree. Each level has the energy of its own grid: a rise is no fault."),
+    element("p", { class: "fine" }, "By depth of the octree. Each level has the energy of its own grid, so the energy may rise."),
   );
 }
 

@@ -22,7 +22,7 @@ export interface PlaceGroup {
   empty?: string;
 }
 
-const kArcTypes = ["of index +1/2", "turned about an axis across it", "of changing index", "turned about no axis of the frame"];
+const kArcTypes = ["of index +1/2", "rotation about an axis across it", "of changing index", "rotation about no axis of the frame"];
 // Lists begin this short: what matters is that there are many.
 const kFirst = 6;
 
@@ -37,7 +37,7 @@ export function place_groups(report: Report, scene: Scene | null): PlaceGroup[] 
       name: "Found in the input",
       places: (report.input?.findings ?? []).map((finding) => ({
         label: `${finding.at_least ? "at least " : ""}${counted(finding.count)} ${finding.kind}`,
-        detail: [finding.length ? `${measured(finding.length)} long` : "", finding.done ?? ""].filter(Boolean).join("; "),
+        detail: [finding.length ? `${measured(finding.length)} long` : "", finding.done_text ?? ""].filter(Boolean).join("; "),
         point: local(finding.place),
         warn: false,
       })),

@@ -12,15 +12,15 @@ export interface Verdict {
   sentence: string;
 }
 
-/** Of a solve that was stopped: which part of what was asked for this field is. */
+/** Returns which part of the requested field this is, if the solve was stopped. */
 export function unfinished_card(report: Report): HTMLElement | null {
   if (!report.unfinished) return null;
   const { levels_missing = 0, tets_missing } = report.unfinished;
   const done = report.levels?.length ?? 0;
   const sentence = levels_missing > 0 ? `Unfinished: level ${done} of ${done + levels_missing}.` : "Unfinished.";
   const note = levels_missing > 0
-    ? `The solve was stopped. Cells of the field that was asked for are ${2 ** levels_missing} times as fine.`
-    : tets_missing ? "The solve was stopped before the field was carried onto the tets: this is the one on the grid." : "The solve was stopped.";
+    ? `The solve was stopped. The requested field has cells ${2 ** levels_missing} times as fine.`
+    : tets_missing ? "The solve was stopped before the field was transferred to the tets. This is the field on the grid." : "The solve was stopped.";
   return element("div", { class: "verdict unsure", "data-testid": "unfinished" },
     element("span", { class: "sign unsure", "aria-hidden": "true" }, "…"),
     element("div", {}, element("p", { class: "verdict-text" }, sentence), element("p", { class: "fine" }, note)),
