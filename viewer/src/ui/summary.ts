@@ -51,7 +51,7 @@ export function verdict_of(report: Report): Verdict | null {
     return {
       judgement: "unsure",
       short: "Undecided",
-      sentence: `No fault was found, but ${plural(undecided_nodes, "node")} with lines of index −1/2 cannot be decided.`,
+      sentence: `No fault was found, but ${plural(undecided_nodes, "node")} cannot be judged: too many hexahedra would meet there.`,
     };
   }
   return { judgement: "good", short: "Fit for hexahedra", sentence: "A hexahedral mesh can have this field’s singular lines." };
