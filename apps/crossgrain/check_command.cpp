@@ -68,8 +68,7 @@ std::string first_fault(const Singularity& graph) {
 
 std::string verdict_of(const Singularity& graph) {
   if (!graph.meshable) return "NOT MESHABLE; first " + first_fault(graph);
-  if (graph.undecided_nodes > 0)
-    return "UNDECIDED: some nodes have too many hexahedra to be judged";
+  if (graph.undecided_nodes > 0) return "UNDECIDED: some nodes have too many hexahedra to be judged";
   return "MESHABLE: a hexahedral mesh can have each of these arcs and nodes";
 }
 
