@@ -2,11 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The tables of docs/comparison.md and docs/degrees.md, as Markdown on standard output.
 
-    comparison.py tets PROGRAM EVALUATE MESH...      our rows: energies of ten seeds, seconds, memory
-    comparison.py degrees PROGRAM EVALUATE FILE...   degree 3 against degree 4, on tet meshes and surfaces
+    comparison.py tets PROGRAM MESH...      our rows: energies of ten seeds, seconds, memory
+    comparison.py degrees PROGRAM FILE...   degree 3 against degree 4, on tet meshes and surfaces
 
-PROGRAM is the built command line program. EVALUATE is a script that evaluates a field on tets: called with a mesh and a
-file of frames it prints one JSON object with `dirichlet`, `edge_sum`, `singular` and `crease_deg` (see docs/comparison.md).
+PROGRAM is the built command line program. Fields on tets are evaluated by tests/command/recompute_onto.py.
 MESH is a Medit .mesh file, or one packed as .mesh.xz; FILE is one too, or a surface, which is solved 64 cells across.
 Seconds are medians of five whole runs with two threads, memory is the highest of those runs.
 """
@@ -19,6 +18,9 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "command"))
+from recompute_onto import OntoRecomputation  # noqa: E402
 
 SEEDS = 10
 RUNS = 5
@@ -47,24 +49,19 @@ def unpacked(path, folder):
     return copy
 
 
-def judged(evaluate, mesh, folder):
-    output = subprocess.run([sys.executable, evaluate, mesh, Path(folder) / "onto.frames"], check=True, capture_output=True)
-    return json.loads(output.stdout)
-
-
 def timed(program, model, folder, *options):
     runs = [Run(program, model, folder, *options) for _ in range(RUNS)]
     return statistics.median(run.seconds for run in runs), max(run.megabytes for run in runs)
 
 
-def tets_row(program, evaluate, mesh, folder, mode):
+def tets_row(program, mesh, folder, mode):
     name = mesh.name.split(".")[0]
     options = ["--boundary", mode]
     energies = []
     for seed in range(SEEDS):
         energies.append(Run(program, mesh, folder, "--seed", seed, *options).report["onto"]["dirichlet"])
     seconds, megabytes = timed(program, mesh, folder, *options)
-    verdict = judged(evaluate, mesh, folder)
+    verdict = OntoRecomputation(mesh, folder).evaluation()
     singular = verdict["singular"]["interior_faces"]
     crease = verdict["crease_deg"]["mean"]
     print(f"| {name} | {mode} | {verdict['dirichlet']:.2f} ({verdict['edge_sum']:.0f}) [{singular}] | "
@@ -73,7 +70,7 @@ def tets_row(program, evaluate, mesh, folder, mode):
     return name, mode, energies
 
 
-def tets(program, evaluate, paths):
+def tets(program, paths):
     print("| mesh | boundary | Dirichlet (edge sum) [singular interior faces] | ten seeds within, % | seconds / peak MB | "
           "mean crease angle, degrees |\n|---|---|---|---|---|---|")
     seeds = []
@@ -81,13 +78,13 @@ def tets(program, evaluate, paths):
         for path in paths:
             mesh = unpacked(path, folder)
             for mode in ("all", "smooth-only"):
-                seeds.append(tets_row(program, evaluate, mesh, Path(folder) / "out", mode))
+                seeds.append(tets_row(program, mesh, Path(folder) / "out", mode))
     print("\n| mesh | boundary |" + "".join(f" seed {seed} |" for seed in range(SEEDS)) + "\n|---|---|" + "---|" * SEEDS)
     for name, mode, energies in seeds:
         print(f"| {name} | {mode} | " + " | ".join(f"{energy:.2f}" for energy in energies) + " |")
 
 
-def degrees(program, evaluate, paths):
+def degrees(program, paths):
     print("| file | energy, degree 4 | degree 3 | seconds | | peak MB | | singular edges or faces | | ends | |\n"
           "|---|---|---|---|---|---|---|---|---|---|---|\n| | | | 4 | 3 | 4 | 3 | 4 | 3 | 4 | 3 |")
     with tempfile.TemporaryDirectory() as folder:
@@ -100,7 +97,7 @@ def degrees(program, evaluate, paths):
                 seconds, megabytes = timed(program, model, Path(folder) / "out", *options)
                 report = json.loads((Path(folder) / "out" / "report.json").read_text())
                 if is_mesh:
-                    verdict = judged(evaluate, model, Path(folder) / "out")
+                    verdict = OntoRecomputation(model, Path(folder) / "out").evaluation()
                     energy, singular = verdict["dirichlet"], verdict["singular"]["interior_faces"]
                     ends = verdict["singular"]["boundary_faces"]
                 else:
@@ -115,9 +112,9 @@ def degrees(program, evaluate, paths):
 
 def main():
     tables = {"tets": tets, "degrees": degrees}
-    if len(sys.argv) < 5 or sys.argv[1] not in tables:
+    if len(sys.argv) < 4 or sys.argv[1] not in tables:
         sys.exit(__doc__.strip())
-    tables[sys.argv[1]](sys.argv[2], sys.argv[3], [Path(name) for name in sys.argv[4:]])
+    tables[sys.argv[1]](sys.argv[2], [Path(name) for name in sys.argv[3:]])
 
 
 if __name__ == "__main__":

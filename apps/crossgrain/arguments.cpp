@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
+#include <vector>
 
+#include "command_names.hpp"
 #include "command_options.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
@@ -72,10 +74,25 @@ void check_arguments(RenderArguments& arguments, const CLI::App* command) {
   if (arguments.field.empty()) refuse("DIR is empty", command);
   if (command->count("--output") > 0 && arguments.output.empty()) refuse("the file of -o is empty", command);
   if (arguments.output == "-") refuse("the picture goes to a file; name one with -o", command);
-  if (!arguments.output.empty()) return;
+  if (!arguments.output.empty()) {
+    const std::string extension = std::filesystem::path(arguments.output).extension().string();
+    if (!extension.empty() && CLI::detail::to_lower(extension) != ".png")
+      refuse("'" + arguments.output + "' is not the name of a PNG file; let it end in .png", command);
+    return;
+  }
   const std::filesystem::path folder = std::filesystem::path(arguments.field + "/").parent_path();
   const std::string stem = folder.lexically_normal().stem().string();
   arguments.output = (stem.empty() || stem == "." || stem == ".." ? "field" : stem) + ".png";
+}
+
+/// Returns the command of this name. If there is none, the error names the one that was probably meant.
+const CLI::App* command_of(const CLI::App& app, const std::string& name) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == name) return command;
+    names.push_back(command->get_name());
+  }
+  refuse(unknown_command(name, names), nullptr);
 }
 
 }  // namespace
@@ -99,6 +116,10 @@ Arguments parse_arguments(int argc, char** argv) {
   const CLI::App* streamlines_command = add_streamlines(app, streamlines);
   const CLI::App* render_command = add_render(app, render);
   const CLI::App* view_command = add_view(app, view);
+  std::string explained;
+  CLI::App* help_command = app.add_subcommand("help", "Prints the help of a command");
+  help_command->add_option("COMMAND", explained, "The command (default: the program itself)");
+  if (argc > 1 && argv[1][0] != '-') command_of(app, argv[1]);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -112,6 +133,13 @@ Arguments parse_arguments(int argc, char** argv) {
   if (*solve_command) {
     check_arguments(solve, solve_command);
     return solve;
+  }
+  if (*help_command) {
+    // App::help would print that of the command that was parsed.
+    std::cout << (explained.empty()
+                      ? app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal)
+                      : command_of(app, explained)->help(app.get_name()));
+    return Finished{0};
   }
   if (*sample_command) return sample;
   if (*check_command) return check;

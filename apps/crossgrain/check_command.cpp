@@ -80,7 +80,7 @@ std::string unfinished_line(const SolveReport& report) {
   if (unfinished.levels_missing > 0)
     missing = fmt::format("{} level{} missing, {:.4g} cells along the longest side in place of {:.4g}",
                           unfinished.levels_missing, unfinished.levels_missing == 1 ? "" : "s",
-                          report.resolution, unfinished.resolution_asked);
+                          report.resolution, unfinished.resolution_requested);
   if (unfinished.tets_missing) missing += std::string(missing.empty() ? "" : "; ") + "no field on the tets";
   return "UNFINISHED, the solve was stopped: " + missing + "\n";
 }

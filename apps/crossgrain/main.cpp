@@ -59,9 +59,11 @@ int run(int argc, char** argv) {
     return fail(exit_code_of(error.kind()),
                 line_of(error.message(), is_solve ? Command::kSolve : Command::kOther));
   } catch (const std::bad_alloc&) {
+    const bool is_solve = std::holds_alternative<SolveArguments>(arguments);
+    const Message message{"", "", "out of memory", is_solve ? Remedy::kUseLessMemory : Remedy::kFreeMemory};
     return fail(
         exit_code_of(ErrorKind::kLimit),
-        std::visit(Subject(), arguments) + "out of memory; lower --resolution or simplify the surface");
+        std::visit(Subject(), arguments) + line_of(message, is_solve ? Command::kSolve : Command::kOther));
   } catch (const std::exception& error) {
     return fail(kInternalError, std::visit(Subject(), arguments) + "unexpected: " + error.what() +
                                     "; please report this with the input");

@@ -37,7 +37,7 @@ std::vector<std::vector<Vector3>> streamlines_in(const std::filesystem::path& fo
 void draw(const RenderArguments& arguments, const Monitor& monitor) {
   const std::filesystem::path folder = arguments.field;
   const FrameField field = read_field(folder);
-  const SingularityGraph singularities = read_singularities(folder / "singularities.vtu");
+  const SingularityGraph singularities = read_singularities(folder / kSingularityFile);
   PictureCurves curves{&singularities, {}};
   if (arguments.streamlines) curves.streamlines = streamlines_in(folder);
   naming(arguments.field,

@@ -185,8 +185,8 @@ std::string summary_of(const SolveReport& report, const SolveArguments& argument
   if (report.constraints) text += constraints_lines(*report.constraints);
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
   for (const Warning& warning : report.warnings) {
-    const bool is_told = is_of_reading(warning.kind) || is_of_input(warning.kind);
-    if (!is_told) text += fmt::format("warning    {}\n", line_of(warning, Command::kSolve));
+    const bool is_reported = is_of_reading(warning.kind) || is_of_input(warning.kind);
+    if (!is_reported) text += fmt::format("warning    {}\n", line_of(warning, Command::kSolve));
   }
   return text + fmt::format("result     {}\n", files_line(report, arguments));
 }
@@ -210,7 +210,7 @@ ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& op
 }
 
 /// Says on standard error what is written after a stop.
-void tell_of_stop(const std::string& what_is_written) {
+void announce_stop(const std::string& what_is_written) {
   print_message("interrupted: writing " + what_is_written + "; press Ctrl-C again to discard it");
 }
 
@@ -231,7 +231,7 @@ std::optional<TetFrameField> carried(const SolveArguments& arguments, const Solv
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kInterrupted || monitor.cancelled()) throw;
     leave_line();
-    tell_of_stop(fmt::format("the field on the grid, {}, and none on the tets", millions(field.size())));
+    announce_stop(fmt::format("the field on the grid, {}, and none on the tets", millions(field.size())));
     return std::nullopt;
   }
 }
@@ -303,7 +303,7 @@ int run_solve(const SolveArguments& arguments) {
       const bool is_stopped_level = is_analysis && progress.level < progress.levels;
       if (is_stopped_level) {
         lines.leave_line();
-        tell_of_stop(
+        announce_stop(
             fmt::format("level {} of {}, {}", progress.level, progress.levels, millions(progress.cells)));
       }
       lines.show(progress);

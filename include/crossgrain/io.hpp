@@ -106,6 +106,9 @@ std::vector<OutputFormat> output_formats();
 /// Name of the page in the folder of a field (crossgrain/page.hpp).
 inline constexpr const char* kPageFile = "report.html";
 
+/// Name of the file with the singular lines of the grid in the folder of a field.
+inline constexpr const char* kSingularityFile = "singularities.vtu";
+
 /// Takes the next bytes of a file.
 using ByteSink = std::function<void(std::string_view bytes)>;
 
@@ -227,7 +230,8 @@ std::size_t write_samples(const FrameField& field, std::span<const Vector3> poin
 inline constexpr const char* kStreamlinesFile = "streamlines.vtu";
 
 /// Writes streamlines as polylines to a .vtu file (docs/streamlines.md), which ParaView opens. The file
-/// appears complete or not at all. Throws Error(kOutput) and Error(kInterrupted).
+/// appears complete or not at all. Throws Error(kUsage) for a line whose tangents are not as many as its
+/// points or whose seed is not among them, Error(kOutput) and Error(kInterrupted).
 void write_streamlines(std::span<const Streamline> lines, const std::filesystem::path& path,
                        const Monitor& monitor = {});
 

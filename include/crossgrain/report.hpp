@@ -52,7 +52,7 @@ struct SolveReport {
 
   /// Set only if the memory did not suffice for the requested cells.
   struct Limited {
-    double resolution_asked = 0;          ///< finest cells along the longest side
+    double resolution_requested = 0;      ///< finest cells along the longest side
     std::size_t memory_bytes = 0;         ///< allowed memory
     std::size_t memory_needed_bytes = 0;  ///< approximate need of the next finer level
   };
@@ -60,9 +60,9 @@ struct SolveReport {
 
   /// Set only if the solve was stopped (Monitor::stop) before it was complete.
   struct Unfinished {
-    double resolution_asked = 0;  ///< finest cells along the longest side
-    int levels_missing = 0;       ///< number of finer levels that are missing
-    bool tets_missing = false;    ///< the field was not transferred to the requested tet mesh
+    double resolution_requested = 0;  ///< finest cells along the longest side
+    int levels_missing = 0;           ///< number of finer levels that are missing
+    bool tets_missing = false;        ///< the field was not transferred to the requested tet mesh
   };
   std::optional<Unfinished> unfinished;
 

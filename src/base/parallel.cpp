@@ -133,7 +133,8 @@ ThreadLimit::ThreadLimit(int threads) : before_(t_arena) {
 
 ThreadLimit::~ThreadLimit() {
   assert(t_arena == (arena_ ? arena_.get() : before_));
-  t_arena = before_;
+  // Another one, if limits end in another order or on another thread than they began, stays.
+  if (t_arena == arena_.get()) t_arena = before_;
   if (arena_) spare_arenas().keep(std::move(arena_));
 }
 

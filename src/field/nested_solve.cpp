@@ -153,10 +153,10 @@ class NestedSolver {
       report(Phase::kGrid, depth, result_.level.size());
       // No level follows the finest one: its neighbours end here.
       Connectivity connectivity =
-          finest ? connect(std::exchange(made.neighbours, {})) : connect(made.neighbours);
+          finest ? connect(std::vector(std::move(made.neighbours))) : connect(made.neighbours);
       solve_level(depth, std::move(connectivity), std::move(made.parent), finest);
       if (finest) return;
-      foretell(forecast, growth);
+      predict(forecast, growth);
       made = refine(std::move(made.neighbours), depth, finest_depth);
     }
   }
@@ -204,12 +204,12 @@ class NestedSolver {
     return false;
   }
 
-  void foretell(SolveForecast& forecast, const LevelGrowth& growth) {
+  void predict(SolveForecast& forecast, const LevelGrowth& growth) {
     const LevelStatistics& level = result_.levels.back();
     // A surface that encloses nothing is refused in the end, so there is nothing to expect.
     const auto& winding = result_.level.centre_winding;
     if (std::none_of(winding.begin(), winding.end(), [](int w) { return w > 0; })) return;
-    const std::optional<Expectation> expected = forecast.told_by(
+    const std::optional<Expectation> expected = forecast.forecast_from(
         level.depth, growth, level.sweeps, level.seconds, seconds_so_far_, finest_resolution());
     if (!expected) return;
     result_.expected = expected;

@@ -64,9 +64,9 @@ bool SolveForecast::fits(const LevelCounts& counts) const {
   return peak_memory(counts) <= static_cast<double>(memory_limit_);
 }
 
-std::optional<Expectation> SolveForecast::told_by(int depth, const LevelGrowth& growth, int sweeps,
-                                                  double level_seconds, double seconds_so_far,
-                                                  double finest_resolution) {
+std::optional<Expectation> SolveForecast::forecast_from(int depth, const LevelGrowth& growth, int sweeps,
+                                                        double level_seconds, double seconds_so_far,
+                                                        double finest_resolution) {
   const LevelCounts now = growth.after(0);
   const int levels_to_come = finest_depth_ - depth;
   const bool last_chance = levels_to_come == 1 || !fits(growth.after(2));

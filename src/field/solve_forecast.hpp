@@ -35,8 +35,9 @@ class SolveForecast {
 
   /// Returns the forecast once the level at `depth` is solved in `level_seconds`; `growth` is that of the
   /// level. Empty if it is too early, if it was returned before, or if the solve is too small.
-  std::optional<Expectation> told_by(int depth, const LevelGrowth& growth, int sweeps, double level_seconds,
-                                     double seconds_so_far, double finest_resolution);
+  std::optional<Expectation> forecast_from(int depth, const LevelGrowth& growth, int sweeps,
+                                           double level_seconds, double seconds_so_far,
+                                           double finest_resolution);
 
  private:
   int finest_depth_;

@@ -94,7 +94,7 @@ class Collector {
     }
   }
 
-  AskedAxes result() && { return std::move(asked_); }
+  RequestedAxes result() && { return std::move(asked_); }
 
  private:
   bool is_inside(const Vector3& place) const {
@@ -143,7 +143,7 @@ class Collector {
   const Solid& solid_;
   const GridLevel& level_;
   double step_;
-  AskedAxes asked_;
+  RequestedAxes asked_;
 };
 
 SolveReport::AngleSummary angles_of(const std::vector<AskedAxis>& asked, const Sampler& sampler) {
@@ -175,8 +175,8 @@ void check_places(const Constraints& constraints, const Box& model) {
                          Remedy::kMatchUnits));
 }
 
-AskedAxes asked_axes(const Constraints& constraints, const Solid& solid, const GridLevel& level,
-                     double step) {
+RequestedAxes requested_axes(const Constraints& constraints, const Solid& solid, const GridLevel& level,
+                             double step) {
   Collector collector(solid, level, step);
   for (const Constraints::Point& point : constraints.points) collector.add(point);
   for (const Constraints::Stress& stress : constraints.stresses) collector.add(stress);
@@ -185,7 +185,7 @@ AskedAxes asked_axes(const Constraints& constraints, const Solid& solid, const G
   return std::move(collector).result();
 }
 
-SolveReport::Constraints constraint_report(const AskedAxes& asked, const Sampler& sampler) {
+SolveReport::Constraints constraint_report(const RequestedAxes& asked, const Sampler& sampler) {
   SolveReport::Constraints report = asked.counts;
   report.points.angle_deg = angles_of(asked.points, sampler);
   report.polylines.angle_deg = angles_of(asked.polylines, sampler);
@@ -194,7 +194,7 @@ SolveReport::Constraints constraint_report(const AskedAxes& asked, const Sampler
   return report;
 }
 
-std::optional<Warning> outside_constraints_warning(const AskedAxes& asked, const std::string& source) {
+std::optional<Warning> outside_constraints_warning(const RequestedAxes& asked, const std::string& source) {
   if (!asked.first_outside) return std::nullopt;
   const auto& [points, polylines, faces, stresses, isotropic] = asked.counts;
   std::vector<std::string> parts;

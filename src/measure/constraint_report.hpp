@@ -24,7 +24,7 @@ struct AskedAxis {
 };
 
 /// All axes that constraints prescribe inside the active cells of a level.
-struct AskedAxes {
+struct RequestedAxes {
   std::vector<AskedAxis> points, polylines, faces, stresses;
   SolveReport::Constraints counts;       ///< all but the angles
   std::optional<Vector3> first_outside;  ///< first place that is in no active cell
@@ -33,13 +33,14 @@ struct AskedAxes {
 /// The axes that constraints prescribe: for polylines at the middles of pieces no longer than `step`, model
 /// units, for faces at the centroids of their pieces in cells. Axes of stresses with gaps below 0.1 are not
 /// measured.
-AskedAxes asked_axes(const Constraints& constraints, const Solid& solid, const GridLevel& level, double step);
+RequestedAxes requested_axes(const Constraints& constraints, const Solid& solid, const GridLevel& level,
+                             double step);
 
 /// The counts of `asked`, and the angles between prescribed axes and the nearest axis of the field.
-SolveReport::Constraints constraint_report(const AskedAxes& asked, const Sampler& sampler);
+SolveReport::Constraints constraint_report(const RequestedAxes& asked, const Sampler& sampler);
 
 /// A warning about constraints outside the solid; none if there are no such constraints. `source` is the file
 /// of the constraints.
-std::optional<Warning> outside_constraints_warning(const AskedAxes& asked, const std::string& source);
+std::optional<Warning> outside_constraints_warning(const RequestedAxes& asked, const std::string& source);
 
 }  // namespace crossgrain

@@ -58,16 +58,16 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
                       const SolveOptions& options) {
   SolveReport report;
   report.degree = static_cast<int>(options.degree);
-  const double resolution_asked =
+  const double resolution_requested =
       longest_side(solid.surface.box) / finest_cell_size(solid.surface.box, options);
-  report.resolution = std::ldexp(resolution_asked, -field.levels_left_out);
+  report.resolution = std::ldexp(resolution_requested, -field.levels_left_out);
   report.levels = field.levels;
   report.expected = field.expected;
   if (field.stopped)
-    report.unfinished = SolveReport::Unfinished{resolution_asked, field.levels_left_out, false};
+    report.unfinished = SolveReport::Unfinished{resolution_requested, field.levels_left_out, false};
   else if (field.levels_left_out > 0)
-    report.limited = SolveReport::Limited{resolution_asked, allowed_memory_bytes(options.max_memory_bytes),
-                                          field.memory_needed};
+    report.limited = SolveReport::Limited{
+        resolution_requested, allowed_memory_bytes(options.max_memory_bytes), field.memory_needed};
   report.energy.smoothness = field.energy.smoothness;
   report.energy.boundary = field.energy.boundary;
   report.energy.unavoidable = field.energy.unavoidable;
@@ -125,7 +125,7 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, Solved
 }
 
 /// Reports how well the interpolated field meets the constraints besides the surface.
-void describe_guides(const PreparedModel& model, const AskedAxes& asked, const SolveOptions& options,
+void describe_guides(const PreparedModel& model, const RequestedAxes& asked, const SolveOptions& options,
                      FieldData& data) {
   const double finest = finest_cell_size(model.surface().box, options);
   const Sampler sampler(data.tree, data.frames, data.open_faces);
@@ -162,8 +162,8 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   data->energy_density = std::move(solved.energy_density);
   describe_cells(model, mesh, solved, options, *data);
   monitor.check();
-  const AskedAxes asked = asked_axes(options.constraints, model.solid(), solved.level,
-                                     finest_cell_size(model.surface().box, options));
+  const RequestedAxes asked = requested_axes(options.constraints, model.solid(), solved.level,
+                                             finest_cell_size(model.surface().box, options));
   data->tree = std::move(solved.level.tree);
   data->frames = std::move(solved.frames);
   data->open_faces = std::move(solved.open_faces);

@@ -207,7 +207,7 @@ Warning memory_warning(const SolveReport& report) {
       WarningKind::kMemoryLimited,
       fmt::format("memory: {:.4g} cells along the longest side in place of {:.4g}; twice as many would need "
                   "about {:.3g} GB, and {:.3g} GB are allowed",
-                  report.resolution, limited.resolution_asked,
+                  report.resolution, limited.resolution_requested,
                   static_cast<double>(limited.memory_needed_bytes) / 1e9,
                   static_cast<double>(limited.memory_bytes) / 1e9),
       Remedy::kAllowMemory};
@@ -219,7 +219,7 @@ Warning unfinished_warning(const SolveReport& report) {
       unfinished.levels_missing == 0
           ? "the field was not carried onto the tets"
           : fmt::format("{:.4g} cells along the longest side in place of {:.4g}{}", report.resolution,
-                        unfinished.resolution_asked,
+                        unfinished.resolution_requested,
                         unfinished.tets_missing ? ", and not carried onto the tets" : "");
   return {WarningKind::kUnfinished, "unfinished: stopped before the end, " + missing, Remedy::kContinueSolve};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface/surface.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -83,6 +84,23 @@ void check_vertices(const std::vector<Vector3>& vertices) {
 
 namespace {
 
+bool is_finite(const Vector3& v) {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+void check_creases(const std::vector<CreaseCurve>& creases) {
+  for (std::size_t k = 0; k < creases.size(); ++k) {
+    const auto fail = [&](const char* text) {
+      throw Error(ErrorKind::kInput, {"", counted_from_0("crease", k), text});
+    };
+    const auto& [points, tangents, tag, is_tagged] = creases[k];
+    if (points.size() != tangents.size()) fail("needs one tangent for each point");
+    if (!std::all_of(points.begin(), points.end(), is_finite) ||
+        !std::all_of(tangents.begin(), tangents.end(), is_finite))
+      fail("has a coordinate that is not finite");
+  }
+}
+
 void check_mesh(const TriangleMesh& mesh) {
   check_vertices(mesh.vertices);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -100,6 +118,13 @@ void check_mesh(const TriangleMesh& mesh) {
   check_count(mesh.faces, mesh.triangles.size(), "faces");
   check_count(mesh.solids, mesh.triangles.size(), "solids");
   check_count(mesh.corner_normals, mesh.triangles.size(), "corner_normals");
+  for (std::size_t t = 0; t < mesh.corner_normals.size(); ++t) {
+    const auto& normals = mesh.corner_normals[t];
+    if (!std::all_of(normals.begin(), normals.end(), is_finite))
+      throw Error(ErrorKind::kInput,
+                  {"", counted_from_0("triangle", t), "has a corner normal that is not finite"});
+  }
+  check_creases(mesh.creases);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ void check_vertices(const std::vector<Vector3>& vertices);
 
 /// A mesh with finite coordinates (as `check_vertices` demands), indices in range, and per-triangle arrays of
 /// the right length. Functions on triangles take a CheckedMesh, so that a mesh is validated once, where it
-/// comes in. A TriangleMesh converts implicitly.
+/// comes in.
 class CheckedMesh {
  public:
   /// Throws Error(kInput) as `check_vertices` does; otherwise the message names the triangle or inner face,

@@ -86,7 +86,7 @@ std::vector<CreaseCurve> creases_of(const TetSolid& solid, const std::vector<Inn
                                     const std::vector<Edge>& followed) {
   TriangleMesh faces{solid.mesh.vertices, solid.boundary};
   for (const InnerWall& wall : walls) faces.triangles.push_back(wall.vertices);
-  return sharp_curves(prepare_surface(std::move(faces)), CreaseAngles{}, followed);
+  return sharp_curves(prepare_surface(CheckedMesh::derived(std::move(faces))), CreaseAngles{}, followed);
 }
 
 /// Drops the vertices that no triangle and no inner face uses.

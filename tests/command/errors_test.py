@@ -24,7 +24,8 @@ class WrongUsage(CommandTest):
         self.assertIn("solve", result.stderr)
 
     def test_help_and_version_are_no_errors(self):
-        for arguments in (["--help"], ["solve", "--help"], ["sample", "--help"], ["spectrum", "--help"], ["--version"]):
+        for arguments in (["--help"], ["solve", "--help"], ["sample", "--help"], ["spectrum", "--help"], ["--version"], ["help"],
+                          ["help", "solve"]):
             result = run(*arguments)
             self.assert_succeeds(result)
             self.assertNotEqual(result.stdout, "")
@@ -32,10 +33,24 @@ class WrongUsage(CommandTest):
 
     def test_unknown_options_and_commands_are_refused(self):
         self.refuse(["solve", "a.stl", "--wrong"], "--wrong")
-        self.refuse(["resolve"], "resolve")
+        self.refuse(["resolve"], "unknown command 'resolve'", "did you mean 'solve'?")
+        self.refuse(["sovle", "a.stl"], "unknown command 'sovle'", "did you mean 'solve'?")
+        self.refuse(["help", "chekc"], "did you mean 'check'?")
+        self.refuse(["frobnicate"], "unknown command 'frobnicate';")
         self.refuse(["solve"], "MODEL")
         self.refuse(["sample", "a.frames"], "POINTS")
         self.refuse(["solve", "a.stl", "b.stl"], "b.stl")
+
+    def test_help_of_a_command_is_the_same_either_way(self):
+        self.assertEqual(run("help", "check").stdout, run("check", "--help").stdout)
+        self.assertEqual(run("help").stdout, run("--help").stdout)
+
+    def test_a_model_without_a_command_is_probably_to_be_solved(self):
+        (self.folder / "part.stl").write_bytes(stl_bytes(box_triangles()))
+        self.assert_fails(self.run_here("part.stl"), USAGE, "did you mean 'crossgrain solve part.stl'?")
+
+    def test_a_picture_that_is_no_png_is_refused(self):
+        self.refuse(["render", "a.frames", "-o", "a.jpg"], "a.jpg", "PNG")
 
     def test_values_out_of_range_are_refused(self):
         for option, value in [("--degree", "5"), ("--degree", "four"), ("--resolution", "3"), ("--resolution", "-1"),

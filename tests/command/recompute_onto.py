@@ -147,6 +147,17 @@ class OntoRecomputation:
                 others += [np.abs(self.axes[vertex] @ normal[face]).max() for face in faces]
         return summary(angles_deg(np.array(smooth))), summary(angles_deg(np.array(others)))
 
+    def evaluation(self):
+        """Energies, singular faces, and angles between frames and normals, in the form of `onto` in report.json."""
+        normal, crease = (dict(zip(("mean", "p95", "max"), values)) for values in self.alignment())
+        return {
+            "dirichlet": self.dirichlet(),
+            "edge_sum": self.edge_sum(),
+            "singular": {"interior_faces": self.singular(self.inner), "boundary_faces": self.singular(self.boundary)},
+            "normal_deg": normal,
+            "crease_deg": crease,
+        }
+
     def disagreements(self, onto):
         """One line for each number of the report that is not what the files say."""
         normal, crease = self.alignment()

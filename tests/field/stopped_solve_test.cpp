@@ -47,13 +47,15 @@ SolvedField stopped(const TestSolid& part, StoppingMonitor& monitor, const Solve
 
 /// A solve that ends `levels_left_out` levels above the finest one for want of memory.
 SolvedField ended_by_memory(const TestSolid& part, SolveOptions options, int levels_left_out) {
-  for (std::size_t more = 6000000;; more += more / 8) {
+  constexpr std::size_t kFirst = 6000000, kLast = 1000000000;  // bytes
+  SolvedField field;
+  for (std::size_t more = kFirst; more < kLast; more += more / 8) {
     options.max_memory_bytes = current_memory_bytes() + more;
-    SolvedField field = nested_solve(part.solid(), options, Monitor());
-    if (field.levels_left_out > levels_left_out) continue;
-    EXPECT_EQ(field.levels_left_out, levels_left_out) << "no budget ends there";
-    return field;
+    field = nested_solve(part.solid(), options, Monitor());
+    if (field.levels_left_out <= levels_left_out) break;
   }
+  EXPECT_EQ(field.levels_left_out, levels_left_out) << "no budget ends there";
+  return field;
 }
 
 bool same_bits(const std::vector<StoredQuaternion>& a, const std::vector<StoredQuaternion>& b) {

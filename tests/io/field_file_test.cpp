@@ -156,7 +156,7 @@ TEST(ReportFile, GivesTheReportBack) {
   EXPECT_EQ(read.expected->seconds, written.expected->seconds);
   EXPECT_EQ(read.limited->memory_needed_bytes, written.limited->memory_needed_bytes);
   ASSERT_TRUE(read.unfinished);
-  EXPECT_EQ(read.unfinished->resolution_asked, written.unfinished->resolution_asked);
+  EXPECT_EQ(read.unfinished->resolution_requested, written.unfinished->resolution_requested);
   EXPECT_EQ(read.unfinished->levels_missing, written.unfinished->levels_missing);
   EXPECT_TRUE(read.unfinished->tets_missing);
 }

@@ -34,7 +34,7 @@ Streamline helix(std::size_t count, std::size_t seed_point, std::size_t number) 
   return line;
 }
 
-/// Of two points and of so many that arrays take several blocks.
+/// Returns lines of two points and of so many that arrays take several blocks.
 std::vector<Streamline> made_lines() {
   std::vector<Streamline> lines;
   for (std::size_t k = 0; k < 40; ++k) lines.push_back(helix(2 + 137 * k, k, k));
@@ -82,6 +82,16 @@ TEST(StreamlineFile, HasTheLinesPointsAndWhatIsKnownOfThem) {
     }
   }
   EXPECT_EQ(row, file.points());
+}
+
+TEST(StreamlineFile, IsNotWrittenOfLinesThatContradictThemselves) {
+  const TemporaryFolder folder;
+  Streamline few_tangents = helix(5, 2, 0), seed_elsewhere = helix(5, 2, 1);
+  few_tangents.tangents.pop_back();
+  seed_elsewhere.seed_point = 5;
+  for (const Streamline& line : {few_tangents, seed_elsewhere})
+    EXPECT_THROW(write_streamlines(std::vector{line}, folder.path() / "lines.vtu"), Error);
+  EXPECT_TRUE(folder.names().empty());
 }
 
 TEST(StreamlineFile, GivesThePointsOfItsLinesBack) {

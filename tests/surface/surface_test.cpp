@@ -134,5 +134,23 @@ TEST(Surface, NamesTheTriangleWhoseIndexIsOutOfRange) {
             std::string::npos);
 }
 
+TEST(Surface, NamesTheCreaseThatContradictsItself) {
+  TriangleMesh mesh = one_triangle();
+  mesh.creases.push_back({{{0, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}});
+  EXPECT_NO_THROW(prepare_surface(mesh));
+  mesh.creases.push_back({{{0, 0, 0}, {1, 0, 0}}, {{1, 0, 0}}});
+  EXPECT_NE(complaint(mesh).find("crease 1 (counted from 0): needs one tangent for each point"),
+            std::string::npos);
+  mesh.creases[1].tangents.push_back({NAN, 0, 0});
+  EXPECT_NE(complaint(mesh).find("crease 1 (counted from 0): has a coordinate that is not finite"),
+            std::string::npos);
+}
+
+TEST(Surface, RefusesCornerNormalsThatAreNotFinite) {
+  TriangleMesh mesh = one_triangle();
+  mesh.corner_normals = {{Vector3{0, 0, 1}, Vector3{0, INFINITY, 1}, Vector3{0, 0, 1}}};
+  EXPECT_NE(complaint(mesh).find("triangle 0 (counted from 0): has a corner normal"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace crossgrain

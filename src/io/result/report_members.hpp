@@ -157,14 +157,14 @@ void describe_expected(File& file, Expected& expected) {
 
 template <class File, class Limited>
 void describe_limited(File& file, Limited& limited) {
-  file.member("resolution_asked", limited.resolution_asked);
+  file.member("resolution_asked", limited.resolution_requested);
   file.member("memory_bytes", limited.memory_bytes);
   file.member("memory_needed_bytes", limited.memory_needed_bytes);
 }
 
 template <class File, class Unfinished>
 void describe_unfinished(File& file, Unfinished& unfinished) {
-  file.member("resolution_asked", unfinished.resolution_asked);
+  file.member("resolution_asked", unfinished.resolution_requested);
   file.member("levels_missing", unfinished.levels_missing);
   file.member("tets_missing", unfinished.tets_missing);
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of the files in a result folder.
+// Names of the files in a result folder; crossgrain/io.hpp has those that programs need.
 #pragma once
+
+#include "crossgrain/io.hpp"
 
 namespace crossgrain {
 
 inline constexpr const char* kFieldFile = "field.vtu";
-inline constexpr const char* kSingularityFile = "singularities.vtu";
 inline constexpr const char* kSurfaceFile = "surface.vtu";
 inline constexpr const char* kReportFile = "report.json";
 

@@ -113,6 +113,16 @@ void check_regular(const std::filesystem::path& path) {
   throw Error(ErrorKind::kOutput, {path.string(), "", "is not a regular file", Remedy::kNameOutput});
 }
 
+void check_lines(std::span<const Streamline> lines) {
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const Streamline& line = lines[k];
+    if (line.tangents.size() == line.points.size() && line.seed_point < line.points.size()) continue;
+    throw Error(ErrorKind::kUsage,
+                "streamline " + std::to_string(k) +
+                    " (counted from 0) must have a tangent for each point, and its seed among the points");
+  }
+}
+
 }  // namespace
 
 void check_streamline_file(const std::filesystem::path& path) {
@@ -122,6 +132,7 @@ void check_streamline_file(const std::filesystem::path& path) {
 
 void write_streamlines(std::span<const Streamline> lines, const std::filesystem::path& path,
                        const Monitor& monitor) {
+  check_lines(lines);
   check_regular(path);
   OutputFile file(path);
   const LinesInFile in_file(lines);
