@@ -40,10 +40,10 @@ std::string unknown_command(const std::string& word, const std::vector<std::stri
         return changes_between(word, a) < changes_between(word, b);
       });
   if (nearest != commands.end() && changes_between(word, *nearest) <= kMostChanges)
-    return error + "; did you mean '" + *nearest + "'?";
+    return error + " (did you mean '" + *nearest + "'?)";
   std::error_code ignored;
   if (std::filesystem::is_regular_file(word, ignored))
-    return error + "; did you mean 'crossgrain solve " + word + "'?";
+    return error + " (did you mean 'crossgrain solve " + word + "'?)";
   return error;
 }
 

@@ -35,12 +35,6 @@ std::size_t room_on_line() {
   return (is_known ? size.ws_col : kUsualWidth) - 1;
 }
 
-std::string cells_text(std::size_t cells) {
-  constexpr double kMillion = 1e6;
-  if (static_cast<double>(cells) < kMillion) return fmt::format("{} cells", cells);
-  return fmt::format("{:.3g} million cells", static_cast<double>(cells) / kMillion);
-}
-
 std::string level_text(const Progress& progress, double seconds) {
   std::string text = fmt::format("level {} of {}: ", progress.level, progress.levels);
   text += progress.cells == 0 ? "making cells" : cells_text(progress.cells);
@@ -78,6 +72,12 @@ double seconds_of(std::chrono::steady_clock::duration duration) {
 }
 
 }  // namespace
+
+std::string cells_text(std::size_t cells) {
+  constexpr double kMillion = 1e6;
+  if (static_cast<double>(cells) < kMillion) return fmt::format("{} cells", cells);
+  return fmt::format("{:.3g} million cells", static_cast<double>(cells) / kMillion);
+}
 
 ProgressLines::ProgressLines(bool shown) : shown_(shown), moving_(shown && can_move_lines()) {
   if (moving_) mover_ = std::thread([this] { keep_moving(); });

@@ -14,6 +14,9 @@
 
 namespace crossgrain::app {
 
+/// Returns "107184 cells" or, from a million on, "1.07 million cells".
+std::string cells_text(std::size_t cells);
+
 /// Shows progress on standard error: one line per level of the solve, and one per other phase. On a terminal
 /// the current line is rewritten in place, even without reports, and fits the current width of the terminal.
 /// Elsewhere, and on a dumb terminal, a line appears in plain characters once its level or phase is finished.

@@ -214,11 +214,6 @@ void announce_stop(const std::string& what_is_written) {
   print_message("interrupted: writing " + what_is_written + "; press Ctrl-C again to discard it");
 }
 
-std::string millions(std::size_t cells) {
-  if (cells < 1000000) return fmt::format("{} cells", cells);
-  return fmt::format("{:.3g} million cells", static_cast<double>(cells) / 1e6);
-}
-
 /// Returns the field on the tets; none if a stop comes before it is complete.
 std::optional<TetFrameField> carried(const SolveArguments& arguments, const SolveOptions& options,
                                      const FrameField& field, const TetDomain& domain, const Monitor& monitor,
@@ -231,7 +226,7 @@ std::optional<TetFrameField> carried(const SolveArguments& arguments, const Solv
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kInterrupted || monitor.cancelled()) throw;
     leave_line();
-    announce_stop(fmt::format("the field on the grid, {}, and none on the tets", millions(field.size())));
+    announce_stop(fmt::format("the field on the grid, {}, and none on the tets", cells_text(field.size())));
     return std::nullopt;
   }
 }
@@ -304,7 +299,7 @@ int run_solve(const SolveArguments& arguments) {
       if (is_stopped_level) {
         lines.leave_line();
         announce_stop(
-            fmt::format("level {} of {}, {}", progress.level, progress.levels, millions(progress.cells)));
+            fmt::format("level {} of {}, {}", progress.level, progress.levels, cells_text(progress.cells)));
       }
       lines.show(progress);
     };
