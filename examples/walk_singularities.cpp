@@ -22,7 +22,7 @@ int main() {
       std::printf("%s of %zu arcs at (%.2f, %.2f, %.2f)\n", node.on_boundary ? "end" : "node", node.degree(),
                   node.place[0], node.place[1], node.place[2]);
     if (graph.arcs.size() != 4 || graph.nodes.size() != 8) return 1;
-    std::puts(graph.is_meshable() ? "hexahedra can follow it" : "no hexahedra can follow it");
+    std::puts(crossgrain::name_of(graph.verdict()));
   } catch (const Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

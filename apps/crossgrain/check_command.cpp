@@ -32,46 +32,6 @@ std::size_t arcs_of_index(const Singularity& graph, double index) {
                                                 [&](const auto& arc) { return arc.index == index; }));
 }
 
-/// Returns why hexahedra cannot have an arc of this type.
-const char* fault_of(SingularityGraph::ArcType type) {
-  switch (type) {
-    case SingularityGraph::ArcType::kAcross:
-      return "its frames rotate about an axis across it";
-    case SingularityGraph::ArcType::kChanging:
-      return "its index changes along it";
-    case SingularityGraph::ArcType::kNoAxis:
-      return "its frames rotate about none of their axes";
-    case SingularityGraph::ArcType::kRegular:
-      break;
-  }
-  return "it has index +1/2";
-}
-
-/// Returns the first fault and its place.
-std::string first_fault(const Singularity& graph) {
-  const auto is_bad = [](const auto& part) {
-    return part.verdict == SingularityGraph::Verdict::kNotMeshable;
-  };
-  const auto place = [](const Vector3& p) {
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", p[0], p[1], p[2]);
-  };
-  const auto arc = std::find_if(graph.arc_list.begin(), graph.arc_list.end(), is_bad);
-  if (arc != graph.arc_list.end()) {
-    return fmt::format("arc {} at {}: {}", arc - graph.arc_list.begin(), place(arc->place),
-                       fault_of(arc->type));
-  }
-  const auto node = std::find_if(graph.node_list.begin(), graph.node_list.end(), is_bad);
-  if (node == graph.node_list.end()) return "";
-  return fmt::format("node {} at {}: no hexahedra meet like its {} arcs", node - graph.node_list.begin(),
-                     place(node->place), node->arcs.size());
-}
-
-std::string verdict_of(const Singularity& graph) {
-  if (!graph.meshable) return "NOT MESHABLE; first " + first_fault(graph);
-  if (graph.undecided_nodes > 0) return "UNDECIDED: some nodes have too many hexahedra to be judged";
-  return "MESHABLE: a hexahedral mesh can have each of these arcs and nodes";
-}
-
 /// Returns a line about what is missing if the solve was stopped.
 std::string unfinished_line(const SolveReport& report) {
   if (!report.unfinished) return "";
@@ -85,38 +45,100 @@ std::string unfinished_line(const SolveReport& report) {
   return "UNFINISHED, the solve was stopped: " + missing + "\n";
 }
 
-std::string text_of(const Graphs& graphs, std::size_t cells) {
+std::string numbers_of(const Graphs& graphs, std::size_t cells) {
   const auto count = [](std::size_t number) { return fmt::format("{}", number); };
+  const auto listed = [&](const auto& parts, Verdict verdict) {
+    return count(static_cast<std::size_t>(std::count_if(
+        parts.begin(), parts.end(), [&](const auto& part) { return part.verdict == verdict; })));
+  };
   std::string text = graphs.size() > 1
                          ? fmt::format("a field on tets, from one on a grid of {} cells\n", cells)
                          : fmt::format("a field on a grid of {} cells\n", cells);
   text += fmt::format("{:<22}", "");
   if (graphs.size() > 1) text += fmt::format("{:>18}", "tets");
   text += fmt::format("{:>18}\n", "grid");
-  text += row_of("singular edges", graphs, [&](const auto& g) { return count(g.edges); });
   text += row_of("arcs", graphs, [&](const auto& g) { return count(g.arcs); });
   text += row_of("index 1/4, -1/4, +-1/2", graphs, [](const auto& g) {
     return fmt::format("{}, {}, {}", arcs_of_index(g, 0.25), arcs_of_index(g, -0.25),
                        arcs_of_index(g, 0.5) + arcs_of_index(g, -0.5));
   });
+  text += row_of("too short to tell", graphs, [&](const auto& g) {
+    return count(g.short_arcs + g.unresolved_loops + g.unresolved_stubs);
+  });
   text += row_of("nodes", graphs, [&](const auto& g) { return count(g.nodes); });
   text += row_of("ends on the surface", graphs, [&](const auto& g) { return count(g.boundary_ends); });
-  text += row_of("not meshable arcs", graphs, [&](const auto& g) { return count(g.not_meshable_arcs); });
-  text += row_of("not meshable nodes", graphs, [&](const auto& g) { return count(g.not_meshable_nodes); });
-  return text + verdict_of(graphs.front()) + "\n";
+  text += row_of("impossible arcs", graphs, [&](const auto& g) { return count(g.not_meshable_arcs); });
+  text += row_of("impossible nodes", graphs, [&](const auto& g) { return count(g.not_meshable_nodes); });
+  text += row_of("impossible creases", graphs,
+                 [&](const auto& g) { return listed(g.crease_list, Verdict::kNotMeshable); });
+  return text + row_of("impossible corners", graphs,
+                       [&](const auto& g) { return listed(g.corner_list, Verdict::kNotMeshable); });
+}
+
+/// Says what grows with the resolution or costs quality, without being a fault.
+std::string remarks_on(const Singularity& graph) {
+  std::string text;
+  double oblique = 0, length = 0;
+  for (const Singularity::Arc& arc : graph.arc_list) {
+    oblique += arc.oblique_length;
+    length += arc.length;
+  }
+  if (oblique > 0)
+    text +=
+        fmt::format("arcs run oblique to their frames along {:.3g} of {:.3g}: hexahedra are sheared there\n",
+                    oblique, length);
+  if (graph.contacts > 0)
+    text +=
+        fmt::format("{} of {} singular edges touch the surface where no arc ends: hexahedra are flat there\n",
+                    graph.contacts, graph.edges);
+  return text;
+}
+
+std::string comparison_with(const SolveReport::Coarser& coarser, const Singularity& graph) {
+  std::string text = fmt::format("at half the resolution: {} arcs, {} nodes, {} ends on the surface",
+                                 coarser.arcs, coarser.nodes, coarser.boundary_ends);
+  const bool same = coarser.differences.empty() && coarser.verdict == graph.verdict &&
+                    coarser.arcs == graph.arcs && coarser.nodes == graph.nodes &&
+                    coarser.boundary_ends == graph.boundary_ends;
+  if (same) return text + ", the same\n";
+  text += "; others\n";
+  constexpr std::size_t kMost = 5;
+  for (std::size_t k = 0; k < std::min(coarser.differences.size(), kMost); ++k) {
+    const auto& difference = coarser.differences[k];
+    const auto& [x, y, z] = difference.place;
+    text += fmt::format("  only {}: an arc of index {:+g} at {:.6g} {:.6g} {:.6g}\n",
+                        difference.only_coarser ? "there" : "here", difference.index, x, y, z);
+  }
+  if (coarser.differences.size() > kMost)
+    text += fmt::format("  and {} more; --json lists all\n", coarser.differences.size() - kMost);
+  return text;
+}
+
+std::string reasons_of(const Answer& answer) {
+  std::string text = sentence_of(answer) + "\n";
+  for (std::size_t k = 1; k < answer.reasons.size(); ++k) {
+    Answer one{answer.reasons[k].verdict, {answer.reasons[k]}};
+    text += "  also " + sentence_of(one) + "\n";
+  }
+  return text;
 }
 
 }  // namespace
 
 void run_check(const CheckArguments& arguments) {
   const FrameField field = read_field(arguments.field);
+  const SolveReport& report = field.report();
+  if (arguments.json) {
+    print_result(check_json(report));
+    return;
+  }
   Graphs graphs;
-  if (const auto onto = read_onto_singularities(arguments.field)) graphs.push_back(summary_of(*onto));
-  graphs.push_back(summary_of(field.singularities()));
-  if (arguments.json)
-    print_result(singularity_json(graphs.back(), graphs.size() > 1 ? &graphs.front() : nullptr));
-  else
-    print_result(unfinished_line(field.report()) + text_of(graphs, field.size()));
+  if (report.onto) graphs.push_back(report.onto->singularity);
+  graphs.push_back(report.singularity);
+  std::string text = unfinished_line(report) + reasons_of(report.answer) + numbers_of(graphs, field.size()) +
+                     remarks_on(graphs.front());
+  if (report.coarser && !report.onto) text += comparison_with(*report.coarser, report.singularity);
+  print_result(text);
 }
 
 }  // namespace crossgrain::app

@@ -123,9 +123,8 @@ FrameField solve_model(const SolveArguments& arguments, const SolveOptions& opti
 
 std::string singularity_line(const SolveReport::Singularity& singularity) {
   if (singularity.arcs == 0) return "none";
-  return fmt::format("{} arcs, {:.4g} long in all, {} nodes, {} ends on the surface{}", singularity.arcs,
-                     singularity.length, singularity.nodes, singularity.boundary_ends,
-                     singularity.meshable ? "" : "; no hexahedral mesh can have all of them");
+  return fmt::format("{} arcs, {:.4g} long in all, {} nodes, {} ends on the surface", singularity.arcs,
+                     singularity.length, singularity.nodes, singularity.boundary_ends);
 }
 
 std::string tets_lines(const SolveReport::Onto& onto) {
@@ -171,8 +170,9 @@ std::string files_line(const SolveReport& report, const SolveArguments& argument
 
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
   const auto& alignment = report.alignment_deg;
-  std::string text = fmt::format("{} triangles, {}\n", report.model.triangles,
-                                 report.model.watertight ? "watertight" : "not watertight");
+  std::string text = "verdict    " + sentence_of(report.answer) + "\n";
+  text += fmt::format("{} triangles, {}\n", report.model.triangles,
+                      report.model.watertight ? "watertight" : "not watertight");
   if (report.onto) text += tets_lines(*report.onto) + "grid       that the tets started from:\n";
   if (!report.levels.empty()) text += fmt::format("cells      {}\n", report.levels.back().active_cells);
   text += fmt::format(

@@ -254,8 +254,8 @@ std::string report_json(const SolveReport& report);
 /// SpectrumReport, with matrices as lists of rows.
 std::string spectrum_json(const SpectrumReport& report);
 
-/// Returns the singular graphs of a field on the grid and, unless null, on tets as JSON: {grid, tets}, each
-/// like `singularity` in report.json (docs/report.md).
-std::string singularity_json(const SolveReport::Singularity& grid, const SolveReport::Singularity* tets);
+/// Returns what `crossgrain check --json` prints: the answer, and the singular graphs of the grid and, if
+/// there are any, of the tets, as in report.json (docs/report.md).
+std::string check_json(const SolveReport& report);
 
 }  // namespace crossgrain

@@ -12,6 +12,7 @@
 #include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/statistics.hpp"
 #include "crossgrain/types.hpp"
+#include "crossgrain/verdict.hpp"
 
 namespace crossgrain {
 
@@ -97,17 +98,23 @@ struct SolveReport {
     std::size_t nodes = 0;             ///< number of points where arcs meet, including those near the surface
     std::size_t boundary_ends = 0;     ///< number of points where arcs reach the surface
     std::size_t unresolved_loops = 0;  ///< number of closed arcs of a few cells, not counted as arcs
+    std::size_t unresolved_stubs = 0;  ///< as in SingularityGraph
+    std::size_t short_arcs = 0;        ///< arcs of a few cells, counted as arcs
 
-    /// Whether a hexahedral mesh can have all arcs and nodes, and the number of those that it cannot have.
-    bool meshable = true;
+    /// On tets, number of singular edges with one end on the surface where no arc ends: each flattens the
+    /// layer of hexahedra under the surface.
+    std::size_t contacts = 0;
+
+    /// SingularityGraph::verdict, and the number of arcs and nodes to which it is due.
+    Verdict verdict{};
     std::size_t not_meshable_arcs = 0, not_meshable_nodes = 0, undecided_nodes = 0;
 
     struct Arc {
       SingularityGraph::ArcType type{};
       double index = 0;  ///< SingularityGraph::Arc::index
-      SingularityGraph::Verdict verdict{};
+      Verdict verdict{};
       double length = 0;                 ///< length of the smooth curve
-      double across_length = 0;          ///< length of the part where frames do not rotate about the arc
+      double oblique_length = 0;         ///< length of the part where the axis is more than 45 degrees off it
       bool on_boundary = false;          ///< an end is on the boundary
       Vector3 place{};                   ///< its middle
       std::vector<std::uint32_t> nodes;  ///< nodes at its ends, indices in node_list; empty if closed
@@ -115,17 +122,59 @@ struct SolveReport {
     struct Node {
       Vector3 place{};
       bool on_boundary = false;
-      SingularityGraph::Verdict verdict{};
+      Verdict verdict{};
       std::vector<std::uint32_t> arcs;  ///< arcs that end here, indices in arc_list
     };
     std::vector<Arc> arc_list;
     std::vector<Node> node_list;
+
+    /// A crease of the surface with other than two hexahedra, or where rounding decides.
+    struct Crease {
+      int hexahedra = 0;           ///< k: the quarter turns of its solid as frames see it
+      double angle_deg = 0;        ///< mean angle of the solid
+      double least_angle_deg = 0;  ///< smallest one
+      double length = 0;           ///< model units
+      double followed = 0;         ///< share of the length where frames see k quarter turns
+      Verdict verdict{};
+      Vector3 place{};  ///< middle of the edge of the least angle
+    };
+
+    /// A vertex of the surface where such creases end.
+    struct Corner {
+      std::int64_t hexahedra = 0;  ///< F, with `arcs`
+      std::vector<int> creases;    ///< k of its creases in cyclic order, without those of 2
+      std::vector<int> arcs;       ///< numbers of hexahedra of the arcs that it needs to have a link
+      Verdict verdict{};
+      Vector3 place{};
+    };
+    std::vector<Crease> crease_list;
+    std::vector<Corner> corner_list;
   } singularity;
+
+  /// The singular lines of the level before the last; none if there was no such level.
+  struct Coarser {
+    double resolution = 0;  ///< finest cells along the longest side
+    std::size_t arcs = 0, nodes = 0, boundary_ends = 0;
+    Verdict verdict{};  ///< of its arcs and nodes
+
+    /// An arc without a counterpart of the same index nearby on the other level.
+    struct Difference {
+      bool only_coarser = false;
+      double index = 0;
+      Vector3 place{};  ///< its middle
+    };
+    std::vector<Difference> differences;
+  };
+  std::optional<Coarser> coarser;
+
+  /// Whether a hexahedral mesh can follow the field, and why not.
+  Answer answer;
 
   /// Walls that the finest cells do not resolve.
   struct Walls {
     double cells_wanted = 0;          ///< RefinementOptions::thickness_cells
     double thin_share = 0;            ///< share of the surface's area at walls of fewer cells
+    double unresolved_share = 0;      ///< share at walls of fewer than AnswerOptions::wall_cells
     double thinnest_cells = 0;        ///< thickness of the thinnest wall in cells; 0 if there are no walls
     std::size_t two_sheet_cells = 0;  ///< cells with both sides of a wall or gap
     std::size_t tied_cells = 0;       ///< cells in small groups without an open face to other cells
@@ -206,8 +255,11 @@ struct SolveReport {
       std::size_t interior_faces = 0, boundary_faces = 0;
     } singular;
 
-    AngleSummary normal_deg;  ///< area-weighted normal to nearest axis, at smooth boundary vertices
-    AngleSummary crease_deg;  ///< normal of each face to nearest axis, at other boundary vertices
+    double edge_length = 0;       ///< TetDomain::typical_edge_length
+    double unfollowed_share = 0;  ///< share of the surface's area off the axes of its tets' frames by more
+                                  ///< than AnswerOptions::unfollowed_deg
+    AngleSummary normal_deg;      ///< area-weighted normal to nearest axis, at smooth boundary vertices
+    AngleSummary crease_deg;      ///< normal of each face to nearest axis, at other boundary vertices
 
     /// Tagged edge to nearest axis, at both ends; none if there are no tagged edges.
     std::optional<AngleSummary> feature_edge_deg;
@@ -231,7 +283,7 @@ struct SolveReport {
 };
 
 /// Returns the summary of a graph for the report.
-SolveReport::Singularity summary_of(const SingularityGraph& graph);
+SolveReport::Singularity summary_of(const SingularityGraph& graph, const SingularityOptions& options = {});
 
 /// Marks the report of a field on the grid that was not transferred to the requested tet mesh because of a
 /// stop: sets `unfinished` and adds the warning.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "crossgrain/types.hpp"
+#include "crossgrain/verdict.hpp"
 
 namespace crossgrain {
 
@@ -16,19 +17,12 @@ namespace crossgrain {
 /// Arcs are smooth curves within SingularityOptions::shift_cells of the singular edges of cells or tets.
 /// Nodes that the cells cannot resolve are merged. The order of the lists depends on the field only.
 struct SingularityGraph {
-  /// The rotation of a frame that is carried once around an arc.
+  /// The rotation of a frame that is carried once around an arc. Its sense is that of the cosine between its
+  /// axis and the arc: however oblique, hexahedra can have an arc of one sense.
   enum class ArcType : std::uint8_t {
-    kRegular = 0,   ///< by a quarter or half turn about the axis along the arc, as in a hexahedral mesh
-    kAcross = 1,    ///< about an axis of the frame other than the one along the arc
-    kChanging = 2,  ///< in different senses on different parts of the arc
-    kNoAxis = 3,    ///< by a third or half turn about a diagonal of the frame
-  };
-
-  /// Whether a hexahedral mesh can have such an arc or node, locally.
-  enum class Verdict : std::uint8_t {
-    kMeshable = 0,
-    kNotMeshable = 1,
-    kUndecided = 2,  ///< a node with too many hexahedra to judge
+    kRegular = 0,   ///< by a quarter or half turn, of one sense along the arc, as in a hexahedral mesh
+    kChanging = 1,  ///< of different senses on different parts: the arc has a turning point
+    kNoAxis = 2,    ///< by a third or half turn about a diagonal of the frame
   };
 
   struct Arc {
@@ -44,8 +38,9 @@ struct SingularityGraph {
     double index = 0;
 
     Verdict verdict = Verdict::kMeshable;
-    double length = 0;         ///< length of the smooth curve, model units
-    double across_length = 0;  ///< length of the part where the rotation is not about the arc
+    double length = 0;          ///< length of the smooth curve, model units
+    double length_cells = 0;    ///< length of its edges in sizes of the cells there; 0 if read from a file
+    double oblique_length = 0;  ///< length of the part where the axis is more than 45 degrees off the arc
 
     /// Nodes at the first and the last point; none for a closed arc without nodes.
     std::optional<std::array<std::uint32_t, 2>> nodes;
@@ -60,7 +55,9 @@ struct SingularityGraph {
     std::vector<std::uint32_t>
         arcs;  ///< arcs that end here, ascending; one with both ends here is listed twice
 
-    /// For an inner node, whether hexahedra can meet with these arcs; kMeshable on the boundary.
+    /// Whether hexahedra can meet with these arcs. On the boundary arcs that end within a few cells of one
+    /// another may end apart, so that a node is undecided where they leave no hexahedron together, and
+    /// meshable otherwise.
     Verdict verdict = Verdict::kMeshable;
 
     std::size_t degree() const { return arcs.size(); }
@@ -77,14 +74,20 @@ struct SingularityGraph {
   /// Number of closed arcs too short to be resolved (SingularityOptions::loop_cells); not among the arcs.
   std::size_t unresolved_loops = 0;
 
-  bool is_meshable() const;  ///< true unless an arc or a node is kNotMeshable
+  /// Number of arcs of third turns no longer than SingularityOptions::merge_cells from surface to surface;
+  /// not among the arcs.
+  std::size_t unresolved_stubs = 0;
+
+  /// On tets, number of singular edges with one end on the surface where no arc ends: an arc that runs along
+  /// the surface touches it.
+  std::size_t contacts = 0;
+
+  /// The verdict of the worst arc or node: kNotMeshable, kUndecided, kMeshable.
+  Verdict verdict() const;
 };
 
-/// Returns the name in report.json: "regular", "across", "changing" or "no_axis".
+/// Returns the name in report.json: "regular", "changing" or "no_axis".
 const char* name_of(SingularityGraph::ArcType type);
-
-/// Returns the name in report.json: "meshable", "not_meshable" or "undecided".
-const char* name_of(SingularityGraph::Verdict verdict);
 
 /// How singular edges become a graph. Lengths are in sizes of the local cells, or in mean edge lengths of the
 /// local tets.
@@ -104,8 +107,19 @@ struct SingularityOptions {
   /// Rounds of averaging over neighbours: enough to straighten steps every ten cells.
   int smoothing_rounds = 100;
 
-  /// Largest length over which a rotation across the arc is attributed to the steps of the grid.
-  double across_cells = 6;
+  /// The sense of a rotation is noise where its axis is nearly across the arc: an arc changes its sense where
+  /// the cosine between them is above `sign_cosine` over a length of `sign_cells`, and below -`sign_cosine`
+  /// over as long a part. docs/notes/fields.md has the sweep.
+  double sign_cosine = 0.2;
+  double sign_cells = 3;
+
+  /// Angle within which of 45, 135, 225 or 315 degrees of solid the number of hexahedra at a crease is left
+  /// to the frames, or undecided.
+  double rounding_deg = 5;
+
+  /// Smallest angle by which the surface turns at a crease, and by which a crease turns at a corner, for
+  /// these numbers: as on tets (tets/boundary_vertices.hpp).
+  double sharp_deg = 30, bend_deg = 45;
 };
 
 }  // namespace crossgrain

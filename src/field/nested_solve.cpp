@@ -107,11 +107,12 @@ template <int D>
 class NestedSolver {
  public:
   NestedSolver(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-               const InitialFrame& initial_frame, double seconds_before)
+               const InitialFrame& initial_frame, double seconds_before, const VisitLevel& visit_level)
       : solid_(solid),
         options_(options),
         monitor_(monitor),
         initial_frame_(initial_frame),
+        visit_level_(visit_level),
         seconds_so_far_(seconds_before) {}
 
   SolvedField run() {
@@ -234,6 +235,8 @@ class NestedSolver {
     const Progress place{Phase::kSolve, depth, level.size(), 0, 0, number_of(depth), level_count_};
     const Swept swept = settle(std::move(connectivity), std::move(parent), depth == coarsest_depth_, place);
     keep_best(swept.adjacency, finest || level.size() > options_.solver.start_cells, finest);
+    if (!finest && visit_level_)
+      visit_level_({depth, level.tree, candidates_[best_].frames, result_.open_faces});
     solve_watch_.stop();
     result_.levels.push_back({depth, level.examined_leaves, level.size(), swept.sweeps,
                               result_.energy.total(), level_watch_.restart()});
@@ -345,6 +348,7 @@ class NestedSolver {
   const SolveOptions& options_;
   const Monitor& monitor_;
   const InitialFrame& initial_frame_;
+  const VisitLevel& visit_level_;
   SolvedField result_;   ///< the level being built or solved
   SolvedField coarser_;  ///< the finished level before it, if the solve may be stopped
 
@@ -362,10 +366,11 @@ class NestedSolver {
 }  // namespace
 
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-                         const InitialFrame& initial_frame, double seconds_before) {
+                         const InitialFrame& initial_frame, double seconds_before,
+                         const VisitLevel& visit_level) {
   return options.degree == Degree::kThree
-             ? NestedSolver<3>(solid, options, monitor, initial_frame, seconds_before).run()
-             : NestedSolver<4>(solid, options, monitor, initial_frame, seconds_before).run();
+             ? NestedSolver<3>(solid, options, monitor, initial_frame, seconds_before, visit_level).run()
+             : NestedSolver<4>(solid, options, monitor, initial_frame, seconds_before, visit_level).run();
 }
 
 }  // namespace crossgrain

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/vector3.hpp"
@@ -46,12 +47,24 @@ inline double finest_cell_size(const Box& box, const SolveOptions& options) {
 /// Returns an initial frame at a point, instead of random starts.
 using InitialFrame = std::function<Quaternion(const Vector3& point)>;
 
+/// A level that has been solved and that a finer one follows.
+struct CoarserLevel {
+  int depth;
+  const Octree& tree;
+  std::span<const StoredQuaternion> frames;
+  std::span<const std::uint8_t> open_faces;  ///< as in LeafConnections
+};
+
+/// Is called with each such level, coarsest first.
+using VisitLevel = std::function<void(const CoarserLevel& level)>;
+
 /// Solves level by level. `initial_frame`, if given, replaces the starts on the coarsest level and the frames
 /// that finer levels inherit; nothing is relaxed then. `seconds_before` is the time that the solve has taken
 /// so far. Throws Error(kLimit) if the grid cannot be built or memory allows only much coarser cells,
 /// Error(kInput) if the solid has no cell, Error(kInterrupted) once the monitor is cancelled. If stopped, it
 /// returns the last finished level, bitwise identical to a solve that memory limits to that level.
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-                         const InitialFrame& initial_frame = {}, double seconds_before = 0);
+                         const InitialFrame& initial_frame = {}, double seconds_before = 0,
+                         const VisitLevel& visit_level = {});
 
 }  // namespace crossgrain

@@ -121,6 +121,18 @@ std::optional<SolveReport::AngleSummary> angles_along(const TetSolid& solid,
   return summary_of(std::move(angles));
 }
 
+double unfollowed_share(const TetSolid& solid, std::span<const Quaternion> frames, double limit_deg) {
+  double all = 0, unfollowed = 0;
+  for (std::size_t k = 0; k < solid.boundary.size(); ++k) {
+    const std::uint32_t tet = solid.boundary_tets[k];
+    const Vector3 area = area_vector(solid.mesh, solid.boundary[k]);
+    if (tet == kNoTet || norm(area) == 0) continue;
+    all += norm(area);
+    if (angle_deg(frames[tet], normalised(area)) > limit_deg) unfollowed += norm(area);
+  }
+  return all > 0 ? unfollowed / all : 0;
+}
+
 CellFieldEvaluation evaluate_cell_field(const TetSolid& solid, std::span<const Quaternion> frames) {
   assert(frames.size() == solid.mesh.tets.size());
   const TetMesh& mesh = solid.mesh;

@@ -48,6 +48,10 @@ std::optional<SolveReport::AngleSummary> angles_along(const TetSolid& solid,
                                                       std::span<const std::array<std::uint32_t, 2>> edges,
                                                       std::span<const Quaternion> frames);
 
+/// Returns the share of the boundary's area where the normal is more than `limit_deg` off the nearest axis of
+/// the frame of its tet. Faces of dropped tets are ignored.
+double unfollowed_share(const TetSolid& solid, std::span<const Quaternion> frames, double limit_deg);
+
 /// Evaluates a field with one frame per tet of `solid`. Faces of dropped tets are ignored.
 CellFieldEvaluation evaluate_cell_field(const TetSolid& solid, std::span<const Quaternion> frames);
 

@@ -32,18 +32,21 @@ double wall_thickness(const GridLevel& level, const Solid& solid, CellIndex i, d
 
 /// Sums over a range of leaves, or over all.
 struct WallSums {
-  double thinnest = kNone, area = 0, thin_area = 0;
+  double thinnest = kNone, area = 0, thin_area = 0, unresolved_area = 0;
   std::size_t two_sheet_cells = 0;
 
   void add(const WallSums& other) {
     thinnest = std::min(thinnest, other.thinnest);
     area += other.area;
     thin_area += other.thin_area;
+    unresolved_area += other.unresolved_area;
     two_sheet_cells += other.two_sheet_cells;
   }
 };
 
-void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double thin, WallSums& sums) {
+/// Walls are thin below `thin`, and unresolved below `unresolved`, which is no larger.
+void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double thin, double unresolved,
+              WallSums& sums) {
   if (!level.holds_surface(i)) return;
   double area = 0;
   for (const SurfacePiece& piece : level.pieces_of(i)) area += piece.area;
@@ -52,6 +55,7 @@ void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double th
   sums.thinnest = std::min(sums.thinnest, thickness);
   sums.area += area;
   if (thickness < thin) sums.thin_area += area;
+  if (thickness < unresolved) sums.unresolved_area += area;
   sums.two_sheet_cells += holds_two_sheets(level, solid, i);
 }
 
@@ -67,18 +71,23 @@ double smallest_cell_size(const Octree& tree) {
 }  // namespace
 
 SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid, double thickness_cells) {
+  const double wall_cells = AnswerOptions{}.wall_cells;
   const double finest = smallest_cell_size(level.tree);
   std::vector<WallSums> runs((level.size() + kLeafGrain - 1) / kLeafGrain);
   parallel_for_chunks(level.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<CellIndex>(begin); i < end; ++i)
-      add_leaf(level, solid, i, thickness_cells * finest, runs[begin / kLeafGrain]);
+      add_leaf(level, solid, i, std::max(thickness_cells, wall_cells) * finest, wall_cells * finest,
+               runs[begin / kLeafGrain]);
   });
   WallSums sums;
   for (const WallSums& run : runs) sums.add(run);
   SolveReport::Walls report;
   report.cells_wanted = thickness_cells;
   report.two_sheet_cells = sums.two_sheet_cells;
-  if (sums.area > 0) report.thin_share = sums.thin_area / sums.area;
+  if (sums.area > 0) {
+    report.thin_share = sums.thin_area / sums.area;
+    report.unresolved_share = sums.unresolved_area / sums.area;
+  }
   if (std::isfinite(sums.thinnest)) report.thinnest_cells = sums.thinnest / finest;
   return report;
 }

@@ -11,7 +11,6 @@ namespace {
 
 using Arc = SingularityGraph::Arc;
 using Node = SingularityGraph::Node;
-using Verdict = SingularityGraph::Verdict;
 
 enum ArcKind : std::size_t { kThree, kFive, kSix, kOther, kImpossible, kArcKinds };
 enum NodeKind : std::size_t { kPossibleNode, kUndecidedNode, kImpossibleNode, kEnd, kNodeKinds };

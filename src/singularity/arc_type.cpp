@@ -18,10 +18,38 @@ using Graph = SingularityGraph;
 constexpr std::size_t kReach = 2;
 
 /// Lengths along an arc in cells, by the rotation of the frames around it.
-struct Stretches {
-  double positive = 0, negative = 0;
-  double across = 0;  ///< longest connected part
-  double all = 0, no_axis = 0, half = 0;
+class Stretches {
+ public:
+  explicit Stretches(const SingularityOptions& options) : options_(options) {}
+
+  void add(const FrameTurn& turn, double cells, double cosine) {
+    all_ += cells;
+    if (turn.kind == FrameTurn::Kind::kHalf) half_ += cells;
+    no_axis_here_ = turn.is_about_an_axis() ? 0 : no_axis_here_ + cells;
+    no_axis_ = std::max(no_axis_, no_axis_here_);
+    if (!turn.is_about_an_axis() || std::abs(cosine) < options_.sign_cosine) return;
+    if ((cosine > 0) != positive_now_) sign_here_ = 0;
+    positive_now_ = cosine > 0;
+    sign_here_ += cells;
+    double& longest = positive_now_ ? positive_ : negative_;
+    longest = std::max(longest, sign_here_);
+  }
+
+  Graph::ArcType type() const {
+    if (no_axis_ > options_.merge_cells) return Graph::ArcType::kNoAxis;
+    const bool changes = std::min(positive_, negative_) >= options_.sign_cells;
+    return changes ? Graph::ArcType::kChanging : Graph::ArcType::kRegular;
+  }
+
+  bool is_by_half_turns() const { return 2 * half_ > all_; }
+
+ private:
+  const SingularityOptions& options_;
+  double all_ = 0, half_ = 0;
+  double no_axis_ = 0, no_axis_here_ = 0;  ///< longest connected part, and the one up to here
+  bool positive_now_ = true;
+  double sign_here_ = 0;                ///< length since the last change of sign
+  double positive_ = 0, negative_ = 0;  ///< the longest of either sign
 };
 
 class ArcWalk {
@@ -60,13 +88,6 @@ class ArcWalk {
   std::span<const Vector3> positions_;
 };
 
-Graph::ArcType type_of(const Stretches& cells, const SingularityOptions& options) {
-  if (2 * cells.no_axis > cells.all) return Graph::ArcType::kNoAxis;
-  if (std::min(cells.positive, cells.negative) > options.across_cells) return Graph::ArcType::kChanging;
-  if (cells.across > options.across_cells) return Graph::ArcType::kAcross;
-  return Graph::ArcType::kRegular;
-}
-
 }  // namespace
 
 Graph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singular,
@@ -78,43 +99,51 @@ Graph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singula
     out.points.push_back(positions[place]);
     out.vertices.push_back(points.size() == 1 ? singular.points[points[0]].name : -1);
   }
-  Stretches cells;
-  double across_here = 0, sum = 0;
+  Stretches stretches(options);
+  double sum = 0;
   ArcWalk(arc, singular, network, positions)
-      .visit([&](const SingularEdge& edge, double length, double own_cells, double cosine) {
-        const bool along = edge.turn.is_about_an_axis() && std::abs(cosine) >= 1 / std::numbers::sqrt2;
+      .visit([&](const SingularEdge& edge, double length, double cells, double cosine) {
+        stretches.add(edge.turn, cells, cosine);
         out.length += length;
+        out.length_cells += cells;
+        if (!edge.turn.is_about_an_axis()) return;
         sum += cosine * length;
-        cells.all += own_cells;
-        if (!edge.turn.is_about_an_axis()) cells.no_axis += own_cells;
-        if (edge.turn.kind == FrameTurn::Kind::kHalf) cells.half += own_cells;
-        if (along) {
-          (cosine > 0 ? cells.positive : cells.negative) += own_cells;
-          across_here = 0;
-        } else {
-          out.across_length += length;
-          across_here += own_cells;
-          cells.across = std::max(cells.across, across_here);
-        }
+        if (std::abs(cosine) < 1 / std::numbers::sqrt2) out.oblique_length += length;
       });
-  out.type = type_of(cells, options);
+  out.type = stretches.type();
   if (out.type == Graph::ArcType::kRegular)
-    out.index = (sum < 0 ? -1 : 1) * (2 * cells.half > cells.all ? 0.5 : 0.25);
+    out.index = (sum < 0 ? -1 : 1) * (stretches.is_by_half_turns() ? 0.5 : 0.25);
   // Two hexahedra around an edge would have two faces in common.
   const bool meshable = out.type == Graph::ArcType::kRegular && out.index != 0.5;
-  out.verdict = meshable ? Graph::Verdict::kMeshable : Graph::Verdict::kNotMeshable;
+  out.verdict = meshable ? Verdict::kMeshable : Verdict::kNotMeshable;
   return out;
 }
 
-Graph::Verdict node_verdict(std::span<const Graph::Arc* const> arcs) {
+namespace {
+
+std::vector<int> valences_of(std::span<const Graph::Arc* const> arcs) {
   std::vector<int> valences;
-  for (const Graph::Arc* arc : arcs) {
-    if (arc->verdict == Graph::Verdict::kNotMeshable) return Graph::Verdict::kNotMeshable;
-    valences.push_back(4 - static_cast<int>(std::lround(4 * arc->index)));
-  }
-  const std::optional<bool> has_link = has_inner_link(valences);
-  if (!has_link) return Graph::Verdict::kUndecided;
-  return *has_link ? Graph::Verdict::kMeshable : Graph::Verdict::kNotMeshable;
+  for (const Graph::Arc* arc : arcs) valences.push_back(4 - static_cast<int>(std::lround(4 * arc->index)));
+  return valences;
+}
+
+bool has_bad_arc(std::span<const Graph::Arc* const> arcs) {
+  return std::any_of(arcs.begin(), arcs.end(),
+                     [](const Graph::Arc* arc) { return arc->verdict == Verdict::kNotMeshable; });
+}
+
+}  // namespace
+
+Verdict node_verdict(std::span<const Graph::Arc* const> arcs) {
+  if (has_bad_arc(arcs)) return Verdict::kNotMeshable;
+  const std::optional<bool> has_link = has_inner_link(valences_of(arcs));
+  if (!has_link) return Verdict::kUndecided;
+  return *has_link ? Verdict::kMeshable : Verdict::kNotMeshable;
+}
+
+Verdict end_verdict(std::span<const Graph::Arc* const> arcs) {
+  const bool leave_room = has_bad_arc(arcs) || hexahedra_at_surface_vertex(valences_of(arcs), {}) >= 1;
+  return leave_room ? Verdict::kMeshable : Verdict::kUndecided;
 }
 
 }  // namespace crossgrain

@@ -22,6 +22,11 @@ SingularityGraph::Arc described(const MergedNetwork::Arc& arc, const SingularEdg
 /// hexahedra than are searched. Without arcs of index -1/2 eleven pairs of counts are possible: no arc, one
 /// line of either index that passes straight through, and the eight common singular nodes of hexahedral
 /// meshes (P. Zhang and others, arXiv 2202.09686).
-SingularityGraph::Verdict node_verdict(std::span<const SingularityGraph::Arc* const> arcs);
+Verdict node_verdict(std::span<const SingularityGraph::Arc* const> arcs);
+
+/// Returns the verdict of a place on the surface where these arcs end within a few cells of one another:
+/// undecided if they leave no hexahedron should they meet, as the four arcs in the tip of a cone. The fault
+/// of an arc is not counted again.
+Verdict end_verdict(std::span<const SingularityGraph::Arc* const> arcs);
 
 }  // namespace crossgrain

@@ -53,6 +53,8 @@ class Merger {
     for (const Chain& line : lines) {
       if (is_mere_loop(line)) {
         ++network.unresolved_loops;
+      } else if (is_stub(line)) {
+        ++network.unresolved_stubs;
       } else if (is_part_of_a_node(line)) {
         take_in(line);
       } else {
@@ -108,6 +110,16 @@ class Merger {
   bool is_mere_loop(const Chain& line) const {
     return line.is_closed() && !is_node(line.vertices.front()) &&
            length_in_cells(line) <= options_.loop_cells;
+  }
+
+  /// Whether a line is shorter than two lines that it might be: third turns are two quarter turns that the
+  /// cells do not separate.
+  bool is_stub(const Chain& line) const {
+    const bool is_between_surfaces =
+        !line.is_closed() && !is_node(line.vertices.front()) && !is_node(line.vertices.back());
+    return is_between_surfaces && length_in_cells(line) <= options_.merge_cells &&
+           std::none_of(line.edges.begin(), line.edges.end(),
+                        [&](std::uint32_t e) { return singular_.edges[e].turn.is_about_an_axis(); });
   }
 
   bool is_part_of_a_node(const Chain& line) const {

@@ -26,6 +26,7 @@ struct MergedNetwork {
   std::vector<std::uint32_t> place_of;  ///< place of each point of SingularEdges
   std::vector<Arc> arcs;
   std::size_t unresolved_loops = 0;
+  std::size_t unresolved_stubs = 0;
 };
 
 /// Joins singular edges to arcs and merges short ones (SingularityOptions). Arcs continue through places at

@@ -14,8 +14,6 @@
 namespace crossgrain {
 namespace {
 
-using Verdict = SingularityGraph::Verdict;
-
 constexpr std::uint32_t kNoNode = UINT32_MAX;
 
 Vector3 half_way_along(const SingularityGraph::Arc& arc) {
@@ -30,8 +28,8 @@ Vector3 half_way_along(const SingularityGraph::Arc& arc) {
 }
 
 SolveReport::Singularity::Arc summary_of(const SingularityGraph& graph, const SingularityGraph::Arc& arc) {
-  SolveReport::Singularity::Arc summary{arc.type,          arc.index, arc.verdict,         arc.length,
-                                        arc.across_length, false,     half_way_along(arc), {}};
+  SolveReport::Singularity::Arc summary{arc.type,           arc.index, arc.verdict,         arc.length,
+                                        arc.oblique_length, false,     half_way_along(arc), {}};
   if (arc.nodes) summary.nodes.assign(arc.nodes->begin(), arc.nodes->end());
   for (const std::uint32_t node : summary.nodes) summary.on_boundary |= graph.nodes[node].on_boundary;
   return summary;
@@ -58,28 +56,47 @@ void add_nodes(const MergedNetwork& network, const std::vector<Vector3>& positio
 
 void judge_nodes(SingularityGraph& graph) {
   for (SingularityGraph::Node& node : graph.nodes) {
-    if (node.on_boundary) continue;
     std::vector<const SingularityGraph::Arc*> arcs;
     for (const std::uint32_t a : node.arcs) arcs.push_back(&graph.arcs[a]);
-    node.verdict = node_verdict(arcs);
+    node.verdict = node.on_boundary ? end_verdict(arcs) : node_verdict(arcs);
   }
+}
+
+/// Number of edges with one end on the surface, where no arc ends.
+std::size_t contacts_of(const SingularEdges& singular, const MergedNetwork& network) {
+  std::vector<std::uint8_t> is_end(network.places.size(), 0);
+  for (const MergedNetwork::Arc& arc : network.arcs)
+    if (!arc.closed) is_end[arc.places.front()] = is_end[arc.places.back()] = 1;
+  std::size_t contacts = 0;
+  for (const SingularEdge& edge : singular.edges) {
+    const auto [a, b] = edge.ends;
+    const bool a_touches = singular.points[a].on_boundary, b_touches = singular.points[b].on_boundary;
+    if (a_touches != b_touches) contacts += !is_end[network.place_of[a_touches ? a : b]];
+  }
+  return contacts;
 }
 
 }  // namespace
 
 const char* name_of(SingularityGraph::ArcType type) {
-  constexpr std::array kNames{"regular", "across", "changing", "no_axis"};
+  constexpr std::array kNames{"regular", "changing", "no_axis"};
   return name_among<SingularityGraph::ArcType::kNoAxis>(kNames, type);
 }
 
-const char* name_of(Verdict verdict) {
-  constexpr std::array kNames{"meshable", "not_meshable", "undecided"};
-  return name_among<Verdict::kUndecided>(kNames, verdict);
+namespace {
+
+Verdict worse(Verdict a, Verdict b) {
+  if (a == Verdict::kNotMeshable || b == Verdict::kNotMeshable) return Verdict::kNotMeshable;
+  return a == Verdict::kUndecided || b == Verdict::kUndecided ? Verdict::kUndecided : Verdict::kMeshable;
 }
 
-bool SingularityGraph::is_meshable() const {
-  const auto is_bad = [](const auto& part) { return part.verdict == Verdict::kNotMeshable; };
-  return std::none_of(arcs.begin(), arcs.end(), is_bad) && std::none_of(nodes.begin(), nodes.end(), is_bad);
+}  // namespace
+
+Verdict SingularityGraph::verdict() const {
+  Verdict worst = Verdict::kMeshable;
+  for (const Arc& arc : arcs) worst = worse(worst, arc.verdict);
+  for (const Node& node : nodes) worst = worse(worst, node.verdict);
+  return worst;
 }
 
 SingularityGraph singularity_graph(const SingularEdges& singular, const SingularityOptions& options) {
@@ -91,20 +108,25 @@ SingularityGraph singularity_graph(const SingularEdges& singular, const Singular
   add_nodes(network, positions, graph);
   judge_nodes(graph);
   graph.unresolved_loops = network.unresolved_loops;
+  graph.unresolved_stubs = network.unresolved_stubs;
+  graph.contacts = contacts_of(singular, network);
   graph.edges = singular.edges.size();
   for (const SingularEdge& edge : singular.edges)
     graph.edge_length += norm(singular.points[edge.ends[1]].place - singular.points[edge.ends[0]].place);
   return graph;
 }
 
-SolveReport::Singularity summary_of(const SingularityGraph& graph) {
+SolveReport::Singularity summary_of(const SingularityGraph& graph, const SingularityOptions& options) {
   SolveReport::Singularity summary;
   summary.edges = graph.edges;
   summary.length = graph.edge_length;
   summary.arcs = graph.arcs.size();
   summary.unresolved_loops = graph.unresolved_loops;
-  summary.meshable = graph.is_meshable();
+  summary.unresolved_stubs = graph.unresolved_stubs;
+  summary.contacts = graph.contacts;
+  summary.verdict = graph.verdict();
   for (const SingularityGraph::Arc& arc : graph.arcs) {
+    summary.short_arcs += arc.length_cells <= options.merge_cells;
     summary.not_meshable_arcs += arc.verdict == Verdict::kNotMeshable;
     summary.arc_list.push_back(summary_of(graph, arc));
   }

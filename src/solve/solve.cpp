@@ -21,6 +21,7 @@
 #include "measure/alignment.hpp"
 #include "measure/constraint_report.hpp"
 #include "measure/crease_report.hpp"
+#include "measure/grid_surface.hpp"
 #include "measure/interface_report.hpp"
 #include "measure/regions.hpp"
 #include "measure/walls.hpp"
@@ -28,6 +29,7 @@
 #include "singularity/singular_edges.hpp"
 #include "singularity/singularity_graph.hpp"
 #include "solve/kept_forms.hpp"
+#include "solve/level_comparison.hpp"
 #include "solve/prepared_model.hpp"
 #include "solve/solve_checks.hpp"
 
@@ -88,9 +90,14 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
+/// Size of the finest cells, model units.
+double cell_size_of(const SolveReport& report) {
+  return longest_side(report.model.bounding_box) / report.resolution;
+}
+
 /// Sets what can be computed from the cells alone, without interpolation between them.
 void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, SolvedField& solved,
-                    const SolveOptions& options, FieldData& data) {
+                    const CoarserGraphs& coarser, const SolveOptions& options, FieldData& data) {
   AlignmentMeasurement alignment =
       measure_alignment(solved.level, model.solid(), {solved.level.tree, solved.frames, solved.open_faces});
   data.alignment_deg = std::move(alignment.leaf_mean_deg);
@@ -104,6 +111,8 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, Solved
   data.singularities = std::make_shared<const SingularityGraph>(singularity_graph(
       singular_grid_edges(solved.level.tree, solved.frames, solved.open_faces, solved.near_sharp_turn)));
   data.report.singularity = summary_of(*data.singularities);
+  data.report.coarser = coarser.before(solved.levels.back().depth, *data.singularities,
+                                       data.report.resolution, cell_size_of(data.report));
   data.on_boundary.resize(solved.level.size());
   parallel_for(solved.level.size(), [&](std::size_t i) {
     data.on_boundary[i] = solved.level.holds_surface(static_cast<CellIndex>(i));
@@ -126,9 +135,8 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, Solved
 
 /// Reports how well the interpolated field meets the constraints besides the surface.
 void describe_guides(const PreparedModel& model, const RequestedAxes& asked, const SolveOptions& options,
-                     FieldData& data) {
+                     const Sampler& sampler, FieldData& data) {
   const double finest = finest_cell_size(model.surface().box, options);
-  const Sampler sampler(data.tree, data.frames, data.open_faces);
   data.report.creases = crease_report(model.creases(), sampler, finest);
   data.report.interfaces = interface_report(model.inner_faces(), sampler, finest);
   if (!options.constraints.empty()) {
@@ -137,6 +145,13 @@ void describe_guides(const PreparedModel& model, const RequestedAxes& asked, con
       data.report.warnings.push_back(std::move(*outside));
   }
   append(data.report.warnings, crease_warnings(model.creases()));
+}
+
+/// Sets what the field makes of the creases and corners of the surface, and with that the answer.
+void describe_surface(const Sampler& sampler, FieldData& data) {
+  add_grid_surface(*data.surface.get(), sampler, cell_size_of(data.report), *data.singularities, {},
+                   data.report.singularity);
+  data.report.answer = answer_of(data.report);
 }
 
 std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptions& options,
@@ -148,7 +163,9 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const ThreadLimit thread_limit(options.threads);
   const WatchedLoops watched(monitor, Stops::kHeeded);
   PreparedModel model(mesh, options);
-  SolvedField solved = nested_solve(model.solid(), options, monitor, initial_frame, watch.restart());
+  CoarserGraphs coarser;
+  SolvedField solved = nested_solve(model.solid(), options, monitor, initial_frame, watch.restart(),
+                                    [&](const CoarserLevel& level) { coarser.add(level); });
   check_interior(solved.level, model.mended());
 
   // The field is complete, so a stop has no effect from here on.
@@ -160,15 +177,17 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   auto data = std::make_shared<FieldData>();
   data->degree = options.degree;
   data->energy_density = std::move(solved.energy_density);
-  describe_cells(model, mesh, solved, options, *data);
+  describe_cells(model, mesh, solved, coarser, options, *data);
   monitor.check();
   const RequestedAxes asked = requested_axes(options.constraints, model.solid(), solved.level,
                                              finest_cell_size(model.surface().box, options));
   data->tree = std::move(solved.level.tree);
   data->frames = std::move(solved.frames);
   data->open_faces = std::move(solved.open_faces);
-  describe_guides(model, asked, options, *data);
+  const Sampler sampler(data->tree, data->frames, data->open_faces);
+  describe_guides(model, asked, options, sampler, *data);
   data->surface = SurfaceSource(std::move(model).solved_surface());
+  describe_surface(sampler, *data);
   return data;
 }
 

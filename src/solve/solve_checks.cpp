@@ -230,6 +230,7 @@ void mark_tets_missing(SolveReport& report) {
   if (!report.unfinished) report.unfinished = SolveReport::Unfinished{report.resolution, 0, false};
   report.unfinished->tets_missing = true;
   report.warnings.insert(report.warnings.begin(), unfinished_warning(report));
+  report.answer = answer_of(report);
 }
 
 Warning outside_warning(std::size_t outside, std::size_t vertices) {

@@ -14,6 +14,7 @@
 #include "measure/tet_evaluation.hpp"
 #include "singularity/singularity_graph.hpp"
 #include "singularity/tet_matchings.hpp"
+#include "singularity/tet_surface.hpp"
 #include "solve/carried_frames.hpp"
 #include "solve/solve_checks.hpp"
 #include "solve/tet_constraints.hpp"
@@ -86,7 +87,10 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   report.onto = describe(tets, evaluate_vertex_field(tets.solid, boundary, tets.edges, field->vertex_frames));
   report.onto->feature_edge_deg = angles_along(tets.solid, features.edges, field->vertex_frames);
   report.onto->boundary = options.onto.boundary;
-  report.onto->singularity = summary_of(field->singularities);
+  report.onto->singularity = tet_summary(tets.solid, field->tet_frames, field->singularities);
+  report.onto->edge_length = domain.typical_edge_length();
+  report.onto->unfollowed_share =
+      unfollowed_share(tets.solid, field->tet_frames, AnswerOptions{}.unfollowed_deg);
   report.onto->outside_vertices = start.outside;
   report.onto->seconds = stopwatch.restart();
   report.warnings.insert(report.warnings.end(), domain.warnings().begin(), domain.warnings().end());
@@ -94,6 +98,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
     report.warnings.emplace_back(WarningKind::kTetsNotSettled,
                                  "the energy on the tets had not settled when the sweeps ran out");
   if (start.outside > 0) report.warnings.push_back(outside_warning(start.outside, report.onto->vertices));
+  report.answer = answer_of(report);
   return {grid, domain, std::move(field), std::move(report)};
 }
 

@@ -122,7 +122,7 @@ class Faults(CheckTest):
         self.write("box.stl", stl_bytes(box_triangles((2, 1, 1.5))))
         sound = self.solve("box.stl", "--resolution", "8", "--no-report")
         finding = {"kind": "holes", "count": 1, "at_least": False, "place": [0, 0, 0], "length": None, "done": "left_out"}
-        arc = {"type": "regular", "index": 0.25, "verdict": "meshable", "length": 1, "across_length": 0,
+        arc = {"type": "regular", "index": 0.25, "verdict": "meshable", "length": 1, "oblique_length": 0,
                "on_boundary": False, "place": [0, 0, 0], "nodes": []}
         node = {"place": [0, 0, 0], "on_boundary": False, "verdict": "meshable", "arcs": []}
         warning = {"kind": "thin_walls", "text": "walls", "remedy": "raise_resolution"}

@@ -81,7 +81,7 @@ def graph_faults(name, section, path):
         compare(f"arc_list[{i}].type", arc["type"], TYPES[graph.arrays["type"][i]])
         compare(f"arc_list[{i}].index", arc["index"], graph.arrays["index"][i])
         compare(f"arc_list[{i}].verdict", arc["verdict"], graph.arc_verdict(i))
-        compare(f"arc_list[{i}].across_length", arc["across_length"], graph.arrays["across_length"][i])
+        compare(f"arc_list[{i}].oblique_length", arc["oblique_length"], graph.arrays["oblique_length"][i])
         compare(f"arc_list[{i}].on_boundary", arc["on_boundary"], any(bool(on_boundary[end]) for end in ends))
         compare(f"on_boundary[{i}]", bool(graph.arrays["on_boundary"][i]), arc["on_boundary"])
         compare(f"closed[{i}]", bool(graph.arrays["closed"][i]), not ends)

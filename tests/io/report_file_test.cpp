@@ -45,7 +45,7 @@ SolveReport report_of_all_values() {
   for (const auto done : all_values<FindingOutcome>()) report.input.findings.emplace_back().done = done;
   auto& graph = report.singularity;
   for (const auto type : all_values<SingularityGraph::ArcType>()) graph.arc_list.emplace_back().type = type;
-  for (const auto verdict : all_values<SingularityGraph::Verdict>()) {
+  for (const auto verdict : all_values<Verdict>()) {
     graph.arc_list.emplace_back().verdict = verdict;
     graph.node_list.emplace_back().verdict = verdict;
   }
@@ -114,9 +114,8 @@ TEST_F(NamesInReports, OfOutcomesStandBesideTheirWords) {
 
 TEST(NameOfAnArcOrNode, IsThatOfSchema4) {
   EXPECT_EQ(all_names<SingularityGraph::ArcType>(),
-            (std::vector<std::string>{"regular", "across", "changing", "no_axis"}));
-  EXPECT_EQ(all_names<SingularityGraph::Verdict>(),
-            (std::vector<std::string>{"meshable", "not_meshable", "undecided"}));
+            (std::vector<std::string>{"regular", "changing", "no_axis"}));
+  EXPECT_EQ(all_names<Verdict>(), (std::vector<std::string>{"meshable", "not_meshable", "undecided"}));
 }
 
 TEST(NameOfATetBoundary, IsThatOfSchema4) {
@@ -128,7 +127,7 @@ TEST_F(NamesInReports, AreRefusedWhereTheyAreUnknown) {
                                   {"remedy", "raise_resolution"},
                                   {"kind", "holes"},
                                   {"done", "left_out"},
-                                  {"type", "across"},
+                                  {"type", "changing"},
                                   {"verdict", "not_meshable"},
                                   {"boundary", "smooth-only"}}) {
     const Error error = error_with("\"" + key + "\": \"" + name + "\"", "\"" + key + "\": \"" + name + "s\"");

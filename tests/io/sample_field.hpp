@@ -32,7 +32,6 @@ inline Octree sample_tree(int depth) {
 }
 
 inline SolveReport sample_report() {
-  using Verdict = SingularityGraph::Verdict;
   SolveReport report;
   report.model = {"a \"quoted\" name.stl", 12, {{-1, -2, -3}, {0.1, 1.0 / 3, 1e300}}, true, 2, "mm", "INCH"};
   report.degree = 3;
@@ -47,11 +46,11 @@ inline SolveReport sample_report() {
                         .nodes = 9,
                         .boundary_ends = 10,
                         .unresolved_loops = 11,
-                        .meshable = false,
+                        .verdict = Verdict::kNotMeshable,
                         .not_meshable_arcs = 12,
                         .not_meshable_nodes = 13,
                         .undecided_nodes = 14,
-                        .arc_list = {{SingularityGraph::ArcType::kAcross,
+                        .arc_list = {{SingularityGraph::ArcType::kChanging,
                                       0,
                                       Verdict::kNotMeshable,
                                       1.25,
@@ -61,7 +60,7 @@ inline SolveReport sample_report() {
                                       {0, 1}}},
                         .node_list = {{{1, 2, 3}, true, Verdict::kMeshable, {0}},
                                       {{4, 5, 6}, false, Verdict::kUndecided, {0}}}};
-  report.walls = {4, 0.25, 1.5, 11, 12};
+  report.walls = {4, 0.25, 0.125, 1.5, 11, 12};
   report.seconds = {0.1, 0.2, 0.3, 0.4, 1.5};
   report.peak_memory_bytes = 1;
   report.expected = Expectation{5, 0.125, 6.5, 100, 200, 1.75};

@@ -77,7 +77,7 @@ TEST(SingularityGraph, OfNoEdgesIsEmpty) {
   EXPECT_TRUE(graph.arcs.empty() && graph.nodes.empty());
   EXPECT_EQ(graph.edges, 0u);
   EXPECT_EQ(graph.edge_length, 0);
-  EXPECT_TRUE(graph.is_meshable());
+  EXPECT_EQ(graph.verdict(), Verdict::kMeshable);
 }
 
 TEST(SingularityGraph, OfALineIsOneArcBetweenTwoEndsOnTheSurface) {
@@ -111,7 +111,7 @@ TEST(SingularityGraph, HasTheSameIndexWhicheverWayEdgesPoint) {
     const Graph graph = singularity_graph(singular);
     ASSERT_EQ(graph.arcs.size(), 1u);
     EXPECT_EQ(graph.arcs[0].index, sign / 4);
-    EXPECT_EQ(graph.arcs[0].across_length, 0);
+    EXPECT_EQ(graph.arcs[0].oblique_length, 0);
   }
 }
 
@@ -140,7 +140,7 @@ TEST(SingularityGraph, WhereThreeArcsMeetHasANode) {
       std::find_if(graph.nodes.begin(), graph.nodes.end(), [](const auto& n) { return !n.on_boundary; });
   EXPECT_EQ(node->arcs, (std::vector<std::uint32_t>{0, 1, 2}));
   EXPECT_LE(norm(node->place - Vector3{50, 50, 50}), SingularityOptions().shift_cells + 1e-12);
-  EXPECT_EQ(node->verdict, Graph::Verdict::kNotMeshable) << "one line of a half turn, two of a quarter";
+  EXPECT_EQ(node->verdict, Verdict::kNotMeshable) << "one line of a half turn, two of a quarter";
 }
 
 TEST(SingularityGraph, WhereThreeQuarterTurnsMeetAFourthLineReachesTheSurface) {
@@ -230,7 +230,7 @@ TEST(SingularityGraph, MakesAStaircaseStraight) {
     const Vector3 from_line = points[k] - Vector3{1.5, 0, 0};
     EXPECT_NEAR(norm(from_line - dot(from_line, direction) * direction), 0, 0.06);
   }
-  EXPECT_EQ(graph.arcs[0].across_length, 0);
+  EXPECT_EQ(graph.arcs[0].oblique_length, 0);
 }
 
 TEST(SingularityGraph, MovesNoPointFurtherThanItMay) {
@@ -260,17 +260,17 @@ TEST(SingularityGraph, KnowsIndicesOfEitherSign) {
     ASSERT_EQ(graph.arcs.size(), 1u) << turns;
     EXPECT_EQ(graph.arcs[0].index, turns);
     EXPECT_EQ(graph.arcs[0].type, Graph::ArcType::kRegular);
-    EXPECT_TRUE(graph.is_meshable());
+    EXPECT_EQ(graph.verdict(), Verdict::kMeshable);
   }
 }
 
 TEST(SingularityGraph, KnowsThatTwoHexahedraAroundAnEdgeAreTooFew) {
   const Graph six = graph_of(line({0, 0, 0}, 0, 20, {kHalf, unit(0, -1)}));
   EXPECT_EQ(six.arcs[0].index, -0.5);
-  EXPECT_TRUE(six.is_meshable());
+  EXPECT_EQ(six.verdict(), Verdict::kMeshable);
   const Graph two = graph_of(line({0, 0, 0}, 0, 20, {kHalf, unit(0)}));
   EXPECT_EQ(two.arcs[0].index, 0.5);
-  EXPECT_FALSE(two.is_meshable());
+  EXPECT_EQ(two.verdict(), Verdict::kNotMeshable);
 }
 
 TEST(SingularityGraph, KnowsAnArcAcrossWhichFramesTurn) {
@@ -278,8 +278,8 @@ TEST(SingularityGraph, KnowsAnArcAcrossWhichFramesTurn) {
   ASSERT_EQ(graph.arcs.size(), 1u);
   EXPECT_EQ(graph.arcs[0].type, Graph::ArcType::kAcross);
   EXPECT_EQ(graph.arcs[0].index, 0);
-  EXPECT_EQ(graph.arcs[0].across_length, graph.arcs[0].length);
-  EXPECT_FALSE(graph.is_meshable());
+  EXPECT_EQ(graph.arcs[0].oblique_length, graph.arcs[0].length);
+  EXPECT_EQ(graph.verdict(), Verdict::kNotMeshable);
 }
 
 TEST(SingularityGraph, KnowsAnArcAroundWhichFramesTurnAboutNoAxis) {
@@ -290,7 +290,7 @@ TEST(SingularityGraph, KnowsAnArcAroundWhichFramesTurnAboutNoAxis) {
   const Graph graph = solved(field);
   ASSERT_EQ(graph.arcs.size(), 1u);
   EXPECT_EQ(graph.arcs[0].type, Graph::ArcType::kNoAxis);
-  EXPECT_FALSE(graph.is_meshable());
+  EXPECT_EQ(graph.verdict(), Verdict::kNotMeshable);
 }
 
 TEST(SingularityGraph, KnowsAnArcAlongWhichTheIndexChanges) {
@@ -307,7 +307,7 @@ TEST(SingularityGraph, KnowsAnArcAlongWhichTheIndexChanges) {
     const Graph graph = graph_of(edges);
     ASSERT_EQ(graph.arcs.size(), 1u);
     EXPECT_EQ(graph.arcs[0].type, sign > 0 ? Graph::ArcType::kChanging : Graph::ArcType::kRegular);
-    EXPECT_EQ(graph.is_meshable(), sign < 0);
+    EXPECT_EQ(graph.verdict() == Verdict::kMeshable, sign < 0);
   }
 }
 
@@ -326,10 +326,10 @@ TEST(SingularityGraph, OfASlantedLineThroughLeavesOfThreeSizesIsOneArcWithoutNod
 TEST(SingularityGraph, SummaryCountsWhatIsWrong) {
   const auto summary =
       summary_of(solved(TurningLine{{0.52, 0.47, 0.5}, kSlanted, orthogonal_unit(kSlanted), 0.25}));
-  EXPECT_FALSE(summary.meshable);
+  EXPECT_EQ(summary.verdict, Verdict::kNotMeshable);
   EXPECT_EQ(summary.not_meshable_arcs, 1u);
   EXPECT_EQ(summary.arc_list[0].type, SingularityGraph::ArcType::kAcross);
-  EXPECT_EQ(summary.arc_list[0].verdict, SingularityGraph::Verdict::kNotMeshable);
+  EXPECT_EQ(summary.arc_list[0].verdict, Verdict::kNotMeshable);
   EXPECT_TRUE(summary.arc_list[0].on_boundary);
   EXPECT_EQ(summary.arc_list[0].nodes, (std::vector<std::uint32_t>{0, 1}));
   EXPECT_EQ(summary.node_list[1].arcs, (std::vector<std::uint32_t>{0}));

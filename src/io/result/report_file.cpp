@@ -45,11 +45,14 @@ void warn_of_numbers_not_finite(SolveReport& report) {
       Remedy::kReportModel);
 }
 
-std::string singularity_json(const SolveReport::Singularity& grid, const SolveReport::Singularity* tets) {
+std::string check_json(const SolveReport& report) {
   Json json;
   JsonWriter writer(json);
-  describe_singularity(writer, "grid", grid);
-  if (tets) describe_singularity(writer, "tets", *tets);
+  describe_answer(writer, report.answer);
+  describe_singularity(writer, "grid", report.singularity);
+  if (report.onto) describe_singularity(writer, "tets", report.onto->singularity);
+  writer.optional_object("coarser", report.coarser,
+                         [](auto& inner, auto& coarser) { describe_coarser(inner, coarser); });
   return json_text(json);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "crossgrain/message.hpp"
+#include "crossgrain/verdict.hpp"
 
 namespace crossgrain {
 
@@ -41,7 +42,7 @@ void describe_arc(File& file, Arc& arc) {
   file.member("index", arc.index);
   file.name("verdict", arc.verdict);
   file.member("length", arc.length);
-  file.member("across_length", arc.across_length);
+  file.member("oblique_length", arc.oblique_length);
   file.member("on_boundary", arc.on_boundary);
   file.member("place", arc.place);
   file.member("nodes", arc.nodes);
@@ -55,6 +56,26 @@ void describe_node(File& file, Node& node) {
   file.member("arcs", node.arcs);
 }
 
+template <class File, class Crease>
+void describe_hexahedra(File& file, Crease& crease) {
+  file.member("hexahedra", crease.hexahedra);
+  file.member("angle_deg", crease.angle_deg);
+  file.member("least_angle_deg", crease.least_angle_deg);
+  file.member("length", crease.length);
+  file.member("followed", crease.followed);
+  file.name("verdict", crease.verdict);
+  file.member("place", crease.place);
+}
+
+template <class File, class Corner>
+void describe_corner(File& file, Corner& corner) {
+  file.member("hexahedra", corner.hexahedra);
+  file.member("creases", corner.creases);
+  file.member("arcs", corner.arcs);
+  file.name("verdict", corner.verdict);
+  file.member("place", corner.place);
+}
+
 template <class File, class Singularity>
 void describe_singularity(File& file, const char* key, Singularity& graph) {
   file.object(key, [&](auto& inner) {
@@ -64,12 +85,19 @@ void describe_singularity(File& file, const char* key, Singularity& graph) {
     inner.member("nodes", graph.nodes);
     inner.member("boundary_ends", graph.boundary_ends);
     inner.member("unresolved_loops", graph.unresolved_loops);
-    inner.member("meshable", graph.meshable);
+    inner.member("unresolved_stubs", graph.unresolved_stubs);
+    inner.member("short_arcs", graph.short_arcs);
+    inner.member("contacts", graph.contacts);
+    inner.name("verdict", graph.verdict);
     inner.member("not_meshable_arcs", graph.not_meshable_arcs);
     inner.member("not_meshable_nodes", graph.not_meshable_nodes);
     inner.member("undecided_nodes", graph.undecided_nodes);
     inner.list("arc_list", graph.arc_list, [](auto& list, auto& arc) { describe_arc(list, arc); });
     inner.list("node_list", graph.node_list, [](auto& list, auto& node) { describe_node(list, node); });
+    inner.list("crease_list", graph.crease_list,
+               [](auto& list, auto& crease) { describe_hexahedra(list, crease); });
+    inner.list("corner_list", graph.corner_list,
+               [](auto& list, auto& corner) { describe_corner(list, corner); });
   });
 }
 
@@ -119,6 +147,8 @@ void describe_onto(File& file, Onto& onto) {
     singular.member("boundary_faces", onto.singular.boundary_faces);
   });
   describe_singularity(file, "singularity", onto.singularity);
+  file.member("edge_length", onto.edge_length);
+  file.member("unfollowed_share", onto.unfollowed_share);
   describe_angles(file, "normal_deg", onto.normal_deg);
   describe_angles(file, "crease_deg", onto.crease_deg);
   file.optional_object("feature_edge_deg", onto.feature_edge_deg, [](auto& inner, auto& angles) {
@@ -257,6 +287,35 @@ void describe_warning(File& file, Warning& warning) {
   file.note("advice", words_of(warning.remedy));
 }
 
+template <class File, class Coarser>
+void describe_coarser(File& file, Coarser& coarser) {
+  file.member("resolution", coarser.resolution);
+  file.member("arcs", coarser.arcs);
+  file.member("nodes", coarser.nodes);
+  file.member("boundary_ends", coarser.boundary_ends);
+  file.name("verdict", coarser.verdict);
+  file.list("differences", coarser.differences, [](auto& inner, auto& difference) {
+    inner.member("only_coarser", difference.only_coarser);
+    inner.member("index", difference.index);
+    inner.member("place", difference.place);
+  });
+}
+
+/// The first members of the file.
+template <class File, class Answer>
+void describe_answer(File& file, Answer& answer) {
+  file.name("verdict", answer.verdict);
+  file.note("answer", sentence_of(answer).c_str());
+  file.list("reasons", answer.reasons, [](auto& inner, auto& reason) {
+    inner.name("kind", reason.kind);
+    inner.name("verdict", reason.verdict);
+    inner.member("count", reason.count);
+    inner.member("place", reason.place);
+    inner.member("text", reason.text);
+    inner.text("next", reason.next);
+  });
+}
+
 template <class File, class Report>
 void describe_doubts(File& file, Report& report) {
   file.object("input", [&](auto& input) {
@@ -272,10 +331,13 @@ void describe_doubts(File& file, Report& report) {
   file.object("walls", [&](auto& walls) {
     walls.member("cells_wanted", report.walls.cells_wanted);
     walls.member("thin_share", report.walls.thin_share);
+    walls.member("unresolved_share", report.walls.unresolved_share);
     walls.member("thinnest_cells", report.walls.thinnest_cells);
     walls.member("two_sheet_cells", report.walls.two_sheet_cells);
     walls.member("tied_cells", report.walls.tied_cells);
   });
+  file.optional_object("coarser", report.coarser,
+                       [](auto& inner, auto& coarser) { describe_coarser(inner, coarser); });
   file.optional_object("expected", report.expected,
                        [](auto& inner, auto& expected) { describe_expected(inner, expected); });
   file.optional_object("limited", report.limited,
@@ -289,6 +351,7 @@ void describe_doubts(File& file, Report& report) {
 
 template <class File, class Report>
 void describe_results(File& file, Report& report) {
+  describe_answer(file, report.answer);
   describe_input(file, report);
   file.list("levels", report.levels, [](auto& inner, auto& level) { describe_level(inner, level); });
   describe_quality(file, report);

@@ -22,7 +22,7 @@ struct Polylines {
     std::vector<std::uint8_t> on_boundary, verdicts;
   } points;
   struct Arcs {
-    std::vector<double> indices, lengths, across_lengths;
+    std::vector<double> indices, lengths, oblique_lengths;
     std::vector<std::uint8_t> types, verdicts, on_boundary, closed;
   } arcs;
   std::vector<std::int64_t> connectivity, offsets;
@@ -35,7 +35,7 @@ void add_point(Polylines& lines, const Vector3& place, std::int64_t vertex) {
   points.nodes.push_back(-1);
   points.vertices.push_back(vertex);
   points.on_boundary.push_back(0);
-  points.verdicts.push_back(static_cast<std::uint8_t>(SingularityGraph::Verdict::kMeshable));
+  points.verdicts.push_back(static_cast<std::uint8_t>(Verdict::kMeshable));
 }
 
 void add_nodes(const SingularityGraph& graph, Polylines& lines) {
@@ -70,7 +70,7 @@ void add_arc(const SingularityGraph& graph, const SingularityGraph::Arc& arc, Po
   lines.offsets.push_back(static_cast<std::int64_t>(lines.connectivity.size()));
   lines.arcs.indices.push_back(arc.index);
   lines.arcs.lengths.push_back(arc.length);
-  lines.arcs.across_lengths.push_back(arc.across_length);
+  lines.arcs.oblique_lengths.push_back(arc.oblique_length);
   lines.arcs.types.push_back(static_cast<std::uint8_t>(arc.type));
   lines.arcs.verdicts.push_back(static_cast<std::uint8_t>(arc.verdict));
   lines.arcs.on_boundary.push_back(on_boundary);
@@ -91,7 +91,7 @@ std::vector<VtuArray> arrays_of(const Polylines& lines) {
   add(VtuSection::kCellData, "type", lines.arcs.types);
   add(VtuSection::kCellData, "verdict", lines.arcs.verdicts);
   add(VtuSection::kCellData, "length", lines.arcs.lengths);
-  add(VtuSection::kCellData, "across_length", lines.arcs.across_lengths);
+  add(VtuSection::kCellData, "oblique_length", lines.arcs.oblique_lengths);
   add(VtuSection::kCellData, "on_boundary", lines.arcs.on_boundary);
   add(VtuSection::kCellData, "closed", lines.arcs.closed);
   arrays.push_back(

@@ -26,7 +26,6 @@ class SingularityReader {
   }
 
  private:
-  using Verdict = SingularityGraph::Verdict;
   using ArcType = SingularityGraph::ArcType;
 
   /// The first points are the nodes.

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "crossgrain/types.hpp"
+
+namespace crossgrain {
+
+struct SolveReport;
+
+/// Whether a hexahedral mesh can follow a field, or a part of it, locally. What holds everywhere locally is
+/// necessary for a mesh, not sufficient.
+enum class Verdict : std::uint8_t {
+  kMeshable = 0,
+  kNotMeshable = 1,
+  kUndecided = 2,  ///< the cells do not resolve what decides, or rounding does, or it is too large to judge
+};
+
+/// Returns the name in report.json: "meshable", "not_meshable" or "undecided".
+const char* name_of(Verdict verdict);
+
+/// Why a field is not meshable or undecided.
+enum class ReasonKind : std::uint8_t {
+  kKnifeEdge,     ///< a crease without room for a hexahedron
+  kCorner,        ///< a corner of the surface around which no hexahedra fit
+  kArc,           ///< an arc that turns, or rotates frames about a diagonal
+  kNode,          ///< a node inside that no hexahedra have
+  kEnds,          ///< arcs that end so close together that the cells do not separate them
+  kOtherAtHalf,   ///< the singular lines at half the resolution are others
+  kNoComparison,  ///< there is no coarser level to compare with
+  kWalls,         ///< walls of too few cells
+  kSurface,       ///< surface that frames do not follow
+  kCreases,       ///< creases that frames do not follow
+  kShortLines,    ///< many lines that are too short for the cells
+  kUnfinished,    ///< the solve was stopped, or ran out of memory or sweeps
+};
+
+/// Returns the name in report.json, such as "knife_edge".
+const char* name_of(ReasonKind kind);
+
+/// The answer about a whole field.
+struct Answer {
+  struct Reason {
+    ReasonKind kind{};
+    Verdict verdict{};      ///< kNotMeshable or kUndecided
+    std::size_t count = 0;  ///< number of places with this fault; 0 if it is about no place
+    Vector3 place{};        ///< the first or worst one, model units; only if there is one
+    std::string text;       ///< such as "a knife edge of 30 degrees"
+    std::string next;       ///< what to do, such as "round it with a fillet"; may be empty
+  };
+  Verdict verdict = Verdict::kUndecided;
+  std::vector<Reason> reasons;  ///< those of the verdict first; empty if meshable
+};
+
+/// What the answer about a field rests on besides its singular lines. Shares and numbers of cells are
+/// dimensionless. docs/notes/fields.md has the sweeps.
+struct AnswerOptions {
+  /// Fewest cells across a wall that decide, and the largest share of the surface at thinner walls.
+  double wall_cells = 2.5;
+  double thin_share = 0.02;
+
+  /// Largest share of the surface, or of the length of creases, that frames need not follow, and the angle
+  /// between the normal and the nearest axis from which they do not.
+  double unfollowed_share = 0.1;
+  double unfollowed_deg = 25;
+
+  /// Largest number of short lines for each other arc, and the number that is never too many.
+  double short_per_arc = 1;
+  std::size_t few_short = 2;
+};
+
+/// Returns the answer about the field of a report: that on tets if there is one, otherwise that on the grid.
+Answer answer_of(const SolveReport& report, const AnswerOptions& options = {});
+
+/// Returns the answer in one line: "can be meshed locally (necessary, not sufficient)", "cannot be meshed,
+/// because ... at ...; next: ..." or "undecided, because ...; next: ...".
+std::string sentence_of(const Answer& answer);
+
+}  // namespace crossgrain

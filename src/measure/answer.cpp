@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/names.hpp"
+#include "crossgrain/report.hpp"
+#include "crossgrain/verdict.hpp"
+
+namespace crossgrain {
+namespace {
+
+using Reason = Answer::Reason;
+using Singularity = SolveReport::Singularity;
+
+std::string times(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+/// Collects the reasons against a field.
+class Reasons {
+ public:
+  void add(ReasonKind kind, Verdict verdict, std::string text, std::string next) {
+    reasons_.push_back({kind, verdict, 0, {}, std::move(text), std::move(next)});
+  }
+
+  /// Adds a reason about the parts of a list with this verdict, if there are any; `text(part)` of the first.
+  template <class Part, class Text>
+  void add_worst(ReasonKind kind, Verdict verdict, const std::vector<Part>& parts, Verdict counted,
+                 const Text& text, const char* next) {
+    const Part* first = nullptr;
+    std::size_t count = 0;
+    for (const Part& part : parts) {
+      if (part.verdict != counted) continue;
+      if (!first) first = &part;
+      ++count;
+    }
+    if (first) reasons_.push_back({kind, verdict, count, first->place, text(*first), next});
+  }
+
+  bool empty() const { return reasons_.empty(); }
+  Reason& last() { return reasons_.back(); }
+
+  Answer answer() && {
+    Answer answer;
+    const auto is_fault = [](const Reason& reason) { return reason.verdict == Verdict::kNotMeshable; };
+    answer.verdict = std::any_of(reasons_.begin(), reasons_.end(), is_fault) ? Verdict::kNotMeshable
+                     : reasons_.empty()                                      ? Verdict::kMeshable
+                                                                             : Verdict::kUndecided;
+    std::stable_partition(reasons_.begin(), reasons_.end(), is_fault);
+    answer.reasons = std::move(reasons_);
+    return answer;
+  }
+
+ private:
+  std::vector<Reason> reasons_;
+};
+
+/// The angle of the surface itself does not depend on the cells.
+void judge_surface(const Singularity& singularity, Reasons& reasons) {
+  const auto knife = [](const Singularity::Crease& crease) {
+    return fmt::format("a knife edge of {:.3g} degrees leaves room for no hexahedron",
+                       crease.least_angle_deg);
+  };
+  reasons.add_worst(ReasonKind::kKnifeEdge, Verdict::kNotMeshable, singularity.crease_list,
+                    Verdict::kNotMeshable, knife, "give the edge a fillet or a chamfer");
+  const auto corner = [](const Singularity::Corner& it) {
+    return fmt::format("no hexahedra fit around a corner of {}, with {} at their edges",
+                       times(it.creases.size(), "crease", "creases"), fmt::join(it.creases, ", "));
+  };
+  reasons.add_worst(ReasonKind::kCorner, Verdict::kNotMeshable, singularity.corner_list,
+                    Verdict::kNotMeshable, corner, "cut the corner off, or end the face that runs out in it");
+  const auto rounded = [](const Singularity::Crease& crease) {
+    return fmt::format("rounding decides whether an edge of {:.3g} degrees has a hexahedron",
+                       crease.least_angle_deg);
+  };
+  reasons.add_worst(ReasonKind::kKnifeEdge, Verdict::kUndecided, singularity.crease_list, Verdict::kUndecided,
+                    rounded, "give the edge a fillet or a chamfer");
+  const auto undecided = [](const Singularity::Corner& it) {
+    return fmt::format("rounding or the size of the cells decides about a corner of {}",
+                       times(it.creases.size(), "crease", "creases"));
+  };
+  reasons.add_worst(ReasonKind::kCorner, Verdict::kUndecided, singularity.corner_list, Verdict::kUndecided,
+                    undecided, "use smaller cells there, or change the angles");
+}
+
+const char* fault_of(const Singularity::Arc& arc) {
+  switch (arc.type) {
+    case SingularityGraph::ArcType::kChanging:
+      return "an arc has a turning point: frames rotate about it in both senses";
+    case SingularityGraph::ArcType::kNoAxis:
+      return "frames rotate around an arc about a diagonal, by a third of a turn";
+    case SingularityGraph::ArcType::kRegular:
+      break;
+  }
+  return "an arc has two hexahedra around it, which would share two faces";
+}
+
+/// Faults of lines are certain only if the cells resolve them: `fault` is kUndecided otherwise.
+void judge_lines(const Singularity& singularity, Verdict fault, Reasons& reasons) {
+  constexpr const char* kNext = "try other cells, or split the part where the line turns";
+  reasons.add_worst(ReasonKind::kArc, fault, singularity.arc_list, Verdict::kNotMeshable, fault_of, kNext);
+  const auto node = [](const Singularity::Node& it) {
+    return fmt::format("no hexahedra meet like the {} of a node", times(it.arcs.size(), "arc", "arcs"));
+  };
+  reasons.add_worst(ReasonKind::kNode, fault, singularity.node_list, Verdict::kNotMeshable, node, kNext);
+  std::vector<Singularity::Node> inner, ends;
+  for (const Singularity::Node& it : singularity.node_list) (it.on_boundary ? ends : inner).push_back(it);
+  const auto large = [](const Singularity::Node& it) {
+    return fmt::format("a node of {} has too many hexahedra to be judged",
+                       times(it.arcs.size(), "arc", "arcs"));
+  };
+  reasons.add_worst(ReasonKind::kNode, Verdict::kUndecided, inner, Verdict::kUndecided, large, kNext);
+  const auto close = [](const Singularity::Node& it) {
+    return fmt::format("{} end so close to one another that they leave no hexahedron if they meet",
+                       times(it.arcs.size(), "arc", "arcs"));
+  };
+  reasons.add_worst(ReasonKind::kEnds, Verdict::kUndecided, ends, Verdict::kUndecided, close,
+                    "use smaller cells, or cut a tip off");
+}
+
+void judge_short_lines(const Singularity& singularity, std::size_t short_arcs, const AnswerOptions& options,
+                       const std::string& next, Reasons& reasons) {
+  const std::size_t shorter = short_arcs + singularity.unresolved_loops + singularity.unresolved_stubs;
+  const auto others = static_cast<double>(singularity.arcs - short_arcs);
+  if (shorter <= options.few_short || static_cast<double>(shorter) <= options.short_per_arc * others) return;
+  reasons.add(
+      ReasonKind::kShortLines, Verdict::kUndecided,
+      fmt::format("{} too short for the cells", times(shorter, "singular line is", "singular lines are")),
+      next);
+}
+
+/// Creases are unresolved if frames do not see the number of hexahedra that their angle asks for.
+void judge_creases(const Singularity& singularity, const AnswerOptions& options, const std::string& next,
+                   Reasons& reasons) {
+  double all = 0, unfollowed = 0;
+  const Singularity::Crease* worst = nullptr;
+  for (const Singularity::Crease& crease : singularity.crease_list) {
+    const double length = (1 - crease.followed) * crease.length;
+    all += crease.length;
+    unfollowed += length;
+    if (!worst || length > (1 - worst->followed) * worst->length) worst = &crease;
+  }
+  if (!worst || unfollowed <= options.unfollowed_share * all) return;
+  reasons.add(
+      ReasonKind::kCreases, Verdict::kUndecided,
+      fmt::format("frames do not follow the creases along {:.0f} % of their length", 100 * unfollowed / all),
+      next);
+  reasons.last().count = 1;
+  reasons.last().place = worst->place;
+}
+
+/// Whether two levels have the same arcs, nodes, ends and verdict.
+bool agree(const Singularity& graph, const SolveReport::Coarser& coarser) {
+  return graph.arcs == coarser.arcs && graph.nodes == coarser.nodes &&
+         graph.boundary_ends == coarser.boundary_ends && graph.verdict == coarser.verdict &&
+         coarser.differences.empty();
+}
+
+std::string use_resolution(double resolution) {
+  return fmt::format("use --resolution {:.0f}", std::ceil(resolution));
+}
+
+/// Judges whether the grid resolves the model.
+void judge_grid(const SolveReport& report, const AnswerOptions& options, Reasons& reasons) {
+  const std::string finer = use_resolution(2 * report.resolution);
+  const SolveReport::Walls& walls = report.walls;
+  if (walls.unresolved_share > options.thin_share) {
+    // The margin keeps the next solve from missing its wall by rounding.
+    const double enough = 1.01 * report.resolution * options.wall_cells / walls.thinnest_cells;
+    reasons.add(ReasonKind::kWalls, Verdict::kUndecided,
+                fmt::format("walls under {:.2g} % of the surface have fewer than {:g} cells",
+                            100 * walls.unresolved_share, options.wall_cells),
+                use_resolution(enough));
+  }
+  const SolveReport::Alignment& alignment = report.alignment_deg;
+  if (alignment.excluded_share > options.unfollowed_share) {
+    reasons.add(ReasonKind::kSurface, Verdict::kUndecided,
+                fmt::format("{:.2g} % of the surface lies in cells whose constraints no frame meets",
+                            100 * alignment.excluded_share),
+                finer);
+  } else if (alignment.p95 > options.unfollowed_deg) {
+    reasons.add(ReasonKind::kSurface, Verdict::kUndecided,
+                fmt::format("frames are more than {:.3g} degrees off 5 % of the surface", alignment.p95),
+                finer);
+  }
+  judge_creases(report.singularity, options, finer, reasons);
+  judge_short_lines(report.singularity, report.singularity.short_arcs, options, finer, reasons);
+}
+
+void judge_comparison(const SolveReport& report, Reasons& reasons) {
+  const std::string finer = use_resolution(2 * report.resolution);
+  if (!report.coarser) {
+    reasons.add(ReasonKind::kNoComparison, Verdict::kUndecided,
+                "there is no level of half the resolution to compare with", finer);
+    return;
+  }
+  const SolveReport::Coarser& coarser = *report.coarser;
+  if (agree(report.singularity, coarser)) return;
+  reasons.add(ReasonKind::kOtherAtHalf, Verdict::kUndecided,
+              fmt::format("half the resolution has other singular lines: {} for {}, {} on the surface for {}",
+                          times(coarser.arcs, "arc", "arcs"), report.singularity.arcs,
+                          times(coarser.boundary_ends, "end", "ends"), report.singularity.boundary_ends),
+              finer);
+  if (coarser.differences.empty()) return;
+  Reason& reason = reasons.last();
+  reason.count = coarser.differences.size();
+  reason.place = coarser.differences.front().place;
+}
+
+void judge_tets(const SolveReport::Onto& onto, const AnswerOptions& options, Reasons& reasons) {
+  // Frames are half the turn of a facet off it; BoundaryVertexOptions::smooth_spread_deg is the largest half
+  // at which they follow facets as one smooth surface.
+  constexpr double kSmoothDeg = 15;
+  const double off = std::max(onto.crease_deg.mean.value_or(0), onto.normal_deg.mean.value_or(0));
+  const double share = std::min(0.5, kSmoothDeg / std::max(off, kSmoothDeg));
+  const std::string finer = fmt::format("mesh it with edges of {:.2g}", share * onto.edge_length);
+  if (onto.unfollowed_share > options.unfollowed_share)
+    reasons.add(ReasonKind::kSurface, Verdict::kUndecided,
+                fmt::format("frames are more than {:g} degrees off {:.2g} % of the surface",
+                            options.unfollowed_deg, 100 * onto.unfollowed_share),
+                finer);
+  judge_creases(onto.singularity, options, finer, reasons);
+  // The tets are what will be meshed: an arc of two of them is one.
+  judge_short_lines(onto.singularity, 0, options, finer, reasons);
+}
+
+void judge_end(const SolveReport& report, Reasons& reasons) {
+  if (report.unfinished)
+    reasons.add(ReasonKind::kUnfinished, Verdict::kUndecided, "the solve was stopped before its end",
+                "let it finish");
+  const WarningKind not_settled = report.onto ? WarningKind::kTetsNotSettled : WarningKind::kNotSettled;
+  for (const Warning& warning : report.warnings)
+    if (warning.kind == not_settled)
+      reasons.add(ReasonKind::kUnfinished, Verdict::kUndecided, warning.text, "");
+}
+
+}  // namespace
+
+const char* name_of(Verdict verdict) {
+  constexpr std::array kNames{"meshable", "not_meshable", "undecided"};
+  return name_among<Verdict::kUndecided>(kNames, verdict);
+}
+
+const char* name_of(ReasonKind kind) {
+  constexpr std::array kNames{"knife_edge",    "corner", "arc",     "node",    "ends",        "other_at_half",
+                              "no_comparison", "walls",  "surface", "creases", "short_lines", "unfinished"};
+  return name_among<ReasonKind::kUnfinished>(kNames, kind);
+}
+
+Answer answer_of(const SolveReport& report, const AnswerOptions& options) {
+  Reasons reasons;
+  if (report.onto) {
+    judge_tets(*report.onto, options, reasons);
+  } else {
+    judge_grid(report, options, reasons);
+    judge_comparison(report, reasons);
+  }
+  judge_end(report, reasons);
+  const Singularity& singularity = report.onto ? report.onto->singularity : report.singularity;
+  judge_lines(singularity, reasons.empty() ? Verdict::kNotMeshable : Verdict::kUndecided, reasons);
+  judge_surface(singularity, reasons);
+  return std::move(reasons).answer();
+}
+
+std::string sentence_of(const Answer& answer) {
+  if (answer.verdict == Verdict::kMeshable) return "can be meshed locally (necessary, not sufficient)";
+  std::string text =
+      answer.verdict == Verdict::kNotMeshable ? "cannot be meshed, because " : "undecided, because ";
+  if (answer.reasons.empty()) return text + "nothing was judged";
+  const Reason& first = answer.reasons.front();
+  text += first.text;
+  if (first.count > 0) {
+    const auto& [x, y, z] = first.place;
+    text += fmt::format(" at {:.6g} {:.6g} {:.6g}", x, y, z);
+  }
+  if (first.count > 1)
+    text += fmt::format(" and at {}", times(first.count - 1, "other place", "other places"));
+  return first.next.empty() ? text : text + "; next: " + first.next;
+}
+
+}  // namespace crossgrain

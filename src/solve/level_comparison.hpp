@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The singular lines of a level, beside those of the level before it.
+#pragma once
+
+#include <optional>
+
+#include "crossgrain/report.hpp"
+#include "field/nested_solve.hpp"
+
+namespace crossgrain {
+
+/// Keeps the graphs of the last two levels that a finer one followed: a solve that is stopped returns the
+/// last of them.
+class CoarserGraphs {
+ public:
+  void add(const CoarserLevel& level);
+
+  /// What the level before one of this depth has in its place; none if there is no such level. `resolution`
+  /// is that of the level, `cell_size` the size of its finest cells.
+  std::optional<SolveReport::Coarser> before(int depth, const SingularityGraph& graph, double resolution,
+                                             double cell_size) const;
+
+ private:
+  struct Kept {
+    int depth;
+    SingularityGraph graph;
+  };
+  std::optional<Kept> last_, one_before_;
+};
+
+}  // namespace crossgrain
