@@ -175,6 +175,8 @@ struct SolveReport {
     double cells_wanted = 0;          ///< RefinementOptions::thickness_cells
     double thin_share = 0;            ///< share of the surface's area at walls of fewer cells
     double unresolved_share = 0;      ///< share at walls of fewer than AnswerOptions::wall_cells
+    double deciding_cells = 0;        ///< thickness of the wall at AnswerOptions::thin_share of the area,
+                                      ///< thinnest first, in cells; 0 if walls take less
     double thinnest_cells = 0;        ///< thickness of the thinnest wall in cells; 0 if there are no walls
     std::size_t two_sheet_cells = 0;  ///< cells with both sides of a wall or gap
     std::size_t tied_cells = 0;       ///< cells in small groups without an open face to other cells

@@ -171,9 +171,9 @@ void judge_grid(const SolveReport& report, const AnswerOptions& options, Reasons
   const SolveReport::Walls& walls = report.walls;
   if (walls.unresolved_share > options.thin_share) {
     // The margin keeps the next solve from missing its wall by rounding.
-    const double enough = 1.01 * report.resolution * options.wall_cells / walls.thinnest_cells;
+    const double enough = 1.01 * report.resolution * options.wall_cells / walls.deciding_cells;
     reasons.add(ReasonKind::kWalls, Verdict::kUndecided,
-                fmt::format("walls under {:.2g} % of the surface have fewer than {:g} cells",
+                fmt::format("walls under {:.3g} % of the surface have fewer than {:g} cells",
                             100 * walls.unresolved_share, options.wall_cells),
                 use_resolution(enough));
   }
@@ -233,10 +233,6 @@ void judge_end(const SolveReport& report, Reasons& reasons) {
   if (report.unfinished)
     reasons.add(ReasonKind::kUnfinished, Verdict::kUndecided, "the solve was stopped before its end",
                 "let it finish");
-  const WarningKind not_settled = report.onto ? WarningKind::kTetsNotSettled : WarningKind::kNotSettled;
-  for (const Warning& warning : report.warnings)
-    if (warning.kind == not_settled)
-      reasons.add(ReasonKind::kUnfinished, Verdict::kUndecided, warning.text, "");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -32,14 +33,15 @@ double wall_thickness(const GridLevel& level, const Solid& solid, CellIndex i, d
 
 /// Sums over a range of leaves, or over all.
 struct WallSums {
-  double thinnest = kNone, area = 0, thin_area = 0, unresolved_area = 0;
+  double thinnest = kNone, area = 0, thin_area = 0;
+  std::vector<std::pair<double, double>> unresolved;  ///< thickness and area of walls that do not decide
   std::size_t two_sheet_cells = 0;
 
   void add(const WallSums& other) {
     thinnest = std::min(thinnest, other.thinnest);
     area += other.area;
     thin_area += other.thin_area;
-    unresolved_area += other.unresolved_area;
+    unresolved.insert(unresolved.end(), other.unresolved.begin(), other.unresolved.end());
     two_sheet_cells += other.two_sheet_cells;
   }
 };
@@ -55,8 +57,19 @@ void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double th
   sums.thinnest = std::min(sums.thinnest, thickness);
   sums.area += area;
   if (thickness < thin) sums.thin_area += area;
-  if (thickness < unresolved) sums.unresolved_area += area;
+  if (thickness < unresolved) sums.unresolved.push_back({thickness, area});
   sums.two_sheet_cells += holds_two_sheets(level, solid, i);
+}
+
+void describe_unresolved(WallSums& sums, double share, double finest, SolveReport::Walls& report) {
+  std::sort(sums.unresolved.begin(), sums.unresolved.end());
+  double area = 0;
+  for (const auto& [thickness, own] : sums.unresolved) {
+    const bool was_below = area <= share * sums.area;
+    area += own;
+    if (was_below && area > share * sums.area) report.deciding_cells = thickness / finest;
+  }
+  report.unresolved_share = area / sums.area;
 }
 
 double smallest_cell_size(const Octree& tree) {
@@ -71,13 +84,13 @@ double smallest_cell_size(const Octree& tree) {
 }  // namespace
 
 SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid, double thickness_cells) {
-  const double wall_cells = AnswerOptions{}.wall_cells;
+  const AnswerOptions answer;
   const double finest = smallest_cell_size(level.tree);
   std::vector<WallSums> runs((level.size() + kLeafGrain - 1) / kLeafGrain);
   parallel_for_chunks(level.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<CellIndex>(begin); i < end; ++i)
-      add_leaf(level, solid, i, std::max(thickness_cells, wall_cells) * finest, wall_cells * finest,
-               runs[begin / kLeafGrain]);
+      add_leaf(level, solid, i, std::max(thickness_cells, answer.wall_cells) * finest,
+               answer.wall_cells * finest, runs[begin / kLeafGrain]);
   });
   WallSums sums;
   for (const WallSums& run : runs) sums.add(run);
@@ -86,7 +99,7 @@ SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid, dou
   report.two_sheet_cells = sums.two_sheet_cells;
   if (sums.area > 0) {
     report.thin_share = sums.thin_area / sums.area;
-    report.unresolved_share = sums.unresolved_area / sums.area;
+    describe_unresolved(sums, answer.thin_share, finest, report);
   }
   if (std::isfinite(sums.thinnest)) report.thinnest_cells = sums.thinnest / finest;
   return report;

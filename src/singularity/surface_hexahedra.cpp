@@ -154,17 +154,31 @@ class SurfaceJudge {
     return std::nullopt;
   }
 
-  /// Undecided if other roundings of its creases have a link, or a crease is too short for the cells.
+  /// Undecided if other roundings of its creases have a link, here or as a whole, or a crease is too short
+  /// for the cells. A crease that ends alone fades out: the normal is the same all around its end.
   Verdict verdict_without_link(const SolidCorner& corner, const std::vector<int>& valences) const {
+    if (corner.creases.size() == 1) return Verdict::kUndecided;
     for (const std::uint32_t c : corner.creases)
       if (!judged_[c].is_resolved) return Verdict::kUndecided;
     return has_link_when_rounded(corner, 0, {}, valences) ? Verdict::kUndecided : Verdict::kNotMeshable;
   }
 
+  /// The numbers of a crease, and those of its angle at one of its ends: it may fade out there.
+  std::vector<int> numbers_at(std::uint32_t vertex, std::uint32_t crease) const {
+    std::vector<int> numbers = judged_[crease].numbers;
+    const auto& edges = creases_.creases[crease].edges;
+    for (const SolidCrease::Edge* edge : {&edges.front(), &edges.back()}) {
+      if (edge->ends[0] != vertex && edge->ends[1] != vertex) continue;
+      for (const int k : numbers_near(edge->angle_deg, options_.rounding_deg))
+        if (std::find(numbers.begin(), numbers.end(), k) == numbers.end()) numbers.push_back(k);
+    }
+    return numbers;
+  }
+
   bool has_link_when_rounded(const SolidCorner& corner, std::size_t at, std::vector<int> numbers,
                              const std::vector<int>& valences) const {
     if (at == corner.creases.size()) return first_link(numbers, valences).has_value();
-    for (const int k : judged_[corner.creases[at]].numbers) {
+    for (const int k : numbers_at(corner.vertex, corner.creases[at])) {
       numbers.push_back(k);
       if (has_link_when_rounded(corner, at + 1, numbers, valences)) return true;
       numbers.pop_back();

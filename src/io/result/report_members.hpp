@@ -332,6 +332,7 @@ void describe_doubts(File& file, Report& report) {
     walls.member("cells_wanted", report.walls.cells_wanted);
     walls.member("thin_share", report.walls.thin_share);
     walls.member("unresolved_share", report.walls.unresolved_share);
+    walls.member("deciding_cells", report.walls.deciding_cells);
     walls.member("thinnest_cells", report.walls.thinnest_cells);
     walls.member("two_sheet_cells", report.walls.two_sheet_cells);
     walls.member("tied_cells", report.walls.tied_cells);
