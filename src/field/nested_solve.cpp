@@ -170,6 +170,13 @@ class NestedSolver {
         {phase, depth, cells, 0, std::numeric_limits<double>::quiet_NaN(), number_of(depth), level_count_});
   }
 
+  /// Reports the energy of the finished level as SolveReport::Energy has it, whatever the sweeps minimise.
+  void report_energy(Progress place, int sweeps) const {
+    place.sweep = sweeps;
+    place.energy = result_.energy.total() + result_.energy.unavoidable;
+    monitor_.report(place);
+  }
+
   /// Returns whether a finished level was kept and has an inside; very coarse ones may have none.
   static bool can_stand_alone(const SolvedField& field) {
     const auto& winding = field.level.centre_winding;
@@ -235,6 +242,7 @@ class NestedSolver {
     const Progress place{Phase::kSolve, depth, level.size(), 0, 0, number_of(depth), level_count_};
     const Swept swept = settle(std::move(connectivity), std::move(parent), depth == coarsest_depth_, place);
     keep_best(swept.adjacency, finest || level.size() > options_.solver.start_cells, finest);
+    report_energy(place, swept.sweeps);
     if (!finest && visit_level_)
       visit_level_({depth, level.tree, candidates_[best_].frames, result_.open_faces});
     solve_watch_.stop();
