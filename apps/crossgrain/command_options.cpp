@@ -84,6 +84,10 @@ void add_tets_options(CLI::App& command, SolveArguments& arguments) {
       "Boundary vertices of tets that are constrained to the surface: all (default), or smooth-only, which "
       "leaves creases and corners free",
       "all|smooth-only");
+  command.add_flag(
+      "--keep-tags", arguments.tags.keep_all,
+      "Follow all edges, triangles and regions that a tet mesh lists, even if they are nearly all "
+      "that it has");
 }
 
 void add_looks(CLI::App& command, PictureOptions& options) {

@@ -49,6 +49,31 @@ struct CreaseAngles {
   double knife_deg = 45;
 };
 
+/// Which lists of a tet mesh (TetMesh::feature_edges, feature_faces, regions) say where features are. Many
+/// programs write every face and edge of a mesh, or number its tets, which would make each face a wall and
+/// each edge a crease.
+struct TetTagOptions {
+  /// Whether all lists count, whatever they name.
+  bool keep_all = false;
+
+  /// A list that names at least this share of all faces inside, of all edges inside or of all edges of the
+  /// surface is one of the mesh, not of features. True features are far from it: in a mesh of n tets across,
+  /// surfaces have a share of about 1/n; of the 18 edges of a box of twelve triangles, twelve are sharp.
+  double least_share = 0.9;
+
+  /// In such a list the most common tag is ignored, and the others count if together they name at most this
+  /// share; otherwise none does, because tags tell nothing apart. The sharp edges of a box are a quarter of
+  /// all its edges if there are three along a side, and the fewer the finer the mesh.
+  double most_other_share = 0.25;
+
+  /// Regions of fewer tets than this in the mean are no bodies and become one: around a single vertex inside
+  /// there are about 20 tets, and a hexahedron is cut into 5 or 6.
+  double fewest_region_tets = 10;
+
+  /// Shorter lists, and fewer regions, always count: in a mesh of a few tets a feature may be everything.
+  std::size_t fewest = 20;
+};
+
 /// The coarse-to-fine solve. The sweeps in docs/notes/solver.md chose the defaults.
 struct SolverOptions {
   /// kappa: the weight of the boundary form is kappa / (cell size) (docs/design.md, "Energy").
