@@ -158,8 +158,8 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   command
       ->add_option(
           "--crease-angle", options.creases.least_deg,
-          "Edges between faces whose normals differ by more degrees are creases, which frames follow "
-          "(default 35; 180 for none)")
+          "Edges between faces whose normals differ by more degrees are creases, which frames follow, unless "
+          "they end in a smooth surface before long (default 35; 180 for none)")
       ->check(fault_of_angle)
       ->type_name("DEG");
   command->add_option("--threads", options.threads, "Number of threads; 0 (default) uses all")
