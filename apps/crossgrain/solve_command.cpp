@@ -53,7 +53,7 @@ bool is_of_reading(WarningKind kind) {
 /// request.
 bool is_of_input(WarningKind kind) {
   return kind == WarningKind::kMemoryLimited || kind == WarningKind::kSurfaceFinding ||
-         kind == WarningKind::kConstraintsOutside;
+         kind == WarningKind::kConstraintsOutside || kind == WarningKind::kListedTopology;
 }
 
 void print_warning(Warning warning, const std::string& model) {
@@ -67,7 +67,7 @@ std::optional<TetDomain> read_domain(const SolveArguments& arguments, const Warn
   if (!is_tet_file(file) && arguments.onto.empty()) return std::nullopt;
   TetMesh mesh = read_tets(file);
   for (const Warning& warning : mesh.warnings) warn(warning);
-  return naming(file, [&] { return TetDomain(std::move(mesh)); });
+  return naming(file, [&] { return TetDomain(std::move(mesh), arguments.tags); });
 }
 
 Box bounds_of(const std::vector<Vector3>& points) {

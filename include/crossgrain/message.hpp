@@ -51,6 +51,7 @@ enum class Remedy : int {
   kGlueSolids,
   kSeparateSolids,
   kSplitTets,
+  kKeepTags,  ///< TetTagOptions::keep_all
   kGiveSolvedSurface,
 
   // Options.

@@ -58,6 +58,7 @@ constexpr Wording kWordings[] = {
     {Remedy::kGlueSolids, "glue_solids", "glue the solids"},
     {Remedy::kSeparateSolids, "separate_solids", "cut one from the other"},
     {Remedy::kSplitTets, "split_tets", "split the tets around it"},
+    {Remedy::kKeepTags, "keep_tags", "keep all tags to follow them"},
     {Remedy::kGiveSolvedSurface, "give_solved_surface", "give the one that the field was solved for"},
     {Remedy::kRaiseResolution, "raise_resolution", "raise the resolution, or take smaller cells"},
     {Remedy::kLowerResolution, "lower_resolution", "lower the resolution, or take larger cells"},

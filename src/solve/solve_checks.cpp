@@ -105,9 +105,10 @@ void check_options(const SolveOptions& options) {
   check_sweeps(solver);
   for (const double weight : {solver.crease_weight, solver.tagged_weight})
     demand(weight >= 0 && std::isfinite(weight), "weights of creases and tagged edges must not be negative");
-  for (const double angle :
-       {options.creases.least_deg, options.creases.corner_deg, options.creases.knife_deg})
+  for (const double angle : {options.creases.least_deg, options.creases.fading.sure_deg,
+                             options.creases.corner_deg, options.creases.knife_deg})
     demand(angle > 0 && angle <= 180, "angles of creases must lie above 0 and be at most 180 degrees");
+  demand(options.creases.fading.least_radii >= 0, "the least length of a crease must not be negative");
   demand(options.refinement.coarsest_cells >= 1, "the coarsest level needs a cell");
   demand(options.refinement.thickness_cells >= 0, "the cells wanted across a wall must not be negative");
   demand(!std::isnan(options.refinement.energy_density_threshold),
