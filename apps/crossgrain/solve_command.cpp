@@ -48,11 +48,22 @@ bool is_of_reading(WarningKind kind) {
   }
 }
 
+/// Returns whether the warning says that the energy has not settled.
+bool is_unsettled(const Warning& warning) {
+  return warning.kind == WarningKind::kNotSettled || warning.kind == WarningKind::kTetsNotSettled;
+}
+
 /// Returns whether the warning is printed even with --quiet: what was solved differs from the input or the
-/// request.
-bool is_of_input(WarningKind kind) {
-  return kind == WarningKind::kMemoryLimited || kind == WarningKind::kSurfaceFinding ||
-         kind == WarningKind::kConstraintsOutside;
+/// request, or the exit code needs an explanation.
+bool is_always_printed(const Warning& warning) {
+  return warning.kind == WarningKind::kMemoryLimited || warning.kind == WarningKind::kSurfaceFinding ||
+         warning.kind == WarningKind::kConstraintsOutside || is_unsettled(warning);
+}
+
+int exit_code_after(const SolveReport& report) {
+  if (report.unfinished) return exit_code_of(ErrorKind::kInterrupted);
+  const auto& warnings = report.warnings;
+  return std::any_of(warnings.begin(), warnings.end(), is_unsettled) ? exit_code_of(ErrorKind::kLimit) : 0;
 }
 
 void print_warning(Warning warning, const std::string& model) {
@@ -185,7 +196,7 @@ std::string summary_of(const SolveReport& report, const SolveArguments& argument
   if (report.constraints) text += constraints_lines(*report.constraints);
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
   for (const Warning& warning : report.warnings) {
-    const bool is_reported = is_of_reading(warning.kind) || is_of_input(warning.kind);
+    const bool is_reported = is_of_reading(warning.kind) || is_always_printed(warning);
     if (!is_reported) text += fmt::format("warning    {}\n", line_of(warning, Command::kSolve));
   }
   return text + fmt::format("result     {}\n", files_line(report, arguments));
@@ -314,9 +325,9 @@ int run_solve(const SolveArguments& arguments) {
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)
-    if (is_of_input(warning.kind)) print_warning(warning, arguments.model);
+    if (is_always_printed(warning)) print_warning(warning, arguments.model);
   if (!arguments.quiet) print_result(summary_of(report, arguments));
-  return report.unfinished ? exit_code_of(ErrorKind::kInterrupted) : 0;
+  return exit_code_after(report);
 }
 
 }  // namespace crossgrain::app
