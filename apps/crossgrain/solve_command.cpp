@@ -34,26 +34,10 @@ double seconds_since(Clock::time_point start) {
 
 using Warn = std::function<void(const Warning& warning)>;
 
-/// Returns whether the warning comes from reading a file; it is printed before the solve.
-bool is_of_reading(WarningKind kind) {
-  switch (kind) {
-    case WarningKind::kUnknownUnit:
-    case WarningKind::kMissingParts:
-    case WarningKind::kLooseFaces:
-    case WarningKind::kMissingFaces:
-    case WarningKind::kCurvedTets:
-    case WarningKind::kSkippedData:
-      return true;
-    default:
-      return false;
-  }
-}
-
-/// Returns whether the warning is printed even with --quiet: what was solved differs from the input or the
-/// request.
-bool is_of_input(WarningKind kind) {
-  return kind == WarningKind::kMemoryLimited || kind == WarningKind::kSurfaceFinding ||
-         kind == WarningKind::kConstraintsOutside || kind == WarningKind::kListedTopology;
+int exit_code_after(const SolveReport& report) {
+  if (report.unfinished) return exit_code_of(ErrorKind::kInterrupted);
+  const auto& warnings = report.warnings;
+  return std::any_of(warnings.begin(), warnings.end(), is_unsettled) ? exit_code_of(ErrorKind::kLimit) : 0;
 }
 
 void print_warning(Warning warning, const std::string& model) {
@@ -120,6 +104,12 @@ FrameField solve_model(const SolveArguments& arguments, const SolveOptions& opti
     if (arguments.from.empty()) return solve(mesh, options, monitor);
     return solve_from(read_field(arguments.from), mesh, options, monitor);
   });
+}
+
+std::string expected_line(const Expectation& expected) {
+  return fmt::format("expected   {:.3g} million cells, {:.3g} GB of memory, {:.3g} s in all\n",
+                     static_cast<double>(expected.active_cells) / 1e6,
+                     static_cast<double>(expected.peak_memory_bytes) / 1e9, expected.seconds);
 }
 
 /// Throws if the initial field was clipped, because cells outside it would have poor initial frames.
@@ -245,9 +235,9 @@ int run_solve(const SolveArguments& arguments) {
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)
-    if (is_of_input(warning.kind)) print_warning(warning, arguments.model);
+    if (is_always_printed(warning)) print_warning(warning, arguments.model);
   if (!arguments.quiet) print_result(summary_of(report, arguments));
-  return report.unfinished ? exit_code_of(ErrorKind::kInterrupted) : 0;
+  return exit_code_after(report);
 }
 
 }  // namespace crossgrain::app

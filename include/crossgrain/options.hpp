@@ -88,6 +88,21 @@ struct TetTagOptions {
   std::size_t fewest = 20;
 };
 
+/// How sweeps end on fields that hardly turn, as in plates and rods: what is left of the energy may be
+/// rounding, or a twist over the whole part that fades slowly. Angles stand for the energy of a field that
+/// turns by so much evenly along the longest side of the bounding box, 5/3 angle^2 volume / side^2. The
+/// sweeps in docs/notes/solver.md chose the defaults.
+struct CalmFieldOptions {
+  /// Sweeps end when one lowers the energy by less than `sweep_tolerance` of that of this angle.
+  double least_turn_deg = 0.1;
+
+  /// Below the energy of this angle, sweeps that run out are followed by up to `more_sweeps` with the
+  /// over-relaxation `over_relaxation`, which is better for errors that span the part.
+  double calm_turn_deg = 30;
+  int more_sweeps = 1000;
+  double over_relaxation = 1.9;
+};
+
 /// The coarse-to-fine solve. The sweeps in docs/notes/solver.md chose the defaults.
 struct SolverOptions {
   /// kappa: the weight of the boundary form is kappa / (cell size) (docs/design.md, "Energy").
@@ -144,6 +159,8 @@ struct SolverOptions {
 
   /// Sweeps end when one lowers the energy by less than this fraction.
   double sweep_tolerance = 1e-4;
+
+  CalmFieldOptions calm_fields = {};
 };
 
 /// Which boundary vertices of a tet mesh are constrained.
@@ -179,8 +196,10 @@ struct OntoOptions {
 
   /// Largest number of manifold sweeps; sweeps end when one lowers the energy by less than `sweep_tolerance`,
   /// as a fraction of it.
-  int most_sweeps = 80;
+  int most_sweeps = 300;
   double sweep_tolerance = 1e-5;
+
+  CalmFieldOptions calm_fields = {};
 };
 
 /// Which cells keep the quadratic form of their constraints with the field, for display. A solve whose field

@@ -24,6 +24,7 @@ constexpr Wording kWordings[] = {
     {Remedy::kCopyAgain, "copy_again", "copy or export it again"},
     {Remedy::kRepairFile, "repair_file", "repair it or export it again"},
     {Remedy::kExportAgain, "export_again", "export it again"},
+    {Remedy::kGivePartFiles, "give_part_files", "give one of these, or export all as one file"},
     {Remedy::kCorrectLine, "correct_line", "correct that line"},
     {Remedy::kRename, "rename", "rename it to match what it holds"},
     {Remedy::kConvertFile, "convert_file", "export it in a format that can be read"},

@@ -27,6 +27,12 @@ using Frames = std::vector<StoredQuaternion>;
 using Candidate = SettledFrames;
 
 /// Relaxation and manifold sweeps on one level.
+double volume_of(const Octree& tree) {
+  return parallel_sum(tree.size(), [&](std::size_t i) {
+    return std::pow(tree.root().cell_size(tree[static_cast<CellIndex>(i)].depth()), 3);
+  });
+}
+
 template <int D>
 class LevelSolver {
  public:
@@ -44,8 +50,8 @@ class LevelSolver {
   /// Relaxes if `relaxation_sweeps` is positive, then sweeps on the manifold until the energy settles.
   SettledFrames solved(Frames frames, int relaxation_sweeps) {
     const RelaxationPlan relaxation{relaxation_sweeps, options_.symmetrisation, options_.over_relaxation};
-    const SettlingPlan settling{options_.most_sweeps, options_.over_relaxation, options_.sweep_tolerance,
-                                rounding_noise(connectivity_->adjacency)};
+    const SettlingPlan settling = settling_plan(options_, connectivity_->adjacency, volume_of(level_.tree),
+                                                longest_side(solid_.surface.box));
     std::function<Frames(Frames)> relax;
     if (relaxation_sweeps > 0) {
       relax = [=, this](Frames came) {
