@@ -26,6 +26,8 @@ class ArcsOnEdges:
         self.joined = defaultdict(set)  # vertices of each node of several vertices, by its point
         for i, names in enumerate(self.vertices):
             self.find_hidden_edges(i, names)
+        self.faults += [f"arc_list[{i}] goes through vertex {v}, where {len(lines.at[v])} singular edges meet"
+                        for i, names in enumerate(self.vertices) for v in names[1:-1] if v >= 0 and len(lines.at[v]) != 2]
         self.faults += [f"edge {e} of the field belongs to {n} arcs" for e, n in self.used.items() if n > 1]
         self.sort_left_over(set(lines.turns) - set(self.used))
         points = self.graph.points

@@ -89,8 +89,9 @@ class ArcJudgement:
             self.type = "changing"
         else:
             halves = lengths[[turn.quarters == 2 for turn in turns]].sum() > lengths.sum() / 2
-            self.index = (0.5 if halves else 0.25) * (1 if (lengths * cosines)[about_axis].sum() >= 0 else -1)
-            self.verdict = "not_meshable" if self.index == 0.5 else "meshable"
+            self.index = (0.5 if halves else 0.25) * np.sign((lengths * cosines)[about_axis].sum())
+            # Without any turn about an axis there is no sense, and it is too short to be impossible.
+            self.verdict = {0.5: "not_meshable", 0: "undecided"}.get(self.index, "meshable")
 
 
 class Lines:

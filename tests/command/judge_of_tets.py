@@ -56,12 +56,14 @@ class JudgeOfTets:
 
     def node_verdict(self, node):
         arcs = self.graph.arcs_at(node)
-        faulty = any(self.on.arcs[a].verdict != "meshable" for a in arcs)
+        faulty = any(self.on.arcs[a].verdict == "not_meshable" for a in arcs)
         valences = [self.valence(a) for a in arcs]
         if self.node_on_boundary[node]:
             return "meshable" if faulty or 4 - sum(4 - n for n in valences) >= 1 else "undecided"
         if faulty:
             return "not_meshable"
+        if any(self.on.arcs[a].verdict == "undecided" for a in arcs):
+            return "undecided"
         return {True: "meshable", False: "not_meshable", None: "undecided"}[has_sphere(valences)]
 
     def reasons(self):
@@ -147,8 +149,9 @@ class Comparison:
 
     def creases(self, said):
         """Creases are known by the edge of their least angle; of equal angles rounding chooses."""
-        own = {tuple(np.round(e_place, 6)): c for c in self.judge.creases for e_place in c.sharpest_places()}
-        self.same("crease_list", len(said), len(self.judge.creases))
+        own = {tuple(np.round(place, 6)): c for c in self.judge.creases for place in c.sharpest_places()}
+        least, most = (sum(not c.is_tie or tie for c in self.judge.creases) for tie in (False, True))
+        self.between("crease_list", len(said), least, most)
         for i, entry in enumerate(said):
             crease = own.get(tuple(np.round(entry["place"], 6)))
             if crease is None:

@@ -63,6 +63,8 @@ class Crease:
         for edge in edges:
             votes[edge.seen] += edge.length
         self.options = options_of(self.angle)
+        # Exactly where the rounding of angles begins to count: that of numbers decides whether it is listed.
+        self.is_tie = 2 in self.options and any(abs(abs(self.angle - tie) - ROUNDING_DEG) < ROUNDED_DEG for tie in TIES)
         self.hexahedra = max(self.options, key=lambda k: votes[k])
         self.followed = votes[self.hexahedra] / self.length
         self.is_short = self.length <= SHORT_CELLS * field.surface_size[first]
@@ -89,7 +91,7 @@ class Crease:
 def options_of(angle):
     """The numbers of hexahedra that an angle may have."""
     nearest = int(np.floor(angle / 90 + 0.5))
-    return sorted({nearest} | {k for tie in TIES if abs(angle - tie) <= ROUNDING_DEG
+    return sorted({nearest} | {k for tie in TIES if abs(angle - tie) < ROUNDING_DEG + ROUNDED_DEG
                                for k in (int(tie // 90), int(tie // 90) + 1)})
 
 
