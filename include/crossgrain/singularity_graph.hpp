@@ -109,9 +109,9 @@ struct SingularityOptions {
 
   /// The sense of a rotation is noise where its axis is nearly across the arc: an arc changes its sense where
   /// the cosine between them is above `sign_cosine` over a length of `sign_cells`, and below -`sign_cosine`
-  /// over as long a part. docs/notes/fields.md has the sweep.
+  /// over as long a part. docs/notes/verdict.md has the sweep.
   double sign_cosine = 0.2;
-  double sign_cells = 3;
+  double sign_cells = 2;
 
   /// Angle within which of 45, 135, 225 or 315 degrees of solid the number of hexahedra at a crease is left
   /// to the frames, or undecided.

@@ -57,7 +57,7 @@ struct Answer {
 };
 
 /// What the answer about a field rests on besides its singular lines. Shares and numbers of cells are
-/// dimensionless. docs/notes/fields.md has the sweeps.
+/// dimensionless. docs/notes/verdict.md has the sweeps.
 struct AnswerOptions {
   /// Fewest cells across a wall that decide, and the largest share of the surface at thinner walls.
   double wall_cells = 2.5;

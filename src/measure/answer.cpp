@@ -104,6 +104,9 @@ const char* fault_of(const Singularity::Arc& arc) {
 void judge_lines(const Singularity& singularity, Verdict fault, Reasons& reasons) {
   constexpr const char* kNext = "try other cells, or split the part where the line turns";
   reasons.add_worst(ReasonKind::kArc, fault, singularity.arc_list, Verdict::kNotMeshable, fault_of, kNext);
+  const auto across = [](const Singularity::Arc&) { return "frames rotate about an axis across an arc"; };
+  reasons.add_worst(ReasonKind::kArc, Verdict::kUndecided, singularity.arc_list, Verdict::kUndecided, across,
+                    kNext);
   const auto node = [](const Singularity::Node& it) {
     return fmt::format("no hexahedra meet like the {} of a node", times(it.arcs.size(), "arc", "arcs"));
   };

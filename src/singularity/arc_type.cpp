@@ -41,6 +41,11 @@ class Stretches {
     return changes ? Graph::ArcType::kChanging : Graph::ArcType::kRegular;
   }
 
+  /// Whether neither sense lasts, on an arc long enough for both.
+  bool is_of_no_sense() const {
+    return all_ >= 2 * options_.sign_cells && std::max(positive_, negative_) < options_.sign_cells;
+  }
+
   bool is_by_half_turns() const { return 2 * half_ > all_; }
 
  private:
@@ -115,7 +120,9 @@ Graph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singula
     out.index = (sum < 0 ? -1 : 1) * (stretches.is_by_half_turns() ? 0.5 : 0.25);
   // Two hexahedra around an edge would have two faces in common.
   const bool meshable = out.type == Graph::ArcType::kRegular && out.index != 0.5;
-  out.verdict = meshable ? Verdict::kMeshable : Verdict::kNotMeshable;
+  out.verdict = !meshable                     ? Verdict::kNotMeshable
+                : stretches.is_of_no_sense() ? Verdict::kUndecided
+                                              : Verdict::kMeshable;
   return out;
 }
 

@@ -273,13 +273,44 @@ TEST(SingularityGraph, KnowsThatTwoHexahedraAroundAnEdgeAreTooFew) {
   EXPECT_EQ(two.verdict(), Verdict::kNotMeshable);
 }
 
-TEST(SingularityGraph, KnowsAnArcAcrossWhichFramesTurn) {
+TEST(SingularityGraph, DoesNotDecideAboutAnArcAcrossWhichFramesTurn) {
   const Graph graph = solved(TurningLine{{0.52, 0.47, 0.5}, kSlanted, orthogonal_unit(kSlanted), 0.25});
   ASSERT_EQ(graph.arcs.size(), 1u);
-  EXPECT_EQ(graph.arcs[0].type, Graph::ArcType::kAcross);
-  EXPECT_EQ(graph.arcs[0].index, 0);
+  EXPECT_EQ(graph.arcs[0].type, Graph::ArcType::kRegular);
   EXPECT_EQ(graph.arcs[0].oblique_length, graph.arcs[0].length);
-  EXPECT_EQ(graph.verdict(), Verdict::kNotMeshable);
+  EXPECT_EQ(graph.verdict(), Verdict::kUndecided);
+}
+
+TEST(SingularityGraph, AllowsAnArcOfOneSenseHoweverOblique) {
+  for (const double degrees : {50., 65., 80.}) {
+    const double tilt = degrees * std::numbers::pi / 180;
+    Vector3 axis = std::cos(tilt) * kSlanted;
+    axis += std::sin(tilt) * orthogonal_unit(kSlanted);
+    const Graph graph = solved(TurningLine{{0.52, 0.47, 0.5}, kSlanted, axis, 0.25});
+    ASSERT_EQ(graph.arcs.size(), 1u) << degrees;
+    EXPECT_EQ(graph.arcs[0].index, 0.25) << degrees;
+    EXPECT_EQ(graph.verdict(), Verdict::kMeshable) << degrees;
+    EXPECT_GT(graph.arcs[0].oblique_length, 0.8 * graph.arcs[0].length) << degrees;
+  }
+}
+
+TEST(SingularityGraph, LeavesOutAStubOfThirdTurnsFromSurfaceToSurface) {
+  const FrameTurn third{FrameTurn::Kind::kThird, normalised(Vector3{1, 1, 1})};
+  const Graph stub = graph_of(line({0, 0, 0}, 0, 2, third));
+  EXPECT_EQ(stub.arcs.size(), 0u);
+  EXPECT_EQ(stub.unresolved_stubs, 1u);
+  const Graph longer = graph_of(line({0, 0, 0}, 0, 3, third));
+  EXPECT_EQ(longer.unresolved_stubs, 0u);
+  EXPECT_EQ(longer.verdict(), Verdict::kNotMeshable);
+}
+
+TEST(SingularityGraph, CountsWhereAnArcTouchesTheSurface) {
+  SingularEdges singular = singular_of(line({0, 0, 0}, 0, 8, {kQuarter, unit(0)}));
+  EXPECT_EQ(singularity_graph(singular).contacts, 0u) << "arcs end there";
+  singular.points[4].on_boundary = true;
+  const Graph graph = singularity_graph(singular);
+  EXPECT_EQ(graph.arcs.size(), 1u);
+  EXPECT_EQ(graph.contacts, 2u);
 }
 
 TEST(SingularityGraph, KnowsAnArcAroundWhichFramesTurnAboutNoAxis) {
@@ -324,11 +355,11 @@ TEST(SingularityGraph, OfASlantedLineThroughLeavesOfThreeSizesIsOneArcWithoutNod
 }
 
 TEST(SingularityGraph, SummaryCountsWhatIsWrong) {
-  const auto summary =
-      summary_of(solved(TurningLine{{0.52, 0.47, 0.5}, kSlanted, orthogonal_unit(kSlanted), 0.25}));
+  const FrameTurn third{FrameTurn::Kind::kThird, normalised(Vector3{1, 1, 1})};
+  const auto summary = summary_of(graph_of(line({0, 0, 0}, 0, 8, third)));
   EXPECT_EQ(summary.verdict, Verdict::kNotMeshable);
   EXPECT_EQ(summary.not_meshable_arcs, 1u);
-  EXPECT_EQ(summary.arc_list[0].type, SingularityGraph::ArcType::kAcross);
+  EXPECT_EQ(summary.arc_list[0].type, SingularityGraph::ArcType::kNoAxis);
   EXPECT_EQ(summary.arc_list[0].verdict, Verdict::kNotMeshable);
   EXPECT_TRUE(summary.arc_list[0].on_boundary);
   EXPECT_EQ(summary.arc_list[0].nodes, (std::vector<std::uint32_t>{0, 1}));

@@ -157,13 +157,14 @@ TEST(SingularTetEdges, FollowALineWithItsIndexWhicheverNamesAxesHave) {
   }
 }
 
-TEST(SingularTetEdges, KnowAnArcAcrossWhichFramesTurn) {
+TEST(SingularTetEdges, LeaveAnArcUndecidedAcrossWhichFramesTurn) {
   const Vector3 direction = normalised(Vector3{0.2, -0.3, 1});
   const auto frames =
       frames_at_tets(kBox, TurningLine{{4.1, 3.4, 4.5}, direction, orthogonal_unit(direction), 0.25});
   const SingularityGraph graph = singularity_graph(singular_tet_edges(kBox, frames));
   ASSERT_EQ(graph.arcs.size(), 1u);
-  EXPECT_EQ(graph.arcs[0].type, SingularityGraph::ArcType::kAcross);
+  EXPECT_EQ(graph.arcs[0].oblique_length, graph.arcs[0].length);
+  EXPECT_NE(graph.arcs[0].verdict, Verdict::kNotMeshable);
 }
 
 }  // namespace

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solve/level_comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include "crossgrain/solve.hpp"
+#include "support/shapes.hpp"
+
+namespace crossgrain {
+namespace {
+
+SolveReport report_at(const TriangleMesh& mesh, int resolution) {
+  SolveOptions options;
+  options.resolution = resolution;
+  return solve(mesh, options).report();
+}
+
+TEST(LevelComparison, FindsTheFourLinesOfACylinderOnBothLevels) {
+  const SolveReport report = report_at(make_cylinder(0.5, 0.7, 64), 48);
+  ASSERT_TRUE(report.coarser);
+  EXPECT_EQ(report.coarser->arcs, 4u);
+  EXPECT_EQ(report.coarser->boundary_ends, 8u);
+  EXPECT_EQ(report.coarser->resolution, 24);
+  EXPECT_TRUE(report.coarser->differences.empty());
+  EXPECT_EQ(report.answer.verdict, Verdict::kMeshable);
+}
+
+TEST(LevelComparison, IsWithTheFieldOfHalfTheResolution) {
+  const TriangleMesh mesh = make_bracket(32);
+  const SolveReport fine = report_at(mesh, 64), coarse = report_at(mesh, 32);
+  ASSERT_TRUE(fine.coarser);
+  EXPECT_EQ(fine.coarser->arcs, coarse.singularity.arcs);
+  EXPECT_EQ(fine.coarser->boundary_ends, coarse.singularity.boundary_ends);
+  EXPECT_EQ(fine.coarser->verdict, coarse.singularity.verdict);
+}
+
+TEST(LevelComparison, NeedsTwoLevels) {
+  EXPECT_FALSE(report_at(make_box({1, 1, 1}), 4).coarser);
+}
+
+}  // namespace
+}  // namespace crossgrain
