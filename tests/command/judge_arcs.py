@@ -31,7 +31,8 @@ class ArcsOnEdges:
         self.faults += [f"edge {e} of the field belongs to {n} arcs" for e, n in self.used.items() if n > 1]
         self.sort_left_over(set(lines.turns) - set(self.used))
         points = self.graph.points
-        self.arcs = [ArcJudgement(lines, edges, points[arc]) for edges, arc in zip(self.edges, self.graph.arcs)]
+        self.arcs = [ArcJudgement(lines, edges, names, points[arc])
+                     for edges, names, arc in zip(self.edges, self.vertices, self.graph.arcs)]
         self.find_ends()
 
     def known_edges(self, i, names):

@@ -12,7 +12,7 @@ import numpy as np
 from frame_math import CUBE_ROTATIONS
 from judge_mesh import unit
 
-SIGN_COSINE, SIGN_CELLS = 0.2, 3
+SIGN_COSINE, SIGN_CELLS = 0.2, 2
 MERGE_CELLS, LOOP_CELLS = 2.5, 6
 OBLIQUE_COSINE = np.cos(np.radians(45))
 REACH = 2  # edges before and after over which the direction of an arc is taken
@@ -69,13 +69,14 @@ def longest(lengths, marks):
 class ArcJudgement:
     """What the edges of an arc say: `cells`, `type`, `index`, `verdict`, and the range of its oblique length."""
 
-    def __init__(self, lines, edges, points):
-        """edges: one after another, -1 for a gap; points: those of the curve, one more."""
+    def __init__(self, lines, edges, names, points):
+        """edges: one after another, -1 for a gap; names: the vertices between them, one more, -1 where not known; points:
+        those of the curve there."""
         steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
         on = [i for i, edge in enumerate(edges) if edge >= 0]
         turns = [lines.turns[edges[i]] for i in on]
         sizes = np.array([lines.field.edge_size[edges[i]] for i in on])
-        cosines = np.array([lines.along(edges, points, i) @ turn.axis for i, turn in zip(on, turns)])
+        cosines = np.array([lines.along(edges[i], names, points, i) @ turn.axis for i, turn in zip(on, turns)])
         lengths = steps[on]
         about_axis = np.array([turn.quarters > 0 for turn in turns], bool)
         self.cells = (lengths / sizes).sum()
@@ -91,7 +92,8 @@ class ArcJudgement:
             halves = lengths[[turn.quarters == 2 for turn in turns]].sum() > lengths.sum() / 2
             self.index = (0.5 if halves else 0.25) * np.sign((lengths * cosines)[about_axis].sum())
             # Without any turn about an axis there is no sense, and it is too short to be impossible.
-            self.verdict = {0.5: "not_meshable", 0: "undecided"}.get(self.index, "meshable")
+            no_sense = self.index == 0 or self.cells >= 2 * SIGN_CELLS and max(senses.values(), default=0) < SIGN_CELLS
+            self.verdict = "not_meshable" if self.index == 0.5 else "undecided" if no_sense else "meshable"
 
 
 class Lines:
@@ -105,12 +107,13 @@ class Lines:
             for vertex in field.edges[edge].tolist():
                 self.at[vertex].add(edge)
 
-    def along(self, edges, points, i):
-        """The direction of an arc at its edge i, such that an edge is right-handed from its lower to its higher vertex."""
-        way = points[min(i + 1 + REACH, len(edges))] - points[max(i - REACH, 0)]
-        low, high = self.field.points[self.field.edges[edges[i]]]
-        forward = (high - low) @ (points[i + 1] - points[i])
-        return unit(way) * np.sign(forward) if way.any() else way
+    def along(self, edge, names, points, i):
+        """The direction of an arc at its edge i, reversed where the arc goes from the higher vertex of the edge to the lower
+        one: turns are right-handed about the way from the lower to the higher."""
+        low, high = self.field.edges[edge].tolist()
+        forward = names[i] == low or names[i + 1] == high
+        way = points[min(i + 1 + REACH, len(points) - 1)] - points[max(i - REACH, 0)]
+        return unit(way) * (1 if forward else -1) if way.any() else way
 
     def other_end(self, edge, vertex):
         return int(self.field.edges[edge].sum()) - vertex

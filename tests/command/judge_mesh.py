@@ -39,6 +39,13 @@ def unit(vectors):
     return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
 
 
+def read_field(folder):
+    """The TetField of a folder."""
+    arrays = read_arrays(Path(folder) / "onto.vtu")
+    return TetField(arrays["Points"].reshape(-1, 3), arrays["connectivity"].reshape(-1, 4),
+                    rotations_of(np.loadtxt(Path(folder) / "onto_tets.quaternions", ndmin=2)))
+
+
 class TetField:
     """`points`, `tets` of positive volume, `frames` with axes as columns.
 
@@ -47,20 +54,19 @@ class TetField:
 
     edges has the ascending pairs of vertices. A slot is an edge of one tet, 6 t + its number in TET_EDGES; edge_of, begin and
     end have its edge and the vertices k and l between which, right-handed about the edge, the tet lies. after[slot] is the
-    next slot around the edge, -1 at the surface, and turn[slot] the matching on the way there.
+    next slot around the edge, -1 at the surface, and turn[slot] the matching on the way there. sectors are the slots after
+    the surface: one at each of its edges, where the solid does not touch itself.
     """
 
-    def __init__(self, folder):
-        arrays = read_arrays(Path(folder) / "onto.vtu")
-        self.points = arrays["Points"].reshape(-1, 3).astype(float)
-        self.tets = arrays["connectivity"].reshape(-1, 4).astype(int).copy()
-        self.frames = rotations_of(np.loadtxt(Path(folder) / "onto_tets.quaternions", ndmin=2))
+    def __init__(self, points, tets, frames):
+        self.points, self.tets, self.frames = np.array(points, float), np.array(tets, int), frames
         corners = self.points[self.tets]
         inverted = np.linalg.det(corners[:, 1:] - corners[:, :1]) < 0
         self.tets[inverted] = self.tets[inverted][:, [0, 1, 3, 2]]
         self.find_faces()
-        self.find_edges()
         self.find_surface()
+        self.find_edges()
+        self.find_sizes()
 
     def find_faces(self):
         count = len(self.tets)
@@ -84,6 +90,7 @@ class TetField:
         back = ways[:, 0] > ways[:, 1]
         ways[back] = ways[back][:, [1, 0, 3, 2]]
         leaving, entering = np.where(back, entering, leaving), np.where(back, leaving, entering)
+        self.leaving, self.entering = leaving, entering
         self.edges, self.edge_of = np.unique(ways[:, :2], axis=0, return_inverse=True)
         self.edge_of = self.edge_of.ravel()
         self.begin, self.end = ways[:, 2], ways[:, 3]
@@ -93,15 +100,11 @@ class TetField:
         place = np.argmax(self.edge_of[slots] == self.edge_of[:, None], axis=1)
         self.after = np.where(following >= 0, 6 * following + place, -1)
         self.turn = self.matching[tet, leaving]
-        self.opens = self.beside[tet, entering] < 0
         self.number = {tuple(edge): i for i, edge in enumerate(self.edges.tolist())}
         self.length = np.linalg.norm(self.points[self.edges[:, 1]] - self.points[self.edges[:, 0]], axis=1)
-        # The size of cells inside: the mean edge of the tets there.
-        of_tets = self.length[self.edge_of].reshape(-1, 6).mean(axis=1)
-        self.edge_size = np.bincount(self.edge_of, of_tets[tet]) / np.bincount(self.edge_of)
         self.first = np.full(len(self.edges), -1)
         self.first[self.edge_of[::-1]] = np.arange(len(ways))[::-1]
-        self.sectors = np.flatnonzero(self.opens)  # one at each edge of the surface, where the solid does not touch itself
+        self.sectors = np.flatnonzero(self.beside[tet, entering] < 0)
         self.inside = np.ones(len(self.edges), bool)
         self.inside[self.edge_of[self.sectors]] = False
 
@@ -113,14 +116,26 @@ class TetField:
         double = np.cross(b - a, c - a)
         self.area = np.linalg.norm(double, axis=1) / 2
         self.normals = unit(double)
-        self.surface_face = {tuple(sorted(face)): i for i, face in enumerate(self.surface.tolist())}
+        self.face_of = np.full((len(self.tets), 4), -1)
+        self.face_of[tet, corner] = np.arange(len(tet))
         self.on_surface = np.zeros(len(self.points), bool)
         self.on_surface[self.surface] = True
-        # The size of cells on the surface: the mean of its edges there.
+
+    def find_sizes(self):
+        """Sizes of cells: inside, the mean edge of the tets at an edge; on the surface, the mean of its edges at a vertex."""
+        of_tets = self.length[self.edge_of].reshape(-1, 6).mean(axis=1)
+        self.edge_size = np.bincount(self.edge_of, np.repeat(of_tets, 6)) / np.bincount(self.edge_of)
         ends = self.edges[~self.inside]
-        lengths = np.repeat(self.length[~self.inside], 2)
         count = np.bincount(ends.ravel(), minlength=len(self.points))
-        self.surface_size = np.bincount(ends.ravel(), lengths, len(self.points)) / np.maximum(1, count)
+        sums = np.bincount(ends.ravel(), np.repeat(self.length[~self.inside], 2), len(self.points))
+        self.surface_size = sums / np.maximum(1, count)
+
+    def faces_beside_sectors(self):
+        """The last slot of the way from each of `sectors`, and the faces of the surface where these ways begin and end."""
+        last = self.sectors.copy()
+        while (going := self.after[last] >= 0).any():
+            last[going] = self.after[last[going]]
+        return last, self.face_of[self.sectors // 6, self.entering[self.sectors]], self.face_of[last // 6, self.leaving[last]]
 
     def way(self, slot):
         """The slots from one around its edge, to the surface or until they repeat."""

@@ -18,7 +18,7 @@ import numpy as np
 from judge_arcs import NEAR, ArcsOnEdges
 from judge_links import has_sphere, least_cyclic
 from judge_lines import MERGE_CELLS, Lines
-from judge_mesh import TetField
+from judge_mesh import read_field
 from judge_surface import Surface
 
 UNFOLLOWED_SHARE, UNFOLLOWED_DEG = 0.1, 25
@@ -36,7 +36,7 @@ class JudgeOfTets:
 
     def __init__(self, folder):
         report = json.loads((Path(folder) / "report.json").read_text())
-        self.field = TetField(folder)
+        self.field = read_field(folder)
         self.lines = Lines(self.field)
         self.on = ArcsOnEdges(folder, self.lines)
         self.graph = self.on.graph
@@ -62,7 +62,7 @@ class JudgeOfTets:
             return "meshable" if faulty or 4 - sum(4 - n for n in valences) >= 1 else "undecided"
         if faulty:
             return "not_meshable"
-        if any(self.on.arcs[a].verdict == "undecided" for a in arcs):
+        if any(self.on.arcs[a].index == 0 for a in arcs):
             return "undecided"
         return {True: "meshable", False: "not_meshable", None: "undecided"}[has_sphere(valences)]
 

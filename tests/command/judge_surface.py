@@ -20,7 +20,8 @@ ROUNDED_DEG = 1e-6  # angles of a file's vertices, to their last digits
 class SharpEdge:
     """An edge of the surface: `angle` of the solid in degrees, and k as the frames beside it see it, `seen`."""
 
-    def __init__(self, field, edge, sector):
+    def __init__(self, field, edge, sector, normals):
+        """normals: of the faces where the way through the solid begins and ends."""
         self.edge, self.ends, self.length = edge, field.edges[edge], field.length[edge]
         slots = field.way(sector)
         low, high = self.ends
@@ -28,7 +29,6 @@ class SharpEdge:
         sides = [field.begin[slots[0]], field.end[slots[-1]]]
         first, last = ((x := field.points[side] - field.points[low]) - (x @ along) * along for side in sides)
         self.angle = np.degrees(np.arctan2(np.cross(first, last) @ along, first @ last)) % 360
-        normals = [field.normals[field.surface_face[tuple(sorted((low, high, side)))]] for side in sides]
         self.seen = self.frames_see(field, slots, normals, along)
 
     def frames_see(self, field, slots, normals, along):
@@ -145,6 +145,10 @@ class Surface:
         self.field = field
         self.said = {tuple(np.round(place, 6)) for place in corners}
         self.sharp = self.sharp_edges()
+        self.fans = defaultdict(list)
+        for face in field.surface.tolist():
+            for vertex in face:
+                self.fans[vertex].append(face)
         self.at = defaultdict(list)
         for edge in self.sharp.values():
             for vertex in edge.ends:
@@ -156,21 +160,15 @@ class Surface:
                         for order in [self.around(v)] if order]
 
     def sharp_edges(self):
+        """{edge: SharpEdge} where two faces meet that turn by more than SHARP_DEG."""
         field = self.field
-        slots = field.sectors
-        found = {}
-        last = slots.copy()
-        while (going := field.after[last] >= 0).any():
-            last[going] = field.after[last[going]]
-        count = np.bincount(field.edge_of[slots], minlength=len(field.edges))
-        for slot, end in zip(slots, last):
-            edge = int(field.edge_of[slot])
-            normals = [field.normals[field.surface_face[tuple(sorted((*field.edges[edge], side)))]]
-                       for side in (field.begin[slot], field.end[end])]
-            turn = np.degrees(np.arctan2(np.linalg.norm(np.cross(*normals)), normals[0] @ normals[1]))
-            if turn > SHARP_DEG and count[edge] == 1:
-                found[edge] = SharpEdge(field, edge, slot)
-        return found
+        _, first, last = field.faces_beside_sectors()
+        one, other = field.normals[first], field.normals[last]
+        turn = np.degrees(np.arctan2(np.linalg.norm(np.cross(one, other), axis=1), np.einsum("ij,ij->i", one, other)))
+        edges = field.edge_of[field.sectors]
+        single = np.bincount(edges, minlength=len(field.edges))[edges] == 1
+        return {int(edges[i]): SharpEdge(field, int(edges[i]), int(field.sectors[i]), (one[i], other[i]))
+                for i in np.flatnonzero((turn > SHARP_DEG) & single)}
 
     def continues(self, vertex, one, other):
         ways = [unit(self.field.points[e.ends].sum(axis=0) - 2 * self.field.points[vertex]) for e in (one, other)]
@@ -213,12 +211,3 @@ class Surface:
             if now in (start, -1):
                 break
         return order if now == start and len(self.fans[vertex]) == len(after) else []
-
-    @property
-    def fans(self):
-        if not hasattr(self, "fans_"):
-            self.fans_ = defaultdict(list)
-            for face in self.field.surface.tolist():
-                for v in face:
-                    self.fans_[v].append(face)
-        return self.fans_
