@@ -5,6 +5,7 @@
 //
 // Prints one line per weight: for a surface smoothness, the share of its area in conflicted cells, and angles
 // in degrees over the rest and along creases; for tets their Dirichlet energy and the grid's creases.
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -32,8 +33,8 @@ void print(const SolveReport& report) {
   if (report.onto) std::printf("%9.3f", report.onto->dirichlet);
   if (!report.onto)
     std::printf("%9.4g %4.1f%% %5.2f %5.2f", report.energy.smoothness,
-                100 * report.alignment_deg.excluded_share, report.alignment_deg.mean,
-                report.alignment_deg.p95);
+                100 * report.alignment_deg.excluded_share, report.alignment_deg.mean.value_or(NAN),
+                report.alignment_deg.p95.value_or(NAN));
   std::printf(" |%6.2f %5.2f    ", creases.mean.value_or(0), creases.p95.value_or(0));
 }
 

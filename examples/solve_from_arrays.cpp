@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
 
     const SolveReport& report = field.report();
     std::printf("%zu cells, energy %.3g, %.3g degrees off the surface in the mean\n", field.size(),
-                report.energy.total, report.alignment_deg.mean);
+                report.energy.total, report.alignment_deg.mean.value_or(0));
     double least_cosine = 1;
     for (std::size_t i = 0; i < field.size(); ++i) {
       for (const Vector3& axis : field.cell(i).frame.axes) {

@@ -20,8 +20,9 @@ namespace {
 
 constexpr const char* kFooter =
     "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 output cannot be written;\n"
-    "5 a stated limit is exceeded; 130 interrupted: the first Ctrl-C writes the last\n"
-    "finished level of a solve, a second one discards it.";
+    "5 a stated limit is exceeded: memory, or the sweeps of a solve, which still writes\n"
+    "its field; 130 interrupted: the first Ctrl-C writes the last finished level of a\n"
+    "solve, a second one discards it.";
 
 [[noreturn]] void refuse(const std::string& message, const CLI::App* command) {
   std::string line = message.substr(0, message.find_last_not_of('\n') + 1);

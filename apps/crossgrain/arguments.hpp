@@ -19,6 +19,7 @@ struct SolveArguments {
   std::string onto;         ///< tet mesh for the field; empty for none
   std::string constraints;  ///< file of constraints; empty for none
   SolveOptions options;
+  TetTagOptions tags;
   OutputOptions output_options;
   bool page = true;  ///< whether to write report.html
   double read_seconds = ReadOptions().read_seconds;

@@ -84,6 +84,10 @@ void add_tets_options(CLI::App& command, SolveArguments& arguments) {
       "Boundary vertices of tets that are constrained to the surface: all (default), or smooth-only, which "
       "leaves creases and corners free",
       "all|smooth-only");
+  command.add_flag(
+      "--keep-tags", arguments.tags.keep_all,
+      "Follow all edges, triangles and regions that a tet mesh lists, even if they are nearly all "
+      "that it has");
 }
 
 void add_looks(CLI::App& command, PictureOptions& options) {
@@ -154,8 +158,8 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   command
       ->add_option(
           "--crease-angle", options.creases.least_deg,
-          "Edges between faces whose normals differ by more degrees are creases, which frames follow "
-          "(default 35; 180 for none)")
+          "Edges between faces whose normals differ by more degrees are creases, which frames follow, unless "
+          "they end in a smooth surface before long (default 35; 180 for none)")
       ->check(fault_of_angle)
       ->type_name("DEG");
   command->add_option("--threads", options.threads, "Number of threads; 0 (default) uses all")

@@ -22,6 +22,7 @@ constexpr OptionWords kOptionWords[] = {
     {Remedy::kSimplifyOrAllowMemory, "simplify it, or allow more memory with --max-memory", false},
     {Remedy::kAllowReadTime, "repair it and export it again, or allow more time with --read-seconds", false},
     {Remedy::kContinueSolve, "a solve with --from goes on from here", false},
+    {Remedy::kKeepTags, "--keep-tags follows them all the same", false},
     {Remedy::kTurnView, "choose another --view or --cut", true},
     {Remedy::kGiveFieldFolder, "give a folder that 'crossgrain solve' has written", true},
     {Remedy::kTraceStreamlines, "trace lines with 'crossgrain streamlines'", true},

@@ -21,6 +21,7 @@
 #include "messages.hpp"
 #include "output.hpp"
 #include "progress_lines.hpp"
+#include "summary.hpp"
 
 namespace crossgrain::app {
 namespace {
@@ -33,26 +34,10 @@ double seconds_since(Clock::time_point start) {
 
 using Warn = std::function<void(const Warning& warning)>;
 
-/// Returns whether the warning comes from reading a file; it is printed before the solve.
-bool is_of_reading(WarningKind kind) {
-  switch (kind) {
-    case WarningKind::kUnknownUnit:
-    case WarningKind::kMissingParts:
-    case WarningKind::kLooseFaces:
-    case WarningKind::kMissingFaces:
-    case WarningKind::kCurvedTets:
-    case WarningKind::kSkippedData:
-      return true;
-    default:
-      return false;
-  }
-}
-
-/// Returns whether the warning is printed even with --quiet: what was solved differs from the input or the
-/// request.
-bool is_of_input(WarningKind kind) {
-  return kind == WarningKind::kMemoryLimited || kind == WarningKind::kSurfaceFinding ||
-         kind == WarningKind::kConstraintsOutside;
+int exit_code_after(const SolveReport& report) {
+  if (report.unfinished) return exit_code_of(ErrorKind::kInterrupted);
+  const auto& warnings = report.warnings;
+  return std::any_of(warnings.begin(), warnings.end(), is_unsettled) ? exit_code_of(ErrorKind::kLimit) : 0;
 }
 
 void print_warning(Warning warning, const std::string& model) {
@@ -66,7 +51,7 @@ std::optional<TetDomain> read_domain(const SolveArguments& arguments, const Warn
   if (!is_tet_file(file) && arguments.onto.empty()) return std::nullopt;
   TetMesh mesh = read_tets(file);
   for (const Warning& warning : mesh.warnings) warn(warning);
-  return naming(file, [&] { return TetDomain(std::move(mesh)); });
+  return naming(file, [&] { return TetDomain(std::move(mesh), arguments.tags); });
 }
 
 Box bounds_of(const std::vector<Vector3>& points) {
@@ -121,74 +106,10 @@ FrameField solve_model(const SolveArguments& arguments, const SolveOptions& opti
   });
 }
 
-std::string singularity_line(const SolveReport::Singularity& singularity) {
-  if (singularity.arcs == 0) return "none";
-  return fmt::format("{} arcs, {:.4g} long in all, {} nodes, {} ends on the surface", singularity.arcs,
-                     singularity.length, singularity.nodes, singularity.boundary_ends);
-}
-
-std::string tets_lines(const SolveReport::Onto& onto) {
-  return fmt::format("tets       {}, {} vertices, boundary {}: Dirichlet energy {:.6g}, {} singular faces\n",
-                     onto.tets, onto.vertices, name_of(onto.boundary), onto.dirichlet,
-                     onto.singular.interior_faces + onto.singular.boundary_faces) +
-         (onto.crease_deg.mean
-              ? fmt::format(
-                    "creases    {:.3g} degrees off their faces in the mean, 95 % within {:.3g}, all within "
-                    "{:.3g}\n",
-                    *onto.crease_deg.mean, *onto.crease_deg.p95, *onto.crease_deg.max)
-              : "");
-}
-
-std::string angles_line(const char* what, const SolveReport::AngleSummary& angles) {
-  if (!angles.mean) return "";
-  return fmt::format(
-      "{:<10} {:.3g} degrees off their constraints in the mean, 95 % within {:.3g}, all within {:.3g}\n",
-      what, *angles.mean, *angles.p95, *angles.max);
-}
-
-std::string constraints_lines(const SolveReport::Constraints& constraints) {
-  return angles_line("points", constraints.points.angle_deg) +
-         angles_line("polylines", constraints.polylines.angle_deg) +
-         angles_line("faces", constraints.faces.angle_deg) +
-         angles_line("stresses", constraints.stresses.angle_deg);
-}
-
 std::string expected_line(const Expectation& expected) {
   return fmt::format("expected   {:.3g} million cells, {:.3g} GB of memory, {:.3g} s in all\n",
                      static_cast<double>(expected.active_cells) / 1e6,
                      static_cast<double>(expected.peak_memory_bytes) / 1e9, expected.seconds);
-}
-
-std::string files_line(const SolveReport& report, const SolveArguments& arguments) {
-  std::vector<std::string> names = result_files(arguments.output_options, report.onto.has_value());
-  if (arguments.page) names.insert(names.begin(), kPageFile);
-  for (std::string& name : names) name = (std::filesystem::path(arguments.output) / name).string();
-  const std::string last = names.back();
-  names.pop_back();
-  return fmt::format("{} and {}", fmt::join(names, ", "), last);
-}
-
-std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
-  const auto& alignment = report.alignment_deg;
-  std::string text = "verdict    " + sentence_of(report.answer) + "\n";
-  text += fmt::format("{} triangles, {}\n", report.model.triangles,
-                      report.model.watertight ? "watertight" : "not watertight");
-  if (report.onto) text += tets_lines(*report.onto) + "grid       that the tets started from:\n";
-  if (!report.levels.empty()) text += fmt::format("cells      {}\n", report.levels.back().active_cells);
-  text += fmt::format(
-      "energy     {:.6g} (smoothness {:.6g}, boundary {:.6g}), and {:.6g} that no frame avoids\n",
-      report.energy.total, report.energy.smoothness, report.energy.boundary, report.energy.unavoidable);
-  text += fmt::format(
-      "alignment  {:.3g} degrees off the surface in the mean, 95 % within {:.3g}, all within {:.3g}; {:.3g} "
-      "% of the surface excluded\n",
-      alignment.mean, alignment.p95, alignment.max, 100 * alignment.excluded_share);
-  if (report.constraints) text += constraints_lines(*report.constraints);
-  text += fmt::format("singular   {}\n", singularity_line(report.singularity));
-  for (const Warning& warning : report.warnings) {
-    const bool is_reported = is_of_reading(warning.kind) || is_of_input(warning.kind);
-    if (!is_reported) text += fmt::format("warning    {}\n", line_of(warning, Command::kSolve));
-  }
-  return text + fmt::format("result     {}\n", files_line(report, arguments));
 }
 
 /// Throws if the initial field was clipped, because cells outside it would have poor initial frames.
@@ -314,9 +235,9 @@ int run_solve(const SolveArguments& arguments) {
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)
-    if (is_of_input(warning.kind)) print_warning(warning, arguments.model);
+    if (is_always_printed(warning)) print_warning(warning, arguments.model);
   if (!arguments.quiet) print_result(summary_of(report, arguments));
-  return report.unfinished ? exit_code_of(ErrorKind::kInterrupted) : 0;
+  return exit_code_after(report);
 }
 
 }  // namespace crossgrain::app

@@ -27,7 +27,7 @@ FIELDS = [
     ("base_interface_AP214.STEP", "A thin plate with holes, cut along its middle.", ["--cut", "z", "--view", "-60,40"]),
     ("1002_tray_bottom.STL", "A tray of thin sheet metal with 23 handles.", ["--view", "-60,40"]),
     ("platonic_shelf.obj", "Five solids in one file, most without right angles, coloured by the class of the constraints.", ["--colour", "class"]),
-    ("spot.ply", "An animal without flat faces. No hexahedral mesh can have the five lines in crimson.", ["--up", "y", "--view", "40,15"]),
+    ("spot.ply", "An animal without flat faces. No hexahedral mesh can have the two lines in crimson.", ["--up", "y", "--view", "40,15"]),
     ("torus.obj", "A torus, cut open: four closed lines along it.", ["--cut", "y"]),
     ("sphere_r0.12.mesh", "A ball of tets: twelve lines, like the edges of a cube that touches the surface.", []),
 ]

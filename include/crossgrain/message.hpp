@@ -12,14 +12,15 @@ enum class Remedy : int {
   // A file that is read.
   kCheckPath,
   kCheckDisk,
-  kAllowReading,  ///< change its permissions
-  kGiveFile,      ///< name a regular file
-  kCopyAgain,     ///< copy or export it again: it is cut short
-  kRepairFile,    ///< its content is invalid
-  kExportAgain,   ///< it may be valid, but is not what is needed
-  kCorrectLine,   ///< correct the line of a text file
-  kRename,        ///< its extension belongs to another format
-  kConvertFile,   ///< convert it to a known format
+  kAllowReading,   ///< change its permissions
+  kGiveFile,       ///< name a regular file
+  kCopyAgain,      ///< copy or export it again: it is cut short
+  kRepairFile,     ///< its content is invalid
+  kExportAgain,    ///< it may be valid, but is not what is needed
+  kGivePartFiles,  ///< its parts are in other files
+  kCorrectLine,    ///< correct the line of a text file
+  kRename,         ///< its extension belongs to another format
+  kConvertFile,    ///< convert it to a known format
   kTriangulate,
   kCutIntoTets,
   kSimplify,
@@ -51,6 +52,7 @@ enum class Remedy : int {
   kGlueSolids,
   kSeparateSolids,
   kSplitTets,
+  kKeepTags,  ///< TetTagOptions::keep_all
   kGiveSolvedSurface,
 
   // Options.

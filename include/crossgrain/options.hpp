@@ -35,11 +35,25 @@ struct RefinementOptions {
   int coarsest_cells = 4;
 };
 
+/// Which sharp edges count as creases although they fade out: they form a path with an end in the smooth
+/// surface, as coarse triangles do where a surface is strongly curved. Closed paths and those between corners
+/// always count. The sweep in docs/notes/solver.md chose the values.
+struct FadingCreases {
+  /// A path counts if some edge of it has a larger angle between its normals.
+  double sure_deg = 80;
+
+  /// A path counts if it has at least this length, in radii of the curvature that a smooth surface with the
+  /// same triangles would have. 0 counts every path.
+  double least_radii = 80;
+};
+
 /// Which edges of a surface count as creases. Angles are in degrees, above 0 and at most 180.
 struct CreaseAngles {
   /// Smallest angle between the normals beside a sharp edge; 180 makes no edge sharp. Ignored for meshes that
   /// bring their creases along (TriangleMesh::creases), such as those of CAD files.
   double least_deg = 35;
+
+  FadingCreases fading = {};
 
   /// Two consecutive sharp edges belong to one curve if its direction changes by less than this.
   double corner_deg = 45;
@@ -47,6 +61,46 @@ struct CreaseAngles {
   /// Edges with a smaller angle between their faces, measured inside the solid, are reported as knife edges:
   /// no frame is close to both faces.
   double knife_deg = 45;
+};
+
+/// Which lists of a tet mesh (TetMesh::feature_edges, feature_faces, regions) say where features are. Many
+/// programs write every face and edge of a mesh, or number its tets, which would make each face a wall and
+/// each edge a crease.
+struct TetTagOptions {
+  /// Whether all lists count, whatever they name.
+  bool keep_all = false;
+
+  /// A list that names at least this share of all faces inside, of all edges inside or of all edges of the
+  /// surface is one of the mesh, not of features. True features are far from it: in a mesh of n tets across,
+  /// surfaces have a share of about 1/n; of the 18 edges of a box of twelve triangles, twelve are sharp.
+  double least_share = 0.9;
+
+  /// In such a list the most common tag is ignored, and the others count if together they name at most this
+  /// share; otherwise none does, because tags tell nothing apart. The sharp edges of a box are a quarter of
+  /// all its edges if there are three along a side, and the fewer the finer the mesh.
+  double most_other_share = 0.25;
+
+  /// Regions of fewer tets than this in the mean are no bodies and become one: around a single vertex inside
+  /// there are about 20 tets, and a hexahedron is cut into 5 or 6.
+  double fewest_region_tets = 10;
+
+  /// Shorter lists, and fewer regions, always count: in a mesh of a few tets a feature may be everything.
+  std::size_t fewest = 20;
+};
+
+/// How sweeps end on fields that hardly turn, as in plates and rods: what is left of the energy may be
+/// rounding, or a twist over the whole part that fades slowly. Angles stand for the energy of a field that
+/// turns by so much evenly along the longest side of the bounding box, 5/3 angle^2 volume / side^2. The
+/// sweeps in docs/notes/solver.md chose the defaults.
+struct CalmFieldOptions {
+  /// Sweeps end when one lowers the energy by less than `sweep_tolerance` of that of this angle.
+  double least_turn_deg = 0.1;
+
+  /// Below the energy of this angle, sweeps that run out are followed by up to `more_sweeps` with the
+  /// over-relaxation `over_relaxation`, which is better for errors that span the part.
+  double calm_turn_deg = 30;
+  int more_sweeps = 1000;
+  double over_relaxation = 1.9;
 };
 
 /// The coarse-to-fine solve. The sweeps in docs/notes/solver.md chose the defaults.
@@ -105,6 +159,8 @@ struct SolverOptions {
 
   /// Sweeps end when one lowers the energy by less than this fraction.
   double sweep_tolerance = 1e-4;
+
+  CalmFieldOptions calm_fields = {};
 };
 
 /// Which boundary vertices of a tet mesh are constrained.
@@ -140,8 +196,10 @@ struct OntoOptions {
 
   /// Largest number of manifold sweeps; sweeps end when one lowers the energy by less than `sweep_tolerance`,
   /// as a fraction of it.
-  int most_sweeps = 80;
+  int most_sweeps = 300;
   double sweep_tolerance = 1e-5;
+
+  CalmFieldOptions calm_fields = {};
 };
 
 /// Which cells keep the quadratic form of their constraints with the field, for display. A solve whose field

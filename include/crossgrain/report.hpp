@@ -79,9 +79,7 @@ struct SolveReport {
   /// Angle between the surface normal and the nearest axis of the interpolated frame, weighted by area.
   /// Excludes surface in cells whose constraints no frame meets.
   struct Alignment {
-    double mean = 0;
-    double p95 = 0;
-    double max = 0;
+    std::optional<double> mean, p95, max;  ///< none if the whole surface is excluded
     double excluded_share = 0;  ///< share of the surface's area in cells whose constraints no frame meets
   } alignment_deg;
 

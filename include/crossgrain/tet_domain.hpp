@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "crossgrain/options.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -19,7 +20,9 @@ class TetDomain {
   /// which get frames too. `warnings` lists all of this. Throws Error(kInput) naming the vertex, tet or face,
   /// counted from 0, for coordinates that are not finite, indices out of range, a mesh without a tet of
   /// positive volume and faces of three or more tets.
-  explicit TetDomain(TetMesh mesh);
+  ///
+  /// Lists and tags that name nearly every face, edge or tet are removed, with a warning (TetTagOptions).
+  explicit TetDomain(TetMesh mesh, const TetTagOptions& tags = {});
 
   /// All vertices, and the tets that have frames, in the order given and with positive volume.
   const TetMesh& mesh() const;

@@ -28,6 +28,7 @@ enum class WarningKind : int {
   kTouchingVertices,  ///< the solid touches itself at vertices
   kUnmergedVertices,  ///< parts lie face to face and share no vertices
   kStrayTags,         ///< tagged triangles are faces of no tet
+  kListedTopology,    ///< tags and lists that name nearly everything, ignored
 
   // The surface and its solids.
   kSurfaceFinding,     ///< one of SolveReport::input

@@ -27,6 +27,12 @@ using Frames = std::vector<StoredQuaternion>;
 using Candidate = SettledFrames;
 
 /// Relaxation and manifold sweeps on one level.
+double volume_of(const Octree& tree) {
+  return parallel_sum(tree.size(), [&](std::size_t i) {
+    return std::pow(tree.root().cell_size(tree[static_cast<CellIndex>(i)].depth()), 3);
+  });
+}
+
 template <int D>
 class LevelSolver {
  public:
@@ -44,8 +50,8 @@ class LevelSolver {
   /// Relaxes if `relaxation_sweeps` is positive, then sweeps on the manifold until the energy settles.
   SettledFrames solved(Frames frames, int relaxation_sweeps) {
     const RelaxationPlan relaxation{relaxation_sweeps, options_.symmetrisation, options_.over_relaxation};
-    const SettlingPlan settling{options_.most_sweeps, options_.over_relaxation, options_.sweep_tolerance,
-                                rounding_noise(connectivity_->adjacency)};
+    const SettlingPlan settling = settling_plan(options_, connectivity_->adjacency, volume_of(level_.tree),
+                                                longest_side(solid_.surface.box));
     std::function<Frames(Frames)> relax;
     if (relaxation_sweeps > 0) {
       relax = [=, this](Frames came) {
@@ -170,6 +176,13 @@ class NestedSolver {
         {phase, depth, cells, 0, std::numeric_limits<double>::quiet_NaN(), number_of(depth), level_count_});
   }
 
+  /// Reports the energy of the finished level as SolveReport::Energy has it, whatever the sweeps minimise.
+  void report_energy(Progress place, int sweeps) const {
+    place.sweep = sweeps;
+    place.energy = result_.energy.total() + result_.energy.unavoidable;
+    monitor_.report(place);
+  }
+
   /// Returns whether a finished level was kept and has an inside; very coarse ones may have none.
   static bool can_stand_alone(const SolvedField& field) {
     const auto& winding = field.level.centre_winding;
@@ -235,6 +248,7 @@ class NestedSolver {
     const Progress place{Phase::kSolve, depth, level.size(), 0, 0, number_of(depth), level_count_};
     const Swept swept = settle(std::move(connectivity), std::move(parent), depth == coarsest_depth_, place);
     keep_best(swept.adjacency, finest || level.size() > options_.solver.start_cells, finest);
+    report_energy(place, swept.sweeps);
     if (!finest && visit_level_)
       visit_level_({depth, level.tree, candidates_[best_].frames, result_.open_faces});
     solve_watch_.stop();

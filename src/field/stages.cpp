@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "base/parallel.hpp"
@@ -67,15 +68,21 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
   result.energy = graph_energy(graph, state);
   BlocksAwake blocks(graph.order());
   // If all frames agree, rounding of the forms makes the energy slightly negative.
-  const auto allowance = [&] { return plan.fraction * std::max(0.0, result.energy) + plan.noise; };
-  for (int sweep = 0; sweep < plan.most_sweeps && !result.settled; ++sweep) {
-    const std::vector<double> decreases =
-        manifold_sweep_over(graph, state, plan.over_relaxation, blocks.awake());
+  const auto allowance = [&] {
+    return plan.fraction * std::max(plan.least_energy, result.energy) + plan.noise;
+  };
+  const auto sweeps_allowed = [&] {
+    return plan.most_sweeps + (result.energy < plan.calm_energy ? plan.more_sweeps : 0);
+  };
+  for (int sweep = 0; sweep < sweeps_allowed() && !result.settled; ++sweep) {
+    const double over_relaxation =
+        sweep < plan.most_sweeps ? plan.over_relaxation : plan.calm_over_relaxation;
+    const std::vector<double> decreases = manifold_sweep_over(graph, state, over_relaxation, blocks.awake());
     const double decrease = std::accumulate(decreases.begin(), decreases.end(), 0.0);
     result.energy -= decrease;
     after_sweep(result.energy);
     // In degree 3 sweeps return a lower bound of the decrease.
-    const bool is_last = decrease <= allowance() || sweep + 1 == plan.most_sweeps;
+    const bool is_last = decrease <= allowance() || sweep + 1 >= sweeps_allowed();
     if (D == 3 && is_last) result.energy = graph_energy(graph, state);
     result.settled = decrease <= allowance();
     blocks.update(decreases, allowance());
@@ -83,6 +90,26 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
   result.frames = std::move(state.frames);
   return result;
 }
+
+template <class Options>
+SettlingPlan settling_plan(const Options& options, const Adjacency& adjacency, double volume, double side) {
+  const CalmFieldOptions& calm = options.calm_fields;
+  const auto energy_of_turn = [&](double angle_deg) {
+    const double turn = angle_deg * std::numbers::pi / 180;
+    return 5.0 / 3 * turn * turn * volume / (side * side);
+  };
+  return {options.most_sweeps,
+          options.over_relaxation,
+          options.sweep_tolerance,
+          rounding_noise(adjacency),
+          energy_of_turn(calm.least_turn_deg),
+          energy_of_turn(calm.calm_turn_deg),
+          calm.more_sweeps,
+          calm.over_relaxation};
+}
+
+template SettlingPlan settling_plan(const SolverOptions&, const Adjacency&, double, double);
+template SettlingPlan settling_plan(const OntoOptions&, const Adjacency&, double, double);
 
 double rounding_noise(const Adjacency& adjacency) {
   constexpr double kSquaredTurn = 1e-12;

@@ -29,7 +29,18 @@ struct SettlingPlan {
   /// Stops after a sweep that lowers the energy by at most `fraction` of it, or by at most `noise`.
   double fraction = 0;
   double noise = 0;
+
+  /// `fraction` is of at least this energy. Below `calm_energy`, sweeps that run out are followed by up to
+  /// `more_sweeps` with an over-relaxation of their own (CalmFieldOptions).
+  double least_energy = 0;
+  double calm_energy = 0;
+  int more_sweeps = 0;
+  double calm_over_relaxation = 1;
 };
+
+/// Returns a plan of SolverOptions or OntoOptions for a graph in a part of this volume and longest side.
+template <class Options>
+SettlingPlan settling_plan(const Options& options, const Adjacency& adjacency, double volume, double side);
 
 struct SettledFrames {
   std::vector<StoredQuaternion> frames;

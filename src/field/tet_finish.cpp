@@ -138,7 +138,7 @@ FieldGraph<D> graph_of(const std::shared_ptr<const Connectivity>& connectivity, 
 template <int D>
 SettledFrames solved(const std::shared_ptr<const Connectivity>& connectivity, const Holds& holds,
                      Frames frames, const OntoOptions& options, std::span<const VertexGuide> guides,
-                     const SweepMonitor& after_sweep) {
+                     const Extent& extent, const SweepMonitor& after_sweep) {
   const FieldGraph<D> graph = graph_of<D>(connectivity, holds, options, guides);
   std::function<Frames(Frames)> relax;
   if (options.relaxation_sweeps > 0) {
@@ -152,8 +152,7 @@ SettledFrames solved(const std::shared_ptr<const Connectivity>& connectivity, co
       return stored(aligned(holds, came));
     };
   }
-  const SettlingPlan settling{options.most_sweeps, options.over_relaxation, options.sweep_tolerance,
-                              rounding_noise(connectivity->adjacency)};
+  const SettlingPlan settling = settling_plan(options, connectivity->adjacency, extent.volume, extent.side);
   return relaxed_and_settled(graph, std::move(frames), relax, settling, after_sweep);
 }
 
@@ -175,7 +174,8 @@ Quaternion with_axis_along(const Quaternion& frame, const Vector3& direction) {
 
 TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const BoundaryVertices& boundary,
                          std::vector<Quaternion> start, Degree degree, const OntoOptions& options,
-                         const Monitor& monitor, const std::vector<VertexGuide>& guides) {
+                         const Monitor& monitor, const std::vector<VertexGuide>& guides,
+                         const Extent& extent) {
   const auto connectivity = connectivity_of(start.size(), edges);
   const Holds holds(boundary, options.boundary);
   int sweeps = 0;
@@ -185,8 +185,9 @@ TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const Boundary
   };
   holds.align(start);
   const SettledFrames result =
-      degree == Degree::kThree ? solved<3>(connectivity, holds, stored(start), options, guides, after_sweep)
-                               : solved<4>(connectivity, holds, stored(start), options, guides, after_sweep);
+      degree == Degree::kThree
+          ? solved<3>(connectivity, holds, stored(start), options, guides, extent, after_sweep)
+          : solved<4>(connectivity, holds, stored(start), options, guides, extent, after_sweep);
   return {aligned(holds, result.frames), result.settled};
 }
 

@@ -186,9 +186,9 @@ void judge_grid(const SolveReport& report, const AnswerOptions& options, Reasons
                 fmt::format("{:.2g} % of the surface lies in cells whose constraints no frame meets",
                             100 * alignment.excluded_share),
                 finer);
-  } else if (alignment.p95 > options.unfollowed_deg) {
+  } else if (alignment.p95.value_or(0) > options.unfollowed_deg) {
     reasons.add(ReasonKind::kSurface, Verdict::kUndecided,
-                fmt::format("frames are more than {:.3g} degrees off 5 % of the surface", alignment.p95),
+                fmt::format("frames are more than {:.3g} degrees off 5 % of the surface", *alignment.p95),
                 finer);
   }
   judge_creases(report.singularity, options, finer, reasons);

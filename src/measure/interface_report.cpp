@@ -65,9 +65,9 @@ std::optional<SolveReport::Interfaces> interface_report(const TriangleMesh& inne
   SolveReport::Interfaces report;
   for (const Place& place : places) report.area += place.area;
   const SolveReport::Alignment alignment = angle_statistics(pieces, angles_deg);
-  report.mean = alignment.mean;
-  report.p95 = alignment.p95;
-  report.max = alignment.max;
+  report.mean = alignment.mean.value_or(0);
+  report.p95 = alignment.p95.value_or(0);
+  report.max = alignment.max.value_or(0);
   return report;
 }
 

@@ -129,7 +129,8 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, Solved
     warnings.emplace_back(WarningKind::kSurfaceFinding, sentence_of(finding));
   append(warnings, resolution_warnings(data.report));
   if (!solved.settled)
-    warnings.emplace_back(WarningKind::kNotSettled, "the energy had not settled when the sweeps ran out");
+    warnings.emplace_back(WarningKind::kNotSettled, "the energy had not settled when the sweeps ran out",
+                          Remedy::kContinueSolve);
   append(warnings, found.warnings);
 }
 

@@ -73,6 +73,10 @@ void check_sweeps(const Options& options) {
   demand(options.over_relaxation >= 1 && options.over_relaxation < 2,
          "the over-relaxation must lie in [1, 2)");
   demand(options.sweep_tolerance >= 0, "the sweep tolerance must not be negative");
+  const CalmFieldOptions& calm = options.calm_fields;
+  demand(calm.more_sweeps >= 0, "numbers of sweeps must not be negative");
+  demand(calm.over_relaxation >= 1 && calm.over_relaxation < 2, "the over-relaxation must lie in [1, 2)");
+  demand(calm.least_turn_deg >= 0 && calm.calm_turn_deg >= 0, "turns of calm fields must not be negative");
 }
 
 void check_onto(const OntoOptions& options) {
@@ -105,9 +109,10 @@ void check_options(const SolveOptions& options) {
   check_sweeps(solver);
   for (const double weight : {solver.crease_weight, solver.tagged_weight})
     demand(weight >= 0 && std::isfinite(weight), "weights of creases and tagged edges must not be negative");
-  for (const double angle :
-       {options.creases.least_deg, options.creases.corner_deg, options.creases.knife_deg})
+  for (const double angle : {options.creases.least_deg, options.creases.fading.sure_deg,
+                             options.creases.corner_deg, options.creases.knife_deg})
     demand(angle > 0 && angle <= 180, "angles of creases must lie above 0 and be at most 180 degrees");
+  demand(options.creases.fading.least_radii >= 0, "the least length of a crease must not be negative");
   demand(options.refinement.coarsest_cells >= 1, "the coarsest level needs a cell");
   demand(options.refinement.thickness_cells >= 0, "the cells wanted across a wall must not be negative");
   demand(!std::isnan(options.refinement.energy_density_threshold),

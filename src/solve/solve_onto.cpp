@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "base/names.hpp"
@@ -23,6 +25,11 @@
 
 namespace crossgrain {
 namespace {
+
+Extent extent_of(const TetDomainData& tets) {
+  const double mean_tet = std::pow(tets.typical_edge_length, 3) / (6 * std::numbers::sqrt2);
+  return {mean_tet * static_cast<double>(tets.solid.mesh.tets.size()), longest_side(tets.box)};
+}
 
 SolveReport::Onto describe(const TetDomainData& domain, const VertexFieldEvaluation& evaluation) {
   SolveReport::Onto onto;
@@ -74,7 +81,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   const std::vector<VertexGuide> guides =
       vertex_guides(options.constraints, tets.solid, boundary, 0.5 * tets.typical_edge_length);
   TetFrames finished = finish_on_tets(tets.edges, boundary, std::move(start.frames), grid.data().degree,
-                                      options.onto, monitor, guides);
+                                      options.onto, monitor, guides, extent_of(tets));
   field->vertex_frames = std::move(finished.frames);
   field->tet_frames = tet_frames_of(tets.solid.mesh, field->vertex_frames);
   field->singularities = singularity_graph(singular_tet_edges(tets.solid, field->tet_frames));
@@ -85,6 +92,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   // (docs/solver.md, "On tets").
   std::erase_if(report.warnings, is_of_resolution);
   report.onto = describe(tets, evaluate_vertex_field(tets.solid, boundary, tets.edges, field->vertex_frames));
+  monitor.report({Phase::kTets, 0, tets.solid.mesh.vertices.size(), 0, report.onto->dirichlet});
   report.onto->feature_edge_deg = angles_along(tets.solid, features.edges, field->vertex_frames);
   report.onto->boundary = options.onto.boundary;
   report.onto->singularity = tet_summary(tets.solid, field->tet_frames, field->singularities);

@@ -7,6 +7,7 @@
 
 #include "base/vector3.hpp"
 #include "solve/tet_domain_data.hpp"
+#include "tets/listed_topology.hpp"
 
 namespace crossgrain {
 namespace {
@@ -23,10 +24,11 @@ double edge_of_mean_tet(const TetMesh& mesh) {
 
 }  // namespace
 
-TetDomain::TetDomain(TetMesh mesh) {
+TetDomain::TetDomain(TetMesh mesh, const TetTagOptions& tags) {
   auto data = std::make_shared<TetDomainData>();
   data->warnings = std::move(mesh.warnings);
   data->solid = prepare_tets(std::move(mesh), data->warnings);
+  drop_listed_topology(data->solid, tags, data->warnings);
   data->edges = stiffness_edges(data->solid.mesh);
   data->walls = find_inner_walls(data->solid, data->warnings);
   data->features = features_of(data->solid, data->walls, /*unite=*/false);

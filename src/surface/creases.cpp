@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/vector3.hpp"
+#include "surface/crease_network.hpp"
 #include "surface/edge_uses.hpp"
 
 namespace crossgrain {
@@ -21,13 +22,40 @@ double cosine_between(const Surface& surface, const EdgeUse& a, const EdgeUse& b
   return a.forward == b.forward ? -cosine : cosine;
 }
 
-bool is_sharp(const Surface& surface, std::span<const EdgeUse> uses, double least_cosine) {
+/// Returns the least cosine between two normals at an edge, 1 for an edge of one triangle.
+double least_cosine_at(const Surface& surface, std::span<const EdgeUse> uses) {
+  double least = 1;
   for (std::size_t a = 0; a < uses.size(); ++a) {
-    for (std::size_t b = a + 1; b < uses.size(); ++b) {
-      if (cosine_between(surface, uses[a], uses[b]) < least_cosine) return true;
-    }
+    for (std::size_t b = a + 1; b < uses.size(); ++b)
+      least = std::min(least, cosine_between(surface, uses[a], uses[b]));
   }
-  return false;
+  return least;
+}
+
+/// Returns the sharp edges that count, ascending. Those of a surface that is not smooth beside them hold what
+/// ends there: tagged edges, open ones, and those of three or more triangles.
+std::vector<std::array<std::uint32_t, 2>> sharp_edges(const Surface& surface, const CreaseAngles& angles,
+                                                      std::span<const std::array<std::uint32_t, 2>> tagged) {
+  const double least_cosine = std::cos(angles.least_deg * kDegree);
+  const std::vector<EdgeUse> all_uses = sorted_edge_uses(surface.mesh.triangles);
+  std::vector<SharpEdge> sharp;
+  std::vector<std::uint32_t> holding;
+  for (const auto& edge : tagged) holding.insert(holding.end(), edge.begin(), edge.end());
+  for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
+    const std::array ends{uses[0].low(), uses[0].high()};
+    if (uses.size() != 2) holding.insert(holding.end(), ends.begin(), ends.end());
+    const double cosine = least_cosine_at(surface, uses);
+    if (cosine >= least_cosine) return;
+    const double turn_rad = std::acos(std::max(cosine, -1.0));
+    const auto& at = surface.mesh.vertices;
+    const double area = surface.areas[uses[0].triangle] + surface.areas[uses[1].triangle];
+    sharp.push_back({ends, turn_rad, length_in_radii(turn_rad, norm(at[ends[1]] - at[ends[0]]), area)});
+  });
+  const std::vector<std::uint8_t> counts = are_creases(sharp, holding, angles.fading);
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (std::size_t e = 0; e < sharp.size(); ++e)
+    if (counts[e]) edges.push_back(sharp[e].vertices);
+  return edges;
 }
 
 /// A sharp edge seen from one of its ends.
@@ -45,11 +73,7 @@ class SharpEdges {
   SharpEdges(const Surface& surface, const CreaseAngles& angles,
              std::span<const std::array<std::uint32_t, 2>> tagged)
       : vertices_(surface.mesh.vertices), straight_(std::cos(angles.corner_deg * kDegree)) {
-    const double least_cosine = std::cos(angles.least_deg * kDegree);
-    const std::vector<EdgeUse> all_uses = sorted_edge_uses(surface.mesh.triangles);
-    for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
-      if (is_sharp(surface, uses, least_cosine)) add(uses[0].low(), uses[0].high());
-    });
+    for (const auto& [a, b] : sharp_edges(surface, angles, tagged)) add(a, b);
     std::sort(spokes_.begin(), spokes_.end());
     const std::size_t sharp = spokes_.size();
     for (const auto& [a, b] : tagged) {

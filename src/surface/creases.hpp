@@ -16,7 +16,8 @@ namespace crossgrain {
 
 /// Returns the sharp edges of a surface as curves, in the order of their lowest vertices. A closed curve
 /// begins and ends at its lowest vertex. Tangents bisect the directions of the edges before and after. Edges
-/// of one triangle are not sharp; an edge of three or more is sharp if any two normals differ enough.
+/// of one triangle are not sharp; an edge of three or more is sharp if any two normals differ enough. Edges
+/// that fade out count only by CreaseAngles::fading.
 /// Vertices must be welded. Edges in `tagged`, pairs of vertices, count as sharp regardless of the surface.
 std::vector<CreaseCurve> sharp_curves(const Surface& surface, const CreaseAngles& angles,
                                       std::span<const std::array<std::uint32_t, 2>> tagged = {});

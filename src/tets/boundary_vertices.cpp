@@ -8,6 +8,7 @@
 
 #include "base/ascending.hpp"
 #include "base/vector3.hpp"
+#include "surface/crease_network.hpp"
 #include "surface/surface.hpp"
 #include "tets/boundary_edges.hpp"
 
@@ -95,11 +96,15 @@ std::vector<std::uint32_t> gather_faces(std::size_t vertex_count, const AllFaces
 
 using VertexPair = std::array<std::uint32_t, 2>;
 
-/// Edges between two faces with an angle, edges of more than two faces, and tagged edges; ascending.
+/// Edges between two faces with an angle that count as creases, edges of more than two faces, and tagged
+/// edges; ascending.
 std::vector<VertexPair> sharp_and_tagged(const AllFaces& all, const InnerFeatures& features,
-                                         double sharp_dihedral_deg) {
+                                         const std::vector<Vector3>& vertices,
+                                         const BoundaryVertexOptions& options) {
   std::vector<VertexPair> edges;
-  const double flattest_cosine = std::cos(sharp_dihedral_deg * kDegree);
+  std::vector<SharpEdge> sharp;
+  std::vector<std::uint32_t> holding;
+  const double flattest_cosine = std::cos(options.sharp_dihedral_deg * kDegree);
   std::vector<BoundaryEdgeUse> uses = boundary_edge_uses(all.faces);
   std::erase_if(uses, [&](const BoundaryEdgeUse& use) { return all.shapes[use.face].area == 0; });
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
@@ -107,13 +112,26 @@ std::vector<VertexPair> sharp_and_tagged(const AllFaces& all, const InnerFeature
     while (end < uses.size() && uses[end].same_edge(edge)) ++end;
     // An edge of one face is next to a face without area, which hides how the boundary continues, or is the
     // end of a wall.
+    if (end - begin != 2) holding.insert(holding.end(), {edge.low, edge.high});
     if (end - begin == 1) continue;
-    if (end - begin == 2 && all.cosine(edge, uses[begin + 1]) >= flattest_cosine) continue;
-    edges.push_back({edge.low, edge.high});
+    if (end - begin > 2) {
+      edges.push_back({edge.low, edge.high});
+      continue;
+    }
+    const double cosine = all.cosine(edge, uses[begin + 1]);
+    if (cosine >= flattest_cosine) continue;
+    const double turn_rad = std::acos(std::max(cosine, -1.0));
+    const double area = all.shapes[edge.face].area + all.shapes[uses[begin + 1].face].area;
+    const double length = norm(vertices[edge.high] - vertices[edge.low]);
+    sharp.push_back({{edge.low, edge.high}, turn_rad, length_in_radii(turn_rad, length, area)});
   }
   for (const auto& [a, b] : features.edges) {
     if (a != b) edges.push_back({std::min(a, b), std::max(a, b)});
   }
+  for (const VertexPair& edge : edges) holding.insert(holding.end(), edge.begin(), edge.end());
+  const std::vector<std::uint8_t> counts = are_creases(sharp, holding, options.fading);
+  for (std::size_t e = 0; e < sharp.size(); ++e)
+    if (counts[e]) edges.push_back(sharp[e].vertices);
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
@@ -192,7 +210,7 @@ BoundaryVertices classify_boundary_vertices(const TetSolid& solid, const Boundar
   const AllFaces all(solid, features);
   const std::vector<std::uint32_t> place = gather_faces(solid.mesh.vertices.size(), all, features, out);
   const std::vector<SharpEdges> sharp =
-      sharp_edges_at(sharp_and_tagged(all, features, options.sharp_dihedral_deg), place, out.size());
+      sharp_edges_at(sharp_and_tagged(all, features, solid.mesh.vertices, options), place, out.size());
   std::vector<std::uint8_t> tagged(out.size(), 0);
   for (const auto& edge : features.edges)
     for (const std::uint32_t v : edge) tagged[place[v]] = 1;

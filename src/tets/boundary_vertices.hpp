@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "crossgrain/options.hpp"
 #include "crossgrain/types.hpp"
 #include "tets/inner_walls.hpp"
 #include "tets/tet_solid.hpp"
@@ -22,6 +23,9 @@ struct BoundaryVertexOptions {
   /// Smallest angle between the normals of the two faces of a sharp edge (exclusive). At twice the smooth
   /// spread no smooth vertex has a sharp edge.
   double sharp_dihedral_deg = 30;
+
+  /// Which sharp edges count that end in the smooth surface.
+  FadingCreases fading = {};
 
   /// Largest change of direction between two sharp edges of one crease (exclusive).
   double crease_turn_deg = 45;

@@ -8,7 +8,7 @@ import unittest
 import numpy as np
 from program import CommandTest, box_triangles, medit_text, stl_bytes, tet_box
 
-INPUT, USAGE = 3, 2
+INPUT, USAGE, LIMIT = 3, 2, 5
 
 
 def nearest_axis_deg(frame, axis):
@@ -35,6 +35,17 @@ class Constraints(CommandTest):
         result = self.run_here("sample", "box.frames", "points.txt")
         self.assert_succeeds(result)
         return [[float(x) for x in line.split()] for line in result.stdout.splitlines()]
+
+    def test_a_twist_that_fades_slowly_is_written_with_the_exit_code_of_a_limit(self):
+        self.write("plate.stl", stl_bytes(box_triangles((1, 1, 0.02))))
+        across = np.radians(40)
+        self.constrain(points=[{"at": [0.5, 0.5, 0.01], "weight": 1000, "frame": [
+            [np.cos(across), np.sin(across), 0], [-np.sin(across), np.cos(across), 0], [0, 0, 1]]}])
+        result = self.run_here("solve", "plate.stl", "--resolution", 100, "--constraints", "c.json", "--quiet")
+        self.assert_fails(result, LIMIT, "plate.stl: the energy had not settled when the sweeps ran out", "--from")
+        kinds = [warning["kind"] for warning in self.report("plate.frames")["warnings"]]
+        self.assertIn("not_settled", kinds)
+        self.assert_succeeds(self.run_here("check", "plate.frames"))
 
     def test_turn_the_field_and_report_what_sampling_finds(self):
         places, axis = [[0.6, 0.5, 0.7], [1.5, 0.4, 0.6]], [1, 1, 0]

@@ -5,6 +5,7 @@ from collections import defaultdict
 
 import numpy as np
 
+SURE_DEG, LEAST_RADII = 80, 80
 SHARP_COSINE, CORNER_COSINE, KNIFE_COSINE = np.cos(np.radians((35, 45, 45)))
 
 
@@ -20,6 +21,7 @@ class Creases:
         sharp = [edge for edge, of_edge in uses.items() if any(
             -s * r * surface.normals[t] @ surface.normals[u] < SHARP_COSINE
             for k, (t, s) in enumerate(of_edge) for u, r in of_edge[:k])]
+        sharp = self.without_fading(surface, points, sharp, uses)
         self.knives = sorted(tuple(0.5 * (points[a] + points[b])) for a, b in sharp
                              if self.is_knife(surface, points, (a, b), uses[a, b]))
         around = defaultdict(list)
@@ -45,6 +47,41 @@ class Creases:
                         if len(others) > 1 and not goes_on(v)}
         ends = sum(len(others) for v, others in around.items() if not goes_on(v))
         self.curves = ends // 2 + self.loops(around, goes_on)
+
+    @staticmethod
+    def without_fading(surface, points, sharp, uses):
+        """Without paths that end in nothing, are nowhere sure and are short, the shortest first."""
+        def turn(edge):
+            return max(np.arccos(np.clip(-s * r * surface.normals[t] @ surface.normals[u], -1, 1))
+                       for k, (t, s) in enumerate(uses[edge]) for u, r in uses[edge][:k])
+
+        def radii(edge):
+            (t, _), (u, _) = uses[edge][:2]
+            areas = [np.linalg.norm(np.cross(*(surface.triangles[k][1:] - surface.triangles[k][0]))) / 2 for k in (t, u)]
+            return turn(edge) * 1.5 * ((points[edge[0]] - points[edge[1]]) ** 2).sum() / sum(areas)
+
+        holding = {v for edge, of_edge in uses.items() if len(of_edge) != 2 for v in edge}
+        left = {edge: (radii(edge), turn(edge)) for edge in sharp}
+        while True:
+            around = defaultdict(list)
+            for edge in left:
+                for v in edge:
+                    around[v].append(edge)
+            fading = []
+            for start, (first, *others) in around.items():
+                if others or start in holding:
+                    continue
+                path, at = [first], sum(first) - start
+                while len(around[at]) == 2 and at not in holding:
+                    path.append(next(edge for edge in around[at] if edge != path[-1]))
+                    at = sum(path[-1]) - at
+                length = sum(left[edge][0] for edge in path)
+                if length < LEAST_RADII and max(left[edge][1] for edge in path) < np.radians(SURE_DEG):
+                    fading.append((length, path))
+            if not fading:
+                return [edge for edge in sharp if edge in left]
+            for edge in min(fading)[1]:
+                del left[edge]
 
     @staticmethod
     def is_knife(surface, points, edge, uses):

@@ -7,6 +7,7 @@ meshes are in the folder that CROSSGRAIN_SHARED names, ../shared beside the proj
 it is absent.
 """
 
+import itertools
 import json
 import os
 import subprocess
@@ -198,6 +199,67 @@ class TaggedFeatures(RegionsTest):
         found = [warning["text"] for warning in warnings if warning["kind"] == "unmerged_vertices"]
         self.assertEqual(len(found), 1, warnings)
         self.assertIn("without sharing vertices: 8;", found[0])
+
+
+def medit_text(vertices, sections):
+    """A Medit file of sections {keyword: [(vertices, tag)]}."""
+    rows = ["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(vertices))]
+    rows += [" ".join(repr(float(x)) for x in vertex) + " 0" for vertex in vertices]
+    for keyword, cells in sections.items():
+        rows += [keyword, str(len(cells)), *(" ".join(str(i + 1) for i in nodes) + f" {tag}" for nodes, tag in cells)]
+    return "\n".join([*rows, "End", ""])
+
+
+class ListsOfEverything(RegionsTest):
+    """A bent box whose files list all faces and edges, under one tag, the side of the box or a running number each."""
+
+    def setUp(self):
+        super().setUp()
+        self.vertices, self.tets = tet_box(cells=(6, 5, 4), size=(1.2, 1.0, 0.8))
+        parts = lambda n: sorted({tuple(sorted(c)) for tet in self.tets for c in itertools.combinations(map(int, tet), n)})  # noqa: E731
+        self.faces, self.edges = parts(3), parts(2)
+        self.turned = (self.vertices + 0.3 * self.vertices[:, 1:2]**2 * [1, 0, 1]) @ tilt()
+        self.write("plain.mesh", medit_text(self.turned, {"Tetrahedra": [(t, 1) for t in self.tets]}))
+
+    def sides(self, face):
+        """1 to 6 on the boundary, 0 inside."""
+        on = [(self.vertices[list(face), k] == end).all() for k, size in enumerate((1.2, 1.0, 0.8)) for end in (0, size)]
+        return on.index(True) + 1 if any(on) else 0
+
+    def listed(self):
+        tags = {"one": [0] * len(self.faces), "sides": [self.sides(f) for f in self.faces], "numbers": range(len(self.faces))}
+        for name, of_faces in tags.items():
+            triangles, edges = list(zip(self.faces, of_faces)), [(e, 0) for e in self.edges]
+            yield f"{name}.mesh", medit_text(self.turned, {"Edges": edges, "Triangles": triangles,
+                                                           "Tetrahedra": [(t, k) for k, t in enumerate(self.tets)]})
+            yield f"{name}.vtk", tagged_vtk_text(self.turned, [(LINE, *e) for e in edges] + [(TRIANGLE, *f) for f in triangles]
+                                                 + [(TET, t, 1) for t in self.tets])
+
+    def test_leave_the_field_of_the_tets_alone_to_the_bit(self):
+        plain = self.solve("plain.mesh", folder="plain")
+        self.assertEqual(plain["warnings"], [])
+        for name, text in self.listed():
+            with self.subTest(name):
+                self.write(name, text)
+                result = self.run_here("solve", name, "-o", "out", "--quiet")
+                self.assert_succeeds(result)
+                self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+                for word in (f"warning: {name}: ", "faces inside", f"{len(self.tets)} regions" if name.endswith(".mesh") else "edges of",
+                             "--keep-tags"):
+                    self.assertIn(word, result.stderr)
+                report = json.loads((self.folder / "out" / "report.json").read_text())
+                self.assertEqual([w["kind"] for w in report["warnings"]], ["listed_topology"])
+                for key in ("energy", "alignment_deg", "creases", "singularity"):
+                    self.assertEqual(report[key], plain[key])
+                self.assertEqual(*[(self.folder / folder / "onto.frames").read_bytes() for folder in ("plain", "out")])
+                for axis in ("axis_u", "axis_v", "axis_w"):
+                    np.testing.assert_array_equal(*[self.arrays(folder=folder)[axis] for folder in ("plain", "out")])
+
+    def test_are_followed_if_all_tags_are_kept(self):
+        self.write("all.vtk", dict(self.listed())["one.vtk"])
+        plain, kept = self.solve("plain.mesh", folder="plain"), self.solve("all.vtk", "--keep-tags")
+        self.assertGreater(kept["creases"]["curves"], plain["creases"]["curves"])
+        self.assertNotIn("listed_topology", [w["kind"] for w in kept["warnings"]])
 
 
 @unittest.skipUnless((SHARED / "models" / "good" / "s02u_prism.vtk").exists(), f"no comparison meshes in {SHARED}")

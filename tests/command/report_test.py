@@ -44,6 +44,14 @@ class Report(CommandTest):
     def test_every_number_of_a_torus_is_recomputed(self):
         self.assert_recomputable(torus_triangles(), "--resolution", "12")
 
+    def test_every_number_of_a_bumpy_torus_is_recomputed(self):
+        triangles = torus_triangles(around=36, across=18)
+        points, corner = np.unique(triangles.reshape(-1, 3).round(9), axis=0, return_inverse=True)
+        points += np.random.default_rng(5).uniform(-0.02, 0.02, points.shape)
+        self.assert_recomputable(points[corner.ravel()].reshape(-1, 3, 3), "--resolution", "10")
+        # Of 226 edges sharper than 35 degrees, seven are parts of curves that lead from one to another.
+        self.assertEqual(json.loads((self.folder / "out" / "report.json").read_text())["creases"]["curves"], 5)
+
     def test_every_number_of_a_surface_inside_out_is_recomputed(self):
         self.assert_recomputable(torus_triangles()[:, ::-1], "--resolution", "8")
 

@@ -75,6 +75,28 @@ TYPED_TEST(Stages, SettledTellsWhetherTheSweepsRanOut) {
   EXPECT_LT(result.energy - more.energy, 1e-3 * result.energy);
 }
 
+TYPED_TEST(Stages, SettledGoesOnBelowTheEnergyOfACalmField) {
+  SettlingPlan plan{2, 1.6, 1e-4, 0};
+  const SettledFrames short_of = settled(this->graph_, this->random(2), plan, ignore);
+  ASSERT_FALSE(short_of.settled);
+  plan.more_sweeps = 1000;
+  plan.calm_over_relaxation = 1.6;
+  EXPECT_TRUE(same_bits(settled(this->graph_, this->random(2), plan, ignore).frames, short_of.frames));
+  plan.calm_energy = 2 * short_of.energy;
+  const SettledFrames calm = settled(this->graph_, this->random(2), plan, ignore);
+  EXPECT_TRUE(calm.settled);
+  EXPECT_TRUE(
+      same_bits(calm.frames, settled(this->graph_, this->random(2), {1000, 1.6, 1e-4, 0}, ignore).frames));
+}
+
+TYPED_TEST(Stages, ADecreaseIsComparedWithNoLessThanTheLeastEnergy) {
+  const Frames start = this->good();
+  SettlingPlan plan{1, 1.6, 1e-9, 0};
+  ASSERT_FALSE(settled(this->graph_, start, plan, ignore).settled);
+  plan.least_energy = 1e9 * this->energy_of(start);
+  EXPECT_TRUE(settled(this->graph_, start, plan, ignore).settled);
+}
+
 TYPED_TEST(Stages, SettledTellsTheEnergyAfterEverySweep) {
   std::vector<double> energies;
   const SettledFrames result = settled(this->graph_, this->random(2), {12, 1.6, 0, 0},

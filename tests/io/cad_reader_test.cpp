@@ -26,10 +26,6 @@ TEST(ReadCad, NamesThePackagesThatTheProgramWasBuiltWithout) {
 
 #else
 
-TriangleMesh read_made(const std::string& name, const ReadOptions& options = {}) {
-  return read_surface(cad_files() / name, options);
-}
-
 std::set<std::int32_t> distinct(const std::vector<std::int32_t>& numbers) {
   return {numbers.begin(), numbers.end()};
 }
@@ -57,18 +53,6 @@ Box box_of_vertices(const TriangleMesh& mesh) {
     }
   }
   return box;
-}
-
-void expect_same(const TriangleMesh& a, const TriangleMesh& b) {
-  EXPECT_EQ(a.vertices, b.vertices);
-  EXPECT_EQ(a.triangles, b.triangles);
-  EXPECT_EQ(a.corner_normals, b.corner_normals);
-  EXPECT_EQ(a.faces, b.faces);
-  ASSERT_EQ(a.creases.size(), b.creases.size());
-  for (std::size_t i = 0; i < a.creases.size(); ++i) {
-    EXPECT_EQ(a.creases[i].points, b.creases[i].points);
-    EXPECT_EQ(a.creases[i].tangents, b.creases[i].tangents);
-  }
 }
 
 TEST(ReadCad, OfAPlateWithAHoleHasItsFacesAreaAndVolumeInEveryFormat) {
@@ -290,32 +274,6 @@ TEST(ReadCad, RefusesOptionsOutOfRange) {
                                      ReadOptions{.crease_angle_deg = std::nan("")}}) {
     EXPECT_THROW(read_made("box.brep", options), Error);
   }
-}
-
-TEST(ReadCad, RefusesFilesThatAreCutShortOrDamaged) {
-  const TemporaryFolder folder;
-  for (const char* name : {"plate.step", "plate.iges", "plate.brep"}) {
-    SCOPED_TRACE(name);
-    const std::string content = content_of(cad_files() / name);
-    EXPECT_NE(
-        input_error_of(folder.write(name, content.substr(0, content.size() / 2))).find("export it again"),
-        std::string::npos);
-    const std::string damaged =
-        content.substr(0, 300) + std::string(2000, '?') + content.substr(content.size() - 90);
-    EXPECT_NE(input_error_of(folder.write(name, damaged)).find("export it again"), std::string::npos);
-  }
-}
-
-TEST(ReadCad, NamesAPieceOfGeometryThatDidNotLoad) {
-  // OpenCASCADE by itself would crash on it.
-  std::string content = content_of(cad_files() / "cylinder.step");
-  const std::string vector = "VECTOR('',#";
-  const std::size_t place = content.find(vector);
-  ASSERT_NE(place, std::string::npos);
-  content.insert(place + vector.size(), "9999");
-  const TemporaryFolder folder;
-  const std::string message = input_error_of(folder.write("a.step", content));
-  EXPECT_NE(message.find("entity #"), std::string::npos) << message;
 }
 
 TEST(ReadCad, SaysNothingOnTheStreams) {

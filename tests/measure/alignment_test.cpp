@@ -60,7 +60,7 @@ TEST(AngleToNearestAxis, IsLargestAlongTheDiagonal) {
 TEST(Alignment, OfATiltedBoxInItsOwnFrameIsZero) {
   const Measured box(rotate_mesh(make_box({1.4, 1.2, 0.6}), kTilt), 1.0 / 8, kTilt);
   const AlignmentMeasurement result = box.alignment();
-  EXPECT_LT(result.alignment_deg.max, kStorage_deg);
+  EXPECT_LT(result.alignment_deg.max.value(), kStorage_deg);
   EXPECT_EQ(result.alignment_deg.excluded_share, 0);
 }
 
@@ -71,16 +71,16 @@ TEST(Alignment, OfABoxTurnedAboutItsThirdAxisIsTheTurnOverTheShareOfItsSides) {
   const AlignmentMeasurement result = box.alignment();
   const double sides = 2 * (1.4 + 1.2) * 0.6, ends = 2 * 1.4 * 1.2;
   // Areas of pieces are stored in single precision.
-  EXPECT_NEAR(result.alignment_deg.mean, turn_deg * sides / (sides + ends), 1e-5);
-  EXPECT_NEAR(result.alignment_deg.max, turn_deg, kStorage_deg);
-  EXPECT_NEAR(result.alignment_deg.p95, turn_deg, kStorage_deg);
+  EXPECT_NEAR(result.alignment_deg.mean.value(), turn_deg * sides / (sides + ends), 1e-5);
+  EXPECT_NEAR(result.alignment_deg.max.value(), turn_deg, kStorage_deg);
+  EXPECT_NEAR(result.alignment_deg.p95.value(), turn_deg, kStorage_deg);
 }
 
 TEST(Alignment, NinetyFifthPercentileLeavesOutWhatIsWorseOnLessArea) {
   // A plate: its rim is 2 % of the surface.
   const Measured plate(make_box({1, 1, 0.01}), 1.0 / 8, from_rotation_vector({0, 0, 0.2}));
   const AlignmentMeasurement result = plate.alignment();
-  EXPECT_LT(result.alignment_deg.p95, kStorage_deg);
+  EXPECT_LT(result.alignment_deg.p95.value(), kStorage_deg);
 }
 
 TEST(Alignment, OfALeafIsTheMeanOverItsOwnSurface) {
@@ -127,7 +127,7 @@ TEST(Alignment, LeavesOutTheSurfaceInCellsThatNoFrameSuits) {
   EXPECT_EQ(result.spectrum.plane, 0u);
   EXPECT_GT(result.spectrum.axis + result.spectrum.conflicted, 0u);
   EXPECT_EQ(result.alignment_deg.excluded_share, 1);
-  EXPECT_EQ(result.alignment_deg.max, 0);
+  EXPECT_EQ(result.alignment_deg.max.value(), 0);
 }
 
 TEST(Alignment, IsTheSameToTheBitOnOneThread) {
@@ -135,8 +135,8 @@ TEST(Alignment, IsTheSameToTheBitOnOneThread) {
   const AlignmentMeasurement many = bracket.alignment();
   const ThreadLimit one_thread(1);
   const AlignmentMeasurement one = bracket.alignment();
-  EXPECT_EQ(many.alignment_deg.mean, one.alignment_deg.mean);
-  EXPECT_EQ(many.alignment_deg.p95, one.alignment_deg.p95);
+  EXPECT_EQ(many.alignment_deg.mean.value(), one.alignment_deg.mean.value());
+  EXPECT_EQ(many.alignment_deg.p95.value(), one.alignment_deg.p95.value());
   EXPECT_EQ(many.leaf_mean_deg, one.leaf_mean_deg);
   EXPECT_EQ(many.leaf_constraints, one.leaf_constraints);
 }

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "base/vector3.hpp"
 #include "crossgrain/solve.hpp"
@@ -31,6 +33,40 @@ double volume6(const SolvedSurface& surface) {
   for (const auto& [a, b, c] : surface.triangles)
     sum += dot(surface.vertices[a], cross(surface.vertices[b], surface.vertices[c]));
   return sum;
+}
+
+/// The largest angle between an axis of a frame and the nearest axis of the coordinates, over all cells.
+double most_off_axes_deg(const FrameField& field) {
+  double least_cosine = 1;
+  for (const Frame& frame : field.frames()) {
+    for (const Vector3& axis : frame.axes)
+      least_cosine =
+          std::min(least_cosine, std::max({std::abs(axis[0]), std::abs(axis[1]), std::abs(axis[2])}));
+  }
+  return std::acos(std::min(1.0, least_cosine)) * 180 / std::numbers::pi;
+}
+
+bool is_unsettled(const SolveReport& report) {
+  return std::any_of(report.warnings.begin(), report.warnings.end(),
+                     [](const Warning& warning) { return warning.kind == WarningKind::kNotSettled; });
+}
+
+TEST(Solve, LeavesNoTwistInAThinPlateWhoseEnergyIsAlmostNothing) {
+  for (const Degree degree : {Degree::kThree, Degree::kFour}) {
+    SolveOptions options;
+    options.degree = degree;
+    options.resolution = 128;
+    const TriangleMesh plate = make_box({1, 1.0 / 120, 1});
+    const FrameField field = solve(plate, options);
+    EXPECT_FALSE(is_unsettled(field.report()));
+    EXPECT_LT(most_off_axes_deg(field), 0.02);
+    // Its sweeps alone leave degrees, and say so.
+    options.solver.calm_fields.more_sweeps = 0;
+    options.solver.calm_fields.least_turn_deg = 0;
+    const FrameField twisted = solve(plate, options);
+    EXPECT_TRUE(is_unsettled(twisted.report()));
+    EXPECT_GT(most_off_axes_deg(twisted), 0.5);
+  }
 }
 
 TEST(SolvedSurface, LooksOutOfTheSolidAlsoWhereTheModelIsInsideOut) {

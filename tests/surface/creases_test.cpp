@@ -9,6 +9,7 @@
 
 #include "base/vector3.hpp"
 #include "harmonics/random_samples.hpp"
+#include "support/curved_shapes.hpp"
 #include "support/extrusion.hpp"
 #include "support/shapes.hpp"
 
@@ -114,6 +115,43 @@ TEST(Creases, EndWhereTheBoundaryOfAnOpenSheetBegins) {
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_EQ(curves[0].points.size(), 2u);
   EXPECT_TRUE(corners_of(curves, kAngles).empty());
+}
+
+/// Without the rule for creases that fade out.
+CreaseAngles every_edge() {
+  CreaseAngles angles;
+  angles.fading.least_radii = 0;
+  return angles;
+}
+
+TEST(Creases, OfCurvedSurfacesOfCoarseTrianglesAreNoneThoughManyEdgesAreSharp) {
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
+    for (const auto& [knobs, noise] : {std::pair{0.6, 0.0}, {0.4, 0.01}}) {
+      const Surface surface = prepare_surface(make_knobbly_sphere(4, knobs, noise, seed));
+      EXPECT_GT(sharp_curves(surface, every_edge()).size(), 5u) << seed;
+      EXPECT_TRUE(sharp_curves(surface, kAngles).empty()) << seed << ' ' << knobs;
+    }
+  }
+}
+
+TEST(Creases, ThatFadeOutCountIfSharpOnceOrLongForTheirTriangles) {
+  // Sharper than 35 degrees up to x = 1.5 (1 - tan(17.5 deg) / tan(angle / 2)).
+  const auto length = [](int cells, double angle_deg) {
+    return length_of(sharp_curves(prepare_surface(make_fading_ridge(cells, angle_deg)), kAngles));
+  };
+  const auto expected = [](double angle_deg) {
+    const double degree = std::numbers::pi / 180;
+    return 1.5 * (1 - std::tan(17.5 * degree) / std::tan(angle_deg / 2 * degree));
+  };
+  EXPECT_NEAR(length(10, 90), expected(90), 0.1);
+  EXPECT_NEAR(length(160, 60), expected(60), 1. / 160);
+  EXPECT_EQ(length(10, 60), 0);
+}
+
+TEST(Creases, EndAtACornerOfOtherCreasesWhateverTheirAngle) {
+  // The chamfers of a block make two edges of 45 degrees each, from side to side.
+  const Surface block = prepare_surface(extrude({{0, 0}, {1, 0}, {1, 0.8}, {0.8, 1}, {0, 1}}, {}, -1, {1}));
+  EXPECT_EQ(sharp_curves(block, kAngles).size(), 15u);
 }
 
 /// A prism over an isosceles triangle with this angle at its tip, 2 long.

@@ -203,5 +203,26 @@ TEST_F(BoundaryOfTwoRegions, HasTangentsOfTaggedEdgesInsideAndOnFaces) {
   EXPECT_NEAR(std::abs(dot(boundary.tangents[on_face], normalised(Vector3{1, 1, 0}))), 1, 1e-15);
 }
 
+TEST(BoundaryVertices, OfACreaseThatFadesOutHaveATangentOnlyIfItCounts) {
+  // A ridge on the top of a box, with 50 degrees between its sides at x = 0 and none from x = 6 on.
+  const TetBox box{{8, 8, 4}};
+  TetMesh mesh = box.mesh();
+  for (Vector3& p : mesh.vertices)
+    p[2] *= 1 - std::tan(25 * std::numbers::pi / 180) * std::max(0.0, 1 - p[0] / 6) * std::abs(p[1] - 4) / 4;
+  const TetSolid solid = solid_of(mesh);
+  BoundaryVertexOptions every_edge;
+  every_edge.fading.least_radii = 0;
+  for (const bool counts : {true, false}) {
+    const BoundaryVertices boundary =
+        classify_boundary_vertices(solid, counts ? every_edge : BoundaryVertexOptions{});
+    for (const std::uint32_t x : {1u, 2u}) {
+      const auto at = std::lower_bound(boundary.vertices.begin(), boundary.vertices.end(), box.at(x, 4, 4));
+      const auto k = static_cast<std::size_t>(at - boundary.vertices.begin());
+      EXPECT_EQ(boundary.classes[k], counts ? BoundaryClass::kCrease : BoundaryClass::kCorner);
+      EXPECT_NEAR(norm(boundary.tangents[k]), counts ? 1 : 0, 1e-15);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace crossgrain

@@ -20,18 +20,36 @@ bool ends_with(const InputFile& file, std::string_view text) {
   return bytes.substr(bytes.size() - std::min(bytes.size(), kTail)).find(text) != std::string_view::npos;
 }
 
-/// Returns the last line that is not blank.
-std::string_view last_line(const InputFile& file) {
-  const std::string_view bytes = file.bytes();
-  const std::string_view lines = bytes.substr(0, bytes.find_last_not_of("\r\n \x1a") + 1);
-  return lines.substr(lines.find_last_of('\n') + 1);
+constexpr std::string_view kBlank = " \t\r\x1a";
+
+std::string_view trimmed(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(kBlank);
+  if (first == std::string_view::npos) return {};
+  return line.substr(first, line.find_last_not_of(kBlank) + 1 - first);
 }
 
-/// Returns whether a line can end a BREP text file: '+1 0', orientation and number of a shape, and location.
+/// Returns whether a line begins with '+1 0': orientation and number of a shape, and its location.
 bool is_shape_reference(std::string_view line) {
-  constexpr std::string_view kOrientations = "+-ie";
-  return !line.empty() && kOrientations.find(line[0]) != std::string_view::npos &&
-         line.find_first_not_of("0123456789 ", 1) == std::string_view::npos;
+  constexpr std::string_view kOrientations = "+-ie", kDigits = "0123456789";
+  if (line.empty() || kOrientations.find(line[0]) == std::string_view::npos) return false;
+  const std::size_t number_end = line.find_first_not_of(kDigits, 1);
+  return number_end != std::string_view::npos && number_end > 1 && line.size() > number_end + 1 &&
+         line[number_end] == ' ' && kDigits.find(line[number_end + 1]) != std::string_view::npos;
+}
+
+/// Returns whether the list of shapes, each of which ends with '*', is followed by a reference to one of
+/// them. Programs write more after it: DRAW a '0', others a text of their own.
+bool names_a_shape(std::string_view bytes) {
+  bool is_referred_to = false;
+  while (!bytes.empty()) {
+    const std::size_t start = bytes.find_last_of('\n') + 1;  // 0 if there is none
+    const std::string_view line = trimmed(bytes.substr(start));
+    bytes = bytes.substr(0, start == 0 ? 0 : start - 1);
+    if (line.empty()) continue;
+    if (is_referred_to && line.back() == '*') return true;
+    is_referred_to = is_shape_reference(line);
+  }
+  return false;
 }
 
 }  // namespace
@@ -69,7 +87,7 @@ void check_brep_file(const InputFile& file) {
   if (!begins_with(file, "CASCADE Topology V"))
     fail_input(file, {}, "is not a BREP file: it does not name a 'CASCADE Topology'", Remedy::kExportAgain);
   const bool is_binary = begins_with(file, "Open CASCADE Topology V");
-  if (!is_binary && !is_shape_reference(last_line(file)))
+  if (!is_binary && !names_a_shape(file.bytes()))
     fail_input(file, {}, "does not end with a shape: cut short", Remedy::kCopyAgain);
 }
 

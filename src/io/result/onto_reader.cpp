@@ -69,7 +69,7 @@ TetDomain domain_in(const std::filesystem::path& path) {
   TetMesh mesh = read_mesh(VtuFile(path));
   const std::size_t tets = mesh.tets.size();
   try {
-    TetDomain domain(std::move(mesh));
+    TetDomain domain(std::move(mesh), {.keep_all = true});
     if (domain.mesh().tets.size() == tets) return domain;
   } catch (const Error&) {
   }

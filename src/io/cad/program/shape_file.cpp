@@ -14,6 +14,8 @@
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -22,6 +24,7 @@
 #include <utility>
 
 #include "io/cad/program/fault.hpp"
+#include "io/cad/program/step_contents.hpp"
 
 namespace crossgrain {
 namespace {
@@ -48,10 +51,10 @@ std::string short_unit(std::string name) {
   return name;
 }
 
-/// Throws Fault if part of the geometry did not load: OpenCASCADE would go on with null pointers and crash.
+/// Throws Fault if part of the geometry of an IGES file did not load: OpenCASCADE would go on with null
+/// pointers and crash.
 void refuse_damaged_geometry(const Handle(Interface_InterfaceModel) & model) {
-  constexpr std::array<std::string_view, 4> kGeometry = {"StepGeom_", "StepShape_", "IGESGeom_",
-                                                         "IGESSolid_"};
+  constexpr std::array<std::string_view, 2> kGeometry = {"IGESGeom_", "IGESSolid_"};
   for (int i = 1; i <= model->NbEntities(); ++i) {
     if (!model->IsErrorEntity(i)) continue;
     const Handle(Standard_Transient) entity = model->Value(i);
@@ -68,26 +71,56 @@ void warn_without_unit(CadShape& result) {
                                  "the file does not give a unit of length; millimetres are assumed");
 }
 
+std::string units_of(STEPControl_Reader& reader) {
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  std::string units;
+  for (int i = 1; i <= lengths.Length(); ++i)
+    units += (i > 1 ? ", " : "") + short_unit(lengths(i).ToCString());
+  return units;
+}
+
+/// Reads all parts, and warns of those with faces that could not be read.
+void transfer_parts(STEPControl_Reader& reader, const StepContents& contents,
+                    std::vector<Warning>& warnings) {
+  const int roots = reader.NbRootsForTransfer();
+  int parts = 0, missing = 0;
+  for (int i = 1; i <= roots; ++i) {
+    const bool has_faces = contents.holds_faces(reader.RootForTransfer(i));
+    const bool read = reader.TransferRoot(i);
+    parts += has_faces || read;
+    missing += has_faces && !read;
+  }
+  if (missing > 0)
+    warnings.emplace_back(
+        WarningKind::kMissingParts,
+        fmt::format("parts that OpenCASCADE could not read, so they are missing: {} of {}", missing, parts));
+}
+
+/// Throws Fault if the parts of an assembly are in other files.
+void refuse_without_faces(const CadShape& result, const StepContents& contents) {
+  if (!result.shape.IsNull() && TopExp_Explorer(result.shape, TopAbs_FACE).More()) return;
+  const std::vector<std::string> files = contents.other_files();
+  if (files.empty()) return;
+  throw Fault(fmt::format("has no faces: its parts are in other files, {}{}", files.front(),
+                          files.size() > 1 ? fmt::format(" and {} more", files.size() - 1) : ""),
+              Remedy::kGivePartFiles);
+}
+
 CadShape read_step_shape(const std::string& path) {
   STEPControl_Reader reader;
   ask_for_millimetres();
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw Fault("is damaged, or not a STEP file that OpenCASCADE can read", Remedy::kExportAgain);
-  refuse_damaged_geometry(reader.Model());
+  const StepContents contents(reader.WS()->Graph());
+  contents.keep_sound_shapes();
   CadShape result;
   result.unit = kUnit;
-  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
-  reader.FileUnits(lengths, angles, solid_angles);
-  for (int i = 1; i <= lengths.Length(); ++i)
-    result.file_unit += (i > 1 ? ", " : "") + short_unit(lengths(i).ToCString());
+  result.file_unit = units_of(reader);
   warn_without_unit(result);
-  const int parts = reader.NbRootsForTransfer(), read = reader.TransferRoots();
-  if (read < parts)
-    result.warnings.emplace_back(
-        WarningKind::kMissingParts,
-        fmt::format("parts that OpenCASCADE could not read, so they are missing: {} of {}", parts - read,
-                    parts));
+  transfer_parts(reader, contents, result.warnings);
   result.shape = reader.OneShape();
+  refuse_without_faces(result, contents);
   return result;
 }
 

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "crossgrain/io.hpp"
+#include "crossgrain/message.hpp"
+#include "crossgrain/page.hpp"
+#include "messages.hpp"
+
+namespace crossgrain::app {
+namespace {
+
+using Angle = std::optional<double>;
+
+/// Returns a line with the width of the summary's first column.
+std::string row(const char* what, const std::string& text) {
+  return fmt::format("{:<10} {}\n", what, text);
+}
+
+std::string answer_rows(const SolveReport& report, const SolveArguments& arguments) {
+  std::string text = row("hexahedra", sentence_of(report.answer));
+  if (const std::size_t more = report.answer.reasons.size(); more > 1)
+    text += row("", fmt::format("and {}: crossgrain check {}", counted(more - 1, "more reason"),
+                                in_shell(arguments.output)));
+  return text;
+}
+
+std::string lines_text(const SolveReport::Singularity& singularity) {
+  if (singularity.arcs == 0) return "none";
+  return fmt::format("{}, {:.4g} long in all, {}, {} on the surface", counted(singularity.arcs, "arc"),
+                     singularity.length, counted(singularity.nodes, "node"),
+                     counted(singularity.boundary_ends, "end"));
+}
+
+std::string angles_text(const Angle& mean, const Angle& p95, const Angle& max, const char* off_what) {
+  return fmt::format("{:.3g} degrees off {} in the mean, 95 % within {:.3g}, all within {:.3g}", *mean, off_what,
+                     *p95, *max);
+}
+
+std::string angles_row(const char* what, const SolveReport::AngleSummary& angles, const char* off_what) {
+  return angles.mean ? row(what, angles_text(angles.mean, angles.p95, angles.max, off_what)) : "";
+}
+
+std::string alignment_row(const SolveReport::Alignment& alignment) {
+  if (!alignment.mean) return row("alignment", "n/a: no frame meets the constraints of any cell with surface");
+  std::string text = angles_text(alignment.mean, alignment.p95, alignment.max, "the surface");
+  if (alignment.excluded_share > 0)
+    text += fmt::format("; without the {:.2g} % where no frame meets all constraints",
+                        100 * alignment.excluded_share);
+  return row("alignment", text);
+}
+
+std::string grid_rows(const SolveReport& report) {
+  std::string text;
+  if (!report.levels.empty())
+    text += row("cells", fmt::format("{}", report.levels.back().active_cells));
+  text += row("singular", lines_text(report.singularity)) + alignment_row(report.alignment_deg);
+  if (report.constraints) {
+    constexpr const char* kOff = "their constraints";
+    text += angles_row("points", report.constraints->points.angle_deg, kOff) +
+            angles_row("polylines", report.constraints->polylines.angle_deg, kOff) +
+            angles_row("faces", report.constraints->faces.angle_deg, kOff) +
+            angles_row("stresses", report.constraints->stresses.angle_deg, kOff);
+  }
+  return text;
+}
+
+std::string tets_rows(const SolveReport::Onto& onto) {
+  return row("tets", fmt::format("{}, {}, boundary {}", onto.tets, counted(onto.vertices, "vertex", "vertices"),
+                                 name_of(onto.boundary))) +
+         row("singular", lines_text(onto.singularity)) +
+         angles_row("surface", onto.normal_deg, "its normals") +
+         angles_row("creases", onto.crease_deg, "their faces");
+}
+
+std::string model_row(const SolveReport& report) {
+  std::string text = fmt::format("{}, {}", counted(report.model.triangles, "triangle"),
+                                 report.model.watertight ? "watertight" : "not watertight");
+  if (!report.regions.empty()) text += fmt::format(", {}", counted(report.regions.size(), "solid"));
+  return row("model", text);
+}
+
+std::string cost_row(const SolveReport& report) {
+  std::string text = fmt::format("{:.3g} s", report.seconds.total);
+  if (report.peak_memory_bytes > 0)
+    text += fmt::format(", {:.3g} MB of memory", static_cast<double>(report.peak_memory_bytes) / 1e6);
+  return row("cost", text);
+}
+
+/// Says what an energy is good for: without a comparison it says nothing.
+std::string grid_energy_row(const SolveReport::Energy& energy) {
+  return row("energy", fmt::format("{:.6g}: smoothness {:.6g}, boundary {:.6g}, and {:.6g} that no frame avoids; "
+                                   "compare it at the same resolution only",
+                                   energy.total + energy.unavoidable, energy.smoothness, energy.boundary,
+                                   energy.unavoidable));
+}
+
+std::string tets_energy_row(const SolveReport::Onto& onto) {
+  return row("energy", fmt::format("{:.6g}, of Dirichlet; compare it with other fields on the same tets",
+                                   onto.dirichlet));
+}
+
+std::string files_row(const SolveReport& report, const SolveArguments& arguments) {
+  std::vector<std::string> names = result_files(arguments.output_options, report.onto.has_value());
+  if (arguments.page) names.insert(names.begin(), kPageFile);
+  return row("result", fmt::format("{}: {}", arguments.output, fmt::join(names, ", ")));
+}
+
+}  // namespace

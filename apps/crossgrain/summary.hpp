@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `solve` prints in the end.
+#pragma once
+
+#include <string>
+
+#include "arguments.hpp"
+#include "crossgrain/report.hpp"
+
+namespace crossgrain::app {
+
+/// Returns the summary of a solve, several lines: the answer about hexahedra and what to do next, then the
+/// field and its cost, warnings, the energy and the files. Of tets it describes the field on them; the grid
+/// that they started from only if the arguments ask for it (--verbose).
+std::string summary_of(const SolveReport& report, const SolveArguments& arguments);
+
+/// Returns whether the warning says that the energy has not settled.
+bool is_unsettled(const Warning& warning);
+
+/// Returns whether the warning comes from reading a file; it is printed before the solve.
+bool is_of_reading(const Warning& warning);
+
+/// Returns whether the warning is printed even with --quiet: what was solved differs from the input or the
+/// request, or the exit code needs an explanation.
+bool is_always_printed(const Warning& warning);
+
+}  // namespace crossgrain::app
