@@ -37,26 +37,21 @@ def fillings(border, need, edges, inner):
 
 
 def split(order, i, need, edges, inner):
-    """The fillings with a triangle from the first side of a polygon to its vertex i: a polygon is left on either side."""
+    """The fillings with a triangle from the first side of a polygon to its vertex i, with what is left on either side of it: from
+    the second vertex to i, and from i to the first. Where i is next to an end of the side, nothing is left there."""
     a, b, c = order[0], order[1], order[i]
-    new = {tuple(sorted(pair)) for pair, gap in (((b, c), i > 2), ((a, c), i < len(order) - 1)) if gap}
-    if new & edges:
+    has_near, has_far = i > 2, i < len(order) - 1
+    new = {tuple(sorted(pair)) for pair, is_new in (((b, c), has_near), ((a, c), has_far)) if is_new}
+    if new & edges or (not has_near and need[b] != 1) or (not has_far and need[a] != 1):
         return
-    near, far = order[1:i + 1], (a, *order[i:])
-    for of_b in (need[b] - 1,) if i > 2 else (0,):
-        spent = need[c] - 1
-        if i == 2 and need[b] != 1 or i == len(order) - 1 and need[a] != 1:
+    rest = need[c] - 1
+    for at_near in range(rest + 1):
+        if (at_near > 0) != has_near or (rest - at_near > 0) != has_far:
             continue
-        for at_near in range(spent + 1):
-            if (at_near == 0) != (i == 2) or (spent - at_near == 0) != (i == len(order) - 1):
-                continue
-            here = [(edges | new, inner)] if i == 2 else \
-                fillings(near, {**need, b: of_b, c: at_near}, edges | new, inner)
-            for now, left in here:
-                if i == len(order) - 1:
-                    yield now, left
-                else:
-                    yield from fillings(far, {**need, a: need[a] - 1, c: spent - at_near}, now, left)
+        near_need, far_need = {**need, b: need[b] - 1, c: at_near}, {**need, a: need[a] - 1, c: rest - at_near}
+        near = fillings(order[1:i + 1], near_need, edges | new, inner) if has_near else [(edges | new, inner)]
+        for now, left in near:
+            yield from fillings((a, *order[i:]), far_need, now, left) if has_far else [(now, left)]
 
 
 def can_fill(numbers, inner):

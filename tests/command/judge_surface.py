@@ -11,7 +11,7 @@ from judge_links import has_disc
 from judge_mesh import unit
 
 SHARP_DEG, BEND_DEG, ROUNDING_DEG = 30, 45, 5
-NEAR_CELLS, SHORT_CELLS = 3.5, 2.5
+NEAR_CELLS, MOST_ARCS, SHORT_CELLS = 3.5, 4, 2.5
 TIES = (45, 135, 225, 315)
 KNIFE_DEG = 45
 ROUNDED_DEG = 1e-6  # angles of a file's vertices, to their last digits
@@ -68,10 +68,13 @@ class Crease:
         self.hexahedra = max(self.options, key=lambda k: votes[k])
         self.followed = votes[self.hexahedra] / self.length
         self.is_short = self.length <= SHORT_CELLS * field.surface_size[first]
-        self.verdict = "meshable"
-        if self.least <= KNIFE_DEG + ROUNDING_DEG + ROUNDED_DEG:
-            knife = lengths[angles < KNIFE_DEG - ROUNDING_DEG].sum()
-            self.verdict = "not_meshable" if knife >= field.surface_size[edges[int(np.argmin(angles))].ends].mean() else "undecided"
+        knife = lengths[angles < KNIFE_DEG - ROUNDING_DEG].sum()
+        if self.least > KNIFE_DEG + ROUNDING_DEG + ROUNDED_DEG:
+            self.verdict = "meshable"
+        elif knife >= field.surface_size[edges[int(np.argmin(angles))].ends].mean():
+            self.verdict = "not_meshable"
+        else:
+            self.verdict = "undecided"
 
     def is_flat(self):
         return self.options == [2]
@@ -109,14 +112,15 @@ class Corner:
 
     def judge(self, field, ends):
         """Sets `arcs`, F in `hexahedra`, and the verdict. ends: [(place, n)] of arcs that end on the surface."""
+        distances = [(np.linalg.norm(place - field.points[self.vertex]), n) for place, n in ends]
         reach = NEAR_CELLS * field.surface_size[self.vertex]
-        near = [n for place, n in ends if np.linalg.norm(place - field.points[self.vertex]) <= reach]
-        taken = fitting_arcs(near, self.numbers)
-        self.arcs = list(taken or ())
+        near = [n for distance, n in sorted(distances) if distance <= reach][:MOST_ARCS]
+        fits, self.arcs = fitting_arcs(near, self.numbers)
         self.hexahedra = 4 - sum(4 - n for n in self.arcs) - sum(2 - k for k in self.numbers)
-        if taken is not None:
+        alone, unresolved = len(self.creases) == 1, any(c.is_short for c in self.creases)
+        if fits:
             self.verdict = "meshable"
-        elif len(self.creases) == 1 or any(c.is_short for c in self.creases) or self.fits_rounded(near):
+        elif fits is None or alone or unresolved or self.fits_rounded(near):
             self.verdict = "undecided"
         else:
             self.verdict = "not_meshable"
@@ -125,16 +129,19 @@ class Corner:
         """Whether another rounding of creases, as a whole or at this end, has a disc."""
         choices = [sorted({c.hexahedra, *c.options, *(k for e in c.at(self.vertex) for k in options_of(e.angle))})
                    for c in self.creases]
-        return any(fitting_arcs(near, numbers) is not None for numbers in itertools.product(*choices))
+        return any(fitting_arcs(near, numbers)[0] is not False for numbers in itertools.product(*choices))
 
 
 def fitting_arcs(near, numbers):
-    """The fewest of the arcs nearby with which there is a disc; None if there is none."""
+    """Whether there is a disc with some of the arcs nearby, None if one is too large to tell; and the fewest of these arcs."""
+    answer = False
     for count in range(len(near) + 1):
         for some in sorted(set(itertools.combinations(sorted(near), count))):
-            if has_disc(some, numbers):
-                return some
-    return None
+            found = has_disc(some, numbers)
+            if found:
+                return True, some
+            answer = None if found is None else answer
+    return answer, ()
 
 
 class Surface:

@@ -191,6 +191,10 @@ class OfLinks(unittest.TestCase):
         pairs = [(a, b) for a in range(5) for b in range(13) if has_sphere((3,) * a + (5,) * b)]
         self.assertEqual(set(pairs), known)
 
+    def test_nodes_and_corners_of_more_than_twenty_hexahedra_are_left_open(self):
+        self.assertIsNone(has_sphere((5,) * 12 + (6,)))
+        self.assertIsNone(has_disc((), (3,) * 17))
+
     def test_corners_of_common_solids_exist(self):
         for valences, creases in [((), ()), ((), (1, 1)), ((), (1, 1, 1)), ((), (3, 3)), ((), (3, 3, 3)), ((3,), ()), ((5,), ()),
                                   ((), (1, 1, 3)), ((), (4, 4)), ((5, 5), (3, 3, 3, 3))]:
