@@ -241,6 +241,11 @@ const char* name_of(Verdict verdict) {
   return name_among<Verdict::kUndecided>(kNames, verdict);
 }
 
+const char* words_of(Verdict verdict) {
+  constexpr std::array kWords{"can be meshed locally", "cannot be meshed", "undecided"};
+  return name_among<Verdict::kUndecided>(kWords, verdict);
+}
+
 const char* name_of(ReasonKind kind) {
   constexpr std::array kNames{"knife_edge",    "corner", "arc",     "node",    "ends",        "other_at_half",
                               "no_comparison", "walls",  "surface", "creases", "short_lines", "unfinished"};
@@ -263,9 +268,9 @@ Answer answer_of(const SolveReport& report, const AnswerOptions& options) {
 }
 
 std::string sentence_of(const Answer& answer) {
-  if (answer.verdict == Verdict::kMeshable) return "can be meshed locally (necessary, not sufficient)";
-  std::string text =
-      answer.verdict == Verdict::kNotMeshable ? "cannot be meshed, because " : "undecided, because ";
+  std::string text = words_of(answer.verdict);
+  if (answer.verdict == Verdict::kMeshable) return text + " (necessary, not sufficient)";
+  text += ", because ";
   if (answer.reasons.empty()) return text + "nothing was judged";
   const Reason& first = answer.reasons.front();
   text += first.text;
