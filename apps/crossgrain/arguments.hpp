@@ -22,6 +22,7 @@ struct SolveArguments {
   OutputOptions output_options;
   bool page = true;  ///< whether to write report.html
   double read_seconds = ReadOptions().read_seconds;
+  bool glue = false;
   bool quiet = false;
   bool progress = false;
 };

@@ -180,10 +180,34 @@ std::string files_line(const SolveReport& report, const SolveArguments& argument
   return fmt::format("{} and {}", fmt::join(names, ", "), last);
 }
 
+/// Returns the options with which walls are resolved.
+std::string options_for_walls(const SolveReport& report, const Warning& warning,
+                              const SolveArguments& arguments) {
+  const auto& [low, high] = report.model.bounding_box;
+  const double side = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  const int resolution = report.walls.resolution_needed;
+  return (arguments.options.cell_size > 0 ? fmt::format("use --cell-size {:.6g}", side / resolution)
+                                          : fmt::format("use --resolution {}", resolution)) +
+         (warning.remedy == Remedy::kAllowMemory ? " and allow more memory with --max-memory" : "");
+}
+
+/// Returns a warning with what to do about it, in options of `solve`.
+std::string advice_on(const Warning& warning, const SolveReport& report, const SolveArguments& arguments) {
+  if (warning.kind == WarningKind::kThinWalls)
+    return sentence_of(warning, options_for_walls(report, warning, arguments));
+  const bool can_glue = is_cad_file(arguments.model) && !arguments.glue;
+  if (can_glue && warning.remedy == Remedy::kGlueSolids) return sentence_of(warning, "glue them with --glue");
+  if (can_glue && warning.remedy == Remedy::kSeparateSolids)
+    return sentence_of(warning, "cut one from the other, or glue them with --glue");
+  return line_of(warning, Command::kSolve);
+}
+
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
   const auto& alignment = report.alignment_deg;
-  std::string text = fmt::format("{} triangles, {}\n", report.model.triangles,
+  std::string text = fmt::format("{} triangles, {}", report.model.triangles,
                                  report.model.watertight ? "watertight" : "not watertight");
+  if (!report.regions.empty()) text += fmt::format(", {} solids", report.regions.size());
+  text += "\n";
   if (report.onto) text += tets_lines(*report.onto) + "grid       that the tets started from:\n";
   if (!report.levels.empty()) text += fmt::format("cells      {}\n", report.levels.back().active_cells);
   text += fmt::format(
@@ -197,7 +221,8 @@ std::string summary_of(const SolveReport& report, const SolveArguments& argument
   text += fmt::format("singular   {}\n", singularity_line(report.singularity));
   for (const Warning& warning : report.warnings) {
     const bool is_reported = is_of_reading(warning.kind) || is_always_printed(warning);
-    if (!is_reported) text += fmt::format("warning    {}\n", line_of(warning, Command::kSolve));
+    if (is_reported) continue;
+    text += fmt::format("warning    {}\n", advice_on(warning, report, arguments));
   }
   return text + fmt::format("result     {}\n", files_line(report, arguments));
 }
@@ -217,6 +242,7 @@ ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& op
   result.crease_angle_deg = options.creases.least_deg;
   result.max_memory_bytes = options.max_memory_bytes;
   result.read_seconds = arguments.read_seconds;
+  result.glue = arguments.glue;
   return result;
 }
 

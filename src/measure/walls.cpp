@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -30,16 +32,27 @@ double wall_thickness(const GridLevel& level, const Solid& solid, CellIndex i, d
   return ray->thickness;
 }
 
+/// Relative error of a thickness in single precision, and of a ray that begins elsewhere on the same wall.
+constexpr double kThicknessError = 1e-6;
+
+/// The wall behind the surface in a leaf. In single precision, since there may be as many as leaves.
+struct ThinWall {
+  float thickness, area;
+  auto operator<=>(const ThinWall&) const = default;
+};
+
 /// Sums over a range of leaves, or over all.
 struct WallSums {
   double thinnest = kNone, area = 0, thin_area = 0;
   std::size_t two_sheet_cells = 0;
+  std::vector<ThinWall> thin_walls;
 
   void add(const WallSums& other) {
     thinnest = std::min(thinnest, other.thinnest);
     area += other.area;
     thin_area += other.thin_area;
     two_sheet_cells += other.two_sheet_cells;
+    thin_walls.insert(thin_walls.end(), other.thin_walls.begin(), other.thin_walls.end());
   }
 };
 
@@ -51,7 +64,10 @@ void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double th
   const double thickness = wall_thickness(level, solid, i, std::max(thin, sums.thinnest));
   sums.thinnest = std::min(sums.thinnest, thickness);
   sums.area += area;
-  if (thickness < thin) sums.thin_area += area;
+  if (thickness < thin) {
+    sums.thin_area += area;
+    sums.thin_walls.push_back({static_cast<float>(thickness), static_cast<float>(area)});
+  }
   sums.two_sheet_cells += holds_two_sheets(level, solid, i);
 }
 
@@ -64,22 +80,45 @@ double smallest_cell_size(const Octree& tree) {
   return tree.root().cell_size(deepest.empty() ? 0 : *std::max_element(deepest.begin(), deepest.end()));
 }
 
+/// Returns the thickness that all walls have but those at `area`, if these are thinner.
+double thickness_of_all_but(double area, std::vector<ThinWall> walls) {
+  std::sort(walls.begin(), walls.end());
+  for (const ThinWall& wall : walls) {
+    area -= static_cast<double>(wall.area);
+    if (area < 0) return static_cast<double>(wall.thickness);
+  }
+  return kNone;
+}
+
+/// Returns the cells along the longest side of which a wall has as many as wanted.
+int resolution_for(double thickness, double wanted, double longest_side) {
+  const double cells = std::ceil(wanted * longest_side / thickness * (1 + kThicknessError));
+  return static_cast<int>(std::min(cells, static_cast<double>(std::numeric_limits<int>::max())));
+}
+
 }  // namespace
 
-SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid, double thickness_cells) {
-  const double finest = smallest_cell_size(level.tree);
+SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid,
+                                 const RefinementOptions& options) {
+  const double finest = smallest_cell_size(level.tree), thin = options.thickness_cells * finest;
   std::vector<WallSums> runs((level.size() + kLeafGrain - 1) / kLeafGrain);
   parallel_for_chunks(level.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<CellIndex>(begin); i < end; ++i)
-      add_leaf(level, solid, i, thickness_cells * finest, runs[begin / kLeafGrain]);
+      add_leaf(level, solid, i, thin, runs[begin / kLeafGrain]);
   });
   WallSums sums;
   for (const WallSums& run : runs) sums.add(run);
   SolveReport::Walls report;
-  report.cells_wanted = thickness_cells;
+  report.cells_wanted = options.thickness_cells;
   report.two_sheet_cells = sums.two_sheet_cells;
   if (sums.area > 0) report.thin_share = sums.thin_area / sums.area;
   if (std::isfinite(sums.thinnest)) report.thinnest_cells = sums.thinnest / finest;
+  if (report.thin_share > options.unresolved_share) {
+    // Half the share, since other cells meet the walls at other places.
+    const double spared = 0.5 * options.unresolved_share * sums.area;
+    report.resolution_needed = resolution_for(thickness_of_all_but(spared, std::move(sums.thin_walls)),
+                                              options.thickness_cells, longest_side(solid.surface.box));
+  }
   return report;
 }
 

@@ -126,6 +126,7 @@ void describe_onto(File& file, Onto& onto) {
     inner.member("p95", angles.p95);
     inner.member("max", angles.max);
   });
+  file.member("edge_length_needed", onto.edge_length_needed);
   file.member("outside_vertices", onto.outside_vertices);
   file.member("unused_vertices", onto.unused_vertices);
   file.member("inverted_tets", onto.inverted_tets);
@@ -273,6 +274,7 @@ void describe_doubts(File& file, Report& report) {
     walls.member("cells_wanted", report.walls.cells_wanted);
     walls.member("thin_share", report.walls.thin_share);
     walls.member("thinnest_cells", report.walls.thinnest_cells);
+    walls.member("resolution_needed", report.walls.resolution_needed);
     walls.member("two_sheet_cells", report.walls.two_sheet_cells);
     walls.member("tied_cells", report.walls.tied_cells);
   });
