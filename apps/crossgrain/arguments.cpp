@@ -39,6 +39,8 @@ void check_arguments(SolveArguments& arguments, const CLI::App* command) {
   if (command->count("--onto") > 0 && arguments.onto.empty()) refuse("the file of --onto is empty", command);
   if (command->count("--constraints") > 0 && arguments.constraints.empty())
     refuse("the file of --constraints is empty", command);
+  if (arguments.glue && !is_cad_file(arguments.model))
+    refuse("--glue is for CAD files (STEP, IGES, BREP); glue meshes where they are made", command);
   const bool is_tets = is_tet_file(arguments.model);
   if (is_tets && !arguments.onto.empty())
     refuse("MODEL is a tet mesh, which --onto is not for; give a surface or leave out --onto", command);

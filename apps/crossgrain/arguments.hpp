@@ -24,6 +24,7 @@ struct SolveArguments {
   bool page = true;  ///< whether to write report.html
   double read_seconds = ReadOptions().read_seconds;
   bool verbose = false;  ///< whether the summary tells of the grid that a field on tets started from
+  bool glue = false;
   bool quiet = false;
   bool progress = false;
 };

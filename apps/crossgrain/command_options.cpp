@@ -178,6 +178,8 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
       ->type_name("N");
   command->add_flag("--union", options.unite_solids,
                     "Treat several solids as one: ignore the faces between them");
+  command->add_flag("--glue", arguments.glue,
+                    "Make the solids of a CAD file share the faces where they touch");
   command
       ->add_option("--read-seconds", arguments.read_seconds,
                    "Time limit for reading a CAD file, to which 10 s per megabyte are added (default 60)")

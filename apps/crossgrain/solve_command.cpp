@@ -127,6 +127,7 @@ ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& op
   result.crease_angle_deg = options.creases.least_deg;
   result.max_memory_bytes = options.max_memory_bytes;
   result.read_seconds = arguments.read_seconds;
+  result.glue = arguments.glue;
   return result;
 }
 

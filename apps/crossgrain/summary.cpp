@@ -112,11 +112,33 @@ std::string files_row(const SolveReport& report, const SolveArguments& arguments
   return row("result", fmt::format("{}: {}", arguments.output, fmt::join(names, ", ")));
 }
 
-std::string warning_rows(const SolveReport& report) {
+/// Returns the options with which walls are resolved.
+std::string options_for_walls(const SolveReport& report, const Warning& warning,
+                              const SolveArguments& arguments) {
+  const auto& [low, high] = report.model.bounding_box;
+  const double side = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  const int resolution = report.walls.resolution_needed;
+  return (arguments.options.cell_size > 0 ? fmt::format("use --cell-size {:.6g}", side / resolution)
+                                          : fmt::format("use --resolution {}", resolution)) +
+         (warning.remedy == Remedy::kAllowMemory ? " and allow more memory with --max-memory" : "");
+}
+
+/// Returns a warning with what to do about it, in options of `solve`.
+std::string advice_on(const Warning& warning, const SolveReport& report, const SolveArguments& arguments) {
+  if (warning.kind == WarningKind::kThinWalls)
+    return sentence_of(warning, options_for_walls(report, warning, arguments));
+  const bool can_glue = is_cad_file(arguments.model) && !arguments.glue;
+  if (can_glue && warning.remedy == Remedy::kGlueSolids) return sentence_of(warning, "glue them with --glue");
+  if (can_glue && warning.remedy == Remedy::kSeparateSolids)
+    return sentence_of(warning, "cut one from the other, or glue them with --glue");
+  return line_of(warning, Command::kSolve);
+}
+
+std::string warning_rows(const SolveReport& report, const SolveArguments& arguments) {
   std::string text;
   for (const Warning& warning : report.warnings)
     if (!is_of_reading(warning) && !is_always_printed(warning))
-      text += row("warning", line_of(warning, Command::kSolve));
+      text += row("warning", advice_on(warning, report, arguments));
   return text;
 }
 
@@ -130,7 +152,7 @@ std::string summary_of(const SolveReport& report, const SolveArguments& argument
   } else {
     text += grid_rows(report);
   }
-  text += cost_row(report) + warning_rows(report);
+  text += cost_row(report) + warning_rows(report, arguments);
   if (!report.onto || arguments.verbose) text += grid_energy_row(report.energy);
   if (report.onto) text += tets_energy_row(*report.onto);
   return text + files_row(report, arguments);

@@ -44,6 +44,14 @@ struct ReadOptions {
   /// Smallest angle between the faces of an edge, anywhere along it, that makes it a crease.
   double crease_angle_deg = 35;
 
+  /// Whether the solids of a CAD file are cut along each other's faces (general fuse), so that they share
+  /// triangles where they touch. Faces keep their numbers, solids too; what several overlapping solids hold
+  /// belongs to the smallest. An Error(kInput) if OpenCASCADE cannot do it.
+  bool glue = false;
+
+  /// Largest gap between faces that are glued, relative to the longest side.
+  double glue_gap = 1e-6;
+
   /// Time limit for reading a CAD file, plus 10 s per megabyte of it. OpenCASCADE does not terminate on some
   /// damaged files; sound ones take less than a second, or a few seconds with many thousands of faces.
   double read_seconds = 60;
@@ -84,6 +92,9 @@ TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& 
 /// among the edges. Throws Error(kInput) naming the file, the place in it and the remedy; also for files
 /// without tets or with other solid elements.
 TetMesh read_tets(const std::filesystem::path& path);
+
+/// Returns whether the extension of a file is one of a CAD file.
+bool is_cad_file(const std::filesystem::path& path);
 
 /// Returns whether the extension of a file is one that `read_tets` reads, not `read_surface`.
 bool is_tet_file(const std::filesystem::path& path);

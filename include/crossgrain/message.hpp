@@ -37,6 +37,7 @@ enum class Remedy : int {
   kAllowMemory,            ///< max_memory_bytes of the options
   kFreeMemory,
   kAllowReadTime,  ///< ReadOptions::read_seconds
+  kReadUnglued,    ///< without ReadOptions::glue
   kInstallCadReader,
   kInstallOpenCascade,
   kReinstall,

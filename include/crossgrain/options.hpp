@@ -27,6 +27,9 @@ struct RefinementOptions {
   /// Number of cells across a wall from which it counts as resolved: two boundary cells and two between them.
   double thickness_cells = 4;
 
+  /// Share of the surface's area that may lie at walls of fewer cells without a warning.
+  double unresolved_share = 0.02;
+
   /// Threshold on the energy density times the squared cell size; dimensionless. A rotation of t radians
   /// across a cell gives 10/3 t^2 / 2.
   double energy_density_threshold = 0.2;

@@ -170,12 +170,15 @@ struct SolveReport {
 
   /// Walls that the finest cells do not resolve.
   struct Walls {
-    double cells_wanted = 0;          ///< RefinementOptions::thickness_cells
-    double thin_share = 0;            ///< share of the surface's area at walls of fewer cells
-    double unresolved_share = 0;      ///< share at walls of fewer than AnswerOptions::wall_cells
-    double deciding_cells = 0;        ///< thickness of the wall at AnswerOptions::thin_share of the area,
-                                      ///< thinnest first, in cells; 0 if walls take less
-    double thinnest_cells = 0;        ///< thickness of the thinnest wall in cells; 0 if there are no walls
+    double cells_wanted = 0;      ///< RefinementOptions::thickness_cells
+    double thin_share = 0;        ///< share of the surface's area at walls of fewer cells
+    double unresolved_share = 0;  ///< share at walls of fewer than AnswerOptions::wall_cells
+    double deciding_cells = 0;    ///< thickness of the wall at AnswerOptions::thin_share of the area,
+                                  ///< thinnest first, in cells; 0 if walls take less
+    double thinnest_cells = 0;    ///< thickness of the thinnest wall in cells; 0 if there are no walls
+    /// Number of cells along the longest side with which all but RefinementOptions::unresolved_share of the
+    /// area has `cells_wanted`; 0 if it has.
+    int resolution_needed = 0;
     std::size_t two_sheet_cells = 0;  ///< cells with both sides of a wall or gap
     std::size_t tied_cells = 0;       ///< cells in small groups without an open face to other cells
   } walls;
@@ -263,6 +266,8 @@ struct SolveReport {
 
     /// Tagged edge to nearest axis, at both ends; none if there are no tagged edges.
     std::optional<AngleSummary> feature_edge_deg;
+    /// Mean length of edges with which walls have Walls::cells_wanted of them across; 0 if they have.
+    double edge_length_needed = 0;
     std::size_t outside_vertices =
         0;  ///< vertices in no active cell; they start from the frame of the nearest cell of their component
     std::size_t unused_vertices = 0;  ///< vertices of no tet

@@ -35,6 +35,7 @@ constexpr Wording kWordings[] = {
     {Remedy::kAllowMemory, "allow_memory", "allow more memory"},
     {Remedy::kFreeMemory, "free_memory", "close other programs, or simplify it"},
     {Remedy::kAllowReadTime, "allow_read_time", "repair it and export it again, or allow more time"},
+    {Remedy::kReadUnglued, "read_unglued", "repair them, or read them without gluing"},
     {Remedy::kInstallCadReader, "install_cad_reader",
      "install libocct-data-exchange-dev and libocct-modeling-algorithms-dev, build Crossgrain again and "
      "install it as a whole, or export the model as STL"},
@@ -56,7 +57,7 @@ constexpr Wording kWordings[] = {
     {Remedy::kRemoveElement, "remove_element", "remove it, or export the mesh again"},
     {Remedy::kRemoveOverlaps, "remove_overlaps", "remove the tets that overlap others"},
     {Remedy::kMergeVertices, "merge_vertices", "merge equal vertices to join the parts"},
-    {Remedy::kGlueSolids, "glue_solids", "glue the solids"},
+    {Remedy::kGlueSolids, "glue_solids", "glue the solids, in the mesher if it is a mesh"},
     {Remedy::kSeparateSolids, "separate_solids", "cut one from the other"},
     {Remedy::kSplitTets, "split_tets", "split the tets around it"},
     {Remedy::kKeepTags, "keep_tags", "keep all tags to follow them"},

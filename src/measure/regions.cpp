@@ -6,6 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <memory>
+#include <set>
+#include <utility>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
@@ -88,25 +92,36 @@ class RegionFinder {
 
   const std::vector<std::unique_ptr<SolidBody>>& bodies() const { return bodies_; }
 
-  /// Outer triangles with another solid on their other side: their number, and the place of the first.
+  /// Outer triangles with another solid on their other side.
   struct Contacts {
-    std::size_t count = 0;
-    Vector3 first{};
+    std::size_t triangles = 0, pairs_of_solids = 0;
+    std::int32_t solid = 0, other_solid = 0;  ///< of the first triangle
+    Vector3 place{};                          ///< of the first triangle
   };
   Contacts contacts() const {
     const double step = kBeside * longest_side(outer_.box);
-    std::vector<std::uint8_t> found(outer_.size());
+    std::vector<std::uint32_t> beyond(outer_.size(), kNone);
     parallel_for(outer_.size(), [&](std::size_t t) {
       const std::size_t own = body_of(outer_.mesh.solids[t]);
       const double outward = bodies_[own]->winding.flipped() ? -step : step;
       const Vector3 beside = centroid(t) + outward * outer_.normals[t];
-      for (std::size_t b = 0; b < bodies_.size() && !found[t]; ++b)
-        found[t] = b != own && holds(bodies_[b]->surface.box, beside) && bodies_[b]->winding.inside(beside);
+      for (std::uint32_t b = 0; b < bodies_.size() && beyond[t] == kNone; ++b) {
+        if (b != own && holds(bodies_[b]->surface.box, beside) && bodies_[b]->winding.inside(beside))
+          beyond[t] = b;
+      }
     });
     Contacts result;
-    for (std::size_t t = 0; t < found.size(); ++t) {
-      if (found[t] && result.count++ == 0) result.first = centroid(t);
+    std::set<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t t = 0; t < beyond.size(); ++t) {
+      if (beyond[t] == kNone) continue;
+      const std::size_t own = body_of(outer_.mesh.solids[t]), other = beyond[t];
+      pairs.insert(std::minmax(own, other));
+      if (result.triangles++ > 0) continue;
+      result.solid = bodies_[own]->number;
+      result.other_solid = bodies_[other]->number;
+      result.place = centroid(t);
     }
+    result.pairs_of_solids = pairs.size();
     return result;
   }
 
@@ -196,15 +211,15 @@ CellRegions find_regions(const TriangleMesh& mesh, const Surface& outer, const G
                     "they count for the smallest of them, and the surfaces of all constrain frames there",
                     std::count(contested.begin(), contested.end(), 1), x, y, z),
         Remedy::kSeparateSolids);
-  } else if (const auto [count, place] = finder.contacts(); count > 0) {
-    const auto& [x, y, z] = place;
+  } else if (const RegionFinder::Contacts contacts = finder.contacts(); contacts.triangles > 0) {
+    const auto& [x, y, z] = contacts.place;
     result.warnings.emplace_back(
         WarningKind::kTouchingSolids,
         fmt::format(
-            "solids touch by faces that are not the same triangles: {} triangles lie against another "
-            "solid, the first around {:.6g} {:.6g} {:.6g}; both surfaces constrain frames there, also "
-            "where solids are united",
-            count, x, y, z),
+            "solids touch by faces that are not the same triangles: {} pairs of solids, {} triangles, "
+            "the first of solid {} against solid {} around {:.6g} {:.6g} {:.6g}; both surfaces "
+            "constrain frames there, also where solids are united",
+            contacts.pairs_of_solids, contacts.triangles, contacts.solid, contacts.other_solid, x, y, z),
         Remedy::kGlueSolids);
   }
   const auto empty = [](const SolveReport::Region& region) { return region.cells == 0; };

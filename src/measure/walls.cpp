@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -31,24 +32,30 @@ double wall_thickness(const GridLevel& level, const Solid& solid, CellIndex i, d
   return ray->thickness;
 }
 
+/// Relative error of a thickness in single precision, and of a ray that begins elsewhere on the same wall.
+constexpr double kThicknessError = 1e-6;
+
+/// The wall behind the surface in a leaf. In single precision, since there may be as many as leaves.
+struct ThinWall {
+  float thickness, area;
+  auto operator<=>(const ThinWall&) const = default;
+};
+
 /// Sums over a range of leaves, or over all.
 struct WallSums {
-  double thinnest = kNone, area = 0, thin_area = 0;
-  std::vector<std::pair<double, double>> unresolved;  ///< thickness and area of walls that do not decide
+  double thinnest = kNone, area = 0;
   std::size_t two_sheet_cells = 0;
+  std::vector<ThinWall> thin_walls;
 
   void add(const WallSums& other) {
     thinnest = std::min(thinnest, other.thinnest);
     area += other.area;
-    thin_area += other.thin_area;
-    unresolved.insert(unresolved.end(), other.unresolved.begin(), other.unresolved.end());
     two_sheet_cells += other.two_sheet_cells;
+    thin_walls.insert(thin_walls.end(), other.thin_walls.begin(), other.thin_walls.end());
   }
 };
 
-/// Walls are thin below `thin`, and unresolved below `unresolved`, which is no larger.
-void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double thin, double unresolved,
-              WallSums& sums) {
+void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double thin, WallSums& sums) {
   if (!level.holds_surface(i)) return;
   double area = 0;
   for (const SurfacePiece& piece : level.pieces_of(i)) area += piece.area;
@@ -56,20 +63,9 @@ void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double th
   const double thickness = wall_thickness(level, solid, i, std::max(thin, sums.thinnest));
   sums.thinnest = std::min(sums.thinnest, thickness);
   sums.area += area;
-  if (thickness < thin) sums.thin_area += area;
-  if (thickness < unresolved) sums.unresolved.push_back({thickness, area});
+  if (thickness < thin)
+    sums.thin_walls.push_back({static_cast<float>(thickness), static_cast<float>(area)});
   sums.two_sheet_cells += holds_two_sheets(level, solid, i);
-}
-
-void describe_unresolved(WallSums& sums, double share, double finest, SolveReport::Walls& report) {
-  std::sort(sums.unresolved.begin(), sums.unresolved.end());
-  double area = 0;
-  for (const auto& [thickness, own] : sums.unresolved) {
-    const bool was_below = area <= share * sums.area;
-    area += own;
-    if (was_below && area > share * sums.area) report.deciding_cells = thickness / finest;
-  }
-  report.unresolved_share = area / sums.area;
 }
 
 double smallest_cell_size(const Octree& tree) {
@@ -81,27 +77,62 @@ double smallest_cell_size(const Octree& tree) {
   return tree.root().cell_size(deepest.empty() ? 0 : *std::max_element(deepest.begin(), deepest.end()));
 }
 
+/// Returns the area at walls of less than this thickness. `walls` are sorted.
+double area_below(double thickness, const std::vector<ThinWall>& walls) {
+  double area = 0;
+  for (const ThinWall& wall : walls) {
+    if (static_cast<double>(wall.thickness) >= thickness) break;
+    area += static_cast<double>(wall.area);
+  }
+  return area;
+}
+
+/// Returns the thickness that all walls have but those at `area`, if these are thinner. `walls` are sorted.
+double thickness_of_all_but(double area, const std::vector<ThinWall>& walls) {
+  for (const ThinWall& wall : walls) {
+    area -= static_cast<double>(wall.area);
+    if (area < 0) return static_cast<double>(wall.thickness);
+  }
+  return kNone;
+}
+
+/// Returns the cells along the longest side of which a wall has as many as wanted.
+int resolution_for(double thickness, double wanted, double longest_side) {
+  const double cells = std::ceil(wanted * longest_side / thickness * (1 + kThicknessError));
+  return static_cast<int>(std::min(cells, static_cast<double>(std::numeric_limits<int>::max())));
+}
+
 }  // namespace
 
-SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid, double thickness_cells) {
+SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid,
+                                 const RefinementOptions& options) {
   const AnswerOptions answer;
   const double finest = smallest_cell_size(level.tree);
+  const double thin = std::max(options.thickness_cells, answer.wall_cells) * finest;
   std::vector<WallSums> runs((level.size() + kLeafGrain - 1) / kLeafGrain);
   parallel_for_chunks(level.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<CellIndex>(begin); i < end; ++i)
-      add_leaf(level, solid, i, std::max(thickness_cells, answer.wall_cells) * finest,
-               answer.wall_cells * finest, runs[begin / kLeafGrain]);
+      add_leaf(level, solid, i, thin, runs[begin / kLeafGrain]);
   });
   WallSums sums;
   for (const WallSums& run : runs) sums.add(run);
+  std::sort(sums.thin_walls.begin(), sums.thin_walls.end());
   SolveReport::Walls report;
-  report.cells_wanted = thickness_cells;
+  report.cells_wanted = options.thickness_cells;
   report.two_sheet_cells = sums.two_sheet_cells;
   if (sums.area > 0) {
-    report.thin_share = sums.thin_area / sums.area;
-    describe_unresolved(sums, answer.thin_share, finest, report);
+    report.thin_share = area_below(options.thickness_cells * finest, sums.thin_walls) / sums.area;
+    report.unresolved_share = area_below(answer.wall_cells * finest, sums.thin_walls) / sums.area;
   }
   if (std::isfinite(sums.thinnest)) report.thinnest_cells = sums.thinnest / finest;
+  if (report.unresolved_share > answer.thin_share)
+    report.deciding_cells = thickness_of_all_but(answer.thin_share * sums.area, sums.thin_walls) / finest;
+  if (report.thin_share > options.unresolved_share) {
+    // Half the share, since other cells meet the walls at other places.
+    const double spared = 0.5 * options.unresolved_share * sums.area;
+    report.resolution_needed = resolution_for(thickness_of_all_but(spared, sums.thin_walls),
+                                              options.thickness_cells, longest_side(solid.surface.box));
+  }
   return report;
 }
 

@@ -78,7 +78,7 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
                                                                  : largest_deviation<4>(field.frames);
   report.alignment_deg = alignment.alignment_deg;
   report.spectrum = alignment.spectrum;
-  report.walls = measure_walls(field.level, solid, options.refinement.thickness_cells);
+  report.walls = measure_walls(field.level, solid, options.refinement);
   report.walls.tied_cells = field.tied_leaves;
   report.seconds.grid = field.grid_seconds;
   report.seconds.solve = field.solve_seconds;
@@ -127,7 +127,7 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, Solved
   append(warnings, mesh.warnings);
   for (const SolveReport::Finding& finding : data.report.input.findings)
     warnings.emplace_back(WarningKind::kSurfaceFinding, sentence_of(finding));
-  append(warnings, resolution_warnings(data.report));
+  append(warnings, resolution_warnings(data.report, model.surface(), options));
   if (!solved.settled)
     warnings.emplace_back(WarningKind::kNotSettled, "the energy had not settled when the sweeps ran out",
                           Remedy::kContinueSolve);

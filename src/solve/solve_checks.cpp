@@ -44,9 +44,7 @@ constexpr double kLargestCreaseWeight = 1e4;
 /// Mean thickness, relative to the longest side, below which a solid is a flat sheet with two sides.
 constexpr double kFlat = 1e-9;
 
-/// Shares of the surface's area above which the user is warned of thin walls, and of constraints that no
-/// frame meets.
-constexpr double kThinShareToWarnOf = 0.02;
+/// Share of the surface's area above which the user is warned of constraints that no frame meets.
 constexpr double kExcludedShareToWarnOf = 0.1;
 
 /// Relative difference of bounding boxes below which two models count as the same part.
@@ -58,6 +56,32 @@ bool is_degree(Degree degree) {
 
 double total_area(const Surface& surface) {
   return std::accumulate(surface.areas.begin(), surface.areas.end(), 0.0);
+}
+
+/// Returns about how many cells of a size are needed at least.
+double cells_of_size(double size, const Surface& surface) {
+  return kCellsPerFace * total_area(surface) / (size * size);
+}
+
+/// Returns about how much memory this process needs with so many cells.
+double memory_with(double cells) {
+  const LevelCounts counts{cells, kSurfaceShare * cells, 0, kSurfaceShare * cells};
+  return static_cast<double>(current_memory_bytes()) + peak_memory_bytes(counts);
+}
+
+/// Returns how many cells the walls need, and the memory for them if that is more than allowed.
+Warning thin_walls_warning(const SolveReport& report, const Surface& surface, const SolveOptions& options) {
+  const SolveReport::Walls& walls = report.walls;
+  std::string text = fmt::format(
+      "walls below {:g} cells under {:.0f} % of the surface: under-resolved there, and resolved "
+      "with {} cells along the longest side",
+      walls.cells_wanted, 100 * walls.thin_share, walls.resolution_needed);
+  const double needed =
+      memory_with(cells_of_size(longest_side(surface.box) / walls.resolution_needed, surface));
+  const auto allowed = static_cast<double>(allowed_memory_bytes(options.max_memory_bytes));
+  if (needed <= allowed) return {WarningKind::kThinWalls, text, Remedy::kRaiseResolution};
+  text += fmt::format(", which need about {:.3g} GB, and {:.3g} GB are allowed", needed / 1e9, allowed / 1e9);
+  return {WarningKind::kThinWalls, text, Remedy::kAllowMemory};
 }
 
 void demand(bool met, const char* message) {
@@ -115,6 +139,7 @@ void check_options(const SolveOptions& options) {
   demand(options.creases.fading.least_radii >= 0, "the least length of a crease must not be negative");
   demand(options.refinement.coarsest_cells >= 1, "the coarsest level needs a cell");
   demand(options.refinement.thickness_cells >= 0, "the cells wanted across a wall must not be negative");
+  demand(options.refinement.unresolved_share >= 0, "the share of thin walls must not be negative");
   demand(!std::isnan(options.refinement.energy_density_threshold),
          "the threshold of the energy density must be a number");
   check_onto(options.onto);
@@ -151,9 +176,7 @@ void check_size(const Surface& surface, const SolveOptions& options) {
         Remedy::kRaiseResolution);
   }
   const double largest = std::ldexp(asked, kMostLevelsLeftOut);
-  const double cells = kCellsPerFace * total_area(surface) / (largest * largest);
-  const LevelCounts counts{cells, kSurfaceShare * cells, 0, kSurfaceShare * cells};
-  const double needed = static_cast<double>(current_memory_bytes()) + peak_memory_bytes(counts);
+  const double cells = cells_of_size(largest, surface), needed = memory_with(cells);
   const auto allowed = static_cast<double>(allowed_memory_bytes(options.max_memory_bytes));
   if (cells < kNoCell && needed <= allowed) return;
   throw Error(
@@ -183,15 +206,10 @@ void check_interior(const GridLevel& finest, const MendedSurface& mended) {
   }
 }
 
-std::vector<Warning> resolution_warnings(const SolveReport& report) {
+std::vector<Warning> resolution_warnings(const SolveReport& report, const Surface& surface,
+                                         const SolveOptions& options) {
   std::vector<Warning> warnings;
-  if (report.walls.thin_share > kThinShareToWarnOf) {
-    warnings.emplace_back(
-        WarningKind::kThinWalls,
-        fmt::format("walls below {:g} cells under {:.0f} % of the surface: under-resolved there",
-                    report.walls.cells_wanted, 100 * report.walls.thin_share),
-        Remedy::kRaiseResolution);
-  }
+  if (report.walls.resolution_needed > 0) warnings.push_back(thin_walls_warning(report, surface, options));
   if (report.alignment_deg.excluded_share > kExcludedShareToWarnOf) {
     warnings.emplace_back(
         WarningKind::kExcludedSurface,

@@ -27,7 +27,8 @@ void check_size(const Surface& surface, const SolveOptions& options);
 void check_interior(const GridLevel& finest, const MendedSurface& mended);
 
 /// Returns warnings about details of the surface that the finest cells do not resolve.
-std::vector<Warning> resolution_warnings(const SolveReport& report);
+std::vector<Warning> resolution_warnings(const SolveReport& report, const Surface& surface,
+                                         const SolveOptions& options);
 bool is_of_resolution(const Warning& warning);
 
 /// Returns the warning that the cells are larger than requested; report.limited must be set.

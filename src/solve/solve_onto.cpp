@@ -31,6 +31,12 @@ Extent extent_of(const TetDomainData& tets) {
   return {mean_tet * static_cast<double>(tets.solid.mesh.tets.size()), longest_side(tets.box)};
 }
 
+double edge_length_needed(const SolveReport::Walls& walls, const TetDomainData& tets) {
+  if (walls.resolution_needed == 0) return 0;
+  const double length = longest_side(tets.box) / walls.resolution_needed;
+  return length < tets.typical_edge_length ? length : 0;
+}
+
 SolveReport::Onto describe(const TetDomainData& domain, const VertexFieldEvaluation& evaluation) {
   SolveReport::Onto onto;
   onto.vertices = domain.solid.mesh.vertices.size();
@@ -99,6 +105,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   report.onto->edge_length = domain.typical_edge_length();
   report.onto->unfollowed_share =
       unfollowed_share(tets.solid, field->tet_frames, AnswerOptions{}.unfollowed_deg);
+  report.onto->edge_length_needed = edge_length_needed(report.walls, tets);
   report.onto->outside_vertices = start.outside;
   report.onto->seconds = stopwatch.restart();
   report.warnings.insert(report.warnings.end(), domain.warnings().begin(), domain.warnings().end());

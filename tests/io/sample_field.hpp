@@ -60,7 +60,7 @@ inline SolveReport sample_report() {
                                       {0, 1}}},
                         .node_list = {{{1, 2, 3}, true, Verdict::kMeshable, {0}},
                                       {{4, 5, 6}, false, Verdict::kUndecided, {0}}}};
-  report.walls = {4, 0.25, 0.125, 2.25, 1.5, 11, 12};
+  report.walls = {4, 0.25, 0.125, 2.25, 1.5, 340, 11, 12};
   report.seconds = {0.1, 0.2, 0.3, 0.4, 1.5};
   report.peak_memory_bytes = 1;
   report.expected = Expectation{5, 0.125, 6.5, 100, 200, 1.75};

@@ -16,7 +16,7 @@ SolveReport::Walls walls_of(const TriangleMesh& mesh, double cell_size) {
   const WindingNumber winding(surface, bvh);
   const Solid solid{surface, bvh, winding};
   const auto [root, depth] = frame_around(surface.box, cell_size);
-  return measure_walls(uniform_level(solid, root, depth).level, solid, kWanted);
+  return measure_walls(uniform_level(solid, root, depth).level, solid, RefinementOptions());
 }
 
 TEST(Walls, OfAPlateAreThinOverItsTwoSidesOnly) {

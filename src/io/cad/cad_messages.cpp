@@ -178,24 +178,28 @@ std::vector<std::string> arguments_of(const CadRequest& request) {
           fmt::format("{}", options.chord_error_cells),
           fmt::format("{}", options.facet_angle_deg),
           fmt::format("{}", options.crease_angle_deg),
+          fmt::to_string(static_cast<int>(options.glue)),
+          fmt::format("{}", options.glue_gap),
           fmt::to_string(options.max_memory_bytes),
           request.path};
 }
 
 std::optional<CadRequest> cad_request_of(const std::vector<std::string>& arguments) {
-  constexpr std::size_t kCount = 10;
+  constexpr std::size_t kCount = 12;
   if (arguments.size() != kCount || arguments[0] != kVersion) return std::nullopt;
   CadRequest request;
   ReadOptions& options = request.options;
-  int format = 0;
-  const bool sound =
-      parse(arguments[1], request.asking_process) && parse(arguments[2], format) &&
-      parse(arguments[3], options.resolution) && parse(arguments[4], options.cell_size) &&
-      parse(arguments[5], options.chord_error_cells) && parse(arguments[6], options.facet_angle_deg) &&
-      parse(arguments[7], options.crease_angle_deg) && parse(arguments[8], options.max_memory_bytes);
+  int format = 0, glue = 0;
+  const bool sound = parse(arguments[1], request.asking_process) && parse(arguments[2], format) &&
+                     parse(arguments[3], options.resolution) && parse(arguments[4], options.cell_size) &&
+                     parse(arguments[5], options.chord_error_cells) &&
+                     parse(arguments[6], options.facet_angle_deg) &&
+                     parse(arguments[7], options.crease_angle_deg) && parse(arguments[8], glue) &&
+                     parse(arguments[9], options.glue_gap) && parse(arguments[10], options.max_memory_bytes);
   if (!sound || format < 0 || format > static_cast<int>(CadFormat::kBrep)) return std::nullopt;
   request.format = static_cast<CadFormat>(format);
-  request.path = arguments[9];
+  options.glue = glue != 0;
+  request.path = arguments[11];
   return request;
 }
 

@@ -108,6 +108,9 @@ TriangleMesh read_cad(const InputFile& file, CadFormat format, const ReadOptions
   check_range(options.chord_error_cells, std::numeric_limits<double>::max(), "chord_error_cells");
   check_range(options.facet_angle_deg, 90, "facet_angle_deg");
   check_range(options.crease_angle_deg, 180, "crease_angle_deg");
+  if (!(options.glue_gap >= 0 && options.glue_gap < 1))
+    throw Error(ErrorKind::kUsage,
+                fmt::format("glue_gap is {}, but must be at least 0 and below 1", options.glue_gap));
   check_range(options.read_seconds, std::numeric_limits<double>::max(), "read_seconds");
   CadRequest request{file.name(), format, options, ::getpid()};
   request.options.max_memory_bytes = memory_for_helper(file, options);

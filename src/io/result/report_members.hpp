@@ -156,6 +156,7 @@ void describe_onto(File& file, Onto& onto) {
     inner.member("p95", angles.p95);
     inner.member("max", angles.max);
   });
+  file.member("edge_length_needed", onto.edge_length_needed);
   file.member("outside_vertices", onto.outside_vertices);
   file.member("unused_vertices", onto.unused_vertices);
   file.member("inverted_tets", onto.inverted_tets);
@@ -334,6 +335,7 @@ void describe_doubts(File& file, Report& report) {
     walls.member("unresolved_share", report.walls.unresolved_share);
     walls.member("deciding_cells", report.walls.deciding_cells);
     walls.member("thinnest_cells", report.walls.thinnest_cells);
+    walls.member("resolution_needed", report.walls.resolution_needed);
     walls.member("two_sheet_cells", report.walls.two_sheet_cells);
     walls.member("tied_cells", report.walls.tied_cells);
   });

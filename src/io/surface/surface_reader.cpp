@@ -101,6 +101,11 @@ TriangleMesh read_unwelded(const std::filesystem::path& path, const ReadOptions&
 
 }  // namespace
 
+bool is_cad_file(const std::filesystem::path& path) {
+  const SurfaceFormat* format = format_of(path.extension().string());
+  return format != nullptr && format->is_cad;
+}
+
 TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& options,
                           const Monitor& monitor) {
   return weld(read_unwelded(path, options, monitor));

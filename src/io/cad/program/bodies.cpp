@@ -13,8 +13,10 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
 #include <algorithm>
+#include <optional>
 
 #include "io/cad/program/fault.hpp"
+#include "io/cad/program/glued_solids.hpp"
 
 namespace crossgrain {
 namespace {
@@ -35,11 +37,11 @@ std::vector<TopoDS_Shape> shapes_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum 
   return found;
 }
 
-TopoDS_Shape compound_of(const std::vector<TopoDS_Shape>& shapes) {
+TopoDS_Shape compound_of(const std::vector<Body>& bodies) {
   const BRep_Builder builder;
   TopoDS_Compound compound;
   builder.MakeCompound(compound);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
+  for (const Body& body : bodies) builder.Add(compound, body.shape);
   return compound;
 }
 
@@ -79,6 +81,18 @@ class LooseFaces {
   std::vector<TopoDS_Shape> shells_;
 };
 
+/// Appends the solids, or the pieces that they were cut into.
+void add_solids(const std::vector<TopoDS_Shape>& solids, const std::optional<GluedSolids>& glued,
+                std::vector<Body>& bodies) {
+  if (glued) {
+    for (const auto& [piece, number] : glued->pieces())
+      bodies.push_back({piece, true, static_cast<std::int32_t>(number)});
+    return;
+  }
+  for (const TopoDS_Shape& solid : solids)
+    bodies.push_back({solid, true, static_cast<std::int32_t>(bodies.size())});
+}
+
 Warning warning_of(std::size_t solids, const std::vector<TopoDS_Shape>& shells) {
   const auto closed = std::count_if(shells.begin(), shells.end(),
                                     [](const TopoDS_Shape& shell) { return BRep_Tool::IsClosed(shell); });
@@ -102,32 +116,36 @@ double longest_side_at_most(const TopoDS_Shape& shape) {
   return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
 }
 
-Bodies find_bodies(const TopoDS_Shape& shape) {
+Bodies find_bodies(const TopoDS_Shape& shape, const ReadOptions& options) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   if (faces.IsEmpty()) throw Fault("has no faces, only curves or points", Remedy::kExportAgain);
 
   Bodies result;
   result.whole = shape;
-  std::vector<TopoDS_Shape> parts = shapes_of(shape, TopAbs_SOLID);
-  for (const TopoDS_Shape& solid : parts) result.bodies.push_back({solid, true});
-  const LooseFaces loose(shape, longest_side_at_most(shape));
+  const std::vector<TopoDS_Shape> solids = shapes_of(shape, TopAbs_SOLID);
+  const double longest_side = longest_side_at_most(shape);
+  std::optional<GluedSolids> glued;
+  if (options.glue && solids.size() > 1) glued.emplace(solids, options.glue_gap * longest_side);
+  add_solids(solids, glued, result.bodies);
+  const LooseFaces loose(shape, longest_side);
   if (!loose.shells().empty()) {
-    result.warnings.push_back(warning_of(parts.size(), loose.shells()));
-    for (const TopoDS_Shape& shell : loose.shells()) {
-      parts.push_back(shell);
-      result.bodies.push_back({shell, BRep_Tool::IsClosed(shell)});
-    }
-    result.whole = compound_of(parts);
+    result.warnings.push_back(warning_of(solids.size(), loose.shells()));
+    auto number = static_cast<std::int32_t>(solids.size());
+    for (const TopoDS_Shape& shell : loose.shells())
+      result.bodies.push_back({shell, BRep_Tool::IsClosed(shell), number++});
   }
+  if (glued || !loose.shells().empty()) result.whole = compound_of(result.bodies);
 
   TopExp::MapShapes(result.whole, TopAbs_FACE, result.faces);
   TopExp::MapShapes(result.whole, TopAbs_EDGE, result.edges);
   result.face_numbers.assign(static_cast<std::size_t>(result.faces.Extent()) + 1, 0);
   for (int number = 1; number <= faces.Extent(); ++number) {
-    int place = result.faces.FindIndex(faces(number));
-    if (place == 0) place = result.faces.FindIndex(loose.now(faces(number)));
-    result.face_numbers[static_cast<std::size_t>(place)] = number;
+    const TopoDS_Shape sewn = result.faces.Contains(faces(number)) ? faces(number) : loose.now(faces(number));
+    for (const TopoDS_Shape& face : glued ? glued->now(sewn) : std::vector<TopoDS_Shape>{sewn}) {
+      std::int32_t& known = result.face_numbers[static_cast<std::size_t>(result.faces.FindIndex(face))];
+      if (known == 0) known = number;
+    }
   }
   return result;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/io.hpp"
 #include "crossgrain/warning.hpp"
 
 namespace crossgrain {
@@ -16,6 +17,7 @@ namespace crossgrain {
 struct Body {
   TopoDS_Shape shape;  ///< a solid or a shell
   bool closed;         ///< true if it has a volume and an outside
+  std::int32_t solid;  ///< its number in TriangleMesh::solids, ascending; pieces of one solid share it
 };
 
 struct Bodies {
@@ -25,16 +27,17 @@ struct Bodies {
   /// All distinct faces and edges of `whole`, counted from 1.
   TopTools_IndexedMapOfShape faces, edges;
 
-  /// For each of `faces` its 1-based place in TopExp::MapShapes over the original shape; it differs from that
-  /// in `faces` only if faces were sewn. Entry 0 is unused.
+  /// For each of `faces` its 1-based place in TopExp::MapShapes over the original shape, the first for a face
+  /// that was glued; it differs from that in `faces` only if faces were sewn or glued. Entry 0 is unused.
   std::vector<std::int32_t> face_numbers;
 
   std::vector<Warning> warnings;
 };
 
 /// Returns the bodies of a shape. Faces of no solid are sewn together if their edges are within 1e-5 of the
-/// longest side, since files often contain a solid only as its faces. Throws Fault if there is no face.
-Bodies find_bodies(const TopoDS_Shape& shape);
+/// longest side, since files often contain a solid only as its faces. With ReadOptions::glue, solids share
+/// the faces where they touch. Throws Fault if there is no face, or the solids cannot be glued.
+Bodies find_bodies(const TopoDS_Shape& shape, const ReadOptions& options);
 
 /// Upper bound of the longest side of a shape's box; 0 for an empty shape. Throws Fault if the shape is
 /// infinite.

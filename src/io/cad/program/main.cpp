@@ -29,7 +29,7 @@ constexpr int kNotAsked = 2;
 
 TriangleMesh read(const CadRequest& request) {
   const CadShape file = read_shape(request.path, request.format);
-  const Bodies bodies = find_bodies(file.shape);
+  const Bodies bodies = find_bodies(file.shape, request.options);
   TriangleMesh mesh = tessellate(bodies, request.options);
   mesh.unit = file.unit;
   mesh.file_unit = file.file_unit;

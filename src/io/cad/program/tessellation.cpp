@@ -26,6 +26,8 @@ namespace {
 /// Bounds of the chord error relative to the longest side (ReadOptions::chord_error_cells).
 constexpr double kLargestChord = 1.0 / 40, kSmallestChord = 1e-6;
 
+constexpr std::int32_t kNoSolid = -1;
+
 /// The box before meshing also contains the poles of splines. If it exceeds that of the triangles by more
 /// than this factor, the faces are meshed again, finer.
 constexpr double kBoxTooLarge = 1.1;
@@ -68,14 +70,15 @@ class Tessellation {
   }
 
   TriangleMesh mesh() && {
+    find_faces_within_solids();
     SharpEdges sharp(bodies_, surfaces_, options_.crease_angle_deg);
-    for (std::size_t solid = 0; solid < bodies_.bodies.size(); ++solid) {
-      const Body& body = bodies_.bodies[solid];
+    for (const Body& body : bodies_.bodies) {
       const std::vector<Use> uses = uses_in(body.shape);
       const bool inside_out = body.closed && volume_of(uses) < 0;
-      for (const Use& use : uses)
-        append(faces_[use.face], bodies_.face_numbers[use.face], static_cast<std::int32_t>(solid),
-               use.reversed != inside_out);
+      for (const Use& use : uses) {
+        if (within_solids_[use.face]) continue;
+        append(faces_[use.face], bodies_.face_numbers[use.face], body.solid, use.reversed != inside_out);
+      }
       sharp.add(body.shape, inside_out);
     }
     if (mesh_.triangles.empty()) throw Fault("none of its faces could be triangulated");
@@ -162,6 +165,21 @@ class Tessellation {
     return normals;
   }
 
+  /// Finds the faces between pieces of one solid.
+  void find_faces_within_solids() {
+    within_solids_.resize(faces_.size());
+    std::vector<std::int32_t> forward(faces_.size(), kNoSolid), reversed(faces_.size(), kNoSolid);
+    for (const Body& body : bodies_.bodies) {
+      for (const Use& use : uses_in(body.shape)) (use.reversed ? reversed : forward)[use.face] = body.solid;
+    }
+    const bool has_pieces =
+        std::adjacent_find(bodies_.bodies.begin(), bodies_.bodies.end(), [](const Body& a, const Body& b) {
+          return a.solid == b.solid;
+        }) != bodies_.bodies.end();
+    for (std::size_t face = 0; has_pieces && face < faces_.size(); ++face)
+      within_solids_[face] = forward[face] != kNoSolid && forward[face] == reversed[face];
+  }
+
   std::vector<Use> uses_in(const TopoDS_Shape& body) const {
     std::vector<Use> uses;
     for (TopExp_Explorer faces(body, TopAbs_FACE); faces.More(); faces.Next()) {
@@ -226,6 +244,7 @@ class Tessellation {
   EdgeNodes nodes_;
   std::vector<FaceSurface> surfaces_;  ///< of the faces, from 1
   std::vector<FacetedFace> faces_;     ///< of the faces, from 1
+  std::vector<bool> within_solids_;    ///< of the faces, from 1: between pieces of one solid
   TriangleMesh mesh_;
 };
 
