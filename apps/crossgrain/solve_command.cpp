@@ -20,6 +20,7 @@
 #include "interruption.hpp"
 #include "messages.hpp"
 #include "output.hpp"
+#include "output_places.hpp"
 #include "progress_lines.hpp"
 
 namespace crossgrain::app {
@@ -123,15 +124,16 @@ FrameField solve_model(const SolveArguments& arguments, const SolveOptions& opti
 
 std::string singularity_line(const SolveReport::Singularity& singularity) {
   if (singularity.arcs == 0) return "none";
-  return fmt::format("{} arcs, {:.4g} long in all, {} nodes, {} ends on the surface{}", singularity.arcs,
-                     singularity.length, singularity.nodes, singularity.boundary_ends,
+  return fmt::format("{}, {:.4g} long in all, {}, {} on the surface{}", counted(singularity.arcs, "arc"),
+                     singularity.length, counted(singularity.nodes, "node"),
+                     counted(singularity.boundary_ends, "end"),
                      singularity.meshable ? "" : "; no hexahedral mesh can have all of them");
 }
 
 std::string tets_lines(const SolveReport::Onto& onto) {
-  return fmt::format("tets       {}, {} vertices, boundary {}: Dirichlet energy {:.6g}, {} singular faces\n",
-                     onto.tets, onto.vertices, name_of(onto.boundary), onto.dirichlet,
-                     onto.singular.interior_faces + onto.singular.boundary_faces) +
+  return fmt::format("tets       {}, {}, boundary {}: Dirichlet energy {:.6g}, {}\n", onto.tets,
+                     counted(onto.vertices, "vertex", "vertices"), name_of(onto.boundary), onto.dirichlet,
+                     counted(onto.singular.interior_faces + onto.singular.boundary_faces, "singular face")) +
          (onto.crease_deg.mean
               ? fmt::format(
                     "creases    {:.3g} degrees off their faces in the mean, 95 % within {:.3g}, all within "
@@ -171,7 +173,7 @@ std::string files_line(const SolveReport& report, const SolveArguments& argument
 
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
   const auto& alignment = report.alignment_deg;
-  std::string text = fmt::format("{} triangles, {}\n", report.model.triangles,
+  std::string text = fmt::format("{}, {}\n", counted(report.model.triangles, "triangle"),
                                  report.model.watertight ? "watertight" : "not watertight");
   if (report.onto) text += tets_lines(*report.onto) + "grid       that the tets started from:\n";
   if (!report.levels.empty()) text += fmt::format("cells      {}\n", report.levels.back().active_cells);
@@ -250,12 +252,20 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   check_clip(arguments, mesh);
   const double read_seconds = seconds_since(start);
   monitor.check_stop();
+  if (const auto replaced = replaced_model(arguments); replaced && !arguments.quiet) {
+    leave_line();
+    print_message(arguments.output + ": the field of " + *replaced + " will be replaced");
+  }
   const FrameField field = solve_model(arguments, options, mesh, monitor);
   std::optional<TetFrameField> tet_field;
   if (domain) tet_field = carried(arguments, options, field, *domain, monitor, leave_line);
 
   monitor.report({Phase::kWrite, 0, 0, 0, 0});
   OutputOptions output_options = arguments.output_options;
+  // The folder was checked before the solve. What has appeared there since must not cost the result, unless
+  // it would be lost.
+  if (output_options.foreign_files == ForeignFiles::kRefuse)
+    output_options.foreign_files = ForeignFiles::kKeep;
   if (arguments.page) output_options.companions.push_back(page_of(field));
   SolveReport report = tet_field ? tet_field->report() : field.report();
   report.model.path = arguments.model;
@@ -277,11 +287,7 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
 int run_solve(const SolveArguments& arguments) {
   const auto start = Clock::now();
   const ThreadLimit thread_limit(arguments.options.threads);
-  if (arguments.onto.empty() && !is_tet_file(arguments.model)) {
-    check_field_folder(arguments.output);
-  } else {
-    check_onto_folder(arguments.output, arguments.output_options);
-  }
+  check_output_folder(arguments);
   SolveReport report;
   {
     ProgressLines lines(!arguments.quiet && (arguments.progress || isatty(STDERR_FILENO)));

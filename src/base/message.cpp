@@ -70,6 +70,7 @@ constexpr Wording kWordings[] = {
     {Remedy::kMakeFolder, "make_folder", "make that folder, or choose another"},
     {Remedy::kCheckOutputDisk, "check_output_disk", "check the disk, or choose another place"},
     {Remedy::kClearPlace, "clear_place", "remove it, or choose another place"},
+    {Remedy::kChooseFolder, "choose_folder", "choose another folder, or allow writing beside and over them"},
     {Remedy::kReportModel, "report_model", "please report the model that brought it about"},
 };
 
@@ -87,6 +88,10 @@ const Wording* wording_of(Remedy remedy) {
 }
 
 }  // namespace
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many.empty() ? one + "s" : many);
+}
 
 const char* words_of(Remedy remedy) {
   const Wording* const wording = wording_of(remedy);

@@ -34,7 +34,7 @@ class Constraints(CommandTest):
         self.write("points.txt", "".join(" ".join(repr(float(x)) for x in p) + "\n" for p in points))
         result = self.run_here("sample", "box.frames", "points.txt")
         self.assert_succeeds(result)
-        return [[float(x) for x in line.split()] for line in result.stdout.splitlines()]
+        return np.loadtxt(result.stdout.splitlines(), ndmin=2).tolist()
 
     def test_turn_the_field_and_report_what_sampling_finds(self):
         places, axis = [[0.6, 0.5, 0.7], [1.5, 0.4, 0.6]], [1, 1, 0]

@@ -9,7 +9,7 @@ import { cell_count, cell_box, cell_center, type Scene } from "./scene/scene.ts"
 import { SettingsStore, type CutAxis, type Settings } from "./settings.ts";
 import { Stage } from "./view/stage.ts";
 import { kViewNames, type ViewName } from "./view/camera_rig.ts";
-import { by_id, counted, measured } from "./ui/dom.ts";
+import { by_id, counted, measured, plural } from "./ui/dom.ts";
 import { describe_cell, show_cell, show_no_cell, type CellPanel } from "./ui/cell_panel.ts";
 import { make_controls } from "./ui/controls.ts";
 import { Keyboard } from "./ui/keyboard.ts";
@@ -189,8 +189,8 @@ export class Application {
     const { cells, surface, unit } = this.scene;
     const parts: string[] = [];
     if (cells.merged_to !== null) {
-      parts.push(`Cells smaller than ${measured(cells.merged_to)}${unit ? ` ${unit}` : ""} are shown merged: ${counted(cells.shown)} of ${counted(cells.total)} cells.`);
-    } else if (cells.shown < cells.total) parts.push(`${counted(cells.shown)} of ${counted(cells.total)} cells are shown.`);
+      parts.push(`Cells smaller than ${measured(cells.merged_to)}${unit ? ` ${unit}` : ""} are shown merged: ${counted(cells.shown)} of ${plural(cells.total, "cell")}.`);
+    } else if (cells.shown < cells.total) parts.push(`Cells shown: ${counted(cells.shown)} of ${counted(cells.total)}.`);
     if (surface.triangles_shown < surface.triangles_total) parts.push(`The surface is shown with ${counted(surface.triangles_shown)} of ${counted(surface.triangles_total)} triangles.`);
     return parts.join(" ");
   }

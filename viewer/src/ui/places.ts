@@ -5,7 +5,7 @@
 import { add, subtract, type Vector } from "../math/frame.ts";
 import type { Report } from "../scene/report.ts";
 import type { Scene } from "../scene/scene.ts";
-import { counted, element, measured } from "./dom.ts";
+import { counted, element, measured, plural } from "./dom.ts";
 
 export interface Place {
   label: string;
@@ -61,7 +61,7 @@ function singular_faults(scene: Scene): Place[] {
     const degree = scene.node_degree[node];
     places.push({
       label: `Node ${node + 1}`,
-      detail: verdict === 1 ? `${degree} lines meet as hexahedra cannot` : `${degree} lines meet: undecided`,
+      detail: verdict === 1 ? `${plural(degree, "line")} here, as hexahedra cannot meet` : `${plural(degree, "line")} here: undecided`,
       point: triple(scene.node_points, node),
       warn: verdict === 1,
     });

@@ -147,7 +147,10 @@ export function about(report: Report): HTMLElement {
   if (model.triangles !== undefined) facts.push(["Surface", `${plural(model.triangles, "triangle")}${model.components && model.components > 1 ? `, ${model.components} components` : ""}${model.watertight === false ? ", not watertight" : ""}`]);
   if (report.resolution !== undefined) facts.push(["Resolution", `${measured(report.resolution, 4)} cells along the longest side`]);
   if (report.degree) facts.push(["Harmonics", `degree ${report.degree}`]);
-  if (report.walls?.thinnest_cells) facts.push(["Thinnest wall", `${measured(report.walls.thinnest_cells)} cells`]);
+  if (report.walls?.thinnest_cells) {
+    const cells = measured(report.walls.thinnest_cells);
+    facts.push(["Thinnest wall", `${cells} ${cells === "1" ? "cell" : "cells"}`]);
+  }
   if (report.version) facts.push(["Crossgrain", report.version]);
   return element("section", { class: "block" },
     element("h2", {}, "About this field"),
