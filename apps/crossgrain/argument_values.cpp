@@ -73,6 +73,16 @@ std::string fault_of_box(const std::string& text) {
   return "";
 }
 
+std::optional<std::vector<Vector3>> parse_points(const std::vector<std::string>& texts) {
+  if (texts.size() % 3 != 0) return std::nullopt;
+  std::vector<Vector3> points(texts.size() / 3);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    double& coordinate = points[i / 3][i % 3];
+    if (!parse_number(texts[i], coordinate) || !std::isfinite(coordinate)) return std::nullopt;
+  }
+  return points;
+}
+
 std::optional<std::size_t> parse_bytes(const std::string& text) {
   const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
   double number = 0;

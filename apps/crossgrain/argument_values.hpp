@@ -25,6 +25,10 @@ std::string fault_of_axes(const std::string& text);
 std::optional<Box> parse_box(const std::string& text);
 std::string fault_of_box(const std::string& text);
 
+/// Returns the points of three numbers each; none for texts that are not finite numbers, or another number of
+/// them.
+std::optional<std::vector<Vector3>> parse_points(const std::vector<std::string>& texts);
+
 /// Returns the bytes of a number with or without a unit, in powers of 1000 or 1024; none for other texts.
 std::optional<std::size_t> parse_bytes(const std::string& text);
 std::string fault_of_bytes(const std::string& text);

@@ -48,7 +48,8 @@ void check_arguments(SolveArguments& arguments, const CLI::App* command) {
     refuse("--boundary is for tet meshes; give one as MODEL or with --onto", command);
   if (!is_tets && arguments.onto.empty() && command->count("--write") > 0)
     refuse("--write is for tet meshes; give one as MODEL or with --onto", command);
-  if (arguments.output.empty())
+  arguments.is_output_named = !arguments.output.empty();
+  if (!arguments.is_output_named)
     arguments.output = std::filesystem::path(arguments.model).stem().string() + ".frames";
 }
 
@@ -69,7 +70,8 @@ void check_arguments(StreamlinesArguments& arguments, const CLI::App* command) {
   // The largest step must not be below the smallest one.
   StreamlineOptions& options = arguments.options;
   options.smallest_step_cells = std::min(options.smallest_step_cells, options.largest_step_cells / 4);
-  if (arguments.output.empty())
+  arguments.is_output_named = !arguments.output.empty();
+  if (!arguments.is_output_named)
     arguments.output = (std::filesystem::path(arguments.field) / kStreamlinesFile).string();
 }
 
@@ -77,7 +79,8 @@ void check_arguments(RenderArguments& arguments, const CLI::App* command) {
   if (arguments.field.empty()) refuse("DIR is empty", command);
   if (command->count("--output") > 0 && arguments.output.empty()) refuse("the file of -o is empty", command);
   if (arguments.output == "-") refuse("the picture goes to a file; name one with -o", command);
-  if (!arguments.output.empty()) {
+  arguments.is_output_named = !arguments.output.empty();
+  if (arguments.is_output_named) {
     const std::string extension = std::filesystem::path(arguments.output).extension().string();
     if (!extension.empty() && CLI::detail::to_lower(extension) != ".png")
       refuse("'" + arguments.output + "' is not the name of a PNG file; let it end in .png", command);
@@ -86,6 +89,17 @@ void check_arguments(RenderArguments& arguments, const CLI::App* command) {
   const std::filesystem::path folder = std::filesystem::path(arguments.field + "/").parent_path();
   const std::string stem = folder.lexically_normal().stem().string();
   arguments.output = (stem.empty() || stem == "." || stem == ".." ? "field" : stem) + ".png";
+}
+
+/// Returns the arguments from the last to the first, as CLI11 takes them. It knows that -1 is a number, but
+/// not that -.5 is one.
+std::vector<std::string> reversed_words(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int i = argc - 1; i > 0; --i) {
+    std::string& word = words.emplace_back(argv[i]);
+    if (word.size() > 2 && word.starts_with("-.") && word[2] >= '0' && word[2] <= '9') word.insert(1, "0");
+  }
+  return words;
 }
 
 /// Returns the command of this name. If there is none, the error names the one that was probably meant.
@@ -124,7 +138,7 @@ Arguments parse_arguments(int argc, char** argv) {
   help_command->add_option("COMMAND", explained, "The command (default: the program itself)");
   if (argc > 1 && argv[1][0] != '-') command_of(app, argv[1]);
   try {
-    app.parse(argc, argv);
+    app.parse(reversed_words(argc, argv));
   } catch (const CLI::ParseError& error) {
     // CLI11 reports help and version as errors too.
     if (error.get_exit_code() == 0) {

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "crossgrain/io.hpp"
 #include "crossgrain/options.hpp"
@@ -14,10 +15,11 @@ namespace crossgrain::app {
 
 struct SolveArguments {
   std::string model;
-  std::string output;       ///< folder to write; never empty
-  std::string from;         ///< folder of an earlier field; empty for none
-  std::string onto;         ///< tet mesh for the field; empty for none
-  std::string constraints;  ///< file of constraints; empty for none
+  std::string output;            ///< folder to write; never empty
+  bool is_output_named = false;  ///< by the user, not after the model
+  std::string from;              ///< folder of an earlier field; empty for none
+  std::string onto;              ///< tet mesh for the field; empty for none
+  std::string constraints;       ///< file of constraints; empty for none
   SolveOptions options;
   TetTagOptions tags;
   OutputOptions output_options;
@@ -31,15 +33,17 @@ struct SolveArguments {
 
 struct SampleArguments {
   std::string field;
-  std::string points;
+  std::string points_file;      ///< a file, or "-"; empty if `points` is given
+  std::vector<Vector3> points;  ///< given on the command line
   std::string output = "-";
   std::string outside;  ///< empty for none
 };
 
 struct StreamlinesArguments {
   std::string field;
-  std::string seeds;    ///< file, or "-"; empty for `count` evenly spread seeds
-  std::string output;   ///< never empty
+  std::string seeds;   ///< file, or "-"; empty for `count` evenly spread seeds
+  std::string output;  ///< never empty
+  bool is_output_named = false;
   std::string surface;  ///< model; if empty, lines end where the active cells do
   std::size_t count = 100;
   StreamlineOptions options;
@@ -49,6 +53,7 @@ struct StreamlinesArguments {
 struct RenderArguments {
   std::string field;
   std::string output;  ///< PNG file; never empty
+  bool is_output_named = false;
   PictureOptions options;
   bool streamlines = false;  ///< draw the lines of kStreamlinesFile in the folder
   int threads = 0;

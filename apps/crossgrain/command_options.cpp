@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -127,6 +128,17 @@ void add_looks(CLI::App& command, PictureOptions& options) {
   command.add_flag("!--no-legend", options.legend, "Leave out legend and axes");
 }
 
+/// Takes one word for a file and several for coordinates.
+void take_points(const std::vector<std::string>& words, SampleArguments& arguments) {
+  if (words.size() == 1) {
+    arguments.points_file = words.front();
+    return;
+  }
+  const std::optional<std::vector<Vector3>> points = parse_points(words);
+  if (!points) throw CLI::ValidationError("POINTS", "give one file, or three numbers for each point");
+  arguments.points = *points;
+}
+
 }  // namespace
 
 CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
@@ -142,6 +154,11 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
       ->type_name("");
   command->add_option("-o,--output", arguments.output, "Folder to write (default: MODEL-stem.frames here)")
       ->type_name("DIR");
+  command->add_flag_callback(
+      "--force", [&arguments] { arguments.output_options.foreign_files = ForeignFiles::kReplace; },
+      "Write to the folder even if it holds files that Crossgrain did not write, and replace those with "
+      "names "
+      "of results");
   add_degree(*command, options.degree);
   CLI::Option* resolution =
       command
@@ -208,7 +225,10 @@ CLI::App* add_sample(CLI::App& app, SampleArguments& arguments) {
   command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
       ->required()
       ->type_name("");
-  command->add_option("POINTS", arguments.points, "One 'x y z' a line, # for comments; - for standard input")
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "POINTS", [&arguments](const std::vector<std::string>& words) { take_points(words, arguments); },
+          "A file of one 'x y z' a line, # for comments; - for standard input; or the numbers themselves")
       ->required()
       ->type_name("");
   command->add_option("-o,--output", arguments.output, "File for the frames (default: standard output)")

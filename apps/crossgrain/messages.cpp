@@ -31,6 +31,7 @@ constexpr OptionWords kOptionWords[] = {
     {Remedy::kFreeSpace, "free some space, or choose another disk with -o", true},
     {Remedy::kMakeFolder, "make that folder, or choose another with -o", true},
     {Remedy::kCheckOutputDisk, "check the disk, or choose another place with -o", true},
+    {Remedy::kChooseFolder, "choose another folder with -o, or write there with --force", false},
     {Remedy::kClearPlace, "remove it, or choose another place with -o", true},
 };
 

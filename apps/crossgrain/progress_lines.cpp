@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "crossgrain/message.hpp"
+
 namespace crossgrain::app {
 namespace {
 
@@ -75,7 +77,7 @@ double seconds_of(std::chrono::steady_clock::duration duration) {
 
 std::string cells_text(std::size_t cells) {
   constexpr double kMillion = 1e6;
-  if (static_cast<double>(cells) < kMillion) return fmt::format("{} cells", cells);
+  if (static_cast<double>(cells) < kMillion) return counted(cells, "cell");
   return fmt::format("{:.3g} million cells", static_cast<double>(cells) / kMillion);
 }
 

@@ -12,6 +12,7 @@
 #include "interruption.hpp"
 #include "messages.hpp"
 #include "output.hpp"
+#include "output_places.hpp"
 
 namespace crossgrain::app {
 
@@ -48,6 +49,7 @@ void draw(const RenderArguments& arguments, const Monitor& monitor) {
 
 void run_render(const RenderArguments& arguments) {
   check_files(arguments);
+  if (!arguments.is_output_named) check_output_file(arguments.output);
   Monitor monitor;
   const Interruption interruption(monitor);
   const ThreadLimit limit(arguments.threads);

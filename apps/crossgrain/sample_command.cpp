@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
+#include "crossgrain/message.hpp"
 #include "interruption.hpp"
 #include "output.hpp"
 
@@ -18,9 +19,9 @@ void check_files(const SampleArguments& arguments) {
     return a != "-" && !a.empty() &&
            std::filesystem::path(a).lexically_normal() == std::filesystem::path(b).lexically_normal();
   };
-  if (same(arguments.output, arguments.points) || same(arguments.outside, arguments.points)) {
+  if (same(arguments.output, arguments.points_file) || same(arguments.outside, arguments.points_file)) {
     throw Error(ErrorKind::kUsage,
-                {arguments.points, "", "is the file of points; choose another file for the result"});
+                {arguments.points_file, "", "is the file of points; choose another file for the result"});
   }
   if (same(arguments.output, arguments.outside)) {
     throw Error(ErrorKind::kUsage,
@@ -33,14 +34,18 @@ void check_files(const SampleArguments& arguments) {
 void run_sample(const SampleArguments& arguments) {
   check_files(arguments);
   const FrameField field = read_field(arguments.field);
-  const std::vector<Vector3> points = read_points(arguments.points);
+  const std::vector<Vector3> points =
+      arguments.points_file.empty() ? arguments.points : read_points(arguments.points_file);
 
   // Not earlier: the first Ctrl-C must end waiting for standard input.
   Monitor monitor;
   const Interruption interruption(monitor);
   const std::size_t outside = write_samples(field, points, {arguments.output, arguments.outside}, monitor);
-  print_message(fmt::format("{} of {} points are outside the field{}", outside, points.size(),
-                            outside > 0 ? "; they got the nearest cell's frame" : ""));
+  print_message(fmt::format("{} of {} {} outside the field{}", outside, counted(points.size(), "point"),
+                            is_or_are(outside),
+                            outside == 0   ? ""
+                            : outside == 1 ? "; it got the nearest cell's frame"
+                                           : "; they got the nearest cell's frame"));
 }
 
 }  // namespace crossgrain::app

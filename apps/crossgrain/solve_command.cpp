@@ -20,6 +20,7 @@
 #include "interruption.hpp"
 #include "messages.hpp"
 #include "output.hpp"
+#include "output_places.hpp"
 #include "progress_lines.hpp"
 #include "summary.hpp"
 
@@ -172,12 +173,20 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   check_clip(arguments, mesh);
   const double read_seconds = seconds_since(start);
   monitor.check_stop();
+  if (const auto replaced = replaced_model(arguments); replaced && !arguments.quiet) {
+    leave_line();
+    print_message(arguments.output + ": the field of " + *replaced + " will be replaced");
+  }
   const FrameField field = solve_model(arguments, options, mesh, monitor);
   std::optional<TetFrameField> tet_field;
   if (domain) tet_field = carried(arguments, options, field, *domain, monitor, leave_line);
 
   monitor.report({Phase::kWrite, 0, 0, 0, 0});
   OutputOptions output_options = arguments.output_options;
+  // The folder was checked before the solve. What has appeared there since must not cost the result, unless
+  // it would be lost.
+  if (output_options.foreign_files == ForeignFiles::kRefuse)
+    output_options.foreign_files = ForeignFiles::kKeep;
   if (arguments.page) output_options.companions.push_back(page_of(field));
   SolveReport report = tet_field ? tet_field->report() : field.report();
   report.model.path = arguments.model;
@@ -199,11 +208,7 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
 int run_solve(const SolveArguments& arguments) {
   const auto start = Clock::now();
   const ThreadLimit thread_limit(arguments.options.threads);
-  if (arguments.onto.empty() && !is_tet_file(arguments.model)) {
-    check_field_folder(arguments.output);
-  } else {
-    check_onto_folder(arguments.output, arguments.output_options);
-  }
+  check_output_folder(arguments);
   SolveReport report;
   {
     ProgressLines lines(!arguments.quiet && (arguments.progress || isatty(STDERR_FILENO)));

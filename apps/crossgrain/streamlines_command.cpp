@@ -17,6 +17,7 @@
 #include "interruption.hpp"
 #include "messages.hpp"
 #include "output.hpp"
+#include "output_places.hpp"
 
 namespace crossgrain::app {
 namespace {
@@ -73,7 +74,7 @@ std::string ends_line(const std::vector<Streamline>& lines) {
     text += fmt::format(", {} where lines may be no longer", of(StreamlineEnd::kLongest));
   if (of(StreamlineEnd::kAmbiguous) > 0)
     text += fmt::format(", {} where no axis goes on", of(StreamlineEnd::kAmbiguous));
-  return text + fmt::format("; {} lines closed\n", closed);
+  return text + fmt::format("; {} closed\n", counted(closed, "line"));
 }
 
 std::string summary_of(const std::vector<Streamline>& lines, std::size_t seeds, double seconds,
@@ -84,8 +85,8 @@ std::string summary_of(const std::vector<Streamline>& lines, std::size_t seeds, 
     points += line.points.size();
     length += line.length;
   }
-  return fmt::format("{} lines of {} seeds, {} points, {:.4g} long in all, traced in {:.3g} s\n",
-                     lines.size(), seeds, points, length, seconds) +
+  return fmt::format("{} of {}, {}, {:.4g} long in all, traced in {:.3g} s\n", counted(lines.size(), "line"),
+                     counted(seeds, "seed"), counted(points, "point"), length, seconds) +
          ends_line(lines) + fmt::format("result     {}\n", output);
 }
 
@@ -94,15 +95,17 @@ void tell_of_seeds(const Streamlines& traced, std::size_t seeds, const std::stri
     throw Error(
         ErrorKind::kInput,
         {source, "",
-         fmt::format("gives no line: of {} seeds {} are outside the field and {} at a singular arc; give "
-                     "points inside, in the model's unit",
-                     seeds, traced.outside_seeds, traced.arc_seeds)});
+         fmt::format("gives no line: of {} {} {} outside the field and {} at a singular arc; give points "
+                     "inside, in the model's unit",
+                     counted(seeds, "seed"), traced.outside_seeds, is_or_are(traced.outside_seeds),
+                     traced.arc_seeds)});
   }
   if (traced.outside_seeds > 0)
-    print_message(fmt::format("{} of {} seeds are outside the field", traced.outside_seeds, seeds));
+    print_message(fmt::format("{} of {} {} outside the field", traced.outside_seeds, counted(seeds, "seed"),
+                              is_or_are(traced.outside_seeds)));
   if (traced.arc_seeds > 0)
-    print_message(
-        fmt::format("{} of {} seeds are at a singular arc, where no line begins", traced.arc_seeds, seeds));
+    print_message(fmt::format("{} of {} {} at a singular arc, where no line begins", traced.arc_seeds,
+                              counted(seeds, "seed"), is_or_are(traced.arc_seeds)));
 }
 
 }  // namespace
@@ -110,6 +113,7 @@ void tell_of_seeds(const Streamlines& traced, std::size_t seeds, const std::stri
 void run_streamlines(const StreamlinesArguments& arguments) {
   check_files(arguments);
   const FrameField field = read_field(arguments.field);
+  if (!arguments.is_output_named) check_output_file(arguments.output);
   check_streamline_file(arguments.output);
   std::vector<Vector3> seeds;
   if (!arguments.seeds.empty()) seeds = read_points(arguments.seeds);

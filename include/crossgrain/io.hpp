@@ -135,6 +135,14 @@ struct CompanionFile {
   std::function<Writer(const Monitor& monitor)> prepare;
 };
 
+/// What `write_field` does about files in its folder that this library did not write. It knows its own by a
+/// mark in them or by the list in report.json (docs/field-file.md).
+enum class ForeignFiles {
+  kRefuse,  ///< fails if there is any, or a folder
+  kKeep,    ///< fails only if one has the name of a result (`all_result_files`), and leaves the others
+  kReplace  ///< replaces or removes those with names of results, and leaves the others
+};
+
 /// Which cells `write_field` writes to field.vtu (all by default), and which further files. The report and
 /// the files for tets always describe the whole field.
 struct OutputOptions {
@@ -151,15 +159,18 @@ struct OutputOptions {
 
   /// Further files to write, such as the page that shows the field in a browser (`page_of`).
   std::vector<CompanionFile> companions = {};
+
+  /// The default protects other files in the folder.
+  ForeignFiles foreign_files = ForeignFiles::kRefuse;
 };
 
 /// Writes FOLDER/field.vtu, FOLDER/singularities.vtu and FOLDER/surface.vtu (docs/field-file.md), which
 /// ParaView opens, and FOLDER/report.json (docs/report.md). Creates the folder if it does not exist. Files
 /// are written under temporary names and then renamed, so that a failure leaves the earlier ones. Files of an
-/// earlier field on tets, kStreamlinesFile and a kPageFile that is not written again are removed. Adds the
-/// time to `seconds.write` and `seconds.total` of the report and updates `peak_memory_bytes`. If no cell
-/// touches the box of `options`, all cells are written, with a warning in the report. Returns the report as
-/// written. Throws Error(kOutput); Error(kUsage) for invalid options and for formats of fields on tets;
+/// earlier field on tets, kStreamlinesFile and earlier companions that are not written again are removed.
+/// Adds the time to `seconds.write` and `seconds.total` of the report and updates `peak_memory_bytes`. If no
+/// cell touches the box of `options`, all cells are written, with a warning in the report. Returns the report
+/// as written. Throws Error(kOutput); Error(kUsage) for invalid options and for formats of fields on tets;
 /// Error(kInterrupted).
 SolveReport write_field(const FrameField& field, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
@@ -197,6 +208,13 @@ std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::p
 /// Error(kInput).
 bool is_clipped_field(const std::filesystem::path& folder);
 
+/// Returns whether a file has the mark that the files of this library carry, pictures included; those of
+/// formats without comments do not (docs/field-file.md).
+bool is_own_file(const std::filesystem::path& path);
+
+/// Returns SolveReport::Model::path of the field in a folder; none if the folder has no readable report.
+std::optional<std::string> model_of_result(const std::filesystem::path& folder);
+
 /// Returns the names of the files that `write_field` writes with these options for a field on a grid or, with
 /// `on_tets`, on tets; report.json comes last.
 std::vector<std::string> result_files(const OutputOptions& options = {}, bool on_tets = false);
@@ -205,8 +223,8 @@ std::vector<std::string> result_files(const OutputOptions& options = {}, bool on
 /// kStreamlinesFile.
 std::vector<std::string> all_result_files();
 
-/// Throws Error(kOutput) if `write_field` could not write to a folder; leaves no trace. Call before a solve
-/// to fail early.
+/// Throws Error(kOutput) if `write_field` could not or, because of foreign files, would not write to a
+/// folder; leaves no trace. Call before a solve to fail early.
 void check_field_folder(const std::filesystem::path& folder, const OutputOptions& options = {});
 
 /// Checks the folder for a field on tets.
@@ -227,13 +245,14 @@ std::vector<WeightedNormal> read_normals(const std::filesystem::path& path);
 struct SampleFiles {
   std::filesystem::path frames = "-";
 
-  /// Receives the points outside, `x y z` per line; no such file if empty.
+  /// Receives the points outside, `x y z` per line after a comment line; no such file if empty.
   std::filesystem::path outside;
 };
 
-/// Writes the frame at each point (FrameField::sample), one line per point: the nine numbers of its three
-/// unit axes, with 17 significant digits. Returns the number of points outside all active cells. Both files
-/// appear complete or not at all. Throws Error(kOutput) and Error(kInterrupted).
+/// Writes a comment line that names the columns, then the frame at each point (FrameField::sample), one line
+/// per point: the nine numbers of its three unit axes, with 17 significant digits. Returns the number of
+/// points outside all active cells. Both files appear complete or not at all. Throws Error(kOutput) and
+/// Error(kInterrupted).
 std::size_t write_samples(const FrameField& field, std::span<const Vector3> points, const SampleFiles& files,
                           const Monitor& monitor = {});
 

@@ -78,6 +78,7 @@ enum class Remedy : int {
   kMakeFolder,
   kCheckOutputDisk,
   kClearPlace,
+  kChooseFolder,  ///< or allow it: OutputOptions::foreign_files
 
   kReportModel  ///< to the makers of this library
 };

@@ -277,6 +277,15 @@ struct SolveReport {
   };
   std::optional<Onto> onto;  ///< set only if there is a tet mesh
 
+  /// A file of the folder without a mark, because its format has no comments. The next `write_field` knows it
+  /// by this entry and may replace it (OutputOptions::foreign_files).
+  struct UnmarkedFile {
+    std::string name;
+    std::uint64_t bytes = 0;
+    std::string checksum;  ///< FNV-1a of 64 bits, 16 hexadecimal digits; empty for a companion
+  };
+  std::vector<UnmarkedFile> unmarked_files;
+
   struct Seconds {
     double read = 0, grid = 0, solve = 0, write = 0, total = 0;
   } seconds;

@@ -73,6 +73,7 @@ constexpr Wording kWordings[] = {
     {Remedy::kMakeFolder, "make_folder", "make that folder, or choose another"},
     {Remedy::kCheckOutputDisk, "check_output_disk", "check the disk, or choose another place"},
     {Remedy::kClearPlace, "clear_place", "remove it, or choose another place"},
+    {Remedy::kChooseFolder, "choose_folder", "choose another folder, or allow writing beside and over them"},
     {Remedy::kReportModel, "report_model", "please report the model that brought it about"},
 };
 

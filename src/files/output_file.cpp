@@ -111,6 +111,7 @@ void OutputFile::fail(const char* doing, int code) const {
 }
 
 void OutputFile::write(std::string_view bytes) {
+  if (checksum_) checksum_->add(bytes);
   if (buffer_.size() + bytes.size() > kBufferBytes) flush();
   if (bytes.size() > kBufferBytes) {
     write_at(flushed_, bytes);
@@ -152,7 +153,7 @@ void OutputFile::write_at(std::uint64_t offset, std::string_view bytes) {
 }
 
 void OutputFile::patch(std::uint64_t offset, std::string_view bytes) {
-  assert(!temporary_.empty() && offset + bytes.size() <= position());
+  assert(!temporary_.empty() && !checksum_ && offset + bytes.size() <= position());
   flush();
   write_at(offset, bytes);
 }

@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "files/checksum.hpp"
 #include "files/descriptor.hpp"
 
 namespace crossgrain {
@@ -38,6 +40,12 @@ class OutputFile {
   /// Number of bytes written so far.
   std::uint64_t position() const { return flushed_ + buffer_.size(); }
 
+  /// Makes the file sum up all bytes that are written from now on; none of them may be patched.
+  void keep_checksum() { checksum_.emplace(); }
+
+  /// The sum since `keep_checksum`; none without it.
+  const std::optional<Checksum>& checksum() const { return checksum_; }
+
   /// Overwrites bytes already written; regular files only.
   void patch(std::uint64_t offset, std::string_view bytes);
 
@@ -61,6 +69,7 @@ class OutputFile {
   std::uint64_t flushed_ = 0;
   std::uint64_t sent_ = 0;  ///< part of flushed_ whose write to disk has been started
   std::string buffer_;
+  std::optional<Checksum> checksum_;
 };
 
 /// Creates a folder and its missing parents. Unless kept, they are removed again if empty.

@@ -135,7 +135,8 @@ std::vector<double> weights_of(const Members& members, std::size_t count, bool o
   std::vector<double> result;
   for (const Value& each : value->values()) result.push_back(weight(each));
   if (result.size() != count)
-    value->fail(fmt::format("'weight' has {} numbers for {} places", result.size(), count));
+    value->fail(
+        fmt::format("'weight' has {} for {}", counted(result.size(), "number"), counted(count, "place")));
   return result;
 }
 
@@ -200,7 +201,8 @@ void read_stresses(const Value& value, Constraints& constraints) {
   const std::vector<Value> tensors =
       places.is_list && is_list(stress) ? stress.values() : std::vector{stress};
   if (tensors.size() != places.values.size())
-    stress.fail(fmt::format("'stress' has {} tensors for {} places", tensors.size(), places.values.size()));
+    stress.fail(fmt::format("'stress' has {} for {}", counted(tensors.size(), "tensor"),
+                            counted(places.values.size(), "place")));
   const std::vector<double> weights = weights_of(members, tensors.size(), places.is_list);
   for (std::size_t k = 0; k < tensors.size(); ++k) {
     const std::array<double, 6> tensor = numbers<6>(tensors[k], "stress");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "crossgrain/io.hpp"
+#include "files/file_mark.hpp"
 #include "files/output_file.hpp"
 #include "io/result/frame_files.hpp"
 
@@ -46,6 +47,8 @@ std::size_t write_samples(const FrameField& field, std::span<const Vector3> poin
   std::optional<Sink> outside;
   if (!files.outside.empty()) outside.emplace(files.outside);
 
+  frames->write(std::string(kTextMark) + "ux uy uz vx vy vz wx wy wz\n");
+  if (outside) (*outside)->write(std::string(kTextMark) + "x y z\n");
   std::size_t outside_count = 0;
   std::vector<FrameField::Sample> samples(std::min(kPointsAtOnce, points.size()));
   std::vector<Frame> batch_frames;

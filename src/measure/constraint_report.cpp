@@ -198,12 +198,12 @@ std::optional<Warning> outside_constraints_warning(const RequestedAxes& asked, c
   if (!asked.first_outside) return std::nullopt;
   const auto& [points, polylines, faces, stresses, isotropic] = asked.counts;
   std::vector<std::string> parts;
-  const auto count = [&](std::size_t outside, std::size_t all, const char* what) {
-    if (outside > 0) parts.push_back(fmt::format("{} of {} {}", outside, all, what));
+  const auto count = [&](std::size_t outside, const std::string& all) {
+    if (outside > 0) parts.push_back(fmt::format("{} of {}", outside, all));
   };
-  count(points.outside, points.count, "points");
-  count(stresses.outside, stresses.count, "stresses");
-  count(polylines.outside, polylines.count, "polylines (in part)");
+  count(points.outside, counted(points.count, "point"));
+  count(stresses.outside, counted(stresses.count, "stress", "stresses"));
+  count(polylines.outside, counted(polylines.count, "polyline") + " (in part)");
   return Warning(WarningKind::kConstraintsOutside,
                  {source, "",
                   fmt::format("constraints outside the solid: {}, the first at {}; they have no effect",

@@ -74,6 +74,11 @@ std::vector<CreaseCurve> without_repeats(const std::vector<CreaseCurve>& curves)
   return result;
 }
 
+/// Returns the words before a place.
+const char* first_at(std::size_t count) {
+  return count == 1 ? "at" : "the first at";
+}
+
 }  // namespace
 
 CreaseNetwork::CreaseNetwork(const Surface& surface, const TriangleMesh& inner, const CreaseAngles& angles,
@@ -112,21 +117,23 @@ std::vector<Warning> crease_warnings(const CreaseNetwork& creases) {
   std::vector<Warning> warnings;
   const auto crowded = std::find_if(creases.corners.begin(), creases.corners.end(), is_crowded);
   if (crowded != creases.corners.end()) {
-    const auto count = std::count_if(creases.corners.begin(), creases.corners.end(), is_crowded);
+    const auto count =
+        static_cast<std::size_t>(std::count_if(creases.corners.begin(), creases.corners.end(), is_crowded));
     const auto& [x, y, z] = crowded->position;
     warnings.emplace_back(
         WarningKind::kCrowdedCorners,
-        fmt::format("{} corners of more than three creases, the first at {:.6g} {:.6g} {:.6g}: no frame has "
-                    "an axis across all their faces",
-                    count, x, y, z));
+        fmt::format("{} of more than three creases, {} {:.6g} {:.6g} {:.6g}: no frame has an axis across all "
+                    "faces there",
+                    counted(count, "corner"), first_at(count), x, y, z));
   }
   if (creases.knives.count > 0) {
     const auto& [x, y, z] = creases.knives.places[0];
     warnings.emplace_back(
         WarningKind::kKnifeEdges,
-        fmt::format("{} edges with less than 45 degrees of solid between their faces, the first at {:.6g} "
-                    "{:.6g} {:.6g}: no frame follows both",
-                    creases.knives.count, x, y, z));
+        fmt::format(
+            "{} with less than 45 degrees of solid between two faces, {} {:.6g} {:.6g} {:.6g}: no frame "
+            "follows both",
+            counted(creases.knives.count, "edge"), first_at(creases.knives.count), x, y, z));
   }
   return warnings;
 }

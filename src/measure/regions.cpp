@@ -207,7 +207,7 @@ CellRegions find_regions(const TriangleMesh& mesh, const Surface& outer, const G
     const auto [x, y, z] = level.tree.centre(static_cast<CellIndex>(first - contested.begin()));
     result.warnings.emplace_back(
         WarningKind::kOverlappingSolids,
-        fmt::format("solids overlap: {} cells are in more than one, the first around {:.6g} {:.6g} {:.6g}; "
+        fmt::format("solids overlap: cells in more than one: {}, the first around {:.6g} {:.6g} {:.6g}; "
                     "they count for the smallest of them, and the surfaces of all constrain frames there",
                     std::count(contested.begin(), contested.end(), 1), x, y, z),
         Remedy::kSeparateSolids);
@@ -216,10 +216,11 @@ CellRegions find_regions(const TriangleMesh& mesh, const Surface& outer, const G
     result.warnings.emplace_back(
         WarningKind::kTouchingSolids,
         fmt::format(
-            "solids touch by faces that are not the same triangles: {} pairs of solids, {} triangles, "
-            "the first of solid {} against solid {} around {:.6g} {:.6g} {:.6g}; both surfaces "
-            "constrain frames there, also where solids are united",
-            contacts.pairs_of_solids, contacts.triangles, contacts.solid, contacts.other_solid, x, y, z),
+            "solids touch by faces that are not the same triangles: {} of solids, {}, the first of solid {} "
+            "against solid {} around {:.6g} {:.6g} {:.6g}; both surfaces constrain frames there, also where "
+            "solids are united",
+            counted(contacts.pairs_of_solids, "pair"), counted(contacts.triangles, "triangle"), contacts.solid,
+            contacts.other_solid, x, y, z),
         Remedy::kGlueSolids);
   }
   const auto empty = [](const SolveReport::Region& region) { return region.cells == 0; };

@@ -183,7 +183,7 @@ void render_picture(const FrameField& field, const std::filesystem::path& pictur
   if (options.background == PictureBackground::kDark) render_options.haze_share *= 0.5f;  // dark hides more
   render(drawing, camera, render_options, image, monitor);
   if (options.legend) draw_legend(blocks, layout, options, image);
-  write_png(file, image, monitor);
+  write_png(file, image, monitor, PngMark::kProgram);
   file.commit();
 }
 

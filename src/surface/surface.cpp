@@ -64,8 +64,8 @@ std::string counted_from_0(const char* what, std::size_t index) {
 
 void fail_index(const std::string& place, std::uint32_t vertex, std::size_t vertices) {
   throw Error(ErrorKind::kInput, {"", place,
-                                  "vertex index " + std::to_string(vertex) + " is out of range, there are " +
-                                      std::to_string(vertices) + " vertices",
+                                  "vertex index " + std::to_string(vertex) + " is out of range, there " +
+                                      is_or_are(vertices) + " " + counted(vertices, "vertex", "vertices"),
                                   Remedy::kRemoveElement});
 }
 

@@ -35,6 +35,13 @@ TEST(Message, TakesOtherWordsForItsRemedy) {
   EXPECT_EQ(sentence_of({"", "", "no room", Remedy::kFreeSpace}, "use --output"), "no room; use --output");
 }
 
+TEST(Message, CountsInSingularAndPlural) {
+  EXPECT_EQ(counted(0, "arc"), "0 arcs");
+  EXPECT_EQ(counted(1, "arc"), "1 arc");
+  EXPECT_EQ(counted(2, "vertex", "vertices"), "2 vertices");
+  EXPECT_EQ(counted(1, "vertex", "vertices"), "1 vertex");
+}
+
 TEST(Remedy, HasWordsAndANameOfItsOwn) {
   std::set<std::string> names, words;
   for (const Remedy remedy : all_remedies()) {

@@ -155,7 +155,7 @@ class WithTheReader(CommandTest):
         for name, processes, with_opencascade in (("box.stl", 1, 0), ("box.brep", 2, 1)):
             with self.subTest(name):
                 (self.folder / name[4:]).mkdir()
-                self.assert_succeeds(self.run_here("solve", name, "--resolution", "8", "--quiet", env={
+                self.assert_succeeds(self.run_here("solve", name, "-o", name + ".frames", "--resolution", "8", "--quiet", env={
                     **os.environ, "LD_DEBUG": "files", "LD_DEBUG_OUTPUT": f"{self.folder}/{name[4:]}/loaded"}))
                 loaded = [path.read_text() for path in (self.folder / name[4:]).iterdir()]
                 self.assertEqual(len(loaded), processes)

@@ -34,7 +34,7 @@ class Constraints(CommandTest):
         self.write("points.txt", "".join(" ".join(repr(float(x)) for x in p) + "\n" for p in points))
         result = self.run_here("sample", "box.frames", "points.txt")
         self.assert_succeeds(result)
-        return [[float(x) for x in line.split()] for line in result.stdout.splitlines()]
+        return np.loadtxt(result.stdout.splitlines(), ndmin=2).tolist()
 
     def test_a_twist_that_fades_slowly_is_written_with_the_exit_code_of_a_limit(self):
         self.write("plate.stl", stl_bytes(box_triangles((1, 1, 0.02))))

@@ -45,13 +45,13 @@ class BadFiles(CommandTest):
         for name, (code, expected) in OUTCOMES.items():
             with self.subTest(name=name):
                 start = time.monotonic()
-                result = run("solve", BAD / name, "-o", self.folder / "out")
+                result = run("solve", BAD / name, "-o", self.folder / name)
                 self.assertLess(time.monotonic() - start, SECONDS)
                 if code != 0:
                     self.assert_fails(result, code, name, *expected)
                     continue
                 self.assert_succeeds(result)
-                found = json.loads((self.folder / "out" / "report.json").read_text())["input"]["findings"]
+                found = json.loads((self.folder / name / "report.json").read_text())["input"]["findings"]
                 self.assertEqual({finding["kind"]: finding["count"] for finding in found}, expected)
                 lists = ["2568 regions for 2568 tets"] if name == "p01.mesh" else []
                 self.assertEqual(len(result.stderr.splitlines()), len(found) + len(lists))

@@ -139,12 +139,12 @@ class FoldersOfFormats(FormatsTest):
         self.write("box.stl", stl_bytes(box_triangles()))
         self.solve("box.mesh", "--write", "fra,perm,frame,quaternions,features")
         (self.folder / "out" / "notes.fra").write_text("mine")
-        self.solve("box.mesh", "--write", "perm,quaternions")
+        self.solve("box.mesh", "--write", "perm,quaternions", "--force")
         self.assertEqual(self.files(), sorted([*ALWAYS, "notes.fra", *FILES["perm"], *FILES["quaternions"]]))
-        self.solve("box.mesh")
+        self.solve("box.mesh", "--force")
         self.assertEqual(self.files(), sorted([*ALWAYS, "notes.fra"]))
-        self.solve("box.mesh", "--write", "frame")
-        self.solve("box.stl", "--resolution", 8)
+        self.solve("box.mesh", "--write", "frame", "--force")
+        self.solve("box.stl", "--resolution", 8, "--force")
         self.assertEqual(self.files(), ["field.vtu", "notes.fra", "report.html", "report.json", "singularities.vtu", "surface.vtu"])
 
     def test_a_full_disk_leaves_what_was_there(self):
@@ -168,7 +168,7 @@ class FoldersOfFormats(FormatsTest):
         (self.folder / "out" / "onto.perm").mkdir(parents=True)
         result = self.run_here("solve", "none.mesh", "-o", "out", "--write", "perm")
         self.assert_fails(result, OUTPUT, "onto.perm")
-        self.assert_fails(self.run_here("solve", "none.mesh", "-o", "out"), INPUT, "none.mesh")
+        self.assert_fails(self.run_here("solve", "none.mesh", "-o", "out", "--force"), INPUT, "none.mesh")
 
 
 class WrongFormats(FormatsTest):

@@ -184,7 +184,7 @@ class TetsAsModel(OntoTest):
         self.solve("box.mesh")
         result = self.run_here("sample", "out", "-", stdin=b"1 0.5 0.75\n")
         self.assert_succeeds(result)
-        self.assertEqual(len(result.stdout.split()), 9)
+        self.assertEqual(np.loadtxt(result.stdout.splitlines()).shape, (9,))
 
     def test_starts_from_an_earlier_field(self):
         self.write_box()
@@ -335,12 +335,12 @@ class Faults(OntoTest):
     def test_no_tets(self):
         self.refuse("MeshVersionFormatted 2\nDimension 3\nVertices\n1\n0 0 0 0\nEnd\n", "no tets")
         self.refuse("MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0 0 0\n1 0 0 0\n0 1 0 0\n"
-                    "Triangles\n1\n1 2 3 0\nEnd\n", "1 triangles")
+                    "Triangles\n1\n1 2 3 0\nEnd\n", "1 triangle ")
 
     def test_elements_of_other_shapes(self):
         vertices, tets = tet_box()
         hexahedra = "Hexahedra\n1\n1 2 3 4 5 6 7 8 0\nEnd\n"
-        self.refuse(medit_text(vertices, tets).replace("End\n", hexahedra), "1 hexahedra")
+        self.refuse(medit_text(vertices, tets).replace("End\n", hexahedra), "hexahedra (1)")
 
     def test_a_file_cut_short(self):
         text = medit_text(*tet_box())
@@ -427,7 +427,7 @@ class ReplacedResults(OntoTest):
 
     def test_a_field_without_tets_takes_the_files_of_tets_away(self):
         (self.folder / "out" / "notes.txt").write_text("mine")
-        self.solve("box.stl", "--resolution", 8)
+        self.solve("box.stl", "--resolution", 8, "--force")
         self.assertEqual(self.files(), ["field.vtu", "notes.txt", "report.html", "report.json", "singularities.vtu", "surface.vtu"])
 
     def test_a_run_that_fails_takes_nothing_away(self):
@@ -441,7 +441,7 @@ class ReplacedResults(OntoTest):
                 (OUTPUT, ["box.mesh", "--resolution", "24"], {"preexec_fn": small_files_only})]
         for code, arguments, options in runs:
             with self.subTest(arguments=arguments):
-                self.assert_fails(self.run_here("solve", *arguments, "-o", "out", **options), code)
+                self.assert_fails(self.run_here("solve", *arguments, "-o", "out", "--quiet", **options), code)
                 self.assertEqual({name: (self.folder / "out" / name).read_bytes() for name in self.files()}, files)
 
 

@@ -105,7 +105,7 @@ class PartOfAField(CommandTest):
         points = "".join(f"{x} {y} {z}\n" for x, y, z in torus_triangles().mean(axis=1))
         result = self.run_here("sample", "part", "-", stdin=points.encode())
         self.assert_succeeds(result)
-        frames = np.array([[float(word) for word in line.split()] for line in result.stdout.splitlines()])
+        frames = np.loadtxt(result.stdout.splitlines())
         axes = frames.reshape(-1, 3, 3)
         np.testing.assert_allclose(axes @ axes.transpose(0, 2, 1), np.broadcast_to(np.eye(3), axes.shape), atol=1e-12)
         outside = int(result.stderr.split()[1])

@@ -195,7 +195,7 @@ class Recomputation:
         text = "\n".join(" ".join(map(repr, map(float, point))) for point in points)
         result = run("sample", self.folder, "-", stdin=text.encode())
         assert result.stderr.startswith(f"crossgrain: 0 of {len(points)} "), result.stderr
-        return np.array(result.stdout.split(), float).reshape(-1, 3, 3)
+        return np.loadtxt(result.stdout.splitlines()).reshape(-1, 3, 3)
 
     def alignment_deg(self):
         pieces = [(i, *piece) for i in self.boundary for piece in self.pieces[i]]

@@ -24,6 +24,7 @@ class Sample(CommandTest):
         result = self.sample("0.3 0.4 0.5\n1.9 0.1 1.4\n# a comment\n\n  1 0.5 0.75  # the middle\n")
         self.assert_succeeds(result)
         lines = result.stdout.splitlines()
+        self.assertEqual(lines.pop(0), "# written by Crossgrain: ux uy uz vx vy vz wx wy wz")
         self.assertEqual(len(lines), 3)
         for line in lines:
             axes = np.array([float(word) for word in line.split(" ")]).reshape(3, 3)
@@ -33,15 +34,29 @@ class Sample(CommandTest):
             np.testing.assert_allclose(np.abs(axes).max(axis=1), 1, atol=1e-5)
         self.assertEqual(result.stderr, "crossgrain: 0 of 3 points are outside the field\n")
 
+    def test_takes_points_as_arguments_with_and_without_a_minus_sign(self):
+        for words in (["-1", "0.5", "-2"], ["-.5", "-1e-3", "+2", "0.3", "0.4", "0.5"], ["-inf", "0", "0"], ["1", "2"],
+                      ["1", "2", "3", "4"], ["1", "2", "x"]):
+            with self.subTest(words=words):
+                result = self.run_here("sample", "box", *words, "-o", "frames.txt")
+                if "-inf" in words or "x" in words or len(words) % 3:
+                    self.assert_fails(result, USAGE, "try 'crossgrain sample --help'")
+                    continue
+                self.assert_succeeds(result)
+                points = np.array(words, float).reshape(-1, 3)
+                lines = [" ".join(map(repr, point)) for point in points.tolist()]
+                self.assertEqual((self.folder / "frames.txt").read_text(), self.sample("\n".join(lines) + "\n").stdout)
+
     def test_numbers_have_the_digits_that_read_back_as_the_same_bits(self):
-        for word in self.sample("0.3 0.4 0.5\n").stdout.split():
+        for word in self.sample("0.3 0.4 0.5\n").stdout.splitlines()[1].split():
             self.assertEqual(f"{float(word):.17g}", word)
 
     def test_counts_and_lists_points_outside(self):
         result = self.sample("5 0 0\n1 0.5 0.5\n0 -9 0.1\n", "--outside", "outside.txt")
         self.assert_succeeds(result)
-        self.assertEqual(len(result.stdout.splitlines()), 3)
+        self.assertEqual(len(result.stdout.splitlines()), 1 + 3)
         self.assertIn("2 of 3 points are outside", result.stderr)
+        self.assertIn("1 of 1 point is outside", self.sample("9 9 9\n").stderr)
         self.assertEqual(np.loadtxt(self.folder / "outside.txt").tolist(), [[5, 0, 0], [0, -9, 0.1]])
 
     def test_a_file_has_what_standard_output_has(self):

@@ -91,6 +91,16 @@ TEST(OutputFile, PatchesWhatHasBeenWritten) {
   EXPECT_EQ(content_of(folder.path() / "a.txt"), "offset=123 " + large + "end");
 }
 
+TEST(OutputFile, SumsUpItsBytesHoweverTheyComeIn) {
+  const TemporaryFolder folder;
+  OutputFile file(folder.path() / "a.txt");
+  EXPECT_FALSE(file.checksum());
+  file.keep_checksum();
+  file.write("foo");
+  file.write("bar");
+  EXPECT_EQ(file.checksum()->value(), 0x85944171f73967e8u) << "FNV-1a of foobar";
+}
+
 TEST(OutputFile, SaysThatTheDiskIsFullAndHowToMendIt) {
   OutputFile file("/dev/full");
   file.write("some text");

@@ -152,7 +152,7 @@ TEST_F(ConstraintsReader, NamesTheLineOfAFaultyPoint) {
   for (const char* weight : {"0", "-1", "10001", "\"1\"", "true", "null", "[1]"})
     expect_fault(with_point(at + axis + ",\n\"weight\": " + weight), "line 5", "positive number");
   expect_fault(with_point("\"at\": [[0, 0, 0]], \n\"weight\": [1, 2], " + axis), "line 4",
-               "2 numbers for 1 places");
+               "2 numbers for 1 place");
   expect_fault(with_point("\"at\": [[0, 0, 0]], \n\"weight\": [\n0], " + axis), "line 5", "positive number");
 }
 
@@ -183,7 +183,7 @@ TEST_F(ConstraintsReader, NamesTheLineOfAFaultyPolylineFaceOrStress) {
   expect_fault(with("faces", "\"face\": 1, \"axis\":\n\"tangent\""), "line 3", "\"normal\"");
   expect_fault(with("stresses", "\"at\": [0, 0, 0], \"stress\":\n[1, 2, 3]"), "line 3", "six numbers");
   expect_fault(with("stresses", "\"at\": [[0, 0, 0]], \"stress\":\n[[1, 2, 3, 4, 5, 6], [1, 2, 3, 4, 5, 6]]"),
-               "line 3", "2 tensors for 1 places");
+               "line 3", "2 tensors for 1 place");
   expect_fault(with("stresses", "\"at\": [0, 0, 0]"), "line 2", "'stress' is missing");
   expect_fault(with("stresses", "\"at\": [0, 0, 0], \"stress\": [1, 2, 3, 4, 5, 6], \"axis\":\n[1, 0, 0]"),
                "line 3", "not a key of a stress");

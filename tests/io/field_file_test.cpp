@@ -173,7 +173,7 @@ TEST(ReportFile, HasNullAndAWarningWhereANumberIsNotFinite) {
   ASSERT_EQ(written.warnings.size(), report.warnings.size() + 1);
   EXPECT_EQ(written.warnings.back().kind, WarningKind::kNotFinite);
   EXPECT_EQ(written.warnings.back().text,
-            "5 numbers of the report are not finite and are null in report.json, the first is "
+            "5 numbers of the report are not finite and null in report.json, the first is "
             "model.bounding_box.high[2]");
 
   const SolveReport read = read_field(folder.path()).report();

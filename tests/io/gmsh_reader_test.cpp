@@ -52,11 +52,11 @@ TEST(GmshReader, RefusesOtherSolidElements) {
   expect_tet_error(text(kFormat2 + kNodes2 +
                         elements_2({"1 4 2 0 1 1 2 3 4", "2 6 2 0 1 1 2 3 4 9 9", "3 7 2 0 1 1 2 3 4 9",
                                     "4 6 2 0 1 1 2 3 4 9 9"})),
-                   "15: 2 prisms and 1 pyramids, but only tets can be used; cut the solid into tets");
+                   "15: prisms (2) and pyramids (1), but only tets can be used; cut the solid into tets");
 }
 
 TEST(GmshReader, SaysWhatItMissesInASurfaceMesh) {
-  expect_tet_error(text(kFormat2 + kNodes2 + elements_2({"1 2 2 0 1 1 2 3"})), "1 triangles but no tets");
+  expect_tet_error(text(kFormat2 + kNodes2 + elements_2({"1 2 2 0 1 1 2 3"})), "1 triangle but no tets");
   expect_tet_error(text(kFormat2 + kNodes2 + elements_2({})), "no tets");
 }
 
@@ -96,12 +96,12 @@ TEST(GmshReader, RefusesWrongCounts) {
   expect_tet_error(text(kFormat2 + "$Nodes\n1\n1 0 0 0\n2 1 0 0\n$EndNodes\n"), "'2' instead of '$EndNodes'");
   expect_tet_error(
       text(kFormat4 + "$Nodes\n1 5 1 5\n3 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n"),
-      "5 nodes are announced and 4 are here");
+      "nodes: 5 announced and 4 here");
   expect_tet_error(text(kFormat4 + kNodes4 + "$Elements\n1 2 1 1\n3 6 4 1\n1 1 2 3 4\n$EndElements\n"),
-                   "2 elements are announced and 1 are here");
+                   "elements: 2 announced and 1 here");
   expect_tet_error(
       text(kFormat4 + kNodes4 + "$Elements\n1 1 1 1\n3 6 4 1000000000000\n1 1 2 3 4\n$EndElements\n"),
-      "the number of elements of an entity is 1000000000000, but only");
+      "the number of elements of an entity is 1000000000000, but the rest");
 }
 
 TEST(GmshReader, RefusesWhatIsCutShortBetweenSections) {

@@ -39,7 +39,7 @@ TEST(MeditBinaryReader, RefusesOtherSolidElements) {
   out.section(10, 9, {1, 2, 3, 4, 1, 2, 3, 4, 0});
   out.section(9, 7, {1, 2, 3, 4, 1, 2, 0, 1, 2, 3, 4, 1, 2, 0});
   expect_tet_error(binary(out),
-                   "1 hexahedra and 2 prisms, but only tets can be used; cut the solid into tets");
+                   "hexahedra (1) and prisms (2), but only tets can be used; cut the solid into tets");
 }
 
 TEST(MeditBinaryReader, NamesTheTetWithAVertexOutOfRange) {

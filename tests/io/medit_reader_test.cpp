@@ -165,12 +165,12 @@ TEST(MeditReader, RefusesRowsOfAnotherLength) {
 
 TEST(MeditReader, RefusesOtherSolidElements) {
   const std::string hexahedra = "Hexahedra\n1\n1 2 3 4 1 2 3 4 0\n";
-  expect_error(kHeader + kVertices + hexahedra + "End\n", "a.mesh: line 10: 1 hexahedra, but only tets");
-  expect_error(kHeader + kVertices + kTets + hexahedra + "End\n", "1 hexahedra");
+  expect_error(kHeader + kVertices + hexahedra + "End\n", "a.mesh: line 10: hexahedra (1), but only tets");
+  expect_error(kHeader + kVertices + kTets + hexahedra + "End\n", "hexahedra (1)");
 }
 
 TEST(MeditReader, SaysWhatItMissesInASurfaceMesh) {
-  expect_error(kHeader + kVertices + "Triangles\n1\n1 2 3 0\nEnd\n", "1 triangles but no tets");
+  expect_error(kHeader + kVertices + "Triangles\n1\n1 2 3 0\nEnd\n", "1 triangle but no tets");
   expect_error(kHeader + kVertices + "End\n", "no tets");
   expect_error(kHeader + kTets + "End\n", "the section Vertices is missing");
 }

@@ -33,9 +33,10 @@ struct Sample {
   }
 
   SolveReport write(const std::filesystem::path& folder, std::vector<std::string> formats,
-                    const Monitor& monitor = {}) const {
+                    const Monitor& monitor = {}, ForeignFiles foreign = ForeignFiles::kRefuse) const {
     OutputOptions options;
     options.formats = std::move(formats);
+    options.foreign_files = foreign;
     return write_field_onto(field_of(sample_data(Degree::kFour)), sample_report(), {solid, onto}, folder,
                             monitor, options);
   }
@@ -157,11 +158,13 @@ TEST(FormatsOfAFolder, AreThoseAskedForAndNoneOfAnotherSolve) {
   sample.write(folder.path(), every_format());
   EXPECT_EQ(folder.names().size(), 3 + tet_files().size());
   folder.write("onto.notes", "mine");
-  sample.write(folder.path(), {"perm", "fra", "perm", "vtu"});
+  sample.write(folder.path(), {"perm", "fra", "perm", "vtu"}, {}, ForeignFiles::kKeep);
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"field.vtu", "onto.fra", "onto.frames", "onto.notes",
                                                       "onto.perm", "onto.vtu", "onto_singularities.vtu",
                                                       "report.json", "singularities.vtu"}));
-  write_field(field_of(sample_data(Degree::kFour)), folder.path());
+  OutputOptions options;
+  options.foreign_files = ForeignFiles::kKeep;
+  write_field(field_of(sample_data(Degree::kFour)), folder.path(), {}, options);
   EXPECT_EQ(folder.names(),
             (std::vector<std::string>{"field.vtu", "onto.notes", "report.json", "singularities.vtu"}));
 }
@@ -171,10 +174,11 @@ TEST(FormatsOfAFolder, AppearTogetherOrNotAtAll) {
   const Sample sample({2, 2, 2});
   std::filesystem::create_directories(folder.path() / "out" / "onto.perm");
   OutputOptions options;
+  options.foreign_files = ForeignFiles::kReplace;
+  EXPECT_NO_THROW(check_onto_folder(folder.path() / "out", options));
   options.formats = {"perm"};
   EXPECT_THROW(check_onto_folder(folder.path() / "out", options), Error);
-  EXPECT_NO_THROW(check_onto_folder(folder.path() / "out"));
-  EXPECT_THROW(sample.write(folder.path() / "out", {"fra", "perm"}), Error);
+  EXPECT_THROW(sample.write(folder.path() / "out", {"fra", "perm"}, {}, ForeignFiles::kReplace), Error);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "out" / "onto.fra"));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "out" / "field.vtu"));
 }

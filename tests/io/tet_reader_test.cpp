@@ -140,7 +140,7 @@ TEST(SharedModels, TetMeshesHaveTheCountsOfTheManifest) {
 TEST(SharedModels, HexahedraOfGmshAreRefused) {
   const auto path = shared_models() / "bad" / "cube-hex.msh";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
-  expect_tet_error({"", ".msh", content_of(path)}, "17: 1 hexahedra, but only tets can be used");
+  expect_tet_error({"", ".msh", content_of(path)}, "17: hexahedra (1), but only tets can be used");
 }
 
 TEST(SharedModels, FeaturesOfAVtkFileOfHexMeAreRead) {

@@ -68,7 +68,7 @@ TEST(VtkReader, TakesTheCornersOfCurvedTetsAndWarns) {
 TEST(VtkReader, RefusesOtherSolidElements) {
   expect_tet_error(
       text(kHeader + kPoints + "CELLS 2 14\n4 0 1 2 3\n8 0 1 2 3 0 1 2 3\nCELL_TYPES 2\n10\n12\n"),
-      "10: 1 hexahedra, but only tets can be used; cut the solid into tets");
+      "10: hexahedra (1), but only tets can be used; cut the solid into tets");
 }
 
 TEST(VtkReader, RefusesCellsOfAnotherSizeOrUnknownType) {
@@ -120,7 +120,7 @@ TEST(VtkReader, RefusesOtherDataSetsAndFiles) {
 
 TEST(VtkReader, SaysWhatItMissesInASurfaceMesh) {
   expect_tet_error(text(kHeader + kPoints + "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n"),
-                   "1 triangles but no tets");
+                   "1 triangle but no tets");
 }
 
 }  // namespace

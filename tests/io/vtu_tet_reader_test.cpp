@@ -34,8 +34,8 @@ TEST(VtuTetReader, TakesTheCornersOfCurvedTetsAndWarns) {
 }
 
 TEST(VtuTetReader, RefusesGridsWithoutTets) {
-  expect_tet_error(one_cell(12, {0, 1, 2, 3, 4, 5, 6, 7}), "1 hexahedra, but only tets can be used");
-  expect_tet_error(one_cell(5, {0, 1, 2}), "1 triangles but no tets");
+  expect_tet_error(one_cell(12, {0, 1, 2, 3, 4, 5, 6, 7}), "hexahedra (1), but only tets can be used");
+  expect_tet_error(one_cell(5, {0, 1, 2}), "1 triangle but no tets");
   expect_tet_error(one_cell(7, {0, 1, 2, 3, 4}), "no tets");
 }
 
@@ -53,7 +53,7 @@ TEST(VtuTetReader, RefusesWrongCounts) {
     EXPECT_NE(error_of_reading_tets(replaced(raw, "NumberOfPoints=\"12\"", stated)), "") << count;
   }
   expect_tet_error(replaced(raw, "NumberOfCells=\"1\"", "NumberOfCells=\"2\""),
-                   "array 'offsets' has 1 numbers instead of 2");
+                   "array 'offsets' has 1 number instead of 2");
   expect_tet_error(one_cell(10, {0, 1, 2}), "a cell of type 10 (tets) has 3 points");
 }
 

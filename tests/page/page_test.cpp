@@ -58,6 +58,7 @@ TEST(Page, OfAFieldInMemoryStandsAlone) {
   const TemporaryFolder folder;
   const FrameField field = solved(false);
   write_page(field, folder.path() / "field.html");
+  EXPECT_TRUE(is_own_file(folder.path() / "field.html"));
   EXPECT_EQ(folder.names(), std::vector<std::string>{"field.html"});
   std::string expected;
   page_of(field).prepare({})(field.report(), [&](std::string_view bytes) { expected += bytes; });

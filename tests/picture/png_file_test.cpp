@@ -2,6 +2,7 @@
 #include "picture/png_file.hpp"
 
 #include "crossgrain/error.hpp"
+#include "files/file_mark.hpp"
 #include "files/temporary_folder.hpp"
 #include "picture/read_png.hpp"
 
@@ -45,6 +46,17 @@ TEST(PngFile, KeepsTheColourOfWhatIsTransparentInPart) {
   EXPECT_TRUE(read.has_opacity);
   EXPECT_EQ(read.at(60, 40), (std::array{60, 40, 60 * 40 % 256, 128}));
   EXPECT_EQ(read.at(3, 4), (std::array{0, 0, 0, 0}));
+}
+
+TEST(PngFile, HasTheMarkOfTheProgramOnRequest) {
+  const TemporaryFolder folder;
+  write(folder.path() / "a.png", many_colours(70, 50, 1));
+  EXPECT_FALSE(has_mark(folder.path() / "a.png"));
+  OutputFile file(folder.path() / "b.png");
+  write_png(file, many_colours(70, 50, 1), {}, PngMark::kProgram);
+  file.commit();
+  EXPECT_TRUE(has_mark(folder.path() / "b.png"));
+  EXPECT_TRUE(read_png(folder.path() / "a.png").bytes == read_png(folder.path() / "b.png").bytes);
 }
 
 TEST(PngFile, EndsWhereItIsCancelled) {

@@ -312,7 +312,7 @@ TEST(ConstrainedSolve, CountsWhatIsOutsideAndWarnsOnce) {
   EXPECT_NEAR(report.polylines.outside_length, 2.5, 0.1);
   const Warning expected(
       WarningKind::kConstraintsOutside,
-      "constraints outside the solid: 1 of 3 points, 1 of 1 stresses, 2 of 3 polylines (in part), the first "
+      "constraints outside the solid: 1 of 3 points, 1 of 1 stress, 2 of 3 polylines (in part), the first "
       "at 0 0 7; they have no effect");
   EXPECT_EQ(std::count(field.report().warnings.begin(), field.report().warnings.end(), expected), 1);
 }

@@ -11,7 +11,7 @@ import { SettingsStore, type CutAxis, type Settings } from "./settings.ts";
 import { Stage } from "./view/stage.ts";
 import { kViewNames, type ViewName } from "./view/camera_rig.ts";
 import { answer_blocks, answer_of, place_of } from "./ui/answer.ts";
-import { by_id, counted, measured } from "./ui/dom.ts";
+import { by_id, counted, measured, plural } from "./ui/dom.ts";
 import { describe_cell, show_cell, show_no_cell, type CellPanel } from "./ui/cell_panel.ts";
 import { make_controls } from "./ui/controls.ts";
 import { Keyboard } from "./ui/keyboard.ts";
@@ -196,8 +196,8 @@ export class Application {
     const parts: string[] = [];
     if (report.onto) parts.push("The view shows the field on the grid; the answer is about the field on the tets.");
     if (cells.merged_to !== null) {
-      parts.push(`Cells smaller than ${measured(cells.merged_to)}${unit ? ` ${unit}` : ""} are shown merged: ${counted(cells.shown)} of ${counted(cells.total)} cells.`);
-    } else if (cells.shown < cells.total) parts.push(`${counted(cells.shown)} of ${counted(cells.total)} cells are shown.`);
+      parts.push(`Cells smaller than ${measured(cells.merged_to)}${unit ? ` ${unit}` : ""} are shown merged: ${counted(cells.shown)} of ${plural(cells.total, "cell")}.`);
+    } else if (cells.shown < cells.total) parts.push(`Cells shown: ${counted(cells.shown)} of ${counted(cells.total)}.`);
     if (surface.triangles_shown < surface.triangles_total) parts.push(`The surface is shown with ${counted(surface.triangles_shown)} of ${counted(surface.triangles_total)} triangles.`);
     return parts.join(" ");
   }

@@ -16,6 +16,7 @@
 #include "harmonics/frame.hpp"
 #include "io/json/json_file.hpp"
 #include "io/result/field_arrays.hpp"
+#include "io/result/foreign_files.hpp"
 #include "io/result/leaf_corners.hpp"
 #include "io/result/output_cells.hpp"
 #include "io/result/report_file.hpp"
@@ -178,14 +179,16 @@ bool is_companion(const std::string& name, const OutputOptions& options) {
 }  // namespace
 
 void check_field_folder(const std::filesystem::path& folder, const OutputOptions& options) {
+  check_foreign_files(folder, options);
   check_writable(folder, result_files(options));
 }
 
 SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                             const Monitor& monitor, const OutputOptions& options,
-                            const std::function<void(OutputFolder&)>& add_files) {
+                            const std::function<void(OutputFolder&, SolveReport&)>& add_files) {
   check_output_options(options);
   check_formats(options.formats);
+  check_foreign_files(folder, options);
   Stopwatch stopwatch;
   stopwatch.start();
   OutputFolder output(folder);
@@ -195,8 +198,12 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
     write_surface(output.create(kSurfaceFile), *surface, monitor);
   else
     output.remove_at_commit(kSurfaceFile);
-  add_files(output);
-  for (const char* name : {kStreamlinesFile, kPageFile})
+  report.unmarked_files.clear();
+  add_files(output, report);
+  list_companions(options, report);
+  std::vector<std::string> earlier = companions_in(folder);
+  earlier.insert(earlier.end(), {kStreamlinesFile, kPageFile});
+  for (const std::string& name : earlier)
     if (!is_companion(name, options)) output.remove_at_commit(name);
   std::vector<CompanionFile::Writer> companions;
   for (const CompanionFile& companion : options.companions) companions.push_back(companion.prepare(monitor));
@@ -222,9 +229,10 @@ SolveReport write_field(const FrameField& field, SolveReport report, const std::
   // The report of a field read from a folder may contain results on tets, and files of an earlier field on
   // tets would seem to belong to this one.
   report.onto.reset();
-  return write_field_and(field, std::move(report), folder, monitor, options, [](OutputFolder& output) {
-    for (const TetFile& file : tet_files()) output.remove_at_commit(file.name);
-  });
+  return write_field_and(field, std::move(report), folder, monitor, options,
+                         [](OutputFolder& output, SolveReport&) {
+                           for (const TetFile& file : tet_files()) output.remove_at_commit(file.name);
+                         });
 }
 
 SolveReport write_field(const FrameField& field, const std::filesystem::path& folder, const Monitor& monitor,

@@ -14,10 +14,10 @@
 namespace crossgrain {
 
 /// Like `write_field` (crossgrain/io.hpp), with additional files that appear together with field.vtu and
-/// report.json or not at all. add_files creates and writes them; its time counts as seconds.write of the
-/// report.
+/// report.json or not at all. add_files creates and writes them, and lists those without a mark in the
+/// report; its time counts as seconds.write.
 SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                             const Monitor& monitor, const OutputOptions& options,
-                            const std::function<void(OutputFolder&)>& add_files);
+                            const std::function<void(OutputFolder&, SolveReport&)>& add_files);
 
 }  // namespace crossgrain

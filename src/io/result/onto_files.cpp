@@ -9,6 +9,7 @@
 
 #include "crossgrain/io.hpp"
 #include "io/result/field_file.hpp"
+#include "io/result/foreign_files.hpp"
 #include "io/result/tet_files.hpp"
 #include "solve/tet_domain_data.hpp"
 
@@ -29,6 +30,15 @@ void warn_of_left_out_tets(const TetSolid& solid, const OutputOptions& options, 
       Remedy::kUseWrittenMesh);
 }
 
+void write_tet_file(const TetFile& tet_file, const TetOutput& output, OutputFolder& files,
+                    SolveReport& report, const Monitor& monitor) {
+  OutputFile& file = files.create(tet_file.name);
+  const bool has_mark = std::string_view(tet_file.name).ends_with(".vtu");
+  if (!has_mark) file.keep_checksum();
+  tet_file.write(file, output, monitor);
+  if (!has_mark) list_unmarked(tet_file.name, file, report);
+}
+
 }  // namespace
 
 SolveReport write_field_onto(const FrameField& field, SolveReport report, const TetOutput& output,
@@ -37,14 +47,15 @@ SolveReport write_field_onto(const FrameField& field, SolveReport report, const 
   assert(output.field.vertex_frames.size() == output.solid.mesh.vertices.size() &&
          output.field.tet_frames.size() == output.solid.mesh.tets.size());
   warn_of_left_out_tets(output.solid, options, report);
-  return write_field_and(field, std::move(report), folder, monitor, options, [&](OutputFolder& files) {
-    for (const TetFile& file : tet_files()) {
-      if (is_asked_for(file, options.formats))
-        file.write(files.create(file.name), output, monitor);
-      else
-        files.remove_at_commit(file.name);
-    }
-  });
+  return write_field_and(field, std::move(report), folder, monitor, options,
+                         [&](OutputFolder& files, SolveReport& written) {
+                           for (const TetFile& file : tet_files()) {
+                             if (is_asked_for(file, options.formats))
+                               write_tet_file(file, output, files, written, monitor);
+                             else
+                               files.remove_at_commit(file.name);
+                           }
+                         });
 }
 
 SolveReport write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
@@ -60,6 +71,7 @@ SolveReport write_field(const TetFrameField& field, const std::filesystem::path&
 
 void check_onto_folder(const std::filesystem::path& folder, const OutputOptions& options) {
   check_formats(options.formats);
+  check_foreign_files(folder, options);
   check_writable(folder, result_files(options, /*on_tets=*/true));
 }
 

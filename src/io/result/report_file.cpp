@@ -13,11 +13,15 @@
 #include "io/json/json_file.hpp"
 #include "io/result/json_members.hpp"
 #include "io/result/report_members.hpp"
+#include "io/result/result_files.hpp"
 
 namespace crossgrain {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// With its key it is kJsonMark.
+constexpr const char* kProgram = "Crossgrain";
 
 }  // namespace
 
@@ -28,6 +32,7 @@ std::string report_json(const SolveReport& report) {
 Json json_of(const SolveReport& report) {
   Json json;
   json["schema"] = kReportSchema;
+  json["program"] = kProgram;
   JsonWriter writer(json);
   describe_results(writer, report);
   json["version"] = kVersion;
@@ -40,8 +45,8 @@ void warn_of_numbers_not_finite(SolveReport& report) {
   if (places.empty()) return;
   report.warnings.emplace_back(
       WarningKind::kNotFinite,
-      fmt::format("{} numbers of the report are not finite and are null in report.json, the first is {}",
-                  places.size(), places.front()),
+      fmt::format("{} of the report {} not finite and null in report.json, the first is {}",
+                  counted(places.size(), "number"), is_or_are(places.size()), places.front()),
       Remedy::kReportModel);
 }
 
@@ -54,6 +59,31 @@ std::string check_json(const SolveReport& report) {
   writer.optional_object("coarser", report.coarser,
                          [](auto& inner, auto& coarser) { describe_coarser(inner, coarser); });
   return json_text(json);
+}
+
+std::vector<SolveReport::UnmarkedFile> unmarked_files_of(const std::filesystem::path& path) {
+  SolveReport report;
+  try {
+    const InputFile file(path);
+    const Json json = Json::parse(file.bytes(), nullptr, false);
+    JsonReader reader(json, file);
+    describe_unmarked_files(reader, report);
+  } catch (const Error&) {
+    report.unmarked_files.clear();
+  }
+  return report.unmarked_files;
+}
+
+std::optional<std::string> model_of_result(const std::filesystem::path& folder) {
+  try {
+    const InputFile file(folder / kReportFile);
+    const Json json = Json::parse(file.bytes(), nullptr, false);
+    SolveReport report;
+    JsonReader(json, file).object("model", [&](auto& model) { model.member("path", report.model.path); });
+    return report.model.path;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
 }
 
 SolveReport read_report(const std::filesystem::path& path) {

@@ -318,6 +318,15 @@ void describe_answer(File& file, Answer& answer) {
 }
 
 template <class File, class Report>
+void describe_unmarked_files(File& file, Report& report) {
+  file.optional_list("unmarked_files", report.unmarked_files, [](auto& inner, auto& unmarked) {
+    inner.member("name", unmarked.name);
+    inner.member("bytes", unmarked.bytes);
+    inner.member("checksum", unmarked.checksum);
+  });
+}
+
+template <class File, class Report>
 void describe_doubts(File& file, Report& report) {
   file.object("input", [&](auto& input) {
     input.member("triangles_solved", report.input.triangles_solved);
@@ -348,6 +357,7 @@ void describe_doubts(File& file, Report& report) {
   file.optional_object("unfinished", report.unfinished,
                        [](auto& inner, auto& unfinished) { describe_unfinished(inner, unfinished); });
   file.optional_object("onto", report.onto, [](auto& inner, auto& onto) { describe_onto(inner, onto); });
+  describe_unmarked_files(file, report);
   file.list("warnings", report.warnings,
             [](auto& inner, auto& warning) { describe_warning(inner, warning); });
 }

@@ -59,8 +59,9 @@ class OffReader {
     // One more, since the last line may lack its end.
     if (static_cast<std::uint64_t>(count) > scanner_.bytes_left() / bytes_each + 1)
       scanner_.fail(
-          fmt::format("the header gives {} as {}, but only {} bytes follow: cut short, or a damaged header",
-                      what, count, scanner_.bytes_left()),
+          fmt::format(
+              "the header gives {} as {}, but the rest of the file has {}: cut short, or a damaged header",
+              what, count, counted(scanner_.bytes_left(), "byte")),
           Remedy::kCopyAgain);
     return static_cast<std::size_t>(count);
   }

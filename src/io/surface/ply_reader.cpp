@@ -63,11 +63,12 @@ class PlyBodyReader {
     if (row_bytes == 0) return;
     // One more, since the last line of text may lack its end.
     if (element.count > values_.bytes_left() / row_bytes + 1)
-      fail_input(file_, {},
-                 fmt::format("the header announces {} of element {}, but only {} bytes follow: cut short, or "
-                             "a damaged header",
-                             element.count, in_quotes(element.name), values_.bytes_left()),
-                 Remedy::kCopyAgain);
+      fail_input(
+          file_, {},
+          fmt::format("the header announces {} of element {}, but the rest of the file has {}: cut short, "
+                      "or a damaged header",
+                      element.count, in_quotes(element.name), counted(values_.bytes_left(), "byte")),
+          Remedy::kCopyAgain);
   }
 
   void skip_property(const PlyProperty& property) {

@@ -117,18 +117,18 @@ void check_finite(const InputFile& file, const BinaryTriangles& triangles) {
 TriangleMesh read_binary(const InputFile& file) {
   const std::string_view bytes = file.bytes();
   if (bytes.size() < kHeaderBytes)
-    fail_input(
-        file, {},
-        fmt::format("is not an STL file: it does not begin with 'solid', and its {} bytes are too few for "
-                    "the binary form",
-                    bytes.size()),
-        Remedy::kExportAgain);
+    fail_input(file, {},
+               fmt::format(
+                   "is not an STL file: it does not begin with 'solid', and is too short for the binary form "
+                   "({})",
+                   counted(bytes.size(), "byte")),
+               Remedy::kExportAgain);
   const std::uint64_t announced = announced_triangles(bytes);
   const std::uint64_t present = (bytes.size() - kHeaderBytes) / kTriangleBytes;
   if (announced > present)
     fail_input(file, {},
-               fmt::format("the header announces {} triangles but only {} follow: cut short, or no STL file",
-                           announced, present),
+               fmt::format("the header announces {}, of which the file has {}: cut short, or no STL file",
+                           counted(announced, "triangle"), present),
                Remedy::kCopyAgain);
   if (announced == 0 && present > 0)
     fail_input(
@@ -195,7 +195,8 @@ class AsciiStlReader {
   }
 
   void take_end_of_facet() {
-    if (!in_facet_ || corners_ != 3) scanner_.fail(fmt::format("a facet of {} corners, not 3", corners_));
+    if (!in_facet_ || corners_ != 3)
+      scanner_.fail(fmt::format("a facet of {}, not 3", counted(corners_, "corner")));
     const auto end = static_cast<std::int64_t>(builder_.vertex_count());
     builder_.add_polygon(std::array{end - 3, end - 2, end - 1}, scanner_.place());
     in_facet_ = false;

@@ -79,7 +79,7 @@ void GmshMesh::read_nodes_4(NumberStream& in) {
     }
   }
   if (builder_.vertex_count() != nodes)
-    in.fail(fmt::format("{} nodes are announced and {} are here", nodes, builder_.vertex_count()));
+    in.fail(fmt::format("nodes: {} announced and {} here", nodes, builder_.vertex_count()));
   finish_nodes(in);
 }
 
@@ -134,8 +134,7 @@ void GmshMesh::read_elements_4(NumberStream& in) {
       read_element_nodes(in, size_type_, type, tag);
     }
   }
-  if (elements_ != elements)
-    in.fail(fmt::format("{} elements are announced and {} are here", elements, elements_));
+  if (elements_ != elements) in.fail(fmt::format("elements: {} announced and {} here", elements, elements_));
 }
 
 /// Physical group and entity come first; partitions and others follow.
@@ -172,7 +171,7 @@ void GmshMesh::read_elements_2_binary(NumberStream& in, std::uint64_t elements) 
     const std::uint64_t rows = count(in, kInt, 1 + std::uint64_t{type.nodes}, kInt, "the number of elements");
     const std::uint64_t tags = count(in, kInt, 1, kInt, "the number of tags");
     if (rows == 0 || rows > elements - elements_)
-      in.fail(fmt::format("{} elements, but {} are expected", rows, elements - elements_));
+      in.fail(fmt::format("elements: {} here and {} expected", rows, elements - elements_));
     if (type.shape == CellShape::kTet) builder_.reserve_tets(rows);
     for (std::uint64_t i = 0; i < rows; ++i) {
       in.skip(kInt, 1);  // number of the element

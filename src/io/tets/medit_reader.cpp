@@ -56,9 +56,8 @@ class MeditReader {
       read_section(*section);
       const std::string_view next = scanner_.word_anywhere();
       if (!next.empty() && !begins_like_a_keyword(next))
-        scanner_.fail(
-            fmt::format("{} instead of a keyword after the last row of {}, whose rows have {} numbers each",
-                        in_quotes(next), section->keyword, section->columns));
+        scanner_.fail(fmt::format("{} instead of a keyword after the last row of {}, whose rows have {} each",
+                                  in_quotes(next), section->keyword, counted(section->columns, "number")));
       return next;
     }
     std::string_view word = scanner_.word_anywhere();

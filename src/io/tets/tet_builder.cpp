@@ -104,7 +104,7 @@ void TetBuilder::fail_other_solids() const {
   std::string list;
   for (std::size_t i = 0; i < other_solids_.size(); ++i) {
     const char* const between = i == 0 ? "" : i + 1 < other_solids_.size() ? ", " : " and ";
-    list += fmt::format("{}{} {}", between, other_solids_[i].second, other_solids_[i].first->plural);
+    list += fmt::format("{}{} ({})", between, other_solids_[i].first->plural, other_solids_[i].second);
   }
   fail_input(*file_, first_other_solid_, list + ", but only tets can be used", Remedy::kCutIntoTets);
 }
@@ -113,8 +113,8 @@ TetMesh TetBuilder::finish(const Place& end) {
   if (!other_solids_.empty()) fail_other_solids();
   if (mesh_.tets.empty() && !mesh_.feature_faces.empty())
     fail_input(*file_, end,
-               fmt::format("{} triangles but no tets (for surfaces use STL, OBJ, PLY or OFF)",
-                           mesh_.feature_faces.size()),
+               fmt::format("{} but no tets (for surfaces use STL, OBJ, PLY or OFF)",
+                           counted(mesh_.feature_faces.size(), "triangle")),
                Remedy::kCutIntoTets);
   if (mesh_.tets.empty()) fail_input(*file_, end, "the file has no tets", Remedy::kExportAgain);
   if (curved_tets_ > 0)

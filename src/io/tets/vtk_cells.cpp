@@ -103,7 +103,8 @@ void check_size(const VtkNumbers& points, const CellType& type, std::int64_t siz
   const auto given = static_cast<std::uint64_t>(size);
   const bool fits = type.nodes > 0 ? given == type.nodes : given >= corners_of(type.shape);
   if (size < 0 || !fits || given > points.stream.most_left(points.type))
-    points.stream.fail(fmt::format("a cell of type {} ({}) has {} points", type.code, type.plural, size));
+    points.stream.fail(fmt::format("a cell of type {} ({}) has {} {}", type.code, type.plural, size,
+                                   size == 1 ? "point" : "points"));
 }
 
 }  // namespace

@@ -146,8 +146,8 @@ class VtkReader {
     NumberStream stream =
         is_binary_ ? NumberStream(*file_, scanner_.position(), kSwapped) : NumberStream(scanner_);
     if (count > stream.most_left(type))
-      fail(fmt::format("{} should have {} numbers, but only {} bytes follow: cut short, or damaged", what,
-                       count, scanner_.bytes_left()),
+      fail(fmt::format("{} should have {}, but the rest of the file has {}: cut short, or damaged", what,
+                       counted(count, "number"), counted(scanner_.bytes_left(), "byte")),
            Remedy::kCopyAgain);
     const VtkNumbers begin{stream, type};
     stream.skip(type, count);
@@ -158,7 +158,8 @@ class VtkReader {
   /// Reads `rows` of `components` numbers; their product may exceed 64 bits.
   VtkNumbers take_rows(NumberType type, std::uint64_t rows, std::uint64_t components, const char* what) {
     if (components > 0 && rows > file_->bytes().size() / components)
-      fail(fmt::format("{} rows of {} numbers are more than the file can hold", rows, components),
+      fail(fmt::format("{} of {} are more than the file can hold", counted(rows, "row"),
+                       counted(components, "number")),
            Remedy::kCopyAgain);
     return take_numbers(type, rows * components, what);
   }
@@ -279,7 +280,8 @@ class VtkReader {
     if (!in_cell_data_ || !may_be_tags) return true;
     const auto rank = vtk_tag_rank(name, *type, components);
     if (!rank || (tags_ && *rank >= tag_rank_)) return true;
-    if (rows_ != cell_count_) fail(fmt::format("{} rows of cell data for {} cells", rows_, cell_count_));
+    if (rows_ != cell_count_)
+      fail(fmt::format("{} of cell data for {}", counted(rows_, "row"), counted(cell_count_, "cell")));
     tags_ = numbers;
     tag_rank_ = *rank;
     return true;

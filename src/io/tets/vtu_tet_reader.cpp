@@ -78,8 +78,8 @@ class VtuTetReader {
       const VtkNumbers numbers{NumberStream(scanner), array.type};
       if (count && *count > numbers.stream.most_left(array.type))
         fail(array.begin,
-             fmt::format("array {} should have {} numbers, but only {} bytes are here: cut short, or damaged",
-                         in_quotes(array.name), *count, array.end - array.begin),
+             fmt::format("array {} should have {} in its {}: cut short, or damaged", in_quotes(array.name),
+                         counted(*count, "number"), counted(array.end - array.begin, "byte")),
              Remedy::kCopyAgain);
       return numbers;
     }
@@ -89,8 +89,8 @@ class VtuTetReader {
                  Remedy::kCopyAgain);
     if (bytes->size() % size_of(array.type) != 0 || (count && *count != bytes->size() / size_of(array.type)))
       fail_input(*file_, {},
-                 fmt::format("array {} has {} numbers instead of {}", in_quotes(array.name),
-                             bytes->size() / size_of(array.type), count.value_or(0)));
+                 fmt::format("array {} has {} instead of {}", in_quotes(array.name),
+                             counted(bytes->size() / size_of(array.type), "number"), count.value_or(0)));
     unpacked_.push_back(std::make_unique<std::string>(std::move(*bytes)));
     return {NumberStream(*file_, array.name, *unpacked_.back(), header_.package.is_swapped), array.type};
   }
@@ -107,7 +107,7 @@ class VtuTetReader {
   void add_points() {
     const DataArray& array = require(VtuSection::kPoints, "");
     if (array.components != 3)
-      fail(array.begin, fmt::format("points of {} coordinates, not 3", array.components));
+      fail(array.begin, fmt::format("points of {}, not 3", counted(array.components, "coordinate")));
     if (header_.points > file_->bytes().size() * kMostNumbersAByte / 3)
       fail(array.begin, fmt::format("{} points are more than the file can hold", header_.points),
            Remedy::kCopyAgain);

@@ -69,7 +69,8 @@ void NumberStream::skip(NumberType type, std::uint64_t count) {
     return;
   }
   if (count > most_left(type))
-    fail(fmt::format("{} numbers should follow, but there are only {} bytes", count, bytes_left()),
+    fail(fmt::format("{} should follow, but there {} only {}", counted(count, "number"),
+                     is_or_are(bytes_left()), counted(bytes_left(), "byte")),
          Remedy::kCopyAgain);
   position_ += count * size_of(type);
 }
@@ -83,7 +84,8 @@ std::uint64_t NumberStream::checked_count(std::int64_t count, std::uint64_t leas
                                           const std::string& what) const {
   if (count < 0) fail(fmt::format("{} is {}", what, count));
   if (static_cast<std::uint64_t>(count) > most_left(type) / least) {
-    fail(fmt::format("{} is {}, but only {} bytes follow: cut short, or damaged", what, count, bytes_left()),
+    fail(fmt::format("{} is {}, but the rest of the file has {}: cut short, or damaged", what, count,
+                     counted(bytes_left(), "byte")),
          Remedy::kCopyAgain);
   }
   return static_cast<std::uint64_t>(count);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/parallel.hpp"
+#include "files/file_mark.hpp"
 
 namespace crossgrain {
 namespace {
@@ -60,8 +61,10 @@ class VtuWriter {
 
  private:
   void write_header(std::size_t points, std::size_t cells) {
+    file_.write("<?xml version=\"1.0\"?>\n");
+    file_.write(kXmlMark);
     file_.write(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+        "\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
         "byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
         "  <UnstructuredGrid>\n");
     write_section(VtuSection::kFieldData);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output_places.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
+
+namespace crossgrain::app {
+namespace {
+
+bool are_same(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code unknown;
+  return std::filesystem::weakly_canonical(a, unknown) == std::filesystem::weakly_canonical(b, unknown);
+}
+
+}  // namespace
+
+void check_output_folder(const SolveArguments& arguments) {
+  if (arguments.onto.empty() && !is_tet_file(arguments.model))
+    check_field_folder(arguments.output, arguments.output_options);
+  else
+    check_onto_folder(arguments.output, arguments.output_options);
+  // part.step and part.mesh have the same folder by default.
+  const bool is_allowed = arguments.output_options.foreign_files == ForeignFiles::kReplace;
+  if (arguments.is_output_named || is_allowed) return;
+  if (const std::optional<std::string> model = replaced_model(arguments))
+    throw Error(ErrorKind::kOutput,
+                {arguments.output, "", "holds the field of " + *model, Remedy::kChooseFolder});
+}
+
+std::optional<std::string> replaced_model(const SolveArguments& arguments) {
+  std::optional<std::string> model = model_of_result(arguments.output);
+  if (model && (model->empty() || are_same(*model, arguments.model))) model.reset();
+  return model;
+}
+
+void check_output_file(const std::string& path) {
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown) || is_own_file(path)) return;
+  throw Error(ErrorKind::kOutput,
+              {path, "", "is there, and Crossgrain did not write it", Remedy::kClearPlace});
+}
+
+}  // namespace crossgrain::app

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether results may go where they would, before they are computed.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "arguments.hpp"
+
+namespace crossgrain::app {
+
+/// Throws Error(kOutput) if the result cannot be written to the folder, if the folder holds a file that
+/// Crossgrain did not write, or if nobody named it and it holds the field of another model.
+void check_output_folder(const SolveArguments& arguments);
+
+/// Returns the other model whose field in the folder the result will replace, if there is one.
+std::optional<std::string> replaced_model(const SolveArguments& arguments);
+
+/// Throws Error(kOutput) if a file exists and Crossgrain did not write it. For outputs that the user has not
+/// named.
+void check_output_file(const std::string& path);
+
+}  // namespace crossgrain::app
