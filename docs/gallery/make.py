@@ -41,20 +41,12 @@ if no hexahedral mesh can have them. [pictures.md](pictures.md) and [report.md](
 
 TAIL = "`docs/gallery/make.py PROGRAM MODELS` makes this page.\n"
 
-COLUMNS = ["model", "cells", "energy", "alignment, mean and 95 %", "lines, nodes, ends", "meshable", "seconds"]
+COLUMNS = ["model", "cells", "energy", "alignment, mean and 95 %", "lines, nodes, ends", "hexahedra", "seconds"]
 
 
 def sources(models):
     with (models / "MANIFEST.tsv").open(encoding="utf-8", newline="") as lines:
         return {row["file"]: row for row in csv.DictReader(lines, delimiter="\t")}
-
-
-def verdict(singularity):
-    if singularity["meshable"]:
-        return "yes"
-    faults = singularity["not_meshable_arcs"], singularity["not_meshable_nodes"]
-    words = [f"{count} {name}{'s' if count > 1 else ''}" for count, name in zip(faults, ("line", "node")) if count]
-    return "no: " + " and ".join(words)
 
 
 def make(program, models, file, arguments, folder):
@@ -71,7 +63,7 @@ def row(file, report):
     singularity, alignment = report["singularity"], report["alignment_deg"]
     return [f"[{file}](#{anchor(file)})", f"{report['levels'][-1]['active_cells']:,}", f"{report['energy']['total']:.4g}",
             f"{alignment['mean']:.2f}°, {alignment['p95']:.2f}°",
-            f"{singularity['arcs']}, {singularity['nodes']}, {singularity['boundary_ends']}", verdict(singularity),
+            f"{singularity['arcs']}, {singularity['nodes']}, {singularity['boundary_ends']}", report["verdict"].replace("_", " "),
             f"{report['seconds']['total']:.1f}"]
 
 

@@ -72,7 +72,7 @@ void add_grid_surface(const SolvedSurface& solved, const Sampler& sampler, doubl
   const SolidSurface surface{solved.vertices, solved.triangles};
   add_surface(
       surface, solid_creases(surface, options.sharp_deg, options.bend_deg),
-      CreaseSampler(surface, sampler, cell_size), [&](std::uint32_t) { return cell_size; }, graph, options,
+      CreaseSampler(surface, sampler, cell_size), {[&](std::uint32_t) { return cell_size; }, false}, graph, options,
       summary);
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "singularity/matching.hpp"
@@ -49,9 +51,9 @@ struct JudgedCrease {
 
 class SurfaceJudge {
  public:
-  SurfaceJudge(const SolidSurface& surface, const SolidCreases& creases, const SizeAt& size_at,
+  SurfaceJudge(const SolidSurface& surface, const SolidCreases& creases, const SurfaceCells& cells,
                const SingularityGraph& graph, const SingularityOptions& options)
-      : surface_(surface), creases_(creases), size_at_(size_at), graph_(graph), options_(options) {}
+      : surface_(surface), creases_(creases), cells_(cells), graph_(graph), options_(options) {}
 
   void judge(const VotesAlong& votes_along, Summary& summary) {
     judged_.resize(creases_.creases.size());
@@ -74,7 +76,7 @@ class SurfaceJudge {
     double all = 0;
     for (const CreaseVote& vote : votes) all += vote.length;
     result.followed = all > 0 ? length_of(votes, result.hexahedra) / all : 0;
-    result.is_resolved = crease.length > options_.merge_cells * size_at_(crease.edges.front().ends[0]);
+    result.is_resolved = crease.length > options_.merge_cells * cells_.size_at(crease.edges.front().ends[0]);
     return result;
   }
 
@@ -85,7 +87,7 @@ class SurfaceJudge {
     double knife = 0;
     for (const SolidCrease::Edge& edge : crease.edges)
       if (edge.angle_deg < 45 - options_.rounding_deg) knife += edge.length;
-    const bool is_knife = knife >= size_at_(crease.edges[crease.sharpest].ends[0]);
+    const bool is_knife = knife >= cells_.size_at(crease.edges[crease.sharpest].ends[0]);
     return is_knife ? Verdict::kNotMeshable : Verdict::kUndecided;
   }
 
@@ -101,12 +103,15 @@ class SurfaceJudge {
   }
 
   bool has_other_than_flat(const SolidCorner& corner) const {
-    const bool is_short_end = corner.creases.size() == 1 && !judged_[corner.creases[0]].is_resolved;
-    return !is_short_end && std::any_of(corner.creases.begin(), corner.creases.end(),
-                                        [&](std::uint32_t c) { return !judged_[c].is_flat(); });
+    const auto is_resolved = [&](std::uint32_t c) { return judged_[c].is_resolved; };
+    const auto& creases = corner.creases;
+    const bool is_seen = std::any_of(creases.begin(), creases.end(), is_resolved);
+    if (!is_seen && (creases.size() == 1 || !cells_.see_all)) return false;
+    return std::any_of(creases.begin(), creases.end(),
+                       [&](std::uint32_t c) { return !judged_[c].is_flat(); });
   }
 
-  Summary::Corner described(const SolidCorner& corner) const {
+  Summary::Corner described(const SolidCorner& corner) {
     Summary::Corner result;
     result.place = surface_.vertices[corner.vertex];
     std::vector<int> own;
@@ -124,7 +129,7 @@ class SurfaceJudge {
   /// Valences of the arcs that end near a vertex, nearest first.
   std::vector<int> valences_near(std::uint32_t vertex) const {
     // On a grid lines end up to a cell short of the surface.
-    const double reach = (options_.merge_cells + 1) * size_at_(vertex);
+    const double reach = (options_.merge_cells + 1) * cells_.size_at(vertex);
     std::vector<std::pair<double, int>> ends;
     for (const SingularityGraph::Node& node : graph_.nodes) {
       const double distance = norm(node.place - surface_.vertices[vertex]);
@@ -139,9 +144,17 @@ class SurfaceJudge {
     return valences;
   }
 
+  /// Whether there is a link, or too many hexahedra to say. Corners of a part are much alike, and a search
+  /// takes up to a second.
+  bool has_link(const std::vector<int>& valences, const std::vector<int>& creases) {
+    const auto [known, is_new] = links_.try_emplace({valences, creases}, false);
+    if (is_new) known->second = has_surface_link(valences, creases).value_or(true);
+    return known->second;
+  }
+
   /// The first selection of arcs, none before some, with which a link exists.
-  static std::optional<std::vector<int>> first_link(const std::vector<int>& creases,
-                                                    const std::vector<int>& valences) {
+  std::optional<std::vector<int>> first_link(const std::vector<int>& creases,
+                                             const std::vector<int>& valences) {
     std::vector<int> bent;
     for (const int k : creases)
       if (k != kFlat) bent.push_back(k);
@@ -149,15 +162,15 @@ class SurfaceJudge {
       std::vector<int> selected;
       for (std::size_t k = 0; k < valences.size(); ++k)
         if (selection >> k & 1) selected.push_back(valences[k]);
-      if (has_surface_link(selected, bent).value_or(true)) return selected;
+      if (has_link(selected, bent)) return selected;
     }
     return std::nullopt;
   }
 
   /// Undecided if other roundings of its creases have a link, here or as a whole, or a crease is too short
   /// for the cells. A crease that ends alone fades out: the normal is the same all around its end.
-  Verdict verdict_without_link(const SolidCorner& corner, const std::vector<int>& valences) const {
-    if (corner.creases.size() == 1) return Verdict::kUndecided;
+  Verdict verdict_without_link(const SolidCorner& corner, const std::vector<int>& valences) {
+    if (corner.creases.size() == 1 return Verdict::kUndecided;
     for (const std::uint32_t c : corner.creases)
       if (!judged_[c].is_resolved) return Verdict::kUndecided;
     return has_link_when_rounded(corner, 0, {}, valences) ? Verdict::kUndecided : Verdict::kNotMeshable;
@@ -176,7 +189,7 @@ class SurfaceJudge {
   }
 
   bool has_link_when_rounded(const SolidCorner& corner, std::size_t at, std::vector<int> numbers,
-                             const std::vector<int>& valences) const {
+                             const std::vector<int>& valences) {
     if (at == corner.creases.size()) return first_link(numbers, valences).has_value();
     for (const int k : numbers_at(corner.vertex, corner.creases[at])) {
       numbers.push_back(k);
@@ -188,10 +201,11 @@ class SurfaceJudge {
 
   const SolidSurface& surface_;
   const SolidCreases& creases_;
-  const SizeAt& size_at_;
+  const SurfaceCells& cells_;
   const SingularityGraph& graph_;
   const SingularityOptions& options_;
   std::vector<JudgedCrease> judged_;
+  std::map<std::pair<std::vector<int>, std::vector<int>>, bool> links_;
 };
 
 /// The signed axis of a frame nearest to a direction, in the frame's coordinates.
@@ -220,9 +234,9 @@ int quarter_turns(std::span<const Quaternion> way, const std::array<Vector3, 2>&
 }
 
 void add_surface(const SolidSurface& surface, const SolidCreases& creases, const VotesAlong& votes_along,
-                 const SizeAt& size_at, const SingularityGraph& graph, const SingularityOptions& options,
+                 const SurfaceCells& cells, const SingularityGraph& graph, const SingularityOptions& options,
                  SolveReport::Singularity& summary) {
-  SurfaceJudge(surface, creases, size_at, graph, options).judge(votes_along, summary);
+  SurfaceJudge(surface, creases, cells, graph, options).judge(votes_along, summary);
 }
 
 }  // namespace crossgrain

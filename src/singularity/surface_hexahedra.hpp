@@ -31,8 +31,14 @@ struct CreaseVote {
 /// Returns the votes along a crease.
 using VotesAlong = std::function<std::vector<CreaseVote>(const SolidCrease& crease)>;
 
-/// Returns the size of cells at a vertex of the surface, model units.
-using SizeAt = std::function<double(std::uint32_t vertex)>;
+/// The cells at the surface.
+struct SurfaceCells {
+  std::function<double(std::uint32_t vertex)> size_at;  ///< model units
+
+  /// Whether hexahedra are to follow each crease, as those of a tet mesh. On a grid a corner all of whose
+  /// creases are shorter than a few cells is roughness that the cells do not see.
+  bool see_all = false;
+};
 
 /// Adds to a summary of a graph what the field makes of the surface: creases with other than two hexahedra,
 /// or where rounding decides, and the corners where such creases end.
@@ -42,7 +48,7 @@ using SizeAt = std::function<double(std::uint32_t vertex)>;
 /// hexahedra over its arcs of n and its creases of k, and needs a link with exactly these
 /// (`has_surface_link`), for some of the arcs that end within a few cells: the others may end beside it.
 void add_surface(const SolidSurface& surface, const SolidCreases& creases, const VotesAlong& votes_along,
-                 const SizeAt& size_at, const SingularityGraph& graph, const SingularityOptions& options,
+                 const SurfaceCells& cells, const SingularityGraph& graph, const SingularityOptions& options,
                  SolveReport::Singularity& summary);
 
 }  // namespace crossgrain

@@ -33,6 +33,7 @@ CLASSES = ("", "plane", "axis", "frame", "free", "conflicted")  # of constraint_
 TIE = 0.5 / FACE_SAMPLES**2
 STARTS = [np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0] for seed in range(4)]
 WALL_CELLS, WALL_COSINE, SHEET_AREA = 4, 0.5, 0.1
+UNRESOLVED_SHARE, DECIDING_WALL_CELLS, THIN_SHARE = 0.02, 2.5, 0.02
 
 
 class Recomputation:
@@ -220,7 +221,7 @@ class Recomputation:
         unit = self.field.arrays["root_cube"].ravel()[3] / 2.0**19
         length = unit * sum(width for _, _, width, _ in edges)
         return {"edges": (len(edges), 0), "length": (length, 1e-9 * length),
-                "unresolved_loops": (small_loops(edges), 0)}
+                "unresolved_loops": (small_loops(edges), 0), "contacts": (0, 0)}
 
     def singular_edges_of(self, i):
         """(start, axis, width, whether two axes change places around it), in units of the smallest possible cell."""
@@ -269,7 +270,7 @@ class Recomputation:
 
     def walls(self):
         finest = self.field.size.min()
-        area = thin = 0.0
+        area, walls = 0.0, []
         thinnest, two_sheets = np.inf, 0
         for i in self.boundary:
             normals, areas = self.normals_and_areas(i)
@@ -279,14 +280,26 @@ class Recomputation:
             if other is None or self.surface.orientation * self.surface.normals[other] @ inward < WALL_COSINE:
                 thickness = np.inf
             area += areas.sum()
-            thin += areas.sum() if thickness < WALL_CELLS * finest else 0
+            walls.append((thickness, areas.sum()))
             thinnest = min(thinnest, thickness)
             cosine = normals @ self.surface.normals[triangle]
             sheets = areas[cosine > WALL_COSINE].sum(), areas[cosine < -WALL_COSINE].sum()
             two_sheets += min(sheets) > SHEET_AREA * self.field.size[i] ** 2
         thinnest = thinnest / finest if np.isfinite(thinnest) else 0
-        return {"cells_wanted": (WALL_CELLS, 0), "thin_share": (thin / area, 1e-6),
-                "thinnest_cells": (thinnest, 1e-6 * thinnest), "two_sheet_cells": (two_sheets, 0),
+        thickness, areas = np.array(sorted(walls)).T
+        share = {cells: areas[thickness < cells * finest].sum() / area for cells in (WALL_CELLS, DECIDING_WALL_CELLS)}
+
+        def thickness_of_all_but(spared):
+            return thickness[np.searchsorted(np.cumsum(areas), spared * area, side="right")]
+
+        deciding = thickness_of_all_but(THIN_SHARE) / finest if share[DECIDING_WALL_CELLS] > THIN_SHARE else 0
+        needed = 0
+        if share[WALL_CELLS] > UNRESOLVED_SHARE:
+            extent = np.ptp(self.surface.triangles.reshape(-1, 3), axis=0).max()
+            needed = np.ceil(WALL_CELLS * extent / thickness_of_all_but(UNRESOLVED_SHARE / 2) * (1 + 1e-6))
+        return {"cells_wanted": (WALL_CELLS, 0), "thin_share": (share[WALL_CELLS], 1e-6),
+                "unresolved_share": (share[DECIDING_WALL_CELLS], 1e-6), "deciding_cells": (deciding, 1e-6 * deciding),
+                "resolution_needed": (needed, 1), "thinnest_cells": (thinnest, 1e-6 * thinnest), "two_sheet_cells": (two_sheets, 0),
                 "tied_cells": (self.ties, 0)}
 
     def crease_section(self):
@@ -363,10 +376,13 @@ def value_at(section, path):
     return section
 
 
+# Keys of `singularity` on a grid that are not recomputed; judge_of_tets.py does it on tets.
+IN_NO_WAY = {"unresolved_stubs", "short_arcs", "crease_list", "corner_list"}
+
 # Keys that are compared elsewhere, or not always there.
 IN_OTHER_WAYS = {"model": {"path"}, "creases": {"tangent_deg"},
-                 "singularity": {"arcs", "nodes", "boundary_ends", "meshable", "not_meshable_arcs", "not_meshable_nodes",
-                                 "undecided_nodes", "arc_list", "node_list"}}
+                 "singularity": {"arcs", "nodes", "boundary_ends", "verdict", "not_meshable_arcs", "not_meshable_nodes",
+                                 "undecided_nodes", "arc_list", "node_list", *IN_NO_WAY}}
 
 
 def disagreements(model, folder):

@@ -67,14 +67,14 @@ TEST(QuarterTurns, DoNotDependOnTheNamesOfAxesOrOnTheDirectionsOfSpace) {
 
 /// What frames with these votes on every crease make of a solid.
 Summary summary_with(const MadeSolid& solid, int vote, double cell_size = 0.1,
-                     const SingularityGraph& graph = {}) {
+                     const SingularityGraph& graph = {}, bool see_all = true) {
   Summary summary;
   add_surface(
       solid.surface(), solid_creases(solid.surface(), 30, 45),
       [&](const SolidCrease& crease) {
         return std::vector{CreaseVote{vote, crease.length}};
       },
-      [&](std::uint32_t) { return cell_size; }, graph, {}, summary);
+      {[&](std::uint32_t) { return cell_size; }, see_all}, graph, {}, summary);
   return summary;
 }
 
@@ -132,6 +132,11 @@ TEST(SurfaceHexahedra, FollowTheFramesOnlyWhereRoundingDecides) {
 
 TEST(SurfaceHexahedra, AreUndecidedAtACornerOfCreasesShorterThanTheCells) {
   EXPECT_EQ(corner_at(summary_with(pyramid(1), 1, 1), {0, 0, 1}).verdict, Verdict::kUndecided);
+}
+
+TEST(SurfaceHexahedra, DoNotCountRoughnessBelowTheCellsOfAGrid) {
+  EXPECT_TRUE(summary_with(pyramid(1), 1, 1, {}, false).corner_list.empty());
+  EXPECT_FALSE(summary_with(pyramid(1), 1, 0.1, {}, false).corner_list.empty());
 }
 
 TEST(SurfaceHexahedra, TakeInArcsThatEndNearby) {
