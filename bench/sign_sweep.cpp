@@ -4,8 +4,8 @@
 //
 //   sign_sweep
 //
-// Straight arcs in twenty directions through a grid of 32 cells a side. The axis of the rotation is oblique by
-// a constant angle, so that hexahedra can have the arc; or it turns over by 180 degrees within a number of
+// Straight arcs in twenty directions through a grid of 32 cells a side. The axis of the rotation is oblique
+// by a constant angle, so that hexahedra can have the arc; or it turns over by 180 degrees within a number of
 // cells in its middle, so that they cannot.
 #include <cmath>
 #include <cstdio>

@@ -23,6 +23,7 @@ struct SolveArguments {
   OutputOptions output_options;
   bool page = true;  ///< whether to write report.html
   double read_seconds = ReadOptions().read_seconds;
+  bool verbose = false;  ///< whether the summary tells of the grid that a field on tets started from
   bool quiet = false;
   bool progress = false;
 };

@@ -191,6 +191,8 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
                    "and on faces, and stress tensors (docs/constraints.md)")
       ->type_name("FILE");
   command->add_option("--from", arguments.from, "Start from the field in this folder")->type_name("DIR");
+  command->add_flag("--verbose", arguments.verbose,
+                    "Of a field on tets, also tell of the grid that it started from");
   command->add_flag("--quiet", arguments.quiet, "Print no summary and no progress");
   command->add_flag("--progress", arguments.progress,
                     "Show progress on standard error even if it is not a terminal");

@@ -25,8 +25,8 @@ std::string row(const char* what, const std::string& text) {
 std::string answer_rows(const SolveReport& report, const SolveArguments& arguments) {
   std::string text = row("hexahedra", sentence_of(report.answer));
   if (const std::size_t more = report.answer.reasons.size(); more > 1)
-    text += row("", fmt::format("and {}: crossgrain check {}", counted(more - 1, "more reason"),
-                                in_shell(arguments.output)));
+    text += row(
+        "", fmt::format("and {}: crossgrain check {}", counted(more - 1, "more reason"), arguments.output));
   return text;
 }
 
@@ -38,8 +38,8 @@ std::string lines_text(const SolveReport::Singularity& singularity) {
 }
 
 std::string angles_text(const Angle& mean, const Angle& p95, const Angle& max, const char* off_what) {
-  return fmt::format("{:.3g} degrees off {} in the mean, 95 % within {:.3g}, all within {:.3g}", *mean, off_what,
-                     *p95, *max);
+  return fmt::format("{:.3g} degrees off {} in the mean, 95 % within {:.3g}, all within {:.3g}", *mean,
+                     off_what, *p95, *max);
 }
 
 std::string angles_row(const char* what, const SolveReport::AngleSummary& angles, const char* off_what) {
@@ -47,7 +47,8 @@ std::string angles_row(const char* what, const SolveReport::AngleSummary& angles
 }
 
 std::string alignment_row(const SolveReport::Alignment& alignment) {
-  if (!alignment.mean) return row("alignment", "n/a: no frame meets the constraints of any cell with surface");
+  if (!alignment.mean)
+    return row("alignment", "n/a: no frame meets the constraints of any cell with surface");
   std::string text = angles_text(alignment.mean, alignment.p95, alignment.max, "the surface");
   if (alignment.excluded_share > 0)
     text += fmt::format("; without the {:.2g} % where no frame meets all constraints",
@@ -57,8 +58,7 @@ std::string alignment_row(const SolveReport::Alignment& alignment) {
 
 std::string grid_rows(const SolveReport& report) {
   std::string text;
-  if (!report.levels.empty())
-    text += row("cells", fmt::format("{}", report.levels.back().active_cells));
+  if (!report.levels.empty()) text += row("cells", fmt::format("{}", report.levels.back().active_cells));
   text += row("singular", lines_text(report.singularity)) + alignment_row(report.alignment_deg);
   if (report.constraints) {
     constexpr const char* kOff = "their constraints";
@@ -71,8 +71,8 @@ std::string grid_rows(const SolveReport& report) {
 }
 
 std::string tets_rows(const SolveReport::Onto& onto) {
-  return row("tets", fmt::format("{}, {}, boundary {}", onto.tets, counted(onto.vertices, "vertex", "vertices"),
-                                 name_of(onto.boundary))) +
+  return row("tets", fmt::format("{}, {}, boundary {}", onto.tets,
+                                 counted(onto.vertices, "vertex", "vertices"), name_of(onto.boundary))) +
          row("singular", lines_text(onto.singularity)) +
          angles_row("surface", onto.normal_deg, "its normals") +
          angles_row("creases", onto.crease_deg, "their faces");
@@ -94,10 +94,11 @@ std::string cost_row(const SolveReport& report) {
 
 /// Says what an energy is good for: without a comparison it says nothing.
 std::string grid_energy_row(const SolveReport::Energy& energy) {
-  return row("energy", fmt::format("{:.6g}: smoothness {:.6g}, boundary {:.6g}, and {:.6g} that no frame avoids; "
-                                   "compare it at the same resolution only",
-                                   energy.total + energy.unavoidable, energy.smoothness, energy.boundary,
-                                   energy.unavoidable));
+  return row(
+      "energy",
+      fmt::format("{:.6g}: smoothness {:.6g}, boundary {:.6g}, and {:.6g} that no frame avoids; "
+                  "compare it at the same resolution only",
+                  energy.total + energy.unavoidable, energy.smoothness, energy.boundary, energy.unavoidable));
 }
 
 std::string tets_energy_row(const SolveReport::Onto& onto) {
@@ -111,4 +112,52 @@ std::string files_row(const SolveReport& report, const SolveArguments& arguments
   return row("result", fmt::format("{}: {}", arguments.output, fmt::join(names, ", ")));
 }
 
+std::string warning_rows(const SolveReport& report) {
+  std::string text;
+  for (const Warning& warning : report.warnings)
+    if (!is_of_reading(warning) && !is_always_printed(warning))
+      text += row("warning", line_of(warning, Command::kSolve));
+  return text;
+}
+
 }  // namespace
+
+std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
+  std::string text = answer_rows(report, arguments) + model_row(report);
+  if (report.onto) {
+    text += tets_rows(*report.onto);
+    if (arguments.verbose) text += "the grid that the tets started from:\n" + grid_rows(report);
+  } else {
+    text += grid_rows(report);
+  }
+  text += cost_row(report) + warning_rows(report);
+  if (!report.onto || arguments.verbose) text += grid_energy_row(report.energy);
+  if (report.onto) text += tets_energy_row(*report.onto);
+  return text + files_row(report, arguments);
+}
+
+bool is_unsettled(const Warning& warning) {
+  return warning.kind == WarningKind::kNotSettled || warning.kind == WarningKind::kTetsNotSettled;
+}
+
+bool is_of_reading(const Warning& warning) {
+  switch (warning.kind) {
+    case WarningKind::kUnknownUnit:
+    case WarningKind::kMissingParts:
+    case WarningKind::kLooseFaces:
+    case WarningKind::kMissingFaces:
+    case WarningKind::kCurvedTets:
+    case WarningKind::kSkippedData:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool is_always_printed(const Warning& warning) {
+  return warning.kind == WarningKind::kMemoryLimited || warning.kind == WarningKind::kSurfaceFinding ||
+         warning.kind == WarningKind::kConstraintsOutside || warning.kind == WarningKind::kListedTopology ||
+         is_unsettled(warning);
+}
+
+}  // namespace crossgrain::app

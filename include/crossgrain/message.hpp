@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace crossgrain {
+
+/// Returns a number with its noun: "1 cell", "2 cells". `many` is the plural unless it ends in a mere s.
+std::string counted(std::size_t count, const std::string& one, const std::string& many = {});
+
+/// Returns the verb after a number of things.
+inline const char* is_or_are(std::size_t count) {
+  return count == 1 ? "is" : "are";
+}
 
 /// What the caller can do about an error or a warning; `words_of` puts it into words.
 enum class Remedy : int {

@@ -23,6 +23,9 @@ enum class Verdict : std::uint8_t {
 /// Returns the name in report.json: "meshable", "not_meshable" or "undecided".
 const char* name_of(Verdict verdict);
 
+/// Returns the answer in short: "can be meshed locally", "cannot be meshed" or "undecided".
+const char* words_of(Verdict verdict);
+
 /// Why a field is not meshable or undecided.
 enum class ReasonKind : std::uint8_t {
   kKnifeEdge,     ///< a crease without room for a hexahedron

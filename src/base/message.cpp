@@ -90,6 +90,10 @@ const Wording* wording_of(Remedy remedy) {
 
 }  // namespace
 
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many.empty() ? one + "s" : many);
+}
+
 const char* words_of(Remedy remedy) {
   const Wording* const wording = wording_of(remedy);
   return wording == nullptr ? "" : wording->words;

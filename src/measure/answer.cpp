@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/names.hpp"
+#include "crossgrain/message.hpp"
 #include "crossgrain/report.hpp"
 #include "crossgrain/verdict.hpp"
 
@@ -16,10 +17,6 @@ namespace {
 
 using Reason = Answer::Reason;
 using Singularity = SolveReport::Singularity;
-
-std::string times(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 /// Collects the reasons against a field.
 class Reasons {
@@ -70,7 +67,7 @@ void judge_surface(const Singularity& singularity, Reasons& reasons) {
                     Verdict::kNotMeshable, knife, "give the edge a fillet or a chamfer");
   const auto corner = [](const Singularity::Corner& it) {
     return fmt::format("no hexahedra fit around a corner of {}, with {} at their edges",
-                       times(it.creases.size(), "crease", "creases"), fmt::join(it.creases, ", "));
+                       counted(it.creases.size(), "crease"), fmt::join(it.creases, ", "));
   };
   reasons.add_worst(ReasonKind::kCorner, Verdict::kNotMeshable, singularity.corner_list,
                     Verdict::kNotMeshable, corner, "cut the corner off, or end the face that runs out in it");
@@ -82,7 +79,7 @@ void judge_surface(const Singularity& singularity, Reasons& reasons) {
                     rounded, "give the edge a fillet or a chamfer");
   const auto undecided = [](const Singularity::Corner& it) {
     return fmt::format("rounding or the size of the cells decides about a corner of {}",
-                       times(it.creases.size(), "crease", "creases"));
+                       counted(it.creases.size(), "crease"));
   };
   reasons.add_worst(ReasonKind::kCorner, Verdict::kUndecided, singularity.corner_list, Verdict::kUndecided,
                     undecided, "use smaller cells there, or change the angles");
@@ -108,19 +105,18 @@ void judge_lines(const Singularity& singularity, Verdict fault, Reasons& reasons
   reasons.add_worst(ReasonKind::kArc, Verdict::kUndecided, singularity.arc_list, Verdict::kUndecided, across,
                     kNext);
   const auto node = [](const Singularity::Node& it) {
-    return fmt::format("no hexahedra meet like the {} of a node", times(it.arcs.size(), "arc", "arcs"));
+    return fmt::format("no hexahedra meet like the {} of a node", counted(it.arcs.size(), "arc"));
   };
   reasons.add_worst(ReasonKind::kNode, fault, singularity.node_list, Verdict::kNotMeshable, node, kNext);
   std::vector<Singularity::Node> inner, ends;
   for (const Singularity::Node& it : singularity.node_list) (it.on_boundary ? ends : inner).push_back(it);
   const auto large = [](const Singularity::Node& it) {
-    return fmt::format("a node of {} has too many hexahedra to be judged",
-                       times(it.arcs.size(), "arc", "arcs"));
+    return fmt::format("a node of {} has too many hexahedra to be judged", counted(it.arcs.size(), "arc"));
   };
   reasons.add_worst(ReasonKind::kNode, Verdict::kUndecided, inner, Verdict::kUndecided, large, kNext);
   const auto close = [](const Singularity::Node& it) {
     return fmt::format("{} end so close to one another that they leave no hexahedron if they meet",
-                       times(it.arcs.size(), "arc", "arcs"));
+                       counted(it.arcs.size(), "arc"));
   };
   reasons.add_worst(ReasonKind::kEnds, Verdict::kUndecided, ends, Verdict::kUndecided, close,
                     "use smaller cells, or cut a tip off");
@@ -133,7 +129,7 @@ void judge_short_lines(const Singularity& singularity, std::size_t short_arcs, c
   if (shorter <= options.few_short || static_cast<double>(shorter) <= options.short_per_arc * others) return;
   reasons.add(
       ReasonKind::kShortLines, Verdict::kUndecided,
-      fmt::format("{} too short for the cells", times(shorter, "singular line is", "singular lines are")),
+      fmt::format("{} {} too short for the cells", counted(shorter, "singular line"), is_or_are(shorter)),
       next);
 }
 
@@ -206,8 +202,8 @@ void judge_comparison(const SolveReport& report, Reasons& reasons) {
   if (agree(report.singularity, coarser)) return;
   reasons.add(ReasonKind::kOtherAtHalf, Verdict::kUndecided,
               fmt::format("half the resolution has other singular lines: {} for {}, {} on the surface for {}",
-                          times(coarser.arcs, "arc", "arcs"), report.singularity.arcs,
-                          times(coarser.boundary_ends, "end", "ends"), report.singularity.boundary_ends),
+                          counted(coarser.arcs, "arc"), report.singularity.arcs,
+                          counted(coarser.boundary_ends, "end"), report.singularity.boundary_ends),
               finer);
   if (coarser.differences.empty()) return;
   Reason& reason = reasons.last();
@@ -245,6 +241,11 @@ const char* name_of(Verdict verdict) {
   return name_among<Verdict::kUndecided>(kNames, verdict);
 }
 
+const char* words_of(Verdict verdict) {
+  constexpr std::array kWords{"can be meshed locally", "cannot be meshed", "undecided"};
+  return name_among<Verdict::kUndecided>(kWords, verdict);
+}
+
 const char* name_of(ReasonKind kind) {
   constexpr std::array kNames{"knife_edge",    "corner", "arc",     "node",    "ends",        "other_at_half",
                               "no_comparison", "walls",  "surface", "creases", "short_lines", "unfinished"};
@@ -267,9 +268,9 @@ Answer answer_of(const SolveReport& report, const AnswerOptions& options) {
 }
 
 std::string sentence_of(const Answer& answer) {
-  if (answer.verdict == Verdict::kMeshable) return "can be meshed locally (necessary, not sufficient)";
-  std::string text =
-      answer.verdict == Verdict::kNotMeshable ? "cannot be meshed, because " : "undecided, because ";
+  std::string text = words_of(answer.verdict);
+  if (answer.verdict == Verdict::kMeshable) return text + " (necessary, not sufficient)";
+  text += ", because ";
   if (answer.reasons.empty()) return text + "nothing was judged";
   const Reason& first = answer.reasons.front();
   text += first.text;
@@ -277,8 +278,7 @@ std::string sentence_of(const Answer& answer) {
     const auto& [x, y, z] = first.place;
     text += fmt::format(" at {:.6g} {:.6g} {:.6g}", x, y, z);
   }
-  if (first.count > 1)
-    text += fmt::format(" and at {}", times(first.count - 1, "other place", "other places"));
+  if (first.count > 1) text += fmt::format(" and at {}", counted(first.count - 1, "other place"));
   return first.next.empty() ? text : text + "; next: " + first.next;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "crossgrain/error.hpp"
+#include "picture/answer_marks.hpp"
 #include "picture/corner_normals.hpp"
 #include "picture/cut_frames.hpp"
 #include "picture/cut_outline.hpp"
@@ -166,9 +167,13 @@ Drawing field_drawing(const PictureSubject& subject, const PictureOptions& optio
   const double unit = PictureWeights(options, camera).unit;
   Drawing drawing;
   drawing.meshes.push_back(part(subject, options));
-  if (options.lines)
+  if (options.lines) {
     drawing.rods.push_back(
         singular_lines(subject.singularities, kSingularRadius * unit, ink_on(options.background)));
+    std::vector<Ball>& balls = drawing.rods.back().balls;
+    const std::vector<Ball> marks = answer_marks(subject.field.report, kSingularRadius * unit);
+    balls.insert(balls.end(), marks.begin(), marks.end());
+  }
   drawing.rods.push_back(
       {RodLook::kSolid, rods_along(subject.streamlines, kStreamlineRadius * unit, kStreamlineColour), {}});
   if (options.creases)

@@ -10,6 +10,7 @@
 #include "crossgrain/error.hpp"
 #include "field/field_data.hpp"
 #include "files/output_file.hpp"
+#include "picture/answer_marks.hpp"
 #include "picture/axis_cross.hpp"
 #include "picture/canvas.hpp"
 #include "picture/cell_colours.hpp"
@@ -114,13 +115,17 @@ void draw_legend(const std::vector<LegendBlock>& blocks, const Layout& layout, c
                   0.5 * (layout.axes->top + layout.axes->bottom), 0.32 * layout.axes->width(), ink);
 }
 
-std::vector<LegendBlock> legend_blocks(const CellColours& colours, const SingularityGraph& graph,
-                                       const PictureOptions& options, const PictureCurves& curves) {
+std::vector<LegendBlock> legend_blocks(const SolveReport& report, const CellColours& colours,
+                                       const SingularityGraph& graph, const PictureOptions& options,
+                                       const PictureCurves& curves) {
   std::vector<LegendBlock> blocks;
   if (!options.legend) return blocks;
+  blocks.push_back(answer_legend(report, options.lines));
   if (const auto block = colours.legend()) blocks.push_back(*block);
   if (options.lines)
-    if (const auto block = legend_of(graph, ink_on(options.background))) blocks.push_back(*block);
+    if (const auto block = legend_of(graph, report.onto ? "Singular lines on the grid" : "Singular lines",
+                                     ink_on(options.background)))
+      blocks.push_back(*block);
   if (!curves.streamlines.empty()) {
     LegendBlock block{"Streamlines"};
     block.signs.push_back({Sign::Shape::kLine, kStreamlineColour, "along an axis"});
@@ -164,7 +169,7 @@ void render_picture(const FrameField& field, const std::filesystem::path& pictur
   monitor.check();
 
   const CellColours colours(data, options);
-  const std::vector<LegendBlock> blocks = legend_blocks(colours, graph, options, curves);
+  const std::vector<LegendBlock> blocks = legend_blocks(data.report, colours, graph, options, curves);
   const Layout layout(options, *surface, blocks);
   const Camera& camera = *layout.camera;
   const Drawing drawing =

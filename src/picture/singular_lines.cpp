@@ -26,11 +26,12 @@ constexpr std::array<Look, kArcKinds> kArcs{{{"index +1/4: three hexahedra", col
                                              {"index −1/4: five hexahedra", colour_of(0xf09a1a), 1},
                                              {"index −1/2: six hexahedra", colour_of(0x12916f), 1},
                                              {"other", colour_of(0x7d8794), 1},
-                                             {"impossible for hexahedra", colour_of(0xd3125f), 1.35}}};
-constexpr std::array<Look, kNodeKinds> kNodes{{{"node inside", {}, 1.9},
-                                               {"node, unknown type", colour_of(0x8b5cc7), 2.1},
-                                               {"node, impossible for hexahedra", colour_of(0xd3125f), 2.3},
-                                               {"end on the surface", {}, 1.35}}};
+                                             {"impossible for hexahedra", kImpossibleLook.colour, 1.35}}};
+constexpr std::array<Look, kNodeKinds> kNodes{
+    {{"node inside", {}, 1.9},
+     {"node, undecided", kUndecidedLook.colour, kUndecidedLook.size},
+     {"node, impossible for hexahedra", kImpossibleLook.colour, kImpossibleLook.size},
+     {"end on the surface", {}, 1.35}}};
 
 ArcKind kind_of(const Arc& arc) {
   if (arc.verdict == Verdict::kNotMeshable) return kImpossible;
@@ -89,12 +90,12 @@ std::vector<Ball> crossings_of(const DrawnRods& lines, const Vector3& normal, do
   return balls;
 }
 
-std::optional<LegendBlock> legend_of(const SingularityGraph& graph, const Colour& ink) {
+std::optional<LegendBlock> legend_of(const SingularityGraph& graph, const char* title, const Colour& ink) {
   std::array<std::size_t, kArcKinds> arcs{};
   std::array<std::size_t, kNodeKinds> nodes{};
   for (const Arc& arc : graph.arcs) ++arcs[kind_of(arc)];
   for (const Node& node : graph.nodes) ++nodes[kind_of(node)];
-  LegendBlock block{"Singular lines"};
+  LegendBlock block{title};
   const auto add = [&](Sign::Shape shape, const Colour& colour, const char* text, std::size_t count) {
     if (count > 0) block.signs.push_back({shape, colour, fmt::format("{} ({})", text, count)});
   };

@@ -25,6 +25,7 @@ class Stretches {
   void add(const FrameTurn& turn, double cells, double cosine) {
     all_ += cells;
     if (turn.kind == FrameTurn::Kind::kHalf) half_ += cells;
+    if (!turn.is_about_an_axis()) all_no_axis_ += cells;
     no_axis_here_ = turn.is_about_an_axis() ? 0 : no_axis_here_ + cells;
     no_axis_ = std::max(no_axis_, no_axis_here_);
     if (!turn.is_about_an_axis() || std::abs(cosine) < options_.sign_cosine) return;
@@ -36,7 +37,7 @@ class Stretches {
   }
 
   Graph::ArcType type() const {
-    if (no_axis_ > options_.merge_cells) return Graph::ArcType::kNoAxis;
+    if (is_too_long_for_two() || 2 * all_no_axis_ > all_) return Graph::ArcType::kNoAxis;
     const bool changes = std::min(positive_, negative_) >= options_.sign_cells;
     return changes ? Graph::ArcType::kChanging : Graph::ArcType::kRegular;
   }
@@ -46,11 +47,15 @@ class Stretches {
     return all_ >= 2 * options_.sign_cells && std::max(positive_, negative_) < options_.sign_cells;
   }
 
+  /// Whether third turns last so long that they are not two quarter turns side by side.
+  bool is_too_long_for_two() const { return no_axis_ > options_.merge_cells; }
+
   bool is_by_half_turns() const { return 2 * half_ > all_; }
 
  private:
   const SingularityOptions& options_;
   double all_ = 0, half_ = 0;
+  double all_no_axis_ = 0;
   double no_axis_ = 0, no_axis_here_ = 0;  ///< longest connected part, and the one up to here
   bool positive_now_ = true;
   double sign_here_ = 0;                ///< length since the last change of sign
@@ -93,6 +98,14 @@ class ArcWalk {
   std::span<const Vector3> positions_;
 };
 
+Verdict verdict_of(const Graph::Arc& arc, const Stretches& stretches) {
+  // Two hexahedra around an edge would have two faces in common.
+  if (arc.index == 0.5 || arc.type == Graph::ArcType::kChanging || stretches.is_too_long_for_two())
+    return Verdict::kNotMeshable;
+  const bool is_regular = arc.type == Graph::ArcType::kRegular && !stretches.is_of_no_sense();
+  return is_regular ? Verdict::kMeshable : Verdict::kUndecided;
+}
+
 }  // namespace
 
 Graph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singular,
@@ -118,11 +131,7 @@ Graph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singula
   out.type = stretches.type();
   if (out.type == Graph::ArcType::kRegular)
     out.index = (sum < 0 ? -1 : 1) * (stretches.is_by_half_turns() ? 0.5 : 0.25);
-  // Two hexahedra around an edge would have two faces in common.
-  const bool meshable = out.type == Graph::ArcType::kRegular && out.index != 0.5;
-  out.verdict = !meshable                     ? Verdict::kNotMeshable
-                : stretches.is_of_no_sense() ? Verdict::kUndecided
-                                              : Verdict::kMeshable;
+  out.verdict = verdict_of(out, stretches);
   return out;
 }
 
@@ -134,22 +143,23 @@ std::vector<int> valences_of(std::span<const Graph::Arc* const> arcs) {
   return valences;
 }
 
-bool has_bad_arc(std::span<const Graph::Arc* const> arcs) {
+bool has_arc_of(Verdict verdict, std::span<const Graph::Arc* const> arcs) {
   return std::any_of(arcs.begin(), arcs.end(),
-                     [](const Graph::Arc* arc) { return arc->verdict == Verdict::kNotMeshable; });
+                     [&](const Graph::Arc* arc) { return arc->verdict == verdict; });
 }
 
 }  // namespace
 
 Verdict node_verdict(std::span<const Graph::Arc* const> arcs) {
-  if (has_bad_arc(arcs)) return Verdict::kNotMeshable;
+  if (has_arc_of(Verdict::kNotMeshable, arcs)) return Verdict::kNotMeshable;
+  if (has_arc_of(Verdict::kUndecided, arcs)) return Verdict::kUndecided;
   const std::optional<bool> has_link = has_inner_link(valences_of(arcs));
   if (!has_link) return Verdict::kUndecided;
   return *has_link ? Verdict::kMeshable : Verdict::kNotMeshable;
 }
 
 Verdict end_verdict(std::span<const Graph::Arc* const> arcs) {
-  const bool leave_room = has_bad_arc(arcs) || hexahedra_at_surface_vertex(valences_of(arcs), {}) >= 1;
+  const bool leave_room = has_arc_of(Verdict::kNotMeshable, arcs) || hexahedra_at_surface_vertex(valences_of(arcs), {}) >= 1;
   return leave_room ? Verdict::kMeshable : Verdict::kUndecided;
 }
 

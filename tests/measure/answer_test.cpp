@@ -57,9 +57,10 @@ TEST(Answer, IsNoForAKnifeEdgeWhateverTheCells) {
   EXPECT_EQ(answer.verdict, Verdict::kNotMeshable);
   EXPECT_EQ(answer.reasons.front().kind, ReasonKind::kKnifeEdge) << "faults come first";
   EXPECT_EQ(answer.reasons.size(), 2u);
-  EXPECT_EQ(sentence_of(answer),
-            "cannot be meshed, because a knife edge of 30 degrees leaves room for no hexahedron at 4 5 6; next: "
-            "give the edge a fillet or a chamfer");
+  EXPECT_EQ(
+      sentence_of(answer),
+      "cannot be meshed, because a knife edge of 30 degrees leaves room for no hexahedron at 4 5 6; next: "
+      "give the edge a fillet or a chamfer");
 }
 
 TEST(Answer, NamesTheResolutionThatResolvesTheWalls) {

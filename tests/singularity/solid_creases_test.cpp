@@ -61,8 +61,8 @@ TEST(SolidCreases, StandAroundACornerInCyclicOrder) {
     around.push_back(ends[0] == 4 ? ends[1] : ends[0]);
   }
   std::rotate(around.begin(), std::find(around.begin(), around.end(), 0u), around.end());
-  const bool is_cyclic = around == std::vector<std::uint32_t>{0, 1, 2, 3} ||
-                         around == std::vector<std::uint32_t>{0, 3, 2, 1};
+  const bool is_cyclic =
+      around == std::vector<std::uint32_t>{0, 1, 2, 3} || around == std::vector<std::uint32_t>{0, 3, 2, 1};
   EXPECT_TRUE(is_cyclic);
 }
 
@@ -72,8 +72,7 @@ TEST(SolidCreases, LeadThroughTheSolidFromTheFirstTriangleToTheSecond) {
   const SolidSurface surface = solid.surface();
   for (const SolidCrease& crease : creases_of(solid).creases) {
     for (const SolidCrease::Edge& edge : crease.edges) {
-      const Vector3 along =
-          normalised(solid.vertices[edge.ends[1]] - solid.vertices[edge.ends[0]]);
+      const Vector3 along = normalised(solid.vertices[edge.ends[1]] - solid.vertices[edge.ends[0]]);
       const Vector3 first = cross(normal_of(surface, edge.triangles[0]), -1.0 * along);
       const Vector3 second = cross(normal_of(surface, edge.triangles[1]), along);
       EXPECT_GT(dot(cross(first, second), along), 0);

@@ -30,15 +30,17 @@ Quaternion about_z(double degrees) {
 /// Frames that follow both faces: turned from one to the other by the rest of the angle.
 std::vector<Quaternion> frames_following(double angle_deg, int quarters) {
   std::vector<Quaternion> way;
-  for (const double share : {0., 0.25, 0.5, 0.75, 1.}) way.push_back(about_z(share * (angle_deg - 90 * quarters)));
+  for (const double share : {0., 0.25, 0.5, 0.75, 1.})
+    way.push_back(about_z(share * (angle_deg - 90 * quarters)));
   return way;
 }
 
 TEST(QuarterTurns, OfFramesThatFollowBothFacesAreTheirs) {
   for (int k = 1; k <= 3; ++k)
     for (const double off : {-30., 0., 30.})
-      EXPECT_EQ(quarter_turns(frames_following(90 * k + off, k), normals_at(90 * k + off), kAlong, 90 * k + off),
-                k);
+      EXPECT_EQ(
+          quarter_turns(frames_following(90 * k + off, k), normals_at(90 * k + off), kAlong, 90 * k + off),
+          k);
 }
 
 TEST(QuarterTurns, OfASlitAndAKnifeAreFourAndNone) {
@@ -69,7 +71,9 @@ Summary summary_with(const MadeSolid& solid, int vote, double cell_size = 0.1,
   Summary summary;
   add_surface(
       solid.surface(), solid_creases(solid.surface(), 30, 45),
-      [&](const SolidCrease& crease) { return std::vector{CreaseVote{vote, crease.length}}; },
+      [&](const SolidCrease& crease) {
+        return std::vector{CreaseVote{vote, crease.length}};
+      },
       [&](std::uint32_t) { return cell_size; }, graph, {}, summary);
   return summary;
 }

@@ -39,13 +39,14 @@ for (const [name, device_name, scheme] of [
   });
 }
 
-test("the numbers and the verdict are those of the report", async () => {
+test("the numbers and the answer are those of the report", async () => {
   const { page, context } = await open(browser, scene_file("components"));
   const { report } = scene_named("components");
   assert.equal(await page.locator(by_test("number-cells")).innerText().then((text) => text.split("\n")[0]), report.levels.at(-1).active_cells.toLocaleString("en-US"));
   assert.match(await page.locator(by_test("number-energy")).innerText(), /^61\.3/);
   assert.equal(await page.locator(by_test("alignment-max")).innerText(), `${report.alignment_deg.max.toFixed(1)}°`);
-  assert.match(await page.locator(by_test("verdict")).innerText(), /No hexahedral mesh can have .* 2 lines and 1 node/);
+  assert.equal(await page.locator(by_test("answer")).textContent(), report.answer);
+  assert.match(await page.locator(by_test("badge")).textContent(), /cannot be meshed$/);
   assert.deepEqual(await page.locator(`${by_test("warnings")} li`).allInnerTexts(), [
     "line 12: 'LOOKUP' is not known, and data after it are ignored",
     "the surface has 2 holes, bridged where they are less than half open",
@@ -53,6 +54,80 @@ test("the numbers and the verdict are those of the report", async () => {
   assert.equal(await page.locator(by_test("part-name")).innerText(), "five components <v2>.step");
   assert.match(await page.title(), /^five components <v2>\.step · Crossgrain$/);
   await context.close();
+});
+
+test("all further reasons stand below the answer, with what to do next, and lead to their places", async () => {
+  const { page, context } = await open(browser, scene_file("components"));
+  const { report } = scene_named("components");
+  const shown = await page.locator(`${by_test("places-further-reasons")} li`).allInnerTexts();
+  assert.equal(shown.length, report.reasons.length - 1);
+  for (const [k, { text, next }] of report.reasons.slice(1).entries()) {
+    assert.ok(shown[k].toLowerCase().includes(text.toLowerCase()) && shown[k].includes(`next: ${next}`), shown[k]);
+  }
+  assert.match(shown[0], /at 2 places/);
+  // Walls have no place to go to.
+  assert.equal(await page.locator(`${by_test("places-further-reasons")} ${by_test("place")}`).count(), 1);
+  await page.locator(by_test("answer-place")).click();
+  assert.deepEqual((await state(page)).marked.point, [46, 26, 6]);
+  assert.equal((await state(page)).marked.warn, true);
+  await page.locator(`${by_test("places-further-reasons")} ${by_test("place")}`).click();
+  assert.deepEqual((await state(page)).marked.point, [0, 0, 0]);
+  await context.close();
+});
+
+test("creases and corners are marked like nodes, and the legend says what the colours mean", async () => {
+  const { page, context } = await open(browser, scene_file("components"));
+  assert.match((await page.locator(by_test("legend-balls")).innerText()).replace(/\s+/g, " "), /impossible for hexahedra 3 undecided 2/);
+  await page.evaluate(() => window.crossgrain.change({ cut: { on: false }, layers: { part: false, creases: false, arcs: false, glyphs: false } }));
+  const pixel = () => page.evaluate(() => {
+    const view = document.getElementById("view");
+    const [x, y] = window.crossgrain.screenOf([23, 26, 7]);
+    const small = document.createElement("canvas").getContext("2d");
+    small.drawImage(view, (x * view.width) / view.clientWidth, (y * view.height) / view.clientHeight, 1, 1, 0, 0, 1, 1);
+    return [...small.getImageData(0, 0, 1, 1).data];
+  });
+  await picture(page);
+  const [r, g, b] = await pixel();
+  assert.ok(r > 2 * g && r > 2 * b, `${r} ${g} ${b} is not crimson`);
+  await page.locator("label", { has: page.locator(by_test("show-nodes")) }).click();
+  assert.equal(await page.locator(by_test("legend-balls")).count(), 0);
+  await context.close();
+});
+
+test("with a field on tets, the numbers are those of the tets and the page says what it draws", async () => {
+  const { report, scene } = scene_named("ball");
+  const nothing = { mean: null, p95: null, max: null };
+  const onto = {
+    tets: 1234, unfollowed_share: 0.33, normal_deg: nothing, crease_deg: { mean: 24.4, p95: 42.6, max: 44.2 },
+    singularity: { arcs: 5, nodes: 1, corner_list: [{ creases: [1, 1, 1, 1], verdict: "not_meshable", place: [100, 50, 40] }] },
+  };
+  const { page, context, problems } = await open(browser, page_file("tets", filled_page(template, { ...report, onto }, scene)));
+  assert.equal(await page.locator(by_test("number-tets")).innerText().then((text) => text.split("\n")[0]), "1,234");
+  assert.equal(await page.locator(by_test("number-arcs")).innerText(), "5\n1 node, on the tets");
+  assert.equal(await page.locator(by_test("tets-smooth-mean")).innerText(), "n/a");
+  assert.equal(await page.locator(by_test("tets-crease-max")).innerText(), "44.2°");
+  assert.match(await page.locator(by_test("shown")).innerText(), /view shows the field on the grid; the answer is about the field on the tets/);
+  assert.equal(await page.locator(`${by_test("places-creases-and-corners")} ${by_test("place")}`).count(), 1);
+  assert.match(await page.locator(by_test("legend-balls")).innerText(), /impossible for hexahedra\s+1/);
+  assert.deepEqual(problems, []);
+  await context.close();
+});
+
+test("alignment that was measured nowhere is no number, in the text and on the scale", async () => {
+  const { report, scene } = scene_named("ball");
+  const none = { mean: 0, p95: 0, max: 0 };
+  for (const [name, alignment_deg] of [
+    ["all excluded", { ...none, excluded_share: 0.9996 }], ["null", { mean: null, p95: null, max: null, excluded_share: 1 }], ["nearly all", { ...none, excluded_share: 0.9994 }],
+  ]) {
+    const { page, context, problems } = await open(browser, page_file("unaligned", filled_page(template, { ...report, alignment_deg }, scene)));
+    const nothing = name !== "nearly all";
+    for (const part of ["mean", "p95", "max"]) assert.equal(await page.locator(by_test(`alignment-${part}`)).innerText(), nothing ? "n/a" : "0.00°", name);
+    assert.equal(await page.locator(".scale").count(), nothing ? 0 : 1, name);
+    const note = await page.locator(by_test("alignment-note")).innerText();
+    assert.equal(/No frame could align anywhere/.test(note), nothing, note);
+    assert.deepEqual(problems, []);
+    await context.close();
+  }
 });
 
 test("a field of a solve that was stopped says what is missing", async () => {
@@ -65,14 +140,14 @@ test("a field of a solve that was stopped says what is missing", async () => {
   await context.close();
 });
 
-test("numbers that are not finite, null in the report, are dashes", async () => {
+test("numbers that are not finite, null in the report, are dashes or n/a", async () => {
   const { report, scene } = scene_named("ball");
   const levels = report.levels.map((level) => ({ ...level, energy: null, seconds: null }));
   const nothing = { mean: null, p95: null, max: null };
   const broken = { ...report, levels, alignment_deg: { ...nothing, excluded_share: null }, energy: { smoothness: null, boundary: null, total: null }, seconds: { total: null } };
   const { page, context, problems } = await open(browser, page_file("null", filled_page(template, broken, scene)));
   assert.equal(await page.locator(by_test("number-energy")).innerText(), "–");
-  assert.equal(await page.locator(by_test("alignment-max")).innerText(), "–");
+  assert.equal(await page.locator(by_test("alignment-max")).innerText(), "n/a");
   assert.match(await page.locator(by_test("numbers")).innerText(), /Time\s+–/i);
   assert.ok(await page.locator(by_test("levels")).isVisible());
   assert.deepEqual(problems, []);
@@ -192,8 +267,8 @@ test("places are flown to and marked", async () => {
   assert.deepEqual(there.marked.point, [60, 8, 0]);
   there.camera.target.forEach((value, k) => assert.ok(Math.abs(value - [60, 8, 0][k]) < 1e-9));
   assert.notDeepEqual(there.camera.position, before_it.camera.position);
-  await page.locator(`${by_test("places-knife-edges")} .quiet`).click();
-  assert.equal(await page.locator(`${by_test("places-knife-edges")} ${by_test("place")}`).count(), 9);
+  await page.locator(`${by_test("places-crowded-corners")} .quiet`).click();
+  assert.equal(await page.locator(`${by_test("places-crowded-corners")} ${by_test("place")}`).count(), 9);
   await context.close();
 });
 

@@ -4,13 +4,13 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
-import { drawn_share, keep_screenshot, launch, open } from "./browser.mjs";
+import { drawn_share, keep_screenshot, kPhone, launch, open } from "./browser.mjs";
 
 const program = process.env.CROSSGRAIN_PROGRAM;
 const skip = program ? false : "CROSSGRAIN_PROGRAM names no program";
@@ -42,6 +42,36 @@ test("it says how many cells and singular lines the report has", { skip }, async
   const lines = await opened.page.locator('[data-testid="number-arcs"]').innerText();
   assert.ok(lines.includes(String(report.singularity.arcs)), lines);
 });
+
+/** An STL file of flat faces, each a convex polygon of some corners, outward. */
+function stl_text(corners, faces) {
+  const triangles = faces.flatMap(([first, ...rest]) => rest.slice(1).map((last, k) => [first, rest[k], last]));
+  const facets = triangles.map((triangle) => `facet normal 0 0 0\nouter loop\n${triangle.map((k) => `vertex ${corners[k].join(" ")}`).join("\n")}\nendloop\nendfacet\n`);
+  return `solid part\n${facets.join("")}endsolid part\n`;
+}
+
+const square = (z) => [[-1, -1, z], [1, -1, z], [1, 1, z], [-1, 1, z]];
+const box_faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
+const box = (height) => stl_text([...square(0), ...square(height)], box_faces);
+const pyramid = stl_text([...square(0), [0, 0, 2]], [[0, 3, 2, 1], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]);
+
+for (const [name, model_text, words] of [["box", box(1.5), "can be meshed locally"], ["pyramid", pyramid, "cannot be meshed"], ["plate", box(0.03), "undecided"]]) {
+  test(`the page of a ${name} gives the answer of check in the same words: ${words}`, { skip }, async () => {
+    const [stl, out] = [join(folder, `${name}.stl`), join(folder, name)];
+    writeFileSync(stl, model_text);
+    execFileSync(program, ["solve", stl, "-o", out, "--quiet", "--resolution", "32"]);
+    const answer = execFileSync(program, ["check", out], { encoding: "utf8" }).split("\n")[0];
+    assert.ok(answer.startsWith(words), answer);
+    const { page, context, problems } = await open(browser, pathToFileURL(join(out, "report.html")).href, { device: kPhone });
+    assert.match(await page.locator('[data-testid="badge"]').textContent(), new RegExp(`${words}$`));
+    assert.ok(await page.locator('[data-testid="badge"]').isVisible());
+    await page.locator('[data-testid="tab-field"]').tap();
+    assert.equal(await page.locator('[data-testid="answer"]').textContent(), answer);
+    await keep_screenshot(page, `answer-${name}-phone-light`);
+    assert.deepEqual(problems, []);
+    await context.close();
+  });
+}
 
 test("cells have unit coefficients, and forms with the eigenvalues of sums of projectors", { skip }, async () => {
   const cells = await opened.page.evaluate((count) => {

@@ -4,11 +4,13 @@
 import type { Theme } from "./math/color_maps.ts";
 import { subtract, type Vector } from "./math/frame.ts";
 import type { Degree } from "./math/harmonics.ts";
+import { faults_of, is_drawn_anyway } from "./scene/faults.ts";
 import type { Report } from "./scene/report.ts";
 import { cell_count, cell_box, cell_center, type Scene } from "./scene/scene.ts";
 import { SettingsStore, type CutAxis, type Settings } from "./settings.ts";
 import { Stage } from "./view/stage.ts";
 import { kViewNames, type ViewName } from "./view/camera_rig.ts";
+import { answer_blocks, answer_of, place_of } from "./ui/answer.ts";
 import { by_id, counted, measured } from "./ui/dom.ts";
 import { describe_cell, show_cell, show_no_cell, type CellPanel } from "./ui/cell_panel.ts";
 import { make_controls } from "./ui/controls.ts";
@@ -36,21 +38,25 @@ export class Application {
   constructor(readonly scene: Scene, report: Report, private readonly tabs: Tabs, context: WebGL2RenderingContext) {
     const canvas = by_id("view") as HTMLCanvasElement;
     this.degree = report.degree === 3 ? 3 : 4;
-    this.stage = new Stage(scene, canvas, context, report.input?.closed ?? report.model?.watertight ?? false, this.store.current);
+    const balls = faults_of(report).filter((fault) => !is_drawn_anyway(fault, report)).map(({ place, verdict }) => ({ point: subtract(place, scene.origin), verdict }));
+    this.stage = new Stage(scene, balls, canvas, context, report.input?.closed ?? report.model?.watertight ?? false, this.store.current);
     const axis = widest_cut(scene);
     // The half that is taken away is the one towards the first view, which looks from the front, the right and above.
     this.store.change({ cut: { axis, flip: axis === "y" } });
     this.follow = make_controls(by_id("panel-view"), this.store, scene, { cut_across: (axis) => this.cut_across(axis) });
-    const groups = place_groups(report, scene);
-    this.places = groups.flatMap((group) => group.places).filter((place) => place.point !== null);
-    by_id("places").replaceChildren(...place_lists(groups, scene.origin, (place) => this.visit(place)));
+    const go = (place: Place): void => this.visit(place);
+    const answer = answer_of(report);
+    const groups = place_groups(report, scene.origin);
+    this.places = apart([...(answer?.reasons ?? []).map((reason) => place_of(reason, scene.origin)), ...groups.flatMap((group) => group.places)]);
+    by_id("answer").replaceChildren(...answer_blocks(answer, scene.origin, go));
+    by_id("places").replaceChildren(...place_lists(groups, scene.origin, go));
     this.keyboard = new Keyboard(key_groups(this), by_id("help") as HTMLDialogElement);
     make_toolbar(by_id("toolbar"), this);
     new PointerClicks(canvas, (x, y) => this.pick_at(x, y), (x, y) => this.fly_at(x, y));
     this.stage.onmove = () => this.draw_plot();
     this.store.subscribe((settings) => this.apply(settings));
     this.dark.addEventListener("change", () => this.apply(this.store.current));
-    by_id("shown").textContent = this.what_is_shown();
+    by_id("shown").textContent = this.what_is_shown(report);
     canvas.setAttribute("aria-label", `${by_id("part-name").textContent} with its singular lines and the frames on a cut`);
     // A phone has no room for the legend until it is asked for.
     if (matchMedia("(max-width: 799px)").matches) by_id("legend").removeAttribute("open");
@@ -113,7 +119,7 @@ export class Application {
 
   visit(place: Place): void {
     if (!place.point) return;
-    this.visited = this.places.indexOf(place);
+    this.visited = this.places.findIndex(({ point }) => is_same(point, place.point));
     this.store.change({ marked: { point: place.point, label: place.label, warn: place.warn } });
     this.stage.rig.approach(place.point, true);
     this.announce(`${place.label}: ${place.detail}`);
@@ -155,7 +161,7 @@ export class Application {
     else document.documentElement.dataset.theme = theme;
     this.stage.apply(settings, this.theme);
     this.follow(settings);
-    by_id("legend-body").replaceChildren(...legend_body(settings, this.theme, this.scene, this.stage.ranges));
+    by_id("legend-body").replaceChildren(...legend_body(settings, this.theme, this.scene, this.stage));
     this.show_picked(settings.picked);
   }
 
@@ -185,9 +191,10 @@ export class Application {
     this.cell_panel.plot.draw(this.cell_panel.canvas, column(0), column(1), column(2), this.theme);
   }
 
-  private what_is_shown(): string {
+  private what_is_shown(report: Report): string {
     const { cells, surface, unit } = this.scene;
     const parts: string[] = [];
+    if (report.onto) parts.push("The view shows the field on the grid; the answer is about the field on the tets.");
     if (cells.merged_to !== null) {
       parts.push(`Cells smaller than ${measured(cells.merged_to)}${unit ? ` ${unit}` : ""} are shown merged: ${counted(cells.shown)} of ${counted(cells.total)} cells.`);
     } else if (cells.shown < cells.total) parts.push(`${counted(cells.shown)} of ${counted(cells.total)} cells are shown.`);
@@ -227,3 +234,8 @@ export class Application {
     });
   }
 }
+
+const is_same = (a: Vector | null, b: Vector | null): boolean => a !== null && b !== null && a.every((value, k) => value === b[k]);
+
+/** Those that have a point, each point once. */
+const apart = (places: Place[]): Place[] => places.filter(({ point }, k) => point && places.findIndex((other) => is_same(other.point, point)) === k);

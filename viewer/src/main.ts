@@ -6,7 +6,8 @@ import type { Report } from "./scene/report.ts";
 import { Application } from "./application.ts";
 import { view_context } from "./view/view_context.ts";
 import { place_groups, place_lists } from "./ui/places.ts";
-import { about, alignment_scale, badge, key_numbers, unfinished_card, verdict_card, verdict_of, warnings_list } from "./ui/summary.ts";
+import { answer_blocks, answer_of, badge } from "./ui/answer.ts";
+import { about, alignment_scale, key_numbers, tet_alignment, unfinished_card, warnings_list } from "./ui/summary.ts";
 import { by_id, element } from "./ui/dom.ts";
 import { levels_chart } from "./ui/levels_chart.ts";
 import { Tabs } from "./ui/tabs.ts";
@@ -18,13 +19,14 @@ function show_report(report: Report): void {
   document.title = `${name} · Crossgrain`;
   by_id("part-name").textContent = name;
   by_id("part-name").title = path;
-  const verdict = verdict_of(report);
-  by_id("badge").replaceChildren(...badge(verdict));
-  by_id("badge").className = `badge ${verdict?.judgement ?? ""}`;
-  const places = element("div", { id: "places" });
-  const blocks = [unfinished_card(report), verdict_card(verdict), key_numbers(report), alignment_scale(report), places, levels_chart(report), warnings_list(report), about(report)];
+  const answer = answer_of(report);
+  by_id("badge").replaceChildren(...badge(answer));
+  by_id("badge").className = `badge ${answer?.judgement ?? ""}`;
+  // Filled again, with buttons that fly there, once there is a view.
+  const verdict = element("div", { id: "answer" }, ...answer_blocks(answer, [0, 0, 0], () => {}));
+  const places = element("div", { id: "places" }, ...place_lists(place_groups(report, [0, 0, 0]), [0, 0, 0], () => {}));
+  const blocks = [unfinished_card(report), verdict, key_numbers(report), tet_alignment(report), alignment_scale(report), places, levels_chart(report), warnings_list(report), about(report)];
   by_id("panel-field").replaceChildren(...blocks.filter((block) => block !== null));
-  places.replaceChildren(...place_lists(place_groups(report, null), [0, 0, 0], () => {}));
 }
 
 function say_instead_of_view(text: string): void {

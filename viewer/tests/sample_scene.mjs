@@ -76,16 +76,18 @@ const line = (from, to, count, bend = () => [0, 0, 0]) =>
     return from.map((value, axis) => value + share * (to[axis] - value) + away[axis]);
   });
 
-function assemble({ solid, lattice, depth, frame_at, arcs, nodes, streamlines, report, origin, total, merged_to }) {
+function assemble({ solid, lattice, depth, frame_at, arcs, nodes, streamlines, report, singularity = {}, origin = [0, 0, 0], total, merged_to }) {
+  const at = (point) => point.map((value, k) => value + origin[k]);
   const cells = cells_of(solid.distance, lattice, depth, frame_at, energy_near(arcs, 4 * lattice.unit));
   const surface = { ...solid.surface, origin };
   const forms = add_forms(surface, cells, lattice, finder(cells, lattice));
   const counts = { plane: 0, axis: 0, frame: 0, free: 0, conflicted: 0 };
   for (const cell of cells) if (cell.class > 0) ++counts[["plane", "axis", "frame", "free", "conflicted"][cell.class - 1]];
   const tilts = cells.filter((cell) => cell.class > 0).map((cell) => cell.alignment).sort((a, b) => a - b);
-  const bad = (list) => list.filter(({ verdict }) => verdict === 1).length;
+  const verdict_of = ({ verdict = 0 }) => ["meshable", "not_meshable", "undecided"][verdict];
   const full_report = {
     schema: 4,
+    verdict: "meshable", answer: "can be meshed locally (necessary, not sufficient)", reasons: [],
     degree: 4,
     levels: [5, 4, 3, 2, 1, 0].filter((back) => back < depth).map((back) => ({
       depth: depth - back, cells: 2 * cells.length, active_cells: Math.round(cells.length / 4.4 ** back), sweeps: 16,
@@ -96,8 +98,10 @@ function assemble({ solid, lattice, depth, frame_at, arcs, nodes, streamlines, r
     spectrum: counts,
     singularity: {
       edges: 480, length: 512, arcs: arcs.length, nodes: nodes.filter(({ on_boundary }) => !on_boundary).length,
-      boundary_ends: nodes.filter(({ on_boundary }) => on_boundary).length, unresolved_loops: 0, meshable: bad(arcs) + bad(nodes) === 0,
-      not_meshable_arcs: bad(arcs), not_meshable_nodes: bad(nodes), undecided_nodes: nodes.filter(({ verdict }) => verdict === 2).length,
+      boundary_ends: nodes.filter(({ on_boundary }) => on_boundary).length, unresolved_loops: 0,
+      arc_list: arcs.map((arc) => ({ type: ["regular", "changing", "no_axis"][arc.type ?? 0], index: arc.index, verdict: verdict_of(arc), place: at(arc.points[Math.floor(arc.points.length / 2)]) })),
+      node_list: nodes.map((node) => ({ verdict: verdict_of(node), place: at(node.point), on_boundary: Boolean(node.on_boundary), arcs: Array.from({ length: node.degree }, (_, k) => k) })),
+      crease_list: [], corner_list: [], ...singularity,
     },
     seconds: { read: 0.1, grid: 0.5, solve: 1.1, write: 0.2, total: 2.03 },
     peak_memory_bytes: 148e6,
@@ -166,6 +170,8 @@ export function plate_scene() {
   return assemble({
     solid, depth: 7, lattice: { low: [-1.5, -1.5, -0.75], unit: 1 }, arcs, nodes, streamlines, frame_at, total: 4_100_000, merged_to: 1,
     report: {
+      verdict: "undecided", answer: "undecided, because walls under 93 % of the surface have fewer than 2.5 cells; next: use --resolution 101",
+      reasons: [{ kind: "walls", verdict: "undecided", count: 0, place: [0, 0, 0], text: "walls under 93 % of the surface have fewer than 2.5 cells", next: "use --resolution 101" }],
       model: { path: "/parts/perforated plate.stl", triangles: solid.surface.triangles.length, watertight: true, components: 1, unit: "mm" },
       resolution: 120, input: { closed: true, findings: [] }, walls: { cells_wanted: 4, thin_share: 0.93, thinnest_cells: 3 },
       warnings: [{ kind: "thin_walls", text: "walls below 4 cells under 93 % of the surface: under-resolved there", remedy: "raise_resolution", advice: "raise the resolution" }],
@@ -197,14 +203,28 @@ export function components_scene() {
   }
   arcs.push({ points: line([46, 26, -6], [46, 26, 6], 10), index: 0.25 });
   arcs.push({ points: line([14, 22, -7], [14, 30, 7], 12, (share) => [3 * Math.sin(Math.PI * share), 0, 0]), index: -0.25 });
-  arcs.push({ points: line([-4, 0, -7.5], [4, 3, 7.5], 18, (share) => [0, 4 * Math.sin(2 * Math.PI * share), 0]), index: 0, type: 3, verdict: 1 });
+  arcs.push({ points: line([-4, 0, -7.5], [4, 3, 7.5], 18, (share) => [0, 4 * Math.sin(2 * Math.PI * share), 0]), index: 0, type: 2, verdict: 1 });
   arcs.push({ points: line([2, -7, -2], [-3, 6, 1], 14), index: -0.5 });
-  arcs.push({ points: line([10, 22, 3], [18, 30, -3], 14), index: 0.25, type: 2, verdict: 1 });
+  arcs.push({ points: line([10, 22, 3], [18, 30, -3], 14), index: 0.25, type: 1, verdict: 1 });
   nodes.push({ point: [0, 0, 0], verdict: 1, degree: 3 }, { point: [14, 26, 0], verdict: 2, degree: 2 });
   return assemble({
     solid, depth: 6, lattice: { low: [-12, -12, -12], unit: 1.28 }, arcs, nodes,
     frame_at: (p) => product(toward(unit([p[0] % 30, p[1] % 26, p[2] + 0.01]), 0.4), [1, 0, 0, 0]),
+    singularity: {
+      crease_list: [
+        { hexahedra: 1, least_angle_deg: 90, verdict: "meshable", place: [23, 26, 0] }, { hexahedra: 1, least_angle_deg: 44.3, verdict: "undecided", place: [46, 35, 0] },
+        { hexahedra: 0, least_angle_deg: 30, verdict: "not_meshable", place: [46, 26, 6] },
+      ],
+      corner_list: [{ hexahedra: 0, creases: [1, 1, 1, 1], arcs: [], verdict: "not_meshable", place: [23, 26, 7] }],
+    },
     report: {
+      verdict: "not_meshable",
+      answer: "cannot be meshed, because a knife edge of 30 degrees leaves room for no hexahedron at 46 26 6; next: give the edge a fillet or a chamfer",
+      reasons: [
+        { kind: "knife_edge", verdict: "not_meshable", count: 1, place: [46, 26, 6], text: "a knife edge of 30 degrees leaves room for no hexahedron", next: "give the edge a fillet or a chamfer" },
+        { kind: "arc", verdict: "not_meshable", count: 2, place: [0, 0, 0], text: "an arc has a turning point: frames rotate about it in both senses", next: "try other cells" },
+        { kind: "walls", verdict: "undecided", count: 0, place: [0, 0, 0], text: "walls under 4 % of the surface have fewer than 2.5 cells", next: "use --resolution 101" },
+      ],
       model: { path: "C:\\parts\\five components <v2>.step", triangles: solid.surface.triangles.length, watertight: false, components: 5, unit: "mm" },
       resolution: 63,
       input: {
@@ -216,8 +236,8 @@ export function components_scene() {
         ],
       },
       creases: {
-        curves: 20, knife_edges: 9, crowded_corners: 1, crowded_corner_places: [[23, 26, 7]],
-        knife_edge_places: Array.from({ length: 9 }, (_, k) => [46 + 9 * Math.cos(k), 26 + 9 * Math.sin(k), (k % 2) * 12 - 6]),
+        curves: 20, crowded_corners: 9,
+        crowded_corner_places: Array.from({ length: 9 }, (_, k) => [46 + 9 * Math.cos(k), 26 + 9 * Math.sin(k), (k % 2) * 12 - 6]),
       },
       warnings: [
         { kind: "skipped_data", file: "components.vtk", place: "line 12", text: "'LOOKUP' is not known, and data after it are ignored" },

@@ -5,12 +5,16 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { kClasses, ramp_color } from "../src/math/color_maps.ts";
+import { faults_of } from "../src/scene/faults.ts";
 import { build_octree, cell_at, surface_cell_at } from "../src/scene/octree.ts";
 import { cell_box, cell_center, cell_count, cell_quaternion, decode_scene } from "../src/scene/scene.ts";
 import { cut_normal, cut_offset, SettingsStore } from "../src/settings.ts";
-import { verdict_of } from "../src/ui/summary.ts";
+import { answer_of } from "../src/ui/answer.ts";
+import { amount, plural } from "../src/ui/dom.ts";
+import { place_groups } from "../src/ui/places.ts";
 import { glyph_places } from "../src/view/glyph_places.ts";
 import { fraction_of, ranges_of } from "../src/view/ranges.ts";
+import { ball_counts } from "../src/view/singular_lines.ts";
 import { widest_cut } from "../src/view/widest_cut.ts";
 import { ball_scene, components_scene, plate_scene } from "./sample_scene.mjs";
 import { encode_scene, upper_half } from "./scene_writer.mjs";
@@ -152,11 +156,46 @@ test("lightness of the maps of quantities only rises or only falls, in steps of 
   assert.equal(new Set(kClasses.map(({ color }) => color.light)).size, kClasses.length);
 });
 
-test("the verdict is bad, unsure or good as the report has it", () => {
-  assert.equal(verdict_of(made.ball.report).judgement, "good");
-  const bad = verdict_of(made.components.report);
-  assert.equal(bad.judgement, "bad");
-  assert.match(bad.sentence, /2 lines and 1 node are/);
-  assert.equal(verdict_of({ singularity: { ...made.ball.report.singularity, undecided_nodes: 1 } }).judgement, "unsure");
-  assert.equal(verdict_of({}), null);
+test("the answer is the one of the report, in its words", () => {
+  const answers = Object.values(made).map(({ report }) => answer_of(report));
+  assert.deepEqual(answers.map(({ judgement, short }) => [judgement, short]), [["good", "can be meshed locally"], ["unsure", "undecided"], ["bad", "cannot be meshed"]]);
+  for (const { short, sentence } of answers) assert.ok(sentence.startsWith(short), sentence);
+  assert.equal(answer_of({}), null);
+  assert.equal(answer_of({ verdict: "of a later version" }), null);
+});
+
+test("faults are lines, nodes, creases and corners that are not meshable or undecided, certain ones first", () => {
+  const faults = faults_of(made.components.report).map(({ part, number, verdict }) => [part, number, verdict]);
+  const [bad, unsure] = ["not_meshable", "undecided"];
+  assert.deepEqual(faults, [["line", 11, bad], ["line", 13, bad], ["node", 9, bad], ["node", 10, unsure], ["crease", 3, bad], ["crease", 2, unsure], ["corner", 1, bad]]);
+  assert.deepEqual(faults_of(made.ball.report), []);
+  assert.deepEqual(faults_of({}), []);
+});
+
+test("with tets, faults are those of the field on the tets", () => {
+  const { report } = made.components;
+  const onto = { tets: 9, singularity: { arcs: 0, nodes: 0, corner_list: [{ creases: [1], verdict: "undecided", place: [1, 2, 3] }] } };
+  const faults = faults_of({ ...report, onto });
+  assert.deepEqual(faults.map(({ part, place }) => [part, place]), [["corner", [1, 2, 3]]]);
+  assert.match(faults[0].words, /^1 crease, /);
+});
+
+test("balls are counted by their colour: nodes of the scene and the marks of other faults", () => {
+  assert.deepEqual(ball_counts(scenes.ball, []), { impossible: 0, undecided: 0 });
+  const marks = [{ point: [0, 0, 0], verdict: "undecided" }, { point: [1, 0, 0], verdict: "not_meshable" }];
+  assert.deepEqual(ball_counts(scenes.components, marks), { impossible: 2, undecided: 2 });
+});
+
+test("places are relative to the origin of the scene", () => {
+  const [faults] = place_groups(made.components.report, [10, 20, 30]);
+  const [first] = faults_of(made.components.report);
+  assert.deepEqual(faults.places[0].point, first.place.map((value, k) => value - [10, 20, 30][k]));
+});
+
+test("one is no plural", () => {
+  assert.deepEqual([plural(1, "node"), plural(0, "node"), plural(1000, "node")], ["1 node", "0 nodes", "1,000 nodes"]);
+  assert.deepEqual([amount(1, "cell"), amount(0.99999, "cell"), amount(2.75, "cell")], ["1 cell", "1 cell", "2.75 cells"]);
+  const input = { findings: [{ kind: "duplicated triangles", count: 1 }, { kind: "holes", count: 2 }, { kind: "inside-out parts", count: 1 }] };
+  const found = place_groups({ input }, [0, 0, 0]).find(({ name }) => name === "Found in the input");
+  assert.deepEqual(found.places.map(({ label }) => label), ["1 duplicated triangle", "2 holes", "1 inside-out part"]);
 });

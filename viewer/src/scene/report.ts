@@ -5,9 +5,9 @@
 import type { Vector } from "../math/frame.ts";
 
 export interface Statistics {
-  mean: number;
-  p95: number;
-  max: number;
+  mean: number | null;
+  p95: number | null;
+  max: number | null;
 }
 
 export interface Finding {
@@ -19,19 +19,52 @@ export interface Finding {
   done_text?: string;
 }
 
+export type VerdictName = "meshable" | "not_meshable" | "undecided";
+
+/** Why a field is not meshable or undecided; `place` counts only where `count` is not 0. */
+export interface Reason {
+  kind: string;
+  verdict: VerdictName;
+  count: number;
+  place: Vector;
+  text: string;
+  next?: string;
+}
+
 export interface ArcEntry {
   type: string;
   index: number;
-  verdict: string;
-  length: number;
+  verdict: VerdictName;
   place: Vector;
 }
 
 export interface NodeEntry {
-  verdict: string;
+  verdict: VerdictName;
   place: Vector;
   on_boundary?: boolean;
-  degree?: number;
+  arcs: number[];
+}
+
+export interface CreaseEntry {
+  hexahedra: number;
+  least_angle_deg: number;
+  verdict: VerdictName;
+  place: Vector;
+}
+
+export interface CornerEntry {
+  creases: number[];
+  verdict: VerdictName;
+  place: Vector;
+}
+
+export interface Singularity {
+  arcs: number;
+  nodes: number;
+  arc_list?: ArcEntry[];
+  node_list?: NodeEntry[];
+  crease_list?: CreaseEntry[];
+  corner_list?: CornerEntry[];
 }
 
 export interface Warning {
@@ -43,6 +76,9 @@ export interface Warning {
 }
 
 export interface Report {
+  verdict?: VerdictName;
+  answer?: string;
+  reasons?: Reason[];
   model?: { path?: string; triangles?: number; unit?: string; watertight?: boolean; components?: number };
   degree?: 3 | 4;
   resolution?: number;
@@ -50,31 +86,18 @@ export interface Report {
   energy?: { smoothness: number; boundary: number; total: number };
   alignment_deg?: (Statistics & { excluded_share?: number }) | null;
   spectrum?: Record<string, number>;
-  singularity?: {
-    arcs: number;
-    nodes: number;
-    length?: number;
-    boundary_ends?: number;
-    unresolved_loops?: number;
-    meshable: boolean;
-    not_meshable_arcs: number;
-    not_meshable_nodes: number;
-    undecided_nodes: number;
-    arc_list?: ArcEntry[];
-    node_list?: NodeEntry[];
-  };
+  singularity?: Singularity;
   seconds?: { total?: number };
   peak_memory_bytes?: number;
   version?: string;
   input?: { closed?: boolean; findings?: Finding[] };
   walls?: { cells_wanted?: number; thin_share?: number; thinnest_cells?: number };
-  creases?: {
-    knife_edges?: number;
-    crowded_corners?: number;
-    knife_edge_places?: Vector[];
-    crowded_corner_places?: Vector[];
-  };
+  creases?: { crowded_corner_places?: Vector[] };
   limited?: { resolution_asked?: number };
   unfinished?: { resolution_asked?: number; levels_missing?: number; tets_missing?: boolean };
+  onto?: { tets: number; singularity?: Singularity; normal_deg?: Statistics; crease_deg?: Statistics; unfollowed_share?: number };
   warnings?: Warning[];
 }
+
+/** The singular lines that the answer is about: those on the tets, if there are tets. */
+export const judged_lines = (report: Report): Singularity | undefined => report.onto?.singularity ?? report.singularity;

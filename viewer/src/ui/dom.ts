@@ -58,3 +58,6 @@ export function memory(bytes: number): string {
 }
 
 export const plural = (count: number, one: string, many = `${one}s`): string => `${counted(count)} ${count === 1 ? one : many}`;
+
+/** 1 cell, 2.75 cells */
+export const amount = (value: number, one: string, digits = 3): string => `${measured(value, digits)} ${measured(value, digits) === "1" ? one : `${one}s`}`;

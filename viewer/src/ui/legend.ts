@@ -6,15 +6,16 @@ import type { Scene } from "../scene/scene.ts";
 import type { Settings } from "../settings.ts";
 import { kTiltScale } from "../view/glyphs.ts";
 import type { Range, Ranges } from "../view/ranges.ts";
-import { arc_kind, kArcKinds, type ArcKind } from "../view/singular_lines.ts";
+import { arc_kind, ball_counts, kArcKinds, type ArcKind, type FaultBall } from "../view/singular_lines.ts";
 import { kViewColors } from "../view/view_colors.ts";
 import { counted, drawing, element, measured, superscript } from "./dom.ts";
 
+const kImpossible = "impossible for hexahedra";
 const kArcNames: Record<ArcKind, string> = {
   positive: "index +1/4",
   negative: "index −1/4",
   half: "index ±1/2",
-  warn: "impossible in hexahedra",
+  warn: kImpossible,
 };
 
 /** Arcs of each kind. */
@@ -24,7 +25,13 @@ export function arc_counts(scene: Scene): Record<ArcKind, number> {
   return counts;
 }
 
-export function legend_body(settings: Settings, theme: Theme, scene: Scene, ranges: Ranges): Node[] {
+/** What the view knows besides the scene. */
+export interface LegendSource {
+  ranges: Ranges;
+  faults: FaultBall[];
+}
+
+export function legend_body(settings: Settings, theme: Theme, scene: Scene, { ranges, faults }: LegendSource): Node[] {
   const blocks: Node[] = [];
   if (settings.map === "alignment") blocks.push(ramp("Alignment", css_gradient("alignment", theme), linear_ticks(ranges.alignment, "°"), "angle of normal and nearest axis"));
   if (settings.map === "energy") blocks.push(ramp("Energy density", css_gradient("energy", theme), decade_ticks(ranges.energy), scene.unit ? `per volume, ${scene.unit}⁻²` : "per volume"));
@@ -35,6 +42,7 @@ export function legend_body(settings: Settings, theme: Theme, scene: Scene, rang
     if (color === "turn") blocks.push(ramp("Frames: turn in the cut", css_gradient("turn", theme), linear_ticks({ low: 0, high: 90, logarithmic: false }, "°"), "all colours around a singular line"));
   }
   if (settings.layers.arcs) blocks.push(arc_list(scene, theme));
+  if (settings.layers.nodes) blocks.push(...ball_list(scene, faults, theme));
   return blocks;
 }
 
@@ -87,4 +95,19 @@ function arc_swatch(kind: ArcKind, color: string): SVGElement {
   return drawing("svg", { viewBox: "0 0 30 14", class: "arc-swatch", "aria-hidden": "true" },
     drawing("rect", { x: 0, y: middle - height / 2, width: 30, height, rx: 1.5, fill: color }),
     ...bands.map(([x, width]) => drawing("rect", { x, y: middle - height / 2, width, height, fill: kind === "warn" ? "#fff" : "#000", "fill-opacity": kind === "warn" ? 0.55 : 0.62 })));
+}
+
+/** The balls that are marked; none if none are. */
+function ball_list(scene: Scene, faults: FaultBall[], theme: Theme): HTMLElement[] {
+  const counts = ball_counts(scene, faults);
+  const rows: [string, string, number][] = [[kImpossible, kViewColors[theme].warn, counts.impossible], ["undecided", kViewColors[theme].undecided, counts.undecided]];
+  const present = rows.filter(([, , count]) => count > 0);
+  if (present.length === 0) return [];
+  return [element("div", { class: "legend-block", "data-testid": "legend-balls" },
+    element("h3", {}, "Nodes, creases, corners"),
+    element("ul", { class: "keys" }, ...present.map(([name, color, count]) =>
+      element("li", {},
+        drawing("svg", { viewBox: "0 0 30 14", class: "arc-swatch", "aria-hidden": "true" }, drawing("circle", { cx: 15, cy: 7, r: 6, fill: color })),
+        name, element("span", { class: "tally" }, counted(count))))),
+  )];
 }

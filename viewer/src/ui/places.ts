@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places worth a look, as lists of buttons that take the camera there: faults of the singular lines, what was found wrong with the
-// surface, knife edges and crowded corners.
+// Places worth a look, as lists of buttons that take the camera there: faults of singular lines, creases and corners, what was found
+// wrong with the surface, and crowded corners.
 
 import { add, subtract, type Vector } from "../math/frame.ts";
+import { faults_of, type Fault, type FaultPart } from "../scene/faults.ts";
 import type { Report } from "../scene/report.ts";
-import type { Scene } from "../scene/scene.ts";
-import { counted, element, measured } from "./dom.ts";
+import { counted, element, measured, plural } from "./dom.ts";
 
 export interface Place {
   label: string;
@@ -22,54 +22,37 @@ export interface PlaceGroup {
   empty?: string;
 }
 
-const kArcTypes = ["of index +1/2", "rotation about an axis across it", "of changing index", "rotation about no axis of the frame"];
+const kFaultNames: Record<FaultPart, string> = { line: "Line", node: "Node", crease: "Crease", corner: "Corner" };
 // Lists begin this short: what matters is that there are many.
 const kFirst = 6;
 
-export function place_groups(report: Report, scene: Scene | null): PlaceGroup[] {
-  const origin: Vector = scene?.origin ?? [0, 0, 0];
+export function place_groups(report: Report, origin: Vector): PlaceGroup[] {
   const local = (point: Vector | null | undefined): Vector | null => (point ? subtract(point, origin) : null);
-  const numbered = (places: Vector[] | undefined, label: string, detail: string): Place[] =>
-    (places ?? []).map((point, k) => ({ label: `${label} ${k + 1}`, detail, point: local(point), warn: false }));
+  const faults = faults_of(report);
+  const places_of = (...parts: FaultPart[]): Place[] => faults.filter(({ part }) => parts.includes(part)).map((fault) => place_of(fault, origin));
   return [
-    { name: "Faults of the singular lines", places: scene ? singular_faults(scene) : [] },
+    { name: "Faults of the singular lines", places: places_of("line", "node") },
+    { name: "Creases and corners", places: places_of("crease", "corner") },
     {
       name: "Found in the input",
       places: (report.input?.findings ?? []).map((finding) => ({
-        label: `${finding.at_least ? "at least " : ""}${counted(finding.count)} ${finding.kind}`,
+        label: `${finding.at_least ? "at least " : ""}${plural(finding.count, finding.kind.replace(/s$/, ""), finding.kind)}`,
         detail: [finding.length ? `${measured(finding.length)} long` : "", finding.done_text ?? ""].filter(Boolean).join("; "),
         point: local(finding.place),
         warn: false,
       })),
       empty: report.input ? "Nothing: the surface is clean." : undefined,
     },
-    { name: "Knife edges", places: numbered(report.creases?.knife_edge_places, "Edge", "less than 45° of solid") },
-    { name: "Crowded corners", places: numbered(report.creases?.crowded_corner_places, "Corner", "more than three creases") },
+    {
+      name: "Crowded corners",
+      places: (report.creases?.crowded_corner_places ?? []).map((point, k) => ({ label: `Corner ${k + 1}`, detail: "more than three creases", point: local(point), warn: false })),
+    },
   ];
 }
 
-function singular_faults(scene: Scene): Place[] {
-  const places: Place[] = [];
-  for (let arc = 0; arc < scene.arc_verdict.length; ++arc) {
-    if (scene.arc_verdict[arc] !== 1) continue;
-    const middle = Math.floor((scene.arc_starts[arc] + scene.arc_starts[arc + 1] - 1) / 2);
-    places.push({ label: `Line ${arc + 1}`, detail: kArcTypes[scene.arc_type[arc]] ?? "", point: triple(scene.arc_points, middle), warn: true });
-  }
-  for (let node = 0; node < scene.node_verdict.length; ++node) {
-    const verdict = scene.node_verdict[node];
-    if (scene.node_on_boundary[node] || verdict === 0) continue;
-    const degree = scene.node_degree[node];
-    places.push({
-      label: `Node ${node + 1}`,
-      detail: verdict === 1 ? `${degree} lines meet as hexahedra cannot` : `${degree} lines meet: undecided`,
-      point: triple(scene.node_points, node),
-      warn: verdict === 1,
-    });
-  }
-  return places;
+function place_of({ part, number, verdict, place, words }: Fault, origin: Vector): Place {
+  return { label: `${kFaultNames[part]} ${number}`, detail: verdict === "undecided" ? `undecided: ${words}` : words, point: subtract(place, origin), warn: verdict === "not_meshable" };
 }
-
-const triple = (values: Float32Array, k: number): Vector => [values[3 * k], values[3 * k + 1], values[3 * k + 2]];
 
 export function place_lists(groups: PlaceGroup[], origin: Vector, go: (place: Place) => void): HTMLElement[] {
   return groups.filter((group) => group.places.length > 0 || group.empty).map((group) => {

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verdict and the numbers by which a field is judged, from the report alone.
+// The numbers by which a field is judged, from the report alone.
 
-import type { Report, Warning } from "../scene/report.ts";
-import { counted, degrees, duration, element, measured, memory, plural } from "./dom.ts";
-
-export type Judgement = "good" | "unsure" | "bad";
-
-export interface Verdict {
-  judgement: Judgement;
-  short: string;
-  sentence: string;
-}
+import { judged_lines, type Report, type Statistics, type Warning } from "../scene/report.ts";
+import { amount, counted, degrees, duration, element, measured, memory, plural } from "./dom.ts";
 
 /** Returns which part of the requested field this is, if the solve was stopped. */
 export function unfinished_card(report: Report): HTMLElement | null {
@@ -27,54 +19,6 @@ export function unfinished_card(report: Report): HTMLElement | null {
   );
 }
 
-/** What the singular lines say about hexahedra. */
-export function verdict_of(report: Report): Verdict | null {
-  const singular = report.singularity;
-  if (!singular) return null;
-  const { arcs, not_meshable_arcs, not_meshable_nodes, undecided_nodes } = singular;
-  if (!singular.meshable) {
-    const faults = [
-      not_meshable_arcs > 0 ? plural(not_meshable_arcs, "line") : "",
-      not_meshable_nodes > 0 ? plural(not_meshable_nodes, "node") : "",
-    ].filter(Boolean).join(" and ");
-    const one = not_meshable_arcs + not_meshable_nodes === 1;
-    return {
-      judgement: "bad",
-      short: "Not for hexahedra",
-      sentence: `No hexahedral mesh can have this field’s singular lines: ${faults} ${one ? "is" : "are"} of a kind that hexahedra cannot form.`,
-    };
-  }
-  if (arcs === 0) {
-    return { judgement: "good", short: "No singular lines", sentence: "There are no singular lines: a hexahedral mesh can follow the field everywhere." };
-  }
-  if (undecided_nodes > 0) {
-    return {
-      judgement: "unsure",
-      short: "Undecided",
-      sentence: `No fault was found, but ${plural(undecided_nodes, "node")} cannot be judged: too many hexahedra would meet there.`,
-    };
-  }
-  return { judgement: "good", short: "Fit for hexahedra", sentence: "A hexahedral mesh can have this field’s singular lines." };
-}
-
-const kSigns: Record<Judgement, string> = { good: "✓", unsure: "?", bad: "!" };
-
-export function badge(verdict: Verdict | null): Node[] {
-  if (!verdict) return [];
-  return [element("span", { class: `sign ${verdict.judgement}`, "aria-hidden": "true" }, kSigns[verdict.judgement]), document.createTextNode(verdict.short)];
-}
-
-export function verdict_card(verdict: Verdict | null): HTMLElement | null {
-  if (!verdict) return null;
-  return element("div", { class: `verdict ${verdict.judgement}`, "data-testid": "verdict" },
-    element("span", { class: `sign ${verdict.judgement}`, "aria-hidden": "true" }, kSigns[verdict.judgement]),
-    element("div", {},
-      element("p", { class: "verdict-text" }, verdict.sentence),
-      element("p", { class: "fine" }, verdict.judgement === "bad" ? "The places are listed below." : "Necessary for a hexahedral mesh, not sufficient."),
-    ),
-  );
-}
-
 function number(name: string, value: string, note = "", test = ""): HTMLElement {
   return element("div", { class: "number" },
     element("dt", {}, name),
@@ -85,20 +29,43 @@ function number(name: string, value: string, note = "", test = ""): HTMLElement 
 export function key_numbers(report: Report): HTMLElement {
   const list = element("dl", { class: "numbers", "data-testid": "numbers" });
   const last = report.levels?.at(-1);
-  if (last) list.append(number("Cells", counted(last.active_cells), `depth ${last.depth}`, "number-cells"));
-  if (report.energy) {
-    const { total, smoothness } = report.energy;
-    list.append(number("Energy", measured(total, 4), Number.isFinite(total) ? `${total > 0 ? Math.round((100 * smoothness) / total) : 100} % smoothness` : "", "number-energy"));
-  }
-  const singular = report.singularity;
-  if (singular) {
-    list.append(number("Singular lines", counted(singular.arcs), plural(singular.nodes, "node"), "number-arcs"));
-  }
+  const { onto } = report;
+  if (onto) list.append(number("Tets", counted(onto.tets), last ? `from a grid of ${plural(last.active_cells, "cell")}` : "", "number-tets"));
+  else if (last) list.append(number("Cells", counted(last.active_cells), `depth ${last.depth}`, "number-cells"));
+  const energy = report.energy ? energy_number(report.energy, onto ? "on the grid" : "") : "";
+  const singular = judged_lines(report);
+  const lines = singular ? number("Singular lines", counted(singular.arcs), `${plural(singular.nodes, "node")}${onto ? ", on the tets" : ""}`, "number-arcs") : "";
+  // Of tets, what concerns them first.
+  list.append(...(onto ? [lines, energy] : [energy, lines]));
   if (report.seconds?.total !== undefined || report.peak_memory_bytes !== undefined) {
     const seconds = report.seconds?.total !== undefined ? duration(report.seconds.total) : "–";
     list.append(number("Time", seconds, report.peak_memory_bytes ? memory(report.peak_memory_bytes) : ""));
   }
   return list;
+}
+
+function energy_number({ total, smoothness }: NonNullable<Report["energy"]>, where: string): HTMLElement {
+  const share = Number.isFinite(total) ? `${total > 0 ? Math.round((100 * smoothness) / total) : 100} % smoothness` : "";
+  return number("Energy", measured(total, 4), [share, where].filter(Boolean).join(", "), "number-energy");
+}
+
+/** Of nearly all of the surface: what is left is a cell or two. */
+const kNothingMeasured = 0.9995;
+const kNothing = "No frame could align anywhere.";
+
+/** The three numbers; null where nothing was measured. */
+function measured_angles(angles: Statistics | undefined): { mean: number; p95: number; max: number } | null {
+  const { mean, p95, max } = angles ?? {};
+  return Number.isFinite(mean) && Number.isFinite(p95) && Number.isFinite(max) ? { mean: mean!, p95: p95!, max: max! } : null;
+}
+
+function triple(angles: Statistics | null, test: string): HTMLElement {
+  const text = (value: number | null | undefined): string => (angles ? degrees(value!) : "n/a");
+  return element("dl", { class: "triple" },
+    number("mean", text(angles?.mean), "", `${test}-mean`),
+    number("95 %", text(angles?.p95), "", `${test}-p95`),
+    number("largest", text(angles?.max), "", `${test}-max`),
+  );
 }
 
 /** Alignment as a scale: where mean, 95th percentile and largest angle lie between 0 and the 54.7 degrees there can be at most. */
@@ -108,21 +75,33 @@ export function alignment_scale(report: Report): HTMLElement | null {
   const place = (value: number): string => `${(100 * Math.sqrt(Math.min(1, value / 54.74))).toFixed(2)}%`;
   const ticks = [0, 1, 5, 15, 30, 54.7];
   const excluded = alignment.excluded_share ?? 0;
+  const angles = excluded < kNothingMeasured ? measured_angles(alignment) : null;
+  const of_what = excluded > 0 ? `without the ${(100 * excluded).toFixed(excluded < 0.001 ? 2 : 1)} % of the surface where no frame could align` : "of the whole surface";
   return element("section", { class: "block" },
-    element("h2", {}, "Alignment to the surface"),
-    element("dl", { class: "triple" },
-      number("mean", degrees(alignment.mean), "", "alignment-mean"),
-      number("95 %", degrees(alignment.p95), "", "alignment-p95"),
-      number("largest", degrees(alignment.max), "", "alignment-max"),
-    ),
-    element("div", { class: "scale", "aria-hidden": "true" },
-      element("div", { class: "scale-bar", style: `width: ${place(alignment.p95)}` }),
-      element("span", { class: "scale-mean", style: `left: ${place(alignment.mean)}` }),
-      element("span", { class: "scale-max", style: `left: ${place(alignment.max)}` }),
+    element("h2", {}, report.onto ? "Alignment to the surface, on the grid" : "Alignment to the surface"),
+    triple(angles, "alignment"),
+    angles && element("div", { class: "scale", "aria-hidden": "true" },
+      element("div", { class: "scale-bar", style: `width: ${place(angles.p95)}` }),
+      element("span", { class: "scale-mean", style: `left: ${place(angles.mean)}` }),
+      element("span", { class: "scale-max", style: `left: ${place(angles.max)}` }),
       ...ticks.map((tick) => element("span", { class: "scale-tick", style: `left: ${place(tick)}` }, `${tick}°`)),
     ),
-    element("p", { class: "fine" },
-      `Between normal and nearest axis, by area; ${excluded > 0 ? `without the ${(100 * excluded).toFixed(excluded < 0.001 ? 2 : 1)} % of the surface where no frame could align` : "of the whole surface"}.`),
+    element("p", { class: "fine", "data-testid": "alignment-note" }, angles ? `Between normal and nearest axis, by area; ${of_what}.` : kNothing),
+  );
+}
+
+/** Alignment of the field on tets, at vertices inside faces and at those of creases and corners. */
+export function tet_alignment(report: Report): HTMLElement | null {
+  const { onto } = report;
+  if (!onto) return null;
+  const rows: [string, Statistics | undefined, string][] = [
+    ["Where the surface is smooth", onto.normal_deg, "tets-smooth"], ["At its creases and corners", onto.crease_deg, "tets-crease"],
+  ];
+  const off = onto.unfollowed_share ? ` Frames are far off ${measured(100 * onto.unfollowed_share, 2)} % of the surface.` : "";
+  return element("section", { class: "block" },
+    element("h2", {}, "Alignment to the surface, on the tets"),
+    ...rows.flatMap(([name, angles, test]) => [element("h3", {}, name), triple(measured_angles(angles), test)]),
+    element("p", { class: "fine" }, `Between normals of faces and the nearest axis of their vertices’ frames.${off}`),
   );
 }
 
@@ -145,9 +124,9 @@ export function about(report: Report): HTMLElement {
   const facts: [string, string][] = [];
   if (model.path) facts.push(["Model", model.path]);
   if (model.triangles !== undefined) facts.push(["Surface", `${plural(model.triangles, "triangle")}${model.components && model.components > 1 ? `, ${model.components} components` : ""}${model.watertight === false ? ", not watertight" : ""}`]);
-  if (report.resolution !== undefined) facts.push(["Resolution", `${measured(report.resolution, 4)} cells along the longest side`]);
+  if (report.resolution !== undefined) facts.push(["Resolution", `${amount(report.resolution, "cell", 4)} along the longest side`]);
   if (report.degree) facts.push(["Harmonics", `degree ${report.degree}`]);
-  if (report.walls?.thinnest_cells) facts.push(["Thinnest wall", `${measured(report.walls.thinnest_cells)} cells`]);
+  if (report.walls?.thinnest_cells) facts.push(["Thinnest wall", amount(report.walls.thinnest_cells, "cell")]);
   if (report.version) facts.push(["Crossgrain", report.version]);
   return element("section", { class: "block" },
     element("h2", {}, "About this field"),

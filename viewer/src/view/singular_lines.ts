@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Singular lines as tubes of constant width on the screen, and their nodes as balls. Kinds differ by colour, by pattern and, for what no
-// hexahedral mesh can have, by width.
+// hexahedral mesh can have, by width. Balls also mark other places that it cannot have, or of which that is undecided.
 
 import {
   BufferAttribute, BufferGeometry, GreaterDepth, Group, InstancedBufferAttribute, InstancedBufferGeometry, LessEqualDepth, Mesh,
@@ -8,6 +8,7 @@ import {
 } from "three";
 
 import { add, cross, scaled, subtract, tangents_of, unit, dot, type Vector } from "../math/frame.ts";
+import type { VerdictName } from "../scene/report.ts";
 import type { Scene } from "../scene/scene.ts";
 import { kLight, kPixelSize } from "./shader_parts.ts";
 import type { SharedUniforms } from "./shared_uniforms.ts";
@@ -24,17 +25,38 @@ export function arc_kind(scene: Scene, arc: number): ArcKind {
   return index > 0 ? "positive" : "negative";
 }
 
+/** A place that is marked by a ball besides the nodes, in the scene's coordinates. */
+export interface FaultBall {
+  point: Vector;
+  verdict: VerdictName;
+}
+
+/** How many balls have the colour of what is impossible, and of what is undecided. */
+export function ball_counts(scene: Scene, faults: FaultBall[]): { impossible: number; undecided: number } {
+  const kinds = ball_kinds(scene, faults);
+  return { impossible: kinds.filter((kind) => kind === kImpossible).length, undecided: kinds.filter((kind) => kind === kUndecided).length };
+}
+
+// Ends on the surface are small, meetings inside larger, what is undecided or what no hexahedral mesh can have largest.
+const [kEnd, kMeeting, kUndecided, kImpossible] = [0, 1, 2, 3];
+
+function ball_kinds(scene: Scene, faults: FaultBall[]): number[] {
+  const nodes = Array.from(scene.node_verdict, (verdict, node) =>
+    (verdict === 1 ? kImpossible : verdict === 2 ? kUndecided : scene.node_on_boundary[node] ? kEnd : kMeeting));
+  return [...nodes, ...faults.map(({ verdict }) => (verdict === "undecided" ? kUndecided : kImpossible))];
+}
+
 const kSides = 10;
 
 export class SingularLines {
   readonly group = new Group();
   private readonly tubes: Mesh[];
   private readonly balls: Mesh[];
-  private readonly colors = { value: [0, 1, 2, 3, 4].map(() => new Vector3()) };
+  private readonly colors = { value: [0, 1, 2, 3, 4, 5].map(() => new Vector3()) };
 
-  constructor(scene: Scene, uniforms: SharedUniforms) {
+  constructor(scene: Scene, faults: FaultBall[], uniforms: SharedUniforms) {
     const tubes = tube_geometry(scene);
-    const balls = ball_geometry(scene);
+    const balls = ball_geometry(scene, faults);
     // Drawn twice: as they are, and faintly where the cut or an opaque part hides them.
     this.tubes = [false, true].map((hidden) => new Mesh(tubes, tube_material(uniforms, this.colors, hidden)));
     this.balls = [false, true].map((hidden) => new Mesh(balls, ball_material(uniforms, this.colors, hidden)));
@@ -47,7 +69,7 @@ export class SingularLines {
   }
 
   recolor(colors: ViewColors): void {
-    [colors.positive, colors.negative, colors.half, colors.warn, colors.node].forEach((color, k) => this.colors.value[k].copy(shader_color(color)));
+    [colors.positive, colors.negative, colors.half, colors.warn, colors.node, colors.undecided].forEach((color, k) => this.colors.value[k].copy(shader_color(color)));
   }
 
   show(arcs: boolean, nodes: boolean): void {
@@ -126,7 +148,7 @@ function tube_material(uniforms: SharedUniforms, colors: { value: Vector3[] }, h
         gl_Position = projectionMatrix * (view + vec4(normalize(view_normal) * radius, 0.0));
       }`,
     fragmentShader: /* glsl */ `
-      uniform vec3 colors[5];
+      uniform vec3 colors[6];
       in vec3 view_normal;
       in float arc_kind;
       in float pattern_place;
@@ -146,20 +168,15 @@ function tube_material(uniforms: SharedUniforms, colors: { value: Vector3[] }, h
   });
 }
 
-function ball_geometry(scene: Scene): InstancedBufferGeometry {
+function ball_geometry(scene: Scene, faults: FaultBall[]): InstancedBufferGeometry {
   const sphere = new SphereGeometry(1, 20, 14);
   const geometry = new InstancedBufferGeometry();
   geometry.index = sphere.index;
   geometry.setAttribute("position", sphere.getAttribute("position"));
-  const count = scene.node_verdict.length;
-  const kinds = new Float32Array(count);
-  for (let node = 0; node < count; ++node) {
-    // Ends on the surface small, meetings inside larger, those that no hexahedral mesh can have largest.
-    kinds[node] = scene.node_verdict[node] === 1 ? 2 : scene.node_on_boundary[node] ? 0 : 1;
-  }
-  geometry.setAttribute("center", new InstancedBufferAttribute(scene.node_points, 3));
-  geometry.setAttribute("kind", new InstancedBufferAttribute(kinds, 1));
-  geometry.instanceCount = count;
+  const kinds = ball_kinds(scene, faults);
+  geometry.setAttribute("center", new InstancedBufferAttribute(new Float32Array([...scene.node_points, ...faults.flatMap(({ point }) => point)]), 3));
+  geometry.setAttribute("kind", new InstancedBufferAttribute(new Float32Array(kinds), 1));
+  geometry.instanceCount = kinds.length;
   return geometry;
 }
 
@@ -185,12 +202,12 @@ function ball_material(uniforms: SharedUniforms, colors: { value: Vector3[] }, h
         gl_Position = projectionMatrix * moved;
       }`,
     fragmentShader: /* glsl */ `
-      uniform vec3 colors[5];
+      uniform vec3 colors[6];
       in vec3 view_normal;
       in float ball_kind;
       ${kLight}
       void main() {
-        vec3 color = ball_kind > 1.5 ? colors[3] : colors[4];
+        vec3 color = ball_kind > 2.5 ? colors[3] : ball_kind > 1.5 ? colors[5] : colors[4];
         gl_FragColor = vec4(color * light_on(view_normal), ${hidden ? kHiddenAlpha : "1.0"});
       }`,
   });

@@ -18,7 +18,7 @@ import { PartView } from "./part.ts";
 import { Picker } from "./picking.ts";
 import { ranges_of, type Ranges } from "./ranges.ts";
 import { shared_uniforms, type SharedUniforms } from "./shared_uniforms.ts";
-import { SingularLines } from "./singular_lines.ts";
+import { SingularLines, type FaultBall } from "./singular_lines.ts";
 import { line_material, segments_of } from "./thin_lines.ts";
 import { kViewColors, scene_color, shader_color } from "./view_colors.ts";
 
@@ -47,7 +47,7 @@ export class Stage {
   private after_drawing: (() => void)[] = [];
   onmove: () => void = () => {};
 
-  constructor(readonly scene: Scene, readonly canvas: HTMLCanvasElement, context: WebGL2RenderingContext, closed: boolean, settings: Settings) {
+  constructor(readonly scene: Scene, readonly faults: FaultBall[], readonly canvas: HTMLCanvasElement, context: WebGL2RenderingContext, closed: boolean, settings: Settings) {
     this.settings = settings;
     this.octree = build_octree(scene);
     this.ranges = ranges_of(scene);
@@ -63,7 +63,7 @@ export class Stage {
     });
     this.part = new PartView(scene, this.uniforms);
     this.face = new CutFace(scene, this.uniforms, this.part.geometry, closed);
-    this.lines = new SingularLines(scene, this.uniforms);
+    this.lines = new SingularLines(scene, faults, this.uniforms);
     this.glyphs = new GlyphView(scene, this.octree);
     this.marks = new Marks(scene, this.uniforms);
     this.picker = new Picker(scene, this.octree, this.part.geometry);

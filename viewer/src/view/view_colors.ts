@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Colours of what is drawn in 3D, for the light and the dark page. Singular lines: blue and gold differ for every kind of colour vision,
-// red is kept for what hexahedral meshes cannot have, and each kind has a pattern of its own besides.
+// red is kept for what hexahedral meshes cannot have, and each kind has a pattern of its own besides. Balls whose verdict is undecided
+// are as violet as in pictures.
 
 import { Color, Vector3 } from "three";
 
@@ -20,6 +21,7 @@ export interface ViewColors {
   half: string;
   warn: string;
   node: string;
+  undecided: string;
   picked: string;
 }
 
@@ -38,6 +40,7 @@ export const kViewColors: Record<Theme, ViewColors> = {
     half: "#8a4fb5",
     warn: "#c8102e",
     node: "#1d2530",
+    undecided: "#7a4fd0",
     picked: "#d6006c",
   },
   dark: {
@@ -54,6 +57,7 @@ export const kViewColors: Record<Theme, ViewColors> = {
     half: "#c297ee",
     warn: "#ff5468",
     node: "#f2f5f9",
+    undecided: "#b79cff",
     picked: "#ff5fae",
   },
 };

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "picture/answer_marks.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "picture/singular_lines.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Calls `act(look, name, places)` for each kind of mark: knife edges and corners, impossible and undecided.
+template <class Act>
+void for_each_kind(const SolveReport& report, const Act& act) {
+  const SolveReport::Singularity& judged = report.onto ? report.onto->singularity : report.singularity;
+  const auto places_of = [](const auto& parts, Verdict verdict) {
+    std::vector<Vector3> places;
+    for (const auto& part : parts)
+      if (part.verdict == verdict) places.push_back(part.place);
+    return places;
+  };
+  for (const FaultLook& look : kFaultLooks) {
+    act(look, "crease", places_of(judged.crease_list, look.verdict));
+    act(look, "corner", places_of(judged.corner_list, look.verdict));
+  }
+}
+
+}  // namespace
+
+std::vector<Ball> answer_marks(const SolveReport& report, double radius) {
+  std::vector<Ball> balls;
+  for_each_kind(report, [&](const FaultLook& look, const char*, const std::vector<Vector3>& places) {
+    for (const Vector3& place : places) balls.push_back({place, look.size * radius, look.colour});
+  });
+  return balls;
+}
+
+LegendBlock answer_legend(const SolveReport& report, bool has_marks) {
+  LegendBlock block{fmt::format("Field: {}", words_of(report.answer.verdict))};
+  if (!has_marks) return block;
+  for_each_kind(report, [&](const FaultLook& look, const char* name, const std::vector<Vector3>& places) {
+    if (!places.empty())
+      block.signs.push_back(
+          {Sign::Shape::kBall, look.colour, fmt::format("{}, {} ({})", name, look.words, places.size())});
+  });
+  return block;
+}
+
+}  // namespace crossgrain

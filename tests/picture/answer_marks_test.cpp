@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "picture/answer_marks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "picture/singular_lines.hpp"
+
+namespace crossgrain {
+namespace {
+
+SolveReport::Singularity with_corners(const std::vector<Verdict>& verdicts) {
+  SolveReport::Singularity lines;
+  for (const Verdict verdict : verdicts) {
+    SolveReport::Singularity::Corner corner;
+    corner.verdict = verdict;
+    corner.place = {static_cast<double>(lines.corner_list.size()), 0, 0};
+    lines.corner_list.push_back(corner);
+  }
+  return lines;
+}
+
+std::vector<std::string> texts_of(const LegendBlock& block) {
+  std::vector<std::string> texts{block.title};
+  for (const Sign& sign : block.signs) texts.push_back(sign.text);
+  return texts;
+}
+
+TEST(AnswerLegend, HasTheWordsThatTheSentenceBeginsWith) {
+  SolveReport report;
+  for (const Verdict verdict : {Verdict::kMeshable, Verdict::kNotMeshable, Verdict::kUndecided}) {
+    report.answer.verdict = verdict;
+    const std::string words = answer_legend(report, true).title.substr(std::string("Field: ").size());
+    EXPECT_EQ(sentence_of(report.answer).substr(0, words.size()), words);
+    EXPECT_EQ(words, words_of(verdict));
+  }
+}
+
+TEST(AnswerLegend, CountsCreasesAndCornersThatAreNotMeshableOrUndecided) {
+  SolveReport report;
+  report.answer.verdict = Verdict::kNotMeshable;
+  report.singularity =
+      with_corners({Verdict::kUndecided, Verdict::kMeshable, Verdict::kNotMeshable, Verdict::kNotMeshable});
+  report.singularity.crease_list.resize(3);
+  report.singularity.crease_list[1].verdict = Verdict::kNotMeshable;
+  EXPECT_EQ(texts_of(answer_legend(report, true)),
+            (std::vector<std::string>{"Field: cannot be meshed", "crease, impossible for hexahedra (1)",
+                                      "corner, impossible for hexahedra (2)", "corner, undecided (1)"}));
+  EXPECT_EQ(texts_of(answer_legend(report, false)).size(), 1u);
+}
+
+TEST(AnswerMarks, AreBallsInTheColoursOfTheLegend) {
+  SolveReport report;
+  report.singularity = with_corners({Verdict::kMeshable, Verdict::kUndecided, Verdict::kNotMeshable});
+  const std::vector<Ball> balls = answer_marks(report, 0.5);
+  const LegendBlock legend = answer_legend(report, true);
+  ASSERT_EQ(balls.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(balls[k].colour, legend.signs[k].colour);
+    EXPECT_GT(balls[k].radius, 0.5);
+  }
+  EXPECT_EQ(balls[0].centre, (Vector3{2, 0, 0})) << "what is certain comes first";
+  EXPECT_EQ(balls[1].centre, (Vector3{1, 0, 0}));
+}
+
+TEST(AnswerMarks, AreThoseOfTheTetsIfThereAreTets) {
+  SolveReport report;
+  report.singularity = with_corners({Verdict::kNotMeshable, Verdict::kNotMeshable});
+  report.onto.emplace().singularity = with_corners({Verdict::kMeshable, Verdict::kUndecided});
+  const std::vector<Ball> balls = answer_marks(report, 1);
+  ASSERT_EQ(balls.size(), 1u);
+  EXPECT_EQ(balls[0].colour, kUndecidedLook.colour);
+}
+
+}  // namespace
+}  // namespace crossgrain
