@@ -45,7 +45,7 @@ def min_turned(creases):
 def row_of(model, report):
     reasons = report["reasons"]
     why = "; ".join(reason["text"] + (f" (and {reason['count'] - 1} more)" if reason["count"] > 1 else "") for reason in reasons)
-    places = [" ".join(f"{x:.4g}" for x in reason["place"]) for reason in reasons if reason["count"]]
+    places = [" ".join(f"{round(x, 9):.4g}" for x in reason["place"]) for reason in reasons if reason["count"]]
     known = "yes" if model["valid_map_known"] == "1" else "no"
     return [Path(model["file"]).name.split(".")[0], known, report["verdict"].replace("_", " "), why, "; ".join(places),
             items_of(report["onto"]["singularity"])]

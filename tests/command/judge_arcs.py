@@ -81,15 +81,16 @@ class ArcsOnEdges:
             self.sort_group(group)
 
     def sort_group(self, group):
-        vertices = {v for e in group for v in self.field.edges[e].tolist()}
+        degrees = Counter(v for e in group for v in self.field.edges[e].tolist())
+        vertices = set(degrees)
         nodes = [point for point, own in self.joined.items() if own & vertices]
         for point in nodes:
             self.joined[point] |= vertices
-        ends = sorted(v for v in vertices if len(self.lines.at[v]) == 1)
+        ends = sorted(v for v in vertices if degrees[v] == 1)
         cells = self.cells(group)
         if len(nodes) > 1:
             self.faults.append(f"{len(group)} edges at vertex {min(vertices)} belong to {len(nodes)} nodes")
-        elif nodes or any(len(self.lines.at[v]) > 2 for v in vertices):
+        elif nodes or max(degrees.values()) > 2:
             if cells > NEAR * LOOP_CELLS * len(group):
                 self.faults.append(f"{len(group)} edges at vertex {min(vertices)} make a node of {cells:.1f} cells")
             self.lone_nodes += not nodes

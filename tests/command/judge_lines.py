@@ -81,19 +81,22 @@ class ArcJudgement:
         about_axis = np.array([turn.quarters > 0 for turn in turns], bool)
         self.cells = (lengths / sizes).sum()
         self.oblique = [lengths[about_axis & (np.abs(cosines) < OBLIQUE_COSINE + d)].sum() for d in (-0.15, 0.15)]
-        diagonal = longest(lengths / sizes, np.where(about_axis, 2, 1))[1]
-        senses = longest(lengths / sizes, np.where(about_axis & (np.abs(cosines) > SIGN_COSINE), np.sign(cosines), 0))
-        self.type, self.index, self.verdict = "regular", 0.0, "not_meshable"
-        if diagonal > MERGE_CELLS:
+        cells = lengths / sizes
+        third = longest(cells, np.where(about_axis, 2, 1))[1]
+        senses = longest(cells, np.where(about_axis & (np.abs(cosines) > SIGN_COSINE), np.sign(cosines), 0))
+        self.type, self.index = "regular", 0.0
+        if third > MERGE_CELLS or cells[~about_axis].sum() > self.cells / 2:
             self.type = "no_axis"
         elif min(senses[1], senses[-1]) >= SIGN_CELLS:
             self.type = "changing"
         else:
-            halves = lengths[[turn.quarters == 2 for turn in turns]].sum() > lengths.sum() / 2
-            self.index = (0.5 if halves else 0.25) * np.sign((lengths * cosines)[about_axis].sum())
-            # Without any turn about an axis there is no sense, and it is too short to be impossible.
-            no_sense = self.index == 0 or self.cells >= 2 * SIGN_CELLS and max(senses.values(), default=0) < SIGN_CELLS
-            self.verdict = "not_meshable" if self.index == 0.5 else "undecided" if no_sense else "meshable"
+            is_half = cells[[turn.quarters == 2 for turn in turns]].sum() > self.cells / 2
+            self.index = (0.5 if is_half else 0.25) * np.sign((lengths * cosines)[about_axis].sum())
+        no_sense = self.cells >= 2 * SIGN_CELLS and max(senses.values(), default=0) < SIGN_CELLS
+        if third > MERGE_CELLS or self.type == "changing" or self.index == 0.5:
+            self.verdict = "not_meshable"
+        else:
+            self.verdict = "undecided" if self.type == "no_axis" or no_sense else "meshable"
 
 
 class Lines:

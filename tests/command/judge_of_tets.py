@@ -56,14 +56,12 @@ class JudgeOfTets:
 
     def node_verdict(self, node):
         arcs = self.graph.arcs_at(node)
-        faulty = any(self.on.arcs[a].verdict == "not_meshable" for a in arcs)
+        verdict = worst(self.on.arcs[a].verdict for a in arcs)
         valences = [self.valence(a) for a in arcs]
         if self.node_on_boundary[node]:
-            return "meshable" if faulty or 4 - sum(4 - n for n in valences) >= 1 else "undecided"
-        if faulty:
-            return "not_meshable"
-        if any(self.on.arcs[a].index == 0 for a in arcs):
-            return "undecided"
+            return "meshable" if verdict == "not_meshable" or 4 - sum(4 - n for n in valences) >= 1 else "undecided"
+        if verdict != "meshable":
+            return verdict
         return {True: "meshable", False: "not_meshable", None: "undecided"}[has_sphere(valences)]
 
     def reasons(self):
