@@ -70,10 +70,9 @@ void add_grid_surface(const SolvedSurface& solved, const Sampler& sampler, doubl
                       const SingularityGraph& graph, const SingularityOptions& options,
                       SolveReport::Singularity& summary) {
   const SolidSurface surface{solved.vertices, solved.triangles};
-  add_surface(
-      surface, solid_creases(surface, options.sharp_deg, options.bend_deg),
-      CreaseSampler(surface, sampler, cell_size), {[&](std::uint32_t) { return cell_size; }, false}, graph, options,
-      summary);
+  add_surface(surface, solid_creases(surface, options.sharp_deg, options.bend_deg),
+              CreaseSampler(surface, sampler, cell_size), {[&](std::uint32_t) { return cell_size; }, false},
+              graph, options, summary);
 }
 
 }  // namespace crossgrain

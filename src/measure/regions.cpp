@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <memory>
 #include <set>
-#include <utility>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -219,8 +217,8 @@ CellRegions find_regions(const TriangleMesh& mesh, const Surface& outer, const G
             "solids touch by faces that are not the same triangles: {} of solids, {}, the first of solid {} "
             "against solid {} around {:.6g} {:.6g} {:.6g}; both surfaces constrain frames there, also where "
             "solids are united",
-            counted(contacts.pairs_of_solids, "pair"), counted(contacts.triangles, "triangle"), contacts.solid,
-            contacts.other_solid, x, y, z),
+            counted(contacts.pairs_of_solids, "pair"), counted(contacts.triangles, "triangle"),
+            contacts.solid, contacts.other_solid, x, y, z),
         Remedy::kGlueSolids);
   }
   const auto empty = [](const SolveReport::Region& region) { return region.cells == 0; };

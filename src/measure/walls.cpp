@@ -63,8 +63,7 @@ void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double th
   const double thickness = wall_thickness(level, solid, i, std::max(thin, sums.thinnest));
   sums.thinnest = std::min(sums.thinnest, thickness);
   sums.area += area;
-  if (thickness < thin)
-    sums.thin_walls.push_back({static_cast<float>(thickness), static_cast<float>(area)});
+  if (thickness < thin) sums.thin_walls.push_back({static_cast<float>(thickness), static_cast<float>(area)});
   sums.two_sheet_cells += holds_two_sheets(level, solid, i);
 }
 

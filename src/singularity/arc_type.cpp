@@ -159,7 +159,8 @@ Verdict node_verdict(std::span<const Graph::Arc* const> arcs) {
 }
 
 Verdict end_verdict(std::span<const Graph::Arc* const> arcs) {
-  const bool leave_room = has_arc_of(Verdict::kNotMeshable, arcs) || hexahedra_at_surface_vertex(valences_of(arcs), {}) >= 1;
+  const bool leave_room =
+      has_arc_of(Verdict::kNotMeshable, arcs) || hexahedra_at_surface_vertex(valences_of(arcs), {}) >= 1;
   return leave_room ? Verdict::kMeshable : Verdict::kUndecided;
 }
 

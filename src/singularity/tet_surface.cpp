@@ -95,9 +95,8 @@ SolveReport::Singularity tet_summary(const TetSolid& solid, std::span<const Quat
   };
   const std::vector<double> sizes = surface_sizes(solid);
   SolveReport::Singularity summary = summary_of(graph, options);
-  add_surface(
-      surface, solid_creases(surface, options.sharp_deg, options.bend_deg), votes_along,
-      {[&](std::uint32_t vertex) { return sizes[vertex]; }, true}, graph, options, summary);
+  add_surface(surface, solid_creases(surface, options.sharp_deg, options.bend_deg), votes_along,
+              {[&](std::uint32_t vertex) { return sizes[vertex]; }, true}, graph, options, summary);
   return summary;
 }
 

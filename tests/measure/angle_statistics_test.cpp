@@ -74,19 +74,17 @@ TEST(AngleStatistics, WeighByAreaAndLeaveOutWhatDoesNotCount) {
   weighed.add(kExcludedAngle, 5);
   weighed.add(30, 1);
   const SolveReport::Alignment result = weighed.statistics();
-  EXPECT_DOUBLE_EQ(result.mean, 15);
+  EXPECT_DOUBLE_EQ(result.mean.value(), 15);
   EXPECT_EQ(result.max, 30);
   EXPECT_EQ(result.p95, 30);
   EXPECT_DOUBLE_EQ(result.excluded_share, 5.0 / 9);
 }
 
-TEST(AngleStatistics, OfNothingAreZero) {
+TEST(AngleStatistics, OfNothingAreNone) {
   Weighed excluded;
   excluded.add(kExcludedAngle, 2);
   for (const SolveReport::Alignment& result : {Weighed{}.statistics(), excluded.statistics()}) {
-    EXPECT_EQ(result.mean, 0);
-    EXPECT_EQ(result.max, 0);
-    EXPECT_EQ(result.p95, 0);
+    EXPECT_FALSE(result.mean || result.max || result.p95);
   }
   EXPECT_EQ(Weighed{}.statistics().excluded_share, 0);
   EXPECT_EQ(excluded.statistics().excluded_share, 1);
