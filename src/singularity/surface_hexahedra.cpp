@@ -170,7 +170,7 @@ class SurfaceJudge {
   /// Undecided if other roundings of its creases have a link, here or as a whole, or a crease is too short
   /// for the cells. A crease that ends alone fades out: the normal is the same all around its end.
   Verdict verdict_without_link(const SolidCorner& corner, const std::vector<int>& valences) {
-    if (corner.creases.size() == 1 return Verdict::kUndecided;
+    if (corner.creases.size() == 1) return Verdict::kUndecided;
     for (const std::uint32_t c : corner.creases)
       if (!judged_[c].is_resolved) return Verdict::kUndecided;
     return has_link_when_rounded(corner, 0, {}, valences) ? Verdict::kUndecided : Verdict::kNotMeshable;

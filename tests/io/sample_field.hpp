@@ -59,7 +59,14 @@ inline SolveReport sample_report() {
                                       {1, 2, 1.0 / 3},
                                       {0, 1}}},
                         .node_list = {{{1, 2, 3}, true, Verdict::kMeshable, {0}},
-                                      {{4, 5, 6}, false, Verdict::kUndecided, {0}}}};
+                                      {{4, 5, 6}, false, Verdict::kUndecided, {0}}},
+                        .crease_list = {{3, 265.5, 250, 1.5, 0.875, Verdict::kMeshable, {1, 2, 3}}},
+                        .corner_list = {{-2, {1, 3}, {5}, Verdict::kNotMeshable, {4, 5, 6}}}};
+  report.coarser =
+      SolveReport::Coarser{3.65, 1, 2, 3, Verdict::kUndecided, {{true, -0.25, {1, 2, 3}}, {false, 0.25, {}}}};
+  report.answer = {Verdict::kNotMeshable,
+                   {{ReasonKind::kCorner, Verdict::kNotMeshable, 1, {4, 5, 6}, "a corner", "cut it"},
+                    {ReasonKind::kUnfinished, Verdict::kUndecided, 0, {}, "unfinished", ""}}};
   report.walls = {4, 0.25, 0.125, 2.25, 1.5, 340, 11, 12};
   report.seconds = {0.1, 0.2, 0.3, 0.4, 1.5};
   report.peak_memory_bytes = 1;
