@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -123,11 +124,30 @@ std::string reasons_of(const Answer& answer) {
   return text;
 }
 
+/// Replaces the lines of a report by those of the field itself, but for what the surface is needed for.
+void replace_lines(Singularity& of_report, const SingularityGraph& graph) {
+  Singularity own = summary_of(graph);
+  own.crease_list = std::move(of_report.crease_list);
+  own.corner_list = std::move(of_report.corner_list);
+  of_report = std::move(own);
+}
+
+/// The report with the answer about the field as it is in the folder. Of a part of a field it stands as it is.
+SolveReport judged(const FrameField& field, const std::string& folder) {
+  SolveReport report = field.report();
+  if (is_clipped_field(folder)) return report;
+  replace_lines(report.singularity, field.singularities());
+  const auto onto = read_onto_singularities(folder);
+  if (onto && report.onto) replace_lines(report.onto->singularity, *onto);
+  report.answer = answer_of(report);
+  return report;
+}
+
 }  // namespace
 
 void run_check(const CheckArguments& arguments) {
   const FrameField field = read_field(arguments.field);
-  const SolveReport& report = field.report();
+  const SolveReport report = judged(field, arguments.field);
   if (arguments.json) {
     print_result(check_json(report));
     return;

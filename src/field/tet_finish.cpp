@@ -188,7 +188,7 @@ TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const Boundary
       degree == Degree::kThree
           ? solved<3>(connectivity, holds, stored(start), options, guides, extent, after_sweep)
           : solved<4>(connectivity, holds, stored(start), options, guides, extent, after_sweep);
-  return {aligned(holds, result.frames), result.settled};
+  return {aligned(holds, result.frames), result.settled, sweeps};
 }
 
 }  // namespace crossgrain

@@ -24,6 +24,7 @@ struct Extent {
 struct TetFrames {
   std::vector<Quaternion> frames;  ///< unit, one per vertex
   bool settled = false;            ///< false: the sweeps ran out
+  int sweeps = 0;                  ///< relaxation and manifold sweeps
 };
 
 /// Returns frames on the vertices of a tet mesh that lower the Dirichlet energy of the linear elements,

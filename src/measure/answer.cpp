@@ -101,7 +101,11 @@ const char* fault_of(const Singularity::Arc& arc) {
 void judge_lines(const Singularity& singularity, Verdict fault, Reasons& reasons) {
   constexpr const char* kNext = "try other cells, or split the part where the line turns";
   reasons.add_worst(ReasonKind::kArc, fault, singularity.arc_list, Verdict::kNotMeshable, fault_of, kNext);
-  const auto across = [](const Singularity::Arc&) { return "frames rotate about an axis across an arc"; };
+  const auto across = [](const Singularity::Arc& arc) {
+    return arc.type == SingularityGraph::ArcType::kNoAxis
+               ? "frames rotate around a short arc about a diagonal, which may be two arcs"
+               : "frames rotate about an axis across an arc";
+  };
   reasons.add_worst(ReasonKind::kArc, Verdict::kUndecided, singularity.arc_list, Verdict::kUndecided, across,
                     kNext);
   const auto node = [](const Singularity::Node& it) {
@@ -111,7 +115,8 @@ void judge_lines(const Singularity& singularity, Verdict fault, Reasons& reasons
   std::vector<Singularity::Node> inner, ends;
   for (const Singularity::Node& it : singularity.node_list) (it.on_boundary ? ends : inner).push_back(it);
   const auto large = [](const Singularity::Node& it) {
-    return fmt::format("a node of {} has too many hexahedra to be judged", counted(it.arcs.size(), "arc"));
+    return fmt::format("a node of {} is undecided, by one of them or by too many hexahedra",
+                       counted(it.arcs.size(), "arc"));
   };
   reasons.add_worst(ReasonKind::kNode, Verdict::kUndecided, inner, Verdict::kUndecided, large, kNext);
   const auto close = [](const Singularity::Node& it) {

@@ -144,11 +144,11 @@ class SurfaceJudge {
     return valences;
   }
 
-  /// Whether there is a link, or too many hexahedra to say. Corners of a part are much alike, and a search
+  /// Whether there is a link; none if it has too many hexahedra to say. Corners of a part are much alike, and a search
   /// takes up to a second.
-  bool has_link(const std::vector<int>& valences, const std::vector<int>& creases) {
-    const auto [known, is_new] = links_.try_emplace({valences, creases}, false);
-    if (is_new) known->second = has_surface_link(valences, creases).value_or(true);
+  std::optional<bool> has_link(const std::vector<int>& valences, const std::vector<int>& creases) {
+    const auto [known, is_new] = links_.try_emplace({valences, creases}, std::nullopt);
+    if (is_new) known->second = has_surface_link(valences, creases);
     return known->second;
   }
 
@@ -162,7 +162,7 @@ class SurfaceJudge {
       std::vector<int> selected;
       for (std::size_t k = 0; k < valences.size(); ++k)
         if (selection >> k & 1) selected.push_back(valences[k]);
-      if (has_link(selected, bent)) return selected;
+      if (has_link(selected, bent).value_or(false)) return selected;
     }
     return std::nullopt;
   }
@@ -171,9 +171,16 @@ class SurfaceJudge {
   /// for the cells. A crease that ends alone fades out: the normal is the same all around its end.
   Verdict verdict_without_link(const SolidCorner& corner, const std::vector<int>& valences) {
     if (corner.creases.size() == 1) return Verdict::kUndecided;
+    if (has_too_many(corner)) return Verdict::kUndecided;
     for (const std::uint32_t c : corner.creases)
       if (!judged_[c].is_resolved) return Verdict::kUndecided;
     return has_link_when_rounded(corner, 0, {}, valences) ? Verdict::kUndecided : Verdict::kNotMeshable;
+  }
+
+  bool has_too_many(const SolidCorner& corner) const {
+    std::vector<int> own;
+    for (const std::uint32_t c : corner.creases) own.push_back(judged_[c].hexahedra);
+    return hexahedra_at_surface_vertex({}, own) > kMostLinkTriangles;
   }
 
   /// The numbers of a crease, and those of its angle at one of its ends: it may fade out there.
@@ -205,7 +212,7 @@ class SurfaceJudge {
   const SingularityGraph& graph_;
   const SingularityOptions& options_;
   std::vector<JudgedCrease> judged_;
-  std::map<std::pair<std::vector<int>, std::vector<int>>, bool> links_;
+  std::map<std::pair<std::vector<int>, std::vector<int>>, std::optional<bool>> links_;
 };
 
 /// The signed axis of a frame nearest to a direction, in the frame's coordinates.

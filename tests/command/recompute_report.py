@@ -299,7 +299,7 @@ class Recomputation:
             needed = np.ceil(WALL_CELLS * extent / thickness_of_all_but(UNRESOLVED_SHARE / 2) * (1 + 1e-6))
         return {"cells_wanted": (WALL_CELLS, 0), "thin_share": (share[WALL_CELLS], 1e-6),
                 "unresolved_share": (share[DECIDING_WALL_CELLS], 1e-6), "deciding_cells": (deciding, 1e-6 * deciding),
-                "resolution_needed": (needed, 1), "thinnest_cells": (thinnest, 1e-6 * thinnest), "two_sheet_cells": (two_sheets, 0),
+                "resolution_needed": (needed, 0), "thinnest_cells": (thinnest, 1e-6 * thinnest), "two_sheet_cells": (two_sheets, 0),
                 "tied_cells": (self.ties, 0)}
 
     def crease_section(self):

@@ -81,7 +81,7 @@ class Report(CommandTest):
                 if key in IN_NO_WAY and section == "singularity":
                     continue
                 if isinstance(value, str):
-                    report[section][key] = "undecided"
+                    report[section][key] = "meshable" if value == "undecided" else "undecided"
                     changed.append(f"{section}.{key}")
                     continue
                 if isinstance(value, list):

@@ -224,20 +224,24 @@ TEST(NestedSolve, CancelledBeforeItStartsReportsNothing) {
   EXPECT_EQ(reports, 0);
 }
 
-TEST(NestedSolve, ReportsEverySweepOfEveryLevelInOrder) {
+TEST(NestedSolve, ReportsEverySweepOfEveryLevelInOrderAndThenItsEnergy) {
   const TestSolid solid(make_bracket(16));
   std::map<int, int> sweeps;
   std::map<int, std::size_t> cells;
   int depth = 0;
+  double energy = 0;
   const Monitor monitor([&](const Progress& progress) {
     EXPECT_GE(progress.depth, depth);
     depth = progress.depth;
     const bool of_grid = progress.phase == Phase::kGrid;
     EXPECT_EQ(progress.phase, of_grid ? Phase::kGrid : Phase::kSolve);
-    EXPECT_EQ(progress.sweep, of_grid ? 0 : ++sweeps[depth]);
+    const bool of_level = !of_grid && progress.sweep == sweeps[depth];
+    EXPECT_EQ(progress.sweep, of_grid ? 0 : of_level ? sweeps[depth] : ++sweeps[depth]);
     cells[depth] = progress.cells;
+    energy = progress.energy;
   });
   const SolvedField field = nested_solve(solid.solid(), options_of(16), monitor);
+  EXPECT_EQ(energy, field.energy.total() + field.energy.unavoidable);
   ASSERT_EQ(sweeps.size(), field.levels.size());
   for (const LevelStatistics& level : field.levels) {
     EXPECT_EQ(sweeps[level.depth], level.sweeps);

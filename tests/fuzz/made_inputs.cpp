@@ -144,7 +144,7 @@ std::vector<std::string> made_cad() {
   return {
       "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;"
       "\n",
-      iges, "DBRep_DrawableShape\n\nCASCADE Topology V1, (c) Matra-Datavision\nTShapes 1\nVe\n\n+1 0\n",
+      iges, "DBRep_DrawableShape\n\nCASCADE Topology V1, (c) Matra-Datavision\nTShapes 1\nVe\n*\n+1 0\n",
       "\nOpen CASCADE Topology V3 (c)\nLocations 0\n"};
 }
 

@@ -127,7 +127,7 @@ TEST(Alignment, LeavesOutTheSurfaceInCellsThatNoFrameSuits) {
   EXPECT_EQ(result.spectrum.plane, 0u);
   EXPECT_GT(result.spectrum.axis + result.spectrum.conflicted, 0u);
   EXPECT_EQ(result.alignment_deg.excluded_share, 1);
-  EXPECT_EQ(result.alignment_deg.max.value(), 0);
+  EXPECT_FALSE(result.alignment_deg.max);
 }
 
 TEST(Alignment, IsTheSameToTheBitOnOneThread) {

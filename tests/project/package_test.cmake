@@ -30,7 +30,7 @@ endif()
 
 # The program that reads CAD files is found from wherever the consumer was built, and says of what it cannot read.
 if(CAD)
-  file(WRITE "${WORK_DIR}/damaged.brep" "DBRep_DrawableShape\n\nCASCADE Topology V1\nnonsense\n+1 0\n")
+  file(WRITE "${WORK_DIR}/damaged.brep" "DBRep_DrawableShape\n\nCASCADE Topology V1\nnonsense\n*\n+1 0\n")
   execute_process(COMMAND "${WORK_DIR}/build/consumer" "${WORK_DIR}/damaged.brep" OUTPUT_VARIABLE output
                   COMMAND_ERROR_IS_FATAL ANY)
   if(NOT output MATCHES "damaged, or not a BREP file")
