@@ -132,7 +132,8 @@ void replace_lines(Singularity& of_report, const SingularityGraph& graph) {
   of_report = std::move(own);
 }
 
-/// The report with the answer about the field as it is in the folder. Of a part of a field it stands as it is.
+/// The report with the answer about the field as it is in the folder. Of a part of a field it stands as it
+/// is.
 SolveReport judged(const FrameField& field, const std::string& folder) {
   SolveReport report = field.report();
   if (is_clipped_field(folder)) return report;

@@ -144,8 +144,8 @@ class SurfaceJudge {
     return valences;
   }
 
-  /// Whether there is a link; none if it has too many hexahedra to say. Corners of a part are much alike, and a search
-  /// takes up to a second.
+  /// Whether there is a link; none if it has too many hexahedra to say. Corners of a part are much alike, and
+  /// a search takes up to a second.
   std::optional<bool> has_link(const std::vector<int>& valences, const std::vector<int>& creases) {
     const auto [known, is_new] = links_.try_emplace({valences, creases}, std::nullopt);
     if (is_new) known->second = has_surface_link(valences, creases);

@@ -98,8 +98,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   // (docs/solver.md, "On tets").
   std::erase_if(report.warnings, is_of_resolution);
   report.onto = describe(tets, evaluate_vertex_field(tets.solid, boundary, tets.edges, field->vertex_frames));
-  monitor.report(
-      {Phase::kTets, 0, tets.solid.mesh.vertices.size(), finished.sweeps, report.onto->dirichlet});
+  monitor.report({Phase::kTets, 0, tets.solid.mesh.vertices.size(), finished.sweeps, report.onto->dirichlet});
   report.onto->feature_edge_deg = angles_along(tets.solid, features.edges, field->vertex_frames);
   report.onto->boundary = options.onto.boundary;
   report.onto->singularity = tet_summary(tets.solid, field->tet_frames, field->singularities);

@@ -127,6 +127,8 @@ TEST(CadProcess, GetsTheRequestToTheBit) {
   request.options.chord_error_cells = 1e-300;
   request.options.facet_angle_deg = 1.0 / 3;
   request.options.max_memory_bytes = SIZE_MAX;
+  request.options.glue = true;
+  request.options.glue_gap = 2e-7;
   const std::optional<CadRequest> got = cad_request_of(arguments_of(request));
   ASSERT_TRUE(got);
   EXPECT_EQ(got->path, request.path);
@@ -138,6 +140,8 @@ TEST(CadProcess, GetsTheRequestToTheBit) {
   EXPECT_EQ(got->options.facet_angle_deg, 1.0 / 3);
   EXPECT_EQ(got->options.crease_angle_deg, 35);
   EXPECT_EQ(got->options.max_memory_bytes, SIZE_MAX);
+  EXPECT_TRUE(got->options.glue);
+  EXPECT_EQ(got->options.glue_gap, 2e-7);
 }
 
 TEST(CadProcess, BelievesNoAnswerThatIsCutShort) {

@@ -64,5 +64,29 @@ TEST(Walls, AreMeasuredInsideAGapOnly) {
   EXPECT_NEAR(walls.thinnest_cells, 0.4 * 16, 1e-6);
 }
 
+TEST(Walls, AreResolvedWithTheNumberOfCellsThatIsNamed) {
+  const Quaternion tilt = from_rotation_vector({0.4, -0.7, 0.5});
+  TriangleMesh wedge = make_cylinder(0.5, 0.5, 3);
+  for (Vector3& vertex : wedge.vertices) vertex[0] *= 0.4;
+  for (const auto& [name, mesh] : {std::pair{"plate", make_wall(0.1)},
+                                   {"thirds", make_wall(1.0 / 30)},
+                                   {"tilted plate", rotate_mesh(make_wall(0.1), tilt)},
+                                   {"rod", make_cylinder(0.04, 0.5, 24)},
+                                   {"wedge", wedge}}) {
+    SCOPED_TRACE(name);
+    const double side = longest_side(box_of(mesh.vertices));
+    const int needed = walls_of(mesh, side / 16).resolution_needed;
+    ASSERT_GT(needed, 16);
+    const auto walls = walls_of(mesh, side / needed);
+    EXPECT_EQ(walls.resolution_needed, 0) << needed << ", " << walls.thin_share;
+    EXPECT_GT(walls_of(mesh, side / (0.8 * needed)).resolution_needed, 0);
+  }
+}
+
+TEST(Walls, OfAPlateNeedAsManyCellsAsAreWantedAcross) {
+  // A margin for rounding, and the next number.
+  EXPECT_NEAR(walls_of(make_wall(0.1), 1.0 / 16).resolution_needed, kWanted / 0.1, 1);
+}
+
 }  // namespace
 }  // namespace crossgrain

@@ -66,14 +66,40 @@ TopoDS_Shape core_in_sleeve() {
   return builder.Shape();
 }
 
-/// A small box on the middle of a large one, with nothing in common.
-TopoDS_Shape stacked_boxes() {
+TopoDS_Shape together(const TopoDS_Shape& a, const TopoDS_Shape& b) {
   const BRep_Builder builder;
   TopoDS_Compound compound;
   builder.MakeCompound(compound);
-  builder.Add(compound, box({0, 0, 0}, {20, 20, 10}));
-  builder.Add(compound, box({6, 7, 10}, {13, 13, 15}));
+  builder.Add(compound, a);
+  builder.Add(compound, b);
   return compound;
+}
+
+/// A small box on the middle of a large one, with nothing in common.
+TopoDS_Shape stacked_boxes() {
+  return together(box({0, 0, 0}, {20, 20, 10}), box({6, 7, 10}, {13, 13, 15}));
+}
+
+/// Two boxes of which half a face each touches: 50 of 100.
+TopoDS_Shape offset_boxes() {
+  return together(box({0, 0, 0}, {10, 10, 10}), box({10, 5, 0}, {20, 15, 10}));
+}
+
+/// A box of 4 by 4 by 6 in a pocket of its size, flush with the top of a box of 10 by 10 by 10.
+TopoDS_Shape box_in_a_pocket() {
+  const TopoDS_Shape inner = box({3, 3, 4}, {7, 7, 10});
+  return together(BRepAlgoAPI_Cut(box({0, 0, 0}, {10, 10, 10}), inner).Shape(), inner);
+}
+
+/// The plate with a pin of radius 5 in its hole, which stands out by 5 above and below.
+TopoDS_Shape plate_with_pin() {
+  const gp_Ax2 axis(gp_Pnt(20, 15, -5), gp_Dir(0, 0, 1));
+  return together(plate(), BRepPrimAPI_MakeCylinder(axis, 5, 20).Shape());
+}
+
+/// A box of 1000 and one of 360, of which 180 are in both.
+TopoDS_Shape overlapping_boxes() {
+  return together(box({0, 0, 0}, {10, 10, 10}), box({5, 2, 2}, {15, 8, 8}));
 }
 
 /// The same box twice, once as it is and once turned by a right angle about z and moved by 100 along x: from
@@ -83,12 +109,7 @@ TopoDS_Shape assembly() {
   gp_Trsf turn, move;
   turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), M_PI / 2);
   move.SetTranslation(gp_Vec(100, 0, 0));
-  const BRep_Builder builder;
-  TopoDS_Compound compound;
-  builder.MakeCompound(compound);
-  builder.Add(compound, part);
-  builder.Add(compound, part.Moved(TopLoc_Location(move * turn)));
-  return compound;
+  return together(part, part.Moved(TopLoc_Location(move * turn)));
 }
 
 /// A solid whose faces look inwards.
@@ -166,6 +187,10 @@ void write_all(const Folder& folder) {
   folder.brep(core_in_sleeve(), "sleeve.brep");
   folder.step(core_in_sleeve(), "sleeve.step", "MM");
   folder.brep(stacked_boxes(), "stacked.brep");
+  folder.brep(offset_boxes(), "offset.brep");
+  folder.step(box_in_a_pocket(), "pocket.step", "MM");
+  folder.step(plate_with_pin(), "pin.step", "MM");
+  folder.brep(overlapping_boxes(), "overlapping.brep");
   folder.brep(assembly(), "assembly.brep");
   folder.step(assembly(), "assembly.step", "MM");
   folder.brep(inside_out(), "inside_out.brep");
