@@ -138,7 +138,8 @@ class OfSolidsThatHexahedraDoNotFit(CheckTest):
 
     def test_an_edge_of_45_degrees_is_undecided(self):
         report = self.answer(prism_stl([(0, 0), (2, 0), (2, 2)]))
-        self.assertEqual((report["verdict"], report["reasons"][0]["kind"]), ("undecided", "knife_edge"))
+        self.assertEqual(report["verdict"], "undecided")
+        self.assertIn("knife_edge", [reason["kind"] for reason in report["reasons"]])
 
     def test_an_edge_of_60_degrees_has_a_hexahedron(self):
         report = self.answer(prism_stl([(0, 0), (2, 0), (1, math.sqrt(3))]))

@@ -53,13 +53,14 @@ TEST(GlueCad, SolidsShareTheTrianglesOfThePartOfAFaceWhereTheyTouch) {
   struct Case {
     const char* name;
     double area, volume, other_volume;
+    double area_before = 0;  ///< faces that are alike share their triangles even without glue
   };
   const double facets = 0.01;
   for (const Case& expected : {Case{"stacked.brep", 42, 4000, 210}, Case{"offset.brep", 50, 1000, 1000},
-                               Case{"pocket.step", 4 * 24 + 16, 1000 - 96, 96},
+                               Case{"pocket.step", 4 * 24 + 16, 1000 - 96, 96, 4 * 24 + 16},
                                Case{"pin.step", 100 * kPi, 12000 - 250 * kPi, 500 * kPi}}) {
     SCOPED_TRACE(expected.name);
-    EXPECT_EQ(shared_area(read_made(expected.name)), 0);
+    EXPECT_NEAR(shared_area(read_made(expected.name)), expected.area_before, 1e-9);
     const TriangleMesh mesh = read_glued(expected.name);
     EXPECT_NEAR(shared_area(mesh), expected.area, facets * expected.area);
     const std::map<std::int32_t, double> volumes = volumes_of(mesh);
