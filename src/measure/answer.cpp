@@ -237,6 +237,9 @@ void judge_end(const SolveReport& report, Reasons& reasons) {
   if (report.unfinished)
     reasons.add(ReasonKind::kUnfinished, Verdict::kUndecided, "the solve was stopped before its end",
                 "let it finish");
+  const auto overlaps = [](const Warning& it) { return it.kind == WarningKind::kOverlappingTets; };
+  if (report.onto && std::any_of(report.warnings.begin(), report.warnings.end(), overlaps))
+    reasons.add(ReasonKind::kSurface, Verdict::kUndecided, "tets overlap", "mesh the part again");
 }
 
 }  // namespace

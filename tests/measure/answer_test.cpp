@@ -105,6 +105,13 @@ TEST(Answer, OnTetsIsAboutTheTets) {
             "edges of 0.5");
 }
 
+TEST(Answer, OnTetsThatOverlapIsUndecided) {
+  SolveReport report;
+  report.warnings.emplace_back(WarningKind::kOverlappingTets, "faces with both tets on the same side");
+  report.onto.emplace();
+  EXPECT_EQ(sentence_of(answer_of(report)), "undecided, because tets overlap; next: mesh the part again");
+}
+
 TEST(Answer, OfAStoppedSolveIsUndecided) {
   SolveReport report = sound();
   report.unfinished.emplace();
