@@ -10,6 +10,7 @@
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/singularity_graph.hpp"
+#include "crossgrain/tet_frame_field.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -93,6 +94,12 @@ struct PictureCurves {
 /// Errors: kUsage for options out of range; kInput for a field without its surface or without what the
 /// options colour by, as earlier versions wrote; kOutput; kInterrupted.
 void render_picture(const FrameField& field, const std::filesystem::path& picture,
+                    const PictureOptions& options = {}, const PictureCurves& curves = {},
+                    const Monitor& monitor = {});
+
+/// Draws a field on tets: its own lines, frames and numbers. Draw `field.grid()` for those of the grid from
+/// which it started.
+void render_picture(const TetFrameField& field, const std::filesystem::path& picture,
                     const PictureOptions& options = {}, const PictureCurves& curves = {},
                     const Monitor& monitor = {});
 

@@ -31,6 +31,13 @@ struct SingularityGraph {
     /// The vertex of the tet mesh behind each point; -1 on grids and at nodes.
     std::vector<std::int64_t> vertices;
 
+    /// At each point, the axis about which the frames rotate around the arc: unit, turned along the arc; zero
+    /// where they rotate about no axis of theirs.
+    std::vector<Vector3> axes;
+
+    /// Indices into `points` where the rotation changes its sense, ascending; empty unless kChanging.
+    std::vector<std::uint32_t> turning_points;
+
     ArcType type = ArcType::kRegular;
 
     /// Rotation of the frames around the arc in full turns, right-handed about either direction of the arc:

@@ -14,11 +14,14 @@
 
 namespace crossgrain {
 
-/// The mended triangles that the solve used, oriented outwards. Faces between solids are not included.
+/// The mended triangles that the solve used.
 struct SolvedSurface {
-  std::vector<Vector3> vertices;  ///< model units; some may be unused
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Vector3> vertices;                        ///< model units; some may be unused
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< the outer surface, oriented outwards
   std::vector<std::vector<Vector3>> creases;  ///< polylines of 2 or more points; closed ones repeat the first
+
+  /// Faces between solids, each once, with either side first.
+  std::vector<std::array<std::uint32_t, 3>> interfaces = {};
 };
 
 /// A surface in memory, or one that is read from a file when it is first needed: most users of a field do not

@@ -41,8 +41,8 @@ Box box_of(const SolvedSurface& surface) {
 
 DrawnMesh part(const PictureSubject& subject, const PictureOptions& options) {
   DrawnMesh mesh;
-  mesh.vertices = subject.surface.vertices;
-  mesh.triangles = subject.surface.triangles;
+  mesh.vertices = subject.field.surface().vertices;
+  mesh.triangles = subject.field.surface().triangles;
   mesh.corner_normals = corner_normals(mesh.vertices, mesh.triangles, kSmoothDeg);
   mesh.colour = kPlainPart;
   mesh.bounds_solid = true;
@@ -73,10 +73,10 @@ class Cut {
       : subject_(subject),
         options_(options),
         unit_(PictureWeights(options, camera).unit),
-        box_(box_of(subject.surface)),
+        box_(box_of(subject.field.surface())),
         axis_(static_cast<std::size_t>(options.cut->axis)),
         position_(options.cut->position.value_or(0.5 * (box_.low[axis_] + box_.high[axis_]))),
-        outline_(subject.surface.vertices, subject.surface.triangles, axis_, position_) {
+        outline_(subject.field.surface().vertices, subject.field.surface().triangles, axis_, position_) {
     if (!(position_ > box_.low[axis_] && position_ < box_.high[axis_]))
       throw Error(
           ErrorKind::kUsage,
@@ -101,7 +101,7 @@ class Cut {
     };
     const Colour ink = ink_on(options_.background);
     if (options_.creases) {
-      section.ghosts = rods_along(subject_.surface.creases, kGhostRadius * unit_, ink);
+      section.ghosts = rods_along(subject_.field.surface().creases, kGhostRadius * unit_, ink);
       DrawnRods outline{RodLook::kInk, {}, {}, true};
       for (const CutOutline::Segment& segment : outline_.segments())
         outline.rods.push_back({segment.from, segment.to, kOutlineRadius * unit_, ink});
@@ -127,7 +127,7 @@ class Cut {
     for (const Vector3& place : places_on_plane(box_, axis_, position_, spacing, [&](const Vector3& point) {
            return is_inside(point) && outline_.distance_to(point) > kClearance * spacing;
          }))
-      frames.push_back({place, from_stored(subject_.field.frames[subject_.colours.leaf_at(place)])});
+      frames.push_back({place, from_stored(subject_.field.grid().frames[subject_.colours.leaf_at(place)])});
     if (options_.frames == PictureFrames::kBoxes)
       drawing.meshes.push_back(frame_boxes(frames, kBoxShare * usual * askew, kBoxColour));
     else
@@ -136,7 +136,7 @@ class Cut {
 
   bool is_inside(const Vector3& point) const {
     const CellIndex leaf = subject_.colours.leaf_at(point);
-    return leaf != kNoCell && (subject_.field.on_boundary[leaf] == 0 || outline_.encloses(point));
+    return leaf != kNoCell && (subject_.field.grid().on_boundary[leaf] == 0 || outline_.encloses(point));
   }
 
   const PictureSubject& subject_;
@@ -169,9 +169,9 @@ Drawing field_drawing(const PictureSubject& subject, const PictureOptions& optio
   drawing.meshes.push_back(part(subject, options));
   if (options.lines) {
     drawing.rods.push_back(
-        singular_lines(subject.singularities, kSingularRadius * unit, ink_on(options.background)));
+        singular_lines(subject.field.lines(), kSingularRadius * unit, ink_on(options.background)));
     std::vector<Ball>& balls = drawing.rods.back().balls;
-    const std::vector<Ball> marks = answer_marks(subject.field.report, kSingularRadius * unit);
+    const std::vector<Ball> marks = answer_marks(subject.field.report(), kSingularRadius * unit);
     balls.insert(balls.end(), marks.begin(), marks.end());
   }
   drawing.rods.push_back(
@@ -179,7 +179,7 @@ Drawing field_drawing(const PictureSubject& subject, const PictureOptions& optio
   if (options.creases)
     drawing.rods.push_back(
         {RodLook::kInk,
-         rods_along(subject.surface.creases, kCreaseRadius * unit, ink_on(options.background)),
+         rods_along(subject.field.surface().creases, kCreaseRadius * unit, ink_on(options.background)),
          {}});
   if (options.cut) Cut(subject, options, camera).add_to(drawing);
   return drawing;

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "crossgrain/picture.hpp"
-#include "field/field_data.hpp"
-#include "field/solved_surface.hpp"
+#include "display/shown_field.hpp"
 #include "picture/camera.hpp"
 #include "picture/cell_colours.hpp"
 #include "picture/drawing.hpp"
@@ -15,9 +14,7 @@ namespace crossgrain {
 
 /// The data to draw; must live as long as the drawing.
 struct PictureSubject {
-  const FieldData& field;
-  const SolvedSurface& surface;
-  const SingularityGraph& singularities;
+  const ShownField& field;
   const CellColours& colours;
   const std::vector<std::vector<Vector3>>& streamlines;  ///< polylines
 };

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "crossgrain/error.hpp"
-#include "field/field_data.hpp"
+#include "display/shown_field.hpp"
 #include "files/output_file.hpp"
 #include "picture/answer_marks.hpp"
 #include "picture/axis_cross.hpp"
@@ -54,14 +54,6 @@ void check_options(const PictureOptions& options) {
   check(std::isfinite(low) && std::isfinite(high) && low < high &&
             (low > 0 || options.colour == PictureColour::kAlignment),
         "the colour range must have its lower end first, above 0 for energy");
-}
-
-std::shared_ptr<const SolvedSurface> surface_of(const FieldData& field) {
-  auto surface = field.surface.get();
-  if (!surface || surface->triangles.empty())
-    throw Error(ErrorKind::kInput, "the field has no surface (earlier versions did not write it)",
-                Remedy::kSolveAgain);
-  return surface;
 }
 
 /// The positions of the part, the legend and the axes.
@@ -159,21 +151,20 @@ void set_view(PictureOptions& options, const std::string& name) {
               "'" + name + "' is not a view; choose iso, front, back, left, right, top or bottom");
 }
 
-void render_picture(const FrameField& field, const std::filesystem::path& picture,
-                    const PictureOptions& options, const PictureCurves& curves, const Monitor& monitor) {
+namespace {
+
+void render_shown(const ShownField& field, const std::filesystem::path& picture,
+                  const PictureOptions& options, const PictureCurves& curves, const Monitor& monitor) {
   check_options(options);
   OutputFile file(picture);
-  const FieldData& data = field.data();
-  const auto surface = surface_of(data);
-  const SingularityGraph& graph = curves.singularities ? *curves.singularities : field.singularities();
   monitor.check();
 
-  const CellColours colours(data, options);
-  const std::vector<LegendBlock> blocks = legend_blocks(data.report, colours, graph, options, curves);
-  const Layout layout(options, *surface, blocks);
+  const CellColours colours(field.grid(), options);
+  const std::vector<LegendBlock> blocks =
+      legend_blocks(field.report(), colours, field.lines(), options, curves);
+  const Layout layout(options, field.surface(), blocks);
   const Camera& camera = *layout.camera;
-  const Drawing drawing =
-      field_drawing({data, *surface, graph, colours, curves.streamlines}, options, camera);
+  const Drawing drawing = field_drawing({field, colours, curves.streamlines}, options, camera);
 
   const bool is_transparent = options.background == PictureBackground::kTransparent;
   Image image(options.width, options.height,
@@ -185,6 +176,18 @@ void render_picture(const FrameField& field, const std::filesystem::path& pictur
   if (options.legend) draw_legend(blocks, layout, options, image);
   write_png(file, image, monitor, PngMark::kProgram);
   file.commit();
+}
+
+}  // namespace
+
+void render_picture(const FrameField& field, const std::filesystem::path& picture,
+                    const PictureOptions& options, const PictureCurves& curves, const Monitor& monitor) {
+  render_shown(ShownField(field, curves.singularities), picture, options, curves, monitor);
+}
+
+void render_picture(const TetFrameField& field, const std::filesystem::path& picture,
+                    const PictureOptions& options, const PictureCurves& curves, const Monitor& monitor) {
+  render_shown(ShownField(field, curves.singularities), picture, options, curves, monitor);
 }
 
 }  // namespace crossgrain

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "display/axis_names.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <tuple>
+
+#include "singularity/matching.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Angle between neighbouring frames at which a path counts as twice its length, as the squared sine of its
+/// half: about 10 degrees. Names should not pass next to a singular line, where the matching is uncertain.
+constexpr double kTurn = 0.0076;
+
+/// Rounds in which frames take the names that most of their neighbours give them: they straighten seams.
+constexpr int kRounds = 20;
+
+constexpr std::array<AxisNames, 6> kAllNames{
+    {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+
+/// Where each axis of `from` continues in `to`.
+AxisNames axes_through(const CubeRotation& matching) {
+  const auto turned = axes_of(to_quaternion(matching));
+  AxisNames axes{};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::uint8_t j = 0; j < 3; ++j)
+      if (std::abs(turned[k][j]) > 0.5) axes[k] = j;
+  return axes;
+}
+
+AxisNames renamed(const AxisNames& names, const AxisNames& axes) {
+  AxisNames out{};
+  for (std::size_t k = 0; k < 3; ++k) out[axes[k]] = names[k];
+  return out;
+}
+
+/// The links at each frame, both ways.
+struct Neighbours {
+  struct Link {
+    std::uint32_t to;
+    AxisNames axes;  ///< where each axis continues there
+    double cost, width;
+  };
+  std::vector<std::uint32_t> begin;
+  std::vector<Link> links;
+
+  Neighbours(std::span<const Quaternion> frames, std::span<const FrameLink> given) {
+    begin.assign(frames.size() + 1, 0);
+    for (const FrameLink& link : given) ++begin[link.a + 1], ++begin[link.b + 1];
+    for (std::size_t i = 0; i < frames.size(); ++i) begin[i + 1] += begin[i];
+    links.resize(2 * given.size());
+    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+    for (const FrameLink& link : given) {
+      const Quaternion turn = conjugate(frames[link.b]) * frames[link.a];
+      const CubeRotation matching = nearest_cube_rotation(turn);
+      const double cosine = (conjugate(to_quaternion(matching)) * turn).w;
+      const double cost = link.distance * (1 + std::max(1 - cosine * cosine, 0.0) / kTurn);
+      links[next[link.a]++] = {link.b, axes_through(matching), cost, link.width};
+      links[next[link.b]++] = {link.a, axes_through(inverse(matching)), cost, link.width};
+    }
+  }
+
+  std::span<const Link> of(std::uint32_t i) const {
+    return std::span(links).subspan(begin[i], begin[i + 1] - begin[i]);
+  }
+};
+
+AxisNames names_by_coordinates(const Quaternion& frame) {
+  const auto axes = axes_of(frame);
+  AxisNames best = kAllNames[0];
+  double most = -1;
+  for (const AxisNames& names : kAllNames) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += std::abs(axes[k][names[k]]);
+    if (sum > most) most = sum, best = names;
+  }
+  return best;
+}
+
+/// Names everything that is linked to `start`, nearest first.
+void spread(std::uint32_t start, const Neighbours& neighbours, std::vector<AxisNames>& names,
+            std::vector<std::uint8_t>& is_named) {
+  using Step = std::tuple<double, std::uint32_t, AxisNames>;
+  std::priority_queue<Step, std::vector<Step>, std::greater<>> steps;
+  steps.emplace(0, start, names[start]);
+  while (!steps.empty()) {
+    const auto [way, i, given] = steps.top();
+    steps.pop();
+    if (is_named[i]) continue;
+    is_named[i] = 1;
+    names[i] = given;
+    for (const auto& link : neighbours.of(i))
+      if (!is_named[link.to]) steps.emplace(way + link.cost, link.to, renamed(given, link.axes));
+  }
+}
+
+/// Gives each frame the names that its neighbours give it over the largest width; returns whether any
+/// changed.
+bool straighten(const Neighbours& neighbours, std::vector<AxisNames>& names) {
+  bool has_changed = false;
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    const auto agreed = [&](const AxisNames& own) {
+      double width = 0;
+      for (const auto& link : neighbours.of(i))
+        if (renamed(own, link.axes) == names[link.to]) width += link.width;
+      return width;
+    };
+    double most = agreed(names[i]) * (1 + 1e-9);
+    for (const AxisNames& other : kAllNames) {
+      const double width = agreed(other);
+      if (width <= most) continue;
+      most = width * (1 + 1e-9);
+      names[i] = other;
+      has_changed = true;
+    }
+  }
+  return has_changed;
+}
+
+}  // namespace
+
+AxisNames names_through(const AxisNames& names, const Quaternion& from, const Quaternion& to) {
+  return renamed(names, axes_through(matching(from, to)));
+}
+
+std::vector<AxisNames> name_axes(std::span<const Quaternion> frames, std::span<const FrameLink> links,
+                                 std::uint32_t start) {
+  std::vector<AxisNames> names(frames.size());
+  if (frames.empty()) return names;
+  const Neighbours neighbours(frames, links);
+  std::vector<std::uint8_t> is_named(frames.size(), 0);
+  const auto begin_at = [&](std::uint32_t i) {
+    if (is_named[i]) return;
+    names[i] = names_by_coordinates(frames[i]);
+    spread(i, neighbours, names, is_named);
+  };
+  begin_at(start);
+  for (std::uint32_t i = 0; i < frames.size(); ++i) begin_at(i);
+  for (int round = 0; round < kRounds && straighten(neighbours, names); ++round) {
+  }
+  return names;
+}
+
+std::vector<std::uint32_t> seams_of(std::span<const AxisNames> names, std::span<const Quaternion> frames,
+                                    std::span<const FrameLink> links) {
+  std::vector<std::uint32_t> seams;
+  for (std::uint32_t k = 0; k < links.size(); ++k) {
+    const auto& [a, b, distance, width] = links[k];
+    if (names_through(names[a], frames[a], frames[b]) != names[b]) seams.push_back(k);
+  }
+  return seams;
+}
+
+}  // namespace crossgrain
