@@ -37,6 +37,10 @@ std::vector<std::vector<Vector3>> streamlines_in(const std::filesystem::path& fo
 
 void draw(const RenderArguments& arguments, const Monitor& monitor) {
   const std::filesystem::path folder = arguments.field;
+  if (const auto tets = read_tet_field(folder)) {
+    render_picture(*tets, arguments.output, arguments.options, {}, monitor);
+    return;
+  }
   const FrameField field = read_field(folder);
   const SingularityGraph singularities = read_singularities(folder / kSingularityFile);
   PictureCurves curves{&singularities, {}};
