@@ -15,8 +15,8 @@ class CellSizes {
  public:
   explicit CellSizes(const ShownField& field);
 
-  /// On tets the mean length of the edges at `vertex`, or of all if that is -1; on a grid the size of the cell
-  /// at `place`, or of the smallest cells if there is none.
+  /// On tets the mean length of the edges at `vertex`, or of all if that is -1; on a grid the size of the
+  /// cell at `place`, or of the smallest cells if there is none.
   double at(const Vector3& place, std::int64_t vertex) const;
 
  private:

@@ -19,8 +19,8 @@ namespace {
 using Arc = SingularityGraph::Arc;
 using Node = SingularityGraph::Node;
 
-/// Largest distance by which the end of several lines is moved to the surface, in cells. They must still meet,
-/// so that each one cannot go on straight.
+/// Largest distance by which the end of several lines is moved to the surface, in cells. They must still
+/// meet, so that each one cannot go on straight.
 constexpr double kMostMoved = 1.5;
 
 class LinesOfField {
@@ -42,7 +42,7 @@ class LinesOfField {
 
  private:
   DrawnLine line_of(const Arc& arc) const {
-    DrawnLine line{kind_of(arc), arc.points, {}};
+    DrawnLine line{kind_of(arc), arc.points, {}, 0};
     if (arc.nodes) {
       const StraightEnd first = end_of(arc, (*arc.nodes)[0]), last = end_of(reversed(arc), (*arc.nodes)[1]);
       line.points = first.points;
@@ -51,6 +51,8 @@ class LinesOfField {
       line.points.insert(line.points.end(), last.points.rbegin(), last.points.rend());
     }
     line.walls = walls_along(line.points, rays_);
+    for (std::size_t k = 1; k < line.points.size(); ++k)
+      line.length += norm(line.points[k] - line.points[k - 1]);
     return line;
   }
 
@@ -85,7 +87,7 @@ class LinesOfField {
   }
 
   static LineMark turning_mark(const Vector3& place, const DrawnLine& line) {
-    LineMark mark{MarkShape::kTurningPoint, place, {}, kNoWall, Verdict::kMeshable};
+    LineMark mark{MarkShape::kTurningPoint, place, {}, kNoWall, line.length, Verdict::kMeshable};
     double least = kNoWall;
     for (std::size_t k = 1; k < line.points.size(); ++k) {
       const Vector3 &from = line.points[k - 1], way = line.points[k] - from;
@@ -104,13 +106,14 @@ class LinesOfField {
 
   void add_marks_of(std::uint32_t number, DrawnLines& drawn) const {
     const Node& node = graph_.nodes[number];
-    LineMark mark{MarkShape::kNode, node.place, {0, 0, 0}, kNoWall, node.verdict};
+    LineMark mark{MarkShape::kNode, node.place, {0, 0, 0}, kNoWall, kNoWall, node.verdict};
     Vector3 outward{0, 0, 0};
     for (const std::uint32_t a : node.arcs) {
       const DrawnLine& line = drawn.lines[a];
       const std::size_t last = line.points.size() - 1;
       const bool is_first = graph_.arcs[a].nodes->front() == number;
       mark.wall = std::min(mark.wall, is_first ? line.walls.front() : line.walls.back());
+      mark.length = std::min(mark.length, line.length);
       mark.place = is_first ? line.points.front() : line.points.back();
       outward = is_first ? line.points[0] - line.points[1] : line.points[last] - line.points[last - 1];
     }
@@ -136,6 +139,8 @@ LineKind kind_of(const Arc& arc) {
   return arc.index == -0.25 ? LineKind::kFive : LineKind::kSix;
 }
 
-DrawnLines drawn_lines(const ShownField& field) { return LinesOfField(field).lines(); }
+DrawnLines drawn_lines(const ShownField& field) {
+  return LinesOfField(field).lines();
+}
 
 }  // namespace crossgrain

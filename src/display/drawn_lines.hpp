@@ -37,6 +37,8 @@ struct DrawnLine {
   /// At each point the length of the shortest chord through the solid, across the line or along it, model
   /// units, or kNoWall. Along the line it changes by at most half of the way.
   std::vector<double> walls;
+
+  double length = 0;  ///< model units
 };
 
 enum class MarkShape : std::uint8_t {
@@ -54,6 +56,7 @@ struct LineMark {
   Vector3 direction{};
 
   double wall = kNoWall;                 ///< as DrawnLine::walls
+  double length = kNoWall;               ///< of the shortest line there, model units
   Verdict verdict = Verdict::kMeshable;  ///< of the node; kMeshable for turning points
 };
 

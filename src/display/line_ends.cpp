@@ -95,21 +95,17 @@ class End {
   std::optional<Vector3> straight_ahead(std::size_t k) const {
     const Vector3 direction = direction_at(k);
     if (direction == Vector3{0, 0, 0}) return std::nullopt;
-    const Vector3 axis =
-        mean_axis(k, lengths_[k] + options_.direction_length * cell_size_, direction);
+    const Vector3 axis = mean_axis(k, lengths_[k] + options_.direction_length * cell_size_, direction);
     const bool has_axis = axis != Vector3{0, 0, 0};
     if (has_axis ? dot(axis, direction) < options_.straight_cosine : k > 0) return std::nullopt;
     if (!agree_before(k, direction)) return std::nullopt;
     if (k == 0 && is_on_surface()) return points_.front();
-    const auto hit =
-        rays_.first_hit(points_[k], direction, lengths_[k] + options_.most_ahead * cell_size_);
+    const auto hit = rays_.first_hit(points_[k], direction, lengths_[k] + options_.most_ahead * cell_size_);
     if (!hit || !hit->is_exit) return std::nullopt;
     return hit->place;
   }
 
-  bool is_on_surface() const {
-    return rays_.nearest(points_.front()).distance <= kOnSurface * cell_size_;
-  }
+  bool is_on_surface() const { return rays_.nearest(points_.front()).distance <= kOnSurface * cell_size_; }
 
   std::optional<Vector3> extension() const {
     if (is_on_surface()) return std::nullopt;

@@ -34,7 +34,8 @@ struct LineEnd {
   std::vector<Vector3> points, axes;
 };
 
-/// What is drawn instead: `points` from the surface inwards, and then those of the line from number `next` on.
+/// What is drawn instead: `points` from the surface inwards, and then those of the line from number `next`
+/// on.
 struct StraightEnd {
   std::vector<Vector3> points;
   std::size_t next = 0;

@@ -20,8 +20,8 @@ double wall_at(const Vector3& point, const Vector3& along, const SolidRays& rays
   const Vector3 third = cross(along, first);
   constexpr double kHalf = 1 / std::numbers::sqrt2;
   double wall = std::numeric_limits<double>::infinity();
-  for (const Vector3& direction : std::array<Vector3, 5>{along, first, kHalf * (first + third), third,
-                                                         kHalf * (third - first)})
+  for (const Vector3& direction :
+       std::array<Vector3, 5>{along, first, kHalf * (first + third), third, kHalf * (third - first)})
     wall = std::min(wall, rays.chord(point, direction));
   return wall;
 }

@@ -7,8 +7,8 @@
 namespace crossgrain {
 
 SolidRays::SolidRays(const SolvedSurface& surface)
-    : surface_(
-          prepare_surface(CheckedMesh::derived({.vertices = surface.vertices, .triangles = surface.triangles}))),
+    : surface_(prepare_surface(
+          CheckedMesh::derived({.vertices = surface.vertices, .triangles = surface.triangles}))),
       bvh_(surface_) {}
 
 std::optional<SolidRays::Hit> SolidRays::first_hit(const Vector3& origin, const Vector3& direction,

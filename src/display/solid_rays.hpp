@@ -11,8 +11,8 @@
 
 namespace crossgrain {
 
-/// The surface of a solid, which may be open. Refers to itself, so it can be neither copied nor moved. Queries
-/// are safe from any number of threads.
+/// The surface of a solid, which may be open. Refers to itself, so it can be neither copied nor moved.
+/// Queries are safe from any number of threads.
 class SolidRays {
  public:
   /// Copies the triangles. Throws Error(kInput) if none has an area.

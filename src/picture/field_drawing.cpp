@@ -109,7 +109,7 @@ class Cut {
     }
     if (options_.lines) {  // the lines are the first rods
       DrawnRods crossings{RodLook::kSolid, {}, {}, true};
-      crossings.balls = crossings_of(drawing.rods.front(), normal_, section.offset);
+      crossings.facets = crossings_of(drawing.rods.front(), normal_, section.offset, ink);
       drawing.rods.push_back(std::move(crossings));
     }
     drawing.section = std::move(section);
@@ -169,10 +169,8 @@ Drawing field_drawing(const PictureSubject& subject, const PictureOptions& optio
   drawing.meshes.push_back(part(subject, options));
   if (options.lines) {
     drawing.rods.push_back(
-        singular_lines(subject.field.lines(), kSingularRadius * unit, ink_on(options.background)));
-    std::vector<Ball>& balls = drawing.rods.back().balls;
-    const std::vector<Ball> marks = answer_marks(subject.field.report(), kSingularRadius * unit);
-    balls.insert(balls.end(), marks.begin(), marks.end());
+        singular_lines(drawn_lines(subject.field), kSingularRadius * unit, ink_on(options.background)));
+    answer_marks(subject.field.report(), kSingularRadius * unit, drawing.rods.back().facets);
   }
   drawing.rods.push_back(
       {RodLook::kSolid, rods_along(subject.streamlines, kStreamlineRadius * unit, kStreamlineColour), {}});

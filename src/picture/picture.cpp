@@ -108,15 +108,16 @@ void draw_legend(const std::vector<LegendBlock>& blocks, const Layout& layout, c
 }
 
 std::vector<LegendBlock> legend_blocks(const SolveReport& report, const CellColours& colours,
-                                       const SingularityGraph& graph, const PictureOptions& options,
+                                       const ShownField& field, const PictureOptions& options,
                                        const PictureCurves& curves) {
   std::vector<LegendBlock> blocks;
   if (!options.legend) return blocks;
   blocks.push_back(answer_legend(report, options.lines));
   if (const auto block = colours.legend()) blocks.push_back(*block);
   if (options.lines)
-    if (const auto block = legend_of(graph, report.onto ? "Singular lines on the grid" : "Singular lines",
-                                     ink_on(options.background)))
+    if (const auto block =
+            legend_of(field, field.is_starting_grid() ? "Singular lines on the grid" : "Singular lines",
+                      ink_on(options.background)))
       blocks.push_back(*block);
   if (!curves.streamlines.empty()) {
     LegendBlock block{"Streamlines"};
@@ -160,8 +161,7 @@ void render_shown(const ShownField& field, const std::filesystem::path& picture,
   monitor.check();
 
   const CellColours colours(field.grid(), options);
-  const std::vector<LegendBlock> blocks =
-      legend_blocks(field.report(), colours, field.lines(), options, curves);
+  const std::vector<LegendBlock> blocks = legend_blocks(field.report(), colours, field, options, curves);
   const Layout layout(options, field.surface(), blocks);
   const Camera& camera = *layout.camera;
   const Drawing drawing = field_drawing({field, colours, curves.streamlines}, options, camera);
