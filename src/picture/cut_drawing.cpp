@@ -99,7 +99,8 @@ void CutDrawing::add_to(Drawing& drawing, const Camera& camera) const {
   if (options_.creases) add_outline(drawing, section, unit);
   if (options_.lines) {
     DrawnRods crossings{RodLook::kSolid, {}, {}, true};
-    crossings.balls = crossings_of(drawing.rods.front(), cut_.normal, section.offset);
+    crossings.facets =
+        crossings_of(drawing.rods.front(), cut_.normal, section.offset, ink_on(options_.background));
     drawing.rods.push_back(std::move(crossings));
   }
   drawing.section = std::move(section);

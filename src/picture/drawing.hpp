@@ -52,6 +52,7 @@ struct Rod {
   Vector3 from, to;
   double radius;  ///< model units
   Colour colour;
+  double end_radius = 0;  ///< at `to`; 0 if it is the same
 };
 
 struct Ball {
@@ -60,12 +61,18 @@ struct Ball {
   Colour colour;
 };
 
+/// A triangle of a small opaque solid, counter-clockwise seen from outside.
+struct Facet {
+  std::array<Vector3, 3> corners;  ///< model units
+  Colour colour;
+};
+
 enum class RodLook {
   kSolid,  ///< round, with a dark rim, and visible through everything: never dimmed by much
   kInk     ///< a line in one colour
 };
 
-/// Rods and balls of one look.
+/// Rods, balls and facets of one look.
 struct DrawnRods {
   RodLook look = RodLook::kSolid;
   std::vector<Rod> rods;
@@ -73,6 +80,8 @@ struct DrawnRods {
 
   /// Whether a section leaves them uncut.
   bool is_whole = false;
+
+  std::vector<Facet> facets = {};
 };
 
 /// A plane across the picture: removes everything in front of it and shows what it cuts.

@@ -62,10 +62,8 @@ Drawing field_drawing(const PictureSubject& subject, const PictureOptions& optio
   drawing.meshes.push_back(part(subject, options));
   if (options.lines) {
     drawing.rods.push_back(
-        singular_lines(subject.field.lines(), kSingularRadius * unit, ink_on(options.background)));
-    std::vector<Ball>& balls = drawing.rods.back().balls;
-    const std::vector<Ball> marks = answer_marks(subject.field.report(), kSingularRadius * unit);
-    balls.insert(balls.end(), marks.begin(), marks.end());
+        singular_lines(drawn_lines(subject.field), kSingularRadius * unit, ink_on(options.background)));
+    answer_marks(subject.field.report(), kSingularRadius * unit, drawing.rods.back().facets);
   }
   drawing.rods.push_back(
       {RodLook::kSolid, rods_along(subject.streamlines, kStreamlineRadius * unit, kStreamlineColour), {}});

@@ -18,7 +18,7 @@ struct ColourBar {
 };
 
 struct Sign {
-  enum class Shape { kLine, kBall, kBox };
+  enum class Shape { kLine, kBall, kBox, kDisc, kDiamond, kCube, kNothing };
   Shape shape;
   Colour colour;
   std::string text;

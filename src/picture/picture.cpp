@@ -150,15 +150,16 @@ void draw_legend(const std::vector<LegendBlock>& blocks, const Layout& layout, c
 }
 
 std::vector<LegendBlock> legend_blocks(const SolveReport& report, const CellColours& colours,
-                                       const SingularityGraph& graph, const PictureOptions& options,
+                                       const ShownField& field, const PictureOptions& options,
                                        const PictureCurves& curves) {
   std::vector<LegendBlock> blocks;
   if (!options.legend) return blocks;
   blocks.push_back(answer_legend(report, options.lines));
   if (const auto block = colours.legend()) blocks.push_back(*block);
   if (options.lines)
-    if (const auto block = legend_of(graph, report.onto ? "Singular lines on the grid" : "Singular lines",
-                                     ink_on(options.background)))
+    if (const auto block =
+            legend_of(field, field.is_starting_grid() ? "Singular lines on the grid" : "Singular lines",
+                      ink_on(options.background)))
       blocks.push_back(*block);
   if (!curves.streamlines.empty()) {
     LegendBlock block{"Streamlines"};
@@ -202,7 +203,7 @@ void render_shown(const ShownField& field, const std::filesystem::path& picture,
   const PictureSubject subject{field, colours, curves.streamlines};
   std::optional<CutDrawing> cut;
   if (plane) cut.emplace(subject, options, *plane);
-  std::vector<LegendBlock> blocks = legend_blocks(field.report(), colours, field.lines(), options, curves);
+  std::vector<LegendBlock> blocks = legend_blocks(field.report(), colours, field, options, curves);
   if (cut && options.legend)
     if (auto block = cut->legend()) blocks.push_back(std::move(*block));
   const Layout layout(options, direction, kept_surface(field.surface(), plane), blocks);
