@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "crossgrain/error.hpp"
+#include "display/smooth_corners.hpp"
 #include "picture/answer_marks.hpp"
-#include "picture/corner_normals.hpp"
 #include "picture/cut_frames.hpp"
 #include "picture/cut_outline.hpp"
 #include "picture/singular_lines.hpp"
@@ -19,9 +19,6 @@ namespace {
 // Radii in units of PictureWeights.
 constexpr double kSingularRadius = 4.2, kCreaseRadius = 1.0, kGhostRadius = 0.9, kOutlineRadius = 1.5,
                  kStreamlineRadius = 1.6;
-
-/// Largest angle between faces that are shaded as one curved face.
-constexpr double kSmoothDeg = 32;
 
 /// Sides of boxes and lengths of crosses as a share of the distance between frames: in any orientation they
 /// stay within their place.
@@ -43,7 +40,7 @@ DrawnMesh part(const PictureSubject& subject, const PictureOptions& options) {
   DrawnMesh mesh;
   mesh.vertices = subject.field.surface().vertices;
   mesh.triangles = subject.field.surface().triangles;
-  mesh.corner_normals = corner_normals(mesh.vertices, mesh.triangles, kSmoothDeg);
+  mesh.corner_normals = corner_normals(SmoothCorners(mesh.vertices, mesh.triangles), mesh.triangles.size());
   mesh.colour = kPlainPart;
   mesh.bounds_solid = true;
   const bool is_plain = subject.colours.is_none();
@@ -170,9 +167,11 @@ Drawing field_drawing(const PictureSubject& subject, const PictureOptions& optio
   if (options.lines) {
     drawing.rods.push_back(
         singular_lines(subject.field.lines(), kSingularRadius * unit, ink_on(options.background)));
-    std::vector<Ball>& balls = drawing.rods.back().balls;
-    const std::vector<Ball> marks = answer_marks(subject.field.report(), kSingularRadius * unit);
-    balls.insert(balls.end(), marks.begin(), marks.end());
+    if (!subject.field.is_starting_grid()) {  // the answer is about the tets
+      std::vector<Ball>& balls = drawing.rods.back().balls;
+      const std::vector<Ball> marks = answer_marks(subject.field.report(), kSingularRadius * unit);
+      balls.insert(balls.end(), marks.begin(), marks.end());
+    }
   }
   drawing.rods.push_back(
       {RodLook::kSolid, rods_along(subject.streamlines, kStreamlineRadius * unit, kStreamlineColour), {}});

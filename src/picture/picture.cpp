@@ -107,16 +107,18 @@ void draw_legend(const std::vector<LegendBlock>& blocks, const Layout& layout, c
                   0.5 * (layout.axes->top + layout.axes->bottom), 0.32 * layout.axes->width(), ink);
 }
 
-std::vector<LegendBlock> legend_blocks(const SolveReport& report, const CellColours& colours,
-                                       const SingularityGraph& graph, const PictureOptions& options,
-                                       const PictureCurves& curves) {
+std::vector<LegendBlock> legend_blocks(const ShownField& field, const CellColours& colours,
+                                       const PictureOptions& options, const PictureCurves& curves) {
   std::vector<LegendBlock> blocks;
   if (!options.legend) return blocks;
-  blocks.push_back(answer_legend(report, options.lines));
+  // The answer is about the tets.
+  if (!field.is_starting_grid()) blocks.push_back(answer_legend(field.report(), options.lines));
   if (const auto block = colours.legend()) blocks.push_back(*block);
   if (options.lines)
-    if (const auto block = legend_of(graph, report.onto ? "Singular lines on the grid" : "Singular lines",
-                                     ink_on(options.background)))
+    if (const auto block =
+            legend_of(field.lines(),
+                      field.is_starting_grid() ? "Singular lines of the starting grid" : "Singular lines",
+                      ink_on(options.background)))
       blocks.push_back(*block);
   if (!curves.streamlines.empty()) {
     LegendBlock block{"Streamlines"};
@@ -159,9 +161,8 @@ void render_shown(const ShownField& field, const std::filesystem::path& picture,
   OutputFile file(picture);
   monitor.check();
 
-  const CellColours colours(field.grid(), options);
-  const std::vector<LegendBlock> blocks =
-      legend_blocks(field.report(), colours, field.lines(), options, curves);
+  const CellColours colours(field, options);
+  const std::vector<LegendBlock> blocks = legend_blocks(field, colours, options, curves);
   const Layout layout(options, field.surface(), blocks);
   const Camera& camera = *layout.camera;
   const Drawing drawing = field_drawing({field, colours, curves.streamlines}, options, camera);
@@ -174,7 +175,7 @@ void render_shown(const ShownField& field, const std::filesystem::path& picture,
   if (options.background == PictureBackground::kDark) render_options.haze_share *= 0.5f;  // dark hides more
   render(drawing, camera, render_options, image, monitor);
   if (options.legend) draw_legend(blocks, layout, options, image);
-  write_png(file, image, monitor, PngMark::kProgram);
+  write_png(file, image, monitor, {.has_mark = true, .description = text_of(blocks)});
   file.commit();
 }
 
