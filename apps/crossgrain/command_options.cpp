@@ -96,9 +96,11 @@ void add_looks(CLI::App& command, PictureOptions& options) {
              {{"none", PictureColour::kNone},
               {"alignment", PictureColour::kAlignment},
               {"energy", PictureColour::kEnergy},
-              {"class", PictureColour::kConstraint}},
-             "Colour the surface by its angle to the nearest axis, by energy density or by constraint class",
-             "none|alignment|energy|class");
+              {"class", PictureColour::kConstraint},
+              {"region", PictureColour::kRegion}},
+             "Colour the surface by its angle to the nearest axis, by energy density, by constraint class or "
+             "by region",
+             "none|alignment|energy|class|region");
   add_parsed(
       command, "--range", parse_range, [&options](const auto& range) { options.range = range; },
       "is not two numbers separated by a comma, the lower one first",
@@ -302,6 +304,9 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
       ->type_name("");
   command->add_option("-o,--output", arguments.output, "PNG file to write (default: DIR-stem.png here)")
       ->type_name("FILE");
+  add_choice(*command, "--field", arguments.shown, {{"tets", ShownPart::kTets}, {"grid", ShownPart::kGrid}},
+             "Draw the field on the tets (default if there are any), or on the grid from which it started",
+             "tets|grid");
   command->add_flag("--streamlines", arguments.streamlines,
                     "Also draw the lines that 'crossgrain streamlines' has written to the folder");
   add_parsed(

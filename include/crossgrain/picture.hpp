@@ -18,9 +18,10 @@ namespace crossgrain {
 /// What the surface is coloured by.
 enum class PictureColour {
   kNone,        ///< one colour for all of it
-  kAlignment,   ///< mean angle between the normal and the nearest axis, degrees
+  kAlignment,   ///< angle between the normal and the nearest axis, degrees
   kEnergy,      ///< smoothness energy per volume, on a logarithmic scale
-  kConstraint,  ///< class of the constraints (CellConstraint)
+  kConstraint,  ///< class of the constraints (CellConstraint); only for a field on a grid
+  kRegion,      ///< the solid or region, of several
 };
 
 enum class PictureBackground { kLight, kDark, kTransparent };

@@ -87,13 +87,11 @@ void CutDrawing::add_to(Drawing& drawing, const Camera& camera) const {
   Section section;
   section.normal = cut_.normal;
   section.offset = cut_.normal[cut_.plane.axis] * cut_.plane.position;
-  section.colour_at = [this, &colours = subject_.colours](const Vector3& point,
-                                                          bool is_enclosed) -> std::optional<Colour> {
-    if (subject_.field.is_on_tets()) {
-      if (!mesh_.piece_at(point)) return std::nullopt;
-      return colour_of(0xe9edf1);
-    }
-    return colours.on_cut(point, is_enclosed);
+  section.colour_at = [this](const Vector3& point, bool is_enclosed) -> std::optional<Colour> {
+    if (!subject_.field.is_on_tets()) return subject_.colours.on_cut(point, is_enclosed);
+    const auto piece = mesh_.piece_at(point);
+    if (!piece) return std::nullopt;
+    return subject_.colours.of_tet(mesh_.pieces()[*piece].element);
   };
   if (subject_.field.is_on_tets()) add_edges(drawing, unit);
   if (options_.creases) add_outline(drawing, section, unit);

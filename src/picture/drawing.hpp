@@ -18,6 +18,7 @@ struct MeshPoint {
   Vector3 place;
   Vector3 normal;  ///< unit normal of the triangle, by the right-hand rule
   std::uint32_t triangle;
+  float u, v;  ///< barycentric coordinates of the triangle's second and third corner
 };
 
 /// Triangles of one look. They are more opaque at a grazing angle, as glass is, so that a translucent part

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "display/smooth_corners.hpp"
 #include "picture/answer_marks.hpp"
-#include "picture/corner_normals.hpp"
 #include "picture/singular_lines.hpp"
 
 namespace crossgrain {
@@ -13,14 +13,11 @@ namespace {
 // Radii in units of PictureWeights.
 constexpr double kSingularRadius = 4.2, kCreaseRadius = 1.0, kStreamlineRadius = 1.6;
 
-/// Largest angle between faces that are shaded as one curved face.
-constexpr double kSmoothDeg = 32;
-
 DrawnMesh part(const PictureSubject& subject, const PictureOptions& options) {
   DrawnMesh mesh;
   mesh.vertices = subject.field.surface().vertices;
   mesh.triangles = subject.field.surface().triangles;
-  mesh.corner_normals = corner_normals(mesh.vertices, mesh.triangles, kSmoothDeg);
+  mesh.corner_normals = corner_normals(SmoothCorners(mesh.vertices, mesh.triangles), mesh.triangles.size());
   mesh.colour = kPlainPart;
   mesh.bounds_solid = true;
   const bool is_plain = subject.colours.is_none();
@@ -63,7 +60,9 @@ Drawing field_drawing(const PictureSubject& subject, const PictureOptions& optio
   if (options.lines) {
     drawing.rods.push_back(
         singular_lines(drawn_lines(subject.field), kSingularRadius * unit, ink_on(options.background)));
-    answer_marks(subject.field.report(), kSingularRadius * unit, drawing.rods.back().facets);
+    // The answer is about the tets.
+    if (!subject.field.is_starting_grid())
+      answer_marks(subject.field.report(), kSingularRadius * unit, drawing.rods.back().facets);
   }
   drawing.rods.push_back(
       {RodLook::kSolid, rods_along(subject.streamlines, kStreamlineRadius * unit, kStreamlineColour), {}});

@@ -51,6 +51,20 @@ std::string mark_text(const ColourBar& bar, const ColourScale::Mark& mark) {
 
 }  // namespace
 
+std::string text_of(const std::vector<LegendBlock>& blocks) {
+  std::string text;
+  for (const LegendBlock& block : blocks) {
+    text += heading(block) + "\n";
+    if (block.bar) {
+      const auto& scale = block.bar->scale;
+      text += "  " + number_text(scale.low) + " to " + number_text(scale.high);
+      text += block.bar->goes_on ? " and above\n" : "\n";
+    }
+    for (const Sign& sign : block.signs) text += "  " + sign.text + "\n";
+  }
+  return text;
+}
+
 double Legend::width() const {
   const Font& font = Font::sans();
   double width = 0;

@@ -31,6 +31,9 @@ struct LegendBlock {
   std::vector<Sign> signs = {};
 };
 
+/// The legend in words: a line for each title and, indented, for each sign and the ends of each bar. UTF-8.
+std::string text_of(const std::vector<LegendBlock>& blocks);
+
 class Legend {
  public:
   /// A legend with letters of `size` pixels.

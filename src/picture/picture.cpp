@@ -149,17 +149,17 @@ void draw_legend(const std::vector<LegendBlock>& blocks, const Layout& layout, c
                   0.5 * (layout.axes->top + layout.axes->bottom), 0.32 * layout.axes->width(), ink);
 }
 
-std::vector<LegendBlock> legend_blocks(const SolveReport& report, const CellColours& colours,
-                                       const ShownField& field, const PictureOptions& options,
-                                       const PictureCurves& curves) {
+std::vector<LegendBlock> legend_blocks(const ShownField& field, const CellColours& colours,
+                                       const PictureOptions& options, const PictureCurves& curves) {
   std::vector<LegendBlock> blocks;
   if (!options.legend) return blocks;
-  blocks.push_back(answer_legend(report, options.lines));
+  // The answer is about the tets.
+  if (!field.is_starting_grid()) blocks.push_back(answer_legend(field.report(), options.lines));
   if (const auto block = colours.legend()) blocks.push_back(*block);
   if (options.lines)
-    if (const auto block =
-            legend_of(field, field.is_starting_grid() ? "Singular lines on the grid" : "Singular lines",
-                      ink_on(options.background)))
+    if (const auto block = legend_of(
+            field, field.is_starting_grid() ? "Singular lines of the starting grid" : "Singular lines",
+            ink_on(options.background)))
       blocks.push_back(*block);
   if (!curves.streamlines.empty()) {
     LegendBlock block{"Streamlines"};
@@ -199,11 +199,11 @@ void render_shown(const ShownField& field, const std::filesystem::path& picture,
 
   const ViewDirection direction = direction_of(options);
   const auto plane = picture_cut(options, field.surface(), ViewAxes(direction).towards);
-  const CellColours colours(field.grid(), options);
+  const CellColours colours(field, options);
   const PictureSubject subject{field, colours, curves.streamlines};
   std::optional<CutDrawing> cut;
   if (plane) cut.emplace(subject, options, *plane);
-  std::vector<LegendBlock> blocks = legend_blocks(field.report(), colours, field, options, curves);
+  std::vector<LegendBlock> blocks = legend_blocks(field, colours, options, curves);
   if (cut && options.legend)
     if (auto block = cut->legend()) blocks.push_back(std::move(*block));
   const Layout layout(options, direction, kept_surface(field.surface(), plane), blocks);
@@ -219,7 +219,7 @@ void render_shown(const ShownField& field, const std::filesystem::path& picture,
   if (options.background == PictureBackground::kDark) render_options.haze_share *= 0.5f;  // dark hides more
   render(drawing, camera, render_options, image, monitor);
   if (options.legend) draw_legend(blocks, layout, options, image);
-  write_png(file, image, monitor, PngMark::kProgram);
+  write_png(file, image, monitor, {.has_mark = true, .description = text_of(blocks)});
   file.commit();
 }
 

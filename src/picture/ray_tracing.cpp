@@ -203,7 +203,7 @@ Pixel RayTracing::mesh_pixel(const DrawnMesh& mesh, const ShapeHit& hit, const R
   Colour colour = mesh.colour;
   if (mesh.colour_at) {
     const Vector3 wide{hit.normal[0], hit.normal[1], hit.normal[2]};
-    colour = mesh.colour_at({place_of(hit, ray), normalised(wide), hit.primitive});
+    colour = mesh.colour_at({place_of(hit, ray), normalised(wide), hit.primitive, hit.u, hit.v});
   }
   const float aside = 1 - std::clamp(normal[2], 0.0f, 1.0f);
   const float opacity = mesh.opacity + (mesh.grazing_opacity - mesh.opacity) * aside * aside * aside;

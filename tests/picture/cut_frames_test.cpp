@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "display/axis_colours.hpp"
-#include "picture/corner_normals.hpp"
+#include "display/smooth_corners.hpp"
 #include "picture/cut_outline.hpp"
 #include "support/shapes.hpp"
 
@@ -75,7 +75,7 @@ TEST(FrameCrosses, StandOnThePlane) {
 
 TEST(CornerNormals, AreTheFacesOwnAtRightAngles) {
   const TriangleMesh box = make_box({2, 1, 1.5});
-  const auto normals = corner_normals(box.vertices, box.triangles, 30);
+  const auto normals = corner_normals(SmoothCorners(box.vertices, box.triangles, 30), box.triangles.size());
   for (std::size_t t = 0; t < box.triangles.size(); ++t) {
     const auto& [a, b, c] = box.triangles[t];
     const Vector3 own =

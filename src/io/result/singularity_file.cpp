@@ -143,7 +143,7 @@ void write_singularities(OutputFile& file, const SingularityGraph& graph, const 
 }
 
 void write_tet_singularities(OutputFile& file, const TetOutput& output, const Monitor& monitor) {
-  write_singularities(file, output.field.singularities, monitor);
+  write_singularities(file, output.lines, monitor);
 }
 
 }  // namespace crossgrain
