@@ -12,6 +12,7 @@
 #include "picture/cut_frames.hpp"
 #include "picture/cut_outline.hpp"
 #include "picture/singular_lines.hpp"
+#include "picture/streamlines.hpp"
 
 namespace crossgrain {
 namespace {
@@ -19,6 +20,9 @@ namespace {
 // Radii in units of PictureWeights.
 constexpr double kSingularRadius = 4.2, kCreaseRadius = 1.0, kGhostRadius = 0.9, kOutlineRadius = 1.5,
                  kStreamlineRadius = 1.6;
+
+/// Distance from the cut within which streamlines are drawn on it, in units of PictureWeights.
+constexpr double kOnCutReach = 8;
 
 /// Largest angle between faces that are shaded as one curved face.
 constexpr double kSmoothDeg = 32;
@@ -174,14 +178,19 @@ Drawing field_drawing(const PictureSubject& subject, const PictureOptions& optio
     const std::vector<Ball> marks = answer_marks(subject.field.report(), kSingularRadius * unit);
     balls.insert(balls.end(), marks.begin(), marks.end());
   }
-  drawing.rods.push_back(
-      {RodLook::kSolid, rods_along(subject.streamlines, kStreamlineRadius * unit, kStreamlineColour), {}});
+  drawing.rods.push_back({RodLook::kSolid, streamlines(subject.streamlines, kStreamlineRadius * unit), {}});
   if (options.creases)
     drawing.rods.push_back(
         {RodLook::kInk,
          rods_along(subject.field.surface().creases, kCreaseRadius * unit, ink_on(options.background)),
          {}});
   if (options.cut) Cut(subject, options, camera).add_to(drawing);
+  if (drawing.section && !subject.streamlines.empty())
+    drawing.rods.push_back(
+        {RodLook::kSolid,
+         streamlines_on(*drawing.section, subject.streamlines, kOnCutReach * unit, kStreamlineRadius * unit),
+         {},
+         true});
   return drawing;
 }
 
