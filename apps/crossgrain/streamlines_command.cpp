@@ -27,8 +27,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Default spacing of lines through spread seeds: a few dozen of each axis, through which a part can be seen.
-constexpr double kSpacingSides = 0.08;
+/// Default spacing of lines through spread seeds in longest sides: about as many lines as can be seen
+/// through, or told apart on a surface or cut.
+double usual_spacing(const SeedPlaces& places) {
+  if (places.on_surface) return 0.08;
+  return places.cut ? 0.05 : 0.15;
+}
 
 void check_files(const StreamlinesArguments& arguments) {
   const auto normal = [](const std::filesystem::path& path) { return path.lexically_normal(); };
@@ -165,7 +169,7 @@ void run_streamlines(const StreamlinesArguments& arguments) {
   Monitor monitor;
   const Interruption interruption(monitor);
   StreamlineOptions options = arguments.options;
-  options.spacing_sides = arguments.spacing.value_or(are_given ? 0 : kSpacingSides);
+  options.spacing_sides = arguments.spacing.value_or(are_given ? 0 : usual_spacing(arguments.places));
   const StreamlineTracer tracer = tracer_of(field, arguments, options, monitor);
   const auto start = Clock::now();
   if (!are_given) seeds = seeds_of(arguments, tracer, monitor);

@@ -73,12 +73,13 @@ LineSpacing::End LineSpacing::follow(const Streamline& line, int step) {
   double along = 0;
   for (std::size_t i = line.seed_point; i != last;) {
     const std::size_t next = step > 0 ? i + 1 : i - 1;
-    const Vector3 way = line.points[next] - line.points[i];
+    const Vector3 way = line.points[next] - line.points[i], bend = line.tangents[next] - line.tangents[i];
     const double parts = std::max(1.0, std::ceil(norm(way) / (kSampleSpacing * spacing_)));
     for (double part = 1; part <= parts; ++part) {
       along += step * norm(way) / parts;
-      const Sample sample{line.points[i] + part / parts * way, line.tangents[next], lines_, along};
-      if (is_near(sample, kEndSpacing * spacing_, is_closed)) return {i, sample.point};
+      const Sample sample{line.points[i] + part / parts * way,
+                          normalised(line.tangents[i] + part / parts * bend), lines_, along};
+      if (is_near(sample, kEndSpacing * spacing_, is_closed)) return {i, sample};
       remember(sample);
     }
     i = next;
@@ -98,12 +99,12 @@ bool LineSpacing::take(Streamline& line) {
     kept.points.push_back(point);
     kept.tangents.push_back(tangent);
   };
-  if (first.cut) add(*first.cut, line.tangents[first.point]);
+  if (first.cut) add(first.cut->point, first.cut->direction);
   for (std::size_t i = first.point; i <= last.point; ++i) {
     if (i == line.seed_point) kept.seed_point = kept.points.size();
     add(line.points[i], line.tangents[i]);
   }
-  if (last.cut) add(*last.cut, line.tangents[last.point]);
+  if (last.cut) add(last.cut->point, last.cut->direction);
   kept.first_end = first.cut ? StreamlineEnd::kCrowded : line.first_end;
   kept.last_end = last.cut ? StreamlineEnd::kCrowded : line.last_end;
   if ((first.cut || last.cut) && kept.length < spacing_) {

@@ -37,7 +37,7 @@ class LineSpacing {
   /// The end of a line in one direction: the last of its points, and where it is cut off beyond that.
   struct End {
     std::size_t point;
-    std::optional<Vector3> cut = {};
+    std::optional<Sample> cut = {};
   };
 
   /// Whether a sample in nearly the direction of `of` is nearer than `distance`, other than those of its own
