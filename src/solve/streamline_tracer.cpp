@@ -169,6 +169,7 @@ Streamlines StreamlineTracer::trace(std::span<const StreamlineSeed> seeds, const
   const std::size_t batch = spacing > 0 ? kSeedBatch : std::max<std::size_t>(seeds.size(), 1);
   std::vector<Streamline> lines(kAxes * std::min(batch, seeds.size()));
   for (std::size_t first = 0; first < seeds.size(); first += batch) {
+    monitor.check();
     const std::size_t count = std::min(batch, seeds.size() - first);
     parallel_for(
         count,
