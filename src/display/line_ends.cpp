@@ -80,15 +80,16 @@ class End {
     return normalised(sum);
   }
 
-  /// Whether the axes before point k point along a direction, in the mean.
+  /// Whether the axes before point k point along a direction, in the mean over those below the surface layer.
   bool agree_before(std::size_t k, const Vector3& direction) const {
     double sum = 0, count = 0;
-    for (std::size_t i = 0; i < k; ++i) {
+    for (std::size_t i = 0; i < std::min(k, axes_.size()); ++i) {
       if (axes_[i] == Vector3{0, 0, 0}) continue;
+      if (rays_.nearest(points_[i]).distance < options_.surface_layer * cell_size_) continue;
       sum += std::abs(dot(axes_[i], direction));
       count += 1;
     }
-    return sum >= options_.agreeing_cosine * count;
+    return sum >= options_.along_cosine * count;
   }
 
   /// Where the line that goes on straight from point k meets the surface; none if it should not.
@@ -97,7 +98,7 @@ class End {
     if (direction == Vector3{0, 0, 0}) return std::nullopt;
     const Vector3 axis = mean_axis(k, lengths_[k] + options_.direction_length * cell_size_, direction);
     const bool has_axis = axis != Vector3{0, 0, 0};
-    if (has_axis ? dot(axis, direction) < options_.straight_cosine : k > 0) return std::nullopt;
+    if (has_axis ? dot(axis, direction) < options_.along_cosine : k > 0) return std::nullopt;
     if (!agree_before(k, direction)) return std::nullopt;
     if (k == 0 && is_on_surface()) return points_.front();
     const auto hit = rays_.first_hit(points_[k], direction, lengths_[k] + options_.most_ahead * cell_size_);

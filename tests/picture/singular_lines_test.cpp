@@ -115,12 +115,12 @@ TEST(LegendOfLines, CountsAsCheckDoes) {
                  {{}, true, {0}},
                  {{}, true, {1, 2}, Verdict::kUndecided},
                  {{}, true, {3}}};
-  EXPECT_EQ(rows_of(field, graph),
-            (std::vector<std::string>{"index +1/4: three hexahedra (2)", "index −1/4: five hexahedra (1)",
-                                      "impossible for hexahedra (1)", "undecided (1)",
-                                      "turning point: changes its sense (2)", "node: lines meet (2)",
-                                      "node, impossible for hexahedra (1)", "node, undecided (1)",
-                                      "end on the surface (3)"}));
+  EXPECT_EQ(
+      rows_of(field, graph),
+      (std::vector<std::string>{
+          "index +1/4: three hexahedra (2)", "index −1/4: five hexahedra (1)", "impossible for hexahedra (1)",
+          "undecided (1)", "turning point: changes its sense (2)", "node: lines meet (2)",
+          "node, impossible for hexahedra (1)", "node, undecided (1)", "end on the surface (3)"}));
 }
 
 }  // namespace
