@@ -67,9 +67,17 @@ class End {
     return points_[k - 1] + share * (points_[k] - points_[k - 1]);
   }
 
-  /// Direction of the line at a point, outwards.
+  /// Direction of the line over a length behind a point, outwards.
   Vector3 direction_at(std::size_t k) const {
     return normalised(points_[k] - point_at(lengths_[k] + options_.direction_length * cell_size_));
+  }
+
+  /// Whether the line before a point runs in a direction over twice the length of `direction_at`.
+  bool is_straight_before(std::size_t k, const Vector3& direction) const {
+    const double reach = options_.direction_length * cell_size_;
+    if (lengths_[k] + reach >= lengths_.back()) return true;
+    const Vector3 before = point_at(lengths_[k] + reach) - point_at(lengths_[k] + 2 * reach);
+    return dot(normalised(before), direction) >= options_.straight_cosine;
   }
 
   /// Mean of the axes of points from k up to a length, turned along a direction; zero without axes.
@@ -99,10 +107,12 @@ class End {
     const Vector3 axis = mean_axis(k, lengths_[k] + options_.direction_length * cell_size_, direction);
     const bool has_axis = axis != Vector3{0, 0, 0};
     if (has_axis ? dot(axis, direction) < options_.along_cosine : k > 0) return std::nullopt;
+    if (k > 0 && !is_straight_before(k, direction)) return std::nullopt;
     if (!agree_before(k, direction)) return std::nullopt;
-    if (k == 0 && is_on_surface()) return points_.front();
-    const auto hit = rays_.first_hit(points_[k], direction, lengths_[k] + options_.most_ahead * cell_size_);
-    if (!hit || !hit->is_exit) return std::nullopt;
+    std::optional<SolidRays::Hit> hit =
+        rays_.first_hit(points_[k], direction, lengths_[k] + options_.most_ahead * cell_size_);
+    if (k == 0 && is_on_surface()) hit = rays_.nearest(points_[k]);
+    if (!hit || dot(hit->normal, direction) < options_.steep_sine) return std::nullopt;
     return hit->place;
   }
 

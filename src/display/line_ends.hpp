@@ -31,6 +31,14 @@ struct LineEndOptions {
   /// Least cosine between a line and the axis of its rotation where it runs along it: beyond 45 degrees a
   /// line is oblique (SingularityGraph::Arc::oblique_length).
   double along_cosine = 0.71;
+
+  /// Least sine of the angle between a line and the surface where it ends: at less than 30 degrees it runs
+  /// along the surface.
+  double steep_sine = 0.5;
+
+  /// Least cosine between the directions of a line over `direction_length` and over the same length before
+  /// that, where it is straight enough to be continued: 20 degrees. Beyond a bend it is not.
+  double straight_cosine = 0.94;
 };
 
 /// The end of a line at the surface: its points and axes (SingularityGraph::Arc) from the end inwards.

@@ -78,6 +78,13 @@ TEST(LineEnd, ThatTurnsOffInTheSurfaceLayerGoesOnStraightWhateverItsAxisDoesTher
   expect_straight_up(drawn(end), 0.2);
 }
 
+TEST(LineEnd, ThatDescendsAlongTheSurfaceWithItsAxisGoesOnStraight) {
+  LineEnd end = line({{0.5, 0, 0.97}, {0.2, 0, 0.9}, {0.2, 0, -0.5}}, kUp);
+  for (std::size_t k = 0; k < end.points.size(); ++k)
+    if (end.points[k][0] > 0.2) end.axes[k] = normalised({0.3, 0, 0.07});
+  expect_straight_up(drawn(end), 0.2);
+}
+
 TEST(LineEnd, FollowsTheFieldBelowTheSurfaceLayer) {
   LineEnd end = line({{0.5, 0, 0.7}, {0.2, 0, 0.7}, {0.2, 0, -0.7}}, kUp);
   for (std::size_t k = 0; k < end.points.size(); ++k)
