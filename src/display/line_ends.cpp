@@ -134,7 +134,7 @@ class End {
   StraightEnd ended_at(const Vector3& place, std::size_t k) const {
     StraightEnd end;
     const Vector3 way = points_[k] - place;
-    const auto count = static_cast<int>(std::ceil(norm(way) / cell_size_));
+    const auto count = static_cast<int>(std::ceil(norm(way) / cell_size_ - kOnSurface));
     for (int i = 0; i < count; ++i) end.points.push_back(place + (static_cast<double>(i) / count) * way);
     if (cut_ == 0) {
       end.next = k;
