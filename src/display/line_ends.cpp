@@ -67,9 +67,17 @@ class End {
     return points_[k - 1] + share * (points_[k] - points_[k - 1]);
   }
 
-  /// Direction of the line at a point, outwards.
+  /// Direction of the line over a length behind a point, outwards.
   Vector3 direction_at(std::size_t k) const {
     return normalised(points_[k] - point_at(lengths_[k] + options_.direction_length * cell_size_));
+  }
+
+  /// Whether the line before a point runs in a direction over twice the length of `direction_at`.
+  bool is_straight_before(std::size_t k, const Vector3& direction) const {
+    const double reach = options_.direction_length * cell_size_;
+    if (lengths_[k] + reach >= lengths_.back()) return true;
+    const Vector3 before = point_at(lengths_[k] + reach) - point_at(lengths_[k] + 2 * reach);
+    return dot(normalised(before), direction) >= options_.straight_cosine;
   }
 
   /// Mean of the axes of points from k up to a length, turned along a direction; zero without axes.
@@ -80,15 +88,16 @@ class End {
     return normalised(sum);
   }
 
-  /// Whether the axes before point k point along a direction, in the mean.
+  /// Whether the axes before point k point along a direction, in the mean over those below the surface layer.
   bool agree_before(std::size_t k, const Vector3& direction) const {
     double sum = 0, count = 0;
-    for (std::size_t i = 0; i < k; ++i) {
+    for (std::size_t i = 0; i < std::min(k, axes_.size()); ++i) {
       if (axes_[i] == Vector3{0, 0, 0}) continue;
+      if (rays_.nearest(points_[i]).distance < options_.surface_layer * cell_size_) continue;
       sum += std::abs(dot(axes_[i], direction));
       count += 1;
     }
-    return sum >= options_.agreeing_cosine * count;
+    return sum >= options_.along_cosine * count;
   }
 
   /// Where the line that goes on straight from point k meets the surface; none if it should not.
@@ -97,11 +106,13 @@ class End {
     if (direction == Vector3{0, 0, 0}) return std::nullopt;
     const Vector3 axis = mean_axis(k, lengths_[k] + options_.direction_length * cell_size_, direction);
     const bool has_axis = axis != Vector3{0, 0, 0};
-    if (has_axis ? dot(axis, direction) < options_.straight_cosine : k > 0) return std::nullopt;
+    if (has_axis ? dot(axis, direction) < options_.along_cosine : k > 0) return std::nullopt;
+    if (k > 0 && !is_straight_before(k, direction)) return std::nullopt;
     if (!agree_before(k, direction)) return std::nullopt;
-    if (k == 0 && is_on_surface()) return points_.front();
-    const auto hit = rays_.first_hit(points_[k], direction, lengths_[k] + options_.most_ahead * cell_size_);
-    if (!hit || !hit->is_exit) return std::nullopt;
+    std::optional<SolidRays::Hit> hit =
+        rays_.first_hit(points_[k], direction, lengths_[k] + options_.most_ahead * cell_size_);
+    if (k == 0 && is_on_surface()) hit = rays_.nearest(points_[k]);
+    if (!hit || dot(hit->normal, direction) < options_.steep_sine) return std::nullopt;
     return hit->place;
   }
 
@@ -123,7 +134,7 @@ class End {
   StraightEnd ended_at(const Vector3& place, std::size_t k) const {
     StraightEnd end;
     const Vector3 way = points_[k] - place;
-    const auto count = static_cast<int>(std::ceil(norm(way) / cell_size_));
+    const auto count = static_cast<int>(std::ceil(norm(way) / cell_size_ - kOnSurface));
     for (int i = 0; i < count; ++i) end.points.push_back(place + (static_cast<double>(i) / count) * way);
     if (cut_ == 0) {
       end.next = k;

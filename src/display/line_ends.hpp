@@ -24,9 +24,21 @@ struct LineEndOptions {
   /// up to sqrt(3) of one along a diagonal.
   double most_ahead = 2;
 
-  /// Least cosine between a line and the axis of its rotation where the line is straight, and between the
-  /// axes along what is replaced and the line that replaces it.
-  double straight_cosine = 0.87, agreeing_cosine = 0.71;
+  /// Depth under the surface down to which a grid does not tell where a line goes: the cells with surface,
+  /// and those next to them, whose frames these hold.
+  double surface_layer = 2.25;
+
+  /// Least cosine between a line and the axis of its rotation where it runs along it: beyond 45 degrees a
+  /// line is oblique (SingularityGraph::Arc::oblique_length).
+  double along_cosine = 0.71;
+
+  /// Least sine of the angle between a line and the surface where it ends: at less than 30 degrees it runs
+  /// along the surface.
+  double steep_sine = 0.5;
+
+  /// Least cosine between the directions of a line over `direction_length` and over the same length before
+  /// that, where it is straight enough to be continued: 20 degrees. Beyond a bend it is not.
+  double straight_cosine = 0.94;
 };
 
 /// The end of a line at the surface: its points and axes (SingularityGraph::Arc) from the end inwards.
@@ -45,9 +57,9 @@ struct StraightEnd {
 ///
 /// - What sticks out of the solid at the end is cut off.
 /// - The line is continued to the surface from the first point, from the end on, where it runs along the axis
-///   of its rotation and has the surface straight ahead, not much further than its end was. The axes along
-///   what that replaces must point the same way. So a line that turns off along a lip for its last cells
-///   goes on straight.
+///   of its rotation and has the surface straight ahead, not much further than its end was. What that
+///   replaces must be in the layer under the surface, or have axes that point the same way. So a line that
+///   turns off along a lip for its last cells goes on straight.
 /// - Without such a point the line is only extended to the surface, straight ahead or to the nearest place.
 ///
 /// No more than `most_replaced` and half of the line is replaced in all.

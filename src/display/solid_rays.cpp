@@ -5,6 +5,13 @@
 #include <limits>
 
 namespace crossgrain {
+namespace {
+
+/// Largest cosine between the normals of the two faces of a wall: the three faces of a triangular rod, 120
+/// degrees apart, make walls, those of a right-angled edge do not.
+constexpr double kOpposite = -0.4;
+
+}  // namespace
 
 SolidRays::SolidRays(const SolvedSurface& surface)
     : surface_(prepare_surface(
@@ -29,6 +36,7 @@ double SolidRays::chord(const Vector3& point, const Vector3& direction) const {
   constexpr double kAny = std::numeric_limits<double>::infinity();
   const auto ahead = first_hit(point, direction, kAny), behind = first_hit(point, -direction, kAny);
   if (!ahead || !behind || !ahead->is_exit || !behind->is_exit) return kAny;
+  if (dot(ahead->normal, behind->normal) > kOpposite) return kAny;
   return ahead->distance + behind->distance;
 }
 

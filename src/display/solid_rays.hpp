@@ -33,8 +33,8 @@ class SolidRays {
   /// The place of the surface nearest to a point, and the distance.
   Hit nearest(const Vector3& point) const;
 
-  /// Length of the chord of the solid through a point along a unit vector; kNoWall outside the solid and
-  /// where the surface is open.
+  /// Length of the chord of the solid through a point along a unit vector, if its ends are on faces that
+  /// turn away from one another; otherwise, outside the solid and where the surface is open, kNoWall.
   double chord(const Vector3& point, const Vector3& direction) const;
 
  private:

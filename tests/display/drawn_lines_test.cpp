@@ -45,10 +45,10 @@ TEST(DrawnLines, OfACylinderEndInItsCapsHoweverItStands) {
       ASSERT_EQ(line.walls.size(), line.points.size());
       for (std::size_t k = 0; k < line.points.size(); ++k) {
         const Vector3 place = rotate(conjugate(turn), line.points[k]);
-        // The chord across the radius through a point off the axis is the shortest; 8 % as walls_along says.
-        const double chord = 2 * std::sqrt(kRadius * kRadius - place[0] * place[0] - place[1] * place[1]);
+        // Of the chords across the line only the one through the axis has faces opposite one another at its
+        // ends.
         if (std::abs(place[2]) > kHalfHeight / 2) continue;
-        EXPECT_NEAR(line.walls[k], chord, 0.1 * chord);
+        EXPECT_NEAR(line.walls[k], 2 * kRadius, 0.1 * kRadius) << "lines of a grid are not quite straight";
       }
     }
   }

