@@ -37,34 +37,27 @@ def description_of(path):
 
 
 def counts_in_legend(text):
-    """Lines by index and verdict, nodes and ends, as numbers in parentheses."""
-    def number(pattern):
-        return sum(int(count) for count in re.findall(pattern + r"[^\n]*\((\d+)\)", text))
+    """Lines by index, nodes and ends, as numbers in parentheses."""
+    def number(words):
+        return sum(int(count) for count in re.findall(r"\n  " + re.escape(words) + r"[^\n]*\((\d+)\)", text))
 
-    counts = {name: number(re.escape(name)) for name in LINES.values()}
-    counts["other"] = number(r"\n  (?:other|line, impossible|impossible)")
-    counts["nodes"] = number(r"\n  node")
-    counts["ends"] = number(r"\n  end on the surface")
-    return counts
+    return {**{name: number(name) for name in LINES.values()}, "nodes": number("node: lines meet"),
+            "ends": number("end on the surface")}
 
 
-def counts_of(indices, impossible, node_is_inside):
-    counts = Counter("other" if bad else LINES.get(index, "other") for index, bad in zip(indices, impossible))
-    return {**{name: counts[name] for name in (*LINES.values(), "other")},
-            "nodes": sum(node_is_inside), "ends": len(node_is_inside) - sum(node_is_inside)}
+def counts_of(indices, nodes, ends):
+    counts = Counter(LINES.get(index) for index in indices)
+    return {**{name: counts[name] for name in LINES.values()}, "nodes": nodes, "ends": ends}
 
 
 def counts_in_check(graph):
-    arcs = graph["arc_list"]
-    counts = counts_of([arc["index"] for arc in arcs], [arc["verdict"] == "not_meshable" for arc in arcs], [])
-    return {**counts, "nodes": graph["nodes"], "ends": graph["boundary_ends"]}
+    return counts_of([arc["index"] for arc in graph["arc_list"]], graph["nodes"], graph["boundary_ends"])
 
 
 def counts_in_page(page, prefix=""):
     arrays = page.arrays
     return counts_of([float(index) for index in arrays[prefix + "arc_index"]],
-                     [verdict == 1 for verdict in arrays[prefix + "arc_verdict"]],
-                     [not on_boundary for on_boundary in arrays[prefix + "node_on_boundary"]])
+                     int((arrays[prefix + "node_degree"] > 1).sum()), int(arrays[prefix + "node_on_boundary"].sum()))
 
 
 class CountsTest(CommandTest):
@@ -83,13 +76,14 @@ class CountsTest(CommandTest):
         expected = counts_in_check(checked["tets"])
         self.assertEqual(counts_in_legend(legend), expected)
         self.assertEqual(counts_in_page(page), expected)
+        self.assertEqual(counts_in_page(page, "grid_"), counts_in_check(checked["grid"]))
         grid = self.legend("--field", "grid")
         self.assertEqual(counts_in_legend(grid), counts_in_check(checked["grid"]))
         self.assertIn("Field: ", legend)
+        self.assertNotIn("tarting grid", legend)
         self.assertNotIn("Field: ", grid)
-        if checked["grid"]["arcs"] > 0:
-            self.assertIn("Singular lines of the starting grid", grid)
-        self.assertNotIn("starting grid", legend)
+        self.assertIn("Starting grid", grid)
+        self.assertEqual("Singular lines of the starting grid" in grid, checked["grid"]["arcs"] > 0)
 
 
 class OfSolids(CountsTest):

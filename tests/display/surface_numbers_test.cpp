@@ -13,6 +13,7 @@
 #include "measure/alignment.hpp"
 #include "measure/made_tets.hpp"
 #include "support/shapes.hpp"
+#include "tets/inner_walls.hpp"
 
 namespace crossgrain {
 namespace {
@@ -178,15 +179,12 @@ TEST(SurfaceNumbers, OfTetsHaveTheEnergyOfATurn) {
     EXPECT_NEAR(numbers.at(point_of(field.surface(), t, 0.2f, 0.3f)), expected, 1e-3 * expected);
 }
 
-/// Two boxes side by side along x, the second one with number 5.
+/// Two boxes side by side along x; the one on the low side is solid 7, the other 2.
 TriangleMesh two_boxes() {
-  TriangleMesh mesh = make_box({1, 1, 1});
-  TriangleMesh second = translate_mesh(make_box({1, 1, 1}), {1, 0, 0});
-  const std::size_t count = mesh.triangles.size();
-  mesh = join_meshes(std::move(mesh), second);
-  mesh.solids.assign(mesh.triangles.size(), 5);
-  std::fill(mesh.solids.begin(), mesh.solids.begin() + static_cast<std::ptrdiff_t>(count), 0);
-  return mesh;
+  const TetSolid solid = solid_of(
+      with_regions(TetBox{{2, 1, 1}}.mesh(), [](const Vector3& place) { return place[0] < 1 ? 7 : 2; }));
+  std::vector<Warning> warnings;
+  return model_surface(solid, find_inner_walls(solid, warnings));
 }
 
 TEST(RegionSections, KnowTheSolidOfEachPointOfAPlane) {
@@ -194,11 +192,11 @@ TEST(RegionSections, KnowTheSolidOfEachPointOfAPlane) {
   const SolvedSurface& surface = *data.surface.get();
   const Box& box = data.report.model.bounding_box;
   const double middle = 0.5 * (box.low[0] + box.high[0]);
-  const RegionSections sections(surface, {0, 5}, 2, box.low[2] + 0.4);
+  const RegionSections sections(surface, {2, 7}, 2, box.low[2] + 0.4);
   for (const double y : {0.03, 0.5, 0.97})
     for (const double off : {0.01, 0.5, 0.99}) {
-      EXPECT_EQ(sections.at({middle - off, box.low[1] + y, 0}), 0);
-      EXPECT_EQ(sections.at({middle + off, box.low[1] + y, 0}), 5);
+      EXPECT_EQ(sections.at({middle - off, box.low[1] + y, 0}), 7);
+      EXPECT_EQ(sections.at({middle + off, box.low[1] + y, 0}), 2);
     }
   EXPECT_EQ(sections.at({middle + 1.01, box.low[1] + 0.5, 0}), std::nullopt);
   EXPECT_EQ(sections.at({middle, box.low[1] - 0.5, 0}), std::nullopt);

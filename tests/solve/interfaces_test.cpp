@@ -8,17 +8,18 @@
 #include "crossgrain/solve.hpp"
 #include "field/field_data.hpp"
 #include "support/shapes.hpp"
+#include "tets/inner_walls.hpp"
+#include "tets/tet_meshes.hpp"
 
 namespace crossgrain {
 namespace {
 
 /// Two boxes side by side along x; the one on the low side is solid 7, the other 2.
 TriangleMesh two_boxes() {
-  const TriangleMesh box = make_box({1, 1, 1});
-  TriangleMesh mesh = join_meshes(box, translate_mesh(box, {1, 0, 0}));
-  mesh.solids.assign(mesh.triangles.size(), 2);
-  std::fill_n(mesh.solids.begin(), box.triangles.size(), 7);
-  return mesh;
+  const TetSolid solid = solid_of(
+      with_regions(TetBox{{2, 1, 1}}.mesh(), [](const Vector3& place) { return place[0] < 1 ? 7 : 2; }));
+  std::vector<Warning> warnings;
+  return model_surface(solid, find_inner_walls(solid, warnings));
 }
 
 SolvedSurface surface_of(const TriangleMesh& mesh, bool unite) {
@@ -38,7 +39,7 @@ TEST(SolvedSurfaceOfSolids, HasTheirNumbersAndTheFacesBetweenThemAlsoIfUnited) {
       ASSERT_EQ(surface.interfaces.size(), 2u);
       for (std::size_t k = 0; k < 2; ++k) {
         const auto& [a, b, c] = surface.interfaces[k];
-        for (const std::uint32_t vertex : {a, b, c}) EXPECT_EQ(surface.vertices[vertex][0], 0.5);
+        for (const std::uint32_t vertex : {a, b, c}) EXPECT_EQ(surface.vertices[vertex][0], 1);
         EXPECT_EQ(surface.interface_regions[k], (std::array<std::int32_t, 2>{2, 7}));
         const Vector3 normal =
             cross(surface.vertices[b] - surface.vertices[a], surface.vertices[c] - surface.vertices[a]);
