@@ -90,10 +90,13 @@ void GridNumbers::measure_facets() {
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < spots_.size(); ++i)
     if (spots_[i].leaf != kNoCell) order.push_back(i);
+  // Of the triangles themselves, which the solve follows; their mean in a cell is smooth enough.
   std::vector<Vector3> normals(spots_.size());
   std::vector<std::uint64_t> keys(spots_.size());
   parallel_for(spots_.size(), [&](std::size_t i) {
-    normals[i] = smooth_normal(spots_[i].point);
+    const auto& [a, b, c] = surface_.triangles[spots_[i].point.triangle];
+    normals[i] = normalised(
+        cross(surface_.vertices[b] - surface_.vertices[a], surface_.vertices[c] - surface_.vertices[a]));
     keys[i] = std::uint64_t{6} * spots_[i].leaf + nearest_direction(normals[i]);
   });
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return keys[a] < keys[b]; });
