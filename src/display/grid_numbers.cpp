@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "base/parallel.hpp"
+#include "measure/alignment.hpp"
+#include "sampling/sampling.hpp"
 
 namespace crossgrain {
 namespace {
@@ -22,26 +23,25 @@ constexpr std::size_t kMostSamples = 40000;
 /// surface, in cells; never less than the least, so that a wall of such leaves has numbers.
 constexpr double kFullDepth = 0.4, kLeastWeight = 0.02;
 
+/// Depth below the surface, in cells, of the middle of the cells from which its energy is taken where there
+/// are some: of those above, a varying part is missing.
+constexpr double kEnergyDepth = 0.5;
+
 /// Weight of a leaf whose surface is too small for a piece.
 constexpr float kUnknownWeight = 0.3f;
 
-/// Cosines of the angles, about 12 and 24 degrees, up to which axes around a point are averaged as vectors,
-/// so that the turn of a frame from cell to cell cancels, and from which the angles themselves are: axes that
-/// are off to opposite sides must not pass for one that is right.
-constexpr double kTogether = 0.978, kApart = 0.914;
+/// Least share with which a facet counts that faces another way than the surface at a point: it then has a
+/// number if there is no other.
+constexpr double kLeastFacing = 1e-6;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// The axis nearest to a direction, turned to its side.
-Vector3 nearest_axis(const StoredQuaternion& frame, const Vector3& direction) {
-  const auto axes = axes_of(Quaternion{frame.w, frame.x, frame.y, frame.z});
-  double largest = 0;
+/// Which of the six directions along coordinate axes is nearest.
+std::size_t nearest_direction(const Vector3& normal) {
   std::size_t nearest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double cosine = dot(axes[k], direction);
-    if (std::abs(cosine) > std::abs(largest)) largest = cosine, nearest = k;
-  }
-  return largest < 0 ? -axes[nearest] : axes[nearest];
+  for (std::size_t k = 1; k < 3; ++k)
+    if (std::abs(normal[k]) > std::abs(normal[nearest])) nearest = k;
+  return 2 * nearest + (normal[nearest] > 0 ? 1 : 0);
 }
 
 }  // namespace
@@ -54,7 +54,10 @@ GridNumbers::GridNumbers(const ShownField& field, SurfaceNumber number)
       normals_(
           corner_normals(SmoothCorners(surface_.vertices, surface_.triangles), surface_.triangles.size())),
       spots_(surface_spots(surface_, field_, leaves_, kWeighed)) {
-  weigh_leaves();
+  if (number == SurfaceNumber::kEnergy)
+    weigh_leaves();
+  else
+    measure_facets();
 }
 
 void GridNumbers::weigh_leaves() {
@@ -78,15 +81,54 @@ void GridNumbers::weigh_leaves() {
   });
 }
 
-LeafBlock GridNumbers::block_at(const Vector3& place) const {
-  LeafBlock block = leaf_block(field_.tree, leaves_.finder(), field_.open_faces, place);
-  double sum = 0;
-  for (std::size_t i = 0; i < block.count; ++i) {
-    block.parts[i].share *= static_cast<double>(weights_[block.parts[i].leaf]);
-    sum += block.parts[i].share;
+void GridNumbers::measure_facets() {
+  // Sums over the spots of each leaf and direction, in the order of leaves.
+  struct Sum {
+    Vector3 places{}, normals{};
+    double area = 0;
+  };
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < spots_.size(); ++i)
+    if (spots_[i].leaf != kNoCell) order.push_back(i);
+  // Of the triangles themselves, which the solve follows; their mean in a cell is smooth enough.
+  std::vector<Vector3> normals(spots_.size());
+  std::vector<std::uint64_t> keys(spots_.size());
+  parallel_for(spots_.size(), [&](std::size_t i) {
+    const auto& [a, b, c] = surface_.triangles[spots_[i].point.triangle];
+    normals[i] = normalised(
+        cross(surface_.vertices[b] - surface_.vertices[a], surface_.vertices[c] - surface_.vertices[a]));
+    keys[i] = std::uint64_t{6} * spots_[i].leaf + nearest_direction(normals[i]);
+  });
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return keys[a] < keys[b]; });
+  facets_begin_.assign(field_.tree.size() + 1, 0);
+  std::vector<Vector3> places;
+  std::vector<CellIndex> leaves;
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    Sum sum;
+    for (; end < order.size() && keys[order[end]] == keys[order[begin]]; ++end) {
+      const SurfaceSpot& spot = spots_[order[end]];
+      sum.places += spot.area * spot.point.place;
+      sum.normals += spot.area * normals[order[end]];
+      sum.area += spot.area;
+    }
+    facets_.push_back({normalised(sum.normals), sum.area, 0});
+    places.push_back((1 / sum.area) * sum.places);
+    leaves.push_back(spots_[order[begin]].leaf);
+    ++facets_begin_[leaves.back() + 1];
   }
-  for (std::size_t i = 0; i < block.count; ++i) block.parts[i].share /= sum;
-  return block;
+  for (std::size_t i = 0; i < field_.tree.size(); ++i) facets_begin_[i + 1] += facets_begin_[i];
+  const Sampler sampler(field_.tree, field_.frames, field_.open_faces);
+  parallel_for(facets_.size(), [&](std::size_t k) {
+    const Box box = field_.tree.root().box(field_.tree[leaves[k]]);
+    Vector3 place = places[k];  // the middle of a curved facet is in its leaf, to rounding
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      place[axis] = std::clamp(place[axis], box.low[axis], box.high[axis]);
+    facets_[k].angle_deg = angle_to_nearest_axis_deg(sampler.in_leaf(leaves[k], place), facets_[k].normal);
+  });
+}
+
+LeafBlock GridNumbers::block_at(const Vector3& place) const {
+  return leaf_block(field_.tree, leaves_.finder(), field_.open_faces, place);
 }
 
 Vector3 GridNumbers::smooth_normal(const SurfacePoint& point) const {
@@ -98,28 +140,40 @@ Vector3 GridNumbers::smooth_normal(const SurfacePoint& point) const {
   return normalised(normal);
 }
 
+/// The mean over the cells that lie in the part.
 double GridNumbers::energy_of(const LeafBlock& block) const {
-  double sum = 0;
-  for (const LeafBlock::Part& part : block.used())
-    sum += part.share * static_cast<double>(field_.energy_density[part.leaf]);
-  return block.count > 0 ? sum : kNone;
+  double sum = 0, weights = 0;
+  for (const LeafBlock::Part& part : block.used()) {
+    const double weight = part.share * static_cast<double>(weights_[part.leaf]);
+    sum += weight * static_cast<double>(field_.energy_density[part.leaf]);
+    weights += weight;
+  }
+  return weights > 0 ? sum / weights : kNone;
 }
 
+/// The mean over the surface around that faces the same way.
 double GridNumbers::alignment_of(const LeafBlock& block, const Vector3& normal) const {
-  if (block.count == 0) return kNone;
-  Vector3 axis{0, 0, 0};
-  for (const LeafBlock::Part& part : block.used())
-    axis += part.share * nearest_axis(field_.frames[part.leaf], normal);
-  const double mean_cosine = dot(axis, normal), cosine_of_mean = mean_cosine / norm(axis);
-  const double share = std::clamp((kTogether - mean_cosine) / (kTogether - kApart), 0.0, 1.0);
-  const double cosine = cosine_of_mean + share * (mean_cosine - cosine_of_mean);
-  return std::acos(std::clamp(cosine, -1.0, 1.0)) * (180 / std::numbers::pi);
+  double sum = 0, weights = 0;
+  for (const LeafBlock::Part& part : block.used()) {
+    for (std::uint32_t k = facets_begin_[part.leaf]; k < facets_begin_[part.leaf + 1]; ++k) {
+      const Facet& facet = facets_[k];
+      const double facing = std::max(dot(facet.normal, normal), 0.0), facing2 = facing * facing;
+      const double weight = part.share * facet.area * std::max(facing2 * facing2 * facing2, kLeastFacing);
+      sum += weight * facet.angle_deg;
+      weights += weight;
+    }
+  }
+  return weights > 0 ? sum / weights : kNone;
 }
 
 double GridNumbers::at(const SurfacePoint& point) const {
   const Vector3 normal = smooth_normal(point);
-  const LeafBlock block = block_at(leaves_.beside(point.place, normal).place);
-  return number_ == SurfaceNumber::kEnergy ? energy_of(block) : alignment_of(block, normal);
+  const Vector3 place = leaves_.beside(point.place, normal).place;
+  const LeafBlock block = block_at(place);
+  if (number_ == SurfaceNumber::kAlignment) return alignment_of(block, normal);
+  if (block.count == 0) return kNone;
+  const LeafBlock below = block_at(place - kEnergyDepth * field_.tree.cell_size(block.home) * normal);
+  return energy_of(block.holds(below.home) ? below : block);
 }
 
 double GridNumbers::energy_at(const Vector3& place) const {

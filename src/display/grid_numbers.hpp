@@ -21,11 +21,19 @@ class GridNumbers {
   std::vector<SurfaceNumbers::LeafCorners> at_leaf_corners() const;
 
  private:
+  /// The surface in a leaf that faces about the same way.
+  struct Facet {
+    Vector3 normal;  ///< unit
+    double area;
+    double angle_deg;  ///< to the nearest axis of the interpolated frame at its middle
+  };
+
   LeafBlock block_at(const Vector3& place) const;
   double energy_of(const LeafBlock& block) const;
   double alignment_of(const LeafBlock& block, const Vector3& normal) const;
   Vector3 smooth_normal(const SurfacePoint& point) const;
   void weigh_leaves();
+  void measure_facets();
 
   const FieldData& field_;
   const SolvedSurface& surface_;
@@ -36,7 +44,10 @@ class GridNumbers {
 
   /// How far each leaf lies in the part, from nearly 0 to 1: those that only dip into it are hardly held by
   /// their neighbours, and their energy is not that of the field.
-  std::vector<float> weights_;
+  std::vector<float> weights_;  ///< for kEnergy
+
+  std::vector<std::uint32_t> facets_begin_;  ///< of each leaf, and the end; for kAlignment
+  std::vector<Facet> facets_;
 };
 
 }  // namespace crossgrain

@@ -42,6 +42,7 @@ LeafBlock leaf_block(const Octree& tree, const LeafFinder& finder, std::span<con
   LeafBlock block;
   const auto cell = tree.root().locate(point);
   const CellIndex leaf = cell ? finder.containing(*cell) : kNoCell;
+  block.home = leaf;
   if (leaf == kNoCell) return block;
 
   // In units of the smallest possible cell; `middle` is the corner of cells that is nearest to the point.

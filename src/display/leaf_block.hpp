@@ -2,6 +2,7 @@
 // The leaves around a point, for interpolation between cells.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -20,7 +21,13 @@ struct LeafBlock {
     double share;  ///< of the cube's volume
   };
   std::array<Part, 8> parts;
-  std::size_t count = 0;  ///< parts that are used, none if there is no leaf at the point
+  std::size_t count = 0;     ///< parts that are used, none if there is no leaf at the point
+  CellIndex home = kNoCell;  ///< the leaf at the point
+
+  bool holds(CellIndex leaf) const {
+    return std::any_of(parts.begin(), parts.begin() + count,
+                       [leaf](const Part& part) { return part.leaf == leaf; });
+  }
 
   std::span<const Part> used() const { return std::span(parts).first(count); }
 };

@@ -76,14 +76,16 @@ std::optional<std::int32_t> RegionSections::at(const Vector3& point) const {
   if (outlines_.empty()) return std::nullopt;
   const std::size_t strip = strip_of(point[across_]);
   for (const Outline& outline : outlines_) {
-    int winding = 0;
+    int winding = 0, whole = 0;
     for (std::uint32_t i = outline.begin[strip]; i < outline.begin[strip + 1]; ++i) {
       const Edge& edge = outline.edges[i];
       const double from = edge.from_across - point[across_], to = edge.to_across - point[across_];
       if ((from > 0) == (to > 0)) continue;
       const double meets = edge.from_along + from / (from - to) * (edge.to_along - edge.from_along);
       if (meets > point[along_]) winding += edge.turn;
+      whole += edge.turn;
     }
+    if (whole != 0) return std::nullopt;  // an outline that is not closed
     if (winding > 0) return outline.region;
   }
   return std::nullopt;

@@ -18,7 +18,7 @@ class RegionSections {
   RegionSections(const SolvedSurface& surface, const std::vector<std::int32_t>& regions, std::size_t axis,
                  double position);
 
-  /// The region that encloses a point of the plane; none outside of all.
+  /// The region that encloses a point of the plane; none outside of all, and where an outline is not closed.
   std::optional<std::int32_t> at(const Vector3& point) const;
 
  private:

@@ -28,8 +28,8 @@ struct SurfacePoint {
 
 /// Interpolated numbers. Those of a grid come from the cells around a point that lie in the part and are
 /// connected there, so they are continuous within a face except where cells change their size. Those of tets
-/// are linear over triangles. Normals are blended across edges below kSmoothDeg. Refers to the field. Safe to
-/// use from any number of threads; the same for any number of threads.
+/// are linear over triangles, energies in their logarithm.. Refers to the
+/// field. Safe to use from any number of threads; the same for any number of threads.
 class SurfaceNumbers {
  public:
   SurfaceNumbers(const ShownField& field, SurfaceNumber number);

@@ -13,6 +13,9 @@
 namespace crossgrain {
 namespace {
 
+/// Energies below this share of the largest count as that much between vertices: they have logarithms.
+constexpr float kLeastShare = 1e-8f;
+
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 double area_of(const SolvedSurface& surface, std::size_t triangle) {
@@ -104,6 +107,8 @@ void TetNumbers::average_energy() {
       volumes[vertex] += volume;
     }
   }
+  const float most = densities_.empty() ? 0 : *std::max_element(densities_.begin(), densities_.end());
+  least_ = std::max(kLeastShare * most, std::numeric_limits<float>::min());
   const auto& triangles = field_.surface().triangles;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -115,7 +120,12 @@ void TetNumbers::average_energy() {
 
 double TetNumbers::at(const SurfacePoint& point) const {
   const auto& [a, b, c] = numbers_[point.triangle];
-  return static_cast<double>((1 - point.u - point.v) * a + point.u * b + point.v * c);
+  const auto mean = [&](float at_a, float at_b, float at_c) {
+    return static_cast<double>((1 - point.u - point.v) * at_a + point.u * at_b + point.v * at_c);
+  };
+  if (densities_.empty()) return mean(a, b, c);
+  const auto log_of = [&](float energy) { return std::log(std::max(energy, least_)); };
+  return std::isfinite(a + b + c) ? std::exp(mean(log_of(a), log_of(b), log_of(c))) : std::nan("");
 }
 
 std::vector<SurfaceNumbers::Sample> TetNumbers::samples() const {

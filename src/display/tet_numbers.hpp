@@ -23,7 +23,8 @@ class TetNumbers {
   void average_energy();
 
   const ShownField& field_;
-  std::vector<float> densities_;               ///< energy per volume of each tet
+  std::vector<float> densities_;               ///< energy per volume of each tet; empty for kAlignment
+  float least_ = 0;                            ///< smallest energy between vertices
   std::vector<std::array<float, 3>> numbers_;  ///< at the corners of each triangle; NaN if it has no tet
 };
 

@@ -155,7 +155,8 @@ std::vector<LegendBlock> legend_blocks(const ShownField& field, const CellColour
   std::vector<LegendBlock> blocks;
   if (!options.legend) return blocks;
   // The answer is about the tets.
-  if (!field.is_starting_grid()) blocks.push_back(answer_legend(field.report(), options.lines));
+  blocks.push_back(field.is_starting_grid() ? LegendBlock{"Starting grid of a field on tets"}
+                                            : answer_legend(field.report(), options.lines));
   if (const auto block = colours.legend()) blocks.push_back(*block);
   if (options.lines)
     if (const auto block = legend_of(
