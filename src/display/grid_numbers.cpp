@@ -168,11 +168,12 @@ double GridNumbers::alignment_of(const LeafBlock& block, const Vector3& normal) 
 
 double GridNumbers::at(const SurfacePoint& point) const {
   const Vector3 normal = smooth_normal(point);
-  const Vector3 place = leaves_.beside(point.place, normal).place;
+  const auto [place, leaf] = leaves_.beside(point.place, normal);
+  if (leaf == kNoCell) return kNone;
+  if (number_ == SurfaceNumber::kAlignment) return alignment_of(block_at(place), normal);
+  const LeafBlock below = block_at(place - kEnergyDepth * field_.tree.cell_size(leaf) * normal);
+  if (below.home == leaf) return energy_of(below);
   const LeafBlock block = block_at(place);
-  if (number_ == SurfaceNumber::kAlignment) return alignment_of(block, normal);
-  if (block.count == 0) return kNone;
-  const LeafBlock below = block_at(place - kEnergyDepth * field_.tree.cell_size(block.home) * normal);
   return energy_of(block.holds(below.home) ? below : block);
 }
 
