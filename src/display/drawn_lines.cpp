@@ -87,7 +87,7 @@ class LinesOfField {
   }
 
   static LineMark turning_mark(const Vector3& place, const DrawnLine& line) {
-    LineMark mark{MarkShape::kTurningPoint, place, {}, kNoWall, line.length, Verdict::kMeshable};
+    LineMark mark{MarkShape::kTurningPoint, place, {}, kNoWall, line.length, Verdict::kMeshable, line.kind};
     double least = kNoWall;
     for (std::size_t k = 1; k < line.points.size(); ++k) {
       const Vector3 &from = line.points[k - 1], way = line.points[k] - from;
@@ -106,7 +106,7 @@ class LinesOfField {
 
   void add_marks_of(std::uint32_t number, DrawnLines& drawn) const {
     const Node& node = graph_.nodes[number];
-    LineMark mark{MarkShape::kNode, node.place, {0, 0, 0}, kNoWall, kNoWall, node.verdict};
+    LineMark mark{MarkShape::kNode, node.place, {0, 0, 0}, kNoWall, kNoWall, node.verdict, LineKind::kThree};
     Vector3 outward{0, 0, 0};
     for (const std::uint32_t a : node.arcs) {
       const DrawnLine& line = drawn.lines[a];
@@ -114,6 +114,7 @@ class LinesOfField {
       const bool is_first = graph_.arcs[a].nodes->front() == number;
       mark.wall = std::min(mark.wall, is_first ? line.walls.front() : line.walls.back());
       mark.length = std::min(mark.length, line.length);
+      if (a == node.arcs.front()) mark.kind = line.kind;
       mark.place = is_first ? line.points.front() : line.points.back();
       outward = is_first ? line.points[0] - line.points[1] : line.points[last] - line.points[last - 1];
     }

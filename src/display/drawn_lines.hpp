@@ -58,6 +58,7 @@ struct LineMark {
   double wall = kNoWall;                 ///< as DrawnLine::walls
   double length = kNoWall;               ///< of the shortest line there, model units
   Verdict verdict = Verdict::kMeshable;  ///< of the node; kMeshable for turning points
+  LineKind kind = LineKind::kThree;      ///< of the first line there
 };
 
 struct DrawnLines {

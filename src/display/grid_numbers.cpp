@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "display/leaf_corner_means.hpp"
 #include "measure/alignment.hpp"
 #include "sampling/sampling.hpp"
 
@@ -168,11 +169,12 @@ double GridNumbers::alignment_of(const LeafBlock& block, const Vector3& normal) 
 
 double GridNumbers::at(const SurfacePoint& point) const {
   const Vector3 normal = smooth_normal(point);
-  const Vector3 place = leaves_.beside(point.place, normal).place;
+  const auto [place, leaf] = leaves_.beside(point.place, normal);
+  if (leaf == kNoCell) return kNone;
+  if (number_ == SurfaceNumber::kAlignment) return alignment_of(block_at(place), normal);
+  const LeafBlock below = block_at(place - kEnergyDepth * field_.tree.cell_size(leaf) * normal);
+  if (below.home == leaf) return energy_of(below);
   const LeafBlock block = block_at(place);
-  if (number_ == SurfaceNumber::kAlignment) return alignment_of(block, normal);
-  if (block.count == 0) return kNone;
-  const LeafBlock below = block_at(place - kEnergyDepth * field_.tree.cell_size(block.home) * normal);
   return energy_of(block.holds(below.home) ? below : block);
 }
 
@@ -194,62 +196,10 @@ std::vector<SurfaceNumbers::LeafCorners> GridNumbers::at_leaf_corners() const {
   const std::vector<SurfaceSpot> spots = surface_spots(surface_, field_, leaves_, kFitted);
   std::vector<double> numbers(spots.size());
   parallel_for(spots.size(), [&](std::size_t i) { numbers[i] = at(spots[i].point); });
-
-  // The corners of leaves with surface, and the corners of each leaf among them.
-  std::vector<SurfaceNumbers::LeafCorners> leaves;
-  std::vector<std::uint32_t> row(field_.tree.size(), 0);  // of each leaf
-  std::vector<std::uint64_t> corners;
-  const auto corner_of = [&](CellIndex leaf, std::size_t octant) {
-    GridPoint at = field_.tree[leaf].corner();
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (octant >> axis & 1) at[axis] += field_.tree[leaf].width();
-    return morton::spread(static_cast<std::uint64_t>(at[0])) |
-           morton::spread(static_cast<std::uint64_t>(at[1])) << 1 |
-           morton::spread(static_cast<std::uint64_t>(at[2])) << 2;
-  };
-  for (CellIndex i = 0; i < field_.tree.size(); ++i) {
-    if (field_.on_boundary[i] == 0) continue;
-    row[i] = static_cast<std::uint32_t>(leaves.size());
-    leaves.push_back({i, {}});
-    for (std::size_t octant = 0; octant < 8; ++octant) corners.push_back(corner_of(i, octant));
-  }
-  std::vector<std::uint64_t> sorted = corners;
-  std::sort(sorted.begin(), sorted.end());
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  std::vector<std::uint32_t> index(corners.size());
-  parallel_for(corners.size(), [&](std::size_t i) {
-    index[i] = static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), corners[i]) -
-                                          sorted.begin());
-  });
-
-  std::vector<double> sums(sorted.size(), 0), weights(sorted.size(), 0);
-  for (std::size_t i = 0; i < spots.size(); ++i) {
-    const CellIndex leaf = spots[i].leaf;
-    if (leaf == kNoCell || field_.on_boundary[leaf] == 0 || !std::isfinite(numbers[i])) continue;
-    const Box box = field_.tree.root().box(field_.tree[leaf]);
-    for (std::size_t octant = 0; octant < 8; ++octant) {
-      double weight = spots[i].area;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double share = std::clamp(
-            (spots[i].point.place[axis] - box.low[axis]) / (box.high[axis] - box.low[axis]), 0.0, 1.0);
-        weight *= octant >> axis & 1 ? share : 1 - share;
-      }
-      const std::uint32_t corner = index[8 * row[leaf] + octant];
-      sums[corner] += weight * numbers[i];
-      weights[corner] += weight;
-    }
-  }
-  for (std::size_t k = 0; k < leaves.size(); ++k) {
-    double sum = 0, weight = 0;
-    for (std::size_t octant = 0; octant < 8; ++octant)
-      sum += sums[index[8 * k + octant]], weight += weights[index[8 * k + octant]];
-    for (std::size_t octant = 0; octant < 8; ++octant) {
-      const std::uint32_t corner = index[8 * k + octant];
-      const double number = weights[corner] > 0 ? sums[corner] / weights[corner] : sum / weight;
-      leaves[k].numbers[octant] = static_cast<float>(weight > 0 ? number : 0);
-    }
-  }
-  return leaves;
+  LeafCornerMeans means(field_);
+  for (std::size_t i = 0; i < spots.size(); ++i)
+    if (std::isfinite(numbers[i])) means.add(spots[i], numbers[i]);
+  return means.result();
 }
 
 }  // namespace crossgrain

@@ -30,7 +30,11 @@ constexpr Colour kTurning = colour_of(0xffd23e);
 
 // Sizes of marks, as multiples of the radius of lines.
 constexpr double kNodeRadius = 1.9, kDiscRadius = 2.3, kDiscThickness = 0.9, kTurningRadius = 2.5,
-                 kTurningLength = 6.5, kCapRadius = 1.25, kCapRim = 1.75, kCapThickness = 0.3;
+                 kTurningLength = 6.5, kCapRadius = 1.25, kCapRim = 1.75, kCapThickness = 0.3, kDiscCap = 1.5;
+
+/// Smallest radius of an end on the surface, as a share of the usual one: it lies in the surface, so that the
+/// wall does not limit it.
+constexpr double kLeastEnd = 0.55;
 
 const LineLook& look_of(LineKind kind) {
   switch (kind) {
@@ -61,6 +65,13 @@ const FaultLook* fault_of(Verdict verdict) {
   return nullptr;
 }
 
+/// Adds a disc with a cap in the colour of the line, which in a thin wall is not long enough to show it.
+void add_end(const LineMark& mark, double radius, const Colour& rim, std::vector<Facet>& facets) {
+  add_disc(mark.place, mark.direction, kDiscRadius * radius, kDiscThickness * radius, rim, facets);
+  add_disc(mark.place, mark.direction, kDiscCap * radius, (kDiscThickness + kCapThickness) * radius,
+           look_of(mark.kind).colour, facets);
+}
+
 void add_mark(const LineMark& mark, double usual, const Colour& ink, DrawnRods& drawn) {
   const double radius = line_radius(usual_for(mark.length, usual), mark.wall);
   const FaultLook* fault = fault_of(mark.verdict);
@@ -70,8 +81,7 @@ void add_mark(const LineMark& mark, double usual, const Colour& ink, DrawnRods& 
       drawn.balls.push_back({mark.place, (fault ? fault->size : kNodeRadius) * radius, colour});
       break;
     case MarkShape::kEnd:
-      add_disc(mark.place, mark.direction, kDiscRadius * radius, kDiscThickness * radius, colour,
-               drawn.facets);
+      add_end(mark, std::max(radius, kLeastEnd * usual), colour, drawn.facets);
       break;
     case MarkShape::kTurningPoint:
       add_double_pyramid(mark.place, mark.direction, kTurningRadius * radius, kTurningLength * radius,

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import tet_solids
 from page_reader import Page
-from program import CommandTest, medit_text
+from program import CommandTest, medit_text, tet_box
 
 SHARED = Path(os.environ.get("CROSSGRAIN_SHARED", Path(__file__).resolve().parents[3] / "shared"))
 
@@ -116,6 +116,28 @@ class OfAGrid(CountsTest):
         for name in ("onto.vtu", "onto.frames", "onto_singularities.vtu"):
             (self.folder / "a.frames" / name).unlink()
         self.assert_fails(self.run_here("render", "a.frames", "--field", "tets", "-o", "a.png"), 2, "no field on tets")
+
+
+class OfRegions(CountsTest):
+    def two_regions(self):
+        vertices, tets = tet_box((6, 4, 4))
+        tags = 1 + (vertices[tets].mean(axis=1)[:, 0] > 1)
+        rows = medit_text(vertices, tets).split("\n")
+        begin = rows.index("Tetrahedra") + 2
+        for row, tag in enumerate(tags, begin):
+            rows[row] = rows[row].rsplit(" ", 1)[0] + f" {tag + 10}"
+        return "\n".join(rows)
+
+    def test_the_legend_names_them_for_tets_and_grid(self):
+        self.write("two.mesh", self.two_regions())
+        self.solved("two.mesh")
+        for arguments in ((), ("--field", "grid"), ("--field", "grid", "--cut", "y")):
+            self.assertIn("Regions (2)\n  11\n  12\n", self.legend("--colour", "region", *arguments))
+
+    def test_one_region_is_not_worth_colours(self):
+        self.write("one.mesh", medit_text(*tet_box((4, 4, 4))))
+        self.solved("one.mesh")
+        self.assert_fails(self.run_here("render", "a.frames", "--colour", "region"), 2, "only one region")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "display/leaf_corner_means.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// A number for a corner of a cell, the same from all cells that share it.
+std::uint64_t corner_code(CellAddress cell, std::size_t octant) {
+  GridPoint at = cell.corner();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (octant >> axis & 1) at[axis] += cell.width();
+  std::uint64_t code = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    code |= morton::spread(static_cast<std::uint64_t>(at[axis])) << axis;
+  return code;
+}
+
+}  // namespace
+
+LeafCornerMeans::LeafCornerMeans(const FieldData& field) : field_(field), rows_(field.tree.size(), 0) {
+  std::vector<std::uint64_t> codes;
+  for (CellIndex i = 0; i < field.tree.size(); ++i) {
+    if (field.on_boundary[i] == 0) continue;
+    rows_[i] = static_cast<std::uint32_t>(leaves_.size());
+    leaves_.push_back(i);
+    for (std::size_t octant = 0; octant < 8; ++octant) codes.push_back(corner_code(field.tree[i], octant));
+  }
+  std::vector<std::uint64_t> sorted = codes;
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  index_.resize(codes.size());
+  parallel_for(codes.size(), [&](std::size_t i) {
+    index_[i] =
+        static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), codes[i]) - sorted.begin());
+  });
+  sums_.assign(sorted.size(), 0);
+  weights_.assign(sorted.size(), 0);
+}
+
+void LeafCornerMeans::add(const SurfaceSpot& spot, double number) {
+  if (spot.leaf == kNoCell || field_.on_boundary[spot.leaf] == 0) return;
+  const auto& [low, high] = field_.tree.root().box(field_.tree[spot.leaf]);
+  for (std::size_t octant = 0; octant < 8; ++octant) {
+    double weight = spot.area;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double share =
+          std::clamp((spot.point.place[axis] - low[axis]) / (high[axis] - low[axis]), 0.0, 1.0);
+      weight *= octant >> axis & 1 ? share : 1 - share;
+    }
+    const std::uint32_t corner = index_[8 * rows_[spot.leaf] + octant];
+    sums_[corner] += weight * number;
+    weights_[corner] += weight;
+  }
+}
+
+std::vector<SurfaceNumbers::LeafCorners> LeafCornerMeans::result() const {
+  std::vector<SurfaceNumbers::LeafCorners> result(leaves_.size());
+  parallel_for(result.size(), [&](std::size_t k) {
+    result[k].leaf = leaves_[k];
+    double sum = 0, weight = 0;
+    for (std::size_t octant = 0; octant < 8; ++octant) {
+      sum += sums_[index_[8 * k + octant]];
+      weight += weights_[index_[8 * k + octant]];
+    }
+    const double mean = weight > 0 ? sum / weight : 0;
+    for (std::size_t octant = 0; octant < 8; ++octant) {
+      const std::uint32_t corner = index_[8 * k + octant];
+      result[k].numbers[octant] =
+          static_cast<float>(weights_[corner] > 0 ? sums_[corner] / weights_[corner] : mean);
+    }
+  });
+  return result;
+}
+
+}  // namespace crossgrain
