@@ -335,9 +335,7 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
       ->type_name("");
   command->add_option("-o,--output", arguments.output, "PNG file to write (default: DIR-stem.png here)")
       ->type_name("FILE");
-  add_choice(*command, "--field", arguments.shown, {{"tets", ShownPart::kTets}, {"grid", ShownPart::kGrid}},
-             "Draw the field on the tets (default if there are any), or on the grid from which it started",
-             "tets|grid");
+  add_field_choice(*command, arguments.choice);
   command->add_flag("--streamlines", arguments.streamlines,
                     "Also draw the lines that 'crossgrain streamlines' has written to the folder");
   add_parsed(

@@ -39,9 +39,9 @@ std::vector<AxisCurve> streamlines_in(const std::filesystem::path& folder) {
 void draw(const RenderArguments& arguments, const Monitor& monitor) {
   const std::filesystem::path folder = arguments.field;
   const bool has_tets = std::filesystem::exists(folder / kTetSingularityFile);
-  if (arguments.shown == ShownPart::kTets && !has_tets)
-    throw Error(ErrorKind::kUsage, {arguments.field, "", "has no field on tets; leave out --field tets"});
-  const bool draws_tets = has_tets && arguments.shown != ShownPart::kGrid;
+  if (arguments.choice == FieldChoice::kTets && !has_tets)
+    throw Error(ErrorKind::kInput, {arguments.field, "", "has no field on tets"});
+  const bool draws_tets = has_tets && arguments.choice != FieldChoice::kGrid;
   const SingularityGraph lines =
       read_singularities(folder / (draws_tets ? kTetSingularityFile : kSingularityFile));
   PictureCurves curves{&lines, {}};

@@ -189,14 +189,15 @@ PictureOptions::View view_named(const std::string& name) {
 
 namespace {
 
-void render_shown(const ShownField& field, const std::filesystem::path& picture,
-                  const PictureOptions& options, const PictureCurves& curves, const Monitor& monitor) {
+void render_shown(const ShownField& field, const std::filesystem::path& picture, PictureOptions options,
+                  const PictureCurves& curves, const Monitor& monitor) {
   check_options(options);
   OutputFile file(picture);
   monitor.check();
 
   const ViewDirection direction = direction_of(options);
   const auto plane = picture_cut(options, field.surface(), ViewAxes(direction).towards);
+  if (plane) options.cut->position = plane->plane.position;
   const CellColours colours(field, options);
   const PictureSubject subject{field, colours, curves.streamlines};
   std::optional<CutDrawing> cut;
