@@ -137,11 +137,13 @@ RayTracing::Seen RayTracing::at(double x, double y, Scratch& scratch) const {
       layers.add(mesh_pixel(*whole_.drawn_meshes[next_whole->shape], *next_whole, whole), 1);
   };
   const auto plane = static_cast<float>(cut.nearest);
+  bool is_behind_cut = false;
   add_whole_before(std::min(plane, rod_distance));
   if (drawing_.section && !layers.is_opaque() && plane <= rod_distance) {
     const Vector3 place = space_.to_model(cut.origin + cut.nearest * cut.direction);
     const auto colour = drawing_.section->colour_at(place, is_enclosed(scratch.cut_hits, cut));
     if (colour) layers.add(pixel_of(*colour), 2);
+    is_behind_cut = colour.has_value();
   }
   for (const ShapeHit& hit : scratch.cut_hits) {
     if (layers.is_opaque() || hit.distance > rod_distance) break;
@@ -151,8 +153,10 @@ RayTracing::Seen RayTracing::at(double x, double y, Scratch& scratch) const {
     layers.add(mesh_pixel(mesh, hit, cut), 4 + hit.shape);
   }
   add_whole_before(rod_distance);
-  if (rod && !layers.is_opaque())
-    layers.add_rod(rod_colour(*rod), rod->rods->look == RodLook::kSolid ? options_.least_seen_through : 0);
+  if (!rod) return layers.seen();
+  float least = is_behind_cut ? options_.least_seen_through_cut : options_.least_seen_through;
+  if (rod->rods->look != RodLook::kSolid) least = 0;
+  if (least > 0 || !layers.is_opaque()) layers.add_rod(rod_colour(*rod), least);
   return layers.seen();
 }
 

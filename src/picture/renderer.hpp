@@ -15,6 +15,9 @@ struct RenderOptions {
 
   /// Smallest part of a solid rod that stays visible through any number of translucent faces.
   float least_seen_through = 0.58f;
+
+  /// The same behind the face of a cut: enough to see where lines run, and that they do so behind it.
+  float least_seen_through_cut = 0.2f;
 };
 
 /// Casts rays at a drawing and composites the result over the image: one ray per pixel, and many where the
