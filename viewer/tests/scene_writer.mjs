@@ -22,7 +22,7 @@ export function encode_scene(header, arrays) {
     blocks.push([offset, new Uint8Array(typed.buffer)]);
     offset = Math.ceil((offset + typed.byteLength) / 8) * 8;
   }
-  let text = JSON.stringify({ schema: 1, ...header, arrays: entries });
+  let text = JSON.stringify({ schema: 2, ...header, arrays: entries });
   while ((12 + Buffer.byteLength(text)) % 8 !== 0) text += " ";
   const start = 12 + Buffer.byteLength(text);
   const bytes = new Uint8Array(start + offset);
@@ -42,7 +42,7 @@ export function filled_page(page, report, scene) {
 }
 
 /** {header, arrays} from what a test made: cells [{corner, size, frame, energy, alignment, class}], triangles, arcs, nodes, forms. */
-export function scene_of({ surface, creases, cells, lattice, arcs, nodes, forms, streamlines, unit = "mm", merged_to = null, total }) {
+export function scene_of({ surface, creases, cells, lattice, arcs, nodes, forms, streamlines, unit = "mm", merged_to = null, total, more }) {
   const low = [0, 1, 2].map((k) => surface.vertices.reduce((best, point) => Math.min(best, point[k]), Infinity));
   const high = [0, 1, 2].map((k) => surface.vertices.reduce((best, point) => Math.max(best, point[k]), -Infinity));
   const polylines = (lines) => {
@@ -90,6 +90,8 @@ export function scene_of({ surface, creases, cells, lattice, arcs, nodes, forms,
     form_weight: ["f32", 0, forms.map((form) => form.weight)],
     streamline_points: ["f32", 3, stream.points],
     streamline_starts: ["u32", 0, stream.starts],
+    streamline_axis: ["u8", 0, (streamlines ?? []).map((_, k) => k % 3)],
+    streamline_set: ["u8", 0, (streamlines ?? []).map((_, k) => k % 2)],
   };
-  return encode_scene(header, arrays);
+  return encode_scene({ ...header, ...more?.header }, { ...arrays, ...more?.arrays });
 }

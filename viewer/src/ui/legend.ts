@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What colours and patterns mean: singular lines, the colour map, and frames.
 
-import { css_gradient, kClasses, type Theme } from "../math/color_maps.ts";
+import { css_gradient, kClasses, region_color, type Theme } from "../math/color_maps.ts";
 import type { Scene } from "../scene/scene.ts";
 import type { Settings } from "../settings.ts";
 import { kTiltScale } from "../view/glyphs.ts";
 import type { Range, Ranges } from "../view/ranges.ts";
 import { arc_kind, ball_counts, kArcKinds, type ArcKind, type FaultBall } from "../view/singular_lines.ts";
-import { kViewColors } from "../view/view_colors.ts";
+import { axis_colors, kViewColors } from "../view/view_colors.ts";
 import { counted, drawing, element, measured, superscript } from "./dom.ts";
 
 const kImpossible = "impossible for hexahedra";
@@ -25,23 +25,30 @@ export function arc_counts(scene: Scene): Record<ArcKind, number> {
   return counts;
 }
 
-/** What the view knows besides the scene. */
+/** The field that is shown. */
 export interface LegendSource {
+  scene: Scene;
   ranges: Ranges;
   faults: FaultBall[];
 }
 
-export function legend_body(settings: Settings, theme: Theme, scene: Scene, { ranges, faults }: LegendSource): Node[] {
+export function legend_body(settings: Settings, theme: Theme, { scene, ranges, faults }: LegendSource): Node[] {
+  const field_name = scene.tets || scene.tet_counts ? "on the tets" : settings.field === "grid" ? "on the starting grid" : "";
   const blocks: Node[] = [];
   if (settings.map === "alignment") blocks.push(ramp("Alignment", css_gradient("alignment", theme), linear_ticks(ranges.alignment, "°"), "angle of normal and nearest axis"));
   if (settings.map === "energy") blocks.push(ramp("Energy density", css_gradient("energy", theme), decade_ticks(ranges.energy), scene.unit ? `per volume, ${scene.unit}⁻²` : "per volume"));
   if (settings.map === "class") blocks.push(class_list(theme));
-  if (settings.layers.glyphs && settings.cut.on) {
+  if (settings.map === "region") blocks.push(region_list(scene));
+  const shows_frames = settings.layers.glyphs && settings.cut.on;
+  const shows_streams = settings.layers.streamlines && scene.streamline_starts.length > 1;
+  if (shows_frames) {
     const { color } = settings.glyph;
     if (color === "tilt") blocks.push(ramp("Frames: tilt", css_gradient("tilt", theme), linear_ticks({ low: 0, high: kTiltScale, logarithmic: false }, "°"), "nearest axis to the cut’s normal"));
     if (color === "turn") blocks.push(ramp("Frames: turn in the cut", css_gradient("turn", theme), linear_ticks({ low: 0, high: 90, logarithmic: false }, "°"), "all colours around a singular line"));
   }
-  if (settings.layers.arcs) blocks.push(arc_list(scene, theme));
+  const named = shows_frames && settings.glyph.color === "axes";
+  if (named || shows_streams) blocks.push(axis_list(theme, named, shows_streams));
+  if (settings.layers.arcs) blocks.push(arc_list(scene, theme, field_name));
   if (settings.layers.nodes) blocks.push(...ball_list(scene, faults, theme));
   return blocks;
 }
@@ -75,11 +82,33 @@ function class_list(theme: Theme): HTMLElement {
   );
 }
 
-function arc_list(scene: Scene, theme: Theme): HTMLElement {
+/** The colours of axes, of frames and streamlines alike. */
+function axis_list(theme: Theme, frames: boolean, streams: boolean): HTMLElement {
+  const bar = (color: string, dashes = ""): SVGElement => drawing("svg", { viewBox: "0 0 30 14", class: "arc-swatch", "aria-hidden": "true" },
+    drawing("line", { x1: 1, x2: 29, y1: 7, y2: 7, stroke: color, "stroke-width": dashes ? 1.6 : 4, "stroke-dasharray": dashes || undefined }));
+  return element("div", { class: "legend-block", "data-testid": "legend-axes" },
+    element("h3", {}, frames && streams ? "Axes of frames and streamlines" : frames ? "Axes of frames" : "Streamlines"),
+    element("ul", { class: "keys" },
+      element("li", { class: "axis-row" }, ...axis_colors(theme).flatMap((color, k) => [bar(color), "xyz"[k]])),
+      frames ? element("li", { title: "Around a singular line the axes change places: names have to change somewhere" }, bar(kViewColors[theme].seam, "4 3"), "seam: names change") : null),
+  );
+}
+
+function region_list({ regions }: Scene): HTMLElement {
+  const most = 12;
+  return element("div", { class: "legend-block", "data-testid": "legend-region" },
+    element("h3", {}, "Regions"),
+    element("ul", { class: "keys" }, ...regions.slice(0, most).map((number, k) =>
+      element("li", {}, element("span", { class: "swatch", style: `background-color: ${region_color(k)}` }), String(number)))),
+    regions.length > most ? element("p", { class: "fine" }, `and ${regions.length - most} more`) : null,
+  );
+}
+
+function arc_list(scene: Scene, theme: Theme, field_name: string): HTMLElement {
   const counts = arc_counts(scene);
   const present = kArcKinds.filter((kind) => counts[kind] > 0);
   return element("div", { class: "legend-block", "data-testid": "legend-arcs" },
-    element("h3", {}, "Singular lines"),
+    element("h3", {}, field_name ? `Singular lines, ${field_name}` : "Singular lines"),
     present.length === 0
       ? element("p", { class: "fine" }, "none")
       : element("ul", { class: "keys" }, ...present.map((kind) =>

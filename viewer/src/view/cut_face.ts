@@ -130,7 +130,7 @@ function face_material(
           float nearest = min(pixels.x, min(pixels.y, pixels.z)) / pixel_ratio;
           float size = cell.side / max(across.x, max(across.y, across.z)) / pixel_ratio;
           // Lines fade before the cells become a grey mass.
-          float strength = 0.38 * smoothstep(3.0, 12.0, size);
+          float strength = 0.26 * smoothstep(3.0, 12.0, size);
           color = mix(color, line_color, strength * (1.0 - smoothstep(0.25, 0.85, nearest)));
         }
         gl_FragColor = vec4(color, 1.0);

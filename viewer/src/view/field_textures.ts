@@ -33,7 +33,7 @@ export function field_textures(scene: Scene, octree: Octree, ranges: Ranges): Fi
     texels[4 * cell] = Math.round(255 * fraction_of(ranges.alignment, scene.cell_alignment_deg[cell]));
     texels[4 * cell + 1] = Math.round(255 * fraction_of(ranges.energy, scene.cell_energy_density[cell]));
     texels[4 * cell + 2] = scene.cell_class[cell];
-    texels[4 * cell + 3] = 255;
+    texels[4 * cell + 3] = scene.cell_region[cell] ?? 0;
   }
   const values = new DataTexture(texels, kRow, value_rows, RGBAFormat, UnsignedByteType);
   values.minFilter = values.magFilter = NearestFilter;

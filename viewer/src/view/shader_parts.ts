@@ -3,19 +3,35 @@
 
 import { kStepsInward } from "../scene/octree.ts";
 
-/** Looks up cells in the octree's texture, and colours in the palette of the chosen map. */
+/** Colours of numbers by the palette of the chosen map. */
+export const kFieldColors = /* glsl */ `
+uniform sampler2D palette;
+uniform int map_kind; // 0 none, 1 alignment, 2 energy, 3 class, 4 region
+uniform vec3 base_color;
+
+vec3 ramp_color(float share) { return texture(palette, vec2(share * 0.99609375 + 0.001953125, 0.5)).rgb; }
+vec3 region_color(int region) { return texelFetch(palette, ivec2(region & 255, 0), 0).rgb; }
+
+// Hatching tells the two classes that matter most without their colour.
+vec3 class_color(int kind) {
+  vec3 color = texelFetch(palette, ivec2(kind, 0), 0).rgb;
+  vec2 pixel = gl_FragCoord.xy / pixel_ratio;
+  if (kind == 5 && mod(pixel.x + pixel.y, 7.0) < 2.0) color *= 0.6;
+  if (kind == 4 && mod(pixel.x - pixel.y, 7.0) < 2.0) color *= 0.7;
+  return color;
+}
+`;
+
+/** Looks up cells in the octree's texture. */
 export const kFieldLookup = /* glsl */ `
 precision highp usampler2D;
 uniform usampler2D octree;     // 2048 entries a row, as scene/octree.ts lays them out
-uniform sampler2D cell_values; // 2048 cells a row: alignment, energy density (both 0 to 1 of their legends), class / 255
-uniform sampler2D palette;
+uniform sampler2D cell_values; // 2048 cells a row: alignment, energy density (both 0 to 1 of their legends), class, region / 255
 uniform int octree_depth;
 uniform vec3 lattice_low;
 uniform float lattice_unit;
-uniform int map_kind; // 0 none, 1 alignment, 2 energy, 3 class
-uniform vec3 base_color;
 uniform vec3 void_color;
-
+${kFieldColors}
 struct Cell { int number; vec3 low; float side; }; // low and side in lattice units
 
 Cell cell_at(vec3 lattice_point) {
@@ -38,19 +54,11 @@ Cell cell_at(vec3 lattice_point) {
 vec4 values_of(int cell) { return texelFetch(cell_values, ivec2(cell & 2047, cell >> 11), 0); }
 int class_of(vec4 values) { return int(values.b * 255.0 + 0.5); }
 
-// Hatching tells the two classes that matter most without their colour.
-vec3 class_color(int kind) {
-  vec3 color = texelFetch(palette, ivec2(kind, 0), 0).rgb;
-  vec2 pixel = gl_FragCoord.xy / pixel_ratio;
-  if (kind == 5 && mod(pixel.x + pixel.y, 7.0) < 2.0) color *= 0.6;
-  if (kind == 4 && mod(pixel.x - pixel.y, 7.0) < 2.0) color *= 0.7;
-  return color;
-}
-
 vec3 field_color(vec4 values) {
-  if (map_kind == 1) return texture(palette, vec2(values.r * 0.99609375 + 0.001953125, 0.5)).rgb;
-  if (map_kind == 2) return texture(palette, vec2(values.g * 0.99609375 + 0.001953125, 0.5)).rgb;
+  if (map_kind == 1) return ramp_color(values.r);
+  if (map_kind == 2) return ramp_color(values.g);
   if (map_kind == 3) return class_color(class_of(values));
+  if (map_kind == 4) return region_color(int(values.a * 255.0 + 0.5));
   return base_color;
 }
 
@@ -77,7 +85,8 @@ vec3 surface_color(vec3 point, vec3 outward) {
 export const kClip = /* glsl */ `
 uniform vec4 cut; // normal and offset
 uniform bool clip;
-void clip_at_cut(vec3 point) { if (clip && dot(cut.xyz, point) > cut.w) discard; }
+bool is_taken(vec3 point) { return clip && dot(cut.xyz, point) > cut.w; }
+void clip_at_cut(vec3 point) { if (is_taken(point)) discard; }
 `;
 
 /** Light that goes with the camera, from above its left shoulder, and never leaves anything black. */

@@ -4,13 +4,13 @@
 
 import {
   BufferAttribute, BufferGeometry, GreaterDepth, Group, InstancedBufferAttribute, InstancedBufferGeometry, LessEqualDepth, Mesh,
-  ShaderMaterial, SphereGeometry, Vector3,
+  ShaderMaterial, SphereGeometry, Vector3, type DepthModes,
 } from "three";
 
 import { add, cross, scaled, subtract, tangents_of, unit, dot, type Vector } from "../math/frame.ts";
 import type { VerdictName } from "../scene/report.ts";
 import type { Scene } from "../scene/scene.ts";
-import { kLight, kPixelSize } from "./shader_parts.ts";
+import { kClip, kLight, kPixelSize } from "./shader_parts.ts";
 import type { SharedUniforms } from "./shared_uniforms.ts";
 import { shader_color, type ViewColors } from "./view_colors.ts";
 
@@ -57,15 +57,14 @@ export class SingularLines {
   constructor(scene: Scene, faults: FaultBall[], uniforms: SharedUniforms) {
     const tubes = tube_geometry(scene);
     const balls = ball_geometry(scene, faults);
-    // Drawn twice: as they are, and faintly where the cut or an opaque part hides them.
-    this.tubes = [false, true].map((hidden) => new Mesh(tubes, tube_material(uniforms, this.colors, hidden)));
-    this.balls = [false, true].map((hidden) => new Mesh(balls, ball_material(uniforms, this.colors, hidden)));
+    this.tubes = kPasses.map((pass) => new Mesh(tubes, tube_material(uniforms, this.colors, pass)));
+    this.balls = kPasses.map((pass) => new Mesh(balls, ball_material(uniforms, this.colors, pass)));
     for (const mesh of [...this.tubes, ...this.balls]) {
       mesh.frustumCulled = false;
       mesh.renderOrder = 2;
       this.group.add(mesh);
     }
-    this.tubes[1].renderOrder = this.balls[1].renderOrder = 8;
+    for (const later of [1, 2]) this.tubes[later].renderOrder = this.balls[later].renderOrder = 8;
   }
 
   recolor(colors: ViewColors): void {
@@ -119,27 +118,34 @@ function tube_geometry(scene: Scene): BufferGeometry {
   return geometry;
 }
 
-const kHiddenAlpha = "0.22";
+// Drawn as they are, faintly where the cut or an opaque part hides them, and more faintly in the half that is taken away.
+const kPasses = ["plain", "hidden", "taken"] as const;
+type Pass = (typeof kPasses)[number];
+const kAlpha: Record<Pass, string> = { plain: "1.0", hidden: "0.36", taken: "0.2" };
 
-function tube_material(uniforms: SharedUniforms, colors: { value: Vector3[] }, hidden: boolean): ShaderMaterial {
+const pass_state = (pass: Pass): { transparent: boolean; depthWrite: boolean; depthFunc: DepthModes } =>
+  ({ transparent: pass !== "plain", depthWrite: pass === "plain", depthFunc: pass === "hidden" ? GreaterDepth : LessEqualDepth });
+
+/** Leaves to each pass its half. */
+const pass_test = (pass: Pass): string => `if (${pass === "taken" ? "!" : ""}is_taken(world_point)) discard;`;
+
+function tube_material(uniforms: SharedUniforms, colors: { value: Vector3[] }, pass: Pass): ShaderMaterial {
   return new ShaderMaterial({
-    uniforms: { view_height: uniforms.view_height, lattice_unit: uniforms.lattice_unit, colors },
-    transparent: hidden,
-    depthWrite: !hidden,
-    depthFunc: hidden ? GreaterDepth : LessEqualDepth,
+    uniforms: { view_height: uniforms.view_height, cut: uniforms.cut, clip: uniforms.clip, colors },
+    ...pass_state(pass),
     vertexShader: /* glsl */ `
       in float kind;
       in float along;
-      uniform float lattice_unit;
       out vec3 view_normal;
       out float arc_kind;
       out float pattern_place;
+      out vec3 world_point;
       ${kPixelSize}
       void main() {
         vec4 view = modelViewMatrix * vec4(position, 1.0);
         float pixel = pixel_size_at(view);
-        // Constant on the screen, but never thinner than a sixth of a cell when looked at from close by.
-        float radius = max((kind > 2.5 ? 4.4 : 2.6) * pixel, 0.16 * lattice_unit);
+        float radius = (kind > 2.5 ? 4.4 : 2.6) * pixel;
+        world_point = position;
         view_normal = (modelViewMatrix * vec4(normal, 0.0)).xyz;
         arc_kind = kind;
         // Patterns repeat at powers of two of a length in the model, now 12 to 24 pixels: they do not swim with the camera.
@@ -152,8 +158,10 @@ function tube_material(uniforms: SharedUniforms, colors: { value: Vector3[] }, h
       in vec3 view_normal;
       in float arc_kind;
       in float pattern_place;
-      ${kLight}
+      in vec3 world_point;
+      ${kClip}${kLight}
       void main() {
+        ${pass_test(pass)}
         int kind = int(arc_kind + 0.5);
         vec3 color = colors[kind];
         float phase = fract(pattern_place);
@@ -163,7 +171,7 @@ function tube_material(uniforms: SharedUniforms, colors: { value: Vector3[] }, h
         if (kind == 2) band = max(step(phase, 0.12), step(abs(phase - 0.30), 0.06));
         if (kind == 3) band = step(phase, 0.5);
         color = mix(color, kind == 3 ? vec3(1.0) : color * 0.45, band * (kind == 3 ? 0.55 : 1.0));
-        gl_FragColor = vec4(color * light_on(view_normal), ${hidden ? kHiddenAlpha : "1.0"});
+        gl_FragColor = vec4(color * light_on(view_normal), ${kAlpha[pass]});
       }`,
   });
 }
@@ -180,23 +188,23 @@ function ball_geometry(scene: Scene, faults: FaultBall[]): InstancedBufferGeomet
   return geometry;
 }
 
-function ball_material(uniforms: SharedUniforms, colors: { value: Vector3[] }, hidden: boolean): ShaderMaterial {
+function ball_material(uniforms: SharedUniforms, colors: { value: Vector3[] }, pass: Pass): ShaderMaterial {
   return new ShaderMaterial({
-    uniforms: { view_height: uniforms.view_height, colors },
-    transparent: hidden,
-    depthWrite: !hidden,
-    depthFunc: hidden ? GreaterDepth : LessEqualDepth,
+    uniforms: { view_height: uniforms.view_height, cut: uniforms.cut, clip: uniforms.clip, colors },
+    ...pass_state(pass),
     vertexShader: /* glsl */ `
       in vec3 center;
       in float kind;
       out vec3 view_normal;
       out float ball_kind;
+      out vec3 world_point;
       ${kPixelSize}
       void main() {
         vec4 view = modelViewMatrix * vec4(center, 1.0);
         float pixels = kind > 1.5 ? 8.0 : kind > 0.5 ? 5.6 : 3.4;
         view_normal = position;
         ball_kind = kind;
+        world_point = center;
         // The ball is a little nearer than its centre, so that the ends of tubes do not stick out of it.
         vec4 moved = view + vec4(position * pixels * pixel_size_at(view), 0.0);
         gl_Position = projectionMatrix * moved;
@@ -205,10 +213,12 @@ function ball_material(uniforms: SharedUniforms, colors: { value: Vector3[] }, h
       uniform vec3 colors[6];
       in vec3 view_normal;
       in float ball_kind;
-      ${kLight}
+      in vec3 world_point;
+      ${kClip}${kLight}
       void main() {
+        ${pass_test(pass)}
         vec3 color = ball_kind > 2.5 ? colors[3] : ball_kind > 1.5 ? colors[5] : colors[4];
-        gl_FragColor = vec4(color * light_on(view_normal), ${hidden ? kHiddenAlpha : "1.0"});
+        gl_FragColor = vec4(color * light_on(view_normal), ${kAlpha[pass]});
       }`,
   });
 }
