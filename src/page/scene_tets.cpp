@@ -40,8 +40,7 @@ std::vector<float> energy_densities(const ShownField& field) {
     double energy = 0;
     for (std::size_t m = 0; m < values[0].size(); ++m) {
       Vector3 gradient{};
-      for (std::size_t k = 0; k < 3; ++k)
-        gradient += (values[tet[k + 1]][m] - values[tet[0]][m]) * areas[k];
+      for (std::size_t k = 0; k < 3; ++k) gradient += (values[tet[k + 1]][m] - values[tet[0]][m]) * areas[k];
       energy += 0.5 * dot(gradient, gradient) / (volume * volume);
     }
     energies.push_back(static_cast<float>(energy));
@@ -62,8 +61,7 @@ std::vector<float> alignments(const ShownField& field) {
     const std::uint32_t tet = solid.boundary_tets[k];
     const Vector3 area = area_of(solid.mesh.vertices, solid.boundary[k]);
     if (tet == kNoTet || norm(area) == 0) continue;
-    sums[tet] +=
-        norm(area) * angle_to_nearest_axis_deg(field.tet_field().tet_frames[tet], normalised(area));
+    sums[tet] += norm(area) * angle_to_nearest_axis_deg(field.tet_field().tet_frames[tet], normalised(area));
     areas[tet] += norm(area);
   }
   std::vector<float> result;
@@ -112,7 +110,8 @@ class SampledTets {
     std::array<std::int64_t, 3> first{}, last{};
     for (std::size_t k = 0; k < 4; ++k) corner[k] = mesh.vertices[mesh.tets[tet][k]];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto [low, high] = std::minmax({corner[0][axis], corner[1][axis], corner[2][axis], corner[3][axis]});
+      const auto [low, high] =
+          std::minmax({corner[0][axis], corner[1][axis], corner[2][axis], corner[3][axis]});
       first[axis] = std::max<std::int64_t>(0, static_cast<std::int64_t>((low - low_[axis]) / unit_));
       last[axis] = std::min(counts_[axis] - 1, static_cast<std::int64_t>((high - low_[axis]) / unit_));
     }
@@ -121,7 +120,8 @@ class SampledTets {
     for (std::int64_t z = first[2]; z <= last[2]; ++z)
       for (std::int64_t y = first[1]; y <= last[1]; ++y)
         for (std::int64_t x = first[0]; x <= last[0]; ++x) {
-          const std::array<double, 3> at{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+          const std::array<double, 3> at{static_cast<double>(x), static_cast<double>(y),
+                                         static_cast<double>(z)};
           Vector3 centre{};
           for (std::size_t axis = 0; axis < 3; ++axis)
             centre[axis] = low_[axis] + (at[axis] + 0.5) * unit_ - corner[0][axis];
@@ -152,9 +152,8 @@ double volume_of(const TetMesh& mesh) {
   return six / 6;
 }
 
-void add_sampled(const ShownField& field, const std::vector<float>& energies,
-                 const std::vector<float>& tilts, const Vector3& origin, std::size_t most,
-                 const Monitor& monitor, SceneWriter& scene) {
+void add_sampled(const ShownField& field, const std::vector<float>& energies, const std::vector<float>& tilts,
+                 const Vector3& origin, std::size_t most, const Monitor& monitor, SceneWriter& scene) {
   const TetMesh& mesh = field.tets().solid.mesh;
   double unit = std::cbrt(volume_of(mesh) / static_cast<double>(most));
   SampledTets sampled(mesh, field.tets().box, unit);
@@ -224,8 +223,8 @@ void add_boundary_numbers(const ShownField& field, const DrawnSurface& drawn, Sc
     if (norm(area) == 0) continue;
     for (const std::uint32_t vertex : solid.boundary[k]) {
       areas[vertex] += norm(area);
-      tilts[vertex] += norm(area) * angle_to_nearest_axis_deg(field.tet_field().vertex_frames[vertex],
-                                                              normalised(area));
+      tilts[vertex] +=
+          norm(area) * angle_to_nearest_axis_deg(field.tet_field().vertex_frames[vertex], normalised(area));
       if (solid.boundary_tets[k] != kNoTet) density[vertex] += norm(area) * energies[solid.boundary_tets[k]];
     }
   }
