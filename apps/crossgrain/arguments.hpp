@@ -50,8 +50,16 @@ struct StreamlinesArguments {
   bool quiet = false;
 };
 
+/// Which of the fields in a folder to show.
+enum class ShownPart {
+  kBest,  ///< that on the tets, if there are any
+  kTets,
+  kGrid,  ///< that from which the field on the tets started
+};
+
 struct RenderArguments {
   std::string field;
+  ShownPart shown = ShownPart::kBest;
   std::string output;  ///< PNG file; never empty
   bool is_output_named = false;
   PictureOptions options;

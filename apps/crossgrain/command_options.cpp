@@ -96,9 +96,11 @@ void add_looks(CLI::App& command, PictureOptions& options) {
              {{"none", PictureColour::kNone},
               {"alignment", PictureColour::kAlignment},
               {"energy", PictureColour::kEnergy},
-              {"class", PictureColour::kConstraint}},
-             "Colour the surface by its angle to the nearest axis, by energy density or by constraint class",
-             "none|alignment|energy|class");
+              {"class", PictureColour::kConstraint},
+              {"region", PictureColour::kRegion}},
+             "Colour the surface by its angle to the nearest axis, by energy density, by constraint class or "
+             "by region",
+             "none|alignment|energy|class|region");
   add_parsed(
       command, "--range", parse_range, [&options](const auto& range) { options.range = range; },
       "is not two numbers separated by a comma, the lower one first",
@@ -109,13 +111,15 @@ void add_looks(CLI::App& command, PictureOptions& options) {
       ->check(CLI::Range(0.0, 1.0))
       ->type_name("X");
   add_choice(command, "--frames", options.frames,
-             {{"boxes", PictureFrames::kBoxes},
+             {{"lines", PictureFrames::kLines},
+              {"boxes", PictureFrames::kBoxes},
               {"crosses", PictureFrames::kCrosses},
               {"none", PictureFrames::kNone}},
-             "Shape of the frames on the cut (default boxes)", "boxes|crosses|none");
+             "Frames on the cut: curves along their axes, or glyphs (default lines)",
+             "lines|boxes|crosses|none");
   command
       .add_option("--frame-spacing", options.frame_spacing,
-                  "Distance between frames on the cut, in pixels of a picture 1200 high (default 30)")
+                  "Distance between frames on the cut, in pixels of a picture 1200 high (default 34)")
       ->check(CLI::Range(4.0, 1000.0))
       ->type_name("X");
   add_choice(command, "--background", options.background,
@@ -300,6 +304,9 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
       ->type_name("");
   command->add_option("-o,--output", arguments.output, "PNG file to write (default: DIR-stem.png here)")
       ->type_name("FILE");
+  add_choice(*command, "--field", arguments.shown, {{"tets", ShownPart::kTets}, {"grid", ShownPart::kGrid}},
+             "Draw the field on the tets (default if there are any), or on the grid from which it started",
+             "tets|grid");
   command->add_flag("--streamlines", arguments.streamlines,
                     "Also draw the lines that 'crossgrain streamlines' has written to the folder");
   add_parsed(
@@ -308,14 +315,10 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
       "is not a size such as 1600x1200", "Width and height in pixels (default 1600x1200)")
       ->type_name("WxH");
   add_parsed(
-      *command, "--view", parse_view,
-      [&options](const auto& angles) {
-        options.azimuth_deg = angles[0];
-        options.elevation_deg = angles[1];
-      },
+      *command, "--view", parse_view, [&options](const PictureOptions::View& view) { options.view = view; },
       "is not a view: iso, front, back, left, right, top, bottom, or azimuth and elevation such as -55,28",
-      "Viewpoint: iso (default), front, back, left, right, top, bottom, or degrees about z from x and "
-      "degrees above the xy plane")
+      "Viewpoint: iso, front, back, left, right, top, bottom, or degrees about z from x and degrees above "
+      "the xy plane (default: iso, or towards the cut)")
       ->type_name("NAME|A,E");
   add_choice(*command, "--up", options.up_axis, std::map<std::string, int>{{"x", 0}, {"y", 1}, {"z", 2}},
              "The axis of the model that points up (default z)", "x|y|z");

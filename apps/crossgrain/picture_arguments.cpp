@@ -35,15 +35,14 @@ std::optional<std::array<int, 2>> parse_size(const std::string& text) {
   return parse_pair<int>(text, 'x');
 }
 
-std::optional<std::array<double, 2>> parse_view(const std::string& text) {
+std::optional<PictureOptions::View> parse_view(const std::string& text) {
   if (const auto angles = parse_pair<double>(text, ',')) {
     const bool is_view = std::isfinite((*angles)[0]) && std::abs((*angles)[1]) <= 90;
-    return is_view ? angles : std::nullopt;
+    if (!is_view) return std::nullopt;
+    return PictureOptions::View{(*angles)[0], (*angles)[1]};
   }
   try {
-    PictureOptions options;
-    set_view(options, text);
-    return std::array{options.azimuth_deg, options.elevation_deg};
+    return view_named(text);
   } catch (const Error&) {
     return std::nullopt;
   }

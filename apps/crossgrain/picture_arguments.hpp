@@ -14,7 +14,7 @@ namespace crossgrain::app {
 std::optional<std::array<int, 2>> parse_size(const std::string& text);
 
 /// A view by name, such as "iso", or azimuth and elevation in degrees as "-55,28".
-std::optional<std::array<double, 2>> parse_view(const std::string& text);
+std::optional<PictureOptions::View> parse_view(const std::string& text);
 
 /// A cut across an axis as "x", or with its place as "x=12.5"; "none" for no cut.
 std::optional<std::optional<PictureOptions::Cut>> parse_cut(const std::string& text);

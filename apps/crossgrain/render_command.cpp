@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
@@ -37,12 +38,22 @@ std::vector<std::vector<Vector3>> streamlines_in(const std::filesystem::path& fo
 
 void draw(const RenderArguments& arguments, const Monitor& monitor) {
   const std::filesystem::path folder = arguments.field;
-  const FrameField field = read_field(folder);
-  const SingularityGraph singularities = read_singularities(folder / kSingularityFile);
-  PictureCurves curves{&singularities, {}};
+  const bool has_tets = std::filesystem::exists(folder / kTetSingularityFile);
+  if (arguments.shown == ShownPart::kTets && !has_tets)
+    throw Error(ErrorKind::kUsage, {arguments.field, "", "has no field on tets; leave out --field tets"});
+  const bool draws_tets = has_tets && arguments.shown != ShownPart::kGrid;
+  const SingularityGraph lines =
+      read_singularities(folder / (draws_tets ? kTetSingularityFile : kSingularityFile));
+  PictureCurves curves{&lines, {}};
   if (arguments.streamlines) curves.streamlines = streamlines_in(folder);
-  naming(arguments.field,
-         [&] { render_picture(field, arguments.output, arguments.options, curves, monitor); });
+  const auto render = [&](const auto& field) {
+    naming(arguments.field,
+           [&] { render_picture(field, arguments.output, arguments.options, curves, monitor); });
+  };
+  if (!draws_tets) return render(read_field(folder));
+  const std::optional<TetFrameField> field = read_tet_field(folder);
+  if (!field) throw Error(ErrorKind::kInput, {arguments.field, "", "lacks its tets", Remedy::kSolveAgain});
+  render(*field);
 }
 
 }  // namespace

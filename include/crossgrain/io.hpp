@@ -117,8 +117,9 @@ std::vector<OutputFormat> output_formats();
 /// Name of the page in the folder of a field (crossgrain/page.hpp).
 inline constexpr const char* kPageFile = "report.html";
 
-/// Name of the file with the singular lines of the grid in the folder of a field.
+/// Names of the files with the singular lines of the grid, and of the tets, in the folder of a field.
 inline constexpr const char* kSingularityFile = "singularities.vtu";
+inline constexpr const char* kTetSingularityFile = "onto_singularities.vtu";
 
 /// Takes the next bytes of a file.
 using ByteSink = std::function<void(std::string_view bytes)>;

@@ -18,24 +18,30 @@ namespace crossgrain {
 /// What the surface is coloured by.
 enum class PictureColour {
   kNone,        ///< one colour for all of it
-  kAlignment,   ///< mean angle between the normal and the nearest axis, degrees
+  kAlignment,   ///< angle between the normal and the nearest axis, degrees
   kEnergy,      ///< smoothness energy per volume, on a logarithmic scale
-  kConstraint,  ///< class of the constraints (CellConstraint)
+  kConstraint,  ///< class of the constraints (CellConstraint); only for a field on a grid
+  kRegion,      ///< the solid or region, of several
 };
 
 enum class PictureBackground { kLight, kDark, kTransparent };
 
-/// How frames on the cut are drawn.
-enum class PictureFrames { kBoxes, kCrosses, kNone };
+/// How frames on the cut are drawn: as curves along the axes in the plane, or as glyphs that stand on it.
+enum class PictureFrames { kLines, kBoxes, kCrosses, kNone };
 
 /// Content and view of a picture. The defaults show the whole part, translucent, with its singular lines.
 struct PictureOptions {
   /// Size in pixels, 64 to 10000 each and at most 64 million in all.
   int width = 1600, height = 1200;
 
-  /// Position of the viewer in degrees: about +z from +x towards +y, and above the xy plane (-90 to 90). The
-  /// projection is parallel with z upright. The default looks from the front, above and the right.
-  double azimuth_deg = -55, elevation_deg = 28;
+  /// Position of the viewer in degrees. The projection is parallel with z upright.
+  struct View {
+    double azimuth_deg;    ///< about +z from +x towards +y
+    double elevation_deg;  ///< above the xy plane, -90 to 90
+  };
+
+  /// By default from the front, above and the right (-55, 28), or nearly at right angles to a cut.
+  std::optional<View> view;
 
   /// Axis of the model that points up: 0 x, 1 y, 2 z. The angles above treat it as z. With y up, the front is
   /// the side seen from +z; with x up, the side seen from -z, with y to the right.
@@ -47,7 +53,8 @@ struct PictureOptions {
   /// default.
   std::optional<std::array<double, 2>> range;
 
-  /// A plane across an axis. The part in front of it is removed and the frames on it are drawn.
+  /// A plane across an axis. The part in front of it is removed, the rest fills the picture, and the frames
+  /// on the plane are drawn.
   struct Cut {
     int axis = 0;  ///< 0 x, 1 y, 2 z
 
@@ -56,11 +63,11 @@ struct PictureOptions {
   };
   std::optional<Cut> cut;
 
-  PictureFrames frames = PictureFrames::kBoxes;
+  PictureFrames frames = PictureFrames::kLines;
 
-  /// Distance between frames on the cut, in pixels of a picture 1200 high; larger pictures show as many
-  /// frames.
-  double frame_spacing = 30;
+  /// Distance between curves or frames on the cut, in pixels of a picture 1200 high; larger pictures show as
+  /// many frames.
+  double frame_spacing = 34;
 
   bool lines = true;    ///< singular lines and their nodes
   bool creases = true;  ///< sharp edges of the part
@@ -72,9 +79,9 @@ struct PictureOptions {
   PictureBackground background = PictureBackground::kLight;
 };
 
-/// Sets both angles for a named view: iso, front, back, left, right, top or bottom. The front is the side
-/// seen from -y, with x to the right. Throws Error(kUsage) for any other name.
-void set_view(PictureOptions& options, const std::string& name);
+/// The view of a name: iso, front, back, left, right, top or bottom. The front is the side seen from -y, with
+/// x to the right. Throws Error(kUsage) for any other name.
+PictureOptions::View view_named(const std::string& name);
 
 /// Curves to draw that are not part of the field.
 struct PictureCurves {

@@ -20,7 +20,9 @@ struct TetField;
 /// Immutable and cheap to copy; all members are safe to call from any number of threads.
 class TetFrameField {
  public:
-  TetFrameField(FrameField grid, TetDomain domain, std::shared_ptr<const TetField> field, SolveReport report);
+  /// Lines that are null are computed on demand.
+  TetFrameField(FrameField grid, TetDomain domain, std::shared_ptr<const TetField> field, SolveReport report,
+                std::shared_ptr<const SingularityGraph> lines = nullptr);
 
   const FrameField& grid() const { return grid_; }
   const TetDomain& domain() const { return domain_; }
@@ -59,6 +61,9 @@ class TetFrameField {
   TetDomain domain_;
   std::shared_ptr<const TetField> field_;
   std::shared_ptr<const SolveReport> report_;
+
+  struct Lines;
+  std::shared_ptr<Lines> lines_;
 };
 
 }  // namespace crossgrain

@@ -6,7 +6,8 @@
 
 namespace crossgrain {
 
-/// Colours of axes named x, y and z, 0xRRGGBB: those of the axis cross, in tones that singular lines lack.
-inline constexpr std::array<std::uint32_t, 3> kAxisColours{0xc8423b, 0x5f9e3a, 0x4a6fd0};
+/// Colours of axes named x, y and z, 0xRRGGBB: red, green and indigo, none of which is the
+/// colour of a singular line.
+inline constexpr std::array<std::uint32_t, 3> kAxisColours{0xc8423b, 0x5f9e3a, 0x3d3a9e};
 
 }  // namespace crossgrain

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "display/shown_field.hpp"
 
+#include <algorithm>
+
 #include "crossgrain/error.hpp"
+#include "tets/inner_walls.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
@@ -14,17 +18,34 @@ std::shared_ptr<const SolvedSurface> surface_of(const FieldData& field) {
   return surface;
 }
 
+/// The face of a tet with these vertices, outward.
+std::array<std::uint32_t, 3> outward(const std::array<std::uint32_t, 4>& tet,
+                                     const std::array<std::uint32_t, 3>& face) {
+  for (const auto& corners : kFaceCorners) {
+    const std::array<std::uint32_t, 3> own{tet[corners[0]], tet[corners[1]], tet[corners[2]]};
+    if (std::is_permutation(own.begin(), own.end(), face.begin())) return own;
+  }
+  return face;
+}
+
+void add_regions(const TetSolid& solid, SolvedSurface& surface) {
+  if (!has_several_regions(solid.mesh)) return;
+  const std::vector<std::int32_t>& regions = solid.mesh.regions;
+  surface.regions = regions_of_boundary(solid);
+  for (const auto& [vertices, tets] : solid.inner_faces) {
+    if (tets[1] == kNoTet || regions[tets[0]] == regions[tets[1]]) continue;
+    surface.interfaces.push_back(outward(solid.mesh.tets[tets[0]], vertices));
+    surface.interface_regions.push_back({regions[tets[0]], regions[tets[1]]});
+  }
+}
+
 /// The boundary of the tets, with the creases of the solve and the faces between regions.
 std::shared_ptr<const SolvedSurface> boundary_of(const TetSolid& solid, const FieldData& grid) {
   auto surface = std::make_shared<SolvedSurface>();
   surface->vertices = solid.mesh.vertices;
   surface->triangles = solid.boundary;
   if (const auto solved = grid.surface.get()) surface->creases = solved->creases;
-  for (const TetSolid::InnerFace& face : solid.inner_faces) {
-    if (solid.mesh.regions.empty() || face.tets[1] == kNoTet) continue;
-    if (solid.mesh.regions[face.tets[0]] != solid.mesh.regions[face.tets[1]])
-      surface->interfaces.push_back(face.vertices);
-  }
+  add_regions(solid, *surface);
   return surface;
 }
 

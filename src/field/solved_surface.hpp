@@ -20,8 +20,13 @@ struct SolvedSurface {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< the outer surface, oriented outwards
   std::vector<std::vector<Vector3>> creases;  ///< polylines of 2 or more points; closed ones repeat the first
 
-  /// Faces between solids, each once, with either side first.
+  /// Faces between solids, each once, outward from the first of its two solids.
   std::vector<std::array<std::uint32_t, 3>> interfaces = {};
+
+  /// The solid of each triangle and the two of each interface (TriangleMesh::solids); `regions` is empty if
+  /// there is only one solid or earlier versions wrote the file.
+  std::vector<std::int32_t> regions = {};
+  std::vector<std::array<std::int32_t, 2>> interface_regions = {};
 };
 
 /// A surface in memory, or one that is read from a file when it is first needed: most users of a field do not

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "picture/mark_shapes.hpp"
 #include "picture/singular_lines.hpp"
 
 namespace crossgrain {
@@ -28,12 +29,11 @@ void for_each_kind(const SolveReport& report, const Act& act) {
 
 }  // namespace
 
-std::vector<Ball> answer_marks(const SolveReport& report, double radius) {
-  std::vector<Ball> balls;
+void answer_marks(const SolveReport& report, double radius, std::vector<Facet>& facets) {
+  constexpr double kSide = 1.7;  // of a cube about as large as a ball of radius 1
   for_each_kind(report, [&](const FaultLook& look, const char*, const std::vector<Vector3>& places) {
-    for (const Vector3& place : places) balls.push_back({place, look.size * radius, look.colour});
+    for (const Vector3& place : places) add_cube(place, kSide * look.size * radius, look.colour, facets);
   });
-  return balls;
 }
 
 LegendBlock answer_legend(const SolveReport& report, bool has_marks) {
@@ -42,7 +42,7 @@ LegendBlock answer_legend(const SolveReport& report, bool has_marks) {
   for_each_kind(report, [&](const FaultLook& look, const char* name, const std::vector<Vector3>& places) {
     if (!places.empty())
       block.signs.push_back(
-          {Sign::Shape::kBall, look.colour, fmt::format("{}, {} ({})", name, look.words, places.size())});
+          {Sign::Shape::kCube, look.colour, fmt::format("{}, {} ({})", name, look.words, places.size())});
   });
   return block;
 }

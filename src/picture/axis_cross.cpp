@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "display/axis_colours.hpp"
 #include "picture/font.hpp"
 
 namespace crossgrain {
 namespace {
 
-constexpr std::array<Colour, 3> kAxisColours{colour_of(0xc8433b), colour_of(0x3c8f46), colour_of(0x3566b8)};
 constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
 
 }  // namespace
@@ -26,7 +26,7 @@ void draw_axis_cross(Canvas& canvas, const ViewAxes& axes, double x, double y, d
   const Font& font = Font::sans();
   for (const std::size_t k : order) {
     const double right = axes.right[k] * reach, up = axes.up[k] * reach, length = std::hypot(right, up);
-    canvas.line(x, y, x + right, y - up, 0.075 * reach, kAxisColours[k]);
+    canvas.line(x, y, x + right, y - up, 0.075 * reach, colour_of(kAxisColours[k]));
     constexpr double kSeenFromItsEnd = 0.1;
     if (length < kSeenFromItsEnd * reach) continue;
     const double text_x = x + right + 0.28 * reach * right / length,

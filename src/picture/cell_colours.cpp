@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "picture/cell_colours.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,11 +13,7 @@
 namespace crossgrain {
 namespace {
 
-/// Distance of sampled points from the surface, as a share of the smallest cell size: enough for single
-/// precision, too little to leave the cell.
-constexpr double kInwards = 0.02;
-
-/// Share of the cells at the surface that is within the scale; numbers above it have the colour of its end.
+/// Share of the surface that is within the scale; numbers above it have the colour of its end.
 constexpr double kWithinScale = 0.99;
 
 /// Smallest range of a scale of angles, in degrees: below it, a field follows its surface.
@@ -23,6 +21,14 @@ constexpr double kLeastAngles = 5;
 
 /// Largest number of powers of ten on a logarithmic scale.
 constexpr double kMostDecades = 4;
+
+/// Tones for regions that no line, axis or class has, in the order of region numbers; they repeat.
+constexpr std::array<Colour, 10> kRegionColours{
+    colour_of(0xc9b48f), colour_of(0x8fb3b5), colour_of(0xb9a3c4), colour_of(0xa9bd8c), colour_of(0xd4a594),
+    colour_of(0x8d9dbb), colour_of(0xd9cf8a), colour_of(0x9c8f86), colour_of(0xc9bfd9), colour_of(0x7d9c8c)};
+
+/// Most regions with a line of their own in the legend.
+constexpr std::size_t kMostNamed = 10;
 
 struct ClassLook {
   const char* text;
@@ -42,86 +48,161 @@ std::string unit_of_density(const std::string& unit) {
   return unit.empty() ? "length⁻²" : unit + "⁻²";
 }
 
+/// Ascending samples, without those that have no number or, on a logarithmic scale, no logarithm.
+std::vector<SurfaceNumbers::Sample> sorted_samples(const SurfaceNumbers& numbers, bool is_logarithmic) {
+  std::vector<SurfaceNumbers::Sample> samples = numbers.samples();
+  std::erase_if(samples, [&](const auto& sample) {
+    return !std::isfinite(sample.number) || (is_logarithmic && sample.number <= 0);
+  });
+  if (samples.empty()) samples.push_back({1, 1});
+  std::sort(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
+  return samples;
+}
+
+/// The smallest number that this share of the surface does not exceed.
+double percentile(const std::vector<SurfaceNumbers::Sample>& sorted, double share) {
+  double all = 0, area = 0;
+  for (const auto& sample : sorted) all += sample.area;
+  for (const auto& sample : sorted)
+    if ((area += sample.area) >= share * all) return sample.number;
+  return sorted.back().number;
+}
+
 }  // namespace
 
-CellColours::CellColours(const FieldData& field, const PictureOptions& options)
+CellColours::CellColours(const ShownField& field, const PictureOptions& options)
     : field_(field),
-      finder_(field.tree),
+      finder_(field.grid().tree),
       what_(options.colour),
       map_(options.colour != PictureColour::kEnergy         ? ColourMap::heat()
            : options.background == PictureBackground::kDark ? ColourMap::dawn()
                                                             : ColourMap::dusk()) {
-  if (what_ == PictureColour::kConstraint && field.constraints.empty())
-    throw Error(ErrorKind::kInput,
-                "the field has no array 'constraint_class' (earlier versions did not write it)",
-                Remedy::kSolveAgain);
-  int deepest = 0;
-  for (const CellAddress leaf : field.tree.leaves()) deepest = std::max(deepest, leaf.depth());
-  inwards_ = kInwards * field.tree.root().cell_size(deepest);
-  choose_scale(options);
+  if (what_ == PictureColour::kConstraint) {
+    if (field.is_on_tets())
+      throw Error(ErrorKind::kUsage,
+                  "a field on tets has no classes of constraints; draw the grid from which it started");
+    if (field.grid().constraints.empty())
+      throw Error(ErrorKind::kInput,
+                  "the field has no array 'constraint_class' (earlier versions did not write it)",
+                  Remedy::kSolveAgain);
+    boundary_.emplace(field.grid());
+  }
+  if (what_ == PictureColour::kAlignment) numbers_.emplace(field, SurfaceNumber::kAlignment);
+  if (what_ == PictureColour::kEnergy) numbers_.emplace(field, SurfaceNumber::kEnergy);
+  if (numbers_) choose_scale(options);
+  if (what_ == PictureColour::kRegion) choose_regions(options);
 }
 
 void CellColours::choose_scale(const PictureOptions& options) {
-  if (what_ != PictureColour::kAlignment && what_ != PictureColour::kEnergy) return;
   scale_.is_logarithmic = what_ == PictureColour::kEnergy;
-  const auto& numbers = scale_.is_logarithmic ? field_.energy_density : field_.alignment_deg;
-  std::vector<float> shown;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (field_.on_boundary[i] != 0 && numbers[i] > 0 && std::isfinite(numbers[i]))
-      shown.push_back(numbers[i]);
-  if (shown.empty()) shown.push_back(1);
-  const auto at =
-      shown.begin() + static_cast<std::ptrdiff_t>(kWithinScale * static_cast<double>(shown.size() - 1));
-  std::nth_element(shown.begin(), at, shown.end());
-  const double most = *std::max_element(at, shown.end()), high = *at;
+  const auto samples = sorted_samples(*numbers_, scale_.is_logarithmic);
+  const double high = percentile(samples, kWithinScale);
   if (scale_.is_logarithmic) {
     scale_.high = std::pow(10.0, std::ceil(std::log10(high) - 1e-9));
-    const double least = *std::min_element(shown.begin(), shown.end());
-    scale_.low =
-        std::pow(10.0, std::max(std::floor(std::log10(least)), std::log10(scale_.high) - kMostDecades));
+    scale_.low = std::pow(10.0, std::max(std::floor(std::log10(samples.front().number)),
+                                         std::log10(scale_.high) - kMostDecades));
     scale_.low = std::min(scale_.low, scale_.high / 10);
   } else {
     scale_.high = round_up(std::max(high, kLeastAngles));
   }
   if (options.range) scale_.low = (*options.range)[0], scale_.high = (*options.range)[1];
-  goes_on_ = most > scale_.high;
+  goes_on_ = samples.back().number > scale_.high;
+}
+
+void CellColours::choose_regions(const PictureOptions& options) {
+  const SolvedSurface& surface = field_.surface();
+  const FieldData& grid = field_.grid();
+  if (!field_.is_on_tets() && surface.regions.empty() && !grid.regions.empty())
+    throw Error(ErrorKind::kInput,
+                "the field has no regions of its surface (earlier versions did not write them)",
+                Remedy::kSolveAgain);
+  std::vector<SolveReport::Region> listed = field_.report().regions;
+  if (surface.regions.empty() || listed.empty())
+    throw Error(ErrorKind::kUsage, "the field has only one region");
+  for (const SolveReport::Region& region : listed)
+    regions_.push_back(static_cast<std::int32_t>(region.region));
+  if (!options.cut || field_.is_on_tets()) return;
+  // Of solids that overlap, the smallest counts.
+  std::stable_sort(listed.begin(), listed.end(),
+                   [](const auto& a, const auto& b) { return a.volume < b.volume; });
+  std::vector<std::int32_t> by_volume;
+  for (const SolveReport::Region& region : listed)
+    by_volume.push_back(static_cast<std::int32_t>(region.region));
+  const auto axis = static_cast<std::size_t>(options.cut->axis);
+  const Box box = grid.report.model.bounding_box;
+  sections_.emplace(surface, by_volume, axis,
+                    options.cut->position.value_or(0.5 * (box.low[axis] + box.high[axis])));
 }
 
 CellIndex CellColours::leaf_at(const Vector3& point) const {
-  const auto cell = field_.tree.root().locate(point);
+  const auto cell = field_.grid().tree.root().locate(point);
   return cell ? finder_.containing(*cell) : kNoCell;
 }
 
-Colour CellColours::of_leaf(CellIndex leaf) const {
+Colour CellColours::of_number(double number) const {
+  return std::isfinite(number) ? map_.at(scale_.share_of(number)) : kPlainPart;
+}
+
+Colour CellColours::of_region(std::int32_t region) const {
+  const auto place = std::lower_bound(regions_.begin(), regions_.end(), region) - regions_.begin();
+  return kRegionColours[static_cast<std::size_t>(place) % kRegionColours.size()];
+}
+
+Colour CellColours::class_at(const MeshPoint& point) const {
+  const CellIndex leaf = boundary_->beside(point.place, point.normal).leaf;
+  if (leaf == kNoCell) return kPlainPart;
+  return kClasses[static_cast<std::size_t>(field_.grid().constraints[leaf])].colour;
+}
+
+Colour CellColours::on_surface(const MeshPoint& point) const {
   switch (what_) {
     case PictureColour::kAlignment:
-      return map_.at(scale_.share_of(field_.alignment_deg[leaf]));
     case PictureColour::kEnergy:
-      return map_.at(scale_.share_of(field_.energy_density[leaf]));
+      return of_number(numbers_->at({point.place, point.triangle, point.u, point.v}));
     case PictureColour::kConstraint:
-      return kClasses[static_cast<std::size_t>(field_.constraints[leaf])].colour;
+      return class_at(point);
+    case PictureColour::kRegion:
+      return of_region(field_.surface().regions[point.triangle]);
     case PictureColour::kNone:
       break;
   }
   return kPlainPart;
 }
 
-Colour CellColours::on_surface(const MeshPoint& point) const {
-  // A surface between two layers of cells is in only one of them.
-  CellIndex found = kNoCell;
-  for (const double way : {-inwards_, inwards_}) {
-    const CellIndex leaf = leaf_at(point.place + way * point.normal);
-    if (leaf == kNoCell) continue;
-    if (field_.on_boundary[leaf] != 0) return of_leaf(leaf);
-    if (found == kNoCell) found = leaf;
-  }
-  return found == kNoCell ? kPlainPart : of_leaf(found);
-}
-
 std::optional<Colour> CellColours::on_cut(const Vector3& point, bool is_enclosed) const {
   const CellIndex leaf = leaf_at(point);
-  if (leaf == kNoCell || (field_.on_boundary[leaf] != 0 && !is_enclosed)) return std::nullopt;
-  return what_ == PictureColour::kEnergy ? of_leaf(leaf) : colour_of(0xe4e9ee);
+  if (leaf == kNoCell || (field_.grid().on_boundary[leaf] != 0 && !is_enclosed)) return std::nullopt;
+  if (what_ == PictureColour::kEnergy) return of_number(numbers_->energy_at(point));
+  if (what_ == PictureColour::kRegion)
+    return of_region(sections_->at(point).value_or(field_.grid().regions[leaf]));
+  return kPlainCut;
+}
+
+Colour CellColours::of_tet(std::uint32_t tet) const {
+  if (what_ == PictureColour::kEnergy) return of_number(numbers_->energy_of_tet(tet));
+  if (what_ == PictureColour::kRegion) return of_region(field_.tets().solid.mesh.regions[tet]);
+  return kPlainCut;
+}
+
+LegendBlock CellColours::class_legend() const {
+  LegendBlock block{"Surface constraints"};
+  std::array<bool, kCellConstraintCount> is_there{};
+  for (const CellConstraint constraint : field_.grid().constraints)
+    is_there[static_cast<std::size_t>(constraint)] = true;
+  for (std::size_t i = 1; i < kClasses.size(); ++i)
+    if (is_there[i]) block.signs.push_back({Sign::Shape::kBox, kClasses[i].colour, kClasses[i].text});
+  return block;
+}
+
+LegendBlock CellColours::region_legend() const {
+  LegendBlock block{fmt::format("Regions ({})", regions_.size())};
+  const std::size_t named = regions_.size() > kMostNamed ? kMostNamed - 1 : regions_.size();
+  for (std::size_t i = 0; i < named; ++i)
+    block.signs.push_back({Sign::Shape::kBox, of_region(regions_[i]), fmt::format("{}", regions_[i])});
+  if (named < regions_.size())
+    block.signs.push_back({Sign::Shape::kBox, kRegionColours[named % kRegionColours.size()],
+                           fmt::format("and {} more, colours repeat", regions_.size() - named)});
+  return block;
 }
 
 std::optional<LegendBlock> CellColours::legend() const {
@@ -129,17 +210,12 @@ std::optional<LegendBlock> CellColours::legend() const {
     case PictureColour::kAlignment:
       return LegendBlock{"Surface to axis", "°", ColourBar{map_, scale_, goes_on_}};
     case PictureColour::kEnergy:
-      return LegendBlock{"Energy density", unit_of_density(field_.report.model.unit),
+      return LegendBlock{"Energy density", unit_of_density(field_.report().model.unit),
                          ColourBar{map_, scale_, goes_on_}};
-    case PictureColour::kConstraint: {
-      LegendBlock block{"Surface constraints"};
-      std::array<bool, kCellConstraintCount> is_there{};
-      for (const CellConstraint constraint : field_.constraints)
-        is_there[static_cast<std::size_t>(constraint)] = true;
-      for (std::size_t i = 1; i < kClasses.size(); ++i)
-        if (is_there[i]) block.signs.push_back({Sign::Shape::kBox, kClasses[i].colour, kClasses[i].text});
-      return block;
-    }
+    case PictureColour::kConstraint:
+      return class_legend();
+    case PictureColour::kRegion:
+      return region_legend();
     case PictureColour::kNone:
       break;
   }

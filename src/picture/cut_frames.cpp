@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "picture/cut_frames.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
+
+#include "display/axis_colours.hpp"
 
 namespace crossgrain {
 namespace {
@@ -24,6 +27,10 @@ constexpr std::array<std::array<std::uint32_t, 3>, 12> kBoxTriangles{{{0, 2, 3},
                                                                       {0, 6, 2},
                                                                       {1, 3, 7},
                                                                       {1, 7, 5}}};
+
+/// The triangles of the two sides across each axis.
+constexpr std::array<std::array<std::size_t, 4>, 3> kTrianglesAcross{
+    {{8, 9, 10, 11}, {4, 5, 6, 7}, {0, 1, 2, 3}}};
 
 /// Points of a plane at least `spacing` apart, less rounding.
 class PlacedApart {
@@ -65,31 +72,47 @@ class PlacedApart {
 
 }  // namespace
 
-DrawnMesh frame_boxes(const std::vector<PlacedFrame>& frames, double side, const Colour& colour) {
-  DrawnMesh mesh;
-  mesh.is_whole = true;
-  mesh.colour = colour;
+std::vector<DrawnMesh> frame_boxes(const std::vector<PlacedFrame>& frames, double side,
+                                   const Vector3& normal) {
+  std::vector<DrawnMesh> meshes(3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    meshes[k].is_whole = true;
+    meshes[k].colour = colour_of(kAxisColours[k]);
+  }
   for (const PlacedFrame& placed : frames) {
     const auto axes = axes_of(placed.frame);
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (int corner = 0; corner < 8; ++corner) {
-      Vector3 vertex = placed.place;
-      for (std::size_t k = 0; k < 3; ++k) vertex += (corner >> k & 1 ? 0.5 : -0.5) * side * axes[k];
-      mesh.vertices.push_back(vertex);
+    double height = 0;
+    for (const Vector3& axis : axes) height += 0.5 * side * std::abs(dot(axis, normal));
+    for (std::size_t across = 0; across < 3; ++across) {
+      DrawnMesh& mesh = meshes[placed.names[across]];
+      const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+      for (int corner = 0; corner < 8; ++corner) {
+        Vector3 vertex = placed.place + height * normal;
+        for (std::size_t k = 0; k < 3; ++k) vertex += (corner >> k & 1 ? 0.5 : -0.5) * side * axes[k];
+        mesh.vertices.push_back(vertex);
+      }
+      for (const std::size_t k : kTrianglesAcross[across]) {
+        const auto& [a, b, c] = kBoxTriangles[k];
+        mesh.triangles.push_back({first + a, first + b, first + c});
+      }
     }
-    for (const auto& [a, b, c] : kBoxTriangles) mesh.triangles.push_back({first + a, first + b, first + c});
   }
-  return mesh;
+  return meshes;
 }
 
-DrawnRods frame_crosses(const std::vector<PlacedFrame>& frames, double length, const Colour& colour) {
-  constexpr double kThickness = 0.13;
+DrawnRods frame_crosses(const std::vector<PlacedFrame>& frames, double length, const Vector3& normal) {
+  constexpr double kThickness = 0.15;
   DrawnRods drawn;
   drawn.is_whole = true;
   for (const PlacedFrame& placed : frames) {
-    for (const Vector3& axis : axes_of(placed.frame)) {
-      const Vector3 half = (0.5 * length) * axis;
-      drawn.rods.push_back({placed.place - half, placed.place + half, 0.5 * kThickness * length, colour});
+    const auto axes = axes_of(placed.frame);
+    double height = 0;
+    for (const Vector3& axis : axes) height = std::max(height, 0.5 * length * std::abs(dot(axis, normal)));
+    const Vector3 middle = placed.place + height * normal;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3 half = (0.5 * length) * axes[k];
+      drawn.rods.push_back({middle - half, middle + half, 0.5 * kThickness * length,
+                            colour_of(kAxisColours[placed.names[k]])});
     }
   }
   return drawn;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/quaternion.hpp"
+#include "display/axis_names.hpp"
 #include "picture/drawing.hpp"
 
 namespace crossgrain {
@@ -13,13 +14,16 @@ namespace crossgrain {
 struct PlacedFrame {
   Vector3 place;
   Quaternion frame;
+  AxisNames names;
 };
 
-/// Boxes along the axes of frames, `side` long, model units.
-DrawnMesh frame_boxes(const std::vector<PlacedFrame>& frames, double side, const Colour& colour);
+/// Boxes along the axes of frames, `side` long, model units, that stand on a plane on the side of `normal`.
+/// The sides across an axis have its colour: one mesh for each of x, y and z.
+std::vector<DrawnMesh> frame_boxes(const std::vector<PlacedFrame>& frames, double side,
+                                   const Vector3& normal);
 
-/// Three rods along the axes of frames, `length` long.
-DrawnRods frame_crosses(const std::vector<PlacedFrame>& frames, double length, const Colour& colour);
+/// Rods along the axes of frames, `length` long, in the colours of the axes, that stand on the plane.
+DrawnRods frame_crosses(const std::vector<PlacedFrame>& frames, double length, const Vector3& normal);
 
 /// Positions at least `spacing` apart on the plane normal to coordinate axis `axis` at `position`, within
 /// `box`, for which `is_wanted` is true: in rows, and wherever else there is room, as in thin walls.

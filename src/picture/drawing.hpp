@@ -18,6 +18,7 @@ struct MeshPoint {
   Vector3 place;
   Vector3 normal;  ///< unit normal of the triangle, by the right-hand rule
   std::uint32_t triangle;
+  float u, v;  ///< barycentric coordinates of the triangle's second and third corner
 };
 
 /// Triangles of one look. They are more opaque at a grazing angle, as glass is, so that a translucent part
@@ -52,6 +53,7 @@ struct Rod {
   Vector3 from, to;
   double radius;  ///< model units
   Colour colour;
+  double end_radius = 0;  ///< at `to`; 0 if it is the same
 };
 
 struct Ball {
@@ -60,12 +62,18 @@ struct Ball {
   Colour colour;
 };
 
+/// A triangle of a small opaque solid, counter-clockwise seen from outside.
+struct Facet {
+  std::array<Vector3, 3> corners;  ///< model units
+  Colour colour;
+};
+
 enum class RodLook {
   kSolid,  ///< round, with a dark rim, and visible through everything: never dimmed by much
   kInk     ///< a line in one colour
 };
 
-/// Rods and balls of one look.
+/// Rods, balls and facets of one look.
 struct DrawnRods {
   RodLook look = RodLook::kSolid;
   std::vector<Rod> rods;
@@ -73,6 +81,8 @@ struct DrawnRods {
 
   /// Whether a section leaves them uncut.
   bool is_whole = false;
+
+  std::vector<Facet> facets = {};
 };
 
 /// A plane across the picture: removes everything in front of it and shows what it cuts.

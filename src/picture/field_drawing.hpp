@@ -28,7 +28,8 @@ struct PictureWeights {
 
 inline constexpr Colour kStreamlineColour = colour_of(0x2f9e8f);
 
-/// The drawing of a field. Throws Error(kUsage) if the cut is beside the part or seen from its edge.
+/// The drawing of a field without its cut (picture/cut_drawing.hpp). The first rods are the singular lines,
+/// if they are drawn.
 Drawing field_drawing(const PictureSubject& subject, const PictureOptions& options, const Camera& camera);
 
 /// Colours of lines and paper for a background.

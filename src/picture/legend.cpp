@@ -13,6 +13,33 @@ constexpr double kLine = 1.6, kBetweenBlocks = 1.3, kTitle = 1.75;
 constexpr double kBarHeight = 11, kBarWidth = 1.1, kMark = 0.35, kBarText = 0.7;
 constexpr double kSign = 1.9, kSignText = 0.6;
 
+// Shares of light on the faces of solid signs.
+constexpr float kLit = 1.0f, kHalfLit = 0.8f, kUnlit = 0.62f;
+
+void draw_double_pyramid(Canvas& canvas, double x, double y, double half_length, double half_width,
+                         const Colour& colour) {
+  const double inner = 0.35 * half_width;  // the edge between the two faces that are seen
+  canvas.polygon({{x - half_length, y}, {x, y - half_width}, {x + half_length, y}, {x, y + half_width}},
+                 kUnlit * colour);
+  canvas.polygon({{x - half_length, y}, {x, y - half_width}, {x, y + inner}}, kLit * colour);
+  canvas.polygon({{x + half_length, y}, {x, y - half_width}, {x, y + inner}}, kHalfLit * colour);
+}
+
+void draw_cube(Canvas& canvas, double x, double y, double half, const Colour& colour) {
+  const double across = 0.87 * half;
+  canvas.polygon({{x - across, y - 0.5 * half},
+                  {x, y - half},
+                  {x + across, y - 0.5 * half},
+                  {x + across, y + 0.5 * half},
+                  {x, y + half},
+                  {x - across, y + 0.5 * half}},
+                 kHalfLit * colour);
+  canvas.polygon({{x - across, y - 0.5 * half}, {x, y - half}, {x + across, y - 0.5 * half}, {x, y}},
+                 kLit * colour);
+  canvas.polygon({{x + across, y - 0.5 * half}, {x + across, y + 0.5 * half}, {x, y + half}, {x, y}},
+                 kUnlit * colour);
+}
+
 std::string heading(const LegendBlock& block) {
   return block.unit.empty() ? block.title : block.title + " [" + block.unit + "]";
 }
@@ -23,6 +50,20 @@ std::string mark_text(const ColourBar& bar, const ColourScale::Mark& mark) {
 }
 
 }  // namespace
+
+std::string text_of(const std::vector<LegendBlock>& blocks) {
+  std::string text;
+  for (const LegendBlock& block : blocks) {
+    text += heading(block) + "\n";
+    if (block.bar) {
+      const auto& scale = block.bar->scale;
+      text += "  " + number_text(scale.low) + " to " + number_text(scale.high);
+      text += block.bar->goes_on ? " and above\n" : "\n";
+    }
+    for (const Sign& sign : block.signs) text += "  " + sign.text + "\n";
+  }
+  return text;
+}
 
 double Legend::width() const {
   const Font& font = Font::sans();
@@ -97,6 +138,17 @@ void Legend::draw_sign(Canvas& canvas, const Sign& sign, double left, double mid
     case Sign::Shape::kBox:
       canvas.fill({left + 0.35 * size_, middle - 0.45 * size_, right - 0.35 * size_, middle + 0.45 * size_},
                   sign.colour);
+      break;
+    case Sign::Shape::kDisc:
+      canvas.ellipse(centre, middle, 0.55 * size_, 0.24 * size_, sign.colour);
+      break;
+    case Sign::Shape::kDiamond:
+      draw_double_pyramid(canvas, centre, middle, 0.78 * size_, 0.42 * size_, sign.colour);
+      break;
+    case Sign::Shape::kCube:
+      draw_cube(canvas, centre, middle, 0.5 * size_, sign.colour);
+      break;
+    case Sign::Shape::kNothing:
       break;
   }
   canvas.text(sign.text, right + kSignText * size_, middle + 0.5 * Font::sans().capital_height(size_), size_,

@@ -18,7 +18,7 @@ struct ColourBar {
 };
 
 struct Sign {
-  enum class Shape { kLine, kBall, kBox };
+  enum class Shape { kLine, kBall, kBox, kDisc, kDiamond, kCube, kNothing };
   Shape shape;
   Colour colour;
   std::string text;
@@ -30,6 +30,9 @@ struct LegendBlock {
   std::optional<ColourBar> bar = {};
   std::vector<Sign> signs = {};
 };
+
+/// The legend in words: a line for each title and, indented, for each sign and the ends of each bar. UTF-8.
+std::string text_of(const std::vector<LegendBlock>& blocks);
 
 class Legend {
  public:

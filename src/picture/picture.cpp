@@ -14,6 +14,7 @@
 #include "picture/axis_cross.hpp"
 #include "picture/canvas.hpp"
 #include "picture/cell_colours.hpp"
+#include "picture/cut_drawing.hpp"
 #include "picture/field_drawing.hpp"
 #include "picture/layout.hpp"
 #include "picture/legend.hpp"
@@ -23,6 +24,11 @@
 
 namespace crossgrain {
 namespace {
+
+constexpr PictureOptions::View kUsualView{-55, 28};
+
+/// Views of cuts across x, y and z: about 27 degrees off their normals, so that what is behind shows too.
+constexpr std::array<PictureOptions::View, 3> kCutViews{{{-20, 18}, {-70, 18}, {-65, 62}}};
 
 constexpr int kLeastSide = 64, kLargestSide = 10000;
 constexpr double kMostPixels = 64e6;
@@ -38,7 +44,8 @@ void check_options(const PictureOptions& options) {
         fmt::format("a picture of {} x {} pixels is not possible: each side must have {} to {}, at most 64 "
                     "million in total",
                     options.width, options.height, kLeastSide, kLargestSide));
-  check(std::isfinite(options.azimuth_deg) && std::abs(options.elevation_deg) <= 90,
+  check(!options.view ||
+            (std::isfinite(options.view->azimuth_deg) && std::abs(options.view->elevation_deg) <= 90),
         "the azimuth must be finite and the elevation from -90 to 90 degrees");
   check(options.up_axis >= 0 && options.up_axis <= 2, "the axis that points up must be 0, 1 or 2");
   check(options.frame_spacing >= 4 && options.frame_spacing <= 1000,
@@ -56,22 +63,57 @@ void check_options(const PictureOptions& options) {
         "the colour range must have its lower end first, above 0 for energy");
 }
 
+ViewDirection direction_of(const PictureOptions& options) {
+  PictureOptions::View view = kUsualView;
+  if (options.cut) {
+    // As seen with another axis up, where y takes the place of z, say.
+    constexpr std::array<std::array<std::size_t, 3>, 3> kAsSeen{{{2, 0, 1}, {0, 2, 1}, {0, 1, 2}}};
+    view = kCutViews[kAsSeen[static_cast<std::size_t>(options.up_axis)]
+                            [static_cast<std::size_t>(options.cut->axis)]];
+  }
+  if (options.view) view = *options.view;
+  return {view.azimuth_deg, view.elevation_deg, options.up_axis};
+}
+
+/// What fills the picture: the surface, clipped to what a cut leaves of it.
+SolvedSurface kept_surface(const SolvedSurface& surface, const std::optional<PictureCut>& cut) {
+  SolvedSurface kept;
+  kept.vertices = surface.vertices;
+  for (const auto& corners : surface.triangles) {
+    std::array<std::uint32_t, 4> polygon{};
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
+      const Vector3 &a = surface.vertices[from], &b = surface.vertices[to];
+      const bool is_kept = !cut || cut->keeps(a);
+      if (is_kept) polygon[count++] = from;
+      if (!cut || is_kept == cut->keeps(b)) continue;
+      const double to_a = a[cut->plane.axis] - cut->plane.position,
+                   to_b = b[cut->plane.axis] - cut->plane.position;
+      polygon[count++] = static_cast<std::uint32_t>(kept.vertices.size());
+      kept.vertices.push_back(a + to_a / (to_a - to_b) * (b - a));
+    }
+    for (std::size_t k = 2; k < count; ++k)
+      kept.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
+  }
+  return kept;
+}
+
 /// The positions of the part, the legend and the axes.
 struct Layout {
   double text_size, margin;
   std::optional<Camera> camera;
   std::optional<PixelBox> legend, axes;
 
-  /// The part fills the picture, with the legend in a free corner. Without a free corner the part is moved
-  /// aside; a legend that would take half of the picture is omitted.
-  Layout(const PictureOptions& options, const SolvedSurface& surface,
+  /// The part, or what a cut leaves of it, fills the picture, with the legend in a free corner. Without a
+  /// free corner the part is moved aside; a legend that would take half of the picture is omitted.
+  Layout(const PictureOptions& options, const ViewDirection& direction, const SolvedSurface& surface,
          const std::vector<LegendBlock>& blocks) {
     text_size = std::max(21 * std::min(options.width, options.height) / 1200.0, 10.0);
     margin = 1.5 * text_size;
     std::vector<Vector3> seen;
     for (const auto& corners : surface.triangles)
       for (const std::uint32_t vertex : corners) seen.push_back(surface.vertices[vertex]);
-    const ViewDirection direction{options.azimuth_deg, options.elevation_deg, options.up_axis};
     const PixelBox whole{0, 0, static_cast<double>(options.width), static_cast<double>(options.height)};
     camera.emplace(direction, seen, whole);
     if (!options.legend) return;
@@ -107,16 +149,17 @@ void draw_legend(const std::vector<LegendBlock>& blocks, const Layout& layout, c
                   0.5 * (layout.axes->top + layout.axes->bottom), 0.32 * layout.axes->width(), ink);
 }
 
-std::vector<LegendBlock> legend_blocks(const SolveReport& report, const CellColours& colours,
-                                       const SingularityGraph& graph, const PictureOptions& options,
-                                       const PictureCurves& curves) {
+std::vector<LegendBlock> legend_blocks(const ShownField& field, const CellColours& colours,
+                                       const PictureOptions& options, const PictureCurves& curves) {
   std::vector<LegendBlock> blocks;
   if (!options.legend) return blocks;
-  blocks.push_back(answer_legend(report, options.lines));
+  // The answer is about the tets.
+  if (!field.is_starting_grid()) blocks.push_back(answer_legend(field.report(), options.lines));
   if (const auto block = colours.legend()) blocks.push_back(*block);
   if (options.lines)
-    if (const auto block = legend_of(graph, report.onto ? "Singular lines on the grid" : "Singular lines",
-                                     ink_on(options.background)))
+    if (const auto block = legend_of(
+            field, field.is_starting_grid() ? "Singular lines of the starting grid" : "Singular lines",
+            ink_on(options.background)))
       blocks.push_back(*block);
   if (!curves.streamlines.empty()) {
     LegendBlock block{"Streamlines"};
@@ -128,25 +171,20 @@ std::vector<LegendBlock> legend_blocks(const SolveReport& report, const CellColo
 
 }  // namespace
 
-void set_view(PictureOptions& options, const std::string& name) {
-  struct View {
+PictureOptions::View view_named(const std::string& name) {
+  struct NamedView {
     const char* name;
-    double azimuth_deg, elevation_deg;
+    PictureOptions::View view;
   };
-  const PictureOptions defaults;
-  const std::array<View, 7> views{{{"iso", defaults.azimuth_deg, defaults.elevation_deg},
-                                   {"front", -90, 0},
-                                   {"back", 90, 0},
-                                   {"left", 180, 0},
-                                   {"right", 0, 0},
-                                   {"top", -90, 90},
-                                   {"bottom", -90, -90}}};
-  for (const View& view : views) {
-    if (name != view.name) continue;
-    options.azimuth_deg = view.azimuth_deg;
-    options.elevation_deg = view.elevation_deg;
-    return;
-  }
+  constexpr std::array<NamedView, 7> kViews{{{"iso", kUsualView},
+                                             {"front", {-90, 0}},
+                                             {"back", {90, 0}},
+                                             {"left", {180, 0}},
+                                             {"right", {0, 0}},
+                                             {"top", {-90, 90}},
+                                             {"bottom", {-90, -90}}}};
+  for (const NamedView& known : kViews)
+    if (name == known.name) return known.view;
   throw Error(ErrorKind::kUsage,
               "'" + name + "' is not a view; choose iso, front, back, left, right, top or bottom");
 }
@@ -159,12 +197,19 @@ void render_shown(const ShownField& field, const std::filesystem::path& picture,
   OutputFile file(picture);
   monitor.check();
 
-  const CellColours colours(field.grid(), options);
-  const std::vector<LegendBlock> blocks =
-      legend_blocks(field.report(), colours, field.lines(), options, curves);
-  const Layout layout(options, field.surface(), blocks);
+  const ViewDirection direction = direction_of(options);
+  const auto plane = picture_cut(options, field.surface(), ViewAxes(direction).towards);
+  const CellColours colours(field, options);
+  const PictureSubject subject{field, colours, curves.streamlines};
+  std::optional<CutDrawing> cut;
+  if (plane) cut.emplace(subject, options, *plane);
+  std::vector<LegendBlock> blocks = legend_blocks(field, colours, options, curves);
+  if (cut && options.legend)
+    if (auto block = cut->legend()) blocks.push_back(std::move(*block));
+  const Layout layout(options, direction, kept_surface(field.surface(), plane), blocks);
   const Camera& camera = *layout.camera;
-  const Drawing drawing = field_drawing({field, colours, curves.streamlines}, options, camera);
+  Drawing drawing = field_drawing(subject, options, camera);
+  if (cut) cut->add_to(drawing, camera);
 
   const bool is_transparent = options.background == PictureBackground::kTransparent;
   Image image(options.width, options.height,
@@ -174,7 +219,7 @@ void render_shown(const ShownField& field, const std::filesystem::path& picture,
   if (options.background == PictureBackground::kDark) render_options.haze_share *= 0.5f;  // dark hides more
   render(drawing, camera, render_options, image, monitor);
   if (options.legend) draw_legend(blocks, layout, options, image);
-  write_png(file, image, monitor, PngMark::kProgram);
+  write_png(file, image, monitor, {.has_mark = true, .description = text_of(blocks)});
   file.commit();
 }
 

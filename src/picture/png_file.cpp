@@ -62,20 +62,29 @@ bool is_transparent_anywhere(const Image& image) {
   return false;
 }
 
-/// Adds kPngMark, before the pixels.
-void put_mark(png_structp png, png_infop info) {
+/// Adds the texts, before the pixels.
+void put_texts(png_structp png, png_infop info, const PngTexts& texts) {
   // libpng takes pointers to characters that it may not change, and copies them.
   constexpr std::size_t kKeywordBytes = 8;
   static_assert(kPngMark[kKeywordBytes] == '\0');
-  png_text mark{};
-  mark.compression = PNG_TEXT_COMPRESSION_NONE;
-  mark.key = const_cast<png_charp>(kPngMark.data());
-  mark.text = const_cast<png_charp>(kPngMark.data() + kKeywordBytes + 1);
-  png_set_text(png, info, &mark, 1);
+  if (texts.has_mark) {
+    png_text mark{};
+    mark.compression = PNG_TEXT_COMPRESSION_NONE;
+    mark.key = const_cast<png_charp>(kPngMark.data());
+    mark.text = const_cast<png_charp>(kPngMark.data() + kKeywordBytes + 1);
+    png_set_text(png, info, &mark, 1);
+  }
+  if (!texts.description.empty()) {
+    png_text description{};
+    description.compression = PNG_ITXT_COMPRESSION_NONE;
+    description.key = const_cast<png_charp>("Description");
+    description.text = const_cast<png_charp>(texts.description.c_str());
+    png_set_text(png, info, &description, 1);
+  }
 }
 
 /// Writes all rows. Returns false if libpng has jumped out of it, so nothing in here has a destructor.
-bool write_rows(png_structp png, png_infop info, const Image& image, bool with_opacity, PngMark mark,
+bool write_rows(png_structp png, png_infop info, const Image& image, bool with_opacity, const PngTexts& texts,
                 std::vector<std::uint8_t>& row, const Monitor& monitor, Destination& to) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_compression_level(png, kCompression);
@@ -84,7 +93,7 @@ bool write_rows(png_structp png, png_infop info, const Image& image, bool with_o
                8, with_opacity ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-  if (mark == PngMark::kProgram) put_mark(png, info);
+  put_texts(png, info, texts);
   png_write_info(png, info);
   for (int y = 0; y < image.height(); ++y) {
     try {
@@ -108,7 +117,7 @@ void pass_over_warning(png_structp, png_const_charp) {}
 
 }  // namespace
 
-void write_png(OutputFile& file, const Image& image, const Monitor& monitor, PngMark mark) {
+void write_png(OutputFile& file, const Image& image, const Monitor& monitor, const PngTexts& texts) {
   Destination to{file, nullptr};
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jump_on_error, pass_over_warning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
@@ -120,7 +129,7 @@ void write_png(OutputFile& file, const Image& image, const Monitor& monitor, Png
   const bool with_opacity = is_transparent_anywhere(image);
   std::vector<std::uint8_t> row;
   row.reserve(static_cast<std::size_t>(image.width()) * 4);
-  const bool is_written = write_rows(png, info, image, with_opacity, mark, row, monitor, to);
+  const bool is_written = write_rows(png, info, image, with_opacity, texts, row, monitor, to);
   png_destroy_write_struct(&png, &info);
   if (to.failure) std::rethrow_exception(to.failure);
   if (!is_written) throw std::bad_alloc();  // the only other failure of libpng

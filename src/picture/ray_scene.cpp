@@ -39,6 +39,7 @@ void collect(const RTCFilterFunctionNArguments* arguments) {
 /// A part of a rod.
 struct RodPiece {
   Vector3 from, to;
+  std::array<double, 2> radii;
   std::uint32_t rod;
 };
 
@@ -46,12 +47,16 @@ struct RodPiece {
 /// tested against the rod.
 void add_pieces(const Rod& rod, std::uint32_t number, std::vector<RodPiece>& pieces) {
   constexpr double kLongest = 24, kMostPieces = 512;  // lengths in radii
-  const double wanted = std::ceil(norm(rod.to - rod.from) / (kLongest * rod.radius));
+  const double end_radius = rod.end_radius > 0 ? rod.end_radius : rod.radius;
+  const double wanted = std::ceil(norm(rod.to - rod.from) / (kLongest * std::min(rod.radius, end_radius)));
   const int count = static_cast<int>(std::clamp(wanted, 1.0, kMostPieces));
   const Vector3 step = (1.0 / count) * (rod.to - rod.from);
+  const double growth = (end_radius - rod.radius) / count;
   for (int i = 0; i < count; ++i)
     pieces.push_back({rod.from + static_cast<double>(i) * step,
-                      i + 1 == count ? rod.to : rod.from + (i + 1.0) * step, number});
+                      i + 1 == count ? rod.to : rod.from + (i + 1.0) * step,
+                      {rod.radius + i * growth, rod.radius + (i + 1) * growth},
+                      number});
 }
 
 RTCRayHit embree_ray(const Ray& ray) {
@@ -148,9 +153,9 @@ void RayScene::add_rods(const std::vector<Rod>& rods) {
   auto* first =
       embree_->buffer<std::uint32_t>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const auto radius = static_cast<float>(rods[pieces[i].rod].radius / space_.size);
-    for (const Vector3& end : {pieces[i].from, pieces[i].to}) {
-      const Vector3 place = space_.from_model(end);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto radius = static_cast<float>(pieces[i].radii[k] / space_.size);
+      const Vector3 place = space_.from_model(k == 0 ? pieces[i].from : pieces[i].to);
       *ends++ = {static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2]),
                  radius};
     }
@@ -170,6 +175,17 @@ void RayScene::add_balls(const std::vector<Ball>& balls) {
                   static_cast<float>(ball.radius / space_.size)};
   }
   embree_->add(geometry);
+}
+
+void RayScene::add_facets(const std::vector<Facet>& facets) {
+  std::vector<Vector3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (const Facet& facet : facets) {
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    vertices.insert(vertices.end(), facet.corners.begin(), facet.corners.end());
+    triangles.push_back({first, first + 1, first + 2});
+  }
+  add_triangles(vertices, triangles);
 }
 
 void RayScene::commit() {

@@ -63,6 +63,7 @@ class RayScene {
                      const std::vector<std::array<std::uint32_t, 3>>& triangles);
   void add_rods(const std::vector<Rod>& rods);
   void add_balls(const std::vector<Ball>& balls);
+  void add_facets(const std::vector<Facet>& facets);
 
   /// Prepares the scene. Call once, after the last shape; then the queries below are safe from any number of
   /// threads.

@@ -21,6 +21,8 @@ RaySpace space_around(const Drawing& drawing) {
   for (const DrawnRods& rods : drawing.rods) {
     for (const Rod& rod : rods.rods) include(box, rod.from), include(box, rod.to);
     for (const Ball& ball : rods.balls) include(box, ball.centre);
+    for (const Facet& facet : rods.facets)
+      for (const Vector3& corner : facet.corners) include(box, corner);
   }
   const auto& [low, high] = box;
   if (!(low[0] <= high[0])) return {};
@@ -54,6 +56,7 @@ void RayTracing::Shapes::add(const DrawnMesh& mesh) {
 void RayTracing::Shapes::add(const DrawnRods& drawn) {
   rods.add_rods(drawn.rods);
   rods.add_balls(drawn.balls);
+  rods.add_facets(drawn.facets);
   drawn_rods.push_back(&drawn);
 }
 
@@ -158,8 +161,8 @@ std::optional<RayTracing::RodHit> RayTracing::nearest_rod(const Ray& cut, const 
   const bool meets_cut = cut_.rods.first_hit(cut, of_cut);
   const bool meets_whole = whole_.rods.first_hit(whole, of_whole);
   if (meets_whole && (!meets_cut || of_whole.distance < of_cut.distance))
-    return RodHit{of_whole, whole_.drawn_rods[of_whole.shape / 2]};
-  if (meets_cut) return RodHit{of_cut, cut_.drawn_rods[of_cut.shape / 2]};
+    return RodHit{of_whole, whole_.drawn_rods[of_whole.shape / kShapesOfRods]};
+  if (meets_cut) return RodHit{of_cut, cut_.drawn_rods[of_cut.shape / kShapesOfRods]};
   return std::nullopt;
 }
 
@@ -200,7 +203,7 @@ Pixel RayTracing::mesh_pixel(const DrawnMesh& mesh, const ShapeHit& hit, const R
   Colour colour = mesh.colour;
   if (mesh.colour_at) {
     const Vector3 wide{hit.normal[0], hit.normal[1], hit.normal[2]};
-    colour = mesh.colour_at({place_of(hit, ray), normalised(wide), hit.primitive});
+    colour = mesh.colour_at({place_of(hit, ray), normalised(wide), hit.primitive, hit.u, hit.v});
   }
   const float aside = 1 - std::clamp(normal[2], 0.0f, 1.0f);
   const float opacity = mesh.opacity + (mesh.grazing_opacity - mesh.opacity) * aside * aside * aside;
@@ -210,9 +213,14 @@ Pixel RayTracing::mesh_pixel(const DrawnMesh& mesh, const ShapeHit& hit, const R
 
 Colour RayTracing::rod_colour(const RodHit& rod) const {
   const std::uint32_t i = rod.hit.primitive;
-  const Colour colour = rod.hit.shape % 2 == 0 ? rod.rods->rods[i].colour : rod.rods->balls[i].colour;
-  const Colour lit =
-      rod.rods->look == RodLook::kInk ? colour : solid_shade(colour, seen_normal(rod.hit.normal));
+  const std::uint32_t kind = rod.hit.shape % kShapesOfRods;
+  const Colour colour = kind == 0   ? rod.rods->rods[i].colour
+                        : kind == 1 ? rod.rods->balls[i].colour
+                                    : rod.rods->facets[i].colour;
+  const SeenNormal normal = seen_normal(rod.hit.normal);
+  const Colour lit = rod.rods->look == RodLook::kInk ? colour
+                     : kind == 2 ? facet_shade(colour, turned_to_viewer(normal, normal[2] < 0))
+                                 : solid_shade(colour, normal);
   return mix(lit, options_.haze, options_.haze_share * depth_share(rod.hit.distance));
 }
 

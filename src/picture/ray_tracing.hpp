@@ -44,13 +44,15 @@ class RayTracing {
 
     RayScene meshes, rods;
     std::vector<const DrawnMesh*> drawn_meshes;  ///< one shape each
-    std::vector<const DrawnRods*> drawn_rods;    ///< two shapes each: rods, balls
+    std::vector<const DrawnRods*> drawn_rods;    ///< kShapesOfRods shapes each: rods, balls, facets
   };
 
   struct RodHit {
     ShapeHit hit;
     const DrawnRods* rods;
   };
+
+  static constexpr std::uint32_t kShapesOfRods = 3;
 
   Ray ray_at(double x, double y) const;
   std::optional<RodHit> nearest_rod(const Ray& cut, const Ray& whole) const;

@@ -39,6 +39,11 @@ inline float highlight(const SeenNormal& normal) {
   return eighth * eighth * eighth;
 }
 
+/// Colour of a facet of a small solid: contrasts between facets, without the rim that would hide small ones.
+inline Colour facet_shade(const Colour& colour, const SeenNormal& normal) {
+  return mix((0.05f + 0.95f * brightness(normal)) * colour, {1, 1, 1}, 0.25f * highlight(normal));
+}
+
 /// Colour of a round shape: glossy, with a dark rim that sets it off from the background.
 inline Colour solid_shade(const Colour& colour, const SeenNormal& normal) {
   const float rim = std::clamp((normal[2] - 0.10f) / 0.35f, 0.0f, 1.0f);

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+
+#include "picture/mark_shapes.hpp"
 
 namespace crossgrain {
 namespace {
@@ -12,97 +15,134 @@ namespace {
 using Arc = SingularityGraph::Arc;
 using Node = SingularityGraph::Node;
 
-enum ArcKind : std::size_t { kThree, kFive, kSix, kOther, kImpossible, kArcKinds };
-enum NodeKind : std::size_t { kPossibleNode, kUndecidedNode, kImpossibleNode, kEnd, kNodeKinds };
-
-struct Look {
-  const char* text;
+struct LineLook {
   Colour colour;
   double thickness;  ///< as a multiple of the usual radius
 };
 
 // Blue and orange are distinguishable with any colour vision; faults are also thicker.
-constexpr std::array<Look, kArcKinds> kArcs{{{"index +1/4: three hexahedra", colour_of(0x1272c4), 1},
-                                             {"index −1/4: five hexahedra", colour_of(0xf09a1a), 1},
-                                             {"index −1/2: six hexahedra", colour_of(0x12916f), 1},
-                                             {"other", colour_of(0x7d8794), 1},
-                                             {"impossible for hexahedra", kImpossibleLook.colour, 1.35}}};
-constexpr std::array<Look, kNodeKinds> kNodes{
-    {{"node inside", {}, 1.9},
-     {"node, undecided", kUndecidedLook.colour, kUndecidedLook.size},
-     {"node, impossible for hexahedra", kImpossibleLook.colour, kImpossibleLook.size},
-     {"end on the surface", {}, 1.35}}};
+constexpr LineLook kThree{colour_of(0x1272c4), 1}, kFive{colour_of(0xf09a1a), 1},
+    kSix{colour_of(0x12916f), 1}, kImpossible{kImpossibleLook.colour, 1.35},
+    kUndecided{kUndecidedLook.colour, 1};
 
-ArcKind kind_of(const Arc& arc) {
-  if (arc.verdict == Verdict::kNotMeshable) return kImpossible;
-  if (arc.index == 0.25) return kThree;
-  if (arc.index == -0.25) return kFive;
-  return arc.index == -0.5 ? kSix : kOther;
+/// Colour of turning points: gold, which stands out from the crimson of their lines.
+constexpr Colour kTurning = colour_of(0xffd23e);
+
+// Sizes of marks, as multiples of the radius of lines.
+constexpr double kNodeRadius = 1.9, kDiscRadius = 2.3, kDiscThickness = 0.9, kTurningRadius = 2.5,
+                 kTurningLength = 6.5, kCapRadius = 1.25, kCapRim = 1.75, kCapThickness = 0.3;
+
+const LineLook& look_of(LineKind kind) {
+  switch (kind) {
+    case LineKind::kThree:
+      return kThree;
+    case LineKind::kFive:
+      return kFive;
+    case LineKind::kSix:
+      return kSix;
+    case LineKind::kImpossible:
+      return kImpossible;
+    case LineKind::kUndecided:
+      break;
+  }
+  return kUndecided;
 }
 
-NodeKind kind_of(const Node& node) {
-  if (node.verdict == Verdict::kNotMeshable) return kImpossibleNode;
-  if (node.verdict == Verdict::kUndecided) return kUndecidedNode;
-  return node.on_boundary ? kEnd : kPossibleNode;
-}
-
-/// Radius of an arc: short ones are thinner, down to about half, so that the balls at their ends do not hide
-/// them.
-double radius_of(const Arc& arc, double usual) {
+/// Usual radius of a line of a length: short ones are thinner, down to half, so that the marks at their ends
+/// do not hide them.
+double usual_for(double length, double usual) {
   constexpr double kShareOfLength = 0.09, kThinnest = 0.5;
-  return kArcs[kind_of(arc)].thickness * std::clamp(kShareOfLength * arc.length, kThinnest * usual, usual);
+  return std::clamp(kShareOfLength * length, kThinnest * usual, usual);
 }
 
-/// Radius of a node, from the thinnest arc that ends there.
-double radius_of(const Node& node, const SingularityGraph& graph, double usual) {
-  double thinnest = usual;
-  for (const std::uint32_t arc : node.arcs)
-    thinnest =
-        std::min(thinnest, radius_of(graph.arcs[arc], usual) / kArcs[kind_of(graph.arcs[arc])].thickness);
-  return kNodes[kind_of(node)].thickness * thinnest;
+const FaultLook* fault_of(Verdict verdict) {
+  for (const FaultLook& look : kFaultLooks)
+    if (look.verdict == verdict) return &look;
+  return nullptr;
 }
 
-Colour colour_of_node(NodeKind kind, const Colour& ink) {
-  return kind == kPossibleNode || kind == kEnd ? ink : kNodes[kind].colour;
+void add_mark(const LineMark& mark, double usual, const Colour& ink, DrawnRods& drawn) {
+  const double radius = line_radius(usual_for(mark.length, usual), mark.wall);
+  const FaultLook* fault = fault_of(mark.verdict);
+  const Colour& colour = fault ? fault->colour : ink;
+  switch (mark.shape) {
+    case MarkShape::kNode:
+      drawn.balls.push_back({mark.place, (fault ? fault->size : kNodeRadius) * radius, colour});
+      break;
+    case MarkShape::kEnd:
+      add_disc(mark.place, mark.direction, kDiscRadius * radius, kDiscThickness * radius, colour,
+               drawn.facets);
+      break;
+    case MarkShape::kTurningPoint:
+      add_double_pyramid(mark.place, mark.direction, kTurningRadius * radius, kTurningLength * radius,
+                         kTurning, drawn.facets);
+      break;
+  }
 }
 
 }  // namespace
 
-DrawnRods singular_lines(const SingularityGraph& graph, double radius, const Colour& ink) {
+DrawnRods singular_lines(const DrawnLines& lines, double radius, const Colour& ink) {
   DrawnRods drawn;
-  for (const Arc& arc : graph.arcs) {
-    const Colour& colour = kArcs[kind_of(arc)].colour;
-    for (std::size_t i = 1; i < arc.points.size(); ++i)
-      drawn.rods.push_back({arc.points[i - 1], arc.points[i], radius_of(arc, radius), colour});
+  for (const DrawnLine& line : lines.lines) {
+    const LineLook& look = look_of(line.kind);
+    const double usual = look.thickness * usual_for(line.length, radius);
+    for (std::size_t i = 1; i < line.points.size(); ++i)
+      drawn.rods.push_back({line.points[i - 1], line.points[i], line_radius(usual, line.walls[i - 1]),
+                            look.colour, line_radius(usual, line.walls[i])});
   }
-  for (const Node& node : graph.nodes)
-    drawn.balls.push_back({node.place, radius_of(node, graph, radius), colour_of_node(kind_of(node), ink)});
+  for (const LineMark& mark : lines.marks) add_mark(mark, radius, ink, drawn);
   return drawn;
 }
 
-std::vector<Ball> crossings_of(const DrawnRods& lines, const Vector3& normal, double offset) {
-  std::vector<Ball> balls;
+std::vector<Facet> crossings_of(const DrawnRods& lines, const Vector3& normal, double offset,
+                                const Colour& ink) {
+  std::vector<Facet> facets;
   for (const Rod& rod : lines.rods) {
     const double from = dot(normal, rod.from) - offset, to = dot(normal, rod.to) - offset;
     if ((from > 0) == (to > 0)) continue;
-    balls.push_back({rod.from + from / (from - to) * (rod.to - rod.from), 1.25 * rod.radius, rod.colour});
+    const double share = from / (from - to);
+    const double radius = rod.radius + share * (rod.end_radius - rod.radius);
+    const Vector3 place = rod.from + share * (rod.to - rod.from);
+    add_disc(place, normal, kCapRim * radius, kCapThickness * radius, ink, facets);
+    add_disc(place, normal, kCapRadius * radius, 2 * kCapThickness * radius, rod.colour, facets);
   }
-  return balls;
+  return facets;
 }
 
-std::optional<LegendBlock> legend_of(const SingularityGraph& graph, const char* title, const Colour& ink) {
-  std::array<std::size_t, kArcKinds> arcs{};
-  std::array<std::size_t, kNodeKinds> nodes{};
-  for (const Arc& arc : graph.arcs) ++arcs[kind_of(arc)];
-  for (const Node& node : graph.nodes) ++nodes[kind_of(node)];
+std::optional<LegendBlock> legend_of(const ShownField& field, const char* title, const Colour& ink) {
+  const SingularityGraph& graph = field.lines();
   LegendBlock block{title};
   const auto add = [&](Sign::Shape shape, const Colour& colour, const char* text, std::size_t count) {
     if (count > 0) block.signs.push_back({shape, colour, fmt::format("{} ({})", text, count)});
   };
-  for (std::size_t i = 0; i < kArcKinds; ++i)
-    add(Sign::Shape::kLine, kArcs[i].colour, kArcs[i].text, arcs[i]);
-  for (std::size_t i = 0; i < kNodeKinds; ++i)
-    add(Sign::Shape::kBall, colour_of_node(static_cast<NodeKind>(i), ink), kNodes[i].text, nodes[i]);
+  const auto arcs = [&](const auto& is_meant) {
+    return static_cast<std::size_t>(std::ranges::count_if(graph.arcs, is_meant));
+  };
+  const auto nodes = [&](const auto& is_meant) {
+    return static_cast<std::size_t>(std::ranges::count_if(graph.nodes, is_meant));
+  };
+  using enum Sign::Shape;
+  add(kLine, kThree.colour, "index +1/4: three hexahedra",
+      arcs([](const Arc& a) { return a.index == 0.25; }));
+  add(kLine, kFive.colour, "index −1/4: five hexahedra", arcs([](const Arc& a) { return a.index == -0.25; }));
+  add(kLine, kSix.colour, "index −1/2: six hexahedra", arcs([](const Arc& a) { return a.index == -0.5; }));
+  for (const FaultLook& look : kFaultLooks)
+    add(kLine, look.colour, look.words, arcs([&](const Arc& a) { return a.verdict == look.verdict; }));
+  std::size_t turns = 0;
+  for (const Arc& arc : graph.arcs) turns += arc.turning_points.size();
+  add(kDiamond, kTurning, "turning point: changes its sense", turns);
+  const auto is_node = [](const Node& n) { return n.degree() > 1; };
+  add(kBall, ink, "node: lines meet", nodes(is_node));
+  for (const FaultLook& look : kFaultLooks)
+    add(kBall, look.colour, fmt::format("node, {}", look.words).c_str(),
+        nodes([&](const Node& n) { return is_node(n) && n.verdict == look.verdict; }));
+  add(kDisc, ink, "end on the surface", nodes([](const Node& n) { return n.on_boundary; }));
+  for (const FaultLook& look : kFaultLooks)
+    add(kDisc, look.colour, fmt::format("end, {}", look.words).c_str(),
+        nodes([&](const Node& n) { return n.on_boundary && !is_node(n) && n.verdict == look.verdict; }));
+  const SolveReport::Singularity& counts = field.counts();
+  add(kNothing, ink, "too short to tell, not drawn", counts.unresolved_loops + counts.unresolved_stubs);
   if (block.signs.empty()) return std::nullopt;
   return block;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Singular lines as rods, and their nodes as balls.
+// Singular lines as rods, and marks where they meet, end and turn.
 #pragma once
 
 #include <array>
 #include <optional>
 
-#include "crossgrain/singularity_graph.hpp"
+#include "display/drawn_lines.hpp"
 #include "picture/drawing.hpp"
 #include "picture/legend.hpp"
 
@@ -16,20 +16,24 @@ struct FaultLook {
   Verdict verdict;
   const char* words;
   Colour colour;
-  double size;  ///< radius of balls, as a multiple of that of singular lines
+  double size;  ///< of marks, as a multiple of the radius of singular lines
 };
 inline constexpr FaultLook kImpossibleLook{Verdict::kNotMeshable, "impossible for hexahedra",
                                            colour_of(0xd3125f), 2.3};
 inline constexpr FaultLook kUndecidedLook{Verdict::kUndecided, "undecided", colour_of(0x8b5cc7), 2.1};
 inline constexpr std::array kFaultLooks{kImpossibleLook, kUndecidedLook};
 
-/// Rods and balls of a graph: `radius` of the rods, model units; `ink` is the colour of nodes without fault.
-DrawnRods singular_lines(const SingularityGraph& graph, double radius, const Colour& ink);
+/// Rods and marks of lines: `radius` of the rods where neither the wall nor the length of a line limits it,
+/// model units; `ink` is the colour of nodes without fault.
+DrawnRods singular_lines(const DrawnLines& lines, double radius, const Colour& ink);
 
-/// Balls at the points where singular lines cross a plane.
-std::vector<Ball> crossings_of(const DrawnRods& lines, const Vector3& normal, double offset);
+/// Caps on the ends of singular lines in a plane that cuts them, with a rim of `ink`.
+std::vector<Facet> crossings_of(const DrawnRods& lines, const Vector3& normal, double offset,
+                                const Colour& ink);
 
-/// Legend of the colours that occur, under a title; none if there are no lines.
-std::optional<LegendBlock> legend_of(const SingularityGraph& graph, const char* title, const Colour& ink);
+/// Legend of the colours and marks that occur, with their numbers as `crossgrain check` counts them: lines of
+/// an index, nodes and ends include those that are impossible or undecided, which have signs of their own
+/// too. None if there are no lines.
+std::optional<LegendBlock> legend_of(const ShownField& field, const char* title, const Colour& ink);
 
 }  // namespace crossgrain

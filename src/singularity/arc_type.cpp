@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "singularity/arc_steps.hpp"
 #include "singularity/vertex_link.hpp"
 
 namespace crossgrain {
@@ -62,34 +63,32 @@ class Stretches {
   double positive_ = 0, negative_ = 0;  ///< the longest of either sign
 };
 
+/// The edges of an arc in order.
 class ArcWalk {
  public:
   ArcWalk(const MergedNetwork::Arc& arc, const SingularEdges& singular, const MergedNetwork& network,
           std::span<const Vector3> positions)
       : arc_(arc), singular_(singular), network_(network), positions_(positions) {}
 
-  /// Calls visit(edge, length, cells, cosine) for each edge in order: the cosine is that of the angle between
-  /// the arc and the axis of rotation of the frames, by the right-hand rule about the arc.
-  template <class Visit>
-  void visit(const Visit& visit) const {
+  std::vector<ArcStep> steps() const {
+    std::vector<ArcStep> steps;
     for (std::size_t k = 0; k < arc_.edges.size(); ++k) {
       const SingularEdge& edge = singular_.edges[arc_.edges[k]];
       const bool forward = network_.place_of[edge.ends[0]] == arc_.places[k];
       const double length = norm(positions_[arc_.places[k + 1]] - positions_[arc_.places[k]]);
       const double cell_size =
           (singular_.points[edge.ends[0]].cell_size + singular_.points[edge.ends[1]].cell_size) / 2;
-      const double cosine = (forward ? 1 : -1) * dot(direction(k), edge.turn.axis);
-      visit(edge, length, length / cell_size, cosine);
+      steps.push_back({edge.turn, direction(k), length, length / cell_size});
+      if (!forward) steps.back().turn.axis = -edge.turn.axis;
     }
+    return steps;
   }
 
  private:
   Vector3 direction(std::size_t edge) const {
     const std::size_t from = edge - std::min(edge, kReach),
                       to = std::min(edge + 1 + kReach, arc_.edges.size());
-    const Vector3 way = positions_[arc_.places[to]] - positions_[arc_.places[from]];
-    const double length = norm(way);
-    return length > 0 ? (1 / length) * way : Vector3{0, 0, 0};
+    return normalised(positions_[arc_.places[to]] - positions_[arc_.places[from]]);
   }
 
   const MergedNetwork::Arc& arc_;
@@ -117,20 +116,23 @@ Graph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singula
     out.points.push_back(positions[place]);
     out.vertices.push_back(points.size() == 1 ? singular.points[points[0]].name : -1);
   }
+  const std::vector<ArcStep> steps = ArcWalk(arc, singular, network, positions).steps();
   Stretches stretches(options);
   double sum = 0;
-  ArcWalk(arc, singular, network, positions)
-      .visit([&](const SingularEdge& edge, double length, double cells, double cosine) {
-        stretches.add(edge.turn, cells, cosine);
-        out.length += length;
-        out.length_cells += cells;
-        if (!edge.turn.is_about_an_axis()) return;
-        sum += cosine * length;
-        if (std::abs(cosine) < 1 / std::numbers::sqrt2) out.oblique_length += length;
-      });
+  for (const ArcStep& step : steps) {
+    const double cosine = step.cosine();
+    stretches.add(step.turn, step.cell_count, cosine);
+    out.length += step.length;
+    out.length_cells += step.cell_count;
+    if (!step.turn.is_about_an_axis()) continue;
+    sum += cosine * step.length;
+    if (std::abs(cosine) < 1 / std::numbers::sqrt2) out.oblique_length += step.length;
+  }
+  out.axes = axes_along(steps, arc.closed);
   out.type = stretches.type();
   if (out.type == Graph::ArcType::kRegular)
     out.index = (sum < 0 ? -1 : 1) * (stretches.is_by_half_turns() ? 0.5 : 0.25);
+  if (out.type == Graph::ArcType::kChanging) out.turning_points = turning_points(steps, arc.closed, options);
   out.verdict = verdict_of(out, stretches);
   return out;
 }

@@ -11,8 +11,8 @@
 
 namespace crossgrain {
 
-/// The arc of the graph without its nodes: points at the positions of the places, type, index, verdict,
-/// lengths.
+/// The arc of the graph without its nodes: points at the positions of the places, axes, turning
+/// points, type, index, verdict, lengths.
 SingularityGraph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singular,
                                 const MergedNetwork& network, std::span<const Vector3> positions,
                                 const SingularityOptions& options);

@@ -33,6 +33,24 @@ Guides guides_of(const CreaseNetwork& creases, const TriangleMesh& inner_faces, 
   return guides;
 }
 
+/// Adds the faces between solids, with vertices of their own.
+void add_interfaces(const std::vector<SolidSplit::Between>& between, const std::vector<Vector3>& vertices,
+                    SolvedSurface& surface) {
+  std::vector<std::uint32_t> new_index(vertices.size(), UINT32_MAX);
+  for (const auto& [triangle, solids] : between) {
+    auto& corners = surface.interfaces.emplace_back(triangle);
+    for (std::uint32_t& vertex : corners) {
+      std::uint32_t& index = new_index[vertex];
+      if (index == UINT32_MAX) {
+        index = static_cast<std::uint32_t>(surface.vertices.size());
+        surface.vertices.push_back(vertices[vertex]);
+      }
+      vertex = index;
+    }
+    surface.interface_regions.push_back(solids);
+  }
+}
+
 }  // namespace
 
 PreparedModel::PreparedModel(const TriangleMesh& mesh, const SolveOptions& options)
@@ -41,6 +59,7 @@ PreparedModel::PreparedModel(const TriangleMesh& mesh, const SolveOptions& optio
 PreparedModel::PreparedModel(const TriangleMesh& mesh, SolidSplit split, const SolveOptions& options)
     : mesh_(mesh),
       inner_faces_(std::move(split.inner)),
+      interfaces_(std::move(split.between)),
       mended_(mended_and_checked(std::move(split.outer), options)),
       bvh_(mended_.surface),
       winding_(mended_.surface, bvh_),
@@ -70,8 +89,11 @@ SolveReport::Input PreparedModel::findings() const {
 SolvedSurface PreparedModel::solved_surface() && {
   TriangleMesh& mesh = mended_.surface.mesh;
   SolvedSurface released{std::move(mesh.vertices), std::move(mesh.triangles), {}};
+  if (has_several_solids(mesh_)) released.regions = std::move(mesh.solids);
+  add_interfaces(interfaces_, inner_faces_.vertices, released);
   if (winding_.flipped()) {
     for (auto& [a, b, c] : released.triangles) std::swap(b, c);
+    for (auto& [a, b, c] : released.interfaces) std::swap(b, c);
   }
   for (CreaseCurve& curve : creases_.curves) {
     if (curve.points.size() > 1) released.creases.push_back(std::move(curve.points));

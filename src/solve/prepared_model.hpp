@@ -44,6 +44,7 @@ class PreparedModel {
 
   const TriangleMesh& mesh_;
   TriangleMesh inner_faces_;
+  std::vector<SolidSplit::Between> interfaces_;
   MendedSurface mended_;
   TriangleBvh bvh_;
   WindingNumber winding_;

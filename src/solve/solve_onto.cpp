@@ -90,7 +90,8 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
                                       options.onto, monitor, guides, extent_of(tets));
   field->vertex_frames = std::move(finished.frames);
   field->tet_frames = tet_frames_of(tets.solid.mesh, field->vertex_frames);
-  field->singularities = singularity_graph(singular_tet_edges(tets.solid, field->tet_frames));
+  auto lines = std::make_shared<const SingularityGraph>(
+      singularity_graph(singular_tet_edges(tets.solid, field->tet_frames)));
   monitor.check_stop();
 
   SolveReport report = grid.report();
@@ -101,7 +102,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   monitor.report({Phase::kTets, 0, tets.solid.mesh.vertices.size(), finished.sweeps, report.onto->dirichlet});
   report.onto->feature_edge_deg = angles_along(tets.solid, features.edges, field->vertex_frames);
   report.onto->boundary = options.onto.boundary;
-  report.onto->singularity = tet_summary(tets.solid, field->tet_frames, field->singularities);
+  report.onto->singularity = tet_summary(tets.solid, field->tet_frames, *lines);
   report.onto->edge_length = domain.typical_edge_length();
   report.onto->unfollowed_share =
       unfollowed_share(tets.solid, field->tet_frames, AnswerOptions{}.unfollowed_deg);
@@ -114,7 +115,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
                                  "the energy on the tets had not settled when the sweeps ran out");
   if (start.outside > 0) report.warnings.push_back(outside_warning(start.outside, report.onto->vertices));
   report.answer = answer_of(report);
-  return {grid, domain, std::move(field), std::move(report)};
+  return {grid, domain, std::move(field), std::move(report), std::move(lines)};
 }
 
 TetFrameField solve_onto(const TetDomain& domain, const SolveOptions& options, const Monitor& monitor) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/quaternion.hpp"
-#include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -15,7 +14,6 @@ namespace crossgrain {
 struct TetField {
   std::vector<Quaternion> vertex_frames;  ///< one per vertex of the mesh, including unused ones
   std::vector<Quaternion> tet_frames;     ///< one per tet
-  SingularityGraph singularities;         ///< of the frames of tets
 };
 
 /// Returns for each tet the frame nearest to the mean of its four vertices' degree-4 coefficients: the local

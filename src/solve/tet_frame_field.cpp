@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crossgrain/tet_frame_field.hpp"
 
+#include <mutex>
+
 #include "sampling/index_arrays.hpp"
 #include "sampling/orthonormal_frame.hpp"
 #include "singularity/singularity_graph.hpp"
@@ -24,12 +26,21 @@ std::vector<std::array<double, 4>> numbers_of(const std::vector<Quaternion>& qua
 
 }  // namespace
 
+/// The singular graph, computed on first use.
+struct TetFrameField::Lines {
+  std::once_flag once;
+  std::shared_ptr<const SingularityGraph> graph;
+};
+
 TetFrameField::TetFrameField(FrameField grid, TetDomain domain, std::shared_ptr<const TetField> field,
-                             SolveReport report)
+                             SolveReport report, std::shared_ptr<const SingularityGraph> lines)
     : grid_(std::move(grid)),
       domain_(std::move(domain)),
       field_(std::move(field)),
-      report_(std::make_shared<const SolveReport>(std::move(report))) {}
+      report_(std::make_shared<const SolveReport>(std::move(report))),
+      lines_(std::make_shared<Lines>()) {
+  lines_->graph = std::move(lines);
+}
 
 Frame TetFrameField::vertex_frame(std::size_t index) const {
   check_index(index, field_->vertex_frames.size(), "vertex");
@@ -58,7 +69,11 @@ std::vector<std::array<double, 4>> TetFrameField::tet_quaternions() const {
 }
 
 const SingularityGraph& TetFrameField::singularities() const {
-  return field_->singularities;
+  std::call_once(lines_->once, [&] {
+    if (!lines_->graph)
+      lines_->graph = std::make_shared<const SingularityGraph>(singularities(SingularityOptions{}));
+  });
+  return *lines_->graph;
 }
 
 SingularityGraph TetFrameField::singularities(const SingularityOptions& options) const {

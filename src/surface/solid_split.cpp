@@ -136,9 +136,10 @@ std::set<Piece> sharp_pieces(const TriangleMesh& mesh) {
   return pieces;
 }
 
-std::vector<CreaseCurve> creases_of_union(const TriangleMesh& outer, std::span<const Triangle> separating) {
+std::vector<CreaseCurve> creases_of_union(const TriangleMesh& outer,
+                                          std::span<const SolidSplit::Between> between) {
   std::set<Piece> between_solids;
-  for (const Triangle& t : separating) {
+  for (const auto& [t, solids] : between) {
     for (std::size_t k = 0; k < 3; ++k)
       between_solids.insert(piece_between(outer.vertices[t[k]], outer.vertices[t[(k + 1) % 3]]));
   }
@@ -167,20 +168,20 @@ SolidSplit split_solids(CheckedMesh mesh, bool unite) {
   TriangleMesh inner;
   inner.vertices = mesh->vertices;
   std::vector<bool> paired(mesh->triangles.size());
-  std::vector<Triangle> separating;
+  std::vector<SolidSplit::Between> between;
   if (has_several_solids(*mesh)) {
     for (const auto& [owner, other] : separating_pairs(*mesh, paired)) {
-      separating.push_back(mesh->triangles[owner]);
+      between.push_back({mesh->triangles[owner], {mesh->solids[owner], mesh->solids[other]}});
       if (!unite)
-        append_inner(*mesh, separating.back(),
+        append_inner(*mesh, between.back().triangle,
                      mesh->corner_normals.empty() ? nullptr : &mesh->corner_normals[owner], inner);
     }
   }
   for (const Triangle& triangle : mesh->inner_faces) append_inner(*mesh, triangle, nullptr, inner);
-  if (separating.empty()) return {std::move(mesh), std::move(inner)};
+  if (between.empty()) return {std::move(mesh), std::move(inner), {}};
   TriangleMesh outer = without(*std::move(mesh), paired);
-  if (unite) outer.creases = creases_of_union(outer, separating);
-  return {CheckedMesh::derived(std::move(outer)), std::move(inner)};
+  if (unite) outer.creases = creases_of_union(outer, between);
+  return {CheckedMesh::derived(std::move(outer)), std::move(inner), std::move(between)};
 }
 
 std::vector<GuideFace> guides_across(const TriangleMesh& inner) {

@@ -2,6 +2,8 @@
 // A model of several solids: the surface around all of them, and the faces between them.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "crossgrain/types.hpp"
@@ -23,6 +25,14 @@ struct SolidSplit {
   /// a face have the same orientation; then TriangleMesh::inner_faces with an area. Has the vertices of the
   /// mesh, and corner normals.
   TriangleMesh inner;
+
+  /// The triangle of each pair that belongs to the solid of lower number, and both solids; also if united.
+  /// Vertices are those of `inner`.
+  struct Between {
+    std::array<std::uint32_t, 3> triangle;
+    std::array<std::int32_t, 2> solids;
+  };
+  std::vector<Between> between;
 };
 
 /// Removes the triangles between solids from a mesh. Two triangles are a pair if they belong to different

@@ -52,23 +52,6 @@ void warn_of_stray_faces(const TetSolid& solid, const std::vector<Face>& tagged,
                               std::to_string(strays) + " of " + std::to_string(tagged.size()));
 }
 
-/// Regions of the boundary faces; for a face whose tet has no volume, that of any tet at its first corner.
-class BoundaryRegions {
- public:
-  explicit BoundaryRegions(const TetSolid& solid) : solid_(solid), at_vertex_(solid.mesh.vertices.size(), 0) {
-    for (std::size_t t = 0; t < solid.mesh.tets.size(); ++t)
-      for (const std::uint32_t v : solid.mesh.tets[t]) at_vertex_[v] = solid.mesh.regions[t];
-  }
-  std::int32_t operator[](std::size_t face) const {
-    const std::uint32_t tet = solid_.boundary_tets[face];
-    return tet == kNoTet ? at_vertex_[solid_.boundary[face][0]] : solid_.mesh.regions[tet];
-  }
-
- private:
-  const TetSolid& solid_;
-  std::vector<std::int32_t> at_vertex_;
-};
-
 /// The edges of boundary and walls, ascending.
 std::vector<Edge> edges_of_faces(const TetSolid& solid, const std::vector<InnerWall>& walls) {
   std::vector<Edge> edges;
@@ -147,13 +130,21 @@ std::vector<Edge> followed_edges(const TetSolid& solid, const std::vector<InnerW
   return followed;
 }
 
+std::vector<std::int32_t> regions_of_boundary(const TetSolid& solid) {
+  std::vector<std::int32_t> at_vertex(solid.mesh.vertices.size(), 0), regions(solid.boundary.size());
+  for (std::size_t t = 0; t < solid.mesh.tets.size(); ++t)
+    for (const std::uint32_t v : solid.mesh.tets[t]) at_vertex[v] = solid.mesh.regions[t];
+  for (std::size_t f = 0; f < regions.size(); ++f) {
+    const std::uint32_t tet = solid.boundary_tets[f];
+    regions[f] = tet == kNoTet ? at_vertex[solid.boundary[f][0]] : solid.mesh.regions[tet];
+  }
+  return regions;
+}
+
 TriangleMesh model_surface(const TetSolid& solid, const std::vector<InnerWall>& walls) {
   const TetMesh& mesh = solid.mesh;
   TriangleMesh surface{mesh.vertices, solid.boundary};
-  if (has_several_regions(mesh)) {
-    const BoundaryRegions region_of(solid);
-    for (std::size_t f = 0; f < solid.boundary.size(); ++f) surface.solids.push_back(region_of[f]);
-  }
+  if (has_several_regions(mesh)) surface.solids = regions_of_boundary(solid);
   for (const InnerWall& wall : walls) {
     if (!wall.separates_regions) {
       surface.inner_faces.push_back(wall.vertices);

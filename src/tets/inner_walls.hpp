@@ -26,6 +26,10 @@ std::vector<InnerWall> find_inner_walls(const TetSolid& solid, std::vector<Warni
 /// Whether the tets belong to more than one region.
 bool has_several_regions(const TetMesh& mesh);
 
+/// Returns the regions of the boundary faces; for a face whose tet has no volume, that of any tet at its
+/// first corner. The mesh must have regions.
+std::vector<std::int32_t> regions_of_boundary(const TetSolid& solid);
+
 /// The edges of the mesh that frames must run along, in its order: those that are stated (TetMesh::Edge), and
 /// those inside the solid that belong to no wall. All others are sharp edges of faces, or irrelevant.
 std::vector<std::array<std::uint32_t, 2>> followed_edges(const TetSolid& solid,

@@ -227,8 +227,8 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
                                   .left_out_tets = 8,
                                   .seconds = 0.7};
   const TetSolid tet = solid_of(corner_tet());
-  const TetField onto{std::vector<Quaternion>(4), {Quaternion{}}, {}};
-  write_field_onto(field_of(sample_data(Degree::kFour)), report, {tet, onto}, folder.path());
+  const TetField onto{std::vector<Quaternion>(4), {Quaternion{}}};
+  write_field_onto(field_of(sample_data(Degree::kFour)), report, {tet, onto, {}}, folder.path());
   const SolveReport read = read_field(folder.path()).report();
   ASSERT_TRUE(read.onto);
   EXPECT_EQ(read.onto->tets, 2u);

@@ -49,7 +49,7 @@ void write_every_format(const std::filesystem::path& folder) {
   onto.tet_frames = tet_frames_of(solid.mesh, onto.vertex_frames);
   OutputOptions options;
   for (const OutputFormat& format : output_formats()) options.formats.push_back(format.name);
-  write_field_onto(made_field(), sample_report(), {solid, onto}, folder, {}, options);
+  write_field_onto(made_field(), sample_report(), {solid, onto, {}}, folder, {}, options);
 }
 
 TEST(ForeignFiles, OfAnyKindAreNamedAndNothingIsWritten) {

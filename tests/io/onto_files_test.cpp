@@ -34,7 +34,8 @@ struct Sample {
   }
 
   void write(const std::filesystem::path& folder, const Monitor& monitor = {}) const {
-    write_field_onto(field_of(sample_data(Degree::kFour)), sample_report(), {solid, onto}, folder, monitor);
+    write_field_onto(field_of(sample_data(Degree::kFour)), sample_report(), {solid, onto, {}}, folder,
+                     monitor);
   }
 
   TetSolid solid;

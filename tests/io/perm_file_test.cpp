@@ -222,8 +222,8 @@ struct MadeField {
     onto.tet_frames = scattered_frames(solid.mesh.tets.size(), spread_rad);
     OutputOptions options;
     options.formats = {"fra", "perm"};
-    write_field_onto(field_of(sample_data(Degree::kFour)), sample_report(), {solid, onto}, folder.path(), {},
-                     options);
+    write_field_onto(field_of(sample_data(Degree::kFour)), sample_report(), {solid, onto, {}}, folder.path(),
+                     {}, options);
   }
 
   TemporaryFolder folder;
@@ -244,7 +244,7 @@ TEST(PermFile, SaysWhereEachAxisGoes) {
   EXPECT_EQ(axes[0], (Vector3{0, 1, 0}));
   OutputOptions options;
   options.formats = {"perm"};
-  write_field_onto(field_of(sample_data(Degree::kFour)), sample_report(), {made.solid, made.onto},
+  write_field_onto(field_of(sample_data(Degree::kFour)), sample_report(), {made.solid, made.onto, {}},
                    made.folder.path(), {}, options);
   const auto perm = frame_files::read_perm(made.folder.path() / "onto.perm");
   ASSERT_EQ(perm.rows.size(), 2u) << "two of its faces are inside";

@@ -27,6 +27,14 @@ TEST(SingularityFile, GivesArcsAndNodesBack) {
     EXPECT_EQ(read.arcs[i].type, expected.arcs[i].type);
     EXPECT_EQ(read.arcs[i].verdict, expected.arcs[i].verdict);
     EXPECT_EQ(read.arcs[i].nodes, expected.arcs[i].nodes);
+    EXPECT_EQ(read.arcs[i].turning_points, expected.arcs[i].turning_points);
+    const std::vector<Vector3>&axes = read.arcs[i].axes, &axes_before = expected.arcs[i].axes;
+    ASSERT_EQ(axes.size(), axes_before.size());
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      const bool is_end = read.arcs[i].nodes && (k == 0 || k + 1 == axes.size());
+      const bool is_shared = is_end && read.nodes[(*read.arcs[i].nodes)[k == 0 ? 0 : 1]].degree() > 1;
+      EXPECT_EQ(axes[k], is_shared ? (Vector3{0, 0, 0}) : axes_before[k]);
+    }
   }
   for (std::size_t i = 0; i < read.nodes.size(); ++i) {
     EXPECT_EQ(read.nodes[i].place, expected.nodes[i].place);

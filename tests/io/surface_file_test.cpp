@@ -32,6 +32,9 @@ void expect_same(const SolvedSurface& a, const SolvedSurface& b) {
   EXPECT_EQ(a.vertices, b.vertices);
   EXPECT_EQ(a.triangles, b.triangles);
   EXPECT_EQ(a.creases, b.creases);
+  EXPECT_EQ(a.interfaces, b.interfaces);
+  EXPECT_EQ(a.regions, b.regions);
+  EXPECT_EQ(a.interface_regions, b.interface_regions);
 }
 
 TEST(SurfaceFile, GivesTheSurfaceBackToTheBit) {
@@ -40,6 +43,16 @@ TEST(SurfaceFile, GivesTheSurfaceBackToTheBit) {
   const auto read = read_field(folder.path()).data().surface.get();
   ASSERT_NE(read, nullptr);
   expect_same(*read, made_surface());
+}
+
+TEST(SurfaceFile, KeepsTheSolidsAndTheFacesBetweenThem) {
+  const TemporaryFolder folder;
+  SolvedSurface surface = made_surface();
+  surface.regions = {7, 7, -1, 0};
+  surface.interfaces = {{0, 1, 3}, {1, 2, 3}};
+  surface.interface_regions = {{7, -1}, {0, 7}};
+  write_field(field_of(with_surface(surface)), folder.path());
+  expect_same(*read_field(folder.path()).data().surface.get(), surface);
 }
 
 TEST(SurfaceFile, MayHaveNoCreases) {

@@ -37,7 +37,7 @@ struct Sample {
     OutputOptions options;
     options.formats = std::move(formats);
     options.foreign_files = foreign;
-    return write_field_onto(field_of(sample_data(Degree::kFour)), sample_report(), {solid, onto}, folder,
+    return write_field_onto(field_of(sample_data(Degree::kFour)), sample_report(), {solid, onto, {}}, folder,
                             monitor, options);
   }
 

@@ -48,27 +48,38 @@ TEST(AnswerLegend, CountsCreasesAndCornersThatAreNotMeshableOrUndecided) {
   EXPECT_EQ(texts_of(answer_legend(report, false)).size(), 1u);
 }
 
-TEST(AnswerMarks, AreBallsInTheColoursOfTheLegend) {
+std::vector<Facet> marks_of(const SolveReport& report) {
+  std::vector<Facet> facets;
+  answer_marks(report, 0.5, facets);
+  return facets;
+}
+
+constexpr std::size_t kFacetsOfCube = 12;
+
+TEST(AnswerMarks, AreCubesInTheColoursOfTheLegend) {
   SolveReport report;
   report.singularity = with_corners({Verdict::kMeshable, Verdict::kUndecided, Verdict::kNotMeshable});
-  const std::vector<Ball> balls = answer_marks(report, 0.5);
+  const std::vector<Facet> facets = marks_of(report);
   const LegendBlock legend = answer_legend(report, true);
-  ASSERT_EQ(balls.size(), 2u);
-  for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_EQ(balls[k].colour, legend.signs[k].colour);
-    EXPECT_GT(balls[k].radius, 0.5);
+  ASSERT_EQ(facets.size(), 2 * kFacetsOfCube);
+  const std::array<double, 2> places{2, 1};  // what is certain comes first
+  for (std::size_t k = 0; k < facets.size(); ++k) {
+    EXPECT_EQ(facets[k].colour, legend.signs[k / kFacetsOfCube].colour);
+    EXPECT_EQ(legend.signs[k / kFacetsOfCube].shape, Sign::Shape::kCube);
+    const auto& [a, b, c] = facets[k].corners;
+    const Vector3 centre{places[k / kFacetsOfCube], 0, 0};
+    EXPECT_GT(dot(cross(b - a, c - a), a - centre), 0) << "seen from outside";
+    EXPECT_LT(norm(a - centre), 2);
   }
-  EXPECT_EQ(balls[0].centre, (Vector3{2, 0, 0})) << "what is certain comes first";
-  EXPECT_EQ(balls[1].centre, (Vector3{1, 0, 0}));
 }
 
 TEST(AnswerMarks, AreThoseOfTheTetsIfThereAreTets) {
   SolveReport report;
   report.singularity = with_corners({Verdict::kNotMeshable, Verdict::kNotMeshable});
   report.onto.emplace().singularity = with_corners({Verdict::kMeshable, Verdict::kUndecided});
-  const std::vector<Ball> balls = answer_marks(report, 1);
-  ASSERT_EQ(balls.size(), 1u);
-  EXPECT_EQ(balls[0].colour, kUndecidedLook.colour);
+  const std::vector<Facet> facets = marks_of(report);
+  ASSERT_EQ(facets.size(), kFacetsOfCube);
+  EXPECT_EQ(facets[0].colour, kUndecidedLook.colour);
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "picture/corner_normals.hpp"
+#include "display/axis_colours.hpp"
+#include "display/smooth_corners.hpp"
 #include "picture/cut_outline.hpp"
 #include "support/shapes.hpp"
 
@@ -39,24 +40,42 @@ TEST(PlacesOnPlane, AreApartAndFillThinWallsToo) {
   }
 }
 
-TEST(FrameBoxes, HaveTheirSidesAlongTheAxes) {
+TEST(FrameBoxes, StandOnThePlaneWithTheirSidesInTheColoursOfTheAxes) {
   const Quaternion frame = from_rotation_vector({0.3, -0.2, 0.5});
-  const DrawnMesh mesh = frame_boxes({{{1, 2, 3}, frame}}, 0.5, {});
-  ASSERT_EQ(mesh.vertices.size(), 8u);
-  EXPECT_EQ(mesh.triangles.size(), 12u);
-  for (const Vector3& vertex : mesh.vertices)
-    for (const Vector3& axis : axes_of(frame))
-      EXPECT_NEAR(std::abs(dot(vertex - Vector3{1, 2, 3}, axis)), 0.25, 1e-12);
-  // Out of the box.
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vector3 normal = cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
-    EXPECT_GT(dot(normal, mesh.vertices[a] - Vector3{1, 2, 3}), 0);
+  const Vector3 place{1, 2, 3}, normal{0, -1, 0};
+  const AxisNames names{1, 2, 0};
+  const auto meshes = frame_boxes({{place, frame, names}}, 0.5, normal);
+  ASSERT_EQ(meshes.size(), 3u);
+  const auto axes = axes_of(frame);
+  double lowest = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const DrawnMesh& mesh = meshes[names[k]];
+    EXPECT_EQ(mesh.colour, colour_of(kAxisColours[names[k]]));
+    ASSERT_EQ(mesh.triangles.size(), 4u);
+    Vector3 middle{0, 0, 0};
+    for (const Vector3& vertex : mesh.vertices) middle += 1.0 / 8 * vertex;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Vector3 out = cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
+      EXPECT_GT(dot(out, mesh.vertices[a] - middle), 0);
+      EXPECT_NEAR(std::abs(dot(normalised(out), axes[k])), 1, 1e-12);
+    }
+    for (const Vector3& vertex : mesh.vertices) lowest = std::min(lowest, dot(vertex - place, normal));
   }
+  EXPECT_NEAR(lowest, 0, 1e-12);
+}
+
+TEST(FrameCrosses, StandOnThePlane) {
+  const Quaternion frame = from_rotation_vector({0.3, -0.2, 0.5});
+  const DrawnRods crosses = frame_crosses({{{1, 2, 3}, frame, {0, 1, 2}}}, 0.5, {0, 0, 1});
+  ASSERT_EQ(crosses.rods.size(), 3u);
+  double lowest = 4;
+  for (const Rod& rod : crosses.rods) lowest = std::min({lowest, rod.from[2], rod.to[2]});
+  EXPECT_NEAR(lowest, 3, 1e-12);
 }
 
 TEST(CornerNormals, AreTheFacesOwnAtRightAngles) {
   const TriangleMesh box = make_box({2, 1, 1.5});
-  const auto normals = corner_normals(box.vertices, box.triangles, 30);
+  const auto normals = corner_normals(SmoothCorners(box.vertices, box.triangles, 30), box.triangles.size());
   for (std::size_t t = 0; t < box.triangles.size(); ++t) {
     const auto& [a, b, c] = box.triangles[t];
     const Vector3 own =

@@ -74,7 +74,7 @@ TEST_F(Picture, HasTheSameBytesOnAnyNumberOfThreads) {
 TEST_F(Picture, IsAnotherFromEverySide) {
   std::set<std::string> contents;
   for (const char* view : {"iso", "front", "back", "left", "right", "top", "bottom"}) {
-    set_view(options, view);
+    options.view = view_named(view);
     contents.insert(content_of(drawn("a.png")));
   }
   EXPECT_EQ(contents.size(), 7u);
@@ -121,14 +121,14 @@ TEST_F(Picture, OfWrongSizesViewsAndCutsIsRefused) {
   refused([&] { options.width = 63; });
   refused([&] { options.height = 10001; });
   refused([&] { options.width = options.height = 9000; });
-  refused([&] { options.elevation_deg = 91; });
-  refused([&] { options.azimuth_deg = NAN; });
+  refused([&] { options.view = {{0, 91}}; });
+  refused([&] { options.view = {{NAN, 0}}; });
   refused([&] { options.cut = PictureOptions::Cut{1, 1e6}; });
   refused([&] { options.cut = PictureOptions::Cut{3, std::nullopt}; });
-  refused([&] { set_view(options, "front"), options.cut = PictureOptions::Cut{0, std::nullopt}; });
+  refused([&] { options.view = view_named("front"), options.cut = PictureOptions::Cut{0, std::nullopt}; });
   refused([&] { options.range = {0, 1}; });
   refused([&] { options.range = {0, 1}, options.colour = PictureColour::kEnergy; });
-  EXPECT_THROW(set_view(options, "inside"), Error);
+  EXPECT_THROW(view_named("inside"), Error);
 }
 
 TEST_F(Picture, NeedsTheSurface) {

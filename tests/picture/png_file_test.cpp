@@ -48,14 +48,15 @@ TEST(PngFile, KeepsTheColourOfWhatIsTransparentInPart) {
   EXPECT_EQ(read.at(3, 4), (std::array{0, 0, 0, 0}));
 }
 
-TEST(PngFile, HasTheMarkOfTheProgramOnRequest) {
+TEST(PngFile, HasTheMarkOfTheProgramAndADescriptionOnRequest) {
   const TemporaryFolder folder;
   write(folder.path() / "a.png", many_colours(70, 50, 1));
   EXPECT_FALSE(has_mark(folder.path() / "a.png"));
   OutputFile file(folder.path() / "b.png");
-  write_png(file, many_colours(70, 50, 1), {}, PngMark::kProgram);
+  write_png(file, many_colours(70, 50, 1), {}, {.has_mark = true, .description = "what it shows"});
   file.commit();
   EXPECT_TRUE(has_mark(folder.path() / "b.png"));
+  EXPECT_NE(content_of(folder.path() / "b.png").find("what it shows"), std::string::npos);
   EXPECT_TRUE(read_png(folder.path() / "a.png").bytes == read_png(folder.path() / "b.png").bytes);
 }
 

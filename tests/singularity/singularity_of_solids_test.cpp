@@ -86,6 +86,9 @@ INSTANTIATE_TEST_SUITE_P(SingularityOfSolids, TiltedCylinder,
                          ::testing::Combine(::testing::ValuesIn(kTilts), kSettings),
                          [](const auto& cylinder) { return name_of(cylinder); });
 
+/// Of 3 degrees: frames next to a line of a grid turn about an axis between those of the cells.
+constexpr double kAxisCosine = 0.9986;
+
 // A fiftieth of the radius is 0.6 of the finest cells here.
 TEST(SingularityOfSolids, TheFourLinesOfACylinderAreStraightAndAlikeHoweverItStands) {
   for (const Vector3& tilt : kTilts) {
@@ -95,6 +98,12 @@ TEST(SingularityOfSolids, TheFourLinesOfACylinderAreStraightAndAlikeHoweverItSta
     const CylinderArcs arcs = measure_cylinder_arcs(solved.graph, rotation, kCylinderHalfHeight - 0.2);
     EXPECT_LT(arcs.spread, 0.02);
     EXPECT_LT(arcs.off_straight, 2 * solved.finest_cell());
+    const Vector3 upright = rotate(rotation, {0, 0, 1});
+    for (const auto& arc : solved.graph.arcs) {
+      ASSERT_EQ(arc.axes.size(), arc.points.size());
+      EXPECT_TRUE(arc.turning_points.empty());
+      for (const Vector3& axis : arc.axes) EXPECT_GT(std::abs(dot(axis, upright)), kAxisCosine);
+    }
   }
 }
 

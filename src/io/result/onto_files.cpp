@@ -60,8 +60,9 @@ SolveReport write_field_onto(const FrameField& field, SolveReport report, const 
 
 SolveReport write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
                         const Monitor& monitor, const OutputOptions& options) {
-  return write_field_onto(field.grid(), std::move(report), {field.domain().data().solid, field.data()},
-                          folder, monitor, options);
+  return write_field_onto(field.grid(), std::move(report),
+                          {field.domain().data().solid, field.data(), field.singularities()}, folder, monitor,
+                          options);
 }
 
 SolveReport write_field(const TetFrameField& field, const std::filesystem::path& folder,

@@ -118,7 +118,6 @@ std::optional<TetFrameField> read_tet_field(const std::filesystem::path& folder)
   auto field = std::make_shared<TetField>();
   field->vertex_frames = read_vertex_frames(folder / kTetFramesFile, domain.mesh().vertices.size());
   field->tet_frames = tet_frames_of(domain.mesh(), field->vertex_frames);
-  field->singularities = singularity_graph(singular_tet_edges(domain.data().solid, field->tet_frames));
   SolveReport report = grid.report();
   return TetFrameField(std::move(grid), std::move(domain), std::move(field), std::move(report));
 }

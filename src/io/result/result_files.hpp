@@ -12,6 +12,5 @@ inline constexpr const char* kReportFile = "report.json";
 
 inline constexpr const char* kTetFramesFile = "onto.frames";
 inline constexpr const char* kTetGridFile = "onto.vtu";
-inline constexpr const char* kTetSingularityFile = "onto_singularities.vtu";
 
 }  // namespace crossgrain

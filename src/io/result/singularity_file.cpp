@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "io/result/tet_writers.hpp"
@@ -20,6 +21,8 @@ struct Polylines {
     std::vector<std::int32_t> nodes;    ///< -1 at points within an arc
     std::vector<std::int64_t> vertices;
     std::vector<std::uint8_t> on_boundary, verdicts;
+    std::vector<Vector3> axes;
+    std::vector<std::uint8_t> turning;
   } points;
   struct Arcs {
     std::vector<double> indices, lengths, oblique_lengths;
@@ -36,6 +39,20 @@ void add_point(Polylines& lines, const Vector3& place, std::int64_t vertex) {
   points.vertices.push_back(vertex);
   points.on_boundary.push_back(0);
   points.verdicts.push_back(static_cast<std::uint8_t>(Verdict::kMeshable));
+  points.axes.push_back({0, 0, 0});
+  points.turning.push_back(0);
+}
+
+/// Sets the axes and turning points of an arc at its points, but not the axes at nodes of several arcs, which
+/// have an axis for each.
+void set_axes(const SingularityGraph::Arc& arc, std::span<const std::int64_t> points, Polylines& lines) {
+  for (std::size_t k = 0; k < arc.axes.size(); ++k) {
+    const auto point = static_cast<std::size_t>(points[k]);
+    const bool is_shared = lines.points.nodes[point] >= 0 && lines.points.degrees[point] > 1;
+    if (!is_shared) lines.points.axes[point] = arc.axes[k];
+  }
+  for (const std::uint32_t k : arc.turning_points)
+    lines.points.turning[static_cast<std::size_t>(points[k])] = 1;
 }
 
 void add_nodes(const SingularityGraph& graph, Polylines& lines) {
@@ -67,6 +84,7 @@ void add_arc(const SingularityGraph& graph, const SingularityGraph::Arc& arc, Po
     add_point(lines, arc.points[k], arc.vertices[k]);
   }
   lines.connectivity.push_back(arc.nodes ? (*arc.nodes)[1] : first);
+  set_axes(arc, std::span(lines.connectivity).last(arc.points.size()), lines);
   lines.offsets.push_back(static_cast<std::int64_t>(lines.connectivity.size()));
   lines.arcs.indices.push_back(arc.index);
   lines.arcs.lengths.push_back(arc.length);
@@ -75,6 +93,13 @@ void add_arc(const SingularityGraph& graph, const SingularityGraph::Arc& arc, Po
   lines.arcs.verdicts.push_back(static_cast<std::uint8_t>(arc.verdict));
   lines.arcs.on_boundary.push_back(on_boundary);
   lines.arcs.closed.push_back(arc.is_closed());
+}
+
+VtuArray axes_array(const std::vector<Vector3>& axes) {
+  const auto copy = [&axes](std::size_t begin, std::size_t end, double* out) {
+    for (std::size_t i = begin; i < end; ++i, out += 3) std::ranges::copy(axes[i], out);
+  };
+  return vtu_array<double>(VtuSection::kPointData, "axis", 3, axes.size(), copy, VtuPacking::kMeasured);
 }
 
 std::vector<VtuArray> arrays_of(const Polylines& lines) {
@@ -87,6 +112,8 @@ std::vector<VtuArray> arrays_of(const Polylines& lines) {
   add(VtuSection::kPointData, "vertex", lines.points.vertices);
   add(VtuSection::kPointData, "node_on_boundary", lines.points.on_boundary);
   add(VtuSection::kPointData, "node_verdict", lines.points.verdicts);
+  arrays.push_back(axes_array(lines.points.axes));
+  add(VtuSection::kPointData, "turning_point", lines.points.turning);
   add(VtuSection::kCellData, "index", lines.arcs.indices);
   add(VtuSection::kCellData, "type", lines.arcs.types);
   add(VtuSection::kCellData, "verdict", lines.arcs.verdicts);
@@ -116,7 +143,7 @@ void write_singularities(OutputFile& file, const SingularityGraph& graph, const 
 }
 
 void write_tet_singularities(OutputFile& file, const TetOutput& output, const Monitor& monitor) {
-  write_singularities(file, output.field.singularities, monitor);
+  write_singularities(file, output.lines, monitor);
 }
 
 }  // namespace crossgrain

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kLargestCoordinate = 1e102;
 
+/// Rounding of the length of a unit vector.
+constexpr double kUnitRounding = 1e-9;
+
 class SingularityReader {
  public:
   explicit SingularityReader(const std::filesystem::path& path) : file_(path) {}
@@ -40,6 +43,30 @@ class SingularityReader {
     }
   }
 
+  /// What belongs to points, beside their places.
+  struct Columns {
+    std::vector<double> axes;
+    std::vector<std::uint8_t> turning;
+    std::vector<std::int64_t> vertices;
+  };
+
+  Columns read_columns() const {
+    Columns columns{file_.read<double>(VtuSection::kPointData, "axis", 3),
+                    file_.read<std::uint8_t>(VtuSection::kPointData, "turning_point", 1),
+                    file_.read<std::int64_t>(VtuSection::kPointData, "vertex", 1)};
+    for (const double component : columns.axes) require(std::abs(component) <= 1 + kUnitRounding);
+    return columns;
+  }
+
+  static void add_point(std::size_t point, bool is_repeated, const std::vector<Vector3>& places,
+                        const Columns& columns, SingularityGraph::Arc& arc) {
+    if (columns.turning[point] != 0 && !is_repeated)
+      arc.turning_points.push_back(static_cast<std::uint32_t>(arc.points.size()));
+    arc.points.push_back(places[point]);
+    arc.axes.push_back({columns.axes[3 * point], columns.axes[3 * point + 1], columns.axes[3 * point + 2]});
+    arc.vertices.push_back(columns.vertices[point]);
+  }
+
   void add_arcs(const std::vector<Vector3>& places, SingularityGraph& graph) const {
     const auto entries = file_.read<std::int64_t>(VtuSection::kCells, "connectivity", 1);
     const auto ends = file_.read<std::int64_t>(VtuSection::kCells, "offsets", 1);
@@ -48,6 +75,7 @@ class SingularityReader {
     const auto types = file_.read<std::uint8_t>(VtuSection::kCellData, "type", 1);
     const auto verdicts = file_.read<std::uint8_t>(VtuSection::kCellData, "verdict", 1);
     const auto closed = file_.read<std::uint8_t>(VtuSection::kCellData, "closed", 1);
+    const Columns columns = read_columns();
     require(ends.size() == file_.cells());
     std::size_t begin = 0;
     for (std::size_t cell = 0; cell < ends.size(); ++cell) {
@@ -63,7 +91,8 @@ class SingularityReader {
       arc.length = lengths[cell];
       for (std::size_t i = begin; i < end; ++i) {
         require(static_cast<std::uint64_t>(entries[i]) < places.size());
-        arc.points.push_back(places[static_cast<std::size_t>(entries[i])]);
+        add_point(static_cast<std::size_t>(entries[i]), i + 1 == end && closed[cell] != 0, places, columns,
+                  arc);
       }
       if (closed[cell] == 0) join(entries[begin], entries[end - 1], graph);
       begin = end;

@@ -2,8 +2,10 @@
 #include "io/result/surface_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -20,10 +22,19 @@ namespace {
 /// Limit of the coordinates of a surface (surface/surface.hpp).
 constexpr double kLargestCoordinate = 1e100;
 
-/// A surface as rows of the file. Crease points follow the vertices; no two cells share one.
+/// Cell data of a surface of several solids: the solid of a triangle, and that on the other side.
+constexpr std::array kRegionArrays{field_arrays::kRegion, "region_beyond"};
+
+/// Entry of these arrays for cells without a solid.
+constexpr std::int32_t kNoRegion = std::numeric_limits<std::int32_t>::min();
+
+/// A surface as rows of the file: triangles of the surface, interfaces, creases. Crease points follow the
+/// vertices; no two cells share one.
 struct SurfaceRows {
-  explicit SurfaceRows(const SolvedSurface& surface)
-      : vertices(surface.vertices), triangles(surface.triangles) {
+  explicit SurfaceRows(const SolvedSurface& shown)
+      : surface(shown),
+        vertices(shown.vertices),
+        triangles(shown.triangles.size() + shown.interfaces.size()) {
     for (const std::vector<Vector3>& crease : surface.creases) {
       crease_points.insert(crease_points.end(), crease.begin(), crease.end());
       crease_ends.push_back(crease_points.size());
@@ -31,23 +42,32 @@ struct SurfaceRows {
   }
 
   std::size_t points() const { return vertices.size() + crease_points.size(); }
-  std::size_t cells() const { return triangles.size() + crease_ends.size(); }
-  std::size_t entries() const { return 3 * triangles.size() + crease_points.size(); }
+  std::size_t cells() const { return triangles + crease_ends.size(); }
+  std::size_t entries() const { return 3 * triangles + crease_points.size(); }
 
   const Vector3& point(std::size_t i) const {
     return i < vertices.size() ? vertices[i] : crease_points[i - vertices.size()];
   }
   std::size_t entry(std::size_t i) const {
-    const std::size_t of_triangles = 3 * triangles.size();
-    return i < of_triangles ? triangles[i / 3][i % 3] : vertices.size() + (i - of_triangles);
+    const std::size_t outer = surface.triangles.size();
+    if (i / 3 < outer) return surface.triangles[i / 3][i % 3];
+    if (i / 3 < triangles) return surface.interfaces[i / 3 - outer][i % 3];
+    return vertices.size() + (i - 3 * triangles);
   }
   std::size_t cell_end(std::size_t cell) const {
-    return cell < triangles.size() ? 3 * (cell + 1)
-                                   : 3 * triangles.size() + crease_ends[cell - triangles.size()];
+    return cell < triangles ? 3 * (cell + 1) : 3 * triangles + crease_ends[cell - triangles];
   }
 
+  /// The solid of a triangle, or one of the two of an interface; kNoRegion for a crease.
+  std::int32_t region(std::size_t cell, std::size_t side) const {
+    const std::size_t outer = surface.triangles.size();
+    if (cell < outer) return side == 0 ? surface.regions[cell] : kNoRegion;
+    return cell < triangles ? surface.interface_regions[cell - outer][side] : kNoRegion;
+  }
+
+  const SolvedSurface& surface;
   const std::vector<Vector3>& vertices;
-  const std::vector<std::array<std::uint32_t, 3>>& triangles;
+  std::size_t triangles;  ///< those of interfaces included
   std::vector<Vector3> crease_points;
   std::vector<std::size_t> crease_ends;
 };
@@ -77,9 +97,16 @@ std::vector<VtuArray> arrays_of(const SurfaceRows& rows) {
   arrays.push_back(vtu_array<std::uint8_t>(VtuSection::kCells, "types", 1, rows.cells(),
                                            [&rows](std::size_t begin, std::size_t end, std::uint8_t* out) {
                                              for (std::size_t i = begin; i < end; ++i)
-                                               *out++ =
-                                                   i < rows.triangles.size() ? kVtkTriangle : kVtkPolyLine;
+                                               *out++ = i < rows.triangles ? kVtkTriangle : kVtkPolyLine;
                                            }));
+  if (!rows.surface.regions.empty()) {
+    for (const std::size_t side : {0, 1})
+      arrays.push_back(
+          vtu_array<std::int32_t>(VtuSection::kCellData, kRegionArrays[side], 1, rows.cells(),
+                                  [&rows, side](std::size_t begin, std::size_t end, std::int32_t* out) {
+                                    for (std::size_t i = begin; i < end; ++i) *out++ = rows.region(i, side);
+                                  }));
+  }
   return arrays;
 }
 
@@ -136,7 +163,28 @@ class SurfaceReader {
       }
     }
     require(begin == entries.size());
+    if (file_.find(VtuSection::kCellData, kRegionArrays[0])) take_regions(surface);
     return surface;
+  }
+
+  /// Reads the solids of triangles, and moves those with a solid on both sides, the last, to the interfaces.
+  void take_regions(SolvedSurface& surface) const {
+    std::array<std::vector<std::int32_t>, 2> regions;
+    for (const std::size_t side : {0, 1})
+      regions[side] = file_.read<std::int32_t>(VtuSection::kCellData, kRegionArrays[side], 1);
+    auto& triangles = surface.triangles;
+    require(regions[0].size() == file_.cells() && regions[1].size() == file_.cells());
+    const auto ends = regions[1].begin() + static_cast<std::ptrdiff_t>(triangles.size());
+    const auto first =
+        std::find_if(regions[1].begin(), ends, [](auto region) { return region != kNoRegion; });
+    const auto outer = static_cast<std::size_t>(first - regions[1].begin());
+    for (std::size_t i = outer; i < triangles.size(); ++i) {
+      require(regions[1][i] != kNoRegion);
+      surface.interfaces.push_back(triangles[i]);
+      surface.interface_regions.push_back({regions[0][i], regions[1][i]});
+    }
+    triangles.resize(outer);
+    surface.regions.assign(regions[0].begin(), regions[0].begin() + static_cast<std::ptrdiff_t>(outer));
   }
 
   void require(bool sound) const {

@@ -3,16 +3,18 @@
 #pragma once
 
 #include "crossgrain/monitor.hpp"
+#include "crossgrain/singularity_graph.hpp"
 #include "files/output_file.hpp"
 #include "solve/tet_field.hpp"
 #include "tets/tet_solid.hpp"
 
 namespace crossgrain {
 
-/// Input of the writers: a frame for each vertex and tet of the solid's mesh.
+/// Input of the writers: a frame for each vertex and tet of the solid's mesh, and the singular lines.
 struct TetOutput {
   const TetSolid& solid;
   const TetField& field;
+  const SingularityGraph& lines;
 };
 
 // Each function writes a whole file and finishes it. Throws Error(kOutput), and Error(kInterrupted) once the

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "display/cut_lines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <unordered_map>
+
+namespace crossgrain {
+namespace {
+
+/// Reach of a piece's frame, as a multiple of its size: curves turn smoothly from piece to piece.
+constexpr double kReach = 1.5;
+
+/// Cosine of the angle within which two curves run along the same axis.
+constexpr double kSameWay = 0.7071;
+
+/// Largest number of steps of a curve each way, as a closed curve has no end.
+constexpr int kMostSteps = 4000;
+
+/// Distance of a seed from curves along the same axis, in spacings: less than one, since that is where seeds
+/// are laid beside a curve.
+constexpr double kSeedShare = 0.98;
+
+/// Smallest length of a curve, in spacings, unless it runs from boundary to boundary.
+constexpr double kShortest = 1;
+
+/// An axis of the field at a point, and its name there.
+struct Heading {
+  Vector3 axis;      ///< unit, in space
+  Vector3 in_plane;  ///< unit, projected to the plane
+  double excess;     ///< normal component of the axis less the larger one of the other two
+  std::uint8_t name;
+};
+
+/// The axes of a field on a cut.
+class CutField {
+ public:
+  CutField(const CutMesh& mesh, std::span<const AxisNames> names) : mesh_(mesh), names_(names) {
+    begin_.assign(mesh.pieces().size() + 1, 0);
+    for (const CutMesh::Side& side : mesh.sides()) ++begin_[side.a + 1], ++begin_[side.b + 1];
+    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+    around_.resize(begin_.back());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (const CutMesh::Side& side : mesh.sides())
+      around_[next[side.a]++] = side.b, around_[next[side.b]++] = side.a;
+    for (const Quaternion& frame : mesh.frames()) axes_.push_back(axes_of(frame));
+  }
+
+  /// The axis at a point of a piece that is nearest to a direction, from the frames around.
+  Heading towards(std::uint32_t piece, const Vector3& point, const Vector3& direction) const {
+    const std::size_t own = nearest_axis(piece, direction);
+    const Vector3 lead = turned(axes_[piece][own], direction);
+    Vector3 sum = weight(piece, point) * lead;
+    for (std::uint32_t k = begin_[piece]; k < begin_[piece + 1]; ++k) {
+      const std::uint32_t other = around_[k];
+      sum += weight(other, point) * turned(axes_[other][nearest_axis(other, lead)], lead);
+    }
+    const double length = norm(sum);
+    const Vector3 axis = length > 0 ? 1 / length * sum : lead;
+    Vector3 flat = axis;
+    flat[mesh_.plane().axis] = 0;
+    const double share = norm(flat);
+    return {axis, share > 0 ? 1 / share * flat : flat, excess(piece, own), names_[piece][own]};
+  }
+
+  const std::array<Vector3, 3>& axes(std::uint32_t piece) const { return axes_[piece]; }
+
+ private:
+  std::size_t nearest_axis(std::uint32_t piece, const Vector3& direction) const {
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+      if (std::abs(dot(axes_[piece][k], direction)) > std::abs(dot(axes_[piece][best], direction))) best = k;
+    return best;
+  }
+
+  double excess(std::uint32_t piece, std::size_t own) const {
+    const auto normal = [&](std::size_t k) { return std::abs(axes_[piece][k % 3][mesh_.plane().axis]); };
+    return normal(own) - std::max(normal(own + 1), normal(own + 2));
+  }
+
+  static Vector3 turned(const Vector3& axis, const Vector3& direction) {
+    return dot(axis, direction) < 0 ? -axis : axis;
+  }
+
+  double weight(std::uint32_t piece, const Vector3& point) const {
+    const CutMesh::Piece& p = mesh_.pieces()[piece];
+    const Vector3 off = point - p.middle;
+    const double far = dot(off, off) / (kReach * kReach * p.size * p.size);
+    return far < 1 ? (1 - far) * (1 - far) : 0;
+  }
+
+  const CutMesh& mesh_;
+  std::span<const AxisNames> names_;
+  std::vector<std::uint32_t> begin_, around_;
+  std::vector<std::array<Vector3, 3>> axes_;
+};
+
+/// Points of curves, to find what runs along the same axis nearby.
+class DrawnPoints {
+ public:
+  DrawnPoints(const CutPlane& plane, double spacing) : plane_(plane), spacing_(spacing) {}
+
+  bool has_room(const Vector3& point, const Vector3& way, double distance) const {
+    const auto [i, j] = place(point);
+    for (std::int64_t di = -1; di <= 1; ++di) {
+      for (std::int64_t dj = -1; dj <= 1; ++dj) {
+        const auto bin = bins_.find(key(i + di, j + dj));
+        if (bin == bins_.end()) continue;
+        for (const auto& [other, along] : bin->second) {
+          const Vector3 off = other - point;
+          if (dot(off, off) < distance * distance && std::abs(dot(along, way)) > kSameWay) return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  void add(const Vector3& point, const Vector3& way) {
+    const auto [i, j] = place(point);
+    bins_[key(i, j)].push_back({point, way});
+  }
+
+ private:
+  std::array<std::int64_t, 2> place(const Vector3& point) const {
+    return {static_cast<std::int64_t>(std::floor(point[plane_.across()] / spacing_)),
+            static_cast<std::int64_t>(std::floor(point[plane_.up()] / spacing_))};
+  }
+  static std::uint64_t key(std::int64_t i, std::int64_t j) {
+    return static_cast<std::uint64_t>(i) << 32 ^ (static_cast<std::uint64_t>(j) & 0xffffffff);
+  }
+
+  CutPlane plane_;
+  double spacing_;
+  std::unordered_map<std::uint64_t, std::vector<std::array<Vector3, 2>>> bins_;
+};
+
+class CutTracer {
+ public:
+  CutTracer(const CutMesh& mesh, std::span<const AxisNames> names, const CutLineOptions& options,
+            const std::function<bool(const Vector3&)>& is_inside)
+      : mesh_(mesh),
+        field_(mesh, names),
+        options_(options),
+        is_inside_(is_inside),
+        drawn_(mesh.plane(), options.spacing) {}
+
+  std::vector<CutLine> lines() {
+    for (const std::uint32_t piece : by_size()) {
+      try_from(mesh_.pieces()[piece].middle);
+      while (!seeds_.empty()) {
+        const Vector3 seed = seeds_.front();
+        seeds_.pop_front();
+        try_from(seed);
+      }
+    }
+    return std::move(lines_);
+  }
+
+ private:
+  /// The pieces, largest first: they are in the thick of the part.
+  std::vector<std::uint32_t> by_size() const {
+    std::vector<std::uint32_t> order(mesh_.pieces().size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return mesh_.pieces()[a].size > mesh_.pieces()[b].size;
+    });
+    return order;
+  }
+
+  void try_from(const Vector3& seed) {
+    const auto piece = mesh_.piece_at(seed);
+    if (!piece || !is_inside_(seed)) return;
+    for (const Vector3& axis : field_.axes(*piece)) {
+      const Heading heading = field_.towards(*piece, seed, axis);
+      if (heading.excess > 0) continue;
+      const bool has_room = drawn_.has_room(seed, heading.in_plane, kSeedShare * options_.spacing);
+      if (has_room && is_off_boundary(seed, heading.in_plane)) trace(seed, heading);
+    }
+  }
+
+  /// Whether a curve from a seed would not run next to the outline.
+  bool is_off_boundary(const Vector3& seed, const Vector3& way) const {
+    const Vector3 aside = options_.outline_share * options_.spacing * across(way);
+    return has(seed + aside) && has(seed - aside);
+  }
+
+  bool has(const Vector3& point) const { return mesh_.piece_at(point) && is_inside_(point); }
+
+  /// The direction in the plane at right angles to another.
+  Vector3 across(const Vector3& way) const {
+    Vector3 normal{};
+    normal[mesh_.plane().axis] = 1;
+    return cross(normal, way);
+  }
+
+  struct Way {
+    std::vector<Vector3> points;
+    std::vector<Vector3> ways;
+    std::vector<std::uint8_t> names;
+    bool at_boundary = false;
+  };
+
+  /// Half a curve. Steps by the midpoint rule.
+  Way half(const Vector3& seed, Vector3 direction, const DrawnPoints& others) const {
+    const double step = options_.step_share * options_.spacing;
+    Way way;
+    Vector3 point = seed;
+    for (int k = 0; k < kMostSteps; ++k) {
+      const auto piece = mesh_.piece_at(point);
+      if (!piece) break;
+      const Heading here = field_.towards(*piece, point, direction);
+      if (here.excess > options_.normal_margin) return way;
+      const Vector3 middle = point + 0.5 * step * here.in_plane;
+      const auto ahead = mesh_.piece_at(middle);
+      const Heading there = ahead ? field_.towards(*ahead, middle, here.axis) : here;
+      if (there.excess > options_.normal_margin) return way;
+      const Vector3 next = point + step * there.in_plane;
+      if (!has(next)) {
+        way.points.push_back(last_inside(point, next));
+        way.ways.push_back(there.in_plane);
+        way.names.push_back(here.name);
+        way.at_boundary = true;
+        return way;
+      }
+      if (!others.has_room(next, there.in_plane, options_.least_share * options_.spacing)) return way;
+      way.points.push_back(next);
+      way.ways.push_back(there.in_plane);
+      way.names.push_back(here.name);
+      if (k > 10 && norm(next - seed) < 0.5 * step) return way;  // closed
+      point = next;
+      direction = there.axis;
+    }
+    way.at_boundary = true;
+    return way;
+  }
+
+  Vector3 last_inside(Vector3 inside, Vector3 outside) const {
+    constexpr int kHalvings = 12;
+    for (int k = 0; k < kHalvings; ++k) {
+      const Vector3 middle = 0.5 * (inside + outside);
+      (has(middle) ? inside : outside) = middle;
+    }
+    return inside;
+  }
+
+  void trace(const Vector3& seed, const Heading& heading) {
+    Way back = half(seed, -heading.axis, drawn_);
+    const Way forth = half(seed, heading.axis, drawn_);
+    CutLine line;
+    std::vector<Vector3> ways(back.ways.rbegin(), back.ways.rend());
+    line.points.assign(back.points.rbegin(), back.points.rend());
+    line.names.assign(back.names.rbegin(), back.names.rend());
+    line.points.push_back(seed);
+    ways.push_back(heading.in_plane);
+    line.points.insert(line.points.end(), forth.points.begin(), forth.points.end());
+    ways.insert(ways.end(), forth.ways.begin(), forth.ways.end());
+    line.names.insert(line.names.end(), forth.names.begin(), forth.names.end());
+    if (line.points.size() < 2) return;
+    double length = 0;
+    for (std::size_t k = 1; k < line.points.size(); ++k) length += norm(line.points[k] - line.points[k - 1]);
+    if (length < kShortest * options_.spacing && !(back.at_boundary && forth.at_boundary)) return;
+    for (std::size_t k = 0; k < line.points.size(); ++k) drawn_.add(line.points[k], ways[k]);
+    add_seeds(line, ways);
+    lines_.push_back(std::move(line));
+  }
+
+  /// Seeds one spacing to either side, and along the curve for the other axis.
+  void add_seeds(const CutLine& line, const std::vector<Vector3>& ways) {
+    const auto every = static_cast<std::size_t>(std::max(1.0, std::round(1 / options_.step_share)));
+    // Not at the ends: a curve from there would run along the boundary.
+    for (std::size_t k = every / 2 + 1; k + 1 + every / 2 < line.points.size(); k += every) {
+      const Vector3 aside = options_.spacing * across(ways[k]);
+      seeds_.push_back(line.points[k]);
+      seeds_.push_back(line.points[k] + aside);
+      seeds_.push_back(line.points[k] - aside);
+    }
+  }
+
+  const CutMesh& mesh_;
+  CutField field_;
+  CutLineOptions options_;
+  const std::function<bool(const Vector3&)>& is_inside_;
+  DrawnPoints drawn_;
+  std::deque<Vector3> seeds_;
+  std::vector<CutLine> lines_;
+};
+
+}  // namespace
+
+std::vector<CutLine> cut_lines(const CutMesh& mesh, std::span<const AxisNames> names,
+                               const CutLineOptions& options,
+                               const std::function<bool(const Vector3&)>& is_inside) {
+  return CutTracer(mesh, names, options, is_inside).lines();
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which triangles of a surface continue each other smoothly at a vertex.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "base/vector3.hpp"
+
+namespace crossgrain {
+
+/// Largest angle between faces that are shown as one curved face, degrees.
+inline constexpr double kSmoothDeg = 32;
+
+/// For each triangle and corner, the triangles at that vertex whose normals are within `smooth_deg` of its
+/// own. Refers to `triangles`. Safe to use from any number of threads.
+class SmoothCorners {
+ public:
+  SmoothCorners(const std::vector<Vector3>& vertices,
+                const std::vector<std::array<std::uint32_t, 3>>& triangles, double smooth_deg = kSmoothDeg);
+
+  /// Normal of a triangle with twice its area as length.
+  const Vector3& area_vector(std::size_t triangle) const { return area_vectors_[triangle]; }
+  const Vector3& normal(std::size_t triangle) const { return normals_[triangle]; }
+
+  /// Calls visit(other) for each of them, `triangle` itself included, in ascending order.
+  template <class Visit>
+  void for_each_at(std::size_t triangle, std::size_t corner, const Visit& visit) const {
+    const std::uint32_t vertex = triangles_[triangle][corner];
+    for (std::uint32_t i = begin_[vertex]; i < begin_[vertex + 1]; ++i) {
+      const std::uint32_t other = at_vertices_[i];
+      if (other == triangle || dot(normals_[other], normals_[triangle]) > least_cosine_) visit(other);
+    }
+  }
+
+ private:
+  const std::vector<std::array<std::uint32_t, 3>>& triangles_;
+  double least_cosine_;
+  std::vector<Vector3> area_vectors_, normals_;
+  std::vector<std::uint32_t> begin_, at_vertices_;  ///< the triangles at each vertex
+};
+
+using CornerNormals = std::vector<std::array<std::array<float, 3>, 3>>;
+
+/// Unit normals at the corners of each triangle for smooth shading: the mean over the triangles that continue
+/// it, weighted by area.
+CornerNormals corner_normals(const SmoothCorners& corners, std::size_t triangles);
+
+}  // namespace crossgrain

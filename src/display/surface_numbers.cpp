@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "display/surface_numbers.hpp"
+
+#include "display/grid_numbers.hpp"
+#include "display/tet_numbers.hpp"
+
+namespace crossgrain {
+
+SurfaceNumbers::SurfaceNumbers(const ShownField& field, SurfaceNumber number) {
+  if (field.is_on_tets())
+    tets_ = std::make_unique<const TetNumbers>(field, number);
+  else
+    grid_ = std::make_unique<const GridNumbers>(field, number);
+}
+
+SurfaceNumbers::~SurfaceNumbers() = default;
+SurfaceNumbers::SurfaceNumbers(SurfaceNumbers&&) noexcept = default;
+
+double SurfaceNumbers::at(const SurfacePoint& point) const {
+  return grid_ ? grid_->at(point) : tets_->at(point);
+}
+
+double SurfaceNumbers::energy_at(const Vector3& place) const {
+  return grid_->energy_at(place);
+}
+
+double SurfaceNumbers::energy_of_tet(std::uint32_t tet) const {
+  return tets_->energy_of_tet(tet);
+}
+
+std::vector<SurfaceNumbers::Sample> SurfaceNumbers::samples() const {
+  return grid_ ? grid_->samples() : tets_->samples();
+}
+
+std::vector<float> SurfaceNumbers::at_vertices() const {
+  return tets_->at_vertices();
+}
+
+std::vector<SurfaceNumbers::LeafCorners> SurfaceNumbers::at_leaf_corners() const {
+  return grid_->at_leaf_corners();
+}
+
+}  // namespace crossgrain

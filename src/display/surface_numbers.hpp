@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers on the surface of a field, interpolated: how well the field follows the surface, and its energy.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "display/shown_field.hpp"
+
+namespace crossgrain {
+
+class GridNumbers;
+class TetNumbers;
+
+enum class SurfaceNumber {
+  kAlignment,  ///< angle between the surface normal and the nearest axis, degrees
+  kEnergy,     ///< smoothness energy per volume, length^-2
+};
+
+/// A point of ShownField::surface().
+struct SurfacePoint {
+  Vector3 place;
+  std::uint32_t triangle;
+  float u, v;  ///< barycentric coordinates of the triangle's second and third corner
+};
+
+/// Interpolated numbers. Those of a grid come from the cells around a point that lie in the part and are
+/// connected there, so they are continuous within a face except where cells change their size. Those of tets
+/// are linear over triangles. Normals are blended across edges below kSmoothDeg. Refers to the field. Safe to
+/// use from any number of threads; the same for any number of threads.
+class SurfaceNumbers {
+ public:
+  SurfaceNumbers(const ShownField& field, SurfaceNumber number);
+  ~SurfaceNumbers();
+  SurfaceNumbers(SurfaceNumbers&&) noexcept;
+
+  /// The number at a point of the surface; NaN where the field has no cell or tet.
+  double at(const SurfacePoint& point) const;
+
+  /// Energy per volume inside: at a place in a grid, NaN outside of its cells; or of a tet. Only kEnergy.
+  double energy_at(const Vector3& place) const;
+  double energy_of_tet(std::uint32_t tet) const;
+
+  /// Numbers at places spread over the surface, each with the area around it.
+  struct Sample {
+    double number;
+    double area;
+  };
+  std::vector<Sample> samples() const;
+
+  /// For tets: one number per vertex of the surface, the mean over the triangles at it; 0 off the surface.
+  std::vector<float> at_vertices() const;
+
+  /// For a grid: numbers at the corners of the leaves with surface, fitted to those on it. Trilinear
+  /// interpolation between them is continuous from leaf to leaf of the same size.
+  struct LeafCorners {
+    CellIndex leaf;
+    std::array<float, 8> numbers;  ///< bit a of the index is set on the high side along axis a
+  };
+  std::vector<LeafCorners> at_leaf_corners() const;
+
+ private:
+  // One of the two.
+  std::unique_ptr<const GridNumbers> grid_;
+  std::unique_ptr<const TetNumbers> tets_;
+};
+
+}  // namespace crossgrain

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "display/surface_spots.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/parallel.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Distance of sampled points from the surface, as a share of the smallest cell size.
+constexpr double kInwards = 0.02;
+
+/// Number of triangles cut by one task.
+constexpr std::size_t kTrianglesAtOnce = 64;
+
+/// Most halvings of one triangle: pieces are then a millionth of it in size, below any cell.
+constexpr int kMostHalvings = 40;
+
+using Barycentric = std::array<double, 2>;  // of the second and third corner
+
+Barycentric mean_of(const Barycentric& a, const Barycentric& b) {
+  return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
+}
+
+/// Cuts one triangle.
+class TriangleCutter {
+ public:
+  TriangleCutter(const SolvedSurface& surface, std::uint32_t triangle, const FieldData& field,
+                 const SurfaceLeaves& leaves, double longest, std::vector<SurfaceSpot>& spots)
+      : triangle_(triangle), field_(field), leaves_(leaves), longest_(longest), spots_(spots) {
+    const auto& [a, b, c] = surface.triangles[triangle];
+    first_ = surface.vertices[a];
+    sides_ = {surface.vertices[b] - first_, surface.vertices[c] - first_};
+    const Vector3 across = cross(sides_[0], sides_[1]);
+    area_ = 0.5 * norm(across);
+    normal_ = normalised(across);
+  }
+
+  void cut() {
+    if (area_ > 0) cut({{{0, 0}, {1, 0}, {0, 1}}}, 0);
+  }
+
+ private:
+  Vector3 place_of(const Barycentric& at) const { return first_ + at[0] * sides_[0] + at[1] * sides_[1]; }
+
+  void cut(const std::array<Barycentric, 3>& piece, int halvings) {
+    const Barycentric middle{(piece[0][0] + piece[1][0] + piece[2][0]) / 3,
+                             (piece[0][1] + piece[1][1] + piece[2][1]) / 3};
+    const Vector3 place = place_of(middle);
+    const CellIndex leaf = leaves_.beside(place, normal_).leaf;
+    const double cell = leaf == kNoCell ? leaves_.largest_cell() : field_.tree.cell_size(leaf);
+    std::size_t longest = 0;
+    double most = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double length = norm(place_of(piece[(k + 1) % 3]) - place_of(piece[k]));
+      if (length > most) most = length, longest = k;
+    }
+    if (most <= longest_ * cell || halvings == kMostHalvings) {
+      spots_.push_back({{place, triangle_, static_cast<float>(middle[0]), static_cast<float>(middle[1])},
+                        std::ldexp(area_, -halvings),
+                        leaf});
+      return;
+    }
+    const Barycentric &a = piece[longest], &b = piece[(longest + 1) % 3], &c = piece[(longest + 2) % 3];
+    const Barycentric half = mean_of(a, b);
+    cut({a, half, c}, halvings + 1);
+    cut({half, b, c}, halvings + 1);
+  }
+
+  std::uint32_t triangle_;
+  const FieldData& field_;
+  const SurfaceLeaves& leaves_;
+  double longest_;
+  std::vector<SurfaceSpot>& spots_;
+  Vector3 first_{}, normal_{};
+  std::array<Vector3, 2> sides_{};
+  double area_ = 0;
+};
+
+}  // namespace
+
+SurfaceLeaves::SurfaceLeaves(const FieldData& field) : field_(field), finder_(field.tree) {
+  int deepest = 0, coarsest = kMaxDepth;
+  for (const CellAddress leaf : field.tree.leaves()) {
+    deepest = std::max(deepest, leaf.depth());
+    coarsest = std::min(coarsest, leaf.depth());
+  }
+  inwards_ = kInwards * field.tree.root().cell_size(deepest);
+  largest_ = field.tree.root().cell_size(coarsest);
+}
+
+SurfaceLeaves::Beside SurfaceLeaves::beside(const Vector3& point, const Vector3& normal) const {
+  Beside found{point, kNoCell};
+  for (const double way : {-inwards_, inwards_}) {
+    const Vector3 place = point + way * normal;
+    const auto cell = field_.tree.root().locate(place);
+    const CellIndex leaf = cell ? finder_.containing(*cell) : kNoCell;
+    if (leaf == kNoCell) continue;
+    if (field_.on_boundary[leaf] != 0) return {place, leaf};
+    if (found.leaf == kNoCell) found = {place, leaf};
+  }
+  return found;
+}
+
+std::vector<SurfaceSpot> surface_spots(const SolvedSurface& surface, const FieldData& field,
+                                       const SurfaceLeaves& leaves, double longest) {
+  const std::size_t count = surface.triangles.size();
+  std::vector<std::vector<SurfaceSpot>> of_tasks((count + kTrianglesAtOnce - 1) / kTrianglesAtOnce);
+  parallel_for_chunks(count, kTrianglesAtOnce, [&](std::size_t begin, std::size_t end) {
+    std::vector<SurfaceSpot>& spots = of_tasks[begin / kTrianglesAtOnce];
+    for (std::size_t t = begin; t < end; ++t)
+      TriangleCutter(surface, static_cast<std::uint32_t>(t), field, leaves, longest, spots).cut();
+  });
+  std::vector<SurfaceSpot> all;
+  for (const std::vector<SurfaceSpot>& spots : of_tasks) all.insert(all.end(), spots.begin(), spots.end());
+  return all;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Places spread over the surface of a field on a grid, several in each cell that it passes through.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "display/surface_numbers.hpp"
+#include "grid/leaf_finder.hpp"
+
+namespace crossgrain {
+
+struct SurfaceSpot {
+  SurfacePoint point;
+  double area;     ///< of the piece of a triangle whose middle this is
+  CellIndex leaf;  ///< that which holds the surface there; kNoCell if there is none
+};
+
+/// Finds the leaf that holds the surface at a point. Refers to the field.
+class SurfaceLeaves {
+ public:
+  explicit SurfaceLeaves(const FieldData& field);
+
+  const LeafFinder& finder() const { return finder_; }
+  double largest_cell() const { return largest_; }
+
+  /// A place slightly inside of a point of the surface: far enough for single precision, not far enough to
+  /// leave the cell. A surface between two layers of cells is in only one of them, so it may be slightly
+  /// outside. The leaf is kNoCell if there is none on either side.
+  struct Beside {
+    Vector3 place;
+    CellIndex leaf;
+  };
+  Beside beside(const Vector3& point, const Vector3& normal) const;
+
+ private:
+  const FieldData& field_;
+  LeafFinder finder_;
+  double inwards_, largest_;  ///< model units
+};
+
+/// Cuts the triangles of a surface into pieces with no side longer than `longest` cells, and returns the
+/// middle of each, in the order of triangles.
+std::vector<SurfaceSpot> surface_spots(const SolvedSurface& surface, const FieldData& field,
+                                       const SurfaceLeaves& leaves, double longest);
+
+}  // namespace crossgrain

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "picture/cut_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "crossgrain/error.hpp"
+#include "display/axis_colours.hpp"
+#include "display/cut_lines.hpp"
+#include "picture/cut_frames.hpp"
+#include "picture/field_drawing.hpp"
+#include "picture/singular_lines.hpp"
+
+namespace crossgrain {
+namespace {
+
+// Radii in units of PictureWeights.
+constexpr double kGhostRadius = 0.9, kOutlineRadius = 1.5, kInterfaceRadius = 1.1, kSeamRadius = 1.1,
+                 kEdgeRadius = 0.35, kLineRadius = 1.7;
+
+/// Sides of boxes and lengths of crosses as a share of the distance between frames: in any orientation they
+/// stay within their place.
+constexpr double kBoxShare = 0.58, kCrossShare = 0.9;
+
+/// Distance of frames from the outline, as a share of the distance between frames.
+constexpr double kClearance = 0.3;
+
+/// Length of the dashes of a seam and the gaps between them, in units of PictureWeights.
+constexpr double kDash = 9, kPartsPerDash = 3;
+
+/// Smallest mean size of polygons, in units of PictureWeights, whose edges are drawn.
+constexpr double kLeastPolygon = 9;
+
+constexpr Colour kSeamColour = colour_of(0x8d98a5), kEdgeColour = colour_of(0xb9c3cd);
+
+Box box_of(const SolvedSurface& surface) {
+  Box box = empty_box();
+  for (const auto& corners : surface.triangles)
+    for (const std::uint32_t vertex : corners) include(box, surface.vertices[vertex]);
+  return box;
+}
+
+/// Share of the cut on which an axis runs along it, above which the legend names it.
+constexpr double kLeastNamed = 0.02;
+
+}  // namespace
+
+std::optional<PictureCut> picture_cut(const PictureOptions& options, const SolvedSurface& surface,
+                                      const Vector3& towards) {
+  if (!options.cut) return std::nullopt;
+  const Box box = box_of(surface);
+  const auto axis = static_cast<std::size_t>(options.cut->axis);
+  const double position = options.cut->position.value_or(0.5 * (box.low[axis] + box.high[axis]));
+  if (!(position > box.low[axis] && position < box.high[axis]))
+    throw Error(ErrorKind::kUsage,
+                fmt::format("the cut at {} = {:.6g} is outside the part, which extends from {:.6g} to {:.6g}",
+                            "xyz"[axis], position, box.low[axis], box.high[axis]));
+  constexpr double kFromItsEdge = 0.02;
+  if (std::abs(towards[axis]) < kFromItsEdge)
+    throw Error(ErrorKind::kUsage, fmt::format("the cut across {} is seen edge-on", "xyz"[axis]),
+                Remedy::kTurnView);
+  PictureCut cut{{axis, position}, {0, 0, 0}};
+  cut.normal[axis] = towards[axis] > 0 ? 1 : -1;
+  return cut;
+}
+
+CutDrawing::CutDrawing(const PictureSubject& subject, const PictureOptions& options, const PictureCut& cut)
+    : subject_(subject),
+      options_(options),
+      cut_(cut),
+      outline_(subject.field.surface().vertices, subject.field.surface().triangles, cut.plane.axis,
+               cut.plane.position),
+      mesh_(subject.field, cut.plane) {
+  if (options.frames != PictureFrames::kNone) names_ = mesh_.named_axes();
+}
+
+bool CutDrawing::is_inside(const Vector3& point) const {
+  const auto piece = mesh_.piece_at(point);
+  if (!piece || subject_.field.is_on_tets()) return piece.has_value();
+  return subject_.field.grid().on_boundary[mesh_.pieces()[*piece].element] == 0 || outline_.encloses(point);
+}
+
+void CutDrawing::add_to(Drawing& drawing, const Camera& camera) const {
+  const double unit = PictureWeights(options_, camera).unit;
+  Section section;
+  section.normal = cut_.normal;
+  section.offset = cut_.normal[cut_.plane.axis] * cut_.plane.position;
+  section.colour_at = [this](const Vector3& point, bool is_enclosed) -> std::optional<Colour> {
+    if (!subject_.field.is_on_tets()) return subject_.colours.on_cut(point, is_enclosed);
+    const auto piece = mesh_.piece_at(point);
+    if (!piece) return std::nullopt;
+    return subject_.colours.of_tet(mesh_.pieces()[*piece].element);
+  };
+  if (subject_.field.is_on_tets()) add_edges(drawing, unit);
+  if (options_.creases) add_outline(drawing, section, unit);
+  if (options_.lines) {
+    DrawnRods crossings{RodLook::kSolid, {}, {}, true};
+    crossings.facets =
+        crossings_of(drawing.rods.front(), cut_.normal, section.offset, ink_on(options_.background));
+    drawing.rods.push_back(std::move(crossings));
+  }
+  drawing.section = std::move(section);
+  if (options_.frames == PictureFrames::kNone) return;
+  add_seams(drawing, unit);
+  options_.frames == PictureFrames::kLines
+      ? add_lines(drawing, unit)
+      : add_glyphs(drawing, unit, std::abs(camera.axes().towards[cut_.plane.axis]));
+}
+
+void CutDrawing::add_outline(Drawing& drawing, Section& section, double unit) const {
+  const Colour ink = ink_on(options_.background);
+  for (const auto& crease : subject_.field.surface().creases)
+    for (std::size_t i = 1; i < crease.size(); ++i)
+      section.ghosts.push_back({crease[i - 1], crease[i], kGhostRadius * unit, ink});
+  DrawnRods outline{RodLook::kInk, {}, {}, true};
+  for (const CutOutline::Segment& segment : outline_.segments())
+    outline.rods.push_back({segment.from, segment.to, kOutlineRadius * unit, ink});
+  const SolvedSurface& surface = subject_.field.surface();
+  const CutOutline interfaces(surface.vertices, surface.interfaces, cut_.plane.axis, cut_.plane.position);
+  for (const CutOutline::Segment& segment : interfaces.segments())
+    outline.rods.push_back({segment.from, segment.to, kInterfaceRadius * unit, ink});
+  drawing.rods.push_back(std::move(outline));
+}
+
+void CutDrawing::add_edges(Drawing& drawing, double unit) const {
+  double sizes = 0;
+  for (const CutMesh::Piece& piece : mesh_.pieces()) sizes += piece.size;
+  if (sizes < kLeastPolygon * unit * static_cast<double>(mesh_.pieces().size())) return;
+  DrawnRods edges{RodLook::kInk, {}, {}, true};
+  for (const CutMesh::Side& side : mesh_.sides())
+    edges.rods.push_back({side.from, side.to, kEdgeRadius * unit, kEdgeColour});
+  drawing.rods.push_back(std::move(edges));
+}
+
+/// Adds the seams as dashes.
+void CutDrawing::add_seams(Drawing& drawing, double unit) const {
+  DrawnRods seams{RodLook::kInk, {}, {}, true};
+  for (const std::vector<Vector3>& line : mesh_.seams(names_)) {
+    double along = 0;
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      const Vector3 way = line[k] - line[k - 1];
+      const double length = norm(way);
+      const int parts = static_cast<int>(std::ceil(kPartsPerDash * length / (kDash * unit)));
+      for (int i = 0; i < parts; ++i, along += length / parts) {
+        const Vector3 from = line[k - 1] + static_cast<double>(i) / parts * way,
+                      to = from + 1.0 / parts * way;
+        const bool is_dash = std::fmod(along, 2 * kDash * unit) < kDash * unit;
+        if (is_dash && is_inside(0.5 * (from + to)))
+          seams.rods.push_back({from, to, kSeamRadius * unit, kSeamColour});
+      }
+    }
+  }
+  drawing.rods.push_back(std::move(seams));
+}
+
+/// Adds the frames as glyphs that stand on the cut. On a plane that is seen obliquely they are further apart
+/// and smaller, so that none hides another.
+void CutDrawing::add_glyphs(Drawing& drawing, double unit, double towards) const {
+  const double askew = std::sqrt(std::max(towards, 0.1));
+  const double usual = options_.frame_spacing * unit, spacing = usual / askew;
+  std::vector<PlacedFrame> frames;
+  const Box box = box_of(subject_.field.surface());
+  for (const Vector3& place :
+       places_on_plane(box, cut_.plane.axis, cut_.plane.position, spacing, [&](const Vector3& point) {
+         return is_inside(point) && outline_.distance_to(point) > kClearance * spacing;
+       })) {
+    const std::uint32_t piece = *mesh_.piece_at(place);
+    frames.push_back({place, mesh_.frames()[piece], names_[piece]});
+  }
+  if (options_.frames == PictureFrames::kBoxes)
+    for (DrawnMesh& mesh : frame_boxes(frames, kBoxShare * usual * askew, cut_.normal))
+      drawing.meshes.push_back(std::move(mesh));
+  else
+    drawing.rods.push_back(frame_crosses(frames, kCrossShare * usual * askew, cut_.normal));
+}
+
+void CutDrawing::add_lines(Drawing& drawing, double unit) const {
+  CutLineOptions options{options_.frame_spacing * unit};
+  DrawnRods rods{RodLook::kInk, {}, {}, true};
+  for (const CutLine& line :
+       cut_lines(mesh_, names_, options, [&](const Vector3& point) { return is_inside(point); }))
+    for (std::size_t k = 1; k < line.points.size(); ++k)
+      rods.rods.push_back({line.points[k - 1], line.points[k], kLineRadius * unit,
+                           colour_of(kAxisColours[line.names[k - 1]])});
+  drawing.rods.push_back(std::move(rods));
+}
+
+std::optional<LegendBlock> CutDrawing::legend() const {
+  if (options_.frames == PictureFrames::kNone) return std::nullopt;
+  LegendBlock block{"Axes of frames, named along the cut"};
+  const bool has_lines = options_.frames == PictureFrames::kLines;
+  std::array<double, 3> area{};
+  double whole = 0;
+  for (std::uint32_t i = 0; i < mesh_.pieces().size(); ++i) {
+    const auto axes = axes_of(mesh_.frames()[i]);
+    const double own = mesh_.pieces()[i].size * mesh_.pieces()[i].size;
+    whole += own;
+    const auto off = [&](std::size_t k) { return std::abs(dot(axes[k % 3], cut_.normal)); };
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!has_lines || off(k) <= std::max(off(k + 1), off(k + 2))) area[names_[i][k]] += own;
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    if (area[k] > kLeastNamed * whole)
+      block.signs.push_back({has_lines ? Sign::Shape::kLine : Sign::Shape::kBox, colour_of(kAxisColours[k]),
+                             std::string(1, "xyz"[k])});
+  if (!seams_of(names_, mesh_.frames(), mesh_.links()).empty())
+    block.signs.push_back({Sign::Shape::kLine, kSeamColour, "seam, across which names change"});
+  return block;
+}
+
+}  // namespace crossgrain
