@@ -2,12 +2,15 @@
 #include "page/page_scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/vector3.hpp"
 #include "display/shown_field.hpp"
+#include "display/surface_numbers.hpp"
 #include "field/field_data.hpp"
 #include "grid/merged_depth.hpp"
 #include "io/result/output_cells.hpp"
@@ -71,6 +74,21 @@ void add_forms(const KeptForms& forms, const FieldData& shown, SceneWriter& scen
   scene.add("form_weight", 1, forms.weights);
 }
 
+/// Adds the numbers at the corners of cells with surface, between which the page interpolates.
+void add_corner_numbers(const ShownField& field, SceneWriter& scene) {
+  const auto corners = [&](SurfaceNumber number) { return SurfaceNumbers(field, number).at_leaf_corners(); };
+  const auto values = [](const std::vector<SurfaceNumbers::LeafCorners>& leaves) {
+    std::vector<std::uint16_t> numbers;
+    for (const auto& leaf : leaves)
+      for (const float number : leaf.numbers) numbers.push_back(to_bfloat16(number));
+    return numbers;
+  };
+  const auto tilts = corners(SurfaceNumber::kAlignment), energies = corners(SurfaceNumber::kEnergy);
+  scene.add("corner_cell", 1, column<std::uint32_t>(tilts, [](const auto& leaf) { return leaf.leaf; }));
+  scene.add("corner_alignment_deg", 8, values(tilts));
+  scene.add("corner_energy_density", 8, values(energies));
+}
+
 /// The axis across which the middle cut shows most of the part.
 std::size_t widest_cut(const FieldData& field, const Box& box) {
   const Vector3 middle = 0.5 * (box.low + box.high);
@@ -101,7 +119,9 @@ Reduced reduced(const FrameField& field, std::size_t most, const Monitor& monito
   OutputOptions merged;
   merged.level = merged_depth(data.tree, most, kDeepestShown);
   if (ask_for_all(merged, data.tree)) return {field, std::nullopt};
-  return {FrameField(std::make_shared<const FieldData>(output_cells(data, merged, monitor))), merged.level};
+  FieldData fewer = output_cells(data, merged, monitor);
+  fewer.surface = data.surface;
+  return {FrameField(std::make_shared<const FieldData>(std::move(fewer))), merged.level};
 }
 
 /// What is in every scene. The axis of the first cut is in the header.
@@ -120,8 +140,7 @@ class PageScene {
   }
 
   std::string of_grid(const FrameField& field) {
-    const std::shared_ptr<const SolvedSurface> surface = field.data().surface.get();
-    const DrawnSurface drawn = add_outside(surface ? *surface : SolvedSurface{}, field.singularities());
+    const DrawnSurface drawn = add_outside(ShownField(field));
     const Reduced shown = reduced(field, kMostShownCells, monitor_);
     add_grid(field, shown);
     add_streamlines(shown.field, drawn, box_, first_cut_, monitor_, scene_);
@@ -130,13 +149,13 @@ class PageScene {
 
   std::string of_tets(const TetFrameField& field) {
     const ShownField shown(field);
-    const DrawnSurface drawn = add_outside(shown.surface(), shown.lines());
+    const DrawnSurface drawn = add_outside(shown);
     add_boundary_numbers(shown, drawn, scene_);
     const Reduced start = reduced(field.grid(), kMostGridCells, monitor_);
     if (add_tets(shown, origin_, kMostShownTets, kMostShownCells, monitor_, scene_)) {
-      if (const auto surface = field.grid().data().surface.get())
-        add_surface(*surface, origin_, "grid_", kMostGridTriangles, scene_);
-      add_singularities(field.grid().singularities(), origin_, "grid_", scene_);
+      const ShownField grid(field.grid());
+      add_surface(grid.surface(), origin_, "grid_", kMostGridTriangles, scene_);
+      add_singularities(grid, origin_, "grid_", scene_);
       add_grid(field.grid(), start);
     }
     add_streamlines(start.field, drawn, box_, first_cut_, monitor_, scene_);
@@ -144,17 +163,18 @@ class PageScene {
   }
 
  private:
-  DrawnSurface add_outside(const SolvedSurface& surface, const SingularityGraph& lines) {
-    DrawnSurface drawn = add_surface(surface, origin_, "", kMostTriangles, scene_);
-    add_creases(surface, origin_, scene_);
+  DrawnSurface add_outside(const ShownField& field) {
+    DrawnSurface drawn = add_surface(field.surface(), origin_, "", kMostTriangles, scene_);
+    add_creases(field.surface(), origin_, scene_);
     monitor_.check();
-    add_singularities(lines, origin_, "", scene_);
+    add_singularities(field, origin_, "", scene_);
     return drawn;
   }
 
   void add_grid(const FrameField& field, const Reduced& shown) {
     const FieldData& data = shown.field.data();
     add_cells(data, field.size(), shown.merged_to, origin_, scene_);
+    add_corner_numbers(ShownField(shown.field), scene_);
     add_forms(field.data().kept_forms, data, scene_);
   }
 

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+
+#include "display/drawn_lines.hpp"
 
 namespace crossgrain {
 
@@ -37,28 +40,52 @@ DrawnSurface add_surface(const SolvedSurface& surface, const Vector3& origin, co
   return drawn;
 }
 
-void add_singularities(const SingularityGraph& graph, const Vector3& origin, const std::string& prefix,
+namespace {
+
+void add_marks(const std::vector<LineMark>& marks, const Vector3& origin, const std::string& prefix,
+               SceneWriter& scene) {
+  std::vector<float> places, directions;
+  for (const LineMark& mark : marks) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      places.push_back(static_cast<float>(mark.place[axis] - origin[axis]));
+      directions.push_back(static_cast<float>(mark.direction[axis]));
+    }
+  }
+  scene.add(prefix + "mark_points", 3, places);
+  scene.add(prefix + "mark_directions", 3, directions);
+  scene.add(prefix + "mark_shape", 1,
+            column<std::uint8_t>(marks, [](const LineMark& mark) { return mark.shape; }));
+  scene.add(prefix + "mark_verdict", 1,
+            column<std::uint8_t>(marks, [](const LineMark& mark) { return mark.verdict; }));
+  scene.add(prefix + "mark_wall", 1, column<float>(marks, [](const LineMark& mark) { return mark.wall; }));
+}
+
+}  // namespace
+
+void add_singularities(const ShownField& field, const Vector3& origin, const std::string& prefix,
                        SceneWriter& scene) {
   using Arc = SingularityGraph::Arc;
   using Node = SingularityGraph::Node;
+  const auto& [arc_list, node_list] = std::tie(field.lines().arcs, field.lines().nodes);
   const auto flags = [&](const char* name, const auto& items, const auto& value_of) {
     scene.add(prefix + name, 1, column<std::uint8_t>(items, value_of));
   };
+  const DrawnLines drawn = drawn_lines(field);
   Polylines arcs(origin);
-  for (const Arc& arc : graph.arcs) arcs.add(arc.points);
+  std::vector<float> walls;
+  for (const DrawnLine& line : drawn.lines) {
+    arcs.add(line.points);
+    for (const double wall : line.walls) walls.push_back(static_cast<float>(wall));
+  }
   arcs.write(scene, prefix + "arc_points", prefix + "arc_starts");
-  scene.add(prefix + "arc_index", 1, column<float>(graph.arcs, [](const Arc& arc) { return arc.index; }));
-  flags("arc_type", graph.arcs, [](const Arc& arc) { return arc.type; });
-  flags("arc_verdict", graph.arcs, [](const Arc& arc) { return arc.verdict; });
-  std::vector<float> places;
-  for (const Node& node : graph.nodes)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      places.push_back(static_cast<float>(node.place[axis] - origin[axis]));
-  scene.add(prefix + "node_points", 3, places);
-  flags("node_verdict", graph.nodes, [](const Node& node) { return node.verdict; });
-  flags("node_on_boundary", graph.nodes, [](const Node& node) { return node.on_boundary; });
-  flags("node_degree", graph.nodes,
-        [](const Node& node) { return std::min<std::size_t>(255, node.degree()); });
+  scene.add(prefix + "arc_wall", 1, walls);
+  scene.add(prefix + "arc_index", 1, column<float>(arc_list, [](const Arc& arc) { return arc.index; }));
+  flags("arc_type", arc_list, [](const Arc& arc) { return arc.type; });
+  flags("arc_verdict", arc_list, [](const Arc& arc) { return arc.verdict; });
+  flags("node_verdict", node_list, [](const Node& node) { return node.verdict; });
+  flags("node_on_boundary", node_list, [](const Node& node) { return node.on_boundary; });
+  flags("node_degree", node_list, [](const Node& node) { return std::min<std::size_t>(255, node.degree()); });
+  add_marks(drawn.marks, origin, prefix, scene);
 }
 
 void SceneCells::write(std::size_t total, const Vector3& origin, SceneWriter& scene) const {

@@ -8,7 +8,7 @@
 
 #include "base/quaternion.hpp"
 #include "base/vector3.hpp"
-#include "crossgrain/singularity_graph.hpp"
+#include "display/shown_field.hpp"
 #include "field/solved_surface.hpp"
 #include "page/drawn_surface.hpp"
 #include "page/scene_writer.hpp"
@@ -46,8 +46,8 @@ void add_quaternion(const Quaternion& q, std::vector<std::int16_t>& frames);
 DrawnSurface add_surface(const SolvedSurface& surface, const Vector3& origin, const std::string& prefix,
                          std::size_t most_triangles, SceneWriter& scene);
 
-/// Adds the arrays arc_* and node_*, each with the prefix.
-void add_singularities(const SingularityGraph& graph, const Vector3& origin, const std::string& prefix,
+/// Adds the arrays arc_*, node_* and mark_*, each with the prefix.
+void add_singularities(const ShownField& field, const Vector3& origin, const std::string& prefix,
                        SceneWriter& scene);
 
 /// Cells of a scene, without overlap.

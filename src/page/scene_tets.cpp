@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/vector3.hpp"
-#include "harmonics/frame.hpp"
+#include "display/surface_numbers.hpp"
 #include "measure/alignment.hpp"
 #include "page/scene_parts.hpp"
 
@@ -22,31 +22,6 @@ constexpr double kCoarser = 1.12;
 /// Cells at the surface whose centre lies outside every tet by no more than this in barycentric coordinates
 /// take the nearest tet: about half a cell for cells as large as tets.
 constexpr double kOutside = -0.5;
-
-/// Smoothness energy per volume, 1/2 |grad h|^2, of each tet: h is linear between its vertices.
-std::vector<float> energy_densities(const ShownField& field) {
-  const TetMesh& mesh = field.tets().solid.mesh;
-  std::vector<Coefficients<4>> values;
-  values.reserve(field.tet_field().vertex_frames.size());
-  for (const Quaternion& frame : field.tet_field().vertex_frames)
-    values.push_back(frame_coefficients<4>(axes_of(frame)));
-  std::vector<float> energies;
-  energies.reserve(mesh.tets.size());
-  for (const auto& tet : mesh.tets) {
-    const auto corner = [&](std::size_t k) { return mesh.vertices[tet[k]]; };
-    const Vector3 a = corner(1) - corner(0), b = corner(2) - corner(0), c = corner(3) - corner(0);
-    const std::array<Vector3, 3> areas{cross(b, c), cross(c, a), cross(a, b)};
-    const double volume = dot(a, areas[0]);
-    double energy = 0;
-    for (std::size_t m = 0; m < values[0].size(); ++m) {
-      Vector3 gradient{};
-      for (std::size_t k = 0; k < 3; ++k) gradient += (values[tet[k + 1]][m] - values[tet[0]][m]) * areas[k];
-      energy += 0.5 * dot(gradient, gradient) / (volume * volume);
-    }
-    energies.push_back(static_cast<float>(energy));
-  }
-  return energies;
-}
 
 /// A face with its area as a vector.
 Vector3 area_of(const std::vector<Vector3>& vertices, const std::array<std::uint32_t, 3>& face) {
@@ -182,7 +157,11 @@ void add_sampled(const ShownField& field, const std::vector<float>& energies, co
 bool add_tets(const ShownField& field, const Vector3& origin, std::size_t most_tets, std::size_t most_cells,
               const Monitor& monitor, SceneWriter& scene) {
   const TetMesh& mesh = field.tets().solid.mesh;
-  const std::vector<float> energies = energy_densities(field), tilts = alignments(field);
+  const SurfaceNumbers numbers(field, SurfaceNumber::kEnergy);
+  std::vector<float> energies;
+  for (std::uint32_t tet = 0; tet < mesh.tets.size(); ++tet)
+    energies.push_back(static_cast<float>(numbers.energy_of_tet(tet)));
+  const std::vector<float> tilts = alignments(field);
   const bool are_tets = mesh.tets.size() <= most_tets;
   scene.header["tets"] = {{"total", mesh.tets.size()}, {"shown", are_tets ? mesh.tets.size() : 0}};
   if (!are_tets) {
@@ -215,27 +194,24 @@ bool add_tets(const ShownField& field, const Vector3& origin, std::size_t most_t
 }
 
 void add_boundary_numbers(const ShownField& field, const DrawnSurface& drawn, SceneWriter& scene) {
-  const TetSolid& solid = field.tets().solid;
-  const std::vector<float> energies = energy_densities(field);
-  std::vector<double> tilts(solid.mesh.vertices.size(), 0), density(tilts.size(), 0), areas(tilts.size(), 0);
-  for (std::size_t k = 0; k < solid.boundary.size(); ++k) {
-    const Vector3 area = area_of(solid.mesh.vertices, solid.boundary[k]);
-    if (norm(area) == 0) continue;
-    for (const std::uint32_t vertex : solid.boundary[k]) {
-      areas[vertex] += norm(area);
-      tilts[vertex] +=
-          norm(area) * angle_to_nearest_axis_deg(field.tet_field().vertex_frames[vertex], normalised(area));
-      if (solid.boundary_tets[k] != kNoTet) density[vertex] += norm(area) * energies[solid.boundary_tets[k]];
-    }
-  }
-  std::vector<std::uint16_t> shown_tilts, shown_density;
-  for (const std::uint32_t vertex : drawn.originals) {
-    const double area = areas[vertex] > 0 ? areas[vertex] : 1;
-    shown_tilts.push_back(to_bfloat16(static_cast<float>(tilts[vertex] / area)));
-    shown_density.push_back(to_bfloat16(static_cast<float>(density[vertex] / area)));
-  }
-  scene.add("surface_alignment_deg", 1, shown_tilts);
-  scene.add("surface_energy_density", 1, shown_density);
+  const auto add = [&](const char* name, SurfaceNumber number) {
+    const std::vector<float> numbers = SurfaceNumbers(field, number).at_vertices();
+    scene.add(name, 1, column<std::uint16_t>(drawn.originals, [&](std::uint32_t vertex) {
+                return to_bfloat16(numbers[vertex]);
+              }));
+  };
+  add("surface_alignment_deg", SurfaceNumber::kAlignment);
+  add("surface_energy_density", SurfaceNumber::kEnergy);
+  const SolvedSurface& surface = field.surface();
+  // Triangles of a simplified surface are none of the boundary: the tets at their first vertices tell.
+  std::vector<std::int32_t> of_vertex(surface.vertices.size(), 0), regions;
+  if (surface.regions.empty()) return;
+  for (std::size_t k = 0; k < surface.triangles.size(); ++k)
+    for (const std::uint32_t vertex : surface.triangles[k]) of_vertex[vertex] = surface.regions[k];
+  const bool is_whole = 3 * surface.triangles.size() == drawn.vertices.size();
+  for (std::size_t k = 0; k < drawn.vertices.size(); k += 3)
+    regions.push_back(is_whole ? surface.regions[k / 3] : of_vertex[drawn.originals[drawn.vertices[k]]]);
+  add_regions(regions, "surface_region", "surface_regions", scene);
 }
 
 }  // namespace crossgrain

@@ -8,7 +8,7 @@ import { faults_of, is_drawn_anyway, of_starting_grid } from "./scene/faults.ts"
 import type { Report } from "./scene/report.ts";
 import { cell_box, element_center, type Scene } from "./scene/scene.ts";
 import { SettingsStore, type CutAxis, type FieldName, type Settings, type UpAxis } from "./settings.ts";
-import type { FaultBall } from "./view/singular_lines.ts";
+import type { FaultMark } from "./view/line_marks.ts";
 import { Stage } from "./view/stage.ts";
 import { kViewNames, type ViewName } from "./view/camera_rig.ts";
 import { answer_blocks, answer_of, place_of, worst_places } from "./ui/answer.ts";
@@ -42,9 +42,9 @@ export class Application {
   constructor(readonly scene: Scene, report: Report, private readonly tabs: Tabs, context: WebGL2RenderingContext) {
     const canvas = by_id("view") as HTMLCanvasElement;
     this.degree = report.degree === 3 ? 3 : 4;
-    const balls_of = (field: FieldName): FaultBall[] => faults_of(field === "grid" ? of_starting_grid(report) : report)
+    const marks_of = (field: FieldName): FaultMark[] => faults_of(field === "grid" ? of_starting_grid(report) : report)
       .filter((fault) => !is_drawn_anyway(fault)).map(({ place, verdict }) => ({ point: subtract(place, scene.origin), verdict }));
-    this.stage = new Stage(scene, balls_of, canvas, context, report.input?.closed ?? report.model?.watertight ?? false, this.store.current);
+    this.stage = new Stage(scene, marks_of, canvas, context, report.input?.closed ?? report.model?.watertight ?? false, this.store.current);
     const axis = scene.first_cut ?? widest_cut(scene);
     // The half that is taken away is the one towards the first view, which looks from the front, the right and above.
     this.store.change({ cut: { axis, flip: axis === "y" } });

@@ -14,7 +14,7 @@ import { amount, plural } from "../src/ui/dom.ts";
 import { place_groups } from "../src/ui/places.ts";
 import { link_from, link_of } from "../src/view_link.ts";
 import { fraction_of, ranges_of } from "../src/view/ranges.ts";
-import { ball_counts } from "../src/view/singular_lines.ts";
+import { fault_counts, mark_counts } from "../src/view/line_marks.ts";
 import { widest_cut } from "../src/view/widest_cut.ts";
 import { ball_scene, components_scene, plate_scene } from "./sample_scene.mjs";
 import { encode_scene, upper_half } from "./scene_writer.mjs";
@@ -153,10 +153,12 @@ test("with tets, faults are those of the field on the tets", () => {
   assert.match(faults[0].words, /^1 crease, /);
 });
 
-test("balls are counted by their colour: nodes of the scene and the marks of other faults", () => {
-  assert.deepEqual(ball_counts(scenes.ball, []), { impossible: 0, undecided: 0 });
+test("marks are counted by their shape, and by their colour with those of other faults", () => {
+  assert.deepEqual(mark_counts(scenes.ball), { nodes: 8, ends: 8, turns: 0 });
+  assert.deepEqual(mark_counts(scenes.components), { nodes: 2, ends: 8, turns: 1 });
+  assert.deepEqual(fault_counts(scenes.ball, []), { impossible: 0, undecided: 0 });
   const marks = [{ point: [0, 0, 0], verdict: "undecided" }, { point: [1, 0, 0], verdict: "not_meshable" }];
-  assert.deepEqual(ball_counts(scenes.components, marks), { impossible: 2, undecided: 2 });
+  assert.deepEqual(fault_counts(scenes.components, marks), { impossible: 2, undecided: 2 });
 });
 
 test("places are relative to the origin of the scene", () => {

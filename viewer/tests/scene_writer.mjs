@@ -53,6 +53,11 @@ export function scene_of({ surface, creases, cells, lattice, arcs, nodes, forms,
   const crease = polylines(creases);
   const arc = polylines(arcs.map((one) => one.points));
   const stream = polylines(streamlines ?? []);
+  // A node where lines meet is a ball, an end on the surface a disc; lines that turn their sense do so in the middle.
+  const marks = [
+    ...nodes.map((one) => ({ ...one, shape: one.on_boundary ? 1 : 0 })),
+    ...arcs.filter((one) => one.type === 1).map((one) => ({ point: one.points[Math.floor(one.points.length / 2)], shape: 2 })),
+  ];
   const size = forms.length > 0 ? forms[0].linear.length : 9;
   const flat_cells = (take) => cells.flatMap(take);
   const header = {
@@ -73,10 +78,15 @@ export function scene_of({ surface, creases, cells, lattice, arcs, nodes, forms,
     arc_index: ["f32", 0, arcs.map((one) => one.index)],
     arc_type: ["u8", 0, arcs.map((one) => one.type ?? 0)],
     arc_verdict: ["u8", 0, arcs.map((one) => one.verdict ?? 0)],
-    node_points: ["f32", 3, nodes.flatMap((one) => one.point)],
+    arc_wall: ["f32", 0, arcs.flatMap((one) => one.points.map(() => one.wall ?? Infinity))],
     node_verdict: ["u8", 0, nodes.map((one) => one.verdict ?? 0)],
     node_on_boundary: ["u8", 0, nodes.map((one) => one.on_boundary ?? 0)],
     node_degree: ["u8", 0, nodes.map((one) => one.degree ?? 0)],
+    mark_points: ["f32", 3, marks.flatMap((one) => one.point)],
+    mark_directions: ["f32", 3, marks.flatMap(() => [0, 0, 1])],
+    mark_shape: ["u8", 0, marks.map((one) => one.shape)],
+    mark_verdict: ["u8", 0, marks.map((one) => one.verdict ?? 0)],
+    mark_wall: ["f32", 0, marks.map(() => Infinity)],
     cell_corner: ["u16", 3, flat_cells((cell) => cell.corner)],
     cell_size: ["u16", 0, flat_cells((cell) => cell.size)],
     cell_frame: ["i16", 4, flat_cells((cell) => cell.frame.map((q) => Math.round(q * 32767)))],

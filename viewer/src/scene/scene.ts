@@ -21,13 +21,19 @@ interface Outside {
   surface_triangles: Uint32Array;
   arc_points: Float32Array;
   arc_starts: Uint32Array;
+  /** Of the part around each point of the lines; infinite where nothing limits them. */
+  arc_wall: Float32Array;
   arc_index: Float32Array;
   arc_type: Uint8Array;
   arc_verdict: Uint8Array;
-  node_points: Float32Array;
   node_verdict: Uint8Array;
   node_on_boundary: Uint8Array;
   node_degree: Uint8Array;
+  mark_points: Float32Array;
+  mark_directions: Float32Array;
+  mark_shape: Uint8Array;
+  mark_verdict: Uint8Array;
+  mark_wall: Float32Array;
 }
 
 export interface Scene extends Outside {
@@ -57,6 +63,10 @@ export interface Scene extends Outside {
   cell_alignment_deg: Float32Array;
   cell_class: Uint8Array;
   cell_region: Uint16Array;
+  /** Cells with numbers at their eight corners. */
+  corner_cell: Uint32Array;
+  corner_alignment_deg: Float32Array;
+  corner_energy_density: Float32Array;
   /** The numbers of regions, of which cell_region and tets.region are indices. */
   regions: number[];
   form_cell: Uint32Array;
@@ -136,6 +146,9 @@ export function decode_scene(bytes: Uint8Array<ArrayBuffer>): Scene {
     cell_alignment_deg: widened(read("cell_alignment_deg", "u16")),
     cell_class: read("cell_class", "u8"),
     cell_region: read("cell_region", "u16"),
+    corner_cell: read("corner_cell", "u32"),
+    corner_alignment_deg: widened(read("corner_alignment_deg", "u16")),
+    corner_energy_density: widened(read("corner_energy_density", "u16")),
     regions: header.regions ?? [],
     form_cell: read("form_cell", "u32"),
     form_size: form_shape && form_shape.length > 1 ? form_shape[1] : 0,
@@ -158,13 +171,18 @@ function outside(read: Read, prefix: string, surface: Outside["surface"]): Outsi
     surface_triangles: read(`${prefix}surface_triangles`, "u32"),
     arc_points: read(`${prefix}arc_points`, "f32"),
     arc_starts: read(`${prefix}arc_starts`, "u32"),
+    arc_wall: read(`${prefix}arc_wall`, "f32"),
     arc_index: read(`${prefix}arc_index`, "f32"),
     arc_type: read(`${prefix}arc_type`, "u8"),
     arc_verdict: read(`${prefix}arc_verdict`, "u8"),
-    node_points: read(`${prefix}node_points`, "f32"),
     node_verdict: read(`${prefix}node_verdict`, "u8"),
     node_on_boundary: read(`${prefix}node_on_boundary`, "u8"),
     node_degree: read(`${prefix}node_degree`, "u8"),
+    mark_points: read(`${prefix}mark_points`, "f32"),
+    mark_directions: read(`${prefix}mark_directions`, "f32"),
+    mark_shape: read(`${prefix}mark_shape`, "u8"),
+    mark_verdict: read(`${prefix}mark_verdict`, "u8"),
+    mark_wall: read(`${prefix}mark_wall`, "f32"),
   };
 }
 

@@ -6,7 +6,8 @@ import type { Scene } from "../scene/scene.ts";
 import type { Settings } from "../settings.ts";
 import { kTiltScale } from "../view/glyphs.ts";
 import type { Range, Ranges } from "../view/ranges.ts";
-import { arc_kind, ball_counts, kArcKinds, type ArcKind, type FaultBall } from "../view/singular_lines.ts";
+import { fault_counts, mark_counts, type FaultMark } from "../view/line_marks.ts";
+import { arc_kind, kArcKinds, type ArcKind } from "../view/singular_lines.ts";
 import { axis_colors, kViewColors } from "../view/view_colors.ts";
 import { counted, drawing, element, measured, superscript } from "./dom.ts";
 
@@ -16,11 +17,12 @@ const kArcNames: Record<ArcKind, string> = {
   negative: "index −1/4",
   half: "index ±1/2",
   warn: kImpossible,
+  undecided: "undecided",
 };
 
 /** Arcs of each kind. */
 export function arc_counts(scene: Scene): Record<ArcKind, number> {
-  const counts = { positive: 0, negative: 0, half: 0, warn: 0 };
+  const counts = { positive: 0, negative: 0, half: 0, warn: 0, undecided: 0 };
   for (let arc = 0; arc + 1 < scene.arc_starts.length; ++arc) ++counts[arc_kind(scene, arc)];
   return counts;
 }
@@ -29,7 +31,7 @@ export function arc_counts(scene: Scene): Record<ArcKind, number> {
 export interface LegendSource {
   scene: Scene;
   ranges: Ranges;
-  faults: FaultBall[];
+  faults: FaultMark[];
 }
 
 export function legend_body(settings: Settings, theme: Theme, { scene, ranges, faults }: LegendSource): Node[] {
@@ -49,7 +51,7 @@ export function legend_body(settings: Settings, theme: Theme, { scene, ranges, f
   const named = shows_frames && settings.glyph.color === "axes";
   if (named || shows_streams) blocks.push(axis_list(theme, named, shows_streams));
   if (settings.layers.arcs) blocks.push(arc_list(scene, theme, field_name));
-  if (settings.layers.nodes) blocks.push(...ball_list(scene, faults, theme));
+  if (settings.layers.nodes) blocks.push(...mark_list(scene, theme), ...fault_list(scene, faults, theme));
   return blocks;
 }
 
@@ -126,9 +128,27 @@ function arc_swatch(kind: ArcKind, color: string): SVGElement {
     ...bands.map(([x, width]) => drawing("rect", { x, y: middle - height / 2, width, height, fill: kind === "warn" ? "#fff" : "#000", "fill-opacity": kind === "warn" ? 0.55 : 0.62 })));
 }
 
-/** The balls that are marked; none if none are. */
-function ball_list(scene: Scene, faults: FaultBall[], theme: Theme): HTMLElement[] {
-  const counts = ball_counts(scene, faults);
+/** The shapes of marks that occur. */
+function mark_list(scene: Scene, theme: Theme): HTMLElement[] {
+  const { nodes, ends, turns } = mark_counts(scene);
+  const { node, turn } = kViewColors[theme];
+  const rows: [string, SVGElement, number][] = [
+    ["node: lines meet", drawing("circle", { cx: 15, cy: 7, r: 5, fill: node }), nodes],
+    ["end on the surface", drawing("ellipse", { cx: 15, cy: 7, rx: 7, ry: 3, fill: node }), ends],
+    ["turning point", drawing("path", { d: "M15 0l6 7l-6 7l-6-7z", fill: turn, stroke: "#806000", "stroke-width": 0.8 }), turns],
+  ];
+  const present = rows.filter(([, , count]) => count > 0);
+  if (present.length === 0) return [];
+  return [element("div", { class: "legend-block", "data-testid": "legend-marks" },
+    element("h3", {}, "Marks"),
+    element("ul", { class: "keys" }, ...present.map(([name, shape, count]) =>
+      element("li", {}, drawing("svg", { viewBox: "0 0 30 14", class: "arc-swatch", "aria-hidden": "true" }, shape), name, element("span", { class: "tally" }, counted(count))))),
+  )];
+}
+
+/** The colours of marks that hexahedra cannot have, or of which that is undecided; none if there are none. */
+function fault_list(scene: Scene, faults: FaultMark[], theme: Theme): HTMLElement[] {
+  const counts = fault_counts(scene, faults);
   const rows: [string, string, number][] = [[kImpossible, kViewColors[theme].warn, counts.impossible], ["undecided", kViewColors[theme].undecided, counts.undecided]];
   const present = rows.filter(([, , count]) => count > 0);
   if (present.length === 0) return [];
@@ -136,7 +156,7 @@ function ball_list(scene: Scene, faults: FaultBall[], theme: Theme): HTMLElement
     element("h3", {}, "Nodes, creases, corners"),
     element("ul", { class: "keys" }, ...present.map(([name, color, count]) =>
       element("li", {},
-        drawing("svg", { viewBox: "0 0 30 14", class: "arc-swatch", "aria-hidden": "true" }, drawing("circle", { cx: 15, cy: 7, r: 6, fill: color })),
+        drawing("svg", { viewBox: "0 0 30 14", class: "arc-swatch", "aria-hidden": "true" }, drawing("rect", { x: 10, y: 2, width: 10, height: 10, fill: color })),
         name, element("span", { class: "tally" }, counted(count))))),
   )];
 }

@@ -14,11 +14,12 @@ import { Cut } from "./cut.ts";
 import { CutFace } from "./cut_face.ts";
 import { field_textures, set_palette, type FieldTextures } from "./field_textures.ts";
 import { GlyphView } from "./glyphs.ts";
+import type { FaultMark } from "./line_marks.ts";
 import { PartView } from "./part.ts";
 import { Picker } from "./picking.ts";
 import { ranges_of, type Ranges } from "./ranges.ts";
 import { shared_uniforms, type SharedUniforms } from "./shared_uniforms.ts";
-import { SingularLines, type FaultBall } from "./singular_lines.ts";
+import { SingularLines } from "./singular_lines.ts";
 import { TetFace } from "./tet_face.ts";
 import { line_material } from "./thin_lines.ts";
 import { kViewColors, scene_color, shader_color } from "./view_colors.ts";
@@ -42,7 +43,7 @@ export class FieldView {
   private readonly picker: Picker;
   private drawn_seams: unknown = null;
 
-  constructor(readonly scene: Scene, readonly faults: FaultBall[], closed: boolean) {
+  constructor(readonly scene: Scene, readonly faults: FaultMark[], closed: boolean) {
     this.octree = build_octree(scene);
     this.ranges = ranges_of(scene);
     this.textures = field_textures(scene, this.octree, this.ranges);

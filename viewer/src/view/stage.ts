@@ -10,7 +10,7 @@ import { cut_normal, type FieldName, type Settings } from "../settings.ts";
 import { CameraRig, type Covered } from "./camera_rig.ts";
 import { FieldView } from "./field_view.ts";
 import { Marks } from "./marks.ts";
-import type { FaultBall } from "./singular_lines.ts";
+import type { FaultMark } from "./line_marks.ts";
 import { StreamlineView } from "./streamlines.ts";
 import { kViewColors } from "./view_colors.ts";
 
@@ -33,7 +33,7 @@ export class Stage {
   onmove: () => void = () => {};
 
   constructor(
-    private readonly scene: Scene, private readonly faults_of: (field: FieldName) => FaultBall[], readonly canvas: HTMLCanvasElement,
+    private readonly scene: Scene, private readonly faults_of: (field: FieldName) => FaultMark[], readonly canvas: HTMLCanvasElement,
     context: WebGL2RenderingContext, private readonly closed: boolean, settings: Settings,
   ) {
     this.settings = settings;

@@ -21,6 +21,7 @@ export interface ViewColors {
   warn: string;
   node: string;
   undecided: string;
+  turn: string;
   picked: string;
 }
 
@@ -39,6 +40,7 @@ export const kViewColors: Record<Theme, ViewColors> = {
     warn: "#d3125f",
     node: "#1d2530",
     undecided: "#8b5cc7",
+    turn: "#ffd23e",
     picked: "#d6006c",
   },
   dark: {
@@ -55,6 +57,7 @@ export const kViewColors: Record<Theme, ViewColors> = {
     warn: "#ff4d8d",
     node: "#f2f5f9",
     undecided: "#b79cff",
+    turn: "#ffd23e",
     picked: "#ff5fae",
   },
 };
