@@ -138,6 +138,11 @@ test("the tet at a point is the one that holds it", () => {
   const all = tets_of([0, 0, 0], [3, 2, 1], [4, 3, 2]);
   tets.forEach((tet, k) => assert.equal(tet_at(all, middle_of(points, tet)), k));
   assert.equal(tet_at(all, [5, 1, 0.5]), -1);
+  // In a plane of vertices there are polygons without area, which hold no point.
+  const flat = cut_tets(all, [0, 0, 1], 0.5);
+  const there = piece_at(flat, [0, 0, 1], [1.1, 0.9, 0.5]);
+  const place = corner_of(flat, flat.starts[there]);
+  assert.ok(length_of(subtract(place, [1.1, 0.9, 0.5])) < 1.1, `${place}`);
   const cut = cut_tets(all, [0, 0, 1], 0.3);
   for (const tet of [0, 20, 70]) {
     const middle = middle_of(points, tets[tet]);

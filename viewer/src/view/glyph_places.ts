@@ -154,7 +154,7 @@ class Raster {
   }
 }
 
-/** Whether a convex polygon, in either sense, holds a point. */
+/** Whether a convex polygon, in either sense, holds a point; one without area holds none. */
 export function holds(flat: Float32Array, begin: number, end: number, u: number, v: number): boolean {
   let sense = 0;
   for (let k = begin; k < end; ++k) {
@@ -164,7 +164,7 @@ export function holds(flat: Float32Array, begin: number, end: number, u: number,
     if (sense !== 0 && turn > 0 !== sense > 0) return false;
     sense = turn;
   }
-  return true;
+  return sense !== 0;
 }
 
 /** The piece at a point of the cut, or -1. */

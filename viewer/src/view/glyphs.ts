@@ -152,7 +152,7 @@ function glyph_mesh(shape: BufferGeometry, reach: number, uniforms: Record<strin
       in vec3 view_normal;
       in vec3 color;
       ${kLight}
-      void main() { gl_FragColor = vec4(color * light_on(view_normal), 1.0); }`,
+      void main() { gl_FragColor = vec4(color * min(1.15 * light_on(view_normal), 1.1), 1.0); }`,
   });
   const mesh = new Mesh(geometry, material);
   mesh.frustumCulled = false;

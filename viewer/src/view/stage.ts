@@ -47,7 +47,7 @@ export class Stage {
     });
     this.marks = new Marks(this.field.uniforms);
     this.streams = new StreamlineView(scene);
-    this.three.add(this.streams.lines, this.marks.group);
+    this.three.add(this.streams.group, this.marks.group);
   }
 
   /** The field that is shown; made when it is first asked for. */
