@@ -61,8 +61,8 @@ async function draw_legend(context: CanvasRenderingContext2D, legend: HTMLElemen
 function draw_text(context: CanvasRenderingContext2D, text: Text): void {
   const parent = text.parentElement;
   if (!parent || !parent.checkVisibility() || text.data.trim() === "") return;
-  const { font, color } = getComputedStyle(parent);
-  context.font = font;
+  const { color, fontFamily, fontSize, fontStyle, fontWeight } = getComputedStyle(parent);
+  context.font = `${fontStyle} ${fontWeight} ${fontSize} ${fontFamily}`;
   context.fillStyle = color;
   context.textBaseline = "middle";
   const range = document.createRange();
