@@ -2,6 +2,7 @@
 // The parsed command line.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -39,13 +40,29 @@ struct SampleArguments {
   std::string outside;  ///< empty for none
 };
 
+/// The field of a result that a command works on.
+enum class FieldChoice {
+  kTetsIfAny,
+  kTets,
+  kGrid  ///< also where it is that from which the field on tets started
+};
+
+/// Where evenly spread seeds lie: in the volume, on the surface, or on a cut.
+struct SeedPlaces {
+  bool on_surface = false;
+  std::optional<PictureOptions::Cut> cut;
+};
+
 struct StreamlinesArguments {
   std::string field;
+  FieldChoice choice = FieldChoice::kTetsIfAny;
   std::string seeds;   ///< file, or "-"; empty for `count` evenly spread seeds
   std::string output;  ///< never empty
   bool is_output_named = false;
-  std::string surface;  ///< model; if empty, lines end where the active cells do
-  std::size_t count = 100;
+  std::string surface;  ///< model; if empty, lines end on the surface of the field
+  SeedPlaces places;
+  std::size_t count = 1000;
+  std::optional<double> spacing;  ///< in longest sides; by default 0 for seeds of a file
   StreamlineOptions options;
   bool quiet = false;
 };

@@ -91,6 +91,22 @@ void add_tets_options(CLI::App& command, SolveArguments& arguments) {
       "that it has");
 }
 
+/// Where seeds of streamlines lie; none for an invalid text.
+std::optional<SeedPlaces> parse_places(const std::string& text) {
+  if (text == "volume") return SeedPlaces{};
+  if (text == "surface") return SeedPlaces{true, {}};
+  const auto cut = parse_cut(text);
+  if (!cut || !*cut) return std::nullopt;
+  return SeedPlaces{false, *cut};
+}
+
+void add_field_choice(CLI::App& command, FieldChoice& choice) {
+  add_choice(command, "--field", choice, {{"tets", FieldChoice::kTets}, {"grid", FieldChoice::kGrid}},
+             "The field on the tets (default where there are any) or on the grid, from which a field on tets "
+             "started",
+             "tets|grid");
+}
+
 void add_looks(CLI::App& command, PictureOptions& options) {
   add_choice(command, "--colour,--color", options.colour,
              {{"none", PictureColour::kNone},
@@ -258,13 +274,28 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
   command
       ->add_option("-o,--output", arguments.output, "The .vtu file to write (default: DIR/streamlines.vtu)")
       ->type_name("FILE");
-  command->add_option("--count", arguments.count, "Evenly spread seeds (default 100)")
+  add_field_choice(*command, arguments.choice);
+  add_parsed(
+      *command, "--on", parse_places, [&arguments](const auto& places) { arguments.places = places; },
+      "is not a place of seeds: volume, surface, or a cut such as z or y=12.5",
+      "Evenly spread seeds in the volume (default), on the surface or on a cut; from the latter two, lines "
+      "follow the two axes along surface or cut")
+      ->excludes(seeds)
+      ->type_name("volume|surface|AXIS[=X]");
+  command->add_option("--count", arguments.count, "Number of seeds to try (default 1000)")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->excludes(seeds)
       ->type_name("N");
   command
+      ->add_option("--spacing", arguments.spacing,
+                   "Least distance between lines along like axes, in longest sides of the field; 0 for any "
+                   "(default 0.15 in the volume, 0.08 on the surface, 0.05 on a cut, 0 for given seeds)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("X");
+  command
       ->add_option("--surface", arguments.surface,
-                   "The model that was solved: lines end on its surface (default: where the active cells do)")
+                   "The model that was solved: lines on the grid end on it (default: on the surface of the "
+                   "field, with the cells where it has none)")
       ->type_name("MODEL");
   command
       ->add_option_function<std::string>(
@@ -272,7 +303,7 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
           [&options](const std::string& text) {
             for (std::size_t k = 0; k < 3; ++k) options.axes[k] = text.find("xyz"[k]) != text.npos;
           },
-          "Axes at a seed to follow: those matched with x, y and z (default xyz)")
+          "Axes to follow, by their names at the seed (default xyz)")
       ->check(fault_of_axes)
       ->type_name("xyz");
   command

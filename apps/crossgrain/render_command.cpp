@@ -29,11 +29,11 @@ void check_files(const RenderArguments& arguments) {
   }
 }
 
-std::vector<std::vector<Vector3>> streamlines_in(const std::filesystem::path& folder) {
+std::vector<AxisCurve> streamlines_in(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / kStreamlinesFile;
   if (!std::filesystem::exists(path))
     throw Error(ErrorKind::kInput, {path.string(), "", "does not exist", Remedy::kTraceStreamlines});
-  return read_streamline_points(path);
+  return read_streamlines(path);
 }
 
 void draw(const RenderArguments& arguments, const Monitor& monitor) {

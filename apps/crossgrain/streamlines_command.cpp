@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "commands.hpp"
@@ -14,6 +16,7 @@
 #include "crossgrain/io.hpp"
 #include "crossgrain/streamlines.hpp"
 #include "crossgrain/tet_domain.hpp"
+#include "crossgrain/tet_frame_field.hpp"
 #include "interruption.hpp"
 #include "messages.hpp"
 #include "output.hpp"
@@ -23,6 +26,13 @@ namespace crossgrain::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Default spacing of lines through spread seeds in longest sides: about as many lines as can be seen
+/// through, or told apart on a surface or cut.
+double usual_spacing(const SeedPlaces& places) {
+  if (places.on_surface) return 0.08;
+  return places.cut ? 0.05 : 0.15;
+}
 
 void check_files(const StreamlinesArguments& arguments) {
   const auto normal = [](const std::filesystem::path& path) { return path.lexically_normal(); };
@@ -57,7 +67,7 @@ std::optional<TriangleMesh> read_model(const StreamlinesArguments& arguments, co
 }
 
 std::string ends_line(const std::vector<Streamline>& lines) {
-  std::array<std::size_t, 5> counts{};
+  std::array<std::size_t, 6> counts{};
   std::size_t closed = 0;
   for (const Streamline& line : lines) {
     if (line.last_end == StreamlineEnd::kClosed) {
@@ -70,6 +80,8 @@ std::string ends_line(const std::vector<Streamline>& lines) {
   const auto of = [&](StreamlineEnd end) { return counts[static_cast<std::size_t>(end)]; };
   std::string text = fmt::format("ends       {} at the boundary, {} at singular arcs",
                                  of(StreamlineEnd::kBoundary), of(StreamlineEnd::kSingularArc));
+  if (of(StreamlineEnd::kCrowded) > 0)
+    text += fmt::format(", {} next to other lines", of(StreamlineEnd::kCrowded));
   if (of(StreamlineEnd::kLongest) > 0)
     text += fmt::format(", {} where lines may be no longer", of(StreamlineEnd::kLongest));
   if (of(StreamlineEnd::kAmbiguous) > 0)
@@ -108,28 +120,62 @@ void tell_of_seeds(const Streamlines& traced, std::size_t seeds, const std::stri
                               counted(seeds, "seed"), is_or_are(traced.arc_seeds)));
 }
 
+using AnyField = std::variant<FrameField, TetFrameField>;
+
+AnyField read_any_field(const StreamlinesArguments& arguments) {
+  if (arguments.choice == FieldChoice::kGrid) return read_field(arguments.field);
+  if (auto field = read_tet_field(arguments.field)) {
+    if (!arguments.surface.empty())
+      throw Error(ErrorKind::kUsage, "lines on tets end on their boundary; --surface is for --field grid");
+    return std::move(*field);
+  }
+  if (arguments.choice == FieldChoice::kTets)
+    throw Error(ErrorKind::kInput, {arguments.field, "", "has no field on tets"});
+  return read_field(arguments.field);
+}
+
+StreamlineTracer tracer_of(const AnyField& field, const StreamlinesArguments& arguments,
+                           const StreamlineOptions& options, const Monitor& monitor) {
+  if (const auto* tets = std::get_if<TetFrameField>(&field)) return StreamlineTracer(*tets, options);
+  const FrameField& grid = std::get<FrameField>(field);
+  const std::optional<TriangleMesh> surface = read_model(arguments, grid, monitor);
+  return naming(arguments.surface,
+                [&] { return StreamlineTracer(grid, options, surface ? &*surface : nullptr); });
+}
+
+std::vector<StreamlineSeed> seeds_of(const StreamlinesArguments& arguments, const StreamlineTracer& tracer,
+                                     const Monitor& monitor) {
+  const SeedPlaces& places = arguments.places;
+  if (places.on_surface) return tracer.surface_seeds(arguments.count, monitor);
+  if (places.cut) return tracer.cut_seeds(places.cut->axis, places.cut->position, arguments.count, monitor);
+  std::vector<StreamlineSeed> seeds;
+  for (const Vector3& point : tracer.spread_seeds(arguments.count, monitor)) seeds.push_back({point});
+  return seeds;
+}
+
 }  // namespace
 
 void run_streamlines(const StreamlinesArguments& arguments) {
   check_files(arguments);
-  const FrameField field = read_field(arguments.field);
+  const AnyField field = read_any_field(arguments);
   if (!arguments.is_output_named) check_output_file(arguments.output);
   check_streamline_file(arguments.output);
-  std::vector<Vector3> seeds;
-  if (!arguments.seeds.empty()) seeds = read_points(arguments.seeds);
+  const bool are_given = !arguments.seeds.empty();
+  std::vector<StreamlineSeed> seeds;
+  if (are_given)
+    for (const Vector3& point : read_points(arguments.seeds)) seeds.push_back({point});
 
   // Not earlier: the first Ctrl-C must end waiting for standard input.
   Monitor monitor;
   const Interruption interruption(monitor);
-  const std::optional<TriangleMesh> surface = read_model(arguments, field, monitor);
+  StreamlineOptions options = arguments.options;
+  options.spacing_sides = arguments.spacing.value_or(are_given ? 0 : usual_spacing(arguments.places));
+  const StreamlineTracer tracer = tracer_of(field, arguments, options, monitor);
   const auto start = Clock::now();
-  const StreamlineTracer tracer = naming(arguments.surface, [&] {
-    return StreamlineTracer(field, arguments.options, surface ? &*surface : nullptr);
-  });
-  if (arguments.seeds.empty()) seeds = tracer.spread_seeds(arguments.count, monitor);
+  if (!are_given) seeds = seeds_of(arguments, tracer, monitor);
   const Streamlines traced = tracer.trace(seeds, monitor);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  const std::string source = arguments.seeds.empty()  ? arguments.field
+  const std::string source = !are_given               ? arguments.field
                              : arguments.seeds == "-" ? "standard input"
                                                       : arguments.seeds;
   tell_of_seeds(traced, seeds.size(), source);

@@ -4,12 +4,13 @@
 
 Usage: docs/gallery/make.py PROGRAM MODELS
 
-PROGRAM is the program `crossgrain`, MODELS the folder of the models and MANIFEST.tsv, which names their sources. Takes a
-minute. Times in the table are those of one run on this machine; all other numbers are the same on any machine.
+PROGRAM is the program `crossgrain`, MODELS a folder with models/good/ and hexme/, each with a MANIFEST.tsv, which names the
+sources of its models. Takes a minute. Times in the table are those of one run on this machine; all other numbers are the same on any machine.
 """
 
 import csv
 import json
+import lzma
 import subprocess
 import sys
 import tempfile
@@ -20,49 +21,60 @@ SIZE = "1000x750"
 
 # File, what it shows, further arguments of `render`.
 FIELDS = [
-    ("featuretype.STEP", "A CAD part with nine handles: four lines of index -1/4 around each hole.", ["--colour", "alignment"]),
-    ("i10o_simp.step", "A bracket with a slanted hole, cut open.", ["--cut", "z"]),
-    ("i02o_m2.step", "MAMBO's M2. Frames rotate about an axis across the two crimson lines: no hexahedral mesh can have them.", []),
-    ("s11o_cube_cyl.stp", "A cylinder on a cube, cut open: the lines of the cylinder bend outwards to its edge.", ["--cut", "x"]),
-    ("base_interface_AP214.STEP", "A thin plate with holes, cut along its middle.", ["--cut", "z", "--view", "-60,40"]),
-    ("1002_tray_bottom.STL", "A tray of thin sheet metal with 23 handles.", ["--view", "-60,40"]),
-    ("platonic_shelf.obj", "Five solids in one file, most without right angles, coloured by the class of the constraints.", ["--colour", "class"]),
-    ("spot.ply", "An animal without flat faces. No hexahedral mesh can have the two lines in crimson.", ["--up", "y", "--view", "40,15"]),
-    ("torus.obj", "A torus, cut open: four closed lines along it.", ["--cut", "y"]),
-    ("sphere_r0.12.mesh", "A ball of tets: twelve lines, like the edges of a cube that touches the surface.", []),
+    ("models/good/featuretype.STEP", "A CAD part with nine handles: four lines of index -1/4 around each hole.", ["--colour", "alignment"]),
+    ("hexme/i10c_simp.vtk.xz", "A bracket with a slanted hole, as tets, cut open along the hole.", ["--cut", "y"]),
+    ("models/good/i02o_m2.step", "MAMBO's M2.", []),
+    ("models/good/s11o_cube_cyl.stp", "A cylinder on a cube, cut open: the lines of the cylinder bend outwards to its edge.", ["--cut", "x"]),
+    ("models/good/base_interface_AP214.STEP", "A thin plate with holes, cut along its middle.", ["--cut", "z"]),
+    ("models/good/1002_tray_bottom.STL", "A tray of thin sheet metal with 23 handles.", ["--view", "-60,40"]),
+    ("hexme/s17c_sphere.vtk.xz", "A ball of tets, coloured by energy: a frame changes most along the twelve lines.", ["--cut", "x", "--colour", "energy"]),
+    ("models/good/spot.ply", "An animal without flat faces, cut along its middle.", ["--up", "y", "--cut", "x"]),
+    ("models/good/torus.obj", "A torus, cut open: four closed lines along it.", ["--cut", "y"]),
+    ("models/good/sphere_r0.12.mesh", "A ball of tets, cut open: twelve lines, like the edges of a cube that touches the surface.", ["--cut", "z"]),
 ]
 
 HEAD = """# Gallery
 
-Ten models of other authors, as `crossgrain solve MODEL` solves them at the default resolution and `crossgrain render` draws them. Singular lines are blue where three hexahedra would meet, orange for five, green for six, and crimson
-if no hexahedral mesh can have them. [pictures.md](pictures.md) and [report.md](report.md) explain pictures and numbers.
+Ten models of other authors, as `crossgrain solve MODEL` solves them at the default resolution and `crossgrain render` draws them. [pictures.md](pictures.md) explains the marks, [report.md](report.md) the numbers.
 
 """
 
 TAIL = "`docs/gallery/make.py PROGRAM MODELS` makes this page.\n"
 
-COLUMNS = ["model", "cells", "energy", "alignment, mean and 95 %", "lines, nodes, ends", "hexahedra", "seconds"]
+COLUMNS = ["model", "cells", "tets", "energy", "off the surface, mean and 95 %", "lines, nodes, ends", "hexahedra", "seconds"]
 
 
 def sources(models):
-    with (models / "MANIFEST.tsv").open(encoding="utf-8", newline="") as lines:
-        return {row["file"]: row for row in csv.DictReader(lines, delimiter="\t")}
+    """The rows of both manifests, by path."""
+    rows = {}
+    for folder in ("models/good", "hexme"):
+        with (models / folder / "MANIFEST.tsv").open(encoding="utf-8", newline="") as lines:
+            rows.update({f"{folder}/{row['file']}": row for row in csv.DictReader(lines, delimiter="\t")})
+    return rows
+
+
+def name_of(file):
+    return Path(file).name.removesuffix(".xz")
 
 
 def make(program, models, file, arguments, folder):
     """Solves a model, draws it, and returns the report."""
-    result = folder / Path(file).stem
-    subprocess.run([program, "solve", models / file, "-o", result, "--quiet", "--no-report"], check=True, stderr=subprocess.DEVNULL)
-    subprocess.run([program, "render", result, "-o", HERE / f"{Path(file).stem}.png", "--size", SIZE, *arguments], check=True,
+    model, result = folder / name_of(file), folder / f"{Path(name_of(file)).stem}.frames"
+    given = models / file
+    model.write_bytes(lzma.open(given).read() if given.suffix == ".xz" else given.read_bytes())
+    subprocess.run([program, "solve", model, "-o", result, "--quiet", "--no-report"], check=True, stderr=subprocess.DEVNULL)
+    subprocess.run([program, "render", result, "-o", HERE / f"{Path(name_of(file)).stem}.png", "--size", SIZE, *arguments], check=True,
                    stdout=subprocess.DEVNULL)
     return json.loads((result / "report.json").read_text())
 
 
 def row(file, report):
     """The cells of a model's row in the table."""
-    singularity, alignment = report["singularity"], report["alignment_deg"]
-    return [f"[{file}](#{anchor(file)})", f"{report['levels'][-1]['active_cells']:,}", f"{report['energy']['total']:.4g}",
-            f"{alignment['mean']:.2f}°, {alignment['p95']:.2f}°",
+    onto = report.get("onto")
+    singularity = (onto or report)["singularity"]
+    alignment = onto["normal_deg"] if onto else report["alignment_deg"]
+    return [f"[{name_of(file)}](#{anchor(name_of(file))})", f"{report['levels'][-1]['active_cells']:,}", f"{onto['tets']:,}" if onto else "",
+            f"{report['energy']['total']:.4g}", f"{alignment['mean']:.2f}°, {alignment['p95']:.2f}°",
             f"{singularity['arcs']}, {singularity['nodes']}, {singularity['boundary_ends']}", report["verdict"].replace("_", " "),
             f"{report['seconds']['total']:.1f}"]
 
@@ -76,10 +88,10 @@ def table(rows):
 
 
 def section(file, caption, arguments, source):
-    name = Path(file).stem
+    name = Path(name_of(file)).stem
     where, licence = source["source"].split(" ")[0], source["licence"].split(" (")[0]
     command = " ".join(["crossgrain render", f"{name}.frames", *arguments])
-    return f"## {file}\n\n![{caption}](gallery/{name}.png)\n\n{caption} `{command}`\n\nModel: {where}, {licence}.\n\n"
+    return f"## {name_of(file)}\n\n![{caption}](gallery/{name}.png)\n\n{caption} `{command}`\n\nModel: {where}, {licence}.\n\n"
 
 
 def main():

@@ -266,9 +266,8 @@ inline constexpr const char* kStreamlinesFile = "streamlines.vtu";
 void write_streamlines(std::span<const Streamline> lines, const std::filesystem::path& path,
                        const Monitor& monitor = {});
 
-/// Reads the points of the lines that `write_streamlines` has written, at least two per line, model units.
-/// Throws Error(kInput).
-std::vector<std::vector<Vector3>> read_streamline_points(const std::filesystem::path& path);
+/// Reads the lines that `write_streamlines` has written. Throws Error(kInput).
+std::vector<AxisCurve> read_streamlines(const std::filesystem::path& path);
 
 /// Reads the singular graph of the whole field from singularities.vtu or onto_singularities.vtu, without the
 /// numbers of edges and loops, which are in the report. Throws Error(kInput).

@@ -10,6 +10,7 @@
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/singularity_graph.hpp"
+#include "crossgrain/streamlines.hpp"
 #include "crossgrain/tet_frame_field.hpp"
 #include "crossgrain/types.hpp"
 
@@ -89,9 +90,8 @@ struct PictureCurves {
   /// (OutputOptions) lacks some of them; a file of the folder has all (`read_singularities`).
   const SingularityGraph* singularities = nullptr;
 
-  /// Streamlines to draw: polylines of at least two points, model units. If empty, the legend does not
-  /// mention them.
-  std::vector<std::vector<Vector3>> streamlines = {};
+  /// Streamlines to draw, each in the colour of its axis. If empty, the legend does not mention them.
+  std::vector<AxisCurve> streamlines = {};
 };
 
 /// Draws a field as a PNG file, which appears complete or not at all. Needs no display and no graphics

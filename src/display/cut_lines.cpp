@@ -16,8 +16,11 @@ constexpr double kReach = 1.5;
 /// Cosine of the angle within which two curves run along the same axis.
 constexpr double kSameWay = 0.7071;
 
-/// Largest number of steps of a curve each way, as a closed curve has no end.
-constexpr int kMostSteps = 4000;
+/// Largest number of steps of a curve each way.
+constexpr int kMostSteps = 10000;
+
+/// Length along a curve, in spacings, within which it is not another curve to itself.
+constexpr double kOwnLag = 1.2;
 
 /// Distance of a seed from curves along the same axis, in spacings: less than one, since that is where seeds
 /// are laid beside a curve.
@@ -202,9 +205,15 @@ class CutTracer {
     bool at_boundary = false;
   };
 
-  /// Half a curve. Steps by the midpoint rule.
-  Way half(const Vector3& seed, Vector3 direction, const DrawnPoints& others) const {
+  /// Half a curve. Steps by the midpoint rule. Ends next to earlier curves, and to the other half or itself
+  /// where it comes round.
+  Way half(const Vector3& seed, Vector3 direction, const Way& other_half) const {
     const double step = options_.step_share * options_.spacing;
+    const double least = options_.least_share * options_.spacing;
+    const auto lag = static_cast<std::size_t>(std::ceil(kOwnLag / options_.step_share));
+    DrawnPoints own(mesh_.plane(), options_.spacing);
+    for (std::size_t k = lag; k < other_half.points.size(); ++k)
+      own.add(other_half.points[k], other_half.ways[k]);
     Way way;
     Vector3 point = seed;
     for (int k = 0; k < kMostSteps; ++k) {
@@ -224,11 +233,15 @@ class CutTracer {
         way.at_boundary = true;
         return way;
       }
-      if (!others.has_room(next, there.in_plane, options_.least_share * options_.spacing)) return way;
+      if (!drawn_.has_room(next, there.in_plane, least) || !own.has_room(next, there.in_plane, least))
+        return way;
       way.points.push_back(next);
       way.ways.push_back(there.in_plane);
       way.names.push_back(here.name);
-      if (k > 10 && norm(next - seed) < 0.5 * step) return way;  // closed
+      if (way.points.size() > lag) {
+        const std::size_t passed = way.points.size() - 1 - lag;
+        own.add(way.points[passed], way.ways[passed]);
+      }
       point = next;
       direction = there.axis;
     }
@@ -246,8 +259,8 @@ class CutTracer {
   }
 
   void trace(const Vector3& seed, const Heading& heading) {
-    Way back = half(seed, -heading.axis, drawn_);
-    const Way forth = half(seed, heading.axis, drawn_);
+    const Way back = half(seed, -heading.axis, {});
+    const Way forth = half(seed, heading.axis, back);
     CutLine line;
     std::vector<Vector3> ways(back.ways.rbegin(), back.ways.rend());
     line.points.assign(back.points.rbegin(), back.points.rend());

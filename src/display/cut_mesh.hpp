@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/quaternion.hpp"
-#include "display/axis_names.hpp"
 #include "display/shown_field.hpp"
+#include "singularity/axis_names.hpp"
 
 namespace crossgrain {
 

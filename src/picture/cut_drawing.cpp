@@ -12,13 +12,17 @@
 #include "picture/cut_frames.hpp"
 #include "picture/field_drawing.hpp"
 #include "picture/singular_lines.hpp"
+#include "picture/streamlines.hpp"
 
 namespace crossgrain {
 namespace {
 
 // Radii in units of PictureWeights.
 constexpr double kGhostRadius = 0.9, kOutlineRadius = 1.5, kInterfaceRadius = 1.1, kSeamRadius = 1.1,
-                 kEdgeRadius = 0.35, kLineRadius = 1.7;
+                 kEdgeRadius = 0.35, kLineRadius = 1.7, kStreamlineRadius = 1.6;
+
+/// Distance from the cut within which streamlines are drawn on it, in units of PictureWeights.
+constexpr double kOnCutReach = 8;
 
 /// Sides of boxes and lengths of crosses as a share of the distance between frames: in any orientation they
 /// stay within their place.
@@ -102,6 +106,12 @@ void CutDrawing::add_to(Drawing& drawing, const Camera& camera) const {
     drawing.rods.push_back(std::move(crossings));
   }
   drawing.section = std::move(section);
+  if (!subject_.streamlines.empty())
+    drawing.rods.push_back(
+        {RodLook::kSolid,
+         streamlines_on(*drawing.section, subject_.streamlines, kOnCutReach * unit, kStreamlineRadius * unit),
+         {},
+         true});
   if (options_.frames == PictureFrames::kNone) return;
   add_seams(drawing, unit);
   options_.frames == PictureFrames::kLines
@@ -189,7 +199,7 @@ void CutDrawing::add_lines(Drawing& drawing, double unit) const {
 
 std::optional<LegendBlock> CutDrawing::legend() const {
   if (options_.frames == PictureFrames::kNone) return std::nullopt;
-  LegendBlock block{"Axes of frames, named along the cut"};
+  LegendBlock block{"Frames on the cut"};
   const bool has_lines = options_.frames == PictureFrames::kLines;
   std::array<double, 3> area{};
   double whole = 0;
@@ -203,10 +213,10 @@ std::optional<LegendBlock> CutDrawing::legend() const {
   }
   for (std::size_t k = 0; k < 3; ++k)
     if (area[k] > kLeastNamed * whole)
-      block.signs.push_back({has_lines ? Sign::Shape::kLine : Sign::Shape::kBox, colour_of(kAxisColours[k]),
-                             std::string(1, "xyz"[k])});
+      block.signs.push_back({has_lines ? Sign::Shape::kThinLine : Sign::Shape::kBox, colour_of(kAxisColours[k]),
+                             std::string("axis ") + "xyz"[k]});
   if (!seams_of(names_, mesh_.frames(), mesh_.links()).empty())
-    block.signs.push_back({Sign::Shape::kLine, kSeamColour, "seam, across which names change"});
+    block.signs.push_back({Sign::Shape::kDashes, kSeamColour, "seam, across which names change"});
   return block;
 }
 

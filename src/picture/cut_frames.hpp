@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/quaternion.hpp"
-#include "display/axis_names.hpp"
 #include "picture/drawing.hpp"
+#include "singularity/axis_names.hpp"
 
 namespace crossgrain {
 

@@ -6,6 +6,7 @@
 #include "display/smooth_corners.hpp"
 #include "picture/answer_marks.hpp"
 #include "picture/singular_lines.hpp"
+#include "picture/streamlines.hpp"
 
 namespace crossgrain {
 namespace {
@@ -64,8 +65,7 @@ Drawing field_drawing(const PictureSubject& subject, const PictureOptions& optio
     if (!subject.field.is_starting_grid())
       answer_marks(subject.field.report(), kSingularRadius * unit, drawing.rods.back().facets);
   }
-  drawing.rods.push_back(
-      {RodLook::kSolid, rods_along(subject.streamlines, kStreamlineRadius * unit, kStreamlineColour), {}});
+  drawing.rods.push_back({RodLook::kSolid, streamlines(subject.streamlines, kStreamlineRadius * unit), {}});
   if (options.creases)
     drawing.rods.push_back(
         {RodLook::kInk,

@@ -16,7 +16,7 @@ namespace crossgrain {
 struct PictureSubject {
   const ShownField& field;
   const CellColours& colours;
-  const std::vector<std::vector<Vector3>>& streamlines;  ///< polylines
+  const std::vector<AxisCurve>& streamlines;
 };
 
 /// The unit of line widths and sizes in a picture.
@@ -25,8 +25,6 @@ struct PictureWeights {
 
   explicit PictureWeights(const PictureOptions& options, const Camera& camera);
 };
-
-inline constexpr Colour kStreamlineColour = colour_of(0x2f9e8f);
 
 /// The drawing of a field without its cut (picture/cut_drawing.hpp). The first rods are the singular lines,
 /// if they are drawn.

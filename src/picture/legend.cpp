@@ -132,6 +132,13 @@ void Legend::draw_sign(Canvas& canvas, const Sign& sign, double left, double mid
     case Sign::Shape::kLine:
       canvas.line(left + 0.2 * size_, middle, right - 0.2 * size_, middle, 0.36 * size_, sign.colour);
       break;
+    case Sign::Shape::kThinLine:
+      canvas.line(left + 0.2 * size_, middle, right - 0.2 * size_, middle, 0.15 * size_, sign.colour);
+      break;
+    case Sign::Shape::kDashes:
+      for (double at = left + 0.2 * size_; at < right - 0.3 * size_; at += 0.55 * size_)
+        canvas.line(at, middle, at + 0.3 * size_, middle, 0.12 * size_, sign.colour);
+      break;
     case Sign::Shape::kBall:
       canvas.disc(centre, middle, 0.42 * size_, sign.colour);
       break;

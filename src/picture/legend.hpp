@@ -18,7 +18,7 @@ struct ColourBar {
 };
 
 struct Sign {
-  enum class Shape { kLine, kBall, kBox, kDisc, kDiamond, kCube, kNothing };
+  enum class Shape { kLine, kThinLine, kDashes, kBall, kBox, kDisc, kDiamond, kCube, kNothing };
   Shape shape;
   Colour colour;
   std::string text;

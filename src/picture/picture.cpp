@@ -21,6 +21,7 @@
 #include "picture/png_file.hpp"
 #include "picture/renderer.hpp"
 #include "picture/singular_lines.hpp"
+#include "picture/streamlines.hpp"
 
 namespace crossgrain {
 namespace {
@@ -161,11 +162,7 @@ std::vector<LegendBlock> legend_blocks(const ShownField& field, const CellColour
             field, field.is_starting_grid() ? "Singular lines of the starting grid" : "Singular lines",
             ink_on(options.background)))
       blocks.push_back(*block);
-  if (!curves.streamlines.empty()) {
-    LegendBlock block{"Streamlines"};
-    block.signs.push_back({Sign::Shape::kLine, kStreamlineColour, "along an axis"});
-    blocks.push_back(std::move(block));
-  }
+  if (const auto block = streamline_legend(curves.streamlines)) blocks.push_back(*block);
   return blocks;
 }
 

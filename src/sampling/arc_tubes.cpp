@@ -7,12 +7,10 @@
 #include <cmath>
 
 #include "base/vector3.hpp"
+#include "sampling/tube_entry.hpp"
 
 namespace crossgrain {
 namespace {
-
-/// Number of halvings of a path, which give a share to 1e-9.
-constexpr int kHalvings = 30;
 
 double distance_to(const GridEdge& edge, const Vector3& point) {
   double sum = 0;
@@ -63,28 +61,8 @@ double ArcTubes::share_to(CellIndex leaf, const Vector3& from, const Vector3& to
 }
 
 double ArcTubes::share_to(const GridEdge& edge, const Vector3& from, const Vector3& to) const {
-  const double radius = radius_cells_ * edge.length;
-  const auto distance = [&](double share) { return distance_to(edge, from + share * (to - from)); };
-  if (distance(0) <= radius) return 0;
-  // The distance to a convex set is convex along the path: find its minimum by golden section, unless the end
-  // is inside, and then the point of entry.
-  double inside = 1;
-  if (distance(1) > radius) {
-    constexpr double kGolden = 0.6180339887498949;
-    double low = 0, high = 1;
-    for (int k = 0; k < kHalvings && distance(0.5 * (low + high)) > radius; ++k) {
-      const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-      (distance(a) < distance(b) ? high : low) = distance(a) < distance(b) ? b : a;
-    }
-    inside = 0.5 * (low + high);
-    if (distance(inside) > radius) return 1;
-  }
-  double outside = 0;
-  for (int k = 0; k < kHalvings; ++k) {
-    const double middle = 0.5 * (outside + inside);
-    (distance(middle) > radius ? outside : inside) = middle;
-  }
-  return inside == 1 ? std::nextafter(1.0, 0.0) : inside;
+  return tube_entry([&](double share) { return distance_to(edge, from + share * (to - from)); },
+                    radius_cells_ * edge.length);
 }
 
 }  // namespace crossgrain

@@ -11,7 +11,6 @@
 #include <limits>
 
 #include "base/vector3.hpp"
-#include "sampling/leaf_walk.hpp"
 
 namespace crossgrain {
 namespace {
@@ -39,7 +38,7 @@ constexpr double kSameDirection = 0.9;
 /// Point at `share` on the cubic through two points with these tangents.
 Vector3 on_cubic(const LineFront& from, const Vector3& to, const Vector3& direction, double h, double share) {
   const double t = share, s = 1 - share;
-  return (s * s * (1 + 2 * t)) * from.point + (t * t * (1 + 2 * s)) * to +
+  return (s * s * (1 + 2 * t)) * from.place.point + (t * t * (1 + 2 * s)) * to +
          (h * t * s) * (s * from.direction - t * direction);
 }
 
@@ -52,29 +51,11 @@ struct AxisIntegrator::Step {
   bool is_ambiguous;  ///< a stage has no axis within 45 degrees of the first direction
 };
 
-/// The first obstacle on a step.
-struct AxisIntegrator::Stop {
-  double share = 1;  ///< share of the straight segment; 1 without an obstacle
-  StreamlineEnd reason = StreamlineEnd::kBoundary;
-  CellIndex leaf = kNoCell;  ///< leaf in which the segment ends
+AxisIntegrator::AxisIntegrator(const LineSpace& space, const StreamlineOptions& options)
+    : space_(space), options_(options), longest_(options.longest_sides * longest_side(space.bounds())) {}
 
-  void at(double other_share, StreamlineEnd other_reason) {
-    if (!(other_share < share)) return;
-    share = other_share;
-    reason = other_reason;
-  }
-};
-
-Vector3 AxisIntegrator::in_units(const Vector3& point) const {
-  const RootCube& root = field_.leaves.tree.root();
-  return 1 / root.unit() * (point - root.origin);
-}
-
-Vector3 AxisIntegrator::direction_at(const LineFront& from, const Vector3& point, CellIndex& leaf) const {
-  const WalkEnd end = walk_open(field_.leaves, from.leaf, in_units(from.point), in_units(point));
-  leaf = end.leaf;
-  const Quaternion frame =
-      field_.sampler.in_leaf(leaf, end.share < 1 ? from.point + end.share * (point - from.point) : point);
+Vector3 AxisIntegrator::direction_at(const LineFront& from, const Vector3& point, LineCell& cell) const {
+  const Quaternion frame = space_.frame_at(from.place, point, cell);
   Vector3 best = from.direction;
   double best_cosine = -1;
   for (const Vector3& axis : axes_of(frame)) {
@@ -93,8 +74,8 @@ AxisIntegrator::Step AxisIntegrator::step(const LineFront& from, double h) const
   for (std::size_t stage = 1; stage < kStages; ++stage) {
     Vector3 slope{0, 0, 0};
     for (std::size_t i = 0; i < stage; ++i) slope += kStageWeights[stage - 1][i] * k[i];
-    step.front.point = from.point + h * slope;
-    k[stage] = direction_at(from, step.front.point, step.front.leaf);
+    step.front.place.point = from.place.point + h * slope;
+    k[stage] = direction_at(from, step.front.place.point, step.front.place.cell);
     if (!(dot(k[stage], k[0]) >= kLeastCosine)) {
       step.is_ambiguous = true;
       return step;
@@ -107,31 +88,6 @@ AxisIntegrator::Step AxisIntegrator::step(const LineFront& from, double h) const
   return step;
 }
 
-AxisIntegrator::Stop AxisIntegrator::first_stop(const LineFront& from, const Step& step, double room) const {
-  const Vector3 &to = step.front.point, begin = in_units(from.point), end = in_units(to);
-  Stop stop;
-  bool is_near_surface = false;
-  const auto enter = [&](CellIndex leaf) {
-    is_near_surface = is_near_surface || field_.on_boundary[leaf];
-    stop.at(field_.tubes.share_to(leaf, begin, end), StreamlineEnd::kSingularArc);
-  };
-  enter(from.leaf);
-  const WalkEnd way =
-      walk(field_.leaves, from.leaf, begin, end, [&](const PlacedLeaf& leaf, const PlacedLeaf& next) {
-        // Closed faces represent an unknown surface. If the surface is known, they are no end: little of the
-        // solid can be beside it on such a face.
-        if (!field_.boundary && !joined(leaf, next)) return false;
-        enter(next.index);
-        return true;
-      });
-  stop.at(way.share, StreamlineEnd::kBoundary);
-  if (field_.boundary && is_near_surface)
-    stop.at(field_.boundary->share_to(from.point, to), StreamlineEnd::kBoundary);
-  stop.at(room / norm(to - from.point), StreamlineEnd::kLongest);
-  stop.leaf = way.leaf;
-  return stop;
-}
-
 /// A line under construction.
 class AxisIntegrator::Way {
  public:
@@ -140,8 +96,8 @@ class AxisIntegrator::Way {
         options_(integrator.options_),
         seed_(seed),
         front_(seed),
-        room_(options_.longest_sides * integrator.field_.longest_side) {
-    line_.points = {seed.point};
+        room_(integrator.longest_) {
+    line_.points = {seed.place.point};
     line_.tangents = {seed.direction};
     h_ = options_.largest_step_cells * cell();
   }
@@ -156,18 +112,20 @@ class AxisIntegrator::Way {
     const double factor = std::clamp(kSafety * std::pow(options_.tolerance / step.error, 1.0 / kLowerOrder),
                                      kLeastFactor, kMostFactor);
     if (step.error > options_.tolerance && shortened(std::min(factor, kSafety))) return true;
-    const Stop stop = of_.first_stop(front_, step, room_ - line_.length);
+    const Vector3 &from = front_.place.point, &to = step.front.place.point;
+    LineStop stop = of_.space_.first_stop(front_.place, to);
+    stop.at((room_ - line_.length) / norm(to - from), StreamlineEnd::kLongest);
     if (stop.share < 1) return stopped(step, stop);
     if (is_closed_by(step)) return ended(StreamlineEnd::kClosed);
     front_ = step.front;
-    if (stop.leaf != front_.leaf) enter(stop.leaf);
-    append(front_.point, front_.direction);
+    if (stop.cell != front_.place.cell) enter(stop.cell);
+    append(front_.place.point, front_.direction);
     h_ *= factor;
     return line_.points.size() < options_.most_points || ended(StreamlineEnd::kLongest);
   }
 
  private:
-  double cell() const { return of_.field_.leaves.tree.cell_size(front_.leaf); }
+  double cell() const { return of_.space_.cell_size(front_.place.cell); }
   double smallest_h() const { return options_.smallest_step_cells * cell(); }
 
   bool shortened(double factor) {
@@ -181,10 +139,10 @@ class AxisIntegrator::Way {
     return false;
   }
 
-  /// Enters a leaf behind a closed face, which the step has not seen.
-  void enter(CellIndex leaf) {
-    front_.leaf = leaf;
-    front_.direction = of_.direction_at(front_, front_.point, front_.leaf);
+  /// Enters a cell behind a closed face, which the step has not seen.
+  void enter(LineCell cell) {
+    front_.place.cell = cell;
+    front_.direction = of_.direction_at(front_, front_.place.point, front_.place.cell);
   }
 
   void append(const Vector3& point, const Vector3& direction) {
@@ -197,28 +155,29 @@ class AxisIntegrator::Way {
 
   /// Shortens a step that is stopped until the straight segment, on which the stop is, is near the line
   /// there: off by half of h |k_4 - k_1| t (1 - t) at share t of a step that bends evenly.
-  bool stopped(const Step& step, const Stop& stop) {
+  bool stopped(const Step& step, const LineStop& stop) {
     const Vector3 bend = step.front.direction - front_.direction;
     const double off = 0.5 * h_ * norm(bend) * stop.share * (1 - stop.share);
     if (off > options_.end_tolerance_cells * cell() && shortened(std::max(stop.share, kLeastFactor)))
       return true;
-    const Vector3 end = front_.point + stop.share * (step.front.point - front_.point);
-    CellIndex leaf = front_.leaf;
-    append(end, of_.direction_at(front_, end, leaf));
+    const Vector3& from = front_.place.point;
+    const Vector3 end = from + stop.share * (step.front.place.point - from);
+    LineCell cell = front_.place.cell;
+    append(end, of_.direction_at(front_, end, cell));
     return ended(stop.reason);
   }
 
   /// Whether the step passes the seed; if so, ends the line there.
   bool is_closed_by(const Step& step) {
-    const double before = dot(front_.point - seed_.point, seed_.direction);
-    const double after = dot(step.front.point - seed_.point, seed_.direction);
+    const Vector3 &seed = seed_.place.point, &to = step.front.place.point;
+    const double before = dot(front_.place.point - seed, seed_.direction);
+    const double after = dot(to - seed, seed_.direction);
     if (!(before < 0 && after >= 0) || !(dot(step.front.direction, seed_.direction) > kSameDirection))
       return false;
-    const Vector3 off =
-        on_cubic(front_, step.front.point, step.front.direction, h_, before / (before - after)) - seed_.point;
+    const Vector3 off = on_cubic(front_, to, step.front.direction, h_, before / (before - after)) - seed;
     const Vector3 beside = off - dot(off, seed_.direction) * seed_.direction;
     if (!(norm(beside) <= options_.closing_cells * cell())) return false;
-    append(seed_.point, seed_.direction);
+    append(seed, seed_.direction);
     return true;
   }
 

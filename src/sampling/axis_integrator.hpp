@@ -6,18 +6,14 @@
 
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/streamlines.hpp"
-#include "sampling/arc_tubes.hpp"
-#include "sampling/leaf_turn.hpp"
-#include "sampling/model_boundary.hpp"
-#include "sampling/sampling.hpp"
+#include "sampling/line_space.hpp"
 
 namespace crossgrain {
 
 /// The current end of a line.
 struct LineFront {
-  Vector3 point;  ///< model units
+  LinePlace place;
   Vector3 direction;
-  CellIndex leaf;  ///< leaf that holds the point
 };
 
 /// The part of a line in one direction from its seed, which is its first point.
@@ -28,18 +24,8 @@ struct HalfLine {
   StreamlineEnd end = StreamlineEnd::kBoundary;
 };
 
-/// The field in which lines are traced.
-struct LineField {
-  const LeafField& leaves;
-  const Sampler& sampler;
-  const ArcTubes& tubes;
-  const ModelBoundary* boundary;              ///< null if lines end with the leaves
-  std::span<const std::uint8_t> on_boundary;  ///< as in FieldData
-  double longest_side;                        ///< model units
-};
-
 /// Follows one axis of the frames from step to step: of the six directions along the axes, the one nearest to
-/// the previous direction, whatever the frames name their axes. Refers to the field given; safe from any
+/// the previous direction, whatever the frames name their axes. Refers to the space given; safe from any
 /// number of threads.
 ///
 /// Steps are those of an embedded Runge-Kutta pair, as long as the difference of its two results allows. If a
@@ -47,27 +33,24 @@ struct LineField {
 /// the frame where that segment ends.
 class AxisIntegrator {
  public:
-  AxisIntegrator(const LineField& field, const StreamlineOptions& options)
-      : field_(field), options_(options) {}
+  AxisIntegrator(const LineSpace& space, const StreamlineOptions& options);
 
   /// The direction along an axis at the end of the straight segment to `point`, nearest to that of `from`.
-  /// Sets `leaf` to the one in which the segment ends.
-  Vector3 direction_at(const LineFront& from, const Vector3& point, CellIndex& leaf) const;
+  /// Sets `cell` to the one in which the segment ends.
+  Vector3 direction_at(const LineFront& from, const Vector3& point, LineCell& cell) const;
 
   /// Traces a line until it ends. Throws Error(kInterrupted).
   HalfLine follow(const LineFront& seed, const Monitor& monitor) const;
 
  private:
   struct Step;
-  struct Stop;
   class Way;
 
   Step step(const LineFront& from, double length) const;
-  Stop first_stop(const LineFront& from, const Step& step, double room) const;
-  Vector3 in_units(const Vector3& point) const;
 
-  LineField field_;
+  const LineSpace& space_;
   StreamlineOptions options_;
+  double longest_;  ///< model units
 };
 
 }  // namespace crossgrain

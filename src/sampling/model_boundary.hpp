@@ -19,6 +19,7 @@ class ModelBoundary {
   ModelBoundary(const ModelBoundary&) = delete;
   ModelBoundary& operator=(const ModelBoundary&) = delete;
 
+  const Surface& surface() const { return mended_.surface; }
   const Box& box() const { return mended_.surface.box; }
   bool inside(const Vector3& point) const { return winding_.inside(point); }
 

@@ -13,7 +13,7 @@ from field_reader import read_arrays
 from program import PROGRAM, CommandTest, box_triangles, cylinder_triangles, medit_text, stl_bytes, tet_box, tilt
 
 USAGE, INPUT, OUTPUT, INTERRUPTED = 2, 3, 4, 130
-BOUNDARY, ARC, CLOSED, LONGEST, AMBIGUOUS = range(5)
+BOUNDARY, ARC, CLOSED, LONGEST, AMBIGUOUS, CROWDED = range(6)
 VTK_POLY_LINE = 4
 
 
@@ -51,7 +51,7 @@ class Streamlines(CommandTest):
         return Lines(self.folder / file)
 
     def test_of_a_box_run_along_its_edges_from_face_to_face(self):
-        lines = self.lines("--surface", "box.stl")
+        lines = self.lines("--surface", "box.stl", "--count", "100", "--spacing", "0")
         self.assertEqual(len(lines), 300)
         self.assertEqual(lines.arrays["seed"].tolist(), np.repeat(np.arange(100), 3).tolist())
         self.assertEqual(lines.arrays["axis"].tolist(), [0, 1, 2] * 100)
@@ -67,12 +67,57 @@ class Streamlines(CommandTest):
             np.testing.assert_allclose(np.diff(distances), np.linalg.norm(np.diff(points, axis=0), axis=1), atol=1e-6)
             self.assertEqual(np.count_nonzero(distances == 0), 1)
 
-    def test_without_a_surface_they_end_with_the_cells_at_most_one_further_out(self):
-        lines = self.lines()
+    def test_without_a_model_they_end_on_the_surface_of_the_field(self):
+        with_model = self.lines("--surface", "box.stl").arrays["Points"]
+        np.testing.assert_array_equal(self.lines().arrays["Points"], with_model)
+
+    def test_of_a_field_without_a_surface_end_with_the_cells_at_most_one_further_out(self):
+        (self.folder / "box/surface.vtu").unlink()
+        lines = self.lines("--spacing", "0", "--count", "100")
         size, cell = np.array([2, 1, 1.5]), 2 / 8
         for axis, points in zip(lines.arrays["axis"], lines.points):
             for end, face in ((points[0], 0), (points[-1], size[axis])):
                 self.assertLess(abs(end[axis] - face), cell + 1e-9)
+        self.assert_fails(self.trace("--on", "surface"), USAGE, "no surface")
+
+    def test_are_kept_apart(self):
+        lines = self.lines("--spacing", "0.2")
+        self.assertLess(len(lines), 60)
+        for axis in range(3):
+            places = np.array([points[0] for points, name in zip(lines.points, lines.arrays["axis"]) if name == axis])
+            gaps = np.linalg.norm(places[:, None] - places, axis=2) + 10 * np.eye(len(places))
+            self.assertGreater(gaps.min(), 0.99 * 0.2 * 2)
+        self.assertGreater(len(self.lines("--spacing", "0.1")), len(lines))
+
+    def test_seeds_may_be_spread_over_the_surface(self):
+        lines = self.lines("--on", "surface", "--spacing", "0", "--count", "60")
+        self.assertEqual(len(lines), 120)
+        size = np.array([2, 1, 1.5])
+        for axis, points, distances in zip(lines.arrays["axis"], lines.points, lines.distances):
+            seed = points[np.flatnonzero(distances == 0)[0]]
+            beside = np.minimum(seed, size - seed)
+            self.assertLess(np.delete(beside, axis).min(), 2 / 8)
+            self.assertTrue((seed > 0).all() and (seed < size).all())
+
+    def test_seeds_may_be_spread_over_a_cut(self):
+        for on, z in (("z", 0.75), ("z=0.3", 0.3)):
+            lines = self.lines("--on", on, "--spacing", "0", "--count", "20")
+            self.assertEqual(lines.arrays["axis"].tolist(), [0, 1] * 20)
+            np.testing.assert_allclose(lines.arrays["Points"][:, 2], z, atol=1e-4)
+        self.assert_fails(self.trace("--on", "z=1.6"), USAGE, "outside the part", "from 0 to 1.5")
+
+    def test_of_tets_are_lines_in_the_tets_unless_the_grid_is_asked_for(self):
+        self.write("box.mesh", medit_text(*tet_box()))
+        self.assert_succeeds(self.run_here("solve", "box.mesh", "-o", "box"))
+        on_tets = self.lines("--axes", "x")
+        np.testing.assert_allclose(on_tets.arrays["length"], 2, atol=1e-9)
+        np.testing.assert_array_equal(self.lines("--axes", "x", "--field", "tets").arrays["Points"],
+                                      on_tets.arrays["Points"])
+        self.lines("--axes", "x", "--field", "grid")
+        self.assert_fails(self.trace("--surface", "box.mesh"), USAGE, "--field grid")
+
+    def test_tets_that_are_not_there_are_missed(self):
+        self.assert_fails(self.trace("--field", "tets"), INPUT, "box", "no field on tets")
 
     def test_go_through_the_seeds_that_are_given(self):
         self.write("seeds.txt", "0.3 0.4 0.5  # one\n\n1.9 0.1 1.4\n")
@@ -94,8 +139,9 @@ class Streamlines(CommandTest):
         self.assertEqual(Lines(self.folder / "box/streamlines.vtu").arrays["seed"].tolist(), [0, 0, 0])
         # Still in a cell, no longer in the solid.
         self.write("seeds.txt", "0.3 0.4 0.5\n-0.0001 0.5 0.5\n")
+        self.assertIn("1 of 2 seeds", self.trace("seeds.txt").stderr)
+        (self.folder / "box/surface.vtu").unlink()
         self.assertEqual(self.trace("seeds.txt").stderr, "")
-        self.assertIn("1 of 2 seeds", self.trace("seeds.txt", "--surface", "box.stl").stderr)
 
     def test_without_any_line_the_run_ends_in_an_error_and_leaves_nothing(self):
         result = self.trace("-", stdin=b"5 0 0\n6 0 0\n")
@@ -103,7 +149,7 @@ class Streamlines(CommandTest):
         self.assertNotIn("streamlines.vtu", [path.name for path in (self.folder / "box").iterdir()])
 
     def test_the_summary_has_the_numbers_of_the_file(self):
-        result = self.trace("--count", "7")
+        result = self.trace("--count", "7", "--spacing", "0")
         self.assert_succeeds(result)
         self.assertEqual(result.stderr, "")
         lines = Lines(self.folder / "box/streamlines.vtu")
@@ -125,7 +171,7 @@ class Streamlines(CommandTest):
     def test_of_a_cylinder_end_on_its_surface_and_go_round_where_the_field_does(self):
         self.write("cylinder.stl", stl_bytes(cylinder_triangles(segments=64)))
         self.assert_succeeds(self.run_here("solve", "cylinder.stl", "--resolution", "32", "-o", "cylinder"))
-        self.assert_succeeds(self.run_here("streamlines", "cylinder", "--surface", "cylinder.stl", "--count", "200"))
+        self.assert_succeeds(self.run_here("streamlines", "cylinder", "--spacing", "0", "--count", "200"))
         lines = Lines(self.folder / "cylinder/streamlines.vtu")
         self.assertIn(ARC, lines.ends())
         radius, half_height, sagitta = 0.55, 0.7, 0.55 * (1 - np.cos(np.pi / 64))
@@ -140,7 +186,7 @@ class Streamlines(CommandTest):
     def test_tangents_are_axes_of_the_frames_that_sample_gives(self):
         self.write("cylinder.stl", stl_bytes(cylinder_triangles()))
         self.assert_succeeds(self.run_here("solve", "cylinder.stl", "--resolution", "16", "-o", "cylinder"))
-        self.assert_succeeds(self.run_here("streamlines", "cylinder", "--surface", "cylinder.stl", "--count", "50"))
+        self.assert_succeeds(self.run_here("streamlines", "cylinder", "--spacing", "0", "--count", "50"))
         lines = Lines(self.folder / "cylinder/streamlines.vtu")
         points, tangents = lines.arrays["Points"], lines.arrays["tangent"].astype(float)
         np.savetxt(self.folder / "points.txt", points, fmt="%.17g")
@@ -165,7 +211,7 @@ class Streamlines(CommandTest):
     def test_the_surface_may_be_the_tets_that_were_solved(self):
         self.write("box.mesh", medit_text(*tet_box()))
         self.assert_succeeds(self.run_here("solve", "box.mesh", "-o", "box"))
-        lines = self.lines("--surface", "box.mesh", "--axes", "x")
+        lines = self.lines("--field", "grid", "--surface", "box.mesh", "--axes", "x")
         np.testing.assert_allclose(lines.arrays["length"], 2, atol=1e-3)
 
     def test_another_surface_is_refused_by_name(self):
@@ -192,11 +238,13 @@ class Streamlines(CommandTest):
     def test_options_that_make_no_sense_are_refused(self):
         for arguments in (["--count", "0"], ["--axes", "xw"], ["--axes", "xx"], ["--axes", ""], ["--tolerance", "0"],
                           ["--tolerance", "nan"], ["--step", "0"], ["--step", "5"], ["--longest", "-1"],
-                          ["--surface", ""]):
+                          ["--surface", ""], ["--on", "w"], ["--on", "none"], ["--on", ""], ["--spacing", "-1"],
+                          ["--field", "cells"]):
             with self.subTest(arguments=arguments):
                 self.assert_fails(self.trace(*arguments), USAGE)
         self.write("seeds.txt", "0.3 0.4 0.5\n")
         self.assert_fails(self.trace("seeds.txt", "--count", "3"), USAGE)
+        self.assert_fails(self.trace("seeds.txt", "--on", "surface"), USAGE)
 
     def test_files_that_are_missing_or_wrong(self):
         self.assert_fails(self.run_here("streamlines", "none"), INPUT, "none")
@@ -213,7 +261,7 @@ class Streamlines(CommandTest):
 
         self.lines("--count", "5")
         before = (self.folder / "box/streamlines.vtu").read_bytes()
-        result = self.trace("--count", "3000", preexec_fn=small_files_only)
+        result = self.trace("--count", "3000", "--spacing", "0", preexec_fn=small_files_only)
         self.assert_fails(result, OUTPUT, "streamlines.vtu", "too large", "-o")
         self.assertEqual((self.folder / "box/streamlines.vtu").read_bytes(), before)
         self.assertEqual(sorted(path.name for path in (self.folder / "box").iterdir()),
@@ -221,7 +269,7 @@ class Streamlines(CommandTest):
 
     def test_interrupting_leaves_nothing(self):
         # Far more lines than can be traced before the signal.
-        command = [PROGRAM, "streamlines", "box", "--count", "2000000", "--step", "0.01"]
+        command = [PROGRAM, "streamlines", "box", "--count", "2000000", "--spacing", "0", "--step", "0.01"]
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=self.folder) as process:
             try:
                 process.communicate(timeout=2)

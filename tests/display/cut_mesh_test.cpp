@@ -121,6 +121,24 @@ TEST(CutLines, RunStraightAlongTheAxesOfABoxFromSideToSide) {
   }
 }
 
+TEST(CutLines, GoRoundARingOnce) {
+  SolveOptions solve_options;
+  solve_options.resolution = 24;
+  const FrameField field = solve(make_torus(1, 0.3, 48, 24), solve_options);
+  const ShownField shown(field);
+  const CutMesh mesh(shown, {2, 0.01});
+  CutLineOptions options;
+  options.spacing = 0.15;
+  const auto is_inside = [](const Vector3& point) {
+    return std::abs(std::hypot(point[0], point[1]) - 1) < 0.3;
+  };
+  for (const CutLine& line : cut_lines(mesh, mesh.named_axes(), options, is_inside)) {
+    double length = 0;
+    for (std::size_t k = 1; k < line.points.size(); ++k) length += norm(line.points[k] - line.points[k - 1]);
+    EXPECT_LT(length, 2 * 3.15 * 1.3);
+  }
+}
+
 TEST(CutLines, KeepApartWhereTheyRunAlongTheSameAxis) {
   const CutMesh mesh(ball(), {2, 0.02});
   CutLineOptions options;

@@ -84,6 +84,7 @@ constexpr std::array kSingularityArrays = {
 constexpr std::array kStreamlineArrays = {
     FieldArray{"Points", "Points", "Float64", 3},
     FieldArray{"offsets", "Cells", "Int32", 1},
+    FieldArray{"axis", "CellData", "UInt8", 1},
 };
 
 using ArrayBytes = std::vector<std::vector<std::uint8_t>>;
@@ -208,11 +209,12 @@ bool check_streamline_arrays(std::string_view bytes) {
   const auto path =
       as_file("streamlines.vtu", packed(kStreamlineArrays, arrays, arrays[0].size() / (3 * sizeof(double)),
                                         arrays[1].size() / sizeof(std::int32_t)));
-  std::vector<std::vector<Vector3>> lines;
-  if (!succeeds([&] { lines = read_streamline_points(path); })) return false;
-  for (const std::vector<Vector3>& line : lines) {
-    require(line.size() > 1, "a line without length");
-    require_finite(line);
+  std::vector<AxisCurve> lines;
+  if (!succeeds([&] { lines = read_streamlines(path); })) return false;
+  for (const AxisCurve& line : lines) {
+    require(line.points.size() > 1, "a line without length");
+    require(line.axis >= 0 && line.axis < 3, "an axis that is not there");
+    require_finite(line.points);
   }
   return true;
 }

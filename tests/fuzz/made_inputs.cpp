@@ -133,6 +133,7 @@ std::string streamline_bytes() {
   std::string out;
   append_array<Vector3>(out, {{0, 0, 0}, {1, 0, 0}, {2, 0.5, 0}, {0, 0, 3}, {1, 1, 3}});
   append_array<std::int32_t>(out, {3, 5});
+  append_array<std::uint8_t>(out, {0, 2});
   return out;
 }
 

@@ -94,15 +94,18 @@ TEST(StreamlineFile, IsNotWrittenOfLinesThatContradictThemselves) {
   EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(StreamlineFile, GivesThePointsOfItsLinesBack) {
+TEST(StreamlineFile, GivesThePointsAndAxesOfItsLinesBack) {
   const TemporaryFolder folder;
   const auto lines = made_lines();
   write_streamlines(lines, folder.path() / "lines.vtu");
-  const auto read = read_streamline_points(folder.path() / "lines.vtu");
+  const auto read = read_streamlines(folder.path() / "lines.vtu");
   ASSERT_EQ(read.size(), lines.size());
-  for (std::size_t k = 0; k < lines.size(); ++k) EXPECT_EQ(read[k], lines[k].points);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    EXPECT_EQ(read[k].points, lines[k].points);
+    EXPECT_EQ(read[k].axis, lines[k].axis);
+  }
   write_field(field_of(sample_data(Degree::kFour, 0)), folder.path());
-  EXPECT_THROW(read_streamline_points(folder.path() / "field.vtu"), Error);
+  EXPECT_THROW(read_streamlines(folder.path() / "field.vtu"), Error);
 }
 
 TEST(StreamlineFile, IsReadByAnIndependentReaderAlsoWithoutAnyLine) {

@@ -157,7 +157,7 @@ TEST_F(Picture, ShowsTheCurvesThatItIsGiven) {
   const std::string plain = content_of(drawn("a.png"));
   const Box box = solved_field().report().model.bounding_box;
   PictureCurves curves;
-  curves.streamlines = {{box.low, box.high}};
+  curves.streamlines = {{{box.low, box.high}, 0}};
   render_picture(solved_field(), folder.path() / "b.png", options, curves);
   EXPECT_NE(content_of(folder.path() / "b.png"), plain);
   const SingularityGraph none;

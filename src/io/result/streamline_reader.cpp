@@ -12,7 +12,7 @@ constexpr double kLargestCoordinate = 1e102;
 
 /// Lines do not share points; each line's points are consecutive.
 template <class Index>
-std::vector<std::vector<Vector3>> lines_of(const VtuFile& file) {
+std::vector<AxisCurve> lines_of(const VtuFile& file) {
   const auto require = [&](bool sound) {
     if (!sound)
       throw Error(ErrorKind::kInput,
@@ -20,13 +20,15 @@ std::vector<std::vector<Vector3>> lines_of(const VtuFile& file) {
   };
   const std::vector<Vector3> points = file.read_points(kLargestCoordinate);
   const auto ends = file.read<Index>(VtuSection::kCells, "offsets", 1);
-  require(ends.size() == file.cells());
-  std::vector<std::vector<Vector3>> lines(ends.size());
+  const auto axes = file.read<std::uint8_t>(VtuSection::kCellData, "axis", 1);
+  require(ends.size() == file.cells() && axes.size() == file.cells());
+  std::vector<AxisCurve> lines(ends.size());
   std::size_t next = 0;
   for (std::size_t line = 0; line < lines.size(); ++line) {
     const auto end = static_cast<std::size_t>(ends[line]);
-    require(end >= next + 2 && end <= file.points());
-    for (; next < end; ++next) lines[line].push_back(points[next]);
+    require(end >= next + 2 && end <= file.points() && axes[line] < 3);
+    lines[line].axis = axes[line];
+    for (; next < end; ++next) lines[line].points.push_back(points[next]);
   }
   require(next == file.points());
   return lines;
@@ -34,7 +36,7 @@ std::vector<std::vector<Vector3>> lines_of(const VtuFile& file) {
 
 }  // namespace
 
-std::vector<std::vector<Vector3>> read_streamline_points(const std::filesystem::path& path) {
+std::vector<AxisCurve> read_streamlines(const std::filesystem::path& path) {
   const VtuFile file(path);
   return file.has_wide_indices() ? lines_of<std::int64_t>(file) : lines_of<std::int32_t>(file);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "display/axis_names.hpp"
+#include "singularity/axis_names.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "display/axis_names.hpp"
+#include "singularity/axis_names.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "measure/made_tets.hpp"
 #include "singularity/matching.hpp"
 
 namespace crossgrain {
 namespace {
+
+Quaternion turn_about_z(double degrees) {
+  return from_rotation_vector({0, 0, degrees * std::numbers::pi / 180});
+}
 
 /// A ring of frames around a singular line of index `quarters` / 4 along z, each stored with another choice
 /// among the 24 equivalent frames.
