@@ -140,10 +140,10 @@ class PageScene {
   }
 
   std::string of_grid(const FrameField& field) {
-    const DrawnSurface drawn = add_outside(ShownField(field));
+    add_outside(ShownField(field));
     const Reduced shown = reduced(field, kMostShownCells, monitor_);
     add_grid(field, shown);
-    add_streamlines(shown.field, drawn, box_, first_cut_, monitor_, scene_);
+    add_lines(StreamlineTracer(shown.field, page_streamlines()));
     return scene_.bytes();
   }
 
@@ -151,14 +151,13 @@ class PageScene {
     const ShownField shown(field);
     const DrawnSurface drawn = add_outside(shown);
     add_boundary_numbers(shown, drawn, scene_);
-    const Reduced start = reduced(field.grid(), kMostGridCells, monitor_);
     if (add_tets(shown, origin_, kMostShownTets, kMostShownCells, monitor_, scene_)) {
       const ShownField grid(field.grid());
       add_surface(grid.surface(), origin_, "grid_", kMostGridTriangles, scene_);
       add_singularities(grid, origin_, "grid_", scene_);
-      add_grid(field.grid(), start);
+      add_grid(field.grid(), reduced(field.grid(), kMostGridCells, monitor_));
     }
-    add_streamlines(start.field, drawn, box_, first_cut_, monitor_, scene_);
+    add_lines(StreamlineTracer(field, page_streamlines()));
     return scene_.bytes();
   }
 
@@ -169,6 +168,10 @@ class PageScene {
     monitor_.check();
     add_singularities(field, origin_, "", scene_);
     return drawn;
+  }
+
+  void add_lines(const StreamlineTracer& tracer) {
+    add_streamlines(tracer, origin_, static_cast<int>(first_cut_), monitor_, scene_);
   }
 
   void add_grid(const FrameField& field, const Reduced& shown) {
