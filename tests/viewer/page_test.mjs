@@ -184,6 +184,7 @@ test("every control changes the picture", async () => {
 
 test("dragging turns the part, the wheel zooms, and the whole part comes back", async () => {
   const { page, context } = await open(browser, scene_file("ball"));
+  await page.locator(by_test("view-iso")).click();
   const place = (one) => one.camera.position;
   const first = await state(page);
   await page.mouse.move(650, 400);
