@@ -95,14 +95,14 @@ void SceneCells::write(std::size_t total, const Vector3& origin, SceneWriter& sc
   scene.add("cell_energy_density", 1, energy_density);
   scene.add("cell_alignment_deg", 1, alignment_deg);
   scene.add("cell_class", 1, classes);
-  add_regions(regions, "cell_region", "regions", scene);
+  add_regions(regions, regions, "cell_region", "regions", scene);
   scene.header["cells"] = {
       {"low", low - origin}, {"unit", unit}, {"total", total}, {"shown", size()}, {"merged_to", nullptr}};
 }
 
-void add_regions(const std::vector<std::int32_t>& regions, const char* array, const char* numbers,
-                 SceneWriter& scene) {
-  std::vector<std::int32_t> distinct = regions;
+void add_regions(const std::vector<std::int32_t>& regions, const std::vector<std::int32_t>& all,
+                 const char* array, const char* numbers, SceneWriter& scene) {
+  std::vector<std::int32_t> distinct = all;
   std::sort(distinct.begin(), distinct.end());
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
   if (distinct.size() < 2 || distinct.size() > std::numeric_limits<std::uint16_t>::max()) return;

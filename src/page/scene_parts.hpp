@@ -67,9 +67,9 @@ struct SceneCells {
   void write(std::size_t total, const Vector3& origin, SceneWriter& scene) const;
 };
 
-/// Adds the region of each item as its place among all region numbers, and these numbers to the header under
-/// `numbers`; nothing for fewer than two of them.
-void add_regions(const std::vector<std::int32_t>& regions, const char* array, const char* numbers,
-                 SceneWriter& scene);
+/// Adds the region of each item as its place among the regions of `all`, and these numbers to the header
+/// under `numbers`; nothing for fewer than two of them.
+void add_regions(const std::vector<std::int32_t>& regions, const std::vector<std::int32_t>& all,
+                 const char* array, const char* numbers, SceneWriter& scene);
 
 }  // namespace crossgrain

@@ -189,7 +189,7 @@ bool add_tets(const ShownField& field, const Vector3& origin, std::size_t most_t
   scene.add("tet_frame", 4, frames);
   scene.add("tet_energy_density", 1, column<std::uint16_t>(energies, to_bfloat16));
   scene.add("tet_alignment_deg", 1, column<std::uint16_t>(tilts, to_bfloat16));
-  add_regions(mesh.regions, "tet_region", "tet_regions", scene);
+  add_regions(mesh.regions, mesh.regions, "tet_region", "tet_regions", scene);
   return true;
 }
 
@@ -211,7 +211,7 @@ void add_boundary_numbers(const ShownField& field, const DrawnSurface& drawn, Sc
   const bool is_whole = 3 * surface.triangles.size() == drawn.vertices.size();
   for (std::size_t k = 0; k < drawn.vertices.size(); k += 3)
     regions.push_back(is_whole ? surface.regions[k / 3] : of_vertex[drawn.originals[drawn.vertices[k]]]);
-  add_regions(regions, "surface_region", "surface_regions", scene);
+  add_regions(regions, field.tets().solid.mesh.regions, "surface_region", "tet_regions", scene);
 }
 
 }  // namespace crossgrain

@@ -213,8 +213,8 @@ std::optional<LegendBlock> CutDrawing::legend() const {
   }
   for (std::size_t k = 0; k < 3; ++k)
     if (area[k] > kLeastNamed * whole)
-      block.signs.push_back({has_lines ? Sign::Shape::kThinLine : Sign::Shape::kBox, colour_of(kAxisColours[k]),
-                             std::string("axis ") + "xyz"[k]});
+      block.signs.push_back({has_lines ? Sign::Shape::kThinLine : Sign::Shape::kBox,
+                             colour_of(kAxisColours[k]), std::string("axis ") + "xyz"[k]});
   if (!seams_of(names_, mesh_.frames(), mesh_.links()).empty())
     block.signs.push_back({Sign::Shape::kDashes, kSeamColour, "seam, across which names change"});
   return block;
