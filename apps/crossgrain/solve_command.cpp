@@ -187,7 +187,7 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
   // it would be lost.
   if (output_options.foreign_files == ForeignFiles::kRefuse)
     output_options.foreign_files = ForeignFiles::kKeep;
-  if (arguments.page) output_options.companions.push_back(page_of(field));
+  if (arguments.page) output_options.companions.push_back(tet_field ? page_of(*tet_field) : page_of(field));
   SolveReport report = tet_field ? tet_field->report() : field.report();
   report.model.path = arguments.model;
   report.seconds.read = read_seconds;

@@ -7,6 +7,7 @@
 #include "crossgrain/io.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
+#include "crossgrain/tet_frame_field.hpp"
 
 namespace crossgrain {
 
@@ -16,11 +17,16 @@ void keep_forms_for_page(SolveOptions& options);
 
 /// The page that shows a field in a browser (docs/page.md), as a file for `write_field` to write with its own
 /// (OutputOptions::companions): the surface, singular arcs, frames and energies of at most 200,000 cells, and
-/// 120 streamlines, which are traced when the file is written. Independent of the number of threads.
+/// streamlines, which are traced when the file is written. Independent of the number of threads.
 CompanionFile page_of(const FrameField& field);
+
+/// Likewise of a field on tets: its boundary, singular arcs, and the frames and energies of at most 300,000
+/// tets, with the grid from which it started to choose instead.
+CompanionFile page_of(const TetFrameField& field);
 
 /// Writes the page as a single HTML file that needs no other. The file appears complete or not at all.
 /// Errors: kOutput; kInterrupted.
 void write_page(const FrameField& field, const std::filesystem::path& path, const Monitor& monitor = {});
+void write_page(const TetFrameField& field, const std::filesystem::path& path, const Monitor& monitor = {});
 
 }  // namespace crossgrain

@@ -4,6 +4,7 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "base/vector3.hpp"
 
@@ -16,6 +17,9 @@ constexpr float kAnyError = 1;
 
 /// Largest accepted number of triangles, as a multiple of the number requested.
 constexpr double kEnough = 1.5;
+
+/// What meshoptimizer gives for the place of a vertex without triangles.
+constexpr std::uint32_t kUnused = UINT32_MAX;
 
 }  // namespace
 
@@ -45,9 +49,18 @@ DrawnSurface drawn_surface(const SolvedSurface& surface, const Vector3& origin, 
     vertices.swap(fewer);
   }
   // Vertices in the order of their triangles, without unused ones: fewer bytes, and better compression.
-  std::vector<float> positions(drawn.positions.size());
-  positions.resize(3 * meshopt_optimizeVertexFetch(positions.data(), vertices.data(), vertices.size(),
-                                                   drawn.positions.data(), count, stride));
+  std::vector<std::uint32_t> places(count);
+  const std::size_t used =
+      meshopt_optimizeVertexFetchRemap(places.data(), vertices.data(), vertices.size(), count);
+  drawn.originals.resize(used);
+  std::vector<float> positions(3 * used);
+  for (std::uint32_t vertex = 0; vertex < count; ++vertex) {
+    if (places[vertex] == kUnused) continue;
+    drawn.originals[places[vertex]] = vertex;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      positions[3 * places[vertex] + axis] = drawn.positions[3 * vertex + axis];
+  }
+  for (std::uint32_t& vertex : vertices) vertex = places[vertex];
   drawn.positions.swap(positions);
   return drawn;
 }

@@ -11,8 +11,9 @@ namespace crossgrain {
 
 /// A surface with few enough triangles to be drawn in a page, relative to an origin.
 struct DrawnSurface {
-  std::vector<float> positions;         ///< three per vertex, model units
-  std::vector<std::uint32_t> vertices;  ///< three per triangle
+  std::vector<float> positions;          ///< three per vertex, model units
+  std::vector<std::uint32_t> vertices;   ///< three per triangle
+  std::vector<std::uint32_t> originals;  ///< for each vertex here, that of the surface
 };
 
 /// The surface with at most about `most` triangles. If it has more, edges are contracted, those that change

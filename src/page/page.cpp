@@ -78,6 +78,25 @@ void write_page_text(std::string_view report, std::string_view packed_scene, con
   write(page.substr(scene_at + kScenePlace.size()));
 }
 
+/// The page as a companion file, of the scene that this gives.
+template <class SceneOf>
+CompanionFile page_with(const SceneOf& scene_of) {
+  return {kPageFile, [scene_of](const Monitor& monitor) -> CompanionFile::Writer {
+            return [scene = base64(gzipped(scene_of(monitor)))](const SolveReport& report,
+                                                                const ByteSink& write) {
+              write_page_text(report_json(report), scene, write);
+            };
+          }};
+}
+
+void write_alone(const CompanionFile& page, const SolveReport& report, const std::filesystem::path& path,
+                 const Monitor& monitor) {
+  OutputFile file(path);
+  page.prepare(monitor)(report, [&](std::string_view bytes) { file.write(bytes); });
+  monitor.check();
+  file.commit();
+}
+
 }  // namespace
 
 void keep_forms_for_page(SolveOptions& options) {
@@ -85,19 +104,19 @@ void keep_forms_for_page(SolveOptions& options) {
 }
 
 CompanionFile page_of(const FrameField& field) {
-  return {kPageFile, [field](const Monitor& monitor) -> CompanionFile::Writer {
-            return [scene = base64(gzipped(page_scene(field, monitor)))](const SolveReport& report,
-                                                                         const ByteSink& write) {
-              write_page_text(report_json(report), scene, write);
-            };
-          }};
+  return page_with([field](const Monitor& monitor) { return page_scene(field, monitor); });
+}
+
+CompanionFile page_of(const TetFrameField& field) {
+  return page_with([field](const Monitor& monitor) { return page_scene(field, monitor); });
 }
 
 void write_page(const FrameField& field, const std::filesystem::path& path, const Monitor& monitor) {
-  OutputFile file(path);
-  page_of(field).prepare(monitor)(field.report(), [&](std::string_view bytes) { file.write(bytes); });
-  monitor.check();
-  file.commit();
+  write_alone(page_of(field), field.report(), path, monitor);
+}
+
+void write_page(const TetFrameField& field, const std::filesystem::path& path, const Monitor& monitor) {
+  write_alone(page_of(field), field.report(), path, monitor);
 }
 
 }  // namespace crossgrain

@@ -2,108 +2,34 @@
 #include "page/page_scene.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/vector3.hpp"
-#include "crossgrain/error.hpp"
-#include "crossgrain/streamlines.hpp"
+#include "display/shown_field.hpp"
+#include "display/surface_numbers.hpp"
 #include "field/field_data.hpp"
 #include "grid/merged_depth.hpp"
 #include "io/result/output_cells.hpp"
-#include "page/drawn_surface.hpp"
-#include "page/scene_writer.hpp"
+#include "page/scene_parts.hpp"
+#include "page/scene_streamlines.hpp"
+#include "page/scene_tets.hpp"
 
 namespace crossgrain {
 namespace {
 
 constexpr std::size_t kMostTriangles = 150000;
 
-/// Number of seeds, with three lines each, one per axis: a few lines across any part, not so many that they
-/// hide each other.
-constexpr std::size_t kStreamlineSeeds = 40;
+/// Beside tets, which are what the page is for, of the grid from which they started.
+constexpr std::size_t kMostGridCells = 50000, kMostGridTriangles = 50000;
 
-/// Largest length of a line in each direction, in longest sides: lines may wind around a part many times and
-/// hide it.
-constexpr double kStreamlineSides = 1;
-
-/// Largest number of points of a streamline: tracing takes one point per cell.
-constexpr std::size_t kMostLinePoints = 200;
-
-/// Polylines as two arrays: points, and the start of each line.
-class Polylines {
- public:
-  explicit Polylines(const Vector3& origin) : origin_(origin) {}
-
-  void add_point(const Vector3& point) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      points_.push_back(static_cast<float>(point[axis] - origin_[axis]));
-  }
-  void end_line() { starts_.push_back(static_cast<std::uint32_t>(points_.size() / 3)); }
-
-  void add(const std::vector<Vector3>& line) {
-    for (const Vector3& point : line) add_point(point);
-    end_line();
-  }
-
-  void write(SceneWriter& scene, const char* points, const char* starts) const {
-    scene.add(points, 3, points_);
-    scene.add(starts, 1, starts_);
-  }
-
- private:
-  Vector3 origin_;
-  std::vector<float> points_;
-  std::vector<std::uint32_t> starts_{0};
-};
-
-Vector3 middle_of(const Box& box) {
-  return 0.5 * (box.low + box.high);
-}
-
-DrawnSurface add_surface(const SolvedSurface& surface, const Vector3& origin, SceneWriter& scene) {
-  DrawnSurface drawn = drawn_surface(surface, origin, kMostTriangles);
-  scene.add("surface_vertices", 3, drawn.positions);
-  scene.add("surface_triangles", 3, drawn.vertices);
-  scene.header["surface"] = {{"triangles_total", surface.triangles.size()},
-                             {"triangles_shown", drawn.vertices.size() / 3}};
+void add_creases(const SolvedSurface& surface, const Vector3& origin, SceneWriter& scene) {
   Polylines creases(origin);
   for (const std::vector<Vector3>& crease : surface.creases) creases.add(crease);
   creases.write(scene, "crease_points", "crease_starts");
-  return drawn;
-}
-
-template <class T, class Items, class ValueOf>
-std::vector<T> column(const Items& items, const ValueOf& value_of) {
-  std::vector<T> values;
-  values.reserve(items.size());
-  for (const auto& item : items) values.push_back(static_cast<T>(value_of(item)));
-  return values;
-}
-
-void add_singularities(const SingularityGraph& graph, const Vector3& origin, SceneWriter& scene) {
-  using Arc = SingularityGraph::Arc;
-  using Node = SingularityGraph::Node;
-  Polylines arcs(origin);
-  for (const Arc& arc : graph.arcs) arcs.add(arc.points);
-  arcs.write(scene, "arc_points", "arc_starts");
-  scene.add("arc_index", 1, column<float>(graph.arcs, [](const Arc& arc) { return arc.index; }));
-  scene.add("arc_type", 1, column<std::uint8_t>(graph.arcs, [](const Arc& arc) { return arc.type; }));
-  scene.add("arc_verdict", 1, column<std::uint8_t>(graph.arcs, [](const Arc& arc) { return arc.verdict; }));
-  std::vector<float> places;
-  for (const Node& node : graph.nodes)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      places.push_back(static_cast<float>(node.place[axis] - origin[axis]));
-  scene.add("node_points", 3, places);
-  scene.add("node_verdict", 1,
-            column<std::uint8_t>(graph.nodes, [](const Node& node) { return node.verdict; }));
-  scene.add("node_on_boundary", 1,
-            column<std::uint8_t>(graph.nodes, [](const Node& node) { return node.on_boundary; }));
-  scene.add("node_degree", 1, column<std::uint8_t>(graph.nodes, [](const Node& node) {
-              return std::min<std::size_t>(255, node.degree());
-            }));
 }
 
 /// Adds the cells of `shown`, with corners in units of the smallest of them.
@@ -113,32 +39,24 @@ void add_cells(const FieldData& shown, std::size_t total, std::optional<int> mer
   int deepest = 0;
   for (const CellAddress leaf : leaves) deepest = std::max(deepest, leaf.depth());
   const int shift = kMaxDepth - deepest;
-  std::vector<std::uint16_t> corners, sizes;
-  std::vector<std::int16_t> frames;
+  const RootCube& root = shown.tree.root();
+  SceneCells cells;
+  cells.low = root.origin;
+  cells.unit = root.cell_size(deepest);
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     for (const std::int32_t place : leaves[i].corner())
-      corners.push_back(static_cast<std::uint16_t>(place >> shift));
-    sizes.push_back(static_cast<std::uint16_t>(leaves[i].width() >> shift));
+      cells.corners.push_back(static_cast<std::uint16_t>(place >> shift));
+    cells.sizes.push_back(static_cast<std::uint16_t>(leaves[i].width() >> shift));
     const StoredQuaternion& q = shown.frames[i];
-    for (const float part : {q.w, q.x, q.y, q.z})
-      frames.push_back(static_cast<std::int16_t>(std::lround(32767 * std::clamp(part, -1.0f, 1.0f))));
+    add_quaternion({q.w, q.x, q.y, q.z}, cells.frames);
   }
-  scene.add("cell_corner", 3, corners);
-  scene.add("cell_size", 1, sizes);
-  scene.add("cell_frame", 4, frames);
-  scene.add("cell_energy_density", 1, column<std::uint16_t>(shown.energy_density, to_bfloat16));
-  scene.add("cell_alignment_deg", 1, column<std::uint16_t>(shown.alignment_deg, to_bfloat16));
+  cells.energy_density = column<std::uint16_t>(shown.energy_density, to_bfloat16);
+  cells.alignment_deg = column<std::uint16_t>(shown.alignment_deg, to_bfloat16);
   std::vector<CellConstraint> classes = shown.constraints;
   classes.resize(leaves.size(), CellConstraint::kNoSurface);
-  scene.add("cell_class", 1, column<std::uint8_t>(classes, [](CellConstraint c) { return c; }));
-
-  const RootCube& root = shown.tree.root();
-  const Vector3 low = root.origin - origin;
-  scene.header["cells"] = {{"low", low},
-                           {"unit", root.cell_size(deepest)},
-                           {"total", total},
-                           {"shown", leaves.size()},
-                           {"merged_to", nullptr}};
+  cells.classes = column<std::uint8_t>(classes, [](CellConstraint c) { return c; });
+  cells.regions = shown.regions;
+  cells.write(total, origin, scene);
   if (merged_to) scene.header["cells"]["merged_to"] = root.cell_size(*merged_to);
 }
 
@@ -156,73 +74,128 @@ void add_forms(const KeptForms& forms, const FieldData& shown, SceneWriter& scen
   scene.add("form_weight", 1, forms.weights);
 }
 
-TriangleMesh mesh_of(const DrawnSurface& surface, const Vector3& origin) {
-  TriangleMesh mesh;
-  for (std::size_t k = 0; k < surface.positions.size(); k += 3)
-    mesh.vertices.push_back(
-        origin + Vector3{surface.positions[k], surface.positions[k + 1], surface.positions[k + 2]});
-  for (std::size_t k = 0; k < surface.vertices.size(); k += 3)
-    mesh.triangles.push_back({surface.vertices[k], surface.vertices[k + 1], surface.vertices[k + 2]});
-  return mesh;
+/// Adds the numbers at the corners of cells with surface, between which the page interpolates.
+void add_corner_numbers(const ShownField& field, SceneWriter& scene) {
+  const auto corners = [&](SurfaceNumber number) { return SurfaceNumbers(field, number).at_leaf_corners(); };
+  const auto values = [](const std::vector<SurfaceNumbers::LeafCorners>& leaves) {
+    std::vector<std::uint16_t> numbers;
+    for (const auto& leaf : leaves)
+      for (const float number : leaf.numbers) numbers.push_back(to_bfloat16(number));
+    return numbers;
+  };
+  const auto tilts = corners(SurfaceNumber::kAlignment), energies = corners(SurfaceNumber::kEnergy);
+  scene.add("corner_cell", 1, column<std::uint32_t>(tilts, [](const auto& leaf) { return leaf.leaf; }));
+  scene.add("corner_alignment_deg", 8, values(tilts));
+  scene.add("corner_energy_density", 8, values(energies));
 }
 
-/// A tracer whose lines end on the simplified surface, which is faster to search, or with the cells if no
-/// surface is known or it lies elsewhere than the field.
-StreamlineTracer tracer_of(const FrameField& field, const DrawnSurface& surface, const Vector3& origin) {
-  StreamlineOptions options;
-  options.longest_sides = kStreamlineSides;
-  if (!surface.vertices.empty()) {
-    const TriangleMesh mesh = mesh_of(surface, origin);
-    try {
-      return StreamlineTracer(field, options, &mesh);
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::kInput) throw;
+/// The axis across which the middle cut shows most of the part.
+std::size_t widest_cut(const FieldData& field, const Box& box) {
+  const Vector3 middle = 0.5 * (box.low + box.high);
+  const RootCube& root = field.tree.root();
+  std::array<double, 3> areas{};
+  for (const CellAddress leaf : field.tree.leaves()) {
+    const double size = root.cell_size(leaf.depth());
+    const double unit = size / leaf.width();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double low = root.origin[axis] + unit * leaf.corner()[axis];
+      if (low <= middle[axis] && middle[axis] < low + size) areas[axis] += size * size;
     }
   }
-  return StreamlineTracer(field, options);
+  // A view of a cut from the front is the most familiar: it is preferred to others that show about as much.
+  constexpr double kFrontFirst = 1.15;
+  areas[1] *= kFrontFirst;
+  return static_cast<std::size_t>(std::max_element(areas.begin(), areas.end()) - areas.begin());
 }
 
-/// Adds streamlines of the cells that are shown; those of all cells would hardly differ.
-void add_streamlines(const FrameField& shown, const DrawnSurface& surface, const Vector3& origin,
-                     const Monitor& monitor, SceneWriter& scene) {
-  Polylines lines(origin);
-  const StreamlineTracer tracer = tracer_of(shown, surface, origin);
-  const auto seeds = tracer.spread_seeds(kStreamlineSeeds, monitor);
-  for (const Streamline& line : tracer.trace(seeds, monitor).lines) {
-    const std::size_t pieces = line.points.size() - 1;
-    const std::size_t drawn = std::min(pieces, kMostLinePoints);
-    for (std::size_t k = 0; k <= drawn; ++k) lines.add_point(line.points[k * pieces / drawn]);
-    lines.end_line();
-  }
-  lines.write(scene, "streamline_points", "streamline_starts");
+/// The field on the grid with at most so many cells.
+struct Reduced {
+  FrameField field;
+  std::optional<int> merged_to;
+};
+
+Reduced reduced(const FrameField& field, std::size_t most, const Monitor& monitor) {
+  const FieldData& data = field.data();
+  OutputOptions merged;
+  merged.level = merged_depth(data.tree, most, kDeepestShown);
+  if (ask_for_all(merged, data.tree)) return {field, std::nullopt};
+  FieldData fewer = output_cells(data, merged, monitor);
+  fewer.surface = data.surface;
+  return {FrameField(std::make_shared<const FieldData>(std::move(fewer))), merged.level};
 }
+
+/// What is in every scene. The axis of the first cut is in the header.
+class PageScene {
+ public:
+  PageScene(const FieldData& grid, const Monitor& monitor)
+      : box_(grid.report.model.bounding_box),
+        origin_(0.5 * (box_.low + box_.high)),
+        first_cut_(widest_cut(grid, box_)),
+        monitor_(monitor) {
+    scene_.header["origin"] = origin_;
+    scene_.header["unit"] = grid.report.model.unit;
+    scene_.header["low"] = box_.low - origin_;
+    scene_.header["high"] = box_.high - origin_;
+    scene_.header["first_cut"] = std::string(1, "xyz"[first_cut_]);
+  }
+
+  std::string of_grid(const FrameField& field) {
+    add_outside(ShownField(field));
+    const Reduced shown = reduced(field, kMostShownCells, monitor_);
+    add_grid(field, shown);
+    add_lines(StreamlineTracer(shown.field, page_streamlines()));
+    return scene_.bytes();
+  }
+
+  std::string of_tets(const TetFrameField& field) {
+    const ShownField shown(field);
+    const DrawnSurface drawn = add_outside(shown);
+    add_boundary_numbers(shown, drawn, scene_);
+    if (add_tets(shown, origin_, kMostShownTets, kMostShownCells, monitor_, scene_)) {
+      const ShownField grid(field.grid());
+      add_surface(grid.surface(), origin_, "grid_", kMostGridTriangles, scene_);
+      add_singularities(grid, origin_, "grid_", scene_);
+      add_grid(field.grid(), reduced(field.grid(), kMostGridCells, monitor_));
+    }
+    add_lines(StreamlineTracer(field, page_streamlines()));
+    return scene_.bytes();
+  }
+
+ private:
+  DrawnSurface add_outside(const ShownField& field) {
+    DrawnSurface drawn = add_surface(field.surface(), origin_, "", kMostTriangles, scene_);
+    add_creases(field.surface(), origin_, scene_);
+    monitor_.check();
+    add_singularities(field, origin_, "", scene_);
+    return drawn;
+  }
+
+  void add_lines(const StreamlineTracer& tracer) {
+    add_streamlines(tracer, origin_, static_cast<int>(first_cut_), monitor_, scene_);
+  }
+
+  void add_grid(const FrameField& field, const Reduced& shown) {
+    const FieldData& data = shown.field.data();
+    add_cells(data, field.size(), shown.merged_to, origin_, scene_);
+    add_corner_numbers(ShownField(shown.field), scene_);
+    add_forms(field.data().kept_forms, data, scene_);
+  }
+
+  Box box_;
+  Vector3 origin_;
+  std::size_t first_cut_;
+  const Monitor& monitor_;
+  SceneWriter scene_;
+};
 
 }  // namespace
 
 std::string page_scene(const FrameField& field, const Monitor& monitor) {
-  const FieldData& data = field.data();
-  const Box& box = data.report.model.bounding_box;
-  const Vector3 origin = middle_of(box);
-  SceneWriter scene;
-  scene.header["origin"] = origin;
-  scene.header["unit"] = data.report.model.unit;
-  scene.header["low"] = box.low - origin;
-  scene.header["high"] = box.high - origin;
+  return PageScene(field.data(), monitor).of_grid(field);
+}
 
-  const std::shared_ptr<const SolvedSurface> surface = data.surface.get();
-  const DrawnSurface drawn = add_surface(surface ? *surface : SolvedSurface{}, origin, scene);
-  monitor.check();
-  add_singularities(field.singularities(), origin, scene);
-
-  OutputOptions merged;
-  merged.level = merged_depth(data.tree, kMostShownCells, kDeepestShown);
-  const bool shows_all = ask_for_all(merged, data.tree);
-  const FrameField shown =
-      shows_all ? field : FrameField(std::make_shared<const FieldData>(output_cells(data, merged, monitor)));
-  add_cells(shown.data(), data.tree.size(), shows_all ? std::nullopt : merged.level, origin, scene);
-  add_forms(data.kept_forms, shown.data(), scene);
-  add_streamlines(shown, drawn, origin, monitor, scene);
-  return scene.bytes();
+std::string page_scene(const TetFrameField& field, const Monitor& monitor) {
+  return PageScene(field.grid().data(), monitor).of_tets(field);
 }
 
 }  // namespace crossgrain

@@ -6,6 +6,7 @@
 
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/monitor.hpp"
+#include "crossgrain/tet_frame_field.hpp"
 
 namespace crossgrain {
 
@@ -19,5 +20,8 @@ inline constexpr int kDeepestShown = 16;
 /// viewer/README.md: the surface and its creases, singular arcs, at most kMostShownCells cells, forms of some
 /// of them, streamlines. The same bytes for any number of threads. Throws Error(kInterrupted).
 std::string page_scene(const FrameField& field, const Monitor& monitor = {});
+
+/// Likewise of a field on tets, with the grid from which it started beside it.
+std::string page_scene(const TetFrameField& field, const Monitor& monitor = {});
 
 }  // namespace crossgrain

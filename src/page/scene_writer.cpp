@@ -29,7 +29,7 @@ constexpr const char* name_of_type() {
 }  // namespace
 
 template <class T>
-void SceneWriter::add(const char* name, std::size_t components, const std::vector<T>& values) {
+void SceneWriter::add(const std::string& name, std::size_t components, const std::vector<T>& values) {
   nlohmann::ordered_json shape = nlohmann::ordered_json::array({values.size() / components});
   if (components > 1) shape.push_back(components);
   arrays_[name] = {{"type", name_of_type<T>()}, {"offset", data_.size()}, {"shape", std::move(shape)}};
@@ -37,14 +37,14 @@ void SceneWriter::add(const char* name, std::size_t components, const std::vecto
   pad(data_, '\0');
 }
 
-template void SceneWriter::add(const char*, std::size_t, const std::vector<float>&);
-template void SceneWriter::add(const char*, std::size_t, const std::vector<std::uint32_t>&);
-template void SceneWriter::add(const char*, std::size_t, const std::vector<std::uint16_t>&);
-template void SceneWriter::add(const char*, std::size_t, const std::vector<std::int16_t>&);
-template void SceneWriter::add(const char*, std::size_t, const std::vector<std::uint8_t>&);
+template void SceneWriter::add(const std::string&, std::size_t, const std::vector<float>&);
+template void SceneWriter::add(const std::string&, std::size_t, const std::vector<std::uint32_t>&);
+template void SceneWriter::add(const std::string&, std::size_t, const std::vector<std::uint16_t>&);
+template void SceneWriter::add(const std::string&, std::size_t, const std::vector<std::int16_t>&);
+template void SceneWriter::add(const std::string&, std::size_t, const std::vector<std::uint8_t>&);
 
 std::string SceneWriter::bytes() const {
-  nlohmann::ordered_json whole = {{"schema", 1}};
+  nlohmann::ordered_json whole = {{"schema", 2}};
   whole.update(header);
   whole["arrays"] = arrays_;
   std::string text = whole.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -20,7 +20,7 @@ class SceneWriter {
   /// Adds an array of rows of `components` numbers of type float, std::uint32_t, std::uint16_t, std::int16_t
   /// or std::uint8_t; each name once.
   template <class T>
-  void add(const char* name, std::size_t components, const std::vector<T>& values);
+  void add(const std::string& name, std::size_t components, const std::vector<T>& values);
 
   /// Header and arrays as bytes.
   std::string bytes() const;

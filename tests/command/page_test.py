@@ -9,7 +9,7 @@ import numpy as np
 
 from field_reader import Field
 from page_reader import Page
-from program import CommandTest, cylinder_triangles, stl_bytes, torus_triangles
+from program import CommandTest, cylinder_triangles, medit_text, stl_bytes, tet_box, torus_triangles
 from recompute_singularity import Graph
 
 PLANE, CONFLICTED = 1, 5
@@ -66,7 +66,12 @@ class OfACylinder(PageTest):
         low, high = self.field.low.min(axis=0), (self.field.low + self.field.size[:, None]).max(axis=0)
         for line in self.page.lines("arc_points", "arc_starts"):
             self.assertTrue((low <= line + self.origin()).all() and (line + self.origin() <= high).all())
-        self.assertEqual(len(self.page.arrays["node_points"]), len(self.page.arrays["node_degree"]))
+        arrays = self.page.arrays
+        self.assertEqual(len(arrays["arc_wall"]), len(arrays["arc_points"]))
+        self.assertGreater(arrays["arc_wall"].min(initial=1), 0)
+        self.assertEqual(len(arrays["mark_points"]), len(arrays["mark_shape"]))
+        ends = arrays["mark_directions"][arrays["mark_shape"] == 1]
+        np.testing.assert_allclose(np.linalg.norm(ends, axis=1), 1, atol=1e-6)
 
     def test_forms_are_nothing_for_the_frame_that_meets_them(self):
         arrays = self.page.arrays
@@ -84,12 +89,49 @@ class OfACylinder(PageTest):
         # (20/3) t^2 for an axis that is t off the normal; fifteen degrees are nowhere exceeded on planes.
         self.assertLess(energy[arrays["cell_class"][cells] == PLANE].max(), 20 / 3 * np.radians(15) ** 2)
 
+    def test_has_numbers_at_the_corners_of_cells_with_surface(self):
+        arrays = self.page.arrays
+        self.assertEqual(set(arrays["corner_cell"]), set(np.flatnonzero(arrays["cell_class"])))
+        angles = self.page.bfloat("corner_alignment_deg")
+        self.assertTrue(((angles >= 0) & (angles < 55)).all())
+
     def test_streamlines_stay_inside(self):
         lines = self.page.lines("streamline_points", "streamline_starts")
+        arrays = self.page.arrays
+        self.assertEqual({len(arrays["streamline_axis"]), len(arrays["streamline_set"])}, {len(lines)})
+        self.assertEqual((set(arrays["streamline_axis"]), set(arrays["streamline_set"])), ({0, 1, 2}, {0, 1}))
         self.assertGreater(len(lines), 20)
         points = np.concatenate(lines) + self.origin()
         low, high = np.array(self.page.header["low"]), np.array(self.page.header["high"])
         self.assertTrue((points >= self.origin() + low - 1e-4).all() and (points <= self.origin() + high + 1e-4).all())
+
+
+class OfTets(PageTest):
+    def setUp(self):
+        super().setUp()
+        self.vertices, self.tets = tet_box((5, 4, 4), (5.0, 4.0, 4.0))
+        self.write("box.mesh", medit_text(self.vertices, self.tets))
+        self.assert_succeeds(self.run_here("solve", "box.mesh", "-o", "out", "--quiet"))
+        self.page = Page(self.folder / "out" / "report.html")
+
+    def test_shows_the_tets_and_the_lines_on_them(self):
+        arrays = self.page.arrays
+        corners = arrays["tet_points"][arrays["tet_corners"]].astype(float)
+        edges = corners[:, 1:] - corners[:, :1]
+        self.assertAlmostEqual(np.linalg.det(edges).sum() / 6, 80, delta=1e-4)
+        np.testing.assert_allclose(corners.mean(axis=1) + self.origin(), self.vertices[self.tets].mean(axis=1), atol=1e-5)
+        np.testing.assert_allclose(np.linalg.norm(arrays["tet_frame"] / 32767, axis=1), 1, atol=1e-4)
+        graph = Graph(self.folder / "out" / "onto_singularities.vtu")
+        self.assertEqual(list(arrays["arc_index"]), list(graph.arrays["index"]))
+        start = Graph(self.folder / "out" / "singularities.vtu")
+        self.assertEqual(list(arrays["grid_arc_index"]), list(start.arrays["index"]))
+
+    def test_has_numbers_at_each_vertex_of_the_boundary(self):
+        arrays = self.page.arrays
+        self.assertEqual(len(arrays["surface_triangles"]), 2 * 2 * (5 * 4 + 5 * 4 + 4 * 4))
+        self.assertEqual(len(arrays["surface_alignment_deg"]), len(arrays["surface_vertices"]))
+        # A box has the frames of its faces.
+        self.assertLess(self.page.bfloat("surface_alignment_deg").max(), 1)
 
 
 class OfALargeField(PageTest):

@@ -10,7 +10,7 @@ import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
 import { chromium } from "../../viewer/node_modules/playwright-core/index.mjs";
-import { kScenes } from "../../viewer/tests/sample_scene.mjs";
+import { kScenes } from "../../viewer/tests/scenes.mjs";
 import { filled_page } from "../../viewer/tests/scene_writer.mjs";
 
 const kArguments = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--force-color-profile=srgb"];

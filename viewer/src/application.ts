@@ -4,15 +4,16 @@
 import type { Theme } from "./math/color_maps.ts";
 import { subtract, type Vector } from "./math/frame.ts";
 import type { Degree } from "./math/harmonics.ts";
-import { faults_of, is_drawn_anyway } from "./scene/faults.ts";
+import { faults_of, is_drawn_anyway, of_starting_grid } from "./scene/faults.ts";
 import type { Report } from "./scene/report.ts";
-import { cell_count, cell_box, cell_center, type Scene } from "./scene/scene.ts";
-import { SettingsStore, type CutAxis, type Settings } from "./settings.ts";
+import { cell_box, element_center, type Scene } from "./scene/scene.ts";
+import { SettingsStore, type CutAxis, type FieldName, type Settings, type UpAxis } from "./settings.ts";
+import type { FaultMark } from "./view/line_marks.ts";
 import { Stage } from "./view/stage.ts";
 import { kViewNames, type ViewName } from "./view/camera_rig.ts";
-import { answer_blocks, answer_of, place_of } from "./ui/answer.ts";
+import { answer_blocks, answer_of, place_of, worst_places } from "./ui/answer.ts";
 import { by_id, counted, measured, plural } from "./ui/dom.ts";
-import { describe_cell, show_cell, show_no_cell, type CellPanel } from "./ui/cell_panel.ts";
+import { describe_element, show_cell, show_no_cell, title_of, type CellPanel } from "./ui/cell_panel.ts";
 import { make_controls } from "./ui/controls.ts";
 import { Keyboard } from "./ui/keyboard.ts";
 import { key_groups } from "./ui/key_groups.ts";
@@ -20,6 +21,8 @@ import { legend_body } from "./ui/legend.ts";
 import { place_groups, place_lists, type Place } from "./ui/places.ts";
 import { make_toolbar } from "./ui/toolbar.ts";
 import { PointerClicks } from "./ui/pointer_clicks.ts";
+import { picture_of, save_picture } from "./ui/saved_picture.ts";
+import { link_from, link_of } from "./view_link.ts";
 import { widest_cut } from "./view/widest_cut.ts";
 import type { Tabs } from "./ui/tabs.ts";
 
@@ -34,21 +37,24 @@ export class Application {
   private cell_panel: CellPanel | null = null;
   private shown_cell = -1;
   private visited = -1;
+  private note_timer = 0;
 
   constructor(readonly scene: Scene, report: Report, private readonly tabs: Tabs, context: WebGL2RenderingContext) {
     const canvas = by_id("view") as HTMLCanvasElement;
     this.degree = report.degree === 3 ? 3 : 4;
-    const balls = faults_of(report).filter((fault) => !is_drawn_anyway(fault, report)).map(({ place, verdict }) => ({ point: subtract(place, scene.origin), verdict }));
-    this.stage = new Stage(scene, balls, canvas, context, report.input?.closed ?? report.model?.watertight ?? false, this.store.current);
-    const axis = widest_cut(scene);
+    const marks_of = (field: FieldName): FaultMark[] => faults_of(field === "grid" ? of_starting_grid(report) : report)
+      .filter((fault) => !is_drawn_anyway(fault)).map(({ place, verdict }) => ({ point: subtract(place, scene.origin), verdict }));
+    this.stage = new Stage(scene, marks_of, canvas, context, report.input?.closed ?? report.model?.watertight ?? false, this.store.current);
+    const axis = scene.first_cut ?? widest_cut(scene);
     // The half that is taken away is the one towards the first view, which looks from the front, the right and above.
     this.store.change({ cut: { axis, flip: axis === "y" } });
-    this.follow = make_controls(by_id("panel-view"), this.store, scene, { cut_across: (axis) => this.cut_across(axis) });
+    this.follow = make_controls(by_id("panel-view"), this.store, scene, { cut: (on) => this.cut(on), cut_across: (axis) => this.cut_across(axis), turn_up: (up) => this.turn_up(up) });
     const go = (place: Place): void => this.visit(place);
     const answer = answer_of(report);
     const groups = place_groups(report, scene.origin);
-    this.places = apart([...(answer?.reasons ?? []).map((reason) => place_of(reason, scene.origin)), ...groups.flatMap((group) => group.places)]);
-    by_id("answer").replaceChildren(...answer_blocks(answer, scene.origin, go));
+    const worst = worst_places(report, scene, scene.origin);
+    this.places = apart([...worst, ...(answer?.reasons ?? []).map((reason) => place_of(reason, scene.origin)), ...groups.flatMap(({ kinds }) => kinds.flatMap(({ places }) => places))]);
+    by_id("answer").replaceChildren(...answer_blocks(answer, worst, scene.origin, go));
     by_id("places").replaceChildren(...place_lists(groups, scene.origin, go));
     this.keyboard = new Keyboard(key_groups(this), by_id("help") as HTMLDialogElement);
     make_toolbar(by_id("toolbar"), this);
@@ -56,7 +62,6 @@ export class Application {
     this.stage.onmove = () => this.draw_plot();
     this.store.subscribe((settings) => this.apply(settings));
     this.dark.addEventListener("change", () => this.apply(this.store.current));
-    by_id("shown").textContent = this.what_is_shown(report);
     canvas.setAttribute("aria-label", `${by_id("part-name").textContent} with its singular lines and the frames on a cut`);
     // A phone has no room for the legend until it is asked for.
     if (matchMedia("(max-width: 799px)").matches) by_id("legend").removeAttribute("open");
@@ -68,7 +73,9 @@ export class Application {
     observer.observe(by_id("stage"));
     this.resize();
     this.apply(this.store.current);
-    this.stage.rig.view("iso", false);
+    this.stage.face_cut(false);
+    this.restore(location.hash);
+    addEventListener("hashchange", () => this.restore(location.hash));
     await this.stage.drawn();
     by_id("message").hidden = true;
     document.body.classList.add("has-view");
@@ -83,11 +90,54 @@ export class Application {
     this.keyboard.help();
   }
 
+  /** Shows what the part of an address behind # asks for. */
+  private restore(hash: string): void {
+    const { settings, camera } = link_from(hash);
+    if (!this.scene.grid) delete settings.field;
+    if (Object.keys(settings).length > 0) this.store.change(settings);
+    if (camera) this.stage.rig.go_to(camera);
+    else if (settings.up || settings.cut) this.stage.face_cut(false);
+  }
+
+  get link(): string {
+    return location.href.split("#")[0] + link_of(this.store.current, this.stage.rig.place);
+  }
+
+  /** Puts a link to this view into the clipboard, and into the address. */
+  async copy_link(): Promise<void> {
+    const { link } = this;
+    history.replaceState(null, "", link);
+    try {
+      await navigator.clipboard.writeText(link);
+      this.say("A link to this view is in the clipboard.");
+    } catch {
+      this.say("The address of this page now leads to this view.");
+    }
+  }
+
+  async save_picture(): Promise<void> {
+    await save_picture(this.stage);
+    this.say("The picture is saved.");
+  }
+
+  turn_up(up: UpAxis): void {
+    this.store.change({ up });
+    this.stage.face_cut(true);
+  }
+
+  /** Turns the cut on or off, and the view towards it. */
+  cut(on: boolean): void {
+    this.store.change({ cut: { on } });
+    this.stage.face_cut(true);
+  }
+
   /** Cuts across an axis, or across the view; the half towards the camera is taken away. */
   cut_across(axis: CutAxis): void {
     const { direction } = this.stage.rig;
     const along = axis === "view" ? 1 : direction[["x", "y", "z"].indexOf(axis)];
     this.store.change({ cut: { axis, on: true, flip: along < 0, ...(axis === "view" ? { normal: direction } : {}) } });
+    // A cut across the view is looked at already.
+    if (axis !== "view") this.stage.face_cut(true);
   }
 
   view(name: ViewName): void {
@@ -99,11 +149,20 @@ export class Application {
     const cell = this.stage.pick(x, y);
     this.store.change({ picked: cell });
     if (cell >= 0) {
-      const { class: kind, energy_density } = describe_cell(this.scene, cell, this.degree);
-      this.announce(`Cell ${counted(cell)} picked, ${kind}, energy density ${measured(energy_density)}.`);
+      const { class: kind, energy_density } = this.describe(cell);
+      this.announce(`${title_of(this.shown, cell)} picked, ${kind ? `${kind}, ` : ""}energy density ${measured(energy_density)}.`);
       if (!matchMedia("(max-width: 799px)").matches || this.tabs.is_open()) this.tabs.select("cell");
     } else this.announce("Nothing there.");
     return cell;
+  }
+
+  /** The scene of the field that is shown. */
+  private get shown(): Scene {
+    return this.stage.field.scene;
+  }
+
+  private describe(element: number): ReturnType<typeof describe_element> {
+    return describe_element(this.shown, element, this.degree);
   }
 
   pick_middle(): void {
@@ -114,7 +173,7 @@ export class Application {
 
   fly_at(x: number, y: number): void {
     const cell = this.stage.pick(x, y);
-    if (cell >= 0) this.stage.rig.approach(cell_center(this.scene, cell), true);
+    if (cell >= 0) this.stage.rig.approach(element_center(this.shown, cell), true);
   }
 
   visit(place: Place): void {
@@ -134,6 +193,16 @@ export class Application {
 
   clear(): void {
     this.store.change({ picked: -1, marked: null });
+  }
+
+  /** Says something on the screen for a while, and to who hears the page. */
+  private say(text: string): void {
+    this.announce(text);
+    const note = by_id("note");
+    note.textContent = text;
+    note.hidden = false;
+    clearTimeout(this.note_timer);
+    this.note_timer = window.setTimeout(() => (note.hidden = true), 4000);
   }
 
   announce(text: string): void {
@@ -161,20 +230,21 @@ export class Application {
     else document.documentElement.dataset.theme = theme;
     this.stage.apply(settings, this.theme);
     this.follow(settings);
-    by_id("legend-body").replaceChildren(...legend_body(settings, this.theme, this.scene, this.stage));
+    by_id("legend-body").replaceChildren(...legend_body(settings, this.theme, this.stage.field));
+    by_id("shown").textContent = this.what_is_shown();
     this.show_picked(settings.picked);
   }
 
   private show_picked(cell: number): void {
     if (cell !== this.shown_cell) {
       this.shown_cell = cell;
-      this.tabs.rename("cell", cell < 0 ? "Cell" : `Cell ${counted(cell)}`);
+      this.tabs.rename("cell", cell < 0 ? (this.scene.tets ? "Tet" : "Cell") : title_of(this.shown, cell));
       if (cell < 0) {
         this.cell_panel = null;
         show_no_cell(by_id("panel-cell"));
       } else {
-        this.cell_panel = show_cell(by_id("panel-cell"), describe_cell(this.scene, cell, this.degree), this.scene.unit, {
-          go: () => this.stage.rig.approach(cell_center(this.scene, cell), true),
+        this.cell_panel = show_cell(by_id("panel-cell"), this.describe(cell), this.scene.unit, {
+          go: () => this.stage.rig.approach(element_center(this.shown, cell), true),
           close: () => this.clear(),
         });
       }
@@ -191,13 +261,15 @@ export class Application {
     this.cell_panel.plot.draw(this.cell_panel.canvas, column(0), column(1), column(2), this.theme);
   }
 
-  private what_is_shown(report: Report): string {
-    const { cells, surface, unit } = this.scene;
+  private what_is_shown(): string {
+    const { cells, surface, unit, tets, tet_counts } = this.shown;
     const parts: string[] = [];
-    if (report.onto) parts.push("The view shows the field on the grid; the answer is about the field on the tets.");
-    if (cells.merged_to !== null) {
+    if (tets) parts.push(`The field on ${plural(tets.corners.length / 4, "tet")}.`);
+    else if (tet_counts) parts.push(`The field on ${plural(tet_counts.total, "tet")}; the cut shows the frames of those at the centres of ${plural(cells.shown, "cell")}.`);
+    else if (this.scene.tets) parts.push(`The grid of ${plural(cells.total, "cell")} from which the field on the tets started; the answer is about the tets.`);
+    if (!tets && !tet_counts && cells.merged_to !== null) {
       parts.push(`Cells smaller than ${measured(cells.merged_to)}${unit ? ` ${unit}` : ""} are shown merged: ${counted(cells.shown)} of ${plural(cells.total, "cell")}.`);
-    } else if (cells.shown < cells.total) parts.push(`Cells shown: ${counted(cells.shown)} of ${counted(cells.total)}.`);
+    }
     if (surface.triangles_shown < surface.triangles_total) parts.push(`The surface is shown with ${counted(surface.triangles_shown)} of ${counted(surface.triangles_total)} triangles.`);
     return parts.join(" ");
   }
@@ -210,9 +282,9 @@ export class Application {
         ...structuredClone(this.store.current),
         resolved_theme: this.theme,
         camera: { position: this.stage.rig.camera.position.toArray(), target: this.stage.rig.controls.target.toArray() },
-        glyphs: this.stage.glyphs.count,
+        glyphs: this.stage.field.glyphs.count,
         frames_drawn: this.stage.frames_drawn,
-        cells: cell_count(this.scene),
+        elements: this.stage.elements,
       }),
       setView: async (name: ViewName) => {
         if (!kViewNames.includes(name)) throw new Error(`no view ${name}: ${kViewNames.join(", ")}`);
@@ -221,15 +293,21 @@ export class Application {
       },
       pickAt: (x: number, y: number) => {
         const cell = this.pick_at(x, y);
-        return cell < 0 ? null : describe_cell(this.scene, cell, this.degree);
+        return cell < 0 ? null : this.describe(cell);
       },
-      describe: (cell: number) => describe_cell(this.scene, cell, this.degree),
+      describe: (element: number) => this.describe(element),
+      link: () => this.link,
+      cutAcross: async (axis: CutAxis) => {
+        this.cut_across(axis);
+        await this.stage.drawn();
+      },
+      picture: async () => (await picture_of(this.stage)).toDataURL("image/png"),
       change: async (part: Parameters<SettingsStore["change"]>[0]) => {
         this.store.change(part);
         await this.stage.drawn();
       },
       screenOf: (point: Vector) => this.stage.on_screen(subtract(point, this.scene.origin)),
-      cellBox: (cell: number) => cell_box(this.scene, cell),
+      cellBox: (cell: number) => cell_box(this.shown, cell),
       drawn: () => this.stage.drawn(),
     });
   }

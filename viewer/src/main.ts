@@ -23,7 +23,7 @@ function show_report(report: Report): void {
   by_id("badge").replaceChildren(...badge(answer));
   by_id("badge").className = `badge ${answer?.judgement ?? ""}`;
   // Filled again, with buttons that fly there, once there is a view.
-  const verdict = element("div", { id: "answer" }, ...answer_blocks(answer, [0, 0, 0], () => {}));
+  const verdict = element("div", { id: "answer" }, ...answer_blocks(answer, [], [0, 0, 0], () => {}));
   const places = element("div", { id: "places" }, ...place_lists(place_groups(report, [0, 0, 0]), [0, 0, 0], () => {}));
   const blocks = [unfinished_card(report), verdict, key_numbers(report), tet_alignment(report), alignment_scale(report), places, levels_chart(report), warnings_list(report), about(report)];
   by_id("panel-field").replaceChildren(...blocks.filter((block) => block !== null));

@@ -7,11 +7,17 @@ import type { Vector } from "./math/frame.ts";
 export type Layer = "part" | "creases" | "arcs" | "nodes" | "streamlines" | "glyphs" | "cells";
 export type CutAxis = "x" | "y" | "z" | "view";
 export type GlyphShape = "cross" | "cube";
-export type GlyphColor = "plain" | "tilt" | "turn";
+export type GlyphColor = "axes" | "tilt" | "turn";
+export type UpAxis = "x" | "y" | "z";
+/** Of a page of tets: the field on them, or the grid from which it started. */
+export type FieldName = "main" | "grid";
+export type StreamSet = "cut" | "surface";
 export type ThemeChoice = "auto" | "light" | "dark";
 
 export interface Settings {
   theme: ThemeChoice;
+  field: FieldName;
+  up: UpAxis;
   layers: Record<Layer, boolean>;
   /** Of the part, 0 ... 1. */
   opacity: number;
@@ -33,7 +39,9 @@ export interface Settings {
     /** Steps of a factor of two away from the automatic distance between frames. */
     density: number;
   };
-  /** The cell that is picked, or -1. */
+  /** Where the streamlines begin that are shown. */
+  streams: StreamSet;
+  /** The tet or cell that is picked, or -1. */
   picked: number;
   /** A place that is marked, in the scene's coordinates. */
   marked: { point: Vector; label: string; warn: boolean } | null;
@@ -48,11 +56,14 @@ export type Part = Partial<Omit<Settings, "cut" | "glyph" | "layers">> & {
 export class SettingsStore {
   current: Settings = {
     theme: "auto",
+    field: "main",
+    up: "z",
     layers: { part: true, creases: true, arcs: true, nodes: true, streamlines: false, glyphs: true, cells: true },
     opacity: 0.35,
     map: "none",
     cut: { on: true, axis: "y", normal: [0, 1, 0], position: 0.5, flip: false, clip: true },
-    glyph: { shape: "cross", color: "plain", density: 0 },
+    glyph: { shape: "cross", color: "axes", density: 0 },
+    streams: "cut",
     picked: -1,
     marked: null,
   };

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes for the page's tests: a ball, a thin plate with holes, and five components with faults of all kinds. Frames and numbers are
 // made up in closed form: like those of a solve, but no solve's.
-//   node --import ./tests/register_typescript.mjs tests/sample_scene.mjs FOLDER     writes ball.html, plate.html, components.html
-
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { fileURLToPath } from "node:url";
 
 import { cross, product, unit } from "../src/math/frame.ts";
 import { add_forms } from "./plane_forms.mjs";
-import { filled_page, scene_of } from "./scene_writer.mjs";
+import { scene_of } from "./scene_writer.mjs";
 import { ball, joined, plate, prism, torus } from "./solids.mjs";
 
 /** Leaves of the octree, in Morton order, that hold surface or have their centre inside; finer towards the surface. */
@@ -43,7 +39,7 @@ function finder(cells, lattice) {
   };
 }
 
-const about = (axis, angle) => [Math.cos(angle / 2), ...axis.map((value) => value * Math.sin(angle / 2))];
+export const about = (axis, angle) => [Math.cos(angle / 2), ...axis.map((value) => value * Math.sin(angle / 2))];
 const smooth = (low, high, value) => {
   const share = Math.min(1, Math.max(0, (value - low) / (high - low)));
   return share * share * (3 - 2 * share);
@@ -69,14 +65,14 @@ function energy_near(arcs, width) {
   };
 }
 
-const line = (from, to, count, bend = () => [0, 0, 0]) =>
+export const line = (from, to, count, bend = () => [0, 0, 0]) =>
   Array.from({ length: count + 1 }, (_, k) => {
     const share = k / count;
     const away = bend(share);
     return from.map((value, axis) => value + share * (to[axis] - value) + away[axis]);
   });
 
-function assemble({ solid, lattice, depth, frame_at, arcs, nodes, streamlines, report, singularity = {}, origin = [0, 0, 0], total, merged_to }) {
+export function assemble({ solid, lattice, depth, frame_at, arcs, nodes, streamlines, report, singularity = {}, origin = [0, 0, 0], total, merged_to, more }) {
   const at = (point) => point.map((value, k) => value + origin[k]);
   const cells = cells_of(solid.distance, lattice, depth, frame_at, energy_near(arcs, 4 * lattice.unit));
   const surface = { ...solid.surface, origin };
@@ -109,7 +105,7 @@ function assemble({ solid, lattice, depth, frame_at, arcs, nodes, streamlines, r
     warnings: [],
     ...report,
   };
-  const scene = scene_of({ surface, creases: solid.creases, cells, lattice, arcs, nodes, forms, streamlines, total, merged_to });
+  const scene = scene_of({ surface, creases: solid.creases, cells, lattice, arcs, nodes, forms, streamlines, total, merged_to, more });
   return { report: full_report, scene };
 }
 
@@ -245,17 +241,4 @@ export function components_scene() {
       ],
     },
   });
-}
-
-export const kScenes = { ball: ball_scene, plate: plate_scene, components: components_scene };
-
-if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const folder = process.argv[2] ?? ".";
-  mkdirSync(folder, { recursive: true });
-  const page = readFileSync(new URL("../dist/report.html", import.meta.url), "utf8");
-  for (const [name, make] of Object.entries(kScenes)) {
-    const { report, scene } = make();
-    writeFileSync(`${folder}/${name}.html`, filled_page(page, report, scene));
-    console.log(`${folder}/${name}.html: ${report.levels.at(-1).active_cells} cells`);
-  }
 }

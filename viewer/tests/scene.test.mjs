@@ -7,19 +7,20 @@ import { test } from "node:test";
 import { kClasses, ramp_color } from "../src/math/color_maps.ts";
 import { faults_of } from "../src/scene/faults.ts";
 import { build_octree, cell_at, surface_cell_at } from "../src/scene/octree.ts";
-import { cell_box, cell_center, cell_count, cell_quaternion, decode_scene } from "../src/scene/scene.ts";
+import { cell_box, cell_center, cell_count, decode_scene, element_quaternion } from "../src/scene/scene.ts";
 import { cut_normal, cut_offset, SettingsStore } from "../src/settings.ts";
-import { answer_of } from "../src/ui/answer.ts";
+import { answer_of, worst_places } from "../src/ui/answer.ts";
 import { amount, plural } from "../src/ui/dom.ts";
 import { place_groups } from "../src/ui/places.ts";
-import { glyph_places } from "../src/view/glyph_places.ts";
+import { link_from, link_of } from "../src/view_link.ts";
 import { fraction_of, ranges_of } from "../src/view/ranges.ts";
-import { ball_counts } from "../src/view/singular_lines.ts";
+import { fault_counts, mark_counts } from "../src/view/line_marks.ts";
 import { widest_cut } from "../src/view/widest_cut.ts";
 import { ball_scene, components_scene, plate_scene } from "./sample_scene.mjs";
 import { encode_scene, upper_half } from "./scene_writer.mjs";
+import { tets_scene } from "./tet_scene.mjs";
 
-const made = { ball: ball_scene(), plate: plate_scene(), components: components_scene() };
+const made = { ball: ball_scene(), plate: plate_scene(), components: components_scene(), tets: tets_scene() };
 const scenes = Object.fromEntries(Object.entries(made).map(([name, { scene }]) => [name, decode_scene(scene)]));
 
 test("what was written is read back", () => {
@@ -30,7 +31,7 @@ test("what was written is read back", () => {
   assert.equal(scene.surface_triangles.length, 3 * scene.surface.triangles_shown);
   assert.equal(scene.form_matrix.length, 45 * scene.form_cell.length);
   assert.equal(scene.streamline_starts.length, 1);
-  assert.ok(Math.abs(Math.hypot(...cell_quaternion(scene, 17)) - 1) < 1e-12);
+  assert.ok(Math.abs(Math.hypot(...element_quaternion(scene, 17)) - 1) < 1e-12);
 });
 
 test("a scene at an odd place in its buffer is read as well", () => {
@@ -54,8 +55,8 @@ test("arrays that are missing or empty are empty", () => {
 
 test("damaged scenes are refused with what is wrong", () => {
   assert.throws(() => decode_scene(new Uint8Array(64)), /does not begin with CGSCENE1/);
-  const other = encode_scene({ schema: 2 }, {});
-  assert.throws(() => decode_scene(other), /schema 2/);
+  const other = encode_scene({ schema: 3 }, {});
+  assert.throws(() => decode_scene(other), /schema 3/);
   assert.throws(() => decode_scene(made.ball.scene.slice(0, 100_000)), /ends beyond the scene/);
 });
 
@@ -90,34 +91,6 @@ test("points of the surface have a boundary cell", () => {
   }
   // The sample sums its forms from small pieces, which miss cells that the surface only grazes.
   assert.ok(boundary > 0.9 * (scene.surface_vertices.length / 3), `${boundary}`);
-});
-
-test("glyphs lie in the cut, inside the part, and apart from each other", () => {
-  for (const [name, normal] of [["ball", [0, 1, 0]], ["ball", [0.6, 0, 0.8]], ["plate", [0, 0, 1]], ["components", [0.36, 0.48, 0.8]]]) {
-    const scene = scenes[name];
-    const octree = build_octree(scene);
-    const offset = normal.reduce((sum, value, k) => sum + (value * (scene.low[k] + scene.high[k])) / 2, 0);
-    for (const spacing of [1, 4]) {
-      const places = glyph_places(scene, octree, normal, offset, spacing);
-      assert.ok(places.length > 10, `${name}: ${places.length} glyphs`);
-      for (const { point, cell } of places) {
-        const away = normal.reduce((sum, value, k) => sum + value * point[k], -offset);
-        assert.ok(Math.abs(away) < 0.01 * scene.cells.unit, `${name}: ${away} off the cut`);
-        assert.ok(cell >= 0);
-      }
-      for (let a = 0; a < places.length; ++a) for (let b = 0; b < a; ++b) {
-        const distance = Math.hypot(...places[a].point.map((value, k) => value - places[b].point[k]));
-        assert.ok(distance >= 0.7 * Math.min(places[a].side, places[b].side), `${name}: glyphs ${distance} apart`);
-      }
-    }
-  }
-});
-
-test("a wider spacing draws fewer glyphs", () => {
-  const scene = scenes.plate;
-  const octree = build_octree(scene);
-  const counts = [1, 2, 4, 8].map((spacing) => glyph_places(scene, octree, [0, 0, 1], 1.5, spacing).length);
-  assert.ok(counts[0] > 2 * counts[1] && counts[1] > 2 * counts[2] && counts[2] > 2 * counts[3], `${counts}`);
 });
 
 test("the first cut shows most of the part", () => {
@@ -158,7 +131,7 @@ test("lightness of the maps of quantities only rises or only falls, in steps of 
 
 test("the answer is the one of the report, in its words", () => {
   const answers = Object.values(made).map(({ report }) => answer_of(report));
-  assert.deepEqual(answers.map(({ judgement, short }) => [judgement, short]), [["good", "can be meshed locally"], ["unsure", "undecided"], ["bad", "cannot be meshed"]]);
+  assert.deepEqual(answers.map(({ judgement, short }) => [judgement, short]), [["good", "can be meshed locally"], ["unsure", "undecided"], ["bad", "cannot be meshed"], ["bad", "cannot be meshed"]]);
   for (const { short, sentence } of answers) assert.ok(sentence.startsWith(short), sentence);
   assert.equal(answer_of({}), null);
   assert.equal(answer_of({ verdict: "of a later version" }), null);
@@ -180,16 +153,18 @@ test("with tets, faults are those of the field on the tets", () => {
   assert.match(faults[0].words, /^1 crease, /);
 });
 
-test("balls are counted by their colour: nodes of the scene and the marks of other faults", () => {
-  assert.deepEqual(ball_counts(scenes.ball, []), { impossible: 0, undecided: 0 });
+test("marks are counted by their shape, and by their colour with those of other faults", () => {
+  assert.deepEqual(mark_counts(scenes.ball), { nodes: 8, ends: 8, turns: 0 });
+  assert.deepEqual(mark_counts(scenes.components), { nodes: 2, ends: 8, turns: 1 });
+  assert.deepEqual(fault_counts(scenes.ball, []), { impossible: 0, undecided: 0 });
   const marks = [{ point: [0, 0, 0], verdict: "undecided" }, { point: [1, 0, 0], verdict: "not_meshable" }];
-  assert.deepEqual(ball_counts(scenes.components, marks), { impossible: 2, undecided: 2 });
+  assert.deepEqual(fault_counts(scenes.components, marks), { impossible: 2, undecided: 2 });
 });
 
 test("places are relative to the origin of the scene", () => {
   const [faults] = place_groups(made.components.report, [10, 20, 30]);
   const [first] = faults_of(made.components.report);
-  assert.deepEqual(faults.places[0].point, first.place.map((value, k) => value - [10, 20, 30][k]));
+  assert.deepEqual(faults.kinds[0].places[0].point, first.place.map((value, k) => value - [10, 20, 30][k]));
 });
 
 test("one is no plural", () => {
@@ -197,5 +172,43 @@ test("one is no plural", () => {
   assert.deepEqual([amount(1, "cell"), amount(0.99999, "cell"), amount(2.75, "cell")], ["1 cell", "1 cell", "2.75 cells"]);
   const input = { findings: [{ kind: "duplicated triangles", count: 1 }, { kind: "holes", count: 2 }, { kind: "inside-out parts", count: 1 }] };
   const found = place_groups({ input }, [0, 0, 0]).find(({ name }) => name === "Found in the input");
-  assert.deepEqual(found.places.map(({ label }) => label), ["1 duplicated triangle", "2 holes", "1 inside-out part"]);
+  assert.deepEqual(found.kinds.map(({ summary }) => summary), ["1 duplicated triangle", "2 holes", "1 inside-out part"]);
+});
+
+test("findings of a kind are summed up in words", () => {
+  const crease = (verdict) => ({ hexahedra: 0, least_angle_deg: 30, verdict, place: [0, 0, 0] });
+  const crease_list = [...Array(10).fill(crease("not_meshable")), crease("undecided"), crease("meshable")];
+  const [, creases] = place_groups({ singularity: { arcs: 0, nodes: 0, crease_list } }, [0, 0, 0]);
+  assert.deepEqual(creases.kinds.map(({ summary, places }) => [summary, places.length]), [["Ten edges below 45 degrees", 10], ["One edge where rounding decides", 1]]);
+});
+
+test("the worst places are faults first, then where the field is off its surface or turns most, each once", () => {
+  const bad = worst_places(made.components.report, scenes.components, [0, 0, 0]);
+  assert.deepEqual(bad.map(({ point }) => point), [[46, 26, 6], [0, 0, 0], made.components.report.singularity.arc_list[10].place]);
+  const good = worst_places(made.ball.report, scenes.ball, scenes.ball.origin);
+  assert.deepEqual(good.map(({ detail }) => detail), ["largest energy density"]);
+  const tilted = { ...scenes.ball, cell_alignment_deg: scenes.ball.cell_alignment_deg.map((value, k) => (k === 100 ? 30 : value)), cell_class: scenes.ball.cell_class.map((value, k) => (k === 100 ? 1 : value)) };
+  const [first] = worst_places(made.ball.report, tilted, scenes.ball.origin);
+  assert.match(first.label, /^Surface 30° off/);
+  assert.deepEqual(first.point, cell_center(tilted, 100));
+});
+
+test("a link restores what it was made of, and unknown parts of it are ignored", () => {
+  const store = new SettingsStore();
+  store.change({ up: "y", field: "grid", map: "energy", opacity: 0.8, streams: "surface", cut: { axis: "view", normal: [0.6, 0, 0.8], position: 0.25, flip: true, clip: false }, glyph: { shape: "cube", color: "turn", density: -1 }, layers: { streamlines: true, part: false } });
+  const camera = { position: [1.5, -2, 3], target: [0, 0.25, 0] };
+  const link = link_of(store.current, camera);
+  const back = link_from(link);
+  assert.deepEqual(back.camera, camera);
+  const other = new SettingsStore();
+  other.change(back.settings);
+  assert.deepEqual(other.current, store.current);
+  assert.deepEqual(link_from("#camera=1,2&cut=q,3&map=lava&up=w&opacity=7&frames=ball,axes,9&x=y"), { settings: {}, camera: null });
+});
+
+test("without a field of tets there is no grid to choose", () => {
+  assert.equal(scenes.ball.grid, null);
+  assert.equal(scenes.tets.grid.tets, null);
+  assert.deepEqual([scenes.tets.arc_index.length, scenes.tets.grid.arc_index.length], [1, 4]);
+  assert.equal(scenes.tets.grid.surface_alignment_deg.length, 0);
 });

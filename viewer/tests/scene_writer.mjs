@@ -22,7 +22,7 @@ export function encode_scene(header, arrays) {
     blocks.push([offset, new Uint8Array(typed.buffer)]);
     offset = Math.ceil((offset + typed.byteLength) / 8) * 8;
   }
-  let text = JSON.stringify({ schema: 1, ...header, arrays: entries });
+  let text = JSON.stringify({ schema: 2, ...header, arrays: entries });
   while ((12 + Buffer.byteLength(text)) % 8 !== 0) text += " ";
   const start = 12 + Buffer.byteLength(text);
   const bytes = new Uint8Array(start + offset);
@@ -42,7 +42,7 @@ export function filled_page(page, report, scene) {
 }
 
 /** {header, arrays} from what a test made: cells [{corner, size, frame, energy, alignment, class}], triangles, arcs, nodes, forms. */
-export function scene_of({ surface, creases, cells, lattice, arcs, nodes, forms, streamlines, unit = "mm", merged_to = null, total }) {
+export function scene_of({ surface, creases, cells, lattice, arcs, nodes, forms, streamlines, unit = "mm", merged_to = null, total, more }) {
   const low = [0, 1, 2].map((k) => surface.vertices.reduce((best, point) => Math.min(best, point[k]), Infinity));
   const high = [0, 1, 2].map((k) => surface.vertices.reduce((best, point) => Math.max(best, point[k]), -Infinity));
   const polylines = (lines) => {
@@ -53,6 +53,11 @@ export function scene_of({ surface, creases, cells, lattice, arcs, nodes, forms,
   const crease = polylines(creases);
   const arc = polylines(arcs.map((one) => one.points));
   const stream = polylines(streamlines ?? []);
+  // A node where lines meet is a ball, an end on the surface a disc; lines that turn their sense do so in the middle.
+  const marks = [
+    ...nodes.map((one) => ({ ...one, shape: one.on_boundary ? 1 : 0 })),
+    ...arcs.filter((one) => one.type === 1).map((one) => ({ point: one.points[Math.floor(one.points.length / 2)], shape: 2 })),
+  ];
   const size = forms.length > 0 ? forms[0].linear.length : 9;
   const flat_cells = (take) => cells.flatMap(take);
   const header = {
@@ -73,10 +78,15 @@ export function scene_of({ surface, creases, cells, lattice, arcs, nodes, forms,
     arc_index: ["f32", 0, arcs.map((one) => one.index)],
     arc_type: ["u8", 0, arcs.map((one) => one.type ?? 0)],
     arc_verdict: ["u8", 0, arcs.map((one) => one.verdict ?? 0)],
-    node_points: ["f32", 3, nodes.flatMap((one) => one.point)],
+    arc_wall: ["f32", 0, arcs.flatMap((one) => one.points.map(() => one.wall ?? Infinity))],
     node_verdict: ["u8", 0, nodes.map((one) => one.verdict ?? 0)],
     node_on_boundary: ["u8", 0, nodes.map((one) => one.on_boundary ?? 0)],
     node_degree: ["u8", 0, nodes.map((one) => one.degree ?? 0)],
+    mark_points: ["f32", 3, marks.flatMap((one) => one.point)],
+    mark_directions: ["f32", 3, marks.flatMap(() => [0, 0, 1])],
+    mark_shape: ["u8", 0, marks.map((one) => one.shape)],
+    mark_verdict: ["u8", 0, marks.map((one) => one.verdict ?? 0)],
+    mark_wall: ["f32", 0, marks.map(() => Infinity)],
     cell_corner: ["u16", 3, flat_cells((cell) => cell.corner)],
     cell_size: ["u16", 0, flat_cells((cell) => cell.size)],
     cell_frame: ["i16", 4, flat_cells((cell) => cell.frame.map((q) => Math.round(q * 32767)))],
@@ -90,6 +100,8 @@ export function scene_of({ surface, creases, cells, lattice, arcs, nodes, forms,
     form_weight: ["f32", 0, forms.map((form) => form.weight)],
     streamline_points: ["f32", 3, stream.points],
     streamline_starts: ["u32", 0, stream.starts],
+    streamline_axis: ["u8", 0, (streamlines ?? []).map((_, k) => k % 3)],
+    streamline_set: ["u8", 0, (streamlines ?? []).map((_, k) => k % 2)],
   };
-  return encode_scene(header, arrays);
+  return encode_scene({ ...header, ...more?.header }, { ...arrays, ...more?.arrays });
 }

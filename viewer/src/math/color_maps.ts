@@ -6,7 +6,8 @@
 
 export type Theme = "light" | "dark";
 export type Color = [number, number, number];
-export type MapName = "none" | "alignment" | "energy" | "class";
+export const kMaps = ["none", "alignment", "energy", "class", "region"] as const;
+export type MapName = (typeof kMaps)[number];
 export type RampName = "alignment" | "energy" | "tilt" | "turn";
 
 // Anchors at equal distances in value, chosen for steps of equal size in CIELAB lightness. `tilt` colours glyphs, which must be seen at
@@ -42,6 +43,11 @@ export const kClasses: CellClass[] = [
   { name: "conflicted", meaning: "no frame fits", color: { light: "#b3202c", dark: "#ff6b6b" } },
 ];
 
+// Of neighbouring lightness, so that none looks like a fault; they repeat where there are more regions.
+const kRegionColors = ["#8fb3d9", "#e3c07a", "#9ccf9a", "#d9a0bf", "#b7b0e0", "#8fd0cb", "#e2a98a", "#c4c98a"];
+
+export const region_color = (region: number): string => kRegionColors[region % kRegionColors.length];
+
 export function parse_color(hex: string): Color {
   const value = parseInt(hex.slice(1), 16);
   return [(value >> 16) / 255, ((value >> 8) & 255) / 255, (value & 255) / 255];
@@ -67,6 +73,7 @@ export function palette_of(map: MapName, theme: Theme): Uint8Array<ArrayBuffer> 
   for (let k = 0; k < 256; ++k) {
     const color =
       map === "class" ? parse_color(kClasses[Math.min(k, kClasses.length - 1)].color[theme])
+      : map === "region" ? parse_color(region_color(k))
       : map === "none" ? ([1, 1, 1] as Color)
       : ramp_color(map, theme, k / 255);
     texels.set([...color.map((channel) => Math.round(channel * 255)), 255], 4 * k);

@@ -31,8 +31,11 @@ export function faults_of(report: Report): Fault[] {
   ];
 }
 
-/** Whether the scene has it among its nodes: it has those of the grid only, and no creases and corners. */
-export const is_drawn_anyway = ({ part }: Fault, report: Report): boolean => (part === "line" || part === "node") && !report.onto;
+/** Whether the scene has it among its lines and nodes; it has no creases and corners. */
+export const is_drawn_anyway = ({ part }: Fault): boolean => part === "line" || part === "node";
+
+/** The report of the grid alone from which a field on tets started. */
+export const of_starting_grid = (report: Report): Report => ({ ...report, onto: undefined });
 
 function words_of_arc({ type }: ArcEntry): string {
   if (type === "changing") return "turning point: frames rotate about it in both senses";

@@ -1,40 +1,74 @@
 // SPDX-License-Identifier: Apache-2.0
 // The binary scene that a page carries, decoded into typed arrays. Its layout is described in viewer/README.md.
 
-import type { Vector } from "../math/frame.ts";
+import type { Quaternion, Vector } from "../math/frame.ts";
 
-export interface SceneArray<T> {
-  values: T;
-  rows: number;
-  columns: number;
+/** A field on tets, as the cut needs it. */
+export interface Tets {
+  points: Float32Array;
+  corners: Uint32Array;
+  frame: Int16Array;
+  energy_density: Float32Array;
+  /** Negative for tets without surface. */
+  alignment_deg: Float32Array;
+  region: Uint16Array;
 }
 
-export interface Scene {
+/** What is drawn of a field besides its frames: on tets, or on the grid from which they started. */
+interface Outside {
+  surface: { triangles_total: number; triangles_shown: number };
+  surface_vertices: Float32Array;
+  surface_triangles: Uint32Array;
+  arc_points: Float32Array;
+  arc_starts: Uint32Array;
+  /** Of the part around each point of the lines; infinite where nothing limits them. */
+  arc_wall: Float32Array;
+  arc_index: Float32Array;
+  arc_type: Uint8Array;
+  arc_verdict: Uint8Array;
+  node_verdict: Uint8Array;
+  node_on_boundary: Uint8Array;
+  node_degree: Uint8Array;
+  mark_points: Float32Array;
+  mark_directions: Float32Array;
+  mark_shape: Uint8Array;
+  mark_verdict: Uint8Array;
+  mark_wall: Float32Array;
+}
+
+export interface Scene extends Outside {
   origin: Vector;
   unit: string;
   low: Vector;
   high: Vector;
+  /** The axis of the cut that the page begins with. */
+  first_cut: "x" | "y" | "z" | null;
   cells: { low: Vector; unit: number; total: number; shown: number; merged_to: number | null };
-  surface: { triangles_total: number; triangles_shown: number };
-  surface_vertices: Float32Array;
-  surface_triangles: Uint32Array;
+  /** Of a field on tets: how many there are, and how many of them are here; none if cells stand for them. */
+  tet_counts: { total: number; shown: number } | null;
+  tets: Tets | null;
+  /** The grid from which the field on tets started. */
+  grid: Scene | null;
+  /** At the vertices of the surface; empty where cells give the colours. */
+  surface_alignment_deg: Float32Array;
+  surface_energy_density: Float32Array;
+  /** Of the triangles of the surface; empty with a single one. */
+  surface_region: Uint16Array;
   crease_points: Float32Array;
   crease_starts: Uint32Array;
-  arc_points: Float32Array;
-  arc_starts: Uint32Array;
-  arc_index: Float32Array;
-  arc_type: Uint8Array;
-  arc_verdict: Uint8Array;
-  node_points: Float32Array;
-  node_verdict: Uint8Array;
-  node_on_boundary: Uint8Array;
-  node_degree: Uint8Array;
   cell_corner: Uint16Array;
   cell_size: Uint16Array;
   cell_frame: Int16Array;
   cell_energy_density: Float32Array;
   cell_alignment_deg: Float32Array;
   cell_class: Uint8Array;
+  cell_region: Uint16Array;
+  /** Cells with numbers at their eight corners. */
+  corner_cell: Uint32Array;
+  corner_alignment_deg: Float32Array;
+  corner_energy_density: Float32Array;
+  /** The numbers of regions, of which cell_region and tets.region are indices. */
+  regions: number[];
   form_cell: Uint32Array;
   form_size: number;
   form_matrix: Float32Array;
@@ -43,11 +77,14 @@ export interface Scene {
   form_weight: Float32Array;
   streamline_points: Float32Array;
   streamline_starts: Uint32Array;
+  streamline_axis: Uint8Array;
+  streamline_set: Uint8Array;
 }
 
 const kMagic = "CGSCENE1";
 const kTypes = { f32: Float32Array, u32: Uint32Array, u16: Uint16Array, i16: Int16Array, u8: Uint8Array };
 type TypeName = keyof typeof kTypes;
+type Read = <T>(name: string, type: TypeName) => T;
 
 interface Header {
   schema: number;
@@ -55,8 +92,13 @@ interface Header {
   unit: string;
   low: Vector;
   high: Vector;
+  first_cut?: "x" | "y" | "z";
   cells: Scene["cells"];
+  tets?: { total: number; shown: number };
+  regions?: number[];
+  tet_regions?: number[];
   surface: Scene["surface"];
+  grid_surface?: Scene["surface"];
   arrays: Record<string, { type: TypeName; offset: number; shape: number[] }>;
 }
 
@@ -65,10 +107,10 @@ export function decode_scene(bytes: Uint8Array<ArrayBuffer>): Scene {
   if (new TextDecoder().decode(bytes.subarray(0, 8)) !== kMagic) throw new Error("the scene does not begin with " + kMagic);
   const header_length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(8, true);
   const header = JSON.parse(new TextDecoder().decode(bytes.subarray(12, 12 + header_length))) as Header;
-  if (header.schema !== 1) throw new Error(`the scene has schema ${header.schema}, this page reads 1`);
+  if (header.schema !== 2) throw new Error(`the scene has schema ${header.schema}, this page reads 2`);
   const start = 12 + header_length;
 
-  const read = <T>(name: string, type: TypeName): T => {
+  const read: Read = <T>(name: string, type: TypeName): T => {
     const entry = header.arrays[name];
     if (!entry || entry.shape[0] === 0) return new kTypes[type](0) as T;
     if (entry.type !== type) throw new Error(`array ${name} is ${entry.type}, not ${type}`);
@@ -81,32 +123,33 @@ export function decode_scene(bytes: Uint8Array<ArrayBuffer>): Scene {
   };
 
   const form_shape = header.arrays["form_linear"]?.shape;
-  return {
+  const scene: Scene = {
     origin: header.origin,
     unit: header.unit,
     low: header.low,
     high: header.high,
+    first_cut: header.first_cut ?? null,
     cells: header.cells,
-    surface: header.surface,
-    surface_vertices: read("surface_vertices", "f32"),
-    surface_triangles: read("surface_triangles", "u32"),
+    tet_counts: header.tets ?? null,
+    tets: null,
+    grid: null,
+    ...outside(read, "", header.surface),
+    surface_alignment_deg: widened(read("surface_alignment_deg", "u16")),
+    surface_energy_density: widened(read("surface_energy_density", "u16")),
+    surface_region: read("surface_region", "u16"),
     crease_points: read("crease_points", "f32"),
     crease_starts: read("crease_starts", "u32"),
-    arc_points: read("arc_points", "f32"),
-    arc_starts: read("arc_starts", "u32"),
-    arc_index: read("arc_index", "f32"),
-    arc_type: read("arc_type", "u8"),
-    arc_verdict: read("arc_verdict", "u8"),
-    node_points: read("node_points", "f32"),
-    node_verdict: read("node_verdict", "u8"),
-    node_on_boundary: read("node_on_boundary", "u8"),
-    node_degree: read("node_degree", "u8"),
     cell_corner: read("cell_corner", "u16"),
     cell_size: read("cell_size", "u16"),
     cell_frame: read("cell_frame", "i16"),
     cell_energy_density: widened(read("cell_energy_density", "u16")),
     cell_alignment_deg: widened(read("cell_alignment_deg", "u16")),
     cell_class: read("cell_class", "u8"),
+    cell_region: read("cell_region", "u16"),
+    corner_cell: read("corner_cell", "u32"),
+    corner_alignment_deg: widened(read("corner_alignment_deg", "u16")),
+    corner_energy_density: widened(read("corner_energy_density", "u16")),
+    regions: header.regions ?? [],
     form_cell: read("form_cell", "u32"),
     form_size: form_shape && form_shape.length > 1 ? form_shape[1] : 0,
     form_matrix: read("form_matrix", "f32"),
@@ -115,7 +158,50 @@ export function decode_scene(bytes: Uint8Array<ArrayBuffer>): Scene {
     form_weight: read("form_weight", "f32"),
     streamline_points: read("streamline_points", "f32"),
     streamline_starts: read("streamline_starts", "u32"),
+    streamline_axis: read("streamline_axis", "u8"),
+    streamline_set: read("streamline_set", "u8"),
   };
+  return header.arrays["tet_corners"] ? with_tets(scene, read, header) : scene;
+}
+
+function outside(read: Read, prefix: string, surface: Outside["surface"]): Outside {
+  return {
+    surface,
+    surface_vertices: read(`${prefix}surface_vertices`, "f32"),
+    surface_triangles: read(`${prefix}surface_triangles`, "u32"),
+    arc_points: read(`${prefix}arc_points`, "f32"),
+    arc_starts: read(`${prefix}arc_starts`, "u32"),
+    arc_wall: read(`${prefix}arc_wall`, "f32"),
+    arc_index: read(`${prefix}arc_index`, "f32"),
+    arc_type: read(`${prefix}arc_type`, "u8"),
+    arc_verdict: read(`${prefix}arc_verdict`, "u8"),
+    node_verdict: read(`${prefix}node_verdict`, "u8"),
+    node_on_boundary: read(`${prefix}node_on_boundary`, "u8"),
+    node_degree: read(`${prefix}node_degree`, "u8"),
+    mark_points: read(`${prefix}mark_points`, "f32"),
+    mark_directions: read(`${prefix}mark_directions`, "f32"),
+    mark_shape: read(`${prefix}mark_shape`, "u8"),
+    mark_verdict: read(`${prefix}mark_verdict`, "u8"),
+    mark_wall: read(`${prefix}mark_wall`, "f32"),
+  };
+}
+
+/** The scene of tets, with that of the grid from which they started beside it. */
+function with_tets(scene: Scene, read: Read, header: Header): Scene {
+  const none = new Float32Array(0);
+  const grid: Scene = {
+    ...scene, ...outside(read, "grid_", header.grid_surface ?? { triangles_total: 0, triangles_shown: 0 }),
+    tet_counts: null, surface_alignment_deg: none, surface_energy_density: none, surface_region: new Uint16Array(0),
+  };
+  const tets: Tets = {
+    points: read("tet_points", "f32"),
+    corners: read("tet_corners", "u32"),
+    frame: read("tet_frame", "i16"),
+    energy_density: widened(read("tet_energy_density", "u16")),
+    alignment_deg: widened(read("tet_alignment_deg", "u16")),
+    region: read("tet_region", "u16"),
+  };
+  return { ...scene, tets, grid, regions: header.tet_regions ?? [] };
 }
 
 /** Single precision from its upper sixteen bits. */
@@ -129,11 +215,40 @@ export function cell_count(scene: Scene): number {
   return scene.cell_size.length;
 }
 
-/** The frame of a cell as a unit quaternion. */
-export function cell_quaternion(scene: Scene, cell: number): [number, number, number, number] {
-  const q = scene.cell_frame.subarray(4 * cell, 4 * cell + 4);
-  const length = Math.hypot(q[0], q[1], q[2], q[3]) || 1;
-  return [q[0] / length, q[1] / length, q[2] / length, q[3] / length];
+/** Tets, or cells where there are none: what has a frame and can be picked. */
+export const element_count = (scene: Scene): number => (scene.tets ? scene.tets.corners.length / 4 : cell_count(scene));
+
+/** The frame of a tet or cell as a unit quaternion. */
+export function element_quaternion({ tets, cell_frame }: Scene, element: number): Quaternion {
+  const q = tets ? tets.frame : cell_frame;
+  const [w, x, y, z] = [q[4 * element], q[4 * element + 1], q[4 * element + 2], q[4 * element + 3]];
+  const length = Math.hypot(w, x, y, z) || 1;
+  return [w / length, x / length, y / length, z / length];
+}
+
+export const element_energy = ({ tets, cell_energy_density }: Scene, element: number): number =>
+  (tets ? tets.energy_density : cell_energy_density)[element];
+
+export const element_region = ({ tets, cell_region }: Scene, element: number): number => (tets ? tets.region : cell_region)[element] ?? 0;
+
+/** Mean angle between surface and nearest axis; null without surface. */
+export function element_alignment({ tets, cell_class, cell_alignment_deg }: Scene, element: number): number | null {
+  if (tets) return tets.alignment_deg[element] >= 0 ? tets.alignment_deg[element] : null;
+  return cell_class[element] > 0 ? cell_alignment_deg[element] : null;
+}
+
+/** The corners of a tet, in the scene's coordinates. */
+export function tet_corners(tets: Tets, tet: number): Vector[] {
+  return [0, 1, 2, 3].map((k) => {
+    const at = 3 * tets.corners[4 * tet + k];
+    return [tets.points[at], tets.points[at + 1], tets.points[at + 2]] as Vector;
+  });
+}
+
+export function element_center(scene: Scene, element: number): Vector {
+  if (!scene.tets) return cell_center(scene, element);
+  const corners = tet_corners(scene.tets, element);
+  return [0, 1, 2].map((k) => corners.reduce((sum, corner) => sum + corner[k] / 4, 0)) as Vector;
 }
 
 /** Low corner and side of a cell, in the scene's coordinates. */
@@ -149,4 +264,11 @@ export function cell_box(scene: Scene, cell: number): { low: Vector; side: numbe
 export function cell_center(scene: Scene, cell: number): Vector {
   const { low, side } = cell_box(scene, cell);
   return [low[0] + side / 2, low[1] + side / 2, low[2] + side / 2];
+}
+
+/** A length that is small beside what has frames: the lattice of cells, or an edge of tets. */
+export function element_size({ tets, cells, low, high }: Scene): number {
+  if (!tets) return cells.unit;
+  const volume = low.reduce((product, value, k) => product * Math.max(high[k] - value, 1e-9), 1);
+  return Math.cbrt(volume / Math.max(1, tets.corners.length / 4));
 }

@@ -1,32 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known of one cell: its place, its frame, and the form of the surface in it.
+// What is known of one cell or tet: its place, its frame, and of a cell the form of the surface in it.
 
 import { kClasses } from "../math/color_maps.ts";
 import { add, axes_of } from "../math/frame.ts";
 import { coefficients_of, type Degree } from "../math/harmonics.ts";
 import { eigenvalues, form_value, unpacked } from "../math/symmetric_matrix.ts";
-import { cell_box, cell_center, cell_quaternion, type Scene } from "../scene/scene.ts";
+import { cell_box, element_alignment, element_center, element_energy, element_quaternion, element_region, type Scene } from "../scene/scene.ts";
 import { counted, degrees, drawing, element, measured } from "./dom.ts";
 import { HarmonicPlot } from "./harmonic_plot.ts";
 
 /** Everything the panel says, as values; tests and `window.crossgrain` read it too. */
-export function describe_cell(scene: Scene, cell: number, degree: Degree) {
-  const frame = cell_quaternion(scene, cell);
-  const { side } = cell_box(scene, cell);
+export function describe_element(scene: Scene, element: number, degree: Degree) {
+  const frame = element_quaternion(scene, element);
+  const is_tet = scene.tets !== null;
   return {
-    cell,
-    center: add(cell_center(scene, cell), scene.origin),
-    size: side,
-    class: kClasses[scene.cell_class[cell]]?.name ?? "unknown",
+    kind: is_tet ? "tet" : "cell",
+    /** Its number among the tets of the mesh, or the cells of the page, from 0. */
+    number: element,
+    center: add(element_center(scene, element), scene.origin),
+    size: is_tet ? null : cell_box(scene, element).side,
+    class: is_tet ? null : (kClasses[scene.cell_class[element]]?.name ?? "unknown"),
+    region: scene.regions.length > 1 ? scene.regions[element_region(scene, element)] : null,
     axes: axes_of(frame),
-    coefficients: coefficients_of(degree, frame),
-    energy_density: scene.cell_energy_density[cell],
-    alignment_deg: scene.cell_class[cell] > 0 ? scene.cell_alignment_deg[cell] : null,
-    form: form_of(scene, cell, degree),
+    coefficients: coefficients_of(is_tet ? 4 : degree, frame),
+    energy_density: element_energy(scene, element),
+    alignment_deg: element_alignment(scene, element),
+    form: is_tet ? null : form_of(scene, element, degree),
   };
 }
 
-export type CellDescription = ReturnType<typeof describe_cell>;
+/** "Tet 1,234" */
+export const title_of = (scene: Scene, element: number): string => `${scene.tets ? "Tet" : "Cell"} ${counted(element)}`;
+
+export type CellDescription = ReturnType<typeof describe_element>;
 
 function form_of(scene: Scene, cell: number, degree: Degree) {
   const place = binary_search(scene.form_cell, cell);
@@ -37,7 +43,7 @@ function form_of(scene: Scene, cell: number, degree: Degree) {
   const linear = [...scene.form_linear.subarray(place * size, (place + 1) * size)];
   const constant = scene.form_constant[place];
   const weight = scene.form_weight[place];
-  const h = coefficients_of(degree, cell_quaternion(scene, cell));
+  const h = coefficients_of(degree, element_quaternion(scene, cell));
   return {
     matrix, linear, constant, weight,
     eigenvalues: eigenvalues(matrix).map((value) => value / (weight || 1)),
@@ -66,16 +72,15 @@ export interface CellPanel {
 export function show_cell(panel: HTMLElement, cell: CellDescription, unit: string, actions: { go(): void; close(): void }): CellPanel {
   const canvas = element("canvas", { class: "harmonic", role: "img", "aria-label": "The harmonic of the frame as a surface; its lobes lie along the axes, seen from the camera" });
   const length = unit ? ` ${unit}` : "";
-  const facts: [string, string, string][] = [
-    ["Centre", cell.center.map((value) => measured(value, 4)).join(", "), "cell-center"],
-    ["Side", `${measured(cell.size)}${length}`, "cell-size"],
-    ["Class", `${cell.class} (${kClasses.find(({ name }) => name === cell.class)?.meaning ?? ""})`, "cell-class"],
-    ["Energy density", `${measured(cell.energy_density)}${unit ? ` ${unit}⁻²` : ""}`, "cell-energy"],
-    ["Alignment", cell.alignment_deg === null ? "no surface in it" : degrees(cell.alignment_deg), "cell-alignment"],
-  ];
+  const facts: [string, string, string][] = [["Centre", cell.center.map((value) => measured(value, 4)).join(", "), "cell-center"]];
+  if (cell.size !== null) facts.push(["Side", `${measured(cell.size)}${length}`, "cell-size"]);
+  if (cell.class !== null) facts.push(["Class", `${cell.class} (${kClasses.find(({ name }) => name === cell.class)?.meaning ?? ""})`, "cell-class"]);
+  if (cell.region !== null) facts.push(["Region", String(cell.region), "cell-region"]);
+  facts.push(["Energy density", `${measured(cell.energy_density)}${unit ? ` ${unit}⁻²` : ""}`, "cell-energy"]);
+  facts.push(["Alignment", cell.alignment_deg === null ? (cell.kind === "tet" ? "no face of it on the surface" : "no surface in it") : degrees(cell.alignment_deg), "cell-alignment"]);
   panel.replaceChildren(
     element("div", { class: "cell-head" },
-      element("h2", { "data-testid": "cell-title" }, `Cell ${counted(cell.cell)}`),
+      element("h2", { "data-testid": "cell-title" }, `${cell.kind === "tet" ? "Tet" : "Cell"} ${counted(cell.number)}`),
       element("div", { class: "buttons" },
         element("button", { type: "button", click: actions.go, "data-testid": "cell-go" }, "Show"),
         element("button", { type: "button", click: actions.close, "data-testid": "cell-close" }, "Clear")),
@@ -87,7 +92,7 @@ export function show_cell(panel: HTMLElement, cell: CellDescription, unit: strin
       element("h3", {}, cell.coefficients.length === 9 ? "Nine coefficients, degree 4" : "Seven coefficients, degree 3"),
       coefficient_bars(cell.coefficients),
     ),
-    form_section(cell),
+    cell.kind === "cell" ? form_section(cell) : "",
   );
   return { plot: new HarmonicPlot(cell.coefficients.length === 9 ? 4 : 3, cell.coefficients), canvas };
 }
@@ -161,5 +166,5 @@ function matrix_table(form: NonNullable<CellDescription["form"]>): HTMLElement {
 }
 
 export function show_no_cell(panel: HTMLElement): void {
-  panel.replaceChildren(element("p", { class: "empty", "data-testid": "cell-empty" }, "Click the part or the cut to see a cell: its frame, its numbers and the form of the surface in it. With keys: Enter takes the cell in the middle of the view."));
+  panel.replaceChildren(element("p", { class: "empty", "data-testid": "cell-empty" }, "Click the part or the cut to see a cell or tet: its frame and its numbers. With keys: Enter takes the one in the middle of the view."));
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The controls of the view. Each is bound to one setting: it changes the store, and follows it when keys or links change it.
 
+import type { MapName } from "../math/color_maps.ts";
 import type { Vector } from "../math/frame.ts";
 import type { Scene } from "../scene/scene.ts";
-import { cut_normal, cut_offset, type CutAxis, type Layer, type Settings, type SettingsStore } from "../settings.ts";
+import { cut_normal, cut_offset, type CutAxis, type Layer, type UpAxis, type Settings, type SettingsStore } from "../settings.ts";
 import { element, measured } from "./dom.ts";
 
 type Follow = (settings: Settings) => void;
@@ -54,7 +55,9 @@ function group(name: string, ...children: (HTMLElement | null)[]): HTMLElement {
 }
 
 export interface ControlActions {
+  cut(on: boolean): void;
   cut_across(axis: CutAxis): void;
+  turn_up(up: UpAxis): void;
 }
 
 /** Fills a panel with the controls, and returns what makes them follow the settings. */
@@ -62,13 +65,19 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
   const bind = new Bindings(store);
   const unit = scene.unit ? ` ${scene.unit}` : "";
   const has_streams = scene.streamline_starts.length > 1;
+  const maps: [MapName, string][] = [["none", "Plain"], ["alignment", "Alignment"], ["energy", "Energy"]];
+  // Classes of constraints are those of cells.
+  if (!scene.tets && !scene.tet_counts) maps.push(["class", "Class"]);
+  if (scene.regions.length > 1) maps.push(["region", "Regions"]);
   panel.append(
+    ...(scene.grid ? [group("Field",
+      bind.choice("Field", "field", [["main", "On the tets"], ["grid", "Grid it started from"]], (settings) => settings.field, (field) => store.change({ field, picked: -1 })))] : []),
     group("Colour by",
-      bind.choice("Colour by", "map", [["none", "Plain"], ["alignment", "Alignment"], ["energy", "Energy"], ["class", "Class"]],
+      bind.choice("Colour by", "map", maps,
         (settings) => settings.map, (map) => store.change({ map, opacity: map !== "none" && store.current.opacity < 0.5 ? 0.85 : store.current.opacity })),
     ),
     group("Cut",
-      bind.check("Cut through the part", "cut-on", (settings) => settings.cut.on, (on) => store.change({ cut: { on } })),
+      bind.check("Cut through the part", "cut-on", (settings) => settings.cut.on, (on) => actions.cut(on)),
       bind.choice("Direction of the cut", "cut-axis", [["x", "X"], ["y", "Y"], ["z", "Z"], ["view", "View"]],
         (settings) => settings.cut.axis,
         (axis) => actions.cut_across(axis)),
@@ -78,12 +87,12 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
         bind.check("Take half away", "cut-clip", (settings) => settings.cut.clip, (clip) => store.change({ cut: { clip } })),
         element("button", { type: "button", "data-testid": "cut-flip", title: "Take the other half away (R)", click: () => store.change({ cut: { flip: !store.current.cut.flip } }) }, "Flip"),
       ),
-      bind.layer("Cells of the octree", "cells"),
+      bind.layer(scene.tets ? "Sides of the tets" : "Sides of the cells", "cells"),
     ),
     group("Frames on the cut",
       bind.layer("Frames", "glyphs"),
       bind.choice("Shape of frames", "glyph-shape", [["cross", "Cross"], ["cube", "Cube"]], (settings) => settings.glyph.shape, (shape) => store.change({ glyph: { shape } })),
-      bind.select("Colour", "glyph-color", [["plain", "plain"], ["tilt", "tilt out of the cut"], ["turn", "turn in the cut"]],
+      bind.select("Colour", "glyph-color", [["axes", "axes x, y, z"], ["tilt", "tilt out of the cut"], ["turn", "turn in the cut"]],
         (settings) => settings.glyph.color, (color) => store.change({ glyph: { color } })),
       bind.slider("Density", "glyph-density", [-2, 2, 1], (settings) => settings.glyph.density, (density) => store.change({ glyph: { density } }),
         ({ glyph: { density } }) => (density === 0 ? "automatic" : density > 0 ? `${2 ** density} × closer` : `${2 ** -density} × wider`)),
@@ -93,8 +102,11 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
         bind.layer("Part", "part"), bind.layer("Creases", "creases"), bind.layer("Singular lines", "arcs"), bind.layer("Nodes", "nodes"),
         has_streams ? bind.layer("Streamlines", "streamlines") : null,
       ),
+      has_streams ? bind.select("Seeds", "streams", [["cut", "from the cut"], ["surface", "from the surface"]], (settings) => settings.streams, (streams) => store.change({ streams, layers: { streamlines: true } })) : null,
       bind.slider("Opacity", "opacity", [0, 1, 0.05], (settings) => settings.opacity, (opacity) => store.change({ opacity }),
         (settings) => `${Math.round(100 * settings.opacity)} %`),
+      element("div", { class: "row" }, element("span", {}, "Up"),
+        bind.choice("Axis that points up", "up", [["x", "X"], ["y", "Y"], ["z", "Z"]], (settings) => settings.up, (up) => actions.turn_up(up))),
     ),
   );
   return (settings) => bind.follow.forEach((follow) => follow(settings));

@@ -41,6 +41,7 @@ export function key_groups(application: Application): KeyGroup[] {
         { keys: ["+", "="], shown: "+", does: "nearer", act: () => stage.rig.zoom(1 / 1.15) },
         { keys: ["-", "_"], shown: "−", does: "further", act: () => stage.rig.zoom(1.15) },
         { keys: ["f"], shown: "F", does: "the whole part", act: () => stage.rig.fit(true) },
+        { keys: ["u"], shown: "U", does: "another axis up", act: () => application.turn_up(({ x: "y", y: "z", z: "x" } as const)[store.current.up]) },
         view("0", "iso", "at an angle"), view("1", "front", "front"), view("2", "back", "back"), view("3", "right", "right"),
         view("4", "left", "left"), view("5", "top", "top"), view("6", "bottom", "bottom"),
       ],
@@ -48,7 +49,7 @@ export function key_groups(application: Application): KeyGroup[] {
     {
       name: "Cut",
       keys: [
-        { keys: ["c"], shown: "C", does: "cut or whole", act: () => store.change({ cut: { on: !store.current.cut.on } }) },
+        { keys: ["c"], shown: "C", does: "cut or whole", act: () => application.cut(!store.current.cut.on) },
         axis("x", "x", "across x"), axis("y", "y", "across y"), axis("z", "z", "across z"), axis("v", "view", "across the view"),
         move("[", -1), move("]", 1),
         { keys: ["r"], shown: "R", does: "other half", act: () => store.change({ cut: { flip: !store.current.cut.flip } }) },
@@ -68,7 +69,7 @@ export function key_groups(application: Application): KeyGroup[] {
     {
       name: "Places and cells",
       keys: [
-        { keys: ["Enter"], shown: "Enter", does: "pick the cell in the middle", act: () => application.pick_middle() },
+        { keys: ["Enter"], shown: "Enter", does: "pick what is in the middle", act: () => application.pick_middle() },
         { keys: [".", ">"], shown: ".", does: "next place", act: () => application.visit_next(1) },
         { keys: [",", "<"], shown: ",", does: "place before", act: () => application.visit_next(-1) },
         { keys: ["Escape"], shown: "Esc", does: "clear pick and mark", act: () => application.clear() },
@@ -79,7 +80,9 @@ export function key_groups(application: Application): KeyGroup[] {
 }
 
 function next_map(application: Application): void {
-  const maps: MapName[] = ["none", "alignment", "energy", "class"];
+  const maps: MapName[] = ["none", "alignment", "energy"];
+  if (!application.scene.tets) maps.push("class");
+  if (application.scene.regions.length > 1) maps.push("region");
   const { map, opacity } = application.store.current;
   const next = maps[(maps.indexOf(map) + 1) % maps.length];
   application.store.change({ map: next, opacity: next !== "none" && opacity < 0.5 ? 0.85 : opacity });

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What colours and patterns mean: singular lines, the colour map, and frames.
 
-import { css_gradient, kClasses, type Theme } from "../math/color_maps.ts";
+import { css_gradient, kClasses, region_color, type Theme } from "../math/color_maps.ts";
 import type { Scene } from "../scene/scene.ts";
 import type { Settings } from "../settings.ts";
 import { kTiltScale } from "../view/glyphs.ts";
 import type { Range, Ranges } from "../view/ranges.ts";
-import { arc_kind, ball_counts, kArcKinds, type ArcKind, type FaultBall } from "../view/singular_lines.ts";
-import { kViewColors } from "../view/view_colors.ts";
+import { fault_counts, mark_counts, type FaultMark } from "../view/line_marks.ts";
+import { arc_kind, kArcKinds, type ArcKind } from "../view/singular_lines.ts";
+import { axis_colors, kViewColors } from "../view/view_colors.ts";
 import { counted, drawing, element, measured, superscript } from "./dom.ts";
 
 const kImpossible = "impossible for hexahedra";
@@ -16,33 +17,41 @@ const kArcNames: Record<ArcKind, string> = {
   negative: "index −1/4",
   half: "index ±1/2",
   warn: kImpossible,
+  undecided: "undecided",
 };
 
 /** Arcs of each kind. */
 export function arc_counts(scene: Scene): Record<ArcKind, number> {
-  const counts = { positive: 0, negative: 0, half: 0, warn: 0 };
+  const counts = { positive: 0, negative: 0, half: 0, warn: 0, undecided: 0 };
   for (let arc = 0; arc + 1 < scene.arc_starts.length; ++arc) ++counts[arc_kind(scene, arc)];
   return counts;
 }
 
-/** What the view knows besides the scene. */
+/** The field that is shown. */
 export interface LegendSource {
+  scene: Scene;
   ranges: Ranges;
-  faults: FaultBall[];
+  faults: FaultMark[];
 }
 
-export function legend_body(settings: Settings, theme: Theme, scene: Scene, { ranges, faults }: LegendSource): Node[] {
+export function legend_body(settings: Settings, theme: Theme, { scene, ranges, faults }: LegendSource): Node[] {
+  const field_name = scene.tets || scene.tet_counts ? "on the tets" : settings.field === "grid" ? "on the starting grid" : "";
   const blocks: Node[] = [];
   if (settings.map === "alignment") blocks.push(ramp("Alignment", css_gradient("alignment", theme), linear_ticks(ranges.alignment, "°"), "angle of normal and nearest axis"));
   if (settings.map === "energy") blocks.push(ramp("Energy density", css_gradient("energy", theme), decade_ticks(ranges.energy), scene.unit ? `per volume, ${scene.unit}⁻²` : "per volume"));
   if (settings.map === "class") blocks.push(class_list(theme));
-  if (settings.layers.glyphs && settings.cut.on) {
+  if (settings.map === "region") blocks.push(region_list(scene));
+  const shows_frames = settings.layers.glyphs && settings.cut.on;
+  const shows_streams = settings.layers.streamlines && scene.streamline_starts.length > 1;
+  if (shows_frames) {
     const { color } = settings.glyph;
     if (color === "tilt") blocks.push(ramp("Frames: tilt", css_gradient("tilt", theme), linear_ticks({ low: 0, high: kTiltScale, logarithmic: false }, "°"), "nearest axis to the cut’s normal"));
     if (color === "turn") blocks.push(ramp("Frames: turn in the cut", css_gradient("turn", theme), linear_ticks({ low: 0, high: 90, logarithmic: false }, "°"), "all colours around a singular line"));
   }
-  if (settings.layers.arcs) blocks.push(arc_list(scene, theme));
-  if (settings.layers.nodes) blocks.push(...ball_list(scene, faults, theme));
+  const named = shows_frames && settings.glyph.color === "axes";
+  if (named || shows_streams) blocks.push(axis_list(theme, named, shows_streams));
+  if (settings.layers.arcs) blocks.push(arc_list(scene, theme, field_name));
+  if (settings.layers.nodes) blocks.push(...mark_list(scene, theme), ...fault_list(scene, faults, theme));
   return blocks;
 }
 
@@ -75,11 +84,33 @@ function class_list(theme: Theme): HTMLElement {
   );
 }
 
-function arc_list(scene: Scene, theme: Theme): HTMLElement {
+/** The colours of axes, of frames and streamlines alike. */
+function axis_list(theme: Theme, frames: boolean, streams: boolean): HTMLElement {
+  const bar = (color: string, dashes = ""): SVGElement => drawing("svg", { viewBox: "0 0 30 14", class: "arc-swatch", "aria-hidden": "true" },
+    drawing("line", { x1: 1, x2: 29, y1: 7, y2: 7, stroke: color, "stroke-width": dashes ? 1.6 : 4, "stroke-dasharray": dashes || undefined }));
+  return element("div", { class: "legend-block", "data-testid": "legend-axes" },
+    element("h3", {}, frames && streams ? "Axes of frames and streamlines" : frames ? "Axes of frames" : "Streamlines"),
+    element("ul", { class: "keys" },
+      element("li", { class: "axis-row" }, ...axis_colors(theme).flatMap((color, k) => [bar(color), "xyz"[k]])),
+      frames ? element("li", { title: "Around a singular line the axes change places: names have to change somewhere" }, bar(kViewColors[theme].seam, "4 3"), "seam: names change") : null),
+  );
+}
+
+function region_list({ regions }: Scene): HTMLElement {
+  const most = 12;
+  return element("div", { class: "legend-block", "data-testid": "legend-region" },
+    element("h3", {}, "Regions"),
+    element("ul", { class: "keys" }, ...regions.slice(0, most).map((number, k) =>
+      element("li", {}, element("span", { class: "swatch", style: `background-color: ${region_color(k)}` }), String(number)))),
+    regions.length > most ? element("p", { class: "fine" }, `and ${regions.length - most} more`) : null,
+  );
+}
+
+function arc_list(scene: Scene, theme: Theme, field_name: string): HTMLElement {
   const counts = arc_counts(scene);
   const present = kArcKinds.filter((kind) => counts[kind] > 0);
   return element("div", { class: "legend-block", "data-testid": "legend-arcs" },
-    element("h3", {}, "Singular lines"),
+    element("h3", {}, field_name ? `Singular lines, ${field_name}` : "Singular lines"),
     present.length === 0
       ? element("p", { class: "fine" }, "none")
       : element("ul", { class: "keys" }, ...present.map((kind) =>
@@ -97,9 +128,27 @@ function arc_swatch(kind: ArcKind, color: string): SVGElement {
     ...bands.map(([x, width]) => drawing("rect", { x, y: middle - height / 2, width, height, fill: kind === "warn" ? "#fff" : "#000", "fill-opacity": kind === "warn" ? 0.55 : 0.62 })));
 }
 
-/** The balls that are marked; none if none are. */
-function ball_list(scene: Scene, faults: FaultBall[], theme: Theme): HTMLElement[] {
-  const counts = ball_counts(scene, faults);
+/** The shapes of marks that occur. */
+function mark_list(scene: Scene, theme: Theme): HTMLElement[] {
+  const { nodes, ends, turns } = mark_counts(scene);
+  const { node, turn } = kViewColors[theme];
+  const rows: [string, SVGElement, number][] = [
+    ["node: lines meet", drawing("circle", { cx: 15, cy: 7, r: 5, fill: node }), nodes],
+    ["end on the surface", drawing("ellipse", { cx: 15, cy: 7, rx: 7, ry: 3, fill: node }), ends],
+    ["turning point", drawing("path", { d: "M15 0l6 7l-6 7l-6-7z", fill: turn, stroke: "#806000", "stroke-width": 0.8 }), turns],
+  ];
+  const present = rows.filter(([, , count]) => count > 0);
+  if (present.length === 0) return [];
+  return [element("div", { class: "legend-block", "data-testid": "legend-marks" },
+    element("h3", {}, "Marks"),
+    element("ul", { class: "keys" }, ...present.map(([name, shape, count]) =>
+      element("li", {}, drawing("svg", { viewBox: "0 0 30 14", class: "arc-swatch", "aria-hidden": "true" }, shape), name, element("span", { class: "tally" }, counted(count))))),
+  )];
+}
+
+/** The colours of marks that hexahedra cannot have, or of which that is undecided; none if there are none. */
+function fault_list(scene: Scene, faults: FaultMark[], theme: Theme): HTMLElement[] {
+  const counts = fault_counts(scene, faults);
   const rows: [string, string, number][] = [[kImpossible, kViewColors[theme].warn, counts.impossible], ["undecided", kViewColors[theme].undecided, counts.undecided]];
   const present = rows.filter(([, , count]) => count > 0);
   if (present.length === 0) return [];
@@ -107,7 +156,7 @@ function ball_list(scene: Scene, faults: FaultBall[], theme: Theme): HTMLElement
     element("h3", {}, "Nodes, creases, corners"),
     element("ul", { class: "keys" }, ...present.map(([name, color, count]) =>
       element("li", {},
-        drawing("svg", { viewBox: "0 0 30 14", class: "arc-swatch", "aria-hidden": "true" }, drawing("circle", { cx: 15, cy: 7, r: 6, fill: color })),
+        drawing("svg", { viewBox: "0 0 30 14", class: "arc-swatch", "aria-hidden": "true" }, drawing("rect", { x: 10, y: 2, width: 10, height: 10, fill: color })),
         name, element("span", { class: "tally" }, counted(count))))),
   )];
 }

@@ -27,7 +27,8 @@ export function make_toolbar(bar: HTMLElement, application: Application): void {
     element("div", { class: "bar-group" }, ...kViews.map(([name, text, title]) => button(`view-${name}`, title, text, () => application.view(name)))),
     element("div", { class: "bar-group" },
       button("fit", "The whole part (F)", icon("M4 9V4h5 M15 4h5v5 M20 15v5h-5 M9 20H4v-5"), () => application.stage.rig.fit(true)),
-      button("picture", "Save a picture of this view", icon("M4 8h3l2-3h6l2 3h3v11H4z M12 10a3.5 3.5 0 1 0 0 7a3.5 3.5 0 0 0 0-7"), () => save_picture(application)),
+      button("link", "Copy a link to this view", icon("M10 14a4 4 0 0 0 6 0l3-3a4 4 0 0 0-6-6l-1 1 M14 10a4 4 0 0 0-6 0l-3 3a4 4 0 0 0 6 6l1-1"), () => void application.copy_link()),
+      button("picture", "Save a picture of this view", icon("M4 8h3l2-3h6l2 3h3v11H4z M12 10a3.5 3.5 0 1 0 0 7a3.5 3.5 0 0 0 0-7"), () => void application.save_picture()),
       theme,
       button("help-open", "Keys and gestures (?)", "?", () => application.help()),
     ),
@@ -38,15 +39,6 @@ export function next_theme(application: Application): void {
   const { theme } = application.store.current;
   application.store.change({ theme: kThemes[(kThemes.indexOf(theme) + 1) % kThemes.length] });
   application.announce(`Light or dark: ${application.store.current.theme}`);
-}
-
-function save_picture(application: Application): void {
-  application.stage.canvas.toBlob((blob) => {
-    if (!blob) return;
-    const link = element("a", { href: URL.createObjectURL(blob), download: `${document.title.split(" · ")[0].replace(/\.\w+$/, "")}.png` });
-    link.click();
-    URL.revokeObjectURL(link.href);
-  });
 }
 
 function icon(path: string): SVGElement {

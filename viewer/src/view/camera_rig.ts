@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera: orbit, zoom and pan by pointer and keys, named views, and flights to places. z is up.
+// The camera: orbit, zoom and pan by pointer and keys, named views, and flights to places. Any axis of the
+// model may be up: directions are given with z up and turned.
 
 import { Box3, MOUSE, PerspectiveCamera, Sphere, TOUCH, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
-import type { Vector } from "../math/frame.ts";
+import { add, cross, dot, scaled, subtract, unit, type Vector } from "../math/frame.ts";
+import type { UpAxis } from "../settings.ts";
 
 export const kViewNames = ["iso", "front", "back", "left", "right", "top", "bottom"] as const;
 export type ViewName = (typeof kViewNames)[number];
@@ -20,6 +22,13 @@ const kDirections: Record<ViewName, Vector> = {
   bottom: [0, -1e-4, -1],
 };
 
+/** A direction given with z up, in a model with another axis up: the axes keep their cyclic order, and y up has +z in front. */
+const kTurned: Record<UpAxis, (direction: Vector) => Vector> = {
+  x: ([x, y, z]) => [z, x, y],
+  y: ([x, y, z]) => [x, z, -y],
+  z: (direction) => direction,
+};
+
 /** Pixels along the sides of the view that controls and legends lie over. */
 export interface Covered {
   left: number;
@@ -30,77 +39,128 @@ export interface Covered {
 const kFlightMilliseconds = 450;
 // Of a large surface this many points stand for all when it is fitted to the view.
 const kFittedPoints = 4000;
+// Share of what is free that the part fills in one direction.
+const kFilled = 0.92;
+// How often the middle of what is seen is moved to the middle of the view: perspective makes each step a little wrong.
+const kFitRounds = 6;
+// A cut is looked at from this angle beside its normal, so that frames on it show all their axes.
+const kBesideNormal = (28 * Math.PI) / 180;
+
+interface Place {
+  position: Vector3;
+  target: Vector3;
+}
 
 export class CameraRig {
   readonly camera = new PerspectiveCamera(28, 1, 0.1, 1000);
-  readonly controls: OrbitControls;
+  controls: OrbitControls;
   private flight = 0;
+  private up: UpAxis = "z";
 
   private readonly sphere: Sphere;
   /** Shares of the view's width and height that nothing lies over. */
   private free = { width: 1, height: 1 };
 
-  constructor(box: Box3, private readonly points: Float32Array, element: HTMLElement, private readonly changed: () => void) {
+  constructor(box: Box3, private readonly points: Float32Array, private readonly element: HTMLElement, private readonly changed: () => void) {
     this.sphere = box.getBoundingSphere(new Sphere());
     const { sphere } = this;
     sphere.radius = Math.max(sphere.radius, 1e-9);
     this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, element);
-    this.controls.zoomToCursor = true;
-    this.controls.zoomSpeed = 1.4;
-    this.controls.rotateSpeed = 0.8;
-    this.controls.mouseButtons = { LEFT: MOUSE.ROTATE, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.PAN };
-    this.controls.touches = { ONE: TOUCH.ROTATE, TWO: TOUCH.DOLLY_PAN };
-    this.controls.minDistance = sphere.radius * 0.01;
-    this.controls.maxDistance = sphere.radius * 20;
-    this.controls.addEventListener("change", () => this.moved());
-    this.controls.addEventListener("start", () => cancelAnimationFrame(this.flight));
+    this.controls = this.made_controls();
+  }
+
+  private made_controls(): OrbitControls {
+    const controls = new OrbitControls(this.camera, this.element);
+    controls.zoomToCursor = true;
+    controls.zoomSpeed = 1.4;
+    controls.rotateSpeed = 0.8;
+    controls.mouseButtons = { LEFT: MOUSE.ROTATE, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.PAN };
+    controls.touches = { ONE: TOUCH.ROTATE, TWO: TOUCH.DOLLY_PAN };
+    controls.minDistance = this.sphere.radius * 0.01;
+    controls.maxDistance = this.sphere.radius * 20;
+    controls.addEventListener("change", () => this.moved());
+    controls.addEventListener("start", () => cancelAnimationFrame(this.flight));
+    return controls;
+  }
+
+  /** Makes another axis of the model point up; the view stays on what it looks at. */
+  set_up(up: UpAxis): void {
+    if (up === this.up) return;
+    this.up = up;
+    const target = this.controls.target.clone();
+    this.controls.dispose();
+    this.camera.up.set(...kTurned[up]([0, 0, 1]));
+    // The controls remember which way was up when they were made.
+    this.controls = this.made_controls();
+    this.jump(this.camera.position.clone(), target);
   }
 
   resize(width: number, height: number, { left, top, bottom }: Covered): void {
     // What fitted the view before fits it afterwards: a drawer that opens must not leave the part a dot.
     const offset = this.camera.position.clone().sub(this.controls.target);
-    const before = offset.length() > 0 ? this.fitting_distance(offset.clone().normalize()) : 0;
+    const before = offset.length() > 0 ? this.fitting_distance(offset) : 0;
     this.camera.aspect = width / height;
     this.free = { width: Math.max(0.2, 1 - left / width), height: Math.max(0.2, 1 - (top + bottom) / height) };
     this.camera.setViewOffset(width, height, -left / 2, (bottom - top) / 2, width, height);
-    if (before > 0) this.zoom(this.fitting_distance(offset.normalize()) / before);
+    if (before > 0) this.zoom(this.fitting_distance(offset) / before);
   }
 
-  /** The distance from which the whole surface fits the view, with some room around. */
-  private fitting_distance(direction: Vector3): number {
-    const half = Math.tan((this.camera.fov * Math.PI) / 360) * 0.92;
-    const upwards = half * this.free.height;
-    const sideways = half * this.camera.aspect * this.free.width;
-    const right = new Vector3().crossVectors(this.camera.up, direction).normalize();
-    const up = new Vector3().crossVectors(direction, right);
-    let distance = 0;
-    const count = this.points.length / 3;
-    const stride = Math.max(1, Math.floor(count / kFittedPoints));
-    const point = new Vector3();
-    for (let k = 0; k < count; k += stride) {
-      point.fromArray(this.points, 3 * k).sub(this.sphere.center);
-      const across = Math.max(Math.abs(point.dot(right)) / sideways, Math.abs(point.dot(up)) / upwards);
-      distance = Math.max(distance, across + point.dot(direction));
+  private fitting_distance(offset: Vector3): number {
+    const { position, target } = this.fitted(offset.clone().normalize().toArray() as Vector, this.points);
+    return position.distanceTo(target);
+  }
+
+  /** From where these points fill the view, looking from a direction. */
+  private fitted(direction: Vector, points: Float32Array): Place {
+    const half = Math.tan((this.camera.fov * Math.PI) / 360) * kFilled;
+    const shares = [half * this.camera.aspect * this.free.width, half * this.free.height];
+    const right = unit(cross(this.camera.up.toArray() as Vector, direction));
+    const axes = [right, cross(direction, right)];
+    const stride = 3 * Math.max(1, Math.floor(points.length / 3 / kFittedPoints));
+    let middle = this.sphere.center.toArray() as Vector;
+    let distance = this.sphere.radius * 4;
+    for (let round = 0; round < kFitRounds; ++round) {
+      const low = [Infinity, Infinity];
+      const high = [-Infinity, -Infinity];
+      let nearest = this.controls.minDistance;
+      for (let k = 0; k < points.length; k += stride) {
+        const at = subtract([points[k], points[k + 1], points[k + 2]], middle);
+        const toward = dot(at, direction);
+        axes.forEach((axis, m) => {
+          // Where it is seen at this distance, and how far away the camera must be to see it.
+          const across = dot(at, axis) / Math.max(distance - toward, 1e-9);
+          low[m] = Math.min(low[m], across);
+          high[m] = Math.max(high[m], across);
+          nearest = Math.max(nearest, Math.abs(dot(at, axis)) / shares[m] + toward);
+        });
+      }
+      if (!Number.isFinite(low[0])) break;
+      distance = nearest;
+      if (round + 1 < kFitRounds) axes.forEach((axis, m) => (middle = add(middle, scaled(axis, ((low[m] + high[m]) / 2) * distance))));
     }
-    return Math.max(distance, this.controls.minDistance);
+    const target = new Vector3(...middle);
+    return { position: target.clone().addScaledVector(new Vector3(...direction), distance), target };
   }
 
-  view(name: ViewName, animated: boolean): void {
-    this.look_from(kDirections[name], animated);
+  view(name: ViewName, animated: boolean, points = this.points): void {
+    this.look_from(kTurned[this.up](kDirections[name]), animated, points);
   }
 
-  look_from(direction: Vector, animated: boolean): void {
-    const target = this.sphere.center.clone();
-    const toward = new Vector3(...direction).normalize();
-    const position = target.clone().addScaledVector(toward, this.fitting_distance(toward));
+  look_from(direction: Vector, animated: boolean, points = this.points): void {
+    const { position, target } = this.fitted(unit(direction), points);
     this.fly(position, target, animated);
+  }
+
+  /** Looks at a face with this normal from a little beside it, on the side of the first view. */
+  face(normal: Vector, animated: boolean, points: Float32Array): void {
+    const first = unit(kTurned[this.up](kDirections.iso));
+    const beside = unit(subtract(first, scaled(normal, dot(first, normal))));
+    this.look_from(add(scaled(normal, Math.cos(kBesideNormal)), scaled(beside, Math.sin(kBesideNormal))), animated, points);
   }
 
   /** The whole part, from where the camera looks now. */
   fit(animated: boolean): void {
-    const direction = this.camera.position.clone().sub(this.controls.target);
-    this.look_from(direction.toArray() as Vector, animated);
+    this.look_from(this.direction, animated);
   }
 
   /** To a place, near enough to see what is around it. */
@@ -114,7 +174,7 @@ export class CameraRig {
   /** Turns around the target, in radians. */
   turn(sideways: number, upwards: number): void {
     const offset = this.camera.position.clone().sub(this.controls.target);
-    offset.applyAxisAngle(new Vector3(0, 0, 1), sideways);
+    offset.applyAxisAngle(this.camera.up, sideways);
     const right = new Vector3().crossVectors(offset, this.camera.up).normalize();
     const polar = offset.angleTo(this.camera.up);
     const change = Math.min(Math.PI - 0.02, Math.max(0.02, polar + upwards)) - polar;
@@ -137,6 +197,15 @@ export class CameraRig {
 
   get direction(): Vector {
     return this.camera.position.clone().sub(this.controls.target).normalize().toArray() as Vector;
+  }
+
+  /** Where the camera is, as numbers for a link. */
+  get place(): { position: Vector; target: Vector } {
+    return { position: this.camera.position.toArray() as Vector, target: this.controls.target.toArray() as Vector };
+  }
+
+  go_to({ position, target }: { position: Vector; target: Vector }): void {
+    this.jump(new Vector3(...position), new Vector3(...target));
   }
 
   private jump(position: Vector3, target: Vector3): void {

@@ -120,9 +120,9 @@ function face_material(
         vec3 across = vec3(length(vec2(dFdx(at.x), dFdy(at.x))), length(vec2(dFdx(at.y), dFdy(at.y))), length(vec2(dFdx(at.z), dFdy(at.z))));
         Cell cell = cell_at(sample_at);
         if (cell.number < 0) {
-          ${closed ? "gl_FragColor = vec4(map_kind == 0 ? face_color : void_color, 1.0); return;" : "discard;"}
+          ${closed ? "gl_FragColor = vec4(map_kind <= 1 ? face_color : void_color, 1.0); return;" : "discard;"}
         }
-        vec3 color = map_kind == 0 ? face_color : field_color(values_of(cell.number));
+        vec3 color = map_kind == 0 || map_kind == 1 ? face_color : field_color(cell, sample_at);
         if (show_cells) {
           // Distance to the cell's nearest side, in pixels along the cut; sides that the cut runs along do not count.
           vec3 to_side = min(at - cell.low, cell.low + cell.side - at);
@@ -130,7 +130,7 @@ function face_material(
           float nearest = min(pixels.x, min(pixels.y, pixels.z)) / pixel_ratio;
           float size = cell.side / max(across.x, max(across.y, across.z)) / pixel_ratio;
           // Lines fade before the cells become a grey mass.
-          float strength = 0.38 * smoothstep(3.0, 12.0, size);
+          float strength = 0.26 * smoothstep(3.0, 12.0, size);
           color = mix(color, line_color, strength * (1.0 - smoothstep(0.25, 0.85, nearest)));
         }
         gl_FragColor = vec4(color, 1.0);

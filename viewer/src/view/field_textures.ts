@@ -7,6 +7,7 @@ import { DataTexture, NearestFilter, LinearFilter, RedIntegerFormat, RGBAFormat,
 import { palette_of, type MapName, type Theme } from "../math/color_maps.ts";
 import type { Octree } from "../scene/octree.ts";
 import { cell_count, type Scene } from "../scene/scene.ts";
+import { corner_values } from "./corner_values.ts";
 import type { Ranges } from "./ranges.ts";
 import { fraction_of } from "./ranges.ts";
 
@@ -15,6 +16,7 @@ const kRow = 2048; // the width that every WebGL2 device has
 export interface FieldTextures {
   octree: DataTexture;
   values: DataTexture;
+  corners: DataTexture;
   palette: DataTexture;
 }
 
@@ -33,15 +35,22 @@ export function field_textures(scene: Scene, octree: Octree, ranges: Ranges): Fi
     texels[4 * cell] = Math.round(255 * fraction_of(ranges.alignment, scene.cell_alignment_deg[cell]));
     texels[4 * cell + 1] = Math.round(255 * fraction_of(ranges.energy, scene.cell_energy_density[cell]));
     texels[4 * cell + 2] = scene.cell_class[cell];
-    texels[4 * cell + 3] = 255;
+    texels[4 * cell + 3] = scene.cell_region[cell] ?? 0;
   }
   const values = new DataTexture(texels, kRow, value_rows, RGBAFormat, UnsignedByteType);
   values.minFilter = values.magFilter = NearestFilter;
   values.needsUpdate = true;
 
+  const corner_rows = Math.max(1, Math.ceil((4 * count) / kRow));
+  const corner_texels = new Uint8Array(corner_rows * kRow * 4);
+  corner_texels.set(corner_values(scene, ranges));
+  const corners = new DataTexture(corner_texels, kRow, corner_rows, RGBAFormat, UnsignedByteType);
+  corners.minFilter = corners.magFilter = NearestFilter;
+  corners.needsUpdate = true;
+
   const palette = new DataTexture(new Uint8Array(256 * 4), 256, 1, RGBAFormat, UnsignedByteType);
   palette.minFilter = palette.magFilter = LinearFilter;
-  return { octree: tree, values, palette };
+  return { octree: tree, values, corners, palette };
 }
 
 export function set_palette(textures: FieldTextures, map: MapName, theme: Theme): void {

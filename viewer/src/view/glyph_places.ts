@@ -1,110 +1,177 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which frames to draw on a cut, and where: one for each square of a raster of the lattice, or for each cell that is larger.
+// Where to draw frames on a cut: at the points of a raster that lie in the part, and in the middle of walls that pass between them.
 
-import type { Vector } from "../math/frame.ts";
-import { dot } from "../math/frame.ts";
-import { cell_at, type Octree } from "../scene/octree.ts";
-import { cell_count, type Scene } from "../scene/scene.ts";
+import { dot, tangents_of, type Vector } from "../math/frame.ts";
+import type { CutPieces } from "../scene/cut_pieces.ts";
 
 export interface GlyphPlace {
-  cell: number;
+  piece: number;
   point: Vector;
-  /** Room for the glyph, in model units. */
-  side: number;
 }
 
-/** `spacing` in lattice units, a power of two. The places are in the cut. */
-export function glyph_places(scene: Scene, octree: Octree, normal: Vector, offset: number, spacing: number): GlyphPlace[] {
-  const { low, unit } = scene.cells;
-  const corner = scene.cell_corner;
-  const size = scene.cell_size;
-  const count = cell_count(scene);
-  const reach = Math.abs(normal[0]) + Math.abs(normal[1]) + Math.abs(normal[2]);
-  const lattice_offset = (offset - dot(normal, low)) / unit;
-  // Like the cut's face, glyphs show what lies just on the kept side.
-  const sample_offset = lattice_offset - 1e-3;
+// More points than this nobody tells apart; the raster becomes coarser.
+const kMostPoints = 20_000;
+// Frames in the middle of walls keep this distance to others, as a share of the raster.
+const kApart = 0.75;
 
-  const places: GlyphPlace[] = [];
-  const blocks = new Map<number, { cell: number; distance: number; place: Vector }>();
-  for (let cell = 0; cell < count; ++cell) {
-    const side = size[cell];
-    const half = side / 2;
-    const x = corner[3 * cell] + half;
-    const y = corner[3 * cell + 1] + half;
-    const z = corner[3 * cell + 2] + half;
-    const distance = normal[0] * x + normal[1] * y + normal[2] * z - sample_offset;
-    if (Math.abs(distance) > reach * half) continue;
-    const on_cut: Vector = [x - distance * normal[0], y - distance * normal[1], z - distance * normal[2]];
-    if (side >= spacing) {
-      places.push({ cell, point: to_scene(on_cut, low, unit), side: unit * Math.min(side, 2 * spacing) });
-      continue;
+/** `outline` is that of the surface where it is closed, null where pieces alone say what is inside. */
+export function glyph_places(pieces: CutPieces, outline: Float32Array | null, normal: Vector, spacing: number): GlyphPlace[] {
+  if (pieces.count === 0) return [];
+  const [first, second] = tangents_of(normal);
+  const height = dot(normal, [pieces.corners[0], pieces.corners[1], pieces.corners[2]]);
+  const flat = flattened(pieces.corners, first, second);
+  const raster = new Raster(flat, spacing);
+  if (outline) raster.keep_inside(flattened(outline, first, second));
+  const found = raster.pieces_at(pieces, flat);
+  return found.map(({ piece, u, v }) => ({ piece, point: [0, 1, 2].map((k) => u * first[k] + v * second[k] + height * normal[k]) as Vector }));
+}
+
+function flattened(points: Float32Array, first: Vector, second: Vector): Float32Array {
+  const flat = new Float32Array((2 * points.length) / 3);
+  for (let k = 0; k < flat.length / 2; ++k) {
+    const [x, y, z] = [points[3 * k], points[3 * k + 1], points[3 * k + 2]];
+    flat[2 * k] = first[0] * x + first[1] * y + first[2] * z;
+    flat[2 * k + 1] = second[0] * x + second[1] * y + second[2] * z;
+  }
+  return flat;
+}
+
+class Raster {
+  private readonly low: [number, number];
+  private readonly counts: [number, number];
+  private readonly spacing: number;
+  private readonly inside: Uint8Array;
+  /** Middles of walls that the raster misses. */
+  private readonly extra: number[] = [];
+
+  constructor(flat: Float32Array, wanted: number) {
+    const low = [Infinity, Infinity];
+    const high = [-Infinity, -Infinity];
+    for (let k = 0; k < flat.length; ++k) {
+      low[k & 1] = Math.min(low[k & 1], flat[k]);
+      high[k & 1] = Math.max(high[k & 1], flat[k]);
     }
-    const block = [Math.floor(on_cut[0] / spacing), Math.floor(on_cut[1] / spacing), Math.floor(on_cut[2] / spacing)];
-    const key = (block[2] * 65536 + block[1]) * 65536 + block[0];
-    const from_middle = Math.hypot(...on_cut.map((value, k) => value - (block[k] + 0.5) * spacing));
-    const best = blocks.get(key);
-    if (!best || from_middle < best.distance) blocks.set(key, { cell, distance: from_middle, place: on_cut });
+    let spacing = wanted;
+    while (((high[0] - low[0]) / spacing + 1) * ((high[1] - low[1]) / spacing + 1) > kMostPoints) spacing *= Math.SQRT2;
+    this.spacing = spacing;
+    // Half a step from multiples of the spacing: symmetric about the middle of the part, and still where it was if the cut moves.
+    this.low = low.map((value) => (Math.floor(value / spacing) + 0.5) * spacing) as [number, number];
+    this.counts = [0, 1].map((k) => Math.max(1, Math.ceil((high[k] - this.low[k]) / spacing))) as [number, number];
+    this.inside = new Uint8Array(this.counts[0] * this.counts[1]).fill(1);
   }
 
-  for (const { cell, place } of blocks.values()) {
-    // In the middle of its square where the part is there, so that glyphs make straight rows; else in the cell itself.
-    const middle = place.map((value) => (Math.floor(value / spacing) + 0.5) * spacing) as Vector;
-    const away = dot(normal, middle) - sample_offset;
-    const on_cut = middle.map((value, k) => value - away * normal[k]) as Vector;
-    const point = to_scene(on_cut, low, unit);
-    const there = cell_at(scene, octree, point);
-    places.push(there >= 0 ? { cell: there, point, side: unit * spacing } : { cell, point: to_scene(place, low, unit), side: unit * spacing });
+  private index_of(column: number, row: number): number {
+    return row * this.counts[0] + column;
   }
-  return without_neighbours(places, 0.72);
-}
 
-/** The same, closer together where the cut is so narrow that glyphs would reach far out of it: through thin walls. */
-export function fitting_glyph_places(scene: Scene, octree: Octree, normal: Vector, offset: number, spacing: number): GlyphPlace[] {
-  const places = glyph_places(scene, octree, normal, offset, spacing);
-  if (spacing < 2 || places.length === 0) return places;
-  const squares = places.reduce((sum, place) => sum + (place.side / scene.cells.unit) ** 2, 0);
-  // Rows of glyphs on an inclined cut overlap: each has about half of its room to itself.
-  const own = Math.max(...normal.map(Math.abs)) > 0.999 ? 1 : 0.5;
-  if (cut_area(scene, normal, offset) > kLeastCover * own * squares) return places;
-  return glyph_places(scene, octree, normal, offset, spacing / 2);
-}
-
-// Below this share of glyphs' room that is cut, the part is a thin wall there: a wall of half a room's width has 0.5.
-const kLeastCover = 0.55;
-
-/** The area of the cut in square lattice units: each cell that is the one it passes along its steepest axis counts with its shadow. */
-function cut_area(scene: Scene, normal: Vector, offset: number): number {
-  const { low, unit } = scene.cells;
-  const lattice_offset = (offset - dot(normal, low)) / unit - 1e-3;
-  const steepest = Math.max(...normal.map(Math.abs));
-  let area = 0;
-  for (let cell = 0; cell < cell_count(scene); ++cell) {
-    const side = scene.cell_size[cell];
-    let distance = -lattice_offset;
-    for (let k = 0; k < 3; ++k) distance += normal[k] * (scene.cell_corner[3 * cell + k] + side / 2);
-    if (Math.abs(distance) <= (steepest * side) / 2) area += (side * side) / steepest;
+  /** Keeps what an even number of crossings of the outline does not lie before, along rows; and looks for walls along rows and columns. */
+  keep_inside(outline: Float32Array): void {
+    this.inside.fill(0);
+    for (const across of [0, 1] as const) {
+      const lines = this.crossings(outline, across);
+      lines.forEach((places, line) => {
+        places.sort((a, b) => a - b);
+        for (let k = 0; k + 1 < places.length; k += 2) {
+          const [from, to] = [0, 1].map((end) => (places[k + end] - this.low[across]) / this.spacing);
+          const [begin, end] = [Math.max(0, Math.ceil(from)), Math.min(this.counts[across] - 1, Math.floor(to))];
+          if (across === 0) for (let column = begin; column <= end; ++column) this.inside[this.index_of(column, line)] = 1;
+          if (begin > end && to > from) {
+            const middle = this.low[across] + ((from + to) / 2) * this.spacing;
+            const other = this.low[1 - across] + line * this.spacing;
+            this.extra.push(...(across === 0 ? [middle, other] : [other, middle]));
+          }
+        }
+      });
+    }
   }
-  return area;
-}
 
-const to_scene = (at: Vector, low: Vector, unit: number): Vector => [low[0] + unit * at[0], low[1] + unit * at[1], low[2] + unit * at[2]];
-
-/** Cuts across the lattice pass several blocks close together: of glyphs nearer than a share of their room only one stays. */
-function without_neighbours(places: GlyphPlace[], share: number): GlyphPlace[] {
-  if (places.length === 0) return places;
-  const cell_side = Math.min(...places.map((place) => place.side));
-  const grid = new Map<string, GlyphPlace[]>();
-  const key = (point: Vector, step: [number, number, number]): string =>
-    point.map((value, k) => Math.floor(value / cell_side) + step[k]).join();
-  return places.filter((place) => {
-    for (let i = -1; i <= 1; ++i) for (let j = -1; j <= 1; ++j) for (let k = -1; k <= 1; ++k) {
-      for (const other of grid.get(key(place.point, [i, j, k])) ?? []) {
-        const distance = Math.hypot(...other.point.map((value, axis) => value - place.point[axis]));
-        if (distance < share * Math.min(place.side, other.side)) return false;
+  /** Where the outline crosses each row (across = 0) or column (1), as places along it. */
+  private crossings(outline: Float32Array, across: 0 | 1): number[][] {
+    const up = 1 - across;
+    const lines: number[][] = Array.from({ length: this.counts[up] }, () => []);
+    for (let k = 0; k < outline.length; k += 4) {
+      const [a, b] = [outline[k + up], outline[k + 2 + up]];
+      const [from, to] = [Math.min(a, b), Math.max(a, b)].map((value) => (value - this.low[up]) / this.spacing);
+      // Half open, so that a corner counts once.
+      for (let line = Math.max(0, Math.floor(from) + 1); line <= Math.min(this.counts[up] - 1, to); ++line) {
+        const share = (this.low[up] + line * this.spacing - a) / (b - a);
+        lines[line].push(outline[k + across] + share * (outline[k + 2 + across] - outline[k + across]));
       }
     }
-    const own = key(place.point, [0, 0, 0]);
-    grid.set(own, [...(grid.get(own) ?? []), place]);
-    return true;
-  });
+    return lines;
+  }
+
+  /** The piece at each point that is inside and on one. */
+  pieces_at(pieces: CutPieces, flat: Float32Array): { piece: number; u: number; v: number }[] {
+    const found: { piece: number; u: number; v: number }[] = [];
+    const taken = new Int32Array(this.inside.length).fill(-1);
+    const bins = this.binned_extra();
+    const extra_pieces = new Int32Array(this.extra.length / 2).fill(-1);
+    for (let piece = 0; piece < pieces.count; ++piece) {
+      const [begin, end] = [pieces.starts[piece], pieces.starts[piece + 1]];
+      const low = [Infinity, Infinity];
+      const high = [-Infinity, -Infinity];
+      for (let k = 2 * begin; k < 2 * end; ++k) {
+        low[k & 1] = Math.min(low[k & 1], flat[k]);
+        high[k & 1] = Math.max(high[k & 1], flat[k]);
+      }
+      const [first, last] = [low, high].map((values) => values.map((value, k) => (value - this.low[k]) / this.spacing));
+      for (let row = Math.max(0, Math.ceil(first[1])); row <= Math.min(this.counts[1] - 1, last[1]); ++row) {
+        for (let column = Math.max(0, Math.ceil(first[0])); column <= Math.min(this.counts[0] - 1, last[0]); ++column) {
+          const index = this.index_of(column, row);
+          if (!this.inside[index] || taken[index] >= 0) continue;
+          if (holds(flat, begin, end, this.low[0] + column * this.spacing, this.low[1] + row * this.spacing)) taken[index] = piece;
+        }
+      }
+      if (bins.size === 0) continue;
+      for (let row = Math.floor(first[1]); row <= last[1]; ++row) {
+        for (let column = Math.floor(first[0]); column <= last[0]; ++column) {
+          for (const k of bins.get(row * 65536 + column) ?? []) {
+            if (extra_pieces[k] < 0 && holds(flat, begin, end, this.extra[2 * k], this.extra[2 * k + 1])) extra_pieces[k] = piece;
+          }
+        }
+      }
+    }
+    taken.forEach((piece, index) => {
+      if (piece >= 0) found.push({ piece, u: this.low[0] + (index % this.counts[0]) * this.spacing, v: this.low[1] + Math.floor(index / this.counts[0]) * this.spacing });
+    });
+    for (let k = 0; k < extra_pieces.length; ++k) {
+      const [u, v] = [this.extra[2 * k], this.extra[2 * k + 1]];
+      if (extra_pieces[k] < 0 || found.some((other) => Math.hypot(other.u - u, other.v - v) < kApart * this.spacing)) continue;
+      found.push({ piece: extra_pieces[k], u, v });
+    }
+    return found;
+  }
+
+  private binned_extra(): Map<number, number[]> {
+    const bins = new Map<number, number[]>();
+    for (let k = 0; k < this.extra.length / 2; ++k) {
+      const [column, row] = [0, 1].map((axis) => Math.floor((this.extra[2 * k + axis] - this.low[axis]) / this.spacing));
+      const key = row * 65536 + column;
+      bins.set(key, [...(bins.get(key) ?? []), k]);
+    }
+    return bins;
+  }
+}
+
+/** Whether a convex polygon, in either sense, holds a point; one without area holds none. */
+export function holds(flat: Float32Array, begin: number, end: number, u: number, v: number): boolean {
+  let sense = 0;
+  for (let k = begin; k < end; ++k) {
+    const next = k + 1 < end ? k + 1 : begin;
+    const turn = (flat[2 * next] - flat[2 * k]) * (v - flat[2 * k + 1]) - (flat[2 * next + 1] - flat[2 * k + 1]) * (u - flat[2 * k]);
+    if (turn === 0) continue;
+    if (sense !== 0 && turn > 0 !== sense > 0) return false;
+    sense = turn;
+  }
+  return sense !== 0;
+}
+
+/** The piece at a point of the cut, or -1. */
+export function piece_at(pieces: CutPieces, normal: Vector, point: Vector): number {
+  const [first, second] = tangents_of(normal);
+  const flat = flattened(pieces.corners, first, second);
+  const [u, v] = [dot(first, point), dot(second, point)];
+  for (let piece = 0; piece < pieces.count; ++piece) if (holds(flat, pieces.starts[piece], pieces.starts[piece + 1], u, v)) return piece;
+  return -1;
 }

@@ -1,38 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames as crosses of three bars or as cubes, on the cut.
+// Frames on the cut as crosses of three bars or as cubes. They stand in front of its face, so that no half of them is sunk in it.
 
-import { BoxGeometry, BufferAttribute, BufferGeometry, Group, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial } from "three";
+import { BoxGeometry, BufferAttribute, BufferGeometry, Group, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3 } from "three";
 
-import { parse_color, ramp_color, type Color, type Theme } from "../math/color_maps.ts";
+import { ramp_color, type Color, type Theme } from "../math/color_maps.ts";
 import { axes_of, tangents_of, tilt_deg, turn_deg, type Vector } from "../math/frame.ts";
-import type { Octree } from "../scene/octree.ts";
-import { cell_quaternion, type Scene } from "../scene/scene.ts";
+import { element_quaternion, type Scene } from "../scene/scene.ts";
 import type { GlyphColor, GlyphShape } from "../settings.ts";
-import { fitting_glyph_places } from "./glyph_places.ts";
+import type { Cut } from "./cut.ts";
+import { glyph_places } from "./glyph_places.ts";
 import { kLight } from "./shader_parts.ts";
-import { kViewColors } from "./view_colors.ts";
+import { axis_colors, shader_color } from "./view_colors.ts";
+
+// Tilts are drawn up to this many degrees: half of what is possible, since larger ones are rare.
+export const kTiltScale = 30;
+// Half of the length of bars and of the side of cubes, as shares of the distance between frames.
+const kReach: Record<GlyphShape, number> = { cross: 0.46, cube: 0.27 };
 
 export interface GlyphChoice {
   normal: Vector;
   offset: number;
-  /** Lattice units, a power of two. */
+  /** Between frames, in model units. */
   spacing: number;
   shape: GlyphShape;
   color: GlyphColor;
   theme: Theme;
 }
 
-/** Angles beyond this have the last colour of the scale: between two axes no direction is further off than 54.7 degrees. */
-export const kTiltScale = 45;
-
 export class GlyphView {
   readonly group = new Group();
   count = 0;
   private readonly meshes: Record<GlyphShape, Mesh<InstancedBufferGeometry, ShaderMaterial>>;
+  private readonly colors = { value: [0, 1, 2].map(() => new Vector3()) };
+  private readonly normal = { value: new Vector3() };
   private drawn = "";
 
-  constructor(private readonly scene: Scene, private readonly octree: Octree) {
-    this.meshes = { cross: glyph_mesh(cross_geometry(), 0.46), cube: glyph_mesh(new BoxGeometry(2, 2, 2), 0.3) };
+  constructor(private readonly scene: Scene, private readonly cut: Cut) {
+    const uniforms = { axis_colors: this.colors, normal_of_cut: this.normal };
+    this.meshes = { cross: glyph_mesh(cross_geometry(), kReach.cross, uniforms), cube: glyph_mesh(cube_geometry(), kReach.cube, uniforms) };
     this.group.add(this.meshes.cross, this.meshes.cube);
   }
 
@@ -42,16 +47,23 @@ export class GlyphView {
     const key = JSON.stringify(choice);
     if (!visible || key === this.drawn) return;
     this.drawn = key;
-    const places = fitting_glyph_places(this.scene, this.octree, choice.normal, choice.offset, choice.spacing);
+    axis_colors(choice.theme).forEach((color, k) => this.colors.value[k].copy(shader_color(color)));
+    this.normal.value.set(...choice.normal);
+    const { pieces } = this.cut;
+    const places = glyph_places(pieces, this.cut.closed ? this.cut.outline : null, choice.normal, choice.spacing);
+    const named = choice.color === "axes" ? this.cut.named : null;
     const first = tangents_of(choice.normal)[0];
     const centers = new Float32Array(4 * places.length);
     const turns = new Float32Array(4 * places.length);
-    const colors = new Float32Array(3 * places.length);
-    places.forEach((place, k) => {
-      const [w, x, y, z] = cell_quaternion(this.scene, place.cell);
-      centers.set([...place.point, place.side], 4 * k);
+    const names = new Float32Array(3 * places.length);
+    const tints = new Float32Array(3 * places.length).fill(-1);
+    places.forEach(({ piece, point }, k) => {
+      const element = pieces.element[piece];
+      const [w, x, y, z] = element_quaternion(this.scene, element);
+      centers.set([...point, choice.spacing], 4 * k);
       turns.set([x, y, z, w], 4 * k);
-      colors.set(this.color_of(place.cell, choice, first), 3 * k);
+      if (named) names.set(named.names[piece], 3 * k);
+      else tints.set(this.color_of(element, choice, first), 3 * k);
     });
     for (const shape of ["cross", "cube"] as const) {
       const mesh = this.meshes[shape];
@@ -60,11 +72,11 @@ export class GlyphView {
       // Attributes of a new length cannot be updated in place.
       const geometry = new InstancedBufferGeometry();
       geometry.index = mesh.geometry.index;
-      geometry.setAttribute("position", mesh.geometry.getAttribute("position"));
-      geometry.setAttribute("normal", mesh.geometry.getAttribute("normal"));
+      for (const name of ["position", "normal", "axis"]) geometry.setAttribute(name, mesh.geometry.getAttribute(name));
       geometry.setAttribute("center", new InstancedBufferAttribute(centers, 4));
       geometry.setAttribute("turn", new InstancedBufferAttribute(turns, 4));
-      geometry.setAttribute("tint", new InstancedBufferAttribute(colors, 3));
+      geometry.setAttribute("names", new InstancedBufferAttribute(names, 3));
+      geometry.setAttribute("tint", new InstancedBufferAttribute(tints, 3));
       geometry.instanceCount = places.length;
       mesh.geometry.dispose();
       mesh.geometry = geometry;
@@ -72,62 +84,75 @@ export class GlyphView {
     this.count = places.length;
   }
 
-  private color_of(cell: number, choice: GlyphChoice, first: Vector): Color {
-    const axes = axes_of(cell_quaternion(this.scene, cell));
-    switch (choice.color) {
-      case "tilt":
-        return ramp_color("tilt", choice.theme, tilt_deg(axes, choice.normal) / kTiltScale);
-      case "turn":
-        return ramp_color("turn", choice.theme, turn_deg(axes, choice.normal, first) / 90);
-      default:
-        return parse_color(kViewColors[choice.theme].glyph);
-    }
+  private color_of(element: number, choice: GlyphChoice, first: Vector): Color {
+    const axes = axes_of(element_quaternion(this.scene, element));
+    if (choice.color === "tilt") return ramp_color("tilt", choice.theme, tilt_deg(axes, choice.normal) / kTiltScale);
+    return ramp_color("turn", choice.theme, turn_deg(axes, choice.normal, first) / 90);
   }
 }
 
-function cross_geometry(): BufferGeometry {
-  const thin = 0.12;
-  const bars = [new BoxGeometry(2, thin, thin), new BoxGeometry(thin, 2, thin), new BoxGeometry(thin, thin, 2)];
-  const merged = new BufferGeometry();
-  const corners = bars[0].getAttribute("position").count;
+/** Boxes in one geometry; each vertex knows to which axis it belongs. */
+function joined(boxes: BufferGeometry[], axis_of: (box: number, normal: Vector) => number): BufferGeometry {
+  const geometry = new BufferGeometry();
   const index: number[] = [];
-  const joined = (name: string): Float32Array => {
-    const values = bars.flatMap((bar) => [...bar.getAttribute(name).array]);
-    return new Float32Array(values);
-  };
-  bars.forEach((bar, k) => index.push(...[...bar.index!.array].map((corner) => corner + k * corners)));
-  merged.setAttribute("position", new BufferAttribute(joined("position"), 3));
-  merged.setAttribute("normal", new BufferAttribute(joined("normal"), 3));
-  merged.setIndex(index);
-  return merged;
+  const axes: number[] = [];
+  let corners = 0;
+  boxes.forEach((box, k) => {
+    index.push(...[...box.index!.array].map((corner) => corner + corners));
+    const normals = box.getAttribute("normal").array;
+    for (let corner = 0; corner < normals.length / 3; ++corner) axes.push(axis_of(k, [normals[3 * corner], normals[3 * corner + 1], normals[3 * corner + 2]]));
+    corners += normals.length / 3;
+  });
+  for (const name of ["position", "normal"]) {
+    geometry.setAttribute(name, new BufferAttribute(new Float32Array(boxes.flatMap((box) => [...box.getAttribute(name).array])), 3));
+  }
+  geometry.setAttribute("axis", new BufferAttribute(new Float32Array(axes), 1));
+  geometry.setIndex(index);
+  return geometry;
 }
 
-function glyph_mesh(shape: BufferGeometry, reach: number): Mesh<InstancedBufferGeometry, ShaderMaterial> {
+const kThickness = 0.17;
+
+const cross_geometry = (): BufferGeometry =>
+  joined([0, 1, 2].map((axis) => new BoxGeometry(...([0, 1, 2].map((k) => (k === axis ? 2 : kThickness)) as Vector))), (box) => box);
+
+const cube_geometry = (): BufferGeometry => joined([new BoxGeometry(2, 2, 2)], (_, normal) => normal.findIndex((value) => Math.abs(value) > 0.5));
+
+function glyph_mesh(shape: BufferGeometry, reach: number, uniforms: Record<string, { value: unknown }>): Mesh<InstancedBufferGeometry, ShaderMaterial> {
   const geometry = new InstancedBufferGeometry();
   geometry.index = shape.index;
-  geometry.setAttribute("position", shape.getAttribute("position"));
-  geometry.setAttribute("normal", shape.getAttribute("normal"));
+  for (const name of ["position", "normal", "axis"]) geometry.setAttribute(name, shape.getAttribute(name));
   geometry.instanceCount = 0;
   const material = new ShaderMaterial({
-    uniforms: { reach: { value: reach } },
+    uniforms: { reach: { value: reach }, ...uniforms },
     vertexShader: /* glsl */ `
-      in vec4 center; // and side of its room
+      in vec4 center; // and distance to the next
       in vec4 turn;
-      in vec3 tint;
+      in vec3 names;
+      in vec3 tint;  // negative: by names
+      in float axis;
       uniform float reach;
+      uniform vec3 normal_of_cut;
+      uniform vec3 axis_colors[3];
       out vec3 view_normal;
       out vec3 color;
       vec3 turned(vec3 v) { return v + 2.0 * cross(turn.xyz, cross(turn.xyz, v) + turn.w * v); }
       void main() {
+        vec3 n = normal_of_cut;
+        // As far towards the camera as the glyph reaches through the plane.
+        float depth = max(abs(dot(turned(vec3(1.0, 0.0, 0.0)), n)), max(abs(dot(turned(vec3(0.0, 1.0, 0.0)), n)), abs(dot(turned(vec3(0.0, 0.0, 1.0)), n))));
+        float side = dot(cameraPosition - center.xyz, n) < 0.0 ? -1.0 : 1.0;
+        vec3 at = center.xyz + side * n * (reach < 0.4 ? 1.3 : 1.0) * depth * reach * center.w;
+        int name = int((axis < 0.5 ? names.x : axis < 1.5 ? names.y : names.z) + 0.5);
+        color = tint.x < 0.0 ? axis_colors[name] : tint;
         view_normal = (modelViewMatrix * vec4(turned(normal), 0.0)).xyz;
-        color = tint;
-        gl_Position = projectionMatrix * modelViewMatrix * vec4(center.xyz + turned(position) * center.w * reach, 1.0);
+        gl_Position = projectionMatrix * modelViewMatrix * vec4(at + turned(position) * center.w * reach, 1.0);
       }`,
     fragmentShader: /* glsl */ `
       in vec3 view_normal;
       in vec3 color;
       ${kLight}
-      void main() { gl_FragColor = vec4(color * light_on(view_normal), 1.0); }`,
+      void main() { gl_FragColor = vec4(color * min(1.15 * light_on(view_normal), 1.1), 1.0); }`,
   });
   const mesh = new Mesh(geometry, material);
   mesh.frustumCulled = false;

@@ -5,8 +5,8 @@ import { Group, Mesh, PlaneGeometry, ShaderMaterial, Vector3 } from "three";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 
-import { axes_of } from "../math/frame.ts";
-import { cell_box, cell_center, cell_quaternion, type Scene } from "../scene/scene.ts";
+import { axes_of, length_of, subtract } from "../math/frame.ts";
+import { cell_box, element_center, element_quaternion, tet_corners, type Scene } from "../scene/scene.ts";
 import type { Settings } from "../settings.ts";
 import { kPixelSize } from "./shader_parts.ts";
 import type { SharedUniforms } from "./shared_uniforms.ts";
@@ -19,9 +19,9 @@ export class Marks {
   private readonly ring: Mesh<PlaneGeometry, ShaderMaterial>;
   /** Around the picked cell, where it is too small to be seen. */
   private readonly halo: Mesh<PlaneGeometry, ShaderMaterial>;
-  private boxed = -1;
+  private boxed = "";
 
-  constructor(private readonly scene: Scene, uniforms: SharedUniforms) {
+  constructor(uniforms: SharedUniforms) {
     this.box.material.depthTest = false;
     this.box.material.transparent = true;
     this.box.frustumCulled = false;
@@ -45,19 +45,19 @@ export class Marks {
     this.halo.material.uniforms.behind.value = this.ring.material.uniforms.behind.value = shader_color(colors.background);
   }
 
-  update({ picked, marked }: Settings): void {
+  update(scene: Scene, { field, picked, marked }: Settings): void {
     this.box.visible = this.halo.visible = picked >= 0;
-    if (picked >= 0 && picked !== this.boxed) {
-      const { low, side } = cell_box(this.scene, picked);
-      const center = cell_center(this.scene, picked);
-      const edges = box_edges(low, side);
-      // The frame as three bars that reach a little out of the cell.
-      for (const axis of axes_of(cell_quaternion(this.scene, picked))) {
+    const key = `${field} ${picked}`;
+    if (picked >= 0 && key !== this.boxed) {
+      const { edges, side } = outline_of(scene, picked);
+      const center = element_center(scene, picked);
+      // The frame as three bars that reach a little out of it.
+      for (const axis of axes_of(element_quaternion(scene, picked))) {
         for (const end of [-0.8, 0.8]) edges.push(...center.map((value, k) => value + end * side * axis[k]));
       }
       this.box.geometry.dispose();
       this.box.geometry = new LineSegmentsGeometry().setPositions(edges);
-      this.boxed = picked;
+      this.boxed = key;
       this.halo.material.uniforms.center.value.set(...center);
       this.halo.material.uniforms.content.value = side;
     }
@@ -67,6 +67,17 @@ export class Marks {
       this.ring.material.uniforms.warn.value = marked.warn ? 1 : 0;
     }
   }
+}
+
+/** The edges of a tet or cell, and about how large it is. */
+function outline_of(scene: Scene, element: number): { edges: number[]; side: number } {
+  if (!scene.tets) {
+    const { low, side } = cell_box(scene, element);
+    return { edges: box_edges(low, side), side };
+  }
+  const corners = tet_corners(scene.tets, element);
+  const pairs = corners.flatMap((from, k) => corners.slice(k + 1).map((to) => [from, to]));
+  return { edges: pairs.flat(2), side: pairs.reduce((sum, [from, to]) => sum + length_of(subtract(to, from)) / pairs.length, 0) };
 }
 
 function ring_material(uniforms: SharedUniforms, ticks: boolean): ShaderMaterial {

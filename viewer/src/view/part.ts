@@ -7,6 +7,7 @@ import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import type { Vector } from "../math/frame.ts";
 import type { Scene } from "../scene/scene.ts";
 import { shaded_triangles } from "./creased_normals.ts";
+import { fraction_of, type Ranges } from "./ranges.ts";
 import { kClip, kFieldLookup, kLight } from "./shader_parts.ts";
 import type { SharedUniforms } from "./shared_uniforms.ts";
 import { line_material, segments_of } from "./thin_lines.ts";
@@ -21,15 +22,18 @@ export class PartView {
   private readonly kept = new Plane();
   private readonly taken = new Plane();
 
-  constructor(scene: Scene, uniforms: SharedUniforms) {
+  constructor(scene: Scene, uniforms: SharedUniforms, ranges: Ranges) {
+    const has_numbers = scene.surface_alignment_deg.length > 0;
     const { positions, normals } = shaded_triangles(scene);
     this.geometry = new BufferGeometry();
     this.geometry.setAttribute("position", new BufferAttribute(positions, 3));
     this.geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+    // Numbers at vertices are interpolated; without them the cells there give the colours.
+    if (has_numbers) this.geometry.setAttribute("numbers", new BufferAttribute(corner_numbers(scene, ranges), 3));
     this.geometry.computeBoundingSphere();
     // What faces away first, then what faces the camera: right for convex parts, and calm for others.
     this.sides = [BackSide, FrontSide].map((side, order) => {
-      const mesh = new Mesh(this.geometry, part_material(uniforms, this.opacity, side));
+      const mesh = new Mesh(this.geometry, part_material(uniforms, this.opacity, side, has_numbers));
       mesh.renderOrder = 10 + order;
       return mesh;
     });
@@ -66,7 +70,18 @@ export class PartView {
   }
 }
 
-function part_material(uniforms: SharedUniforms, opacity: { value: number }, side: Side): ShaderMaterial {
+/** Alignment and energy density as shares of their ranges, and the region, at each corner of each triangle. */
+function corner_numbers(scene: Scene, ranges: Ranges): Float32Array {
+  const numbers = new Float32Array(3 * scene.surface_triangles.length);
+  scene.surface_triangles.forEach((vertex, corner) => {
+    numbers[3 * corner] = fraction_of(ranges.alignment, scene.surface_alignment_deg[vertex]);
+    numbers[3 * corner + 1] = fraction_of(ranges.energy, scene.surface_energy_density[vertex]);
+    numbers[3 * corner + 2] = scene.surface_region[Math.floor(corner / 3)] ?? 0;
+  });
+  return numbers;
+}
+
+function part_material(uniforms: SharedUniforms, opacity: { value: number }, side: Side, has_numbers: boolean): ShaderMaterial {
   return new ShaderMaterial({
     uniforms: { ...uniforms, opacity, inward: { value: side === BackSide } },
     side,
@@ -80,7 +95,9 @@ function part_material(uniforms: SharedUniforms, opacity: { value: number }, sid
       out vec3 world_point;
       out vec3 world_normal;
       out vec3 view_point;
+      ${has_numbers ? "in vec3 numbers; out vec3 shown;" : ""}
       void main() {
+        ${has_numbers ? "shown = numbers;" : ""}
         world_point = position;
         world_normal = normal;
         vec4 view = modelViewMatrix * vec4(position, 1.0);
@@ -95,12 +112,15 @@ function part_material(uniforms: SharedUniforms, opacity: { value: number }, sid
       in vec3 world_point;
       in vec3 world_normal;
       in vec3 view_point;
+      ${has_numbers ? "in vec3 shown;" : ""}
       ${kClip}${kLight}${kFieldLookup}
       void main() {
         clip_at_cut(world_point);
         vec3 outward = normalize(world_normal);
         vec3 toward = normalize((viewMatrix * vec4(outward, 0.0)).xyz) * (inward ? -1.0 : 1.0);
-        vec3 color = surface_color(world_point, outward);
+        ${has_numbers
+          ? "vec3 color = map_kind == 1 ? ramp_color(shown.x) : map_kind == 2 ? ramp_color(shown.y) : map_kind == 4 ? region_color(int(shown.z + 0.5)) : base_color;"
+          : "vec3 color = surface_color(world_point, outward);"}
         float facing = abs(dot(toward, normalize(view_point)));
         // Glass: nearly clear where it is looked at straight, denser where it turns away, so that shape shows at any opacity.
         float rim = pow(1.0 - facing, 2.5);

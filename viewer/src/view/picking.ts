@@ -1,38 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which cell is under the pointer: on the face of the cut, or on the surface.
+// Which tet or cell is under the pointer: on the face of the cut, or on the surface.
 
 import { Raycaster, Vector2, type Mesh, type PerspectiveCamera, Mesh as MeshClass, type BufferGeometry, DoubleSide, MeshBasicMaterial } from "three";
 
 import type { Vector } from "../math/frame.ts";
-import { dot } from "../math/frame.ts";
+import { dot, scaled, subtract } from "../math/frame.ts";
 import { cell_at, surface_cell_at, type Octree } from "../scene/octree.ts";
-import type { Scene } from "../scene/scene.ts";
-import { cut_normal, cut_offset, type Settings } from "../settings.ts";
+import { element_size, type Scene } from "../scene/scene.ts";
+import { tet_at } from "../scene/tet_finder.ts";
+import type { Settings } from "../settings.ts";
+import type { Cut } from "./cut.ts";
+import { piece_at } from "./glyph_places.ts";
+
+// Below the surface by this share of a tet, to be inside the one that has the face.
+const kBelow = 0.02;
 
 export class Picker {
   private readonly raycaster = new Raycaster();
   private readonly mesh: Mesh;
 
-  constructor(private readonly scene: Scene, private readonly octree: Octree, surface: BufferGeometry) {
+  constructor(private readonly scene: Scene, private readonly octree: Octree, surface: BufferGeometry, private readonly cut: Cut) {
     this.mesh = new MeshClass(surface, new MeshBasicMaterial({ side: DoubleSide }));
   }
 
-  /** The cell at a place of the view, both coordinates -1 ... 1 and y up; -1 where there is none. */
+  /** The element at a place of the view, both coordinates -1 ... 1 and y up; -1 where there is none. */
   pick(x: number, y: number, camera: PerspectiveCamera, settings: Settings): number {
     this.raycaster.setFromCamera(new Vector2(x, y), camera);
     const origin = this.raycaster.ray.origin.toArray() as Vector;
     const direction = this.raycaster.ray.direction.toArray() as Vector;
-    const normal = cut_normal(settings);
-    const offset = cut_offset(settings, this.scene.low, this.scene.high);
+    const { normal, offset } = this.cut;
     const clipped = settings.cut.on && settings.cut.clip;
 
-    let best = { cell: -1, distance: Infinity };
+    let best = { element: -1, distance: Infinity };
     if (settings.cut.on) {
       const distance = (offset - dot(normal, origin)) / dot(normal, direction);
       if (distance > 0 && Number.isFinite(distance)) {
-        const at = origin.map((value, k) => value + distance * direction[k] - 1e-3 * this.scene.cells.unit * normal[k]) as Vector;
-        const cell = cell_at(this.scene, this.octree, at);
-        if (cell >= 0) best = { cell, distance };
+        const element = this.on_cut(origin.map((value, k) => value + distance * direction[k]) as Vector);
+        if (element >= 0) best = { element, distance };
       }
     }
     if (settings.layers.part && settings.opacity > 0) {
@@ -41,12 +45,25 @@ export class Picker {
         const point = hit.point.toArray() as Vector;
         if (clipped && dot(normal, point) > offset) continue;
         const outward = hit.face ? (hit.face.normal.toArray() as Vector) : ([0, 0, 0] as Vector);
-        const cell = surface_cell_at(this.scene, this.octree, point, outward);
-        if (cell < 0) continue;
-        best = { cell, distance: hit.distance };
+        const element = this.on_surface(point, outward);
+        if (element < 0) continue;
+        best = { element, distance: hit.distance };
         break;
       }
     }
-    return best.cell;
+    return best.element;
+  }
+
+  private on_cut(point: Vector): number {
+    const { scene, cut } = this;
+    if (!scene.tets) return cell_at(scene, this.octree, subtract(point, scaled(cut.normal, 1e-3 * scene.cells.unit)));
+    const piece = piece_at(cut.pieces, cut.normal, point);
+    return piece < 0 ? -1 : cut.pieces.element[piece];
+  }
+
+  private on_surface(point: Vector, outward: Vector): number {
+    const { scene } = this;
+    if (!scene.tets) return surface_cell_at(scene, this.octree, point, outward);
+    return tet_at(scene.tets, subtract(point, scaled(outward, kBelow * element_size(scene))));
   }
 }

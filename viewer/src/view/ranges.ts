@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ranges of values that the colour maps spread over: round numbers, so that legends read well.
 
-import { cell_count, type Scene } from "../scene/scene.ts";
+import { element_alignment, element_count, element_energy, type Scene } from "../scene/scene.ts";
 
 export interface Range {
   low: number;
@@ -20,12 +20,14 @@ const kLargestTilt = 54.74;
 export function ranges_of(scene: Scene): Ranges {
   const tilts: number[] = [];
   const energies: number[] = [];
-  const count = cell_count(scene);
+  const count = element_count(scene);
   // Percentiles do not need every cell of a large field.
   const stride = Math.max(1, Math.floor(count / 50_000));
-  for (let cell = 0; cell < count; cell += stride) {
-    if (scene.cell_class[cell] > 0) tilts.push(scene.cell_alignment_deg[cell]);
-    if (scene.cell_energy_density[cell] > 0) energies.push(scene.cell_energy_density[cell]);
+  for (let element = 0; element < count; element += stride) {
+    const tilt = element_alignment(scene, element);
+    if (tilt !== null) tilts.push(tilt);
+    const energy = element_energy(scene, element);
+    if (energy > 0) energies.push(energy);
   }
   const tilt = percentile(tilts, 0.995) ?? 0;
   const high_tilt = [1, 2, 5, 10, 15, 20, 30, 45].find((step) => tilt <= step) ?? kLargestTilt;

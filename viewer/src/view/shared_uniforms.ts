@@ -11,6 +11,7 @@ export interface SharedUniforms {
   [name: string]: IUniform;
   octree: IUniform<DataTexture>;
   cell_values: IUniform<DataTexture>;
+  corner_values: IUniform<DataTexture>;
   palette: IUniform<DataTexture>;
   octree_depth: IUniform<number>;
   lattice_low: IUniform<Vector3>;
@@ -29,6 +30,7 @@ export function shared_uniforms(scene: Scene, octree: Octree, textures: FieldTex
   return {
     octree: { value: textures.octree },
     cell_values: { value: textures.values },
+    corner_values: { value: textures.corners },
     palette: { value: textures.palette },
     octree_depth: { value: octree.depth },
     lattice_low: { value: new Vector3(...scene.cells.low) },

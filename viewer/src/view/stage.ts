@@ -2,145 +2,154 @@
 // The 3D view: everything that is drawn, kept in step with the settings, and drawn only when something has changed.
 
 import { Box3, Color, Scene as ThreeScene, Vector3, WebGLRenderer } from "three";
-import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 
 import type { Theme } from "../math/color_maps.ts";
 import { dot, type Vector } from "../math/frame.ts";
-import { build_octree, type Octree } from "../scene/octree.ts";
-import type { Scene } from "../scene/scene.ts";
-import { cut_normal, cut_offset, type Settings } from "../settings.ts";
+import { element_count, type Scene } from "../scene/scene.ts";
+import { cut_normal, type FieldName, type Settings } from "../settings.ts";
 import { CameraRig, type Covered } from "./camera_rig.ts";
-import { CutFace } from "./cut_face.ts";
-import { field_textures, set_palette, type FieldTextures } from "./field_textures.ts";
-import { GlyphView } from "./glyphs.ts";
+import { FieldView } from "./field_view.ts";
 import { Marks } from "./marks.ts";
-import { PartView } from "./part.ts";
-import { Picker } from "./picking.ts";
-import { ranges_of, type Ranges } from "./ranges.ts";
-import { shared_uniforms, type SharedUniforms } from "./shared_uniforms.ts";
-import { SingularLines, type FaultBall } from "./singular_lines.ts";
-import { line_material, segments_of } from "./thin_lines.ts";
-import { kViewColors, scene_color, shader_color } from "./view_colors.ts";
+import type { FaultMark } from "./line_marks.ts";
+import { StreamlineView } from "./streamlines.ts";
+import { kViewColors } from "./view_colors.ts";
 
-// A glyph needs this many pixels to be told from its neighbour.
-const kGlyphPixels = 23;
+// Frames on the cut are this many pixels apart, so that each can be read.
+const kGlyphPixels = 30;
 
 export class Stage {
-  readonly octree: Octree;
-  readonly ranges: Ranges;
   readonly rig: CameraRig;
-  readonly glyphs: GlyphView;
   frames_drawn = 0;
   private readonly renderer: WebGLRenderer;
   private readonly three = new ThreeScene();
-  private readonly textures: FieldTextures;
-  private readonly uniforms: SharedUniforms;
-  private readonly part: PartView;
-  private readonly face: CutFace;
-  private readonly lines: SingularLines;
-  private readonly streams: LineSegments2;
+  private readonly fields = new Map<FieldName, FieldView>();
+  private readonly streams: StreamlineView;
   private readonly marks: Marks;
-  private readonly picker: Picker;
   private settings: Settings;
   private theme: Theme = "light";
+  private height = 1;
   private pending = 0;
   private after_drawing: (() => void)[] = [];
   onmove: () => void = () => {};
 
-  constructor(readonly scene: Scene, readonly faults: FaultBall[], readonly canvas: HTMLCanvasElement, context: WebGL2RenderingContext, closed: boolean, settings: Settings) {
+  constructor(
+    private readonly scene: Scene, private readonly faults_of: (field: FieldName) => FaultMark[], readonly canvas: HTMLCanvasElement,
+    context: WebGL2RenderingContext, private readonly closed: boolean, settings: Settings,
+  ) {
     this.settings = settings;
-    this.octree = build_octree(scene);
-    this.ranges = ranges_of(scene);
     this.renderer = new WebGLRenderer({ canvas, context });
     // Asking whether a shader compiled waits until it has: half a second that is better spent on the rest.
     this.renderer.debug.checkShaderErrors = false;
     this.renderer.localClippingEnabled = true;
-    this.textures = field_textures(scene, this.octree, this.ranges);
-    this.uniforms = shared_uniforms(scene, this.octree, this.textures);
     this.rig = new CameraRig(new Box3(new Vector3(...scene.low), new Vector3(...scene.high)), scene.surface_vertices, canvas, () => {
       this.draw_soon();
       this.onmove();
     });
-    this.part = new PartView(scene, this.uniforms);
-    this.face = new CutFace(scene, this.uniforms, this.part.geometry, closed);
-    this.lines = new SingularLines(scene, faults, this.uniforms);
-    this.glyphs = new GlyphView(scene, this.octree);
-    this.marks = new Marks(scene, this.uniforms);
-    this.picker = new Picker(scene, this.octree, this.part.geometry);
-    this.streams = new LineSegments2(segments_of(scene.streamline_points, scene.streamline_starts), line_material(1.6, 1));
-    this.streams.renderOrder = 4;
-    this.three.add(this.part.group, this.face.group, this.lines.group, this.glyphs.group, this.streams, this.marks.group);
+    this.marks = new Marks(this.field.uniforms);
+    this.streams = new StreamlineView(scene);
+    this.three.add(this.streams.group, this.marks.group);
+  }
+
+  /** The field that is shown; made when it is first asked for. */
+  get field(): FieldView {
+    const name = this.scene.grid ? this.settings.field : "main";
+    let view = this.fields.get(name);
+    if (!view) {
+      view = new FieldView(name === "grid" ? this.scene.grid! : this.scene, this.faults_of(name), this.closed);
+      view.resize(this.height, this.renderer.getPixelRatio());
+      this.fields.set(name, view);
+      this.three.add(view.group);
+    }
+    return view;
   }
 
   resize(width: number, height: number, covered: Covered): void {
+    this.height = height;
     // Beyond two device pixels a CSS pixel nothing is gained but work.
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
-    this.renderer.setSize(width, height, false);
+    this.set_size(width, height, Math.min(2, devicePixelRatio || 1));
     this.rig.resize(width, height, covered);
-    this.uniforms.view_height.value = height;
-    this.uniforms.pixel_ratio.value = this.renderer.getPixelRatio();
     this.draw_soon();
   }
 
+  private set_size(width: number, height: number, pixel_ratio: number): void {
+    this.renderer.setPixelRatio(pixel_ratio);
+    this.renderer.setSize(width, height, false);
+    for (const view of this.fields.values()) view.resize(height, pixel_ratio);
+  }
+
   apply(settings: Settings, theme: Theme): void {
-    if (theme !== this.theme || settings.map !== this.settings.map || this.frames_drawn === 0) this.recolor(settings, theme);
+    const other = settings.field !== this.settings.field;
+    const recolored = theme !== this.theme || settings.map !== this.settings.map || other || this.frames_drawn === 0;
+    const turned = settings.up !== this.settings.up;
     this.settings = settings;
+    this.theme = theme;
+    const { field } = this;
+    for (const view of this.fields.values()) view.group.visible = view === field;
+    if (recolored) {
+      this.renderer.setClearColor(new Color(kViewColors[theme].background));
+      field.recolor(settings, theme);
+      this.marks.recolor(kViewColors[theme]);
+    }
+    field.apply(settings);
     const { layers, cut } = settings;
-    const normal = cut_normal(settings);
-    const offset = this.cut_offset;
-    this.uniforms.cut.value.set(...normal, offset);
-    this.uniforms.clip.value = cut.on && cut.clip;
-    this.part.show(layers.part, layers.creases, settings.opacity);
-    this.part.cut(normal, offset, cut.on && cut.clip);
-    this.face.place(normal, offset);
-    this.face.show(cut.on, layers.cells);
-    this.lines.show(layers.arcs, layers.nodes);
-    this.streams.visible = layers.streamlines && this.scene.streamline_starts.length > 1;
-    this.marks.update(settings);
+    this.streams.show(layers.streamlines, settings.streams, theme);
+    this.streams.cut(field.cut.normal, field.cut.offset, cut.on && cut.clip);
+    this.marks.update(field.scene, settings);
+    if (turned) this.rig.set_up(settings.up);
     this.draw_soon();
   }
 
   get cut_offset(): number {
-    return cut_offset(this.settings, this.scene.low, this.scene.high);
+    return this.field.offset_of(this.settings);
   }
 
-  private recolor(settings: Settings, theme: Theme): void {
-    this.theme = theme;
-    const colors = kViewColors[theme];
-    this.renderer.setClearColor(new Color(colors.background));
-    this.uniforms.map_kind.value = ["none", "alignment", "energy", "class"].indexOf(settings.map);
-    set_palette(this.textures, settings.map, theme);
-    this.uniforms.base_color.value.copy(shader_color(colors.part));
-    this.uniforms.void_color.value.copy(shader_color(colors.nothing));
-    this.uniforms.face_color.value.copy(shader_color(colors.cut));
-    this.face.line_color.value.copy(shader_color(colors.cell_line));
-    this.part.recolor(scene_color(colors.crease));
-    this.streams.material.color = scene_color(colors.streamline);
-    this.lines.recolor(colors);
-    this.marks.recolor(colors);
+  /** Looks at the cut from a little beside its normal, or at the whole part without one, so that what is left fills the view. */
+  face_cut(animated: boolean): void {
+    const points = this.field.points_left(this.settings);
+    if (!this.settings.cut.on) return this.rig.view("iso", animated, points);
+    this.rig.face(cut_normal(this.settings), animated, points);
   }
 
-  /** Lattice units between glyphs: the power of two that leaves each enough pixels where the camera looks. */
-  get glyph_spacing(): number {
+  /** Size of a pixel where the camera looks, in model units. */
+  private get pixel(): number {
     const { camera, controls } = this.rig;
-    const distance = camera.position.distanceTo(controls.target);
-    const pixel = (2 * distance * Math.tan((camera.fov * Math.PI) / 360)) / this.uniforms.view_height.value;
+    return (2 * camera.position.distanceTo(controls.target) * Math.tan((camera.fov * Math.PI) / 360)) / this.height;
+  }
+
+  /** Between frames on the cut: steps of the square root of two, so that frames stay where they are while the camera moves a little. */
+  get glyph_spacing(): number {
     // A cut that is seen at a slant is seen shortened one way: halfway to what that asks for, since the other way there is room.
     const slant = Math.max(0.15, Math.abs(dot(cut_normal(this.settings), this.rig.direction)));
-    const cells = (kGlyphPixels * pixel) / Math.sqrt(slant) / this.scene.cells.unit;
-    return 2 ** Math.max(0, Math.round(Math.log2(cells)) - this.settings.glyph.density);
+    const wanted = ((kGlyphPixels * this.pixel) / Math.sqrt(slant)) * 2 ** -this.settings.glyph.density;
+    const unit = Math.max(this.field.least_spacing, 1e-12);
+    return unit * Math.SQRT2 ** Math.round(2 * Math.log2(wanted / unit));
   }
 
-  /** The cell under a place of the canvas in CSS pixels, or -1. */
+  /** The tet or cell under a place of the canvas in CSS pixels, or -1. */
   pick(x: number, y: number): number {
     const { clientWidth, clientHeight } = this.canvas;
-    return this.picker.pick((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight, this.rig.camera, this.settings);
+    return this.field.pick((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight, this.rig.camera, this.settings);
+  }
+
+  get elements(): number {
+    return element_count(this.field.scene);
   }
 
   /** Where a point of the scene is in the canvas, in CSS pixels. */
   on_screen(point: Vector): [number, number] {
     const at = new Vector3(...point).project(this.rig.camera);
     return [((at.x + 1) / 2) * this.canvas.clientWidth, ((1 - at.y) / 2) * this.canvas.clientHeight];
+  }
+
+  /** Calls back with the canvas drawn at so many of its pixels a CSS pixel. */
+  at_scale(scale: number, take: (canvas: HTMLCanvasElement) => void): void {
+    const before = this.renderer.getPixelRatio();
+    const { clientWidth, clientHeight } = this.canvas;
+    this.set_size(clientWidth, clientHeight, scale);
+    this.draw();
+    take(this.canvas);
+    this.set_size(clientWidth, clientHeight, before);
+    this.draw();
   }
 
   draw_soon(): void {
@@ -156,16 +165,9 @@ export class Stage {
   }
 
   private draw(): void {
+    cancelAnimationFrame(this.pending);
     this.pending = 0;
-    const { glyph, layers, cut } = this.settings;
-    this.glyphs.update(layers.glyphs && cut.on, {
-      normal: cut_normal(this.settings),
-      offset: this.cut_offset,
-      spacing: this.glyph_spacing,
-      shape: glyph.shape,
-      color: glyph.color,
-      theme: this.theme,
-    });
+    this.field.update(this.settings, this.theme, this.glyph_spacing, this.pixel);
     this.renderer.render(this.three, this.rig.camera);
     ++this.frames_drawn;
     for (const resolve of this.after_drawing.splice(0)) resolve();

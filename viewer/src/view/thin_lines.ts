@@ -17,6 +17,25 @@ export function segments_of(points: Float32Array, starts: Uint32Array): LineSegm
   return new LineSegmentsGeometry().setPositions(segments);
 }
 
+/** The same, of some of the lines, each in its colour. */
+export function coloured_segments(points: Float32Array, starts: Uint32Array, color_of: (line: number) => [number, number, number] | null): LineSegmentsGeometry {
+  const segments: number[] = [];
+  const colors: number[] = [];
+  for (let line = 0; line + 1 < starts.length; ++line) {
+    const color = color_of(line);
+    if (!color) continue;
+    for (let point = starts[line]; point + 1 < starts[line + 1]; ++point) {
+      for (let k = 0; k < 6; ++k) segments.push(points[3 * point + k]);
+      colors.push(...color, ...color);
+    }
+  }
+  if (segments.length === 0) {
+    segments.push(0, 0, 0, 0, 0, 0);
+    colors.push(0, 0, 0, 0, 0, 0);
+  }
+  return new LineSegmentsGeometry().setPositions(segments).setColors(colors) as LineSegmentsGeometry;
+}
+
 export function line_material(width: number, opacity: number): LineMaterial {
   return new LineMaterial({ linewidth: width, transparent: opacity < 1, opacity, depthWrite: opacity >= 1, clipping: true });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours of what is drawn in 3D, for the light and the dark page. Singular lines: blue and gold differ for every kind of colour vision,
-// red is kept for what hexahedral meshes cannot have, and each kind has a pattern of its own besides. Balls whose verdict is undecided
+// Colours of what is drawn in 3D, for the light and the dark page. Singular lines: blue and orange differ for every kind of colour
+// vision, crimson is kept for what hexahedral meshes cannot have, and each kind has a pattern of its own besides. Balls whose verdict is undecided
 // are as violet as in pictures.
 
 import { Color, Vector3 } from "three";
@@ -14,14 +14,14 @@ export interface ViewColors {
   cell_line: string;
   nothing: string;
   crease: string;
-  glyph: string;
-  streamline: string;
+  seam: string;
   positive: string;
   negative: string;
   half: string;
   warn: string;
   node: string;
   undecided: string;
+  turn: string;
   picked: string;
 }
 
@@ -33,14 +33,14 @@ export const kViewColors: Record<Theme, ViewColors> = {
     cell_line: "#5d6b7b",
     nothing: "#c9cdd3",
     crease: "#3d4856",
-    glyph: "#2d3b4d",
-    streamline: "#00796b",
-    positive: "#1667c4",
-    negative: "#d98f00",
-    half: "#8a4fb5",
-    warn: "#c8102e",
+    seam: "#5b6675",
+    positive: "#1272c4",
+    negative: "#f09a1a",
+    half: "#12916f",
+    warn: "#d3125f",
     node: "#1d2530",
-    undecided: "#7a4fd0",
+    undecided: "#8b5cc7",
+    turn: "#ffd23e",
     picked: "#d6006c",
   },
   dark: {
@@ -50,17 +50,22 @@ export const kViewColors: Record<Theme, ViewColors> = {
     cell_line: "#9fb0c3",
     nothing: "#3a3f47",
     crease: "#b6c2d0",
-    glyph: "#d5dde7",
-    streamline: "#4fd0bd",
+    seam: "#a9b6c6",
     positive: "#58a6ff",
     negative: "#f0b429",
-    half: "#c297ee",
-    warn: "#ff5468",
+    half: "#3cc79f",
+    warn: "#ff4d8d",
     node: "#f2f5f9",
     undecided: "#b79cff",
+    turn: "#ffd23e",
     picked: "#ff5fae",
   },
 };
+
+// Of axes named x, y and z: those of pictures, lighter on the dark page.
+const kAxisColors: Record<Theme, [string, string, string]> = { light: ["#c8423b", "#5f9e3a", "#4a6fd0"], dark: ["#e8746c", "#86c45c", "#7f9df0"] };
+
+export const axis_colors = (theme: Theme): [string, string, string] => kAxisColors[theme];
 
 /** An sRGB colour for the shaders of this page. */
 export const shader_color = (hex: string): Vector3 => new Vector3(...parse_color(hex));

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "page/scene_streamlines.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "page/scene_parts.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Number of seeds of each set, of which those near earlier lines give none.
+constexpr std::size_t kSeeds = 120;
+
+/// Least distance between lines along like axes, in longest sides.
+constexpr double kSpacing = 1.0 / 18;
+
+/// Largest length of a line in each direction, in longest sides: lines may wind around a part many times and
+/// hide it.
+constexpr double kSides = 1;
+
+/// Largest number of points of a streamline: tracing takes one point per cell.
+constexpr std::size_t kMostPoints = 200;
+
+}  // namespace
+
+StreamlineOptions page_streamlines() {
+  StreamlineOptions options;
+  options.longest_sides = kSides;
+  options.spacing_sides = kSpacing;
+  return options;
+}
+
+void add_streamlines(const StreamlineTracer& tracer, const Vector3& origin, int axis, const Monitor& monitor,
+                     SceneWriter& scene) {
+  Polylines lines(origin);
+  std::vector<std::uint8_t> axes, sets;
+  const auto add = [&](const std::vector<StreamlineSeed>& seeds, std::uint8_t set) {
+    for (const Streamline& line : tracer.trace(seeds, monitor).lines) {
+      const std::size_t pieces = line.points.size() - 1;
+      const std::size_t drawn = std::min(pieces, kMostPoints);
+      for (std::size_t k = 0; k <= drawn; ++k) lines.add_point(line.points[k * pieces / drawn]);
+      lines.end_line();
+      axes.push_back(static_cast<std::uint8_t>(line.axis));
+      sets.push_back(set);
+    }
+  };
+  add(tracer.cut_seeds(axis, std::nullopt, kSeeds, monitor), 0);
+  add(tracer.surface_seeds(kSeeds, monitor), 1);
+  lines.write(scene, "streamline_points", "streamline_starts");
+  scene.add("streamline_axis", 1, axes);
+  scene.add("streamline_set", 1, sets);
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "page/page_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "crossgrain/solve.hpp"
+#include "measure/made_tets.hpp"
+#include "page/scene_tets.hpp"
+#include "singularity/axis_names.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Frames on rings around a line of index 1/4, with links around the rings and between them.
+struct Rings {
+  std::vector<Quaternion> frames;
+  std::vector<FrameLink> links;
+};
+
+Rings rings_of_a_quarter() {
+  constexpr std::uint32_t kAround = 24, kRings = 4;
+  Rings rings;
+  for (std::uint32_t ring = 0; ring < kRings; ++ring) {
+    for (std::uint32_t k = 0; k < kAround; ++k) {
+      const double angle = 2 * std::numbers::pi * (k + 0.5) / kAround, turn = 0.25 * angle / 2;
+      rings.frames.push_back({std::cos(turn), 0, 0, std::sin(turn)});
+      const std::uint32_t here = ring * kAround + k;
+      const double arc = 2 * std::numbers::pi * (ring + 1) / kAround;
+      rings.links.push_back({here, ring * kAround + (k + 1) % kAround, arc, 1});
+      if (ring > 0) rings.links.push_back({here - kAround, here, 1, arc});
+    }
+  }
+  return rings;
+}
+
+TEST(AxisNames, HaveTheSeamsThatThePageFinds) {
+  // viewer/tests/cut.test.mjs has the same.
+  const auto [frames, links] = rings_of_a_quarter();
+  const std::vector<AxisNames> names = name_axes(frames, links, 0);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> seams;
+  for (const std::uint32_t k : seams_of(names, frames, links)) seams.emplace_back(links[k].a, links[k].b);
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>> expected{{11, 12}, {35, 36}, {59, 60}, {83, 84}};
+  EXPECT_EQ(seams, expected);
+}
+
+TetFrameField field_on_tets() {
+  SolveOptions options;
+  options.resolution = 8;
+  return solve_onto(TetDomain(tet_box({3, 3, 3})), options);
+}
+
+nlohmann::json header_of(const SceneWriter& scene) {
+  const std::string bytes = scene.bytes();
+  std::uint32_t length = 0;
+  std::copy_n(bytes.data() + 8, sizeof length, reinterpret_cast<char*>(&length));
+  return nlohmann::json::parse(bytes.substr(12, length));
+}
+
+TEST(PageScene, OfTetsHasAllOfThemWhereThereAreFew) {
+  const TetFrameField field = field_on_tets();
+  SceneWriter scene;
+  EXPECT_TRUE(add_tets(ShownField(field), {0, 0, 0}, 6 * 27, 1000, {}, scene));
+  const nlohmann::json header = header_of(scene);
+  EXPECT_EQ(header["tets"]["shown"], 6 * 27);
+  EXPECT_EQ(header["arrays"]["tet_corners"]["shape"][0], 6 * 27);
+  EXPECT_EQ(header["arrays"]["tet_points"]["shape"][0], 4 * 4 * 4);
+}
+
+TEST(PageScene, OfTooManyTetsHasCellsThatCoverTheSolid) {
+  const TetFrameField field = field_on_tets();
+  for (const std::size_t most : {300u, 3000u}) {
+    SceneWriter scene;
+    EXPECT_FALSE(add_tets(ShownField(field), {0, 0, 0}, 6 * 27 - 1, most, {}, scene));
+    const nlohmann::json header = header_of(scene);
+    EXPECT_EQ(header["tets"]["total"], 6 * 27);
+    EXPECT_EQ(header["tets"]["shown"], 0);
+    const auto cells = header["cells"]["shown"].get<double>();
+    EXPECT_LE(cells, static_cast<double>(most));
+    const double volume = cells * std::pow(header["cells"]["unit"].get<double>(), 3);
+    const Box& box = field.domain().data().box;
+    double solid = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) solid *= box.high[axis] - box.low[axis];
+    EXPECT_GE(volume, 0.9 * solid);
+    EXPECT_LE(volume, 1.6 * solid);
+  }
+}
+
+TEST(PageScene, OfTetsIsTheSameForTheSameField) {
+  EXPECT_EQ(page_scene(field_on_tets()), page_scene(field_on_tets()));
+}
+
+}  // namespace
+}  // namespace crossgrain

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// One field in the view: its part, its cut with the frames on it, and its singular lines. A page of tets has two, one of which is shown.
+
+import { Group, type PerspectiveCamera } from "three";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
+
+import { kMaps, type Theme } from "../math/color_maps.ts";
+import type { Vector } from "../math/frame.ts";
+import { build_octree, type Octree } from "../scene/octree.ts";
+import { element_size, type Scene } from "../scene/scene.ts";
+import { cut_normal, cut_offset, type Settings } from "../settings.ts";
+import { Cut } from "./cut.ts";
+import { CutFace } from "./cut_face.ts";
+import { field_textures, set_palette, type FieldTextures } from "./field_textures.ts";
+import { GlyphView } from "./glyphs.ts";
+import type { FaultMark } from "./line_marks.ts";
+import { PartView } from "./part.ts";
+import { Picker } from "./picking.ts";
+import { ranges_of, type Ranges } from "./ranges.ts";
+import { shared_uniforms, type SharedUniforms } from "./shared_uniforms.ts";
+import { SingularLines } from "./singular_lines.ts";
+import { TetFace } from "./tet_face.ts";
+import { line_material } from "./thin_lines.ts";
+import { kViewColors, scene_color, shader_color } from "./view_colors.ts";
+
+// Seams stand this share of the distance between frames in front of the cut, so that its face does not hide them.
+const kSeamLift = 0.02;
+
+export class FieldView {
+  readonly group = new Group();
+  readonly octree: Octree;
+  readonly ranges: Ranges;
+  readonly uniforms: SharedUniforms;
+  readonly glyphs: GlyphView;
+  readonly cut: Cut;
+  private readonly textures: FieldTextures;
+  private readonly part: PartView;
+  private readonly cell_face: CutFace | null;
+  private readonly tet_face: TetFace | null;
+  private readonly lines: SingularLines;
+  private readonly seams = new LineSegments2(new LineSegmentsGeometry(), line_material(1.4, 0.75));
+  private readonly picker: Picker;
+  private drawn_seams: unknown = null;
+
+  constructor(readonly scene: Scene, readonly faults: FaultMark[], closed: boolean) {
+    this.octree = build_octree(scene);
+    this.ranges = ranges_of(scene);
+    this.textures = field_textures(scene, this.octree, this.ranges);
+    this.uniforms = shared_uniforms(scene, this.octree, this.textures);
+    // The boundary of tets is closed.
+    this.cut = new Cut(scene, this.octree, closed || scene.tets !== null);
+    this.part = new PartView(scene, this.uniforms, this.ranges);
+    this.tet_face = scene.tets ? new TetFace(scene, this.uniforms, this.cut, this.ranges) : null;
+    this.cell_face = scene.tets ? null : new CutFace(scene, this.uniforms, this.part.geometry, closed);
+    this.lines = new SingularLines(scene, faults, this.uniforms);
+    this.glyphs = new GlyphView(scene, this.cut);
+    this.picker = new Picker(scene, this.octree, this.part.geometry, this.cut);
+    const { material } = this.seams;
+    material.dashed = true;
+    this.seams.renderOrder = 3;
+    this.seams.frustumCulled = false;
+    this.group.add(this.part.group, this.lines.group, this.glyphs.group, this.seams);
+    for (const face of [this.tet_face, this.cell_face]) if (face) this.group.add(face.group);
+  }
+
+  resize(view_height: number, pixel_ratio: number): void {
+    this.uniforms.view_height.value = view_height;
+    this.uniforms.pixel_ratio.value = pixel_ratio;
+  }
+
+  apply(settings: Settings): void {
+    const { layers, cut } = settings;
+    const normal = cut_normal(settings);
+    const offset = this.offset_of(settings);
+    this.cut.place(normal, offset);
+    this.uniforms.cut.value.set(...normal, offset);
+    this.uniforms.clip.value = cut.on && cut.clip;
+    this.part.show(layers.part, layers.creases, settings.opacity);
+    this.part.cut(normal, offset, cut.on && cut.clip);
+    this.cell_face?.place(normal, offset);
+    this.cell_face?.show(cut.on, layers.cells);
+    this.tet_face?.show(cut.on, layers.cells);
+    this.lines.show(layers.arcs, layers.nodes);
+  }
+
+  offset_of(settings: Settings): number {
+    return cut_offset(settings, this.scene.low, this.scene.high);
+  }
+
+  recolor(settings: Settings, theme: Theme): void {
+    const colors = kViewColors[theme];
+    this.uniforms.map_kind.value = kMaps.indexOf(settings.map);
+    set_palette(this.textures, settings.map, theme);
+    this.uniforms.base_color.value.copy(shader_color(colors.part));
+    this.uniforms.void_color.value.copy(shader_color(colors.nothing));
+    this.uniforms.face_color.value.copy(shader_color(colors.cut));
+    this.cell_face?.line_color.value.copy(shader_color(colors.cell_line));
+    this.tet_face?.recolor(colors.cell_line);
+    this.part.recolor(scene_color(colors.crease));
+    this.lines.recolor(colors);
+    this.seams.material.color = scene_color(colors.seam);
+  }
+
+  /** What depends on the camera: frames on the cut, and lines that fade. `pixel` is the size of one there. */
+  update(settings: Settings, theme: Theme, spacing: number, pixel: number): void {
+    const { glyph, layers, cut } = settings;
+    const shown = layers.glyphs && cut.on;
+    this.glyphs.update(shown, { normal: this.cut.normal, offset: this.cut.offset, spacing, shape: glyph.shape, color: glyph.color, theme });
+    this.tet_face?.update(pixel);
+    this.update_seams(shown && glyph.color === "axes", spacing);
+  }
+
+  private update_seams(visible: boolean, spacing: number): void {
+    const segments = visible ? this.cut.named.seams : null;
+    this.seams.visible = segments !== null && segments.length > 0;
+    if (!segments || !this.seams.visible) return;
+    this.seams.material.dashSize = this.seams.material.gapSize = spacing / 5;
+    if (segments === this.drawn_seams) return;
+    this.drawn_seams = segments;
+    const lifted = segments.map((value, k) => value + kSeamLift * spacing * this.cut.normal[k % 3]);
+    this.seams.geometry.dispose();
+    this.seams.geometry = new LineSegmentsGeometry().setPositions(lifted);
+    this.seams.computeLineDistances();
+  }
+
+  /** The tet or cell at a place of the view, both coordinates -1 ... 1 and y up; -1 where there is none. */
+  pick(x: number, y: number, camera: PerspectiveCamera, settings: Settings): number {
+    return this.picker.pick(x, y, camera, settings);
+  }
+
+  /** Points that stand for the part in fitting the view: of what the cut leaves, or of all. */
+  points_left(settings: Settings): Float32Array {
+    const { surface_vertices } = this.scene;
+    if (!settings.cut.on || !settings.cut.clip) return surface_vertices;
+    const [normal, offset]: [Vector, number] = [this.cut.normal, this.cut.offset];
+    const kept: number[] = [];
+    for (let k = 0; k < surface_vertices.length; k += 3) {
+      const point: Vector = [surface_vertices[k], surface_vertices[k + 1], surface_vertices[k + 2]];
+      if (normal[0] * point[0] + normal[1] * point[1] + normal[2] * point[2] <= offset) kept.push(...point);
+    }
+    for (const value of this.cut.outline) kept.push(value);
+    return kept.length > 0 ? Float32Array.from(kept) : surface_vertices;
+  }
+
+  /** The smallest distance between frames that shows each of them. */
+  get least_spacing(): number {
+    return element_size(this.scene);
+  }
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// All scenes of the page's tests, by name.
+//   node --import ./tests/register_typescript.mjs tests/scenes.mjs FOLDER     writes a page of each
+
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+
+import { ball_scene, components_scene, plate_scene } from "./sample_scene.mjs";
+import { filled_page } from "./scene_writer.mjs";
+import { tets_scene } from "./tet_scene.mjs";
+
+export const kScenes = { ball: ball_scene, plate: plate_scene, components: components_scene, tets: tets_scene };
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const folder = process.argv[2] ?? ".";
+  mkdirSync(folder, { recursive: true });
+  const page = readFileSync(new URL("../dist/report.html", import.meta.url), "utf8");
+  for (const [name, make] of Object.entries(kScenes)) {
+    const { report, scene } = make();
+    writeFileSync(`${folder}/${name}.html`, filled_page(page, report, scene));
+    console.log(`${folder}/${name}.html: ${report.levels.at(-1).active_cells} cells`);
+  }
+}
