@@ -63,7 +63,7 @@ export const kViewColors: Record<Theme, ViewColors> = {
 };
 
 // Of axes named x, y and z: those of pictures, lighter on the dark page.
-const kAxisColors: Record<Theme, [string, string, string]> = { light: ["#c8423b", "#5f9e3a", "#4a6fd0"], dark: ["#e8746c", "#86c45c", "#7f9df0"] };
+const kAxisColors: Record<Theme, [string, string, string]> = { light: ["#c8423b", "#5f9e3a", "#3d3a9e"], dark: ["#e8746c", "#86c45c", "#918ef0"] };
 
 export const axis_colors = (theme: Theme): [string, string, string] => kAxisColors[theme];
 
