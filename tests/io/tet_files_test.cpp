@@ -186,13 +186,14 @@ TEST(FormatsOfAFolder, AppearTogetherOrNotAtAll) {
 TEST(FormatsOfAFolder, StopWhereTheMonitorIsCancelled) {
   const TemporaryFolder folder;
   const Sample sample({2, 2, 2});
+  const SingularityGraph lines;
   Monitor monitor;
   monitor.cancel();
   for (const TetFile& file : tet_files()) {
     OutputFile output(folder.path() / file.name);
     // A box has no features, and no block of them to look between.
     if (std::string(file.format) == "features") continue;
-    EXPECT_THROW(file.write(output, {sample.solid, sample.onto}, monitor), Error) << file.name;
+    EXPECT_THROW(file.write(output, {sample.solid, sample.onto, lines}, monitor), Error) << file.name;
   }
 }
 
