@@ -13,9 +13,8 @@
 namespace crossgrain {
 namespace {
 
-/// Longest sides of the pieces of the surface, in cells, from which cells are weighed, and to which corners
-/// are fitted: a few pieces in each cell.
-constexpr double kWeighed = 1.0, kFitted = 0.6;
+/// Largest number of pieces in a cell to which its corners are fitted.
+constexpr int kFitted = 6;
 
 /// Largest number of samples: enough for a percentile.
 constexpr std::size_t kMostSamples = 40000;
@@ -47,15 +46,30 @@ std::size_t nearest_direction(const Vector3& normal) {
 
 }  // namespace
 
-GridNumbers::GridNumbers(const ShownField& field, SurfaceNumber number)
+GridNumbers::GridNumbers(const ShownField& field, SurfaceNumber number, double longest)
     : field_(field.grid()),
       surface_(field.surface()),
       number_(number),
       leaves_(field_),
-      normals_(
-          corner_normals(SmoothCorners(surface_.vertices, surface_.triangles), surface_.triangles.size())),
-      spots_(surface_spots(surface_, field_, leaves_, kWeighed)) {
-  if (number == SurfaceNumber::kEnergy)
+      normals_(std::make_shared<const CornerNormals>(
+          corner_normals(SmoothCorners(surface_.vertices, surface_.triangles), surface_.triangles.size()))),
+      spots_(std::make_shared<const std::vector<SurfaceSpot>>(
+          surface_spots(surface_, field_, leaves_, longest))) {
+  prepare();
+}
+
+GridNumbers::GridNumbers(const GridNumbers& other, SurfaceNumber number)
+    : field_(other.field_),
+      surface_(other.surface_),
+      number_(number),
+      leaves_(other.leaves_),
+      normals_(other.normals_),
+      spots_(other.spots_) {
+  prepare();
+}
+
+void GridNumbers::prepare() {
+  if (number_ == SurfaceNumber::kEnergy)
     weigh_leaves();
   else
     measure_facets();
@@ -63,12 +77,13 @@ GridNumbers::GridNumbers(const ShownField& field, SurfaceNumber number)
 
 void GridNumbers::weigh_leaves() {
   std::vector<float> depths(field_.tree.size(), 0), areas(field_.tree.size(), 0);
-  for (const SurfaceSpot& spot : spots_) {
+  for (const SurfaceSpot& spot : *spots_) {
     if (spot.leaf == kNoCell) continue;
-    const double depth = dot(smooth_normal(spot.point), spot.point.place - field_.tree.centre(spot.leaf)) /
+    const SurfacePoint point = spot.on(surface_);
+    const double depth = dot(smooth_normal(point), point.place - field_.tree.centre(spot.leaf)) /
                          field_.tree.cell_size(spot.leaf);
-    depths[spot.leaf] += static_cast<float>(depth * spot.area);
-    areas[spot.leaf] += static_cast<float>(spot.area);
+    depths[spot.leaf] += static_cast<float>(depth) * spot.area;
+    areas[spot.leaf] += spot.area;
   }
   weights_.resize(field_.tree.size());
   parallel_for(weights_.size(), [&](std::size_t i) {
@@ -89,16 +104,17 @@ void GridNumbers::measure_facets() {
     double area = 0;
   };
   std::vector<std::uint32_t> order;
-  for (std::uint32_t i = 0; i < spots_.size(); ++i)
-    if (spots_[i].leaf != kNoCell) order.push_back(i);
+  for (std::uint32_t i = 0; i < spots_->size(); ++i)
+    if ((*spots_)[i].leaf != kNoCell) order.push_back(i);
   // Of the triangles themselves, which the solve follows; their mean in a cell is smooth enough.
-  std::vector<Vector3> normals(spots_.size());
-  std::vector<std::uint64_t> keys(spots_.size());
-  parallel_for(spots_.size(), [&](std::size_t i) {
-    const auto& [a, b, c] = surface_.triangles[spots_[i].point.triangle];
-    normals[i] = normalised(
+  const auto normal_at = [&](const SurfaceSpot& spot) {
+    const auto& [a, b, c] = surface_.triangles[spot.triangle];
+    return normalised(
         cross(surface_.vertices[b] - surface_.vertices[a], surface_.vertices[c] - surface_.vertices[a]));
-    keys[i] = std::uint64_t{6} * spots_[i].leaf + nearest_direction(normals[i]);
+  };
+  std::vector<std::uint64_t> keys(spots_->size());
+  parallel_for(spots_->size(), [&](std::size_t i) {
+    keys[i] = std::uint64_t{6} * (*spots_)[i].leaf + nearest_direction(normal_at((*spots_)[i]));
   });
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return keys[a] < keys[b]; });
   facets_begin_.assign(field_.tree.size() + 1, 0);
@@ -107,14 +123,15 @@ void GridNumbers::measure_facets() {
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     Sum sum;
     for (; end < order.size() && keys[order[end]] == keys[order[begin]]; ++end) {
-      const SurfaceSpot& spot = spots_[order[end]];
-      sum.places += spot.area * spot.point.place;
-      sum.normals += spot.area * normals[order[end]];
-      sum.area += spot.area;
+      const SurfaceSpot& spot = (*spots_)[order[end]];
+      const auto area = static_cast<double>(spot.area);
+      sum.places += area * spot.on(surface_).place;
+      sum.normals += area * normal_at(spot);
+      sum.area += area;
     }
     facets_.push_back({normalised(sum.normals), sum.area, 0});
     places.push_back((1 / sum.area) * sum.places);
-    leaves.push_back(spots_[order[begin]].leaf);
+    leaves.push_back((*spots_)[order[begin]].leaf);
     ++facets_begin_[leaves.back() + 1];
   }
   for (std::size_t i = 0; i < field_.tree.size(); ++i) facets_begin_[i + 1] += facets_begin_[i];
@@ -133,7 +150,7 @@ LeafBlock GridNumbers::block_at(const Vector3& place) const {
 }
 
 Vector3 GridNumbers::smooth_normal(const SurfacePoint& point) const {
-  const auto& corners = normals_[point.triangle];
+  const auto& corners = (*normals_)[point.triangle];
   Vector3 normal{};
   for (std::size_t k = 0; k < 3; ++k)
     normal[k] = static_cast<double>((1 - point.u - point.v) * corners[0][k] + point.u * corners[1][k] +
@@ -183,22 +200,36 @@ double GridNumbers::energy_at(const Vector3& place) const {
 }
 
 std::vector<SurfaceNumbers::Sample> GridNumbers::samples() const {
-  const std::size_t step = spots_.size() / kMostSamples + 1;
-  std::vector<SurfaceNumbers::Sample> samples((spots_.size() + step - 1) / step);
+  const std::size_t step = spots_->size() / kMostSamples + 1;
+  std::vector<SurfaceNumbers::Sample> samples((spots_->size() + step - 1) / step);
   parallel_for(samples.size(), [&](std::size_t i) {
-    const SurfaceSpot& spot = spots_[step * i];
-    samples[i] = {at(spot.point), spot.area};
+    const SurfaceSpot& spot = (*spots_)[step * i];
+    samples[i] = {at(spot.on(surface_)), static_cast<double>(spot.area)};
   });
   return samples;
 }
 
 std::vector<SurfaceNumbers::LeafCorners> GridNumbers::at_leaf_corners() const {
-  const std::vector<SurfaceSpot> spots = surface_spots(surface_, field_, leaves_, kFitted);
-  std::vector<double> numbers(spots.size());
-  parallel_for(spots.size(), [&](std::size_t i) { numbers[i] = at(spots[i].point); });
+  // Surfaces of many small triangles have many pieces in a cell, of which some are enough.
+  std::vector<std::uint16_t> counts(field_.tree.size(), 0), passed(field_.tree.size(), 0);
+  for (const SurfaceSpot& spot : *spots_)
+    if (spot.leaf != kNoCell && counts[spot.leaf] < UINT16_MAX) ++counts[spot.leaf];
+  const auto step_in = [&](CellIndex leaf) { return (counts[leaf] + kFitted - 1) / kFitted; };
+  std::vector<std::uint32_t> chosen;
+  for (std::uint32_t i = 0; i < spots_->size(); ++i) {
+    const CellIndex leaf = (*spots_)[i].leaf;
+    if (leaf != kNoCell && passed[leaf]++ % step_in(leaf) == 0) chosen.push_back(i);
+  }
+  std::vector<float> numbers(chosen.size());
+  parallel_for(chosen.size(), [&](std::size_t i) {
+    numbers[i] = static_cast<float>(at((*spots_)[chosen[i]].on(surface_)));
+  });
   LeafCornerMeans means(field_);
-  for (std::size_t i = 0; i < spots.size(); ++i)
-    if (std::isfinite(numbers[i])) means.add(spots[i], numbers[i]);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    SurfaceSpot spot = (*spots_)[chosen[i]];
+    spot.area *= static_cast<float>(step_in(spot.leaf));
+    if (std::isfinite(numbers[i])) means.add(spot, spot.on(surface_).place, static_cast<double>(numbers[i]));
+  }
   return means.result();
 }
 

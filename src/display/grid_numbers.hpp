@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "display/leaf_block.hpp"
@@ -13,7 +14,11 @@ namespace crossgrain {
 /// SurfaceNumbers of a field on a grid.
 class GridNumbers {
  public:
-  GridNumbers(const ShownField& field, SurfaceNumber number);
+  /// Cuts the surface into pieces of `longest` cells.
+  GridNumbers(const ShownField& field, SurfaceNumber number, double longest);
+
+  /// Another number from the same pieces of the surface.
+  GridNumbers(const GridNumbers& other, SurfaceNumber number);
 
   double at(const SurfacePoint& point) const;
   double energy_at(const Vector3& place) const;
@@ -32,6 +37,7 @@ class GridNumbers {
   double energy_of(const LeafBlock& block) const;
   double alignment_of(const LeafBlock& block, const Vector3& normal) const;
   Vector3 smooth_normal(const SurfacePoint& point) const;
+  void prepare();
   void weigh_leaves();
   void measure_facets();
 
@@ -39,8 +45,8 @@ class GridNumbers {
   const SolvedSurface& surface_;
   SurfaceNumber number_;
   SurfaceLeaves leaves_;
-  CornerNormals normals_;
-  std::vector<SurfaceSpot> spots_;
+  std::shared_ptr<const CornerNormals> normals_;
+  std::shared_ptr<const std::vector<SurfaceSpot>> spots_;
 
   /// How far each leaf lies in the part, from nearly 0 to 1: those that only dip into it are hardly held by
   /// their neighbours, and their energy is not that of the field.

@@ -22,7 +22,11 @@ std::uint64_t corner_code(CellAddress cell, std::size_t octant) {
 }  // namespace
 
 LeafCornerMeans::LeafCornerMeans(const FieldData& field) : field_(field), rows_(field.tree.size(), 0) {
+  std::size_t count = 0;
+  for (const std::uint8_t is_there : field.on_boundary) count += is_there != 0 ? 1 : 0;
+  leaves_.reserve(count);
   std::vector<std::uint64_t> codes;
+  codes.reserve(8 * count);
   for (CellIndex i = 0; i < field.tree.size(); ++i) {
     if (field.on_boundary[i] == 0) continue;
     rows_[i] = static_cast<std::uint32_t>(leaves_.size());
@@ -41,14 +45,13 @@ LeafCornerMeans::LeafCornerMeans(const FieldData& field) : field_(field), rows_(
   weights_.assign(sorted.size(), 0);
 }
 
-void LeafCornerMeans::add(const SurfaceSpot& spot, double number) {
+void LeafCornerMeans::add(const SurfaceSpot& spot, const Vector3& place, double number) {
   if (spot.leaf == kNoCell || field_.on_boundary[spot.leaf] == 0) return;
   const auto& [low, high] = field_.tree.root().box(field_.tree[spot.leaf]);
   for (std::size_t octant = 0; octant < 8; ++octant) {
-    double weight = spot.area;
+    auto weight = static_cast<double>(spot.area);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double share =
-          std::clamp((spot.point.place[axis] - low[axis]) / (high[axis] - low[axis]), 0.0, 1.0);
+      const double share = std::clamp((place[axis] - low[axis]) / (high[axis] - low[axis]), 0.0, 1.0);
       weight *= octant >> axis & 1 ? share : 1 - share;
     }
     const std::uint32_t corner = index_[8 * rows_[spot.leaf] + octant];

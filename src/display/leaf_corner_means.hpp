@@ -15,8 +15,9 @@ class LeafCornerMeans {
   /// Refers to the field.
   explicit LeafCornerMeans(const FieldData& field);
 
-  /// Adds a number to the corners of its leaf, by area and nearness. Ignored in leaves without surface.
-  void add(const SurfaceSpot& spot, double number);
+  /// Adds the number of a spot at a place to the corners of its leaf, by area and nearness. Ignored in leaves
+  /// without surface.
+  void add(const SurfaceSpot& spot, const Vector3& place, double number);
 
   /// The means; a corner without a number has the mean over its leaf, and a leaf without any has 0.
   std::vector<SurfaceNumbers::LeafCorners> result() const;

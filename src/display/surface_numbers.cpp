@@ -6,12 +6,15 @@
 
 namespace crossgrain {
 
-SurfaceNumbers::SurfaceNumbers(const ShownField& field, SurfaceNumber number) {
+SurfaceNumbers::SurfaceNumbers(const ShownField& field, SurfaceNumber number, double longest) {
   if (field.is_on_tets())
     tets_ = std::make_unique<const TetNumbers>(field, number);
   else
-    grid_ = std::make_unique<const GridNumbers>(field, number);
+    grid_ = std::make_unique<const GridNumbers>(field, number, longest);
 }
+
+SurfaceNumbers::SurfaceNumbers(const SurfaceNumbers& other, SurfaceNumber number)
+    : grid_(std::make_unique<const GridNumbers>(*other.grid_, number)) {}
 
 SurfaceNumbers::~SurfaceNumbers() = default;
 SurfaceNumbers::SurfaceNumbers(SurfaceNumbers&&) noexcept = default;

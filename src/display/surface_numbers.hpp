@@ -28,11 +28,16 @@ struct SurfacePoint {
 
 /// Interpolated numbers. Those of a grid come from the cells around a point that lie in the part and are
 /// connected there, so they are continuous within a face except where cells change their size. Those of tets
-/// are linear over triangles, energies in their logarithm.. Refers to the
+/// are linear over triangles, energies in their logarithm. Refers to the
 /// field. Safe to use from any number of threads; the same for any number of threads.
 class SurfaceNumbers {
  public:
-  SurfaceNumbers(const ShownField& field, SurfaceNumber number);
+  /// On a grid the surface is cut into pieces with sides of `longest` cells at most, from which cells are
+  /// weighed and angles measured; by default a few in each cell, as fit for pictures.
+  SurfaceNumbers(const ShownField& field, SurfaceNumber number, double longest = 1);
+
+  /// Another number of the same field on a grid, from the same pieces.
+  SurfaceNumbers(const SurfaceNumbers& other, SurfaceNumber number);
   ~SurfaceNumbers();
   SurfaceNumbers(SurfaceNumbers&&) noexcept;
 

@@ -59,9 +59,8 @@ class TriangleCutter {
       if (length > most) most = length, longest = k;
     }
     if (most <= longest_ * cell || halvings == kMostHalvings) {
-      spots_.push_back({{place, triangle_, static_cast<float>(middle[0]), static_cast<float>(middle[1])},
-                        std::ldexp(area_, -halvings),
-                        leaf});
+      spots_.push_back({triangle_, static_cast<float>(middle[0]), static_cast<float>(middle[1]),
+                        static_cast<float>(std::ldexp(area_, -halvings)), leaf});
       return;
     }
     const Barycentric &a = piece[longest], &b = piece[(longest + 1) % 3], &c = piece[(longest + 2) % 3];
@@ -114,8 +113,14 @@ std::vector<SurfaceSpot> surface_spots(const SolvedSurface& surface, const Field
     for (std::size_t t = begin; t < end; ++t)
       TriangleCutter(surface, static_cast<std::uint32_t>(t), field, leaves, longest, spots).cut();
   });
+  std::size_t spots = 0;
+  for (const std::vector<SurfaceSpot>& of_task : of_tasks) spots += of_task.size();
   std::vector<SurfaceSpot> all;
-  for (const std::vector<SurfaceSpot>& spots : of_tasks) all.insert(all.end(), spots.begin(), spots.end());
+  all.reserve(spots);
+  for (std::vector<SurfaceSpot>& of_task : of_tasks) {
+    all.insert(all.end(), of_task.begin(), of_task.end());
+    of_task = {};
+  }
   return all;
 }
 

@@ -10,10 +10,20 @@
 
 namespace crossgrain {
 
+/// The middle of a piece of a triangle. Small, as there are several for each cell with surface.
 struct SurfaceSpot {
-  SurfacePoint point;
-  double area;     ///< of the piece of a triangle whose middle this is
+  std::uint32_t triangle;
+  float u, v;      ///< barycentric coordinates of the triangle's second and third corner
+  float area;      ///< of the piece, model units
   CellIndex leaf;  ///< that which holds the surface there; kNoCell if there is none
+
+  SurfacePoint on(const SolvedSurface& surface) const {
+    const auto& [a, b, c] = surface.triangles[triangle];
+    const Vector3& first = surface.vertices[a];
+    const Vector3 place = first + static_cast<double>(u) * (surface.vertices[b] - first) +
+                          static_cast<double>(v) * (surface.vertices[c] - first);
+    return {place, triangle, u, v};
+  }
 };
 
 /// Finds the leaf that holds the surface at a point. Refers to the field.

@@ -74,16 +74,21 @@ void add_forms(const KeptForms& forms, const FieldData& shown, SceneWriter& scen
   scene.add("form_weight", 1, forms.weights);
 }
 
+/// Longest sides of the pieces of the surface from which numbers at corners are made, in cells: two or three
+/// in a cell, as each corner has those of four cells.
+constexpr double kLongestPieces = 2;
+
 /// Adds the numbers at the corners of cells with surface, between which the page interpolates.
 void add_corner_numbers(const ShownField& field, SceneWriter& scene) {
-  const auto corners = [&](SurfaceNumber number) { return SurfaceNumbers(field, number).at_leaf_corners(); };
   const auto values = [](const std::vector<SurfaceNumbers::LeafCorners>& leaves) {
     std::vector<std::uint16_t> numbers;
     for (const auto& leaf : leaves)
       for (const float number : leaf.numbers) numbers.push_back(to_bfloat16(number));
     return numbers;
   };
-  const auto tilts = corners(SurfaceNumber::kAlignment), energies = corners(SurfaceNumber::kEnergy);
+  const SurfaceNumbers alignment(field, SurfaceNumber::kAlignment, kLongestPieces);
+  const auto tilts = alignment.at_leaf_corners();
+  const auto energies = SurfaceNumbers(alignment, SurfaceNumber::kEnergy).at_leaf_corners();
   scene.add("corner_cell", 1, column<std::uint32_t>(tilts, [](const auto& leaf) { return leaf.leaf; }));
   scene.add("corner_alignment_deg", 8, values(tilts));
   scene.add("corner_energy_density", 8, values(energies));

@@ -156,7 +156,7 @@ RayTracing::Seen RayTracing::at(double x, double y, Scratch& scratch) const {
   if (!rod) return layers.seen();
   float least = is_behind_cut ? options_.least_seen_through_cut : options_.least_seen_through;
   if (rod->rods->look != RodLook::kSolid) least = 0;
-  if (least > 0 || !layers.is_opaque()) layers.add_rod(rod_colour(*rod), least);
+  if ((is_behind_cut && least > 0) || !layers.is_opaque()) layers.add_rod(rod_colour(*rod), least);
   return layers.seen();
 }
 

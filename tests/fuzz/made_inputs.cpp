@@ -118,6 +118,9 @@ std::string singularity_bytes() {
   append_array<std::int32_t>(out, {0, 1, -1, -1, -1});
   append_array<std::uint8_t>(out, {1, 0, 0, 0, 0});
   append_array<std::uint8_t>(out, {0, 2, 0, 0, 0});
+  append_array<Vector3>(out, {{0, 0, 0}, {0, 0, 0}, {0.6, 0.8, 0}, {0, 0, 1}, {0, 0, 0}});
+  append_array<std::uint8_t>(out, {0, 0, 1, 0, 0});
+  append_array<std::int64_t>(out, {-1, -1, -1, -1, -1});
   append_array<std::int64_t>(out, {0, 2, 1, 3, 4, 3});
   append_array<std::int64_t>(out, {3, 6});
   append_array<double>(out, {0.25, -0.25});

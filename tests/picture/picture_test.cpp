@@ -102,13 +102,14 @@ TEST_F(Picture, IsAnotherForEveryOption) {
 }
 
 TEST_F(Picture, HasALegendWhereThereIsRoomForOne) {
-  const std::string small = content_of(drawn("a.png"));
+  const auto pixels = [&] { return read_png(drawn("a.png")).bytes; };
+  const auto small = pixels();
   options.legend = false;
-  EXPECT_EQ(content_of(drawn("a.png")), small) << "letters would take half of it";
+  EXPECT_EQ(pixels(), small) << "letters would take half of it";
   options.width = 800, options.height = 600;
-  const std::string without = content_of(drawn("a.png"));
+  const auto without = pixels();
   options.legend = true;
-  EXPECT_NE(content_of(drawn("a.png")), without);
+  EXPECT_NE(pixels(), without);
 }
 
 TEST_F(Picture, OfWrongSizesViewsAndCutsIsRefused) {

@@ -51,12 +51,12 @@ TEST(SingularLines, HaveMarksOfDifferentShapes) {
                   turning = drawn(MarkShape::kTurningPoint, Verdict::kMeshable);
   ASSERT_EQ(node.balls.size(), 1u);
   EXPECT_EQ(node.balls[0].colour, kInk);
-  EXPECT_EQ(end.facets.size(), kFacetsOfDisc);
+  EXPECT_EQ(end.facets.size(), 2 * kFacetsOfDisc) << "with a cap in the colour of the line";
   EXPECT_EQ(end.facets[0].colour, kUndecidedLook.colour);
   EXPECT_EQ(turning.facets.size(), kFacetsOfDoublePyramid);
   EXPECT_TRUE(node.facets.empty() && end.balls.empty() && turning.balls.empty());
   DrawnLines thin;
-  thin.marks.push_back({MarkShape::kNode, {}, {}, 0.01, 1, Verdict::kMeshable});
+  thin.marks.push_back({MarkShape::kNode, {}, {}, 0.01, 1, Verdict::kMeshable, LineKind::kThree});
   EXPECT_LT(2 * singular_lines(thin, 0.02, kInk).balls[0].radius, 0.01) << "a mark fits into the wall";
 }
 
