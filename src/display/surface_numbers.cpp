@@ -1,16 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "display/surface_numbers.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "display/grid_numbers.hpp"
 #include "display/tet_numbers.hpp"
 
 namespace crossgrain {
 
-SurfaceNumbers::SurfaceNumbers(const ShownField& field, SurfaceNumber number, double longest) {
+namespace {
+
+/// Longest sides of pieces, and the number of cells with surface from which they are the longer.
+constexpr double kUsualPieces = 1, kLongPieces = 2;
+constexpr std::ptrdiff_t kManyCells = 150000;
+
+double longest_pieces(const FieldData& field) {
+  const auto inner = std::count(field.on_boundary.begin(), field.on_boundary.end(), std::uint8_t{0});
+  return std::ssize(field.on_boundary) - inner < kManyCells ? kUsualPieces : kLongPieces;
+}
+
+}  // namespace
+
+SurfaceNumbers::SurfaceNumbers(const ShownField& field, SurfaceNumber number, std::optional<double> longest) {
   if (field.is_on_tets())
     tets_ = std::make_unique<const TetNumbers>(field, number);
   else
-    grid_ = std::make_unique<const GridNumbers>(field, number, longest);
+    grid_ =
+        std::make_unique<const GridNumbers>(field, number, longest ? *longest : longest_pieces(field.grid()));
 }
 
 SurfaceNumbers::SurfaceNumbers(const SurfaceNumbers& other, SurfaceNumber number)

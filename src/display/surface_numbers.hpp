@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "display/shown_field.hpp"
@@ -33,8 +34,9 @@ struct SurfacePoint {
 class SurfaceNumbers {
  public:
   /// On a grid the surface is cut into pieces with sides of `longest` cells at most, from which cells are
-  /// weighed and angles measured; by default a few in each cell, as fit for pictures.
-  SurfaceNumbers(const ShownField& field, SurfaceNumber number, double longest = 1);
+  /// weighed and angles measured; by default a few in each cell, or one or two where cells are so many that
+  /// each is smaller than a pixel of most pictures.
+  SurfaceNumbers(const ShownField& field, SurfaceNumber number, std::optional<double> longest = {});
 
   /// Another number of the same field on a grid, from the same pieces.
   SurfaceNumbers(const SurfaceNumbers& other, SurfaceNumber number);
