@@ -2,8 +2,11 @@
 #include "display/grid_numbers.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/parallel.hpp"
 #include "display/leaf_corner_means.hpp"
@@ -43,6 +46,27 @@ std::size_t nearest_direction(const Vector3& normal) {
     if (std::abs(normal[k]) > std::abs(normal[nearest])) nearest = k;
   return 2 * nearest + (normal[nearest] > 0 ? 1 : 0);
 }
+
+/// The spots in each leaf, in their order.
+class SpotsOfLeaves {
+ public:
+  SpotsOfLeaves(std::span<const SurfaceSpot> spots, std::size_t leaves) : begin_(leaves + 1, 0) {
+    for (const SurfaceSpot& spot : spots)
+      if (spot.leaf != kNoCell) ++begin_[spot.leaf + 1];
+    for (std::size_t i = 0; i < leaves; ++i) begin_[i + 1] += begin_[i];
+    order_.resize(begin_.back());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t i = 0; i < spots.size(); ++i)
+      if (spots[i].leaf != kNoCell) order_[next[spots[i].leaf]++] = i;
+  }
+
+  std::span<const std::uint32_t> in(std::size_t leaf) const {
+    return std::span(order_).subspan(begin_[leaf], begin_[leaf + 1] - begin_[leaf]);
+  }
+
+ private:
+  std::vector<std::uint32_t> begin_, order_;
+};
 
 }  // namespace
 
@@ -97,51 +121,52 @@ void GridNumbers::weigh_leaves() {
   });
 }
 
+/// The normal of the triangle itself, which the solve follows; the mean of a cell is smooth enough.
+Vector3 GridNumbers::flat_normal(const SurfaceSpot& spot) const {
+  const auto& [a, b, c] = surface_.triangles[spot.triangle];
+  return normalised(
+      cross(surface_.vertices[b] - surface_.vertices[a], surface_.vertices[c] - surface_.vertices[a]));
+}
+
 void GridNumbers::measure_facets() {
-  // Sums over the spots of each leaf and direction, in the order of leaves.
-  struct Sum {
-    Vector3 places{}, normals{};
-    double area = 0;
-  };
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t i = 0; i < spots_->size(); ++i)
-    if ((*spots_)[i].leaf != kNoCell) order.push_back(i);
-  // Of the triangles themselves, which the solve follows; their mean in a cell is smooth enough.
-  const auto normal_at = [&](const SurfaceSpot& spot) {
-    const auto& [a, b, c] = surface_.triangles[spot.triangle];
-    return normalised(
-        cross(surface_.vertices[b] - surface_.vertices[a], surface_.vertices[c] - surface_.vertices[a]));
-  };
-  std::vector<std::uint64_t> keys(spots_->size());
-  parallel_for(spots_->size(), [&](std::size_t i) {
-    keys[i] = std::uint64_t{6} * (*spots_)[i].leaf + nearest_direction(normal_at((*spots_)[i]));
-  });
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return keys[a] < keys[b]; });
+  const SpotsOfLeaves spots(*spots_, field_.tree.size());
   facets_begin_.assign(field_.tree.size() + 1, 0);
-  std::vector<Vector3> places;
-  std::vector<CellIndex> leaves;
-  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-    Sum sum;
-    for (; end < order.size() && keys[order[end]] == keys[order[begin]]; ++end) {
-      const SurfaceSpot& spot = (*spots_)[order[end]];
+  parallel_for(field_.tree.size(), [&](std::size_t leaf) {
+    unsigned directions = 0;
+    for (const std::uint32_t i : spots.in(leaf))
+      directions |= 1u << nearest_direction(flat_normal((*spots_)[i]));
+    facets_begin_[leaf + 1] = static_cast<std::uint32_t>(std::popcount(directions));
+  });
+  for (std::size_t i = 0; i < field_.tree.size(); ++i) facets_begin_[i + 1] += facets_begin_[i];
+  facets_.resize(facets_begin_.back());
+  const Sampler sampler(field_.tree, field_.frames, field_.open_faces);
+  parallel_for(field_.tree.size(), [&](std::size_t leaf) {
+    struct Sum {
+      Vector3 places{}, normals{};
+      double area = 0;
+    };
+    std::array<Sum, 6> sums;
+    for (const std::uint32_t i : spots.in(leaf)) {
+      const SurfaceSpot& spot = (*spots_)[i];
+      const Vector3 normal = flat_normal(spot);
+      Sum& sum = sums[nearest_direction(normal)];
       const auto area = static_cast<double>(spot.area);
       sum.places += area * spot.on(surface_).place;
-      sum.normals += area * normal_at(spot);
+      sum.normals += area * normal;
       sum.area += area;
     }
-    facets_.push_back({normalised(sum.normals), sum.area, 0});
-    places.push_back((1 / sum.area) * sum.places);
-    leaves.push_back((*spots_)[order[begin]].leaf);
-    ++facets_begin_[leaves.back() + 1];
-  }
-  for (std::size_t i = 0; i < field_.tree.size(); ++i) facets_begin_[i + 1] += facets_begin_[i];
-  const Sampler sampler(field_.tree, field_.frames, field_.open_faces);
-  parallel_for(facets_.size(), [&](std::size_t k) {
-    const Box box = field_.tree.root().box(field_.tree[leaves[k]]);
-    Vector3 place = places[k];  // the middle of a curved facet is in its leaf, to rounding
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      place[axis] = std::clamp(place[axis], box.low[axis], box.high[axis]);
-    facets_[k].angle_deg = angle_to_nearest_axis_deg(sampler.in_leaf(leaves[k], place), facets_[k].normal);
+    std::uint32_t facet = facets_begin_[leaf];
+    for (const Sum& sum : sums) {
+      if (!(sum.area > 0)) continue;
+      const Box box = field_.tree.root().box(field_.tree[static_cast<CellIndex>(leaf)]);
+      Vector3 place = (1 / sum.area) * sum.places;  // of a curved facet in its leaf, to rounding
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        place[axis] = std::clamp(place[axis], box.low[axis], box.high[axis]);
+      const Vector3 normal = normalised(sum.normals);
+      facets_[facet++] = {
+          normal, sum.area,
+          angle_to_nearest_axis_deg(sampler.in_leaf(static_cast<CellIndex>(leaf), place), normal)};
+    }
   });
 }
 

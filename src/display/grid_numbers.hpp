@@ -37,6 +37,7 @@ class GridNumbers {
   double energy_of(const LeafBlock& block) const;
   double alignment_of(const LeafBlock& block, const Vector3& normal) const;
   Vector3 smooth_normal(const SurfacePoint& point) const;
+  Vector3 flat_normal(const SurfaceSpot& spot) const;
   void prepare();
   void weigh_leaves();
   void measure_facets();

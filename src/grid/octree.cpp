@@ -2,6 +2,10 @@
 #include "grid/octree.hpp"
 
 #include <algorithm>
+#include <atomic>
+
+#include "base/parallel.hpp"
+#include "grid/leaf_finder.hpp"
 
 namespace crossgrain {
 
@@ -29,13 +33,16 @@ CellIndex Octree::neighbour(CellIndex i, int face) const {
 }
 
 bool is_balanced(const Octree& tree) {
-  for (CellIndex i = 0; i < tree.size(); ++i) {
+  const LeafFinder finder(tree);
+  std::atomic<bool> balanced = true;
+  parallel_for(tree.size(), [&](std::size_t k) {
+    const auto i = static_cast<CellIndex>(k);
     for (int face = 0; face < kFaceCount; ++face) {
-      const CellIndex j = tree.neighbour(i, face);
-      if (j != kNoCell && tree[j].depth() + 1 < tree[i].depth()) return false;
+      const CellIndex j = finder.neighbour(i, face);
+      if (j != kNoCell && tree[j].depth() + 1 < tree[i].depth()) balanced = false;
     }
-  }
-  return true;
+  });
+  return balanced;
 }
 
 }  // namespace crossgrain
