@@ -61,7 +61,7 @@ test("several findings of a kind are summed up, and opened on demand", async () 
 });
 
 test("the part fills the view at first, and what is left of it when another cut is chosen", async () => {
-  for (const name of ["ball", "plate", "tets", "components"]) for (const device of [kDesktop, kPhone]) {
+  for (const [name, device] of [["ball", kDesktop], ["tets", kDesktop], ["plate", kPhone]]) {
     const { page, context } = await open(browser, scene_file(name), { device });
     const share = () => page.evaluate(async () => {
       await window.crossgrain.change({ layers: { glyphs: false, arcs: false, nodes: false } });
@@ -124,8 +124,8 @@ test("a link restores the view", async () => {
   await page.evaluate(() => window.crossgrain.change({ map: "energy", field: "grid", up: "y", cut: { axis: "x", position: 0.3, flip: true }, glyph: { shape: "cube" } }));
   await page.locator("#view").focus();
   for (const key of ["ArrowLeft", "ArrowUp", "+"]) await page.keyboard.press(key);
-  await page.locator(by_test("link")).click();
-  assert.ok(await page.locator(by_test("note")).isVisible());
+  // The note goes away by itself, so it is awaited from before the click.
+  await Promise.all([page.locator(by_test("note")).waitFor(), page.locator(by_test("link")).click()]);
   const link = await page.evaluate(() => window.crossgrain.link());
   const before_it = await picture(page);
   const second = await open(browser, link);
