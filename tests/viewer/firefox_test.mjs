@@ -45,7 +45,10 @@ for (const name of ["tets", "components"]) {
     assert.equal(await browser.evaluate("window.crossgrain.state().map"), "energy");
     await browser.evaluate("window.crossgrain.cutAcross('x')");
     assert.ok((await browser.evaluate(kDrawnShare)) > 0.06);
-    assert.ok((await browser.evaluate("window.crossgrain.state().glyphs")) > 5);
+    // The frames follow the flight of the view towards the cut.
+    const glyphs = () => browser.evaluate("window.crossgrain.state().glyphs");
+    for (let tries = 0; tries < 50 && (await glyphs()) <= 5; ++tries) await new Promise((resolve) => setTimeout(resolve, 200));
+    assert.ok((await glyphs()) > 5);
     const picture = await browser.evaluate("window.crossgrain.picture()");
     assert.match(picture, /^data:image\/png;base64,/);
     const folder = process.env.CROSSGRAIN_SCREENSHOTS;
