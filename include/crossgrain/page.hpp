@@ -25,7 +25,7 @@ CompanionFile page_of(const FrameField& field);
 CompanionFile page_of(const TetFrameField& field);
 
 /// Writes the page as a single HTML file that needs no other. The file appears complete or not at all.
-/// Errors: kOutput; kInterrupted.
+/// Errors: kInput for a field without its surface; kOutput; kInterrupted.
 void write_page(const FrameField& field, const std::filesystem::path& path, const Monitor& monitor = {});
 void write_page(const TetFrameField& field, const std::filesystem::path& path, const Monitor& monitor = {});
 

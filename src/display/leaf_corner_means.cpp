@@ -22,24 +22,24 @@ std::uint64_t corner_code(CellAddress cell, std::size_t octant) {
 }  // namespace
 
 LeafCornerMeans::LeafCornerMeans(const FieldData& field) : field_(field), rows_(field.tree.size(), 0) {
-  std::size_t count = 0;
-  for (const std::uint8_t is_there : field.on_boundary) count += is_there != 0 ? 1 : 0;
-  leaves_.reserve(count);
-  std::vector<std::uint64_t> codes;
-  codes.reserve(8 * count);
+  const std::ptrdiff_t inner =
+      std::count(field.on_boundary.begin(), field.on_boundary.end(), std::uint8_t{0});
+  leaves_.reserve(field.tree.size() - static_cast<std::size_t>(inner));
   for (CellIndex i = 0; i < field.tree.size(); ++i) {
     if (field.on_boundary[i] == 0) continue;
     rows_[i] = static_cast<std::uint32_t>(leaves_.size());
     leaves_.push_back(i);
-    for (std::size_t octant = 0; octant < 8; ++octant) codes.push_back(corner_code(field.tree[i], octant));
   }
-  std::vector<std::uint64_t> sorted = codes;
+  // Codes are made twice, as they would take more memory than all the rest.
+  const auto code_of = [&](std::size_t k) { return corner_code(field.tree[leaves_[k / 8]], k % 8); };
+  std::vector<std::uint64_t> sorted(8 * leaves_.size());
+  parallel_for(sorted.size(), [&](std::size_t k) { sorted[k] = code_of(k); });
   std::sort(sorted.begin(), sorted.end());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  index_.resize(codes.size());
-  parallel_for(codes.size(), [&](std::size_t i) {
-    index_[i] =
-        static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), codes[i]) - sorted.begin());
+  index_.resize(8 * leaves_.size());
+  parallel_for(index_.size(), [&](std::size_t k) {
+    index_[k] = static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), code_of(k)) -
+                                           sorted.begin());
   });
   sums_.assign(sorted.size(), 0);
   weights_.assign(sorted.size(), 0);

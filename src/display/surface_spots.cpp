@@ -29,8 +29,8 @@ Barycentric mean_of(const Barycentric& a, const Barycentric& b) {
 class TriangleCutter {
  public:
   TriangleCutter(const SolvedSurface& surface, std::uint32_t triangle, const FieldData& field,
-                 const SurfaceLeaves& leaves, double longest, std::vector<SurfaceSpot>& spots)
-      : triangle_(triangle), field_(field), leaves_(leaves), longest_(longest), spots_(spots) {
+                 const SurfaceLeaves& leaves, double longest)
+      : triangle_(triangle), field_(field), leaves_(leaves), longest_(longest) {
     const auto& [a, b, c] = surface.triangles[triangle];
     first_ = surface.vertices[a];
     sides_ = {surface.vertices[b] - first_, surface.vertices[c] - first_};
@@ -39,14 +39,17 @@ class TriangleCutter {
     normal_ = normalised(across);
   }
 
-  void cut() {
-    if (area_ > 0) cut({{{0, 0}, {1, 0}, {0, 1}}}, 0);
+  /// Calls visit(spot) for each piece.
+  template <class Visit>
+  void cut(const Visit& visit) const {
+    if (area_ > 0) cut({{{0, 0}, {1, 0}, {0, 1}}}, 0, visit);
   }
 
  private:
   Vector3 place_of(const Barycentric& at) const { return first_ + at[0] * sides_[0] + at[1] * sides_[1]; }
 
-  void cut(const std::array<Barycentric, 3>& piece, int halvings) {
+  template <class Visit>
+  void cut(const std::array<Barycentric, 3>& piece, int halvings, const Visit& visit) const {
     const Barycentric middle{(piece[0][0] + piece[1][0] + piece[2][0]) / 3,
                              (piece[0][1] + piece[1][1] + piece[2][1]) / 3};
     const Vector3 place = place_of(middle);
@@ -59,21 +62,20 @@ class TriangleCutter {
       if (length > most) most = length, longest = k;
     }
     if (most <= longest_ * cell || halvings == kMostHalvings) {
-      spots_.push_back({triangle_, static_cast<float>(middle[0]), static_cast<float>(middle[1]),
+      visit(SurfaceSpot{triangle_, static_cast<float>(middle[0]), static_cast<float>(middle[1]),
                         static_cast<float>(std::ldexp(area_, -halvings)), leaf});
       return;
     }
     const Barycentric &a = piece[longest], &b = piece[(longest + 1) % 3], &c = piece[(longest + 2) % 3];
     const Barycentric half = mean_of(a, b);
-    cut({a, half, c}, halvings + 1);
-    cut({half, b, c}, halvings + 1);
+    cut({a, half, c}, halvings + 1, visit);
+    cut({half, b, c}, halvings + 1, visit);
   }
 
   std::uint32_t triangle_;
   const FieldData& field_;
   const SurfaceLeaves& leaves_;
   double longest_;
-  std::vector<SurfaceSpot>& spots_;
   Vector3 first_{}, normal_{};
   std::array<Vector3, 2> sides_{};
   double area_ = 0;
@@ -107,21 +109,23 @@ SurfaceLeaves::Beside SurfaceLeaves::beside(const Vector3& point, const Vector3&
 std::vector<SurfaceSpot> surface_spots(const SolvedSurface& surface, const FieldData& field,
                                        const SurfaceLeaves& leaves, double longest) {
   const std::size_t count = surface.triangles.size();
-  std::vector<std::vector<SurfaceSpot>> of_tasks((count + kTrianglesAtOnce - 1) / kTrianglesAtOnce);
-  parallel_for_chunks(count, kTrianglesAtOnce, [&](std::size_t begin, std::size_t end) {
-    std::vector<SurfaceSpot>& spots = of_tasks[begin / kTrianglesAtOnce];
-    for (std::size_t t = begin; t < end; ++t)
-      TriangleCutter(surface, static_cast<std::uint32_t>(t), field, leaves, longest, spots).cut();
+  const auto cutter = [&](std::size_t t) {
+    return TriangleCutter(surface, static_cast<std::uint32_t>(t), field, leaves, longest);
+  };
+  // Cut twice, first to count: lists that grow would take several times the memory.
+  std::vector<std::uint32_t> begin(count + 1, 0);
+  parallel_for_chunks(count, kTrianglesAtOnce, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) cutter(t).cut([&](const SurfaceSpot&) { ++begin[t + 1]; });
   });
-  std::size_t spots = 0;
-  for (const std::vector<SurfaceSpot>& of_task : of_tasks) spots += of_task.size();
-  std::vector<SurfaceSpot> all;
-  all.reserve(spots);
-  for (std::vector<SurfaceSpot>& of_task : of_tasks) {
-    all.insert(all.end(), of_task.begin(), of_task.end());
-    of_task = {};
-  }
-  return all;
+  for (std::size_t t = 0; t < count; ++t) begin[t + 1] += begin[t];
+  std::vector<SurfaceSpot> spots(begin.back());
+  parallel_for_chunks(count, kTrianglesAtOnce, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      std::uint32_t at = begin[t];
+      cutter(t).cut([&](const SurfaceSpot& spot) { spots[at++] = spot; });
+    }
+  });
+  return spots;
 }
 
 }  // namespace crossgrain

@@ -46,12 +46,12 @@ class Solve(CommandTest):
         self.assertTrue((self.folder / "torus.frames" / "report.json").is_file())
 
     def test_cells_get_larger_where_memory_does_not_last_and_that_is_said(self):
-        self.assert_succeeds(self.run_here("solve", "torus.stl", "--resolution", "128", "-o", "whole", "--no-report"))
+        self.assert_succeeds(self.run_here("solve", "torus.stl", "--resolution", "128", "-o", "whole"))
         whole = self.report("whole")
         self.assertNotIn("limited", whole)
         cells_before = whole["levels"][-2]["active_cells"]
         memory = int(0.8 * whole["peak_memory_bytes"])
-        result = self.run_here("solve", "torus.stl", "--resolution", "128", "-o", "out", "--max-memory", memory, "--quiet", "--no-report")
+        result = self.run_here("solve", "torus.stl", "--resolution", "128", "-o", "out", "--max-memory", memory, "--quiet")
         self.assert_succeeds(result)
         self.assertEqual(result.stdout, "")
         self.assertIn("warning: torus.stl: memory: 64 cells along the longest side in place of 128", result.stderr)

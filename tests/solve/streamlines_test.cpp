@@ -17,10 +17,13 @@
 #include "field/made_grid.hpp"
 #include "sampling/leaf_turn.hpp"
 #include "singularity/singular_edges.hpp"
+#include "solve/lines_in_cube.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {
 namespace {
+
+using testing::distance_to_faces;
 
 using FrameAt = std::function<Quaternion(const Vector3&)>;
 
@@ -37,14 +40,8 @@ FrameField field_of(Octree tree, const FrameAt& frame_at) {
 FrameField renamed(const FrameField& field, unsigned seed) {
   auto data = std::make_shared<FieldData>(field.data());
   std::mt19937 engine(seed);
-  const double quarter = std::numbers::pi / 2;
-  for (StoredQuaternion& frame : data->frames) {
-    for (auto turns = engine() % 5; turns > 0; --turns) {
-      Vector3 turn{0, 0, 0};
-      turn[engine() % 3] = quarter;
-      frame = to_stored(from_stored(frame) * from_rotation_vector(turn));
-    }
-  }
+  for (StoredQuaternion& frame : data->frames)
+    frame = to_stored(testing::renamed(from_stored(frame), engine));
   return FrameField(data);
 }
 
@@ -61,13 +58,6 @@ std::vector<Vector3> random_points(int count, const Box& box, unsigned seed) {
 }
 
 constexpr Box kCube{{0, 0, 0}, {1, 1, 1}};
-
-/// 0 on the faces of the unit cube.
-double distance_to_faces(const Vector3& p) {
-  double least = INFINITY;
-  for (const double x : p) least = std::min({least, std::abs(x), std::abs(1 - x)});
-  return least;
-}
 
 ErrorKind kind_of_error(const std::function<void()>& act) {
   try {
@@ -222,26 +212,9 @@ struct QuarterField {
 
 TEST(Streamlines, EndAtASingularArcOrPassItWithoutComingNearer) {
   const QuarterField made;
-  const StreamlineOptions options;
-  const Streamlines result = StreamlineTracer(made.field, options).trace(random_points(200, kCube, 3));
-  std::size_t at_arc = 0, at_boundary = 0;
-  for (const Streamline& line : result.lines) {
-    for (const Vector3& p : line.points) ASSERT_GT(made.cells_to_edges(p), options.arc_distance_cells - 1e-6);
-    for (const auto& [end, p] :
-         {std::pair{line.first_end, line.points.front()}, std::pair{line.last_end, line.points.back()}}) {
-      if (end == StreamlineEnd::kSingularArc) {
-        ++at_arc;
-        // The straight way that is stopped there may be off by the tolerance of ends.
-        EXPECT_NEAR(made.cells_to_edges(p), options.arc_distance_cells, 1e-3);
-      } else {
-        ASSERT_EQ(end, StreamlineEnd::kBoundary);
-        ++at_boundary;
-        EXPECT_LT(distance_to_faces(p), 1e-12);
-      }
-    }
-  }
-  EXPECT_GT(at_arc, 10u);
-  EXPECT_GT(at_boundary, at_arc);
+  testing::expect_ends_on_the_cube_or_at_edges(
+      StreamlineTracer(made.field).trace(random_points(200, kCube, 3)).lines,
+      [&](const Vector3& p) { return made.cells_to_edges(p); });
 }
 
 TEST(Streamlines, FollowTheMatchingAroundASingularArc) {

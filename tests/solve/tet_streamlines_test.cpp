@@ -14,12 +14,15 @@
 #include "field/field_data.hpp"
 #include "field/made_grid.hpp"
 #include "singularity/tet_matchings.hpp"
+#include "solve/lines_in_cube.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
 #include "tets/tet_meshes.hpp"
 
 namespace crossgrain {
 namespace {
+
+using testing::distance_to_faces;
 
 using FrameAt = std::function<Quaternion(const Vector3&)>;
 
@@ -49,13 +52,7 @@ TetFrameField field_of(const TetMesh& mesh, const FrameAt& frame_at) {
 TetFrameField renamed(const TetFrameField& field, unsigned seed) {
   std::vector<Quaternion> frames = field.data().vertex_frames;
   std::mt19937 engine(seed);
-  for (Quaternion& frame : frames) {
-    for (auto turns = engine() % 5; turns > 0; --turns) {
-      Vector3 turn{0, 0, 0};
-      turn[engine() % 3] = std::numbers::pi / 2;
-      frame = frame * from_rotation_vector(turn);
-    }
-  }
+  for (Quaternion& frame : frames) frame = testing::renamed(frame, engine);
   return field_of(field.domain().mesh(), std::move(frames));
 }
 
@@ -65,13 +62,6 @@ std::vector<Vector3> random_points(int count, unsigned seed) {
   std::vector<Vector3> points;
   for (int k = 0; k < count; ++k) points.push_back({uniform(engine), uniform(engine), uniform(engine)});
   return points;
-}
-
-/// 0 on the faces of the unit cube.
-double distance_to_faces(const Vector3& p) {
-  double least = INFINITY;
-  for (const double x : p) least = std::min({least, std::abs(x), std::abs(1 - x)});
-  return least;
 }
 
 Quaternion bent(const Vector3& p) {
@@ -151,24 +141,9 @@ struct QuarterField {
 
 TEST(TetStreamlines, EndAtASingularLineOrPassItWithoutComingNearer) {
   const QuarterField made;
-  const StreamlineOptions options;
-  std::size_t at_arc = 0, at_boundary = 0;
-  for (const Streamline& line : StreamlineTracer(made.field).trace(random_points(150, 3)).lines) {
-    for (const Vector3& p : line.points) ASSERT_GT(made.cells_to_edges(p), options.arc_distance_cells - 1e-6);
-    for (const auto& [end, p] :
-         {std::pair{line.first_end, line.points.front()}, std::pair{line.last_end, line.points.back()}}) {
-      if (end == StreamlineEnd::kSingularArc) {
-        ++at_arc;
-        EXPECT_NEAR(made.cells_to_edges(p), options.arc_distance_cells, 1e-3);
-      } else {
-        ASSERT_EQ(end, StreamlineEnd::kBoundary);
-        ++at_boundary;
-        EXPECT_LT(distance_to_faces(p), 1e-12);
-      }
-    }
-  }
-  EXPECT_GT(at_arc, 10u);
-  EXPECT_GT(at_boundary, at_arc);
+  testing::expect_ends_on_the_cube_or_at_edges(
+      StreamlineTracer(made.field).trace(random_points(150, 3)).lines,
+      [&](const Vector3& p) { return made.cells_to_edges(p); });
 }
 
 TEST(TetStreamlines, DoNotCareHowVerticesNameTheirAxes) {

@@ -103,21 +103,21 @@ export function difference(page, first, second) {
   }, [first, second]);
 }
 
-/** The share of the drawing that is not background. */
-export function drawn_share(page) {
-  return page.evaluate(async () => {
-    await window.crossgrain.drawn();
-    const view = document.getElementById("view");
-    const small = document.createElement("canvas");
-    [small.width, small.height] = [200, 125];
-    const context = small.getContext("2d");
-    context.drawImage(view, 0, 0, 200, 125);
-    const { data } = context.getImageData(0, 0, 200, 125);
-    let other = 0;
-    for (let k = 0; k < data.length; k += 4) if (Math.abs(data[k] - data[0]) + Math.abs(data[k + 1] - data[1]) + Math.abs(data[k + 2] - data[2]) > 12) ++other;
-    return (4 * other) / data.length;
-  });
+/** The share of the drawing that is not background; runs in the page. */
+export async function drawn_share_there() {
+  await window.crossgrain.drawn();
+  const view = document.getElementById("view");
+  const small = document.createElement("canvas");
+  [small.width, small.height] = [200, 125];
+  const context = small.getContext("2d");
+  context.drawImage(view, 0, 0, 200, 125);
+  const { data } = context.getImageData(0, 0, 200, 125);
+  let other = 0;
+  for (let k = 0; k < data.length; k += 4) if (Math.abs(data[k] - data[0]) + Math.abs(data[k + 1] - data[1]) + Math.abs(data[k + 2] - data[2]) > 12) ++other;
+  return (4 * other) / data.length;
 }
+
+export const drawn_share = (page) => page.evaluate(drawn_share_there);
 
 export async function keep_screenshot(page, name) {
   const kept = process.env.CROSSGRAIN_SCREENSHOTS;

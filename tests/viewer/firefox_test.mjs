@@ -6,7 +6,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { scene_file, scene_named } from "./browser.mjs";
+import { drawn_share_there, scene_file, scene_named } from "./browser.mjs";
 import { Firefox, has_firefox } from "./firefox.mjs";
 
 const skip = has_firefox() ? false : "firefox-esr or Xvfb is missing";
@@ -17,19 +17,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-/** The share of the view that is not background. */
-const kDrawnShare = `(async () => {
-  await window.crossgrain.drawn();
-  const view = document.getElementById("view");
-  const small = document.createElement("canvas");
-  [small.width, small.height] = [200, 125];
-  const context = small.getContext("2d");
-  context.drawImage(view, 0, 0, 200, 125);
-  const { data } = context.getImageData(0, 0, 200, 125);
-  let other = 0;
-  for (let k = 0; k < data.length; k += 4) if (Math.abs(data[k] - data[0]) + Math.abs(data[k + 1] - data[1]) + Math.abs(data[k + 2] - data[2]) > 12) ++other;
-  return (4 * other) / data.length;
-})()`;
+const kDrawnShare = `(${drawn_share_there})()`;
 
 for (const name of ["tets", "components"]) {
   test(`${name} opens in Firefox, and its cut, map and field follow`, { skip }, async (context) => {

@@ -61,7 +61,7 @@ test("several findings of a kind are summed up, and opened on demand", async () 
 });
 
 test("the part fills the view at first, and what is left of it when another cut is chosen", async () => {
-  for (const [name, device] of [["ball", kDesktop], ["tets", kDesktop], ["plate", kPhone]]) {
+  for (const [name, device] of [["ball", kDesktop], ["plate", kPhone], ["tets", kPhone], ["components", kDesktop]]) {
     const { page, context } = await open(browser, scene_file(name), { device });
     const share = () => page.evaluate(async () => {
       await window.crossgrain.change({ layers: { glyphs: false, arcs: false, nodes: false } });
