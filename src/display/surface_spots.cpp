@@ -13,6 +13,10 @@ namespace {
 /// Distance of sampled points from the surface, as a share of the smallest cell size.
 constexpr double kInwards = 0.02;
 
+/// Side of the square with the least area of a spot, as a share of the longest side: slivers have many pieces
+/// in a cell, of which one stands for several.
+constexpr double kLeastSide = 0.25;
+
 /// Number of triangles cut by one task.
 constexpr std::size_t kTrianglesAtOnce = 64;
 
@@ -41,15 +45,15 @@ class TriangleCutter {
 
   /// Calls visit(spot) for each piece.
   template <class Visit>
-  void cut(const Visit& visit) const {
-    if (area_ > 0) cut({{{0, 0}, {1, 0}, {0, 1}}}, 0, visit);
+  void cut(const Visit& visit) {
+    if (area_ > 0) cut({{{0, 0}, {1, 0}, {0, 1}}}, 0, true, visit);
   }
 
  private:
   Vector3 place_of(const Barycentric& at) const { return first_ + at[0] * sides_[0] + at[1] * sides_[1]; }
 
   template <class Visit>
-  void cut(const std::array<Barycentric, 3>& piece, int halvings, const Visit& visit) const {
+  void cut(const std::array<Barycentric, 3>& piece, int halvings, bool is_last, const Visit& visit) {
     const Barycentric middle{(piece[0][0] + piece[1][0] + piece[2][0]) / 3,
                              (piece[0][1] + piece[1][1] + piece[2][1]) / 3};
     const Vector3 place = place_of(middle);
@@ -62,14 +66,18 @@ class TriangleCutter {
       if (length > most) most = length, longest = k;
     }
     if (most <= longest_ * cell || halvings == kMostHalvings) {
+      pending_ += std::ldexp(area_, -halvings);
+      const double side = kLeastSide * longest_ * cell;
+      if (pending_ < side * side && !is_last) return;
       visit(SurfaceSpot{triangle_, static_cast<float>(middle[0]), static_cast<float>(middle[1]),
-                        static_cast<float>(std::ldexp(area_, -halvings)), leaf});
+                        static_cast<float>(pending_), leaf});
+      pending_ = 0;
       return;
     }
     const Barycentric &a = piece[longest], &b = piece[(longest + 1) % 3], &c = piece[(longest + 2) % 3];
     const Barycentric half = mean_of(a, b);
-    cut({a, half, c}, halvings + 1, visit);
-    cut({half, b, c}, halvings + 1, visit);
+    cut({a, half, c}, halvings + 1, false, visit);
+    cut({half, b, c}, halvings + 1, is_last, visit);
   }
 
   std::uint32_t triangle_;
@@ -79,6 +87,7 @@ class TriangleCutter {
   Vector3 first_{}, normal_{};
   std::array<Vector3, 2> sides_{};
   double area_ = 0;
+  double pending_ = 0;  ///< area of the pieces since the last spot
 };
 
 }  // namespace

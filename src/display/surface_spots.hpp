@@ -14,7 +14,7 @@ namespace crossgrain {
 struct SurfaceSpot {
   std::uint32_t triangle;
   float u, v;      ///< barycentric coordinates of the triangle's second and third corner
-  float area;      ///< of the piece, model units
+  float area;      ///< of the piece, and of tiny ones before it; model units
   CellIndex leaf;  ///< that which holds the surface there; kNoCell if there is none
 
   SurfacePoint on(const SolvedSurface& surface) const {
@@ -50,7 +50,8 @@ class SurfaceLeaves {
 };
 
 /// Cuts the triangles of a surface into pieces with no side longer than `longest` cells, and returns the
-/// middle of each, in the order of triangles.
+/// middle of each, in the order of triangles; of tiny neighbouring ones the middle of one, with the area of
+/// all.
 std::vector<SurfaceSpot> surface_spots(const SolvedSurface& surface, const FieldData& field,
                                        const SurfaceLeaves& leaves, double longest);
 

@@ -13,8 +13,8 @@
 namespace crossgrain {
 namespace {
 
-/// Largest number of frames that are named one by one: they take a tenth of a second.
-constexpr std::size_t kMostNamed = 50000;
+/// Largest number of frames that are named one by one: they take a few hundredths of a second and megabytes.
+constexpr std::size_t kMostNamed = 20000;
 
 /// Groups of leaves: those in one cell of a coarse level, or a larger leaf.
 struct LeafGroups {

@@ -32,7 +32,7 @@ class CellNames {
   std::vector<std::uint32_t> named_by_;
 };
 
-/// Names for the leaves of a grid. Of many leaves, one in each of up to 50,000 larger cells is named and
+/// Names for the leaves of a grid. Of many leaves, one in each of up to 20,000 larger cells is named and
 /// gives its names to the others there.
 CellNames cell_names(const LeafField& field, std::span<const std::uint8_t> on_boundary);
 
