@@ -37,6 +37,13 @@ constexpr double kDash = 9, kPartsPerDash = 3;
 /// Smallest mean size of polygons, in units of PictureWeights, whose edges are drawn.
 constexpr double kLeastPolygon = 9;
 
+/// Depth of a cut below the plane that is asked for, as a share of the part: a face in that plane, as in
+/// assemblies cut along their middle, is then cut off, or left out, as a whole. Above single precision.
+constexpr double kInto = 1e-5;
+
+/// Share of the part below which a coordinate is 0 but for rounding.
+constexpr double kRounding = 1e-12;
+
 constexpr Colour kSeamColour = colour_of(0x8d98a5), kEdgeColour = colour_of(0xb9c3cd);
 
 Box box_of(const SolvedSurface& surface) {
@@ -57,16 +64,20 @@ std::optional<PictureCut> picture_cut(const PictureOptions& options, const Solve
   const Box box = box_of(surface);
   const auto axis = static_cast<std::size_t>(options.cut->axis);
   const double position = options.cut->position.value_or(0.5 * (box.low[axis] + box.high[axis]));
-  if (!(position > box.low[axis] && position < box.high[axis]))
+  const double extent = box.high[axis] - box.low[axis];
+  if (!(position > box.low[axis] && position < box.high[axis])) {
+    const auto shown = [&](double x) { return std::abs(x) < kRounding * extent ? 0 : x; };
     throw Error(ErrorKind::kUsage,
                 fmt::format("the cut at {} = {:.6g} is outside the part, which extends from {:.6g} to {:.6g}",
-                            "xyz"[axis], position, box.low[axis], box.high[axis]));
+                            "xyz"[axis], position, shown(box.low[axis]), shown(box.high[axis])));
+  }
   constexpr double kFromItsEdge = 0.02;
   if (std::abs(towards[axis]) < kFromItsEdge)
     throw Error(ErrorKind::kUsage, fmt::format("the cut across {} is seen edge-on", "xyz"[axis]),
                 Remedy::kTurnView);
   PictureCut cut{{axis, position}, {0, 0, 0}};
   cut.normal[axis] = towards[axis] > 0 ? 1 : -1;
+  cut.plane.position -= kInto * extent * cut.normal[axis];
   return cut;
 }
 
