@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <optional>
 #include <unordered_map>
 
 namespace crossgrain {
@@ -70,6 +71,19 @@ class CutField {
 
   const std::array<Vector3, 3>& axes(std::uint32_t piece) const { return axes_[piece]; }
 
+  /// The axis of a piece along which no curve begins: the steepest one. Of two that are about equally steep
+  /// that with the later name, so that curves over a whole part have the same.
+  std::size_t across(std::uint32_t piece, double margin) const {
+    std::size_t most = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+      if (steepness(piece, k) > steepness(piece, most)) most = k;
+    std::size_t across = most;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (steepness(piece, k) > steepness(piece, most) - margin && names_[piece][k] > names_[piece][across])
+        across = k;
+    return across;
+  }
+
  private:
   std::size_t nearest_axis(std::uint32_t piece, const Vector3& direction) const {
     std::size_t best = 0;
@@ -78,9 +92,12 @@ class CutField {
     return best;
   }
 
+  double steepness(std::uint32_t piece, std::size_t k) const {
+    return std::abs(axes_[piece][k][mesh_.plane().axis]);
+  }
+
   double excess(std::uint32_t piece, std::size_t own) const {
-    const auto normal = [&](std::size_t k) { return std::abs(axes_[piece][k % 3][mesh_.plane().axis]); };
-    return normal(own) - std::max(normal(own + 1), normal(own + 2));
+    return steepness(piece, own) - std::max(steepness(piece, (own + 1) % 3), steepness(piece, (own + 2) % 3));
   }
 
   static Vector3 turned(const Vector3& axis, const Vector3& direction) {
@@ -175,18 +192,27 @@ class CutTracer {
   void try_from(const Vector3& seed) {
     const auto piece = mesh_.piece_at(seed);
     if (!piece || !is_inside_(seed)) return;
-    for (const Vector3& axis : field_.axes(*piece)) {
-      const Heading heading = field_.towards(*piece, seed, axis);
-      if (heading.excess > 0) continue;
-      const bool has_room = drawn_.has_room(seed, heading.in_plane, kSeedShare * options_.spacing);
-      if (has_room && is_off_boundary(seed, heading.in_plane)) trace(seed, heading);
+    const std::size_t across_plane = field_.across(*piece, options_.normal_margin);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (k == across_plane) continue;
+      const Heading heading = field_.towards(*piece, seed, field_.axes(*piece)[k]);
+      const auto place = off_outline(seed, heading.in_plane);
+      if (place && drawn_.has_room(*place, heading.in_plane, kSeedShare * options_.spacing))
+        trace(*place, heading);
     }
   }
 
-  /// Whether a curve from a seed would not run next to the outline.
-  bool is_off_boundary(const Vector3& seed, const Vector3& way) const {
-    const Vector3 aside = options_.outline_share * options_.spacing * across(way);
-    return has(seed + aside) && has(seed - aside);
+  /// The seed, or the middle of the thin wall that it is in; none if a curve would run next to the outline.
+  std::optional<Vector3> off_outline(const Vector3& seed, const Vector3& way) const {
+    const double least = options_.outline_share * options_.spacing;
+    const Vector3 aside = across(way);
+    if (has(seed + least * aside) && has(seed - least * aside)) return seed;
+    const Vector3 left = seed + 2 * least * aside, right = seed - 2 * least * aside;
+    if (has(left) || has(right)) return std::nullopt;
+    const Vector3 from = last_inside(seed, left), to = last_inside(seed, right);
+    const double wall = norm(to - from);
+    if (wall < options_.wall_share * options_.spacing || wall > 2 * least) return std::nullopt;
+    return 0.5 * (from + to);
   }
 
   bool has(const Vector3& point) const { return mesh_.piece_at(point) && is_inside_(point); }

@@ -24,11 +24,15 @@ struct CutLineOptions {
   double least_share = 0.55;
 
   /// Curves follow the two axes that run along the plane, not the third. One ends where the component of its
-  /// axis normal to the plane exceeds that of both others by this.
+  /// axis normal to the plane exceeds that of both others by this; axes closer than that are equally steep.
   double normal_margin = 0.1;
 
-  /// Smallest distance of a curve's seed from the outline, across the curve, as a share of the spacing.
+  /// Smallest distance of a curve's seed from the outline, across the curve, as a share of the spacing; in
+  /// walls of less than twice that the seed is in the middle.
   double outline_share = 0.25;
+
+  /// Thickness of walls, as a share of the spacing, below which there is no curve along them.
+  double wall_share = 0.12;
 
   /// Length of a step as a share of the spacing.
   double step_share = 0.2;

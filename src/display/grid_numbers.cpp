@@ -11,7 +11,7 @@
 #include "base/parallel.hpp"
 #include "display/leaf_corner_means.hpp"
 #include "measure/alignment.hpp"
-#include "sampling/sampling.hpp"
+#include "sampling/frames_in_leaves.hpp"
 
 namespace crossgrain {
 namespace {
@@ -37,6 +37,9 @@ constexpr float kUnknownWeight = 0.3f;
 /// number if there is no other.
 constexpr double kLeastFacing = 1e-6;
 
+/// Number of leaves per task: enough that two tasks compute few of the same turns.
+constexpr std::size_t kLeafGrain = 4096;
+
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Which of the six directions along coordinate axes is nearest.
@@ -50,7 +53,7 @@ std::size_t nearest_direction(const Vector3& normal) {
 /// The spots in each leaf, in their order.
 class SpotsOfLeaves {
  public:
-  SpotsOfLeaves(std::span<const SurfaceSpot> spots, std::size_t leaves) : begin_(leaves + 1, 0) {
+  SpotsOfLeaves(const std::deque<SurfaceSpot>& spots, std::size_t leaves) : begin_(leaves + 1, 0) {
     for (const SurfaceSpot& spot : spots)
       if (spot.leaf != kNoCell) ++begin_[spot.leaf + 1];
     for (std::size_t i = 0; i < leaves; ++i) begin_[i + 1] += begin_[i];
@@ -77,7 +80,7 @@ GridNumbers::GridNumbers(const ShownField& field, SurfaceNumber number, double l
       leaves_(field_),
       normals_(std::make_shared<const CornerNormals>(
           corner_normals(SmoothCorners(surface_.vertices, surface_.triangles), surface_.triangles.size()))),
-      spots_(std::make_shared<const std::vector<SurfaceSpot>>(
+      spots_(std::make_shared<const std::deque<SurfaceSpot>>(
           surface_spots(surface_, field_, leaves_, longest))) {
   prepare();
 }
@@ -139,35 +142,59 @@ void GridNumbers::measure_facets() {
   });
   for (std::size_t i = 0; i < field_.tree.size(); ++i) facets_begin_[i + 1] += facets_begin_[i];
   facets_.resize(facets_begin_.back());
-  const Sampler sampler(field_.tree, field_.frames, field_.open_faces);
-  parallel_for(field_.tree.size(), [&](std::size_t leaf) {
-    struct Sum {
-      Vector3 places{}, normals{};
-      double area = 0;
+  const LeafField frames{field_.tree, field_.frames, field_.open_faces};
+  parallel_for_chunks(field_.tree.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
+    FramesInLeaves at_facets(frames);
+    std::vector<std::uint32_t> pending;
+    const auto measure = [&] {
+      const std::span<const Quaternion> frames_there = at_facets.frames();
+      for (std::size_t k = 0; k < pending.size(); ++k) {
+        Facet& facet = facets_[pending[k]];
+        facet.angle_deg = angle_to_nearest_axis_deg(frames_there[k], facet.normal);
+      }
+      pending.clear();
     };
-    std::array<Sum, 6> sums;
-    for (const std::uint32_t i : spots.in(leaf)) {
-      const SurfaceSpot& spot = (*spots_)[i];
-      const Vector3 normal = flat_normal(spot);
-      Sum& sum = sums[nearest_direction(normal)];
-      const auto area = static_cast<double>(spot.area);
-      sum.places += area * spot.on(surface_).place;
-      sum.normals += area * normal;
-      sum.area += area;
+    for (std::size_t leaf = begin; leaf < end; ++leaf) {
+      std::uint32_t facet = facets_begin_[leaf];
+      for_each_facet(static_cast<CellIndex>(leaf), spots.in(leaf),
+                     [&](const Facet& made, const Vector3& place) {
+                       if (at_facets.is_full()) measure();
+                       pending.push_back(facet);
+                       facets_[facet++] = made;
+                       at_facets.add(static_cast<CellIndex>(leaf), place);
+                     });
     }
-    std::uint32_t facet = facets_begin_[leaf];
-    for (const Sum& sum : sums) {
-      if (!(sum.area > 0)) continue;
-      const Box box = field_.tree.root().box(field_.tree[static_cast<CellIndex>(leaf)]);
-      Vector3 place = (1 / sum.area) * sum.places;  // of a curved facet in its leaf, to rounding
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        place[axis] = std::clamp(place[axis], box.low[axis], box.high[axis]);
-      const Vector3 normal = normalised(sum.normals);
-      facets_[facet++] = {
-          normal, sum.area,
-          angle_to_nearest_axis_deg(sampler.in_leaf(static_cast<CellIndex>(leaf), place), normal)};
-    }
+    measure();
   });
+}
+
+/// Calls visit(facet, place) for each facet of a leaf, still without its angle, and a place on it.
+template <class Visit>
+void GridNumbers::for_each_facet(CellIndex leaf, std::span<const std::uint32_t> spots,
+                                 const Visit& visit) const {
+  if (spots.empty()) return;
+  struct Sum {
+    Vector3 places{}, normals{};
+    double area = 0;
+  };
+  std::array<Sum, 6> sums;
+  for (const std::uint32_t i : spots) {
+    const SurfaceSpot& spot = (*spots_)[i];
+    const Vector3 normal = flat_normal(spot);
+    Sum& sum = sums[nearest_direction(normal)];
+    const auto area = static_cast<double>(spot.area);
+    sum.places += area * spot.on(surface_).place;
+    sum.normals += area * normal;
+    sum.area += area;
+  }
+  const Box box = field_.tree.root().box(field_.tree[leaf]);
+  for (const Sum& sum : sums) {
+    if (!(sum.area > 0)) continue;
+    Vector3 place = (1 / sum.area) * sum.places;  // of a curved facet in its leaf, to rounding
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      place[axis] = std::clamp(place[axis], box.low[axis], box.high[axis]);
+    visit(Facet{normalised(sum.normals), sum.area, 0}, place);
+  }
 }
 
 LeafBlock GridNumbers::block_at(const Vector3& place) const {
@@ -234,7 +261,7 @@ std::vector<SurfaceNumbers::Sample> GridNumbers::samples() const {
   return samples;
 }
 
-std::vector<SurfaceNumbers::LeafCorners> GridNumbers::at_leaf_corners() const {
+std::vector<SurfaceNumbers::LeafCorners> GridNumbers::at_leaf_corners(const CornersOfLeaves& corners) const {
   // Surfaces of many small triangles have many pieces in a cell, of which some are enough.
   std::vector<std::uint16_t> counts(field_.tree.size(), 0), passed(field_.tree.size(), 0);
   for (const SurfaceSpot& spot : *spots_)
@@ -249,7 +276,7 @@ std::vector<SurfaceNumbers::LeafCorners> GridNumbers::at_leaf_corners() const {
   parallel_for(chosen.size(), [&](std::size_t i) {
     numbers[i] = static_cast<float>(at((*spots_)[chosen[i]].on(surface_)));
   });
-  LeafCornerMeans means(field_);
+  LeafCornerMeans means(field_, corners);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     SurfaceSpot spot = (*spots_)[chosen[i]];
     spot.area *= static_cast<float>(step_in(spot.leaf));

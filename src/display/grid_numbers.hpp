@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <deque>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "display/leaf_block.hpp"
@@ -23,7 +25,7 @@ class GridNumbers {
   double at(const SurfacePoint& point) const;
   double energy_at(const Vector3& place) const;
   std::vector<SurfaceNumbers::Sample> samples() const;
-  std::vector<SurfaceNumbers::LeafCorners> at_leaf_corners() const;
+  std::vector<SurfaceNumbers::LeafCorners> at_leaf_corners(const CornersOfLeaves& corners) const;
 
  private:
   /// The surface in a leaf that faces about the same way.
@@ -41,13 +43,15 @@ class GridNumbers {
   void prepare();
   void weigh_leaves();
   void measure_facets();
+  template <class Visit>
+  void for_each_facet(CellIndex leaf, std::span<const std::uint32_t> spots, const Visit& visit) const;
 
   const FieldData& field_;
   const SolvedSurface& surface_;
   SurfaceNumber number_;
   SurfaceLeaves leaves_;
   std::shared_ptr<const CornerNormals> normals_;
-  std::shared_ptr<const std::vector<SurfaceSpot>> spots_;
+  std::shared_ptr<const std::deque<SurfaceSpot>> spots_;
 
   /// How far each leaf lies in the part, from nearly 0 to 1: those that only dip into it are hardly held by
   /// their neighbours, and their energy is not that of the field.

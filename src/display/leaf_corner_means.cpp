@@ -21,7 +21,7 @@ std::uint64_t corner_code(CellAddress cell, std::size_t octant) {
 
 }  // namespace
 
-LeafCornerMeans::LeafCornerMeans(const FieldData& field) : field_(field), rows_(field.tree.size(), 0) {
+CornersOfLeaves::CornersOfLeaves(const FieldData& field) : rows_(field.tree.size(), 0) {
   const std::ptrdiff_t inner =
       std::count(field.on_boundary.begin(), field.on_boundary.end(), std::uint8_t{0});
   leaves_.reserve(field.tree.size() - static_cast<std::size_t>(inner));
@@ -41,9 +41,11 @@ LeafCornerMeans::LeafCornerMeans(const FieldData& field) : field_(field), rows_(
     index_[k] = static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), code_of(k)) -
                                            sorted.begin());
   });
-  sums_.assign(sorted.size(), 0);
-  weights_.assign(sorted.size(), 0);
+  size_ = sorted.size();
 }
+
+LeafCornerMeans::LeafCornerMeans(const FieldData& field, const CornersOfLeaves& corners)
+    : field_(field), corners_(corners), sums_(corners.size(), 0), weights_(corners.size(), 0) {}
 
 void LeafCornerMeans::add(const SurfaceSpot& spot, const Vector3& place, double number) {
   if (spot.leaf == kNoCell || field_.on_boundary[spot.leaf] == 0) return;
@@ -54,24 +56,25 @@ void LeafCornerMeans::add(const SurfaceSpot& spot, const Vector3& place, double 
       const double share = std::clamp((place[axis] - low[axis]) / (high[axis] - low[axis]), 0.0, 1.0);
       weight *= octant >> axis & 1 ? share : 1 - share;
     }
-    const std::uint32_t corner = index_[8 * rows_[spot.leaf] + octant];
+    const std::uint32_t corner = corners_.of(spot.leaf)[octant];
     sums_[corner] += weight * number;
     weights_[corner] += weight;
   }
 }
 
 std::vector<SurfaceNumbers::LeafCorners> LeafCornerMeans::result() const {
-  std::vector<SurfaceNumbers::LeafCorners> result(leaves_.size());
+  std::vector<SurfaceNumbers::LeafCorners> result(corners_.leaves().size());
   parallel_for(result.size(), [&](std::size_t k) {
-    result[k].leaf = leaves_[k];
+    result[k].leaf = corners_.leaves()[k];
+    const auto corners = corners_.of(result[k].leaf);
     double sum = 0, weight = 0;
     for (std::size_t octant = 0; octant < 8; ++octant) {
-      sum += sums_[index_[8 * k + octant]];
-      weight += weights_[index_[8 * k + octant]];
+      sum += sums_[corners[octant]];
+      weight += weights_[corners[octant]];
     }
     const double mean = weight > 0 ? sum / weight : 0;
     for (std::size_t octant = 0; octant < 8; ++octant) {
-      const std::uint32_t corner = index_[8 * k + octant];
+      const std::uint32_t corner = corners[octant];
       result[k].numbers[octant] =
           static_cast<float>(weights_[corner] > 0 ? sums_[corner] / weights_[corner] : mean);
     }

@@ -113,7 +113,19 @@ class End {
         rays_.first_hit(points_[k], direction, lengths_[k] + options_.most_ahead * cell_size_);
     if (k == 0 && is_on_surface()) hit = rays_.nearest(points_[k]);
     if (!hit || dot(hit->normal, direction) < options_.steep_sine) return std::nullopt;
+    if (k == 0 ? !is_of_nearest_face(*hit) : is_across_wall(*hit)) return std::nullopt;
     return hit->place;
+  }
+
+  /// Whether a place straight ahead of the end is on the face that is nearest to the end. In a thin wall it
+  /// may be on the other side.
+  bool is_of_nearest_face(const SolidRays::Hit& hit) const {
+    return hit.distance * options_.steep_sine <=
+           rays_.nearest(points_.front()).distance + kOnSurface * cell_size_;
+  }
+
+  bool is_across_wall(const SolidRays::Hit& hit) const {
+    return dot(rays_.nearest(points_.front()).normal, hit.normal) < options_.facing_cosine;
   }
 
   bool is_on_surface() const { return rays_.nearest(points_.front()).distance <= kOnSurface * cell_size_; }
@@ -123,7 +135,7 @@ class End {
     const Vector3 direction = direction_at(0);
     if (direction != Vector3{0, 0, 0}) {
       const auto hit = rays_.first_hit(points_.front(), direction, options_.most_ahead * cell_size_);
-      if (hit && hit->is_exit) return hit->place;
+      if (hit && hit->is_exit && is_of_nearest_face(*hit)) return hit->place;
     }
     const SolidRays::Hit nearest = rays_.nearest(points_.front());
     if (nearest.distance <= options_.most_ahead * cell_size_) return nearest.place;

@@ -10,19 +10,19 @@
 
 namespace crossgrain {
 
-/// Lengths are in sizes of the cells at the end.
+/// Lengths are in sizes of the cells at the end. bench/line_end_sweep.cpp chose them
+/// (docs/notes/pictures.md).
 struct LineEndOptions {
-  /// Largest length of a line that is replaced at its end. Lines that hook run along a lip for two or three
-  /// cells, and smoothing rounds the bend over as many.
-  double most_replaced = 6;
+  /// Largest length of a line that is replaced at its end: longer hooks along a lip are there in finer fields
+  /// too.
+  double most_replaced = 4;
 
   /// The direction of a line at a point is that of the chord over this length behind it: the smoothed
   /// staircase of a grid still turns from cell to cell.
   double direction_length = 2;
 
-  /// Largest distance to the surface straight ahead of an end: lines of a grid end about a cell short of it,
-  /// up to sqrt(3) of one along a diagonal.
-  double most_ahead = 2;
+  /// Largest distance to the surface straight ahead of an end: lines of a grid end about a cell short of it.
+  double most_ahead = 1.5;
 
   /// Depth under the surface down to which a grid does not tell where a line goes: the cells with surface,
   /// and those next to them, whose frames these hold.
@@ -35,6 +35,10 @@ struct LineEndOptions {
   /// Least sine of the angle between a line and the surface where it ends: at less than 30 degrees it runs
   /// along the surface.
   double steep_sine = 0.5;
+
+  /// Least cosine between the normals of the faces where a line ended and where it ends instead: not on the
+  /// other side of a thin wall.
+  double facing_cosine = -0.5;
 
   /// Least cosine between the directions of a line over `direction_length` and over the same length before
   /// that, where it is straight enough to be continued: 20 degrees. Beyond a bend it is not.
@@ -57,9 +61,9 @@ struct StraightEnd {
 ///
 /// - What sticks out of the solid at the end is cut off.
 /// - The line is continued to the surface from the first point, from the end on, where it runs along the axis
-///   of its rotation and has the surface straight ahead, not much further than its end was. What that
-///   replaces must be in the layer under the surface, or have axes that point the same way. So a line that
-///   turns off along a lip for its last cells goes on straight.
+///   of its rotation and has the surface straight ahead, not much further than its end was and not on the
+///   other side of a wall. What that replaces must be in the layer under the surface, or have axes that point
+///   the same way. So a line that turns off along a lip for its last cells goes on straight.
 /// - Without such a point the line is only extended to the surface, straight ahead or to the nearest place.
 ///
 /// No more than `most_replaced` and half of the line is replaced in all.

@@ -56,8 +56,9 @@ std::vector<float> SurfaceNumbers::at_vertices() const {
   return tets_->at_vertices();
 }
 
-std::vector<SurfaceNumbers::LeafCorners> SurfaceNumbers::at_leaf_corners() const {
-  return grid_->at_leaf_corners();
+std::vector<SurfaceNumbers::LeafCorners> SurfaceNumbers::at_leaf_corners(
+    const CornersOfLeaves& corners) const {
+  return grid_->at_leaf_corners(corners);
 }
 
 }  // namespace crossgrain

@@ -20,6 +20,8 @@ enum class SurfaceNumber {
   kEnergy,     ///< smoothness energy per volume, length^-2
 };
 
+class CornersOfLeaves;
+
 /// A point of ShownField::surface().
 struct SurfacePoint {
   Vector3 place;
@@ -60,13 +62,13 @@ class SurfaceNumbers {
   /// For tets: one number per vertex of the surface, the mean over the triangles at it; 0 off the surface.
   std::vector<float> at_vertices() const;
 
-  /// For a grid: numbers at the corners of the leaves with surface, fitted to those on it. Trilinear
-  /// interpolation between them is continuous from leaf to leaf of the same size.
+  /// For a grid: numbers at the corners of the leaves with surface, fitted to those on it; `corners` are of
+  /// the same field. Trilinear interpolation between them is continuous from leaf to leaf of the same size.
   struct LeafCorners {
     CellIndex leaf;
     std::array<float, 8> numbers;  ///< bit a of the index is set on the high side along axis a
   };
-  std::vector<LeafCorners> at_leaf_corners() const;
+  std::vector<LeafCorners> at_leaf_corners(const CornersOfLeaves& corners) const;
 
  private:
   // One of the two.

@@ -20,6 +20,9 @@ constexpr double kLeastSide = 0.25;
 /// Number of triangles cut by one task.
 constexpr std::size_t kTrianglesAtOnce = 64;
 
+/// Number of tasks after which their spots are gathered.
+constexpr std::size_t kTasksAtOnce = 64;
+
 /// Most halvings of one triangle: pieces are then a millionth of it in size, below any cell.
 constexpr int kMostHalvings = 40;
 
@@ -56,23 +59,24 @@ class TriangleCutter {
   void cut(const std::array<Barycentric, 3>& piece, int halvings, bool is_last, const Visit& visit) {
     const Barycentric middle{(piece[0][0] + piece[1][0] + piece[2][0]) / 3,
                              (piece[0][1] + piece[1][1] + piece[2][1]) / 3};
-    const Vector3 place = place_of(middle);
-    const CellIndex leaf = leaves_.beside(place, normal_).leaf;
-    const double cell = leaf == kNoCell ? leaves_.largest_cell() : field_.tree.cell_size(leaf);
     std::size_t longest = 0;
     double most = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const double length = norm(place_of(piece[(k + 1) % 3]) - place_of(piece[k]));
       if (length > most) most = length, longest = k;
     }
-    if (most <= longest_ * cell || halvings == kMostHalvings) {
-      pending_ += std::ldexp(area_, -halvings);
-      const double side = kLeastSide * longest_ * cell;
-      if (pending_ < side * side && !is_last) return;
-      visit(SurfaceSpot{triangle_, static_cast<float>(middle[0]), static_cast<float>(middle[1]),
-                        static_cast<float>(pending_), leaf});
-      pending_ = 0;
-      return;
+    if (most <= longest_ * leaves_.largest_cell() || halvings == kMostHalvings) {
+      leaf_ = leaves_.beside(place_of(middle), normal_, leaf_).leaf;
+      const double cell = leaf_ == kNoCell ? leaves_.largest_cell() : field_.tree.cell_size(leaf_);
+      if (most <= longest_ * cell || halvings == kMostHalvings) {
+        pending_ += std::ldexp(area_, -halvings);
+        const double side = kLeastSide * longest_ * cell;
+        if (pending_ < side * side && !is_last) return;
+        visit(SurfaceSpot{triangle_, static_cast<float>(middle[0]), static_cast<float>(middle[1]),
+                          static_cast<float>(pending_), leaf_});
+        pending_ = 0;
+        return;
+      }
     }
     const Barycentric &a = piece[longest], &b = piece[(longest + 1) % 3], &c = piece[(longest + 2) % 3];
     const Barycentric half = mean_of(a, b);
@@ -87,27 +91,31 @@ class TriangleCutter {
   Vector3 first_{}, normal_{};
   std::array<Vector3, 2> sides_{};
   double area_ = 0;
-  double pending_ = 0;  ///< area of the pieces since the last spot
+  CellIndex leaf_ = kNoCell;  ///< of the last piece: most are in the same or the next
+  double pending_ = 0;        ///< area of the pieces since the last spot
 };
 
 }  // namespace
 
 SurfaceLeaves::SurfaceLeaves(const FieldData& field) : field_(field), finder_(field.tree) {
   int deepest = 0, coarsest = kMaxDepth;
-  for (const CellAddress leaf : field.tree.leaves()) {
-    deepest = std::max(deepest, leaf.depth());
-    coarsest = std::min(coarsest, leaf.depth());
+  for (CellIndex i = 0; i < field.tree.size(); ++i) {
+    deepest = std::max(deepest, field.tree[i].depth());
+    if (field.on_boundary[i] != 0) coarsest = std::min(coarsest, field.tree[i].depth());
   }
   inwards_ = kInwards * field.tree.root().cell_size(deepest);
-  largest_ = field.tree.root().cell_size(coarsest);
+  largest_ = field.tree.root().cell_size(std::min(coarsest, deepest));
 }
 
-SurfaceLeaves::Beside SurfaceLeaves::beside(const Vector3& point, const Vector3& normal) const {
+SurfaceLeaves::Beside SurfaceLeaves::beside(const Vector3& point, const Vector3& normal,
+                                            CellIndex likely) const {
   Beside found{point, kNoCell};
   for (const double way : {-inwards_, inwards_}) {
     const Vector3 place = point + way * normal;
     const auto cell = field_.tree.root().locate(place);
-    const CellIndex leaf = cell ? finder_.containing(*cell) : kNoCell;
+    if (!cell) continue;
+    const bool is_likely = likely != kNoCell && field_.tree[likely].contains(*cell);
+    const CellIndex leaf = is_likely ? likely : finder_.containing(*cell);
     if (leaf == kNoCell) continue;
     if (field_.on_boundary[leaf] != 0) return {place, leaf};
     if (found.leaf == kNoCell) found = {place, leaf};
@@ -115,25 +123,26 @@ SurfaceLeaves::Beside SurfaceLeaves::beside(const Vector3& point, const Vector3&
   return found;
 }
 
-std::vector<SurfaceSpot> surface_spots(const SolvedSurface& surface, const FieldData& field,
-                                       const SurfaceLeaves& leaves, double longest) {
+std::deque<SurfaceSpot> surface_spots(const SolvedSurface& surface, const FieldData& field,
+                                      const SurfaceLeaves& leaves, double longest) {
   const std::size_t count = surface.triangles.size();
   const auto cutter = [&](std::size_t t) {
     return TriangleCutter(surface, static_cast<std::uint32_t>(t), field, leaves, longest);
   };
-  // Cut twice, first to count: lists that grow would take several times the memory.
-  std::vector<std::uint32_t> begin(count + 1, 0);
-  parallel_for_chunks(count, kTrianglesAtOnce, [&](std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last; ++t) cutter(t).cut([&](const SurfaceSpot&) { ++begin[t + 1]; });
-  });
-  for (std::size_t t = 0; t < count; ++t) begin[t + 1] += begin[t];
-  std::vector<SurfaceSpot> spots(begin.back());
-  parallel_for_chunks(count, kTrianglesAtOnce, [&](std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last; ++t) {
-      std::uint32_t at = begin[t];
-      cutter(t).cut([&](const SurfaceSpot& spot) { spots[at++] = spot; });
-    }
-  });
+  // Round by round into a deque: one list that grows would take several times the memory.
+  std::deque<SurfaceSpot> spots;
+  std::array<std::vector<SurfaceSpot>, kTasksAtOnce> found;
+  for (std::size_t round = 0; round < count; round += kTasksAtOnce * kTrianglesAtOnce) {
+    const std::size_t size = std::min(kTasksAtOnce * kTrianglesAtOnce, count - round);
+    parallel_for_chunks(size, kTrianglesAtOnce, [&](std::size_t first, std::size_t last) {
+      std::vector<SurfaceSpot>& own = found[first / kTrianglesAtOnce];
+      own.clear();
+      for (std::size_t t = first; t < last; ++t)
+        cutter(round + t).cut([&](const SurfaceSpot& spot) { own.push_back(spot); });
+    });
+    for (std::size_t task = 0; task * kTrianglesAtOnce < size; ++task)
+      spots.insert(spots.end(), found[task].begin(), found[task].end());
+  }
   return spots;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <deque>
 
 #include "display/surface_numbers.hpp"
 #include "grid/leaf_finder.hpp"
@@ -32,6 +32,8 @@ class SurfaceLeaves {
   explicit SurfaceLeaves(const FieldData& field);
 
   const LeafFinder& finder() const { return finder_; }
+
+  /// Size of the largest cell with surface, model units.
   double largest_cell() const { return largest_; }
 
   /// A place slightly inside of a point of the surface: far enough for single precision, not far enough to
@@ -41,7 +43,9 @@ class SurfaceLeaves {
     Vector3 place;
     CellIndex leaf;
   };
-  Beside beside(const Vector3& point, const Vector3& normal) const;
+
+  /// Faster if the leaf is `likely`.
+  Beside beside(const Vector3& point, const Vector3& normal, CellIndex likely = kNoCell) const;
 
  private:
   const FieldData& field_;
@@ -52,7 +56,7 @@ class SurfaceLeaves {
 /// Cuts the triangles of a surface into pieces with no side longer than `longest` cells, and returns the
 /// middle of each, in the order of triangles; of tiny neighbouring ones the middle of one, with the area of
 /// all.
-std::vector<SurfaceSpot> surface_spots(const SolvedSurface& surface, const FieldData& field,
-                                       const SurfaceLeaves& leaves, double longest);
+std::deque<SurfaceSpot> surface_spots(const SolvedSurface& surface, const FieldData& field,
+                                      const SurfaceLeaves& leaves, double longest);
 
 }  // namespace crossgrain

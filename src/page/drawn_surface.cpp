@@ -23,20 +23,22 @@ constexpr std::uint32_t kUnused = UINT32_MAX;
 
 }  // namespace
 
-DrawnSurface drawn_surface(const SolvedSurface& surface, const Vector3& origin, std::size_t most) {
+DrawnSurface drawn_surface(const std::vector<Vector3>& places,
+                           const std::vector<std::array<std::uint32_t, 3>>& triangles, const Vector3& origin,
+                           std::size_t most) {
+  if (triangles.empty()) return {};
   DrawnSurface drawn;
-  drawn.positions.reserve(3 * surface.vertices.size());
-  for (const Vector3& vertex : surface.vertices)
+  drawn.positions.reserve(3 * places.size());
+  for (const Vector3& place : places)
     for (std::size_t axis = 0; axis < 3; ++axis)
-      drawn.positions.push_back(static_cast<float>(vertex[axis] - origin[axis]));
-  drawn.vertices.reserve(3 * surface.triangles.size());
-  for (const auto& triangle : surface.triangles)
+      drawn.positions.push_back(static_cast<float>(place[axis] - origin[axis]));
+  drawn.vertices.reserve(3 * triangles.size());
+  for (const auto& triangle : triangles)
     drawn.vertices.insert(drawn.vertices.end(), triangle.begin(), triangle.end());
-  if (drawn.vertices.empty()) return {};
 
-  const std::size_t count = surface.vertices.size(), stride = 3 * sizeof(float);
+  const std::size_t count = places.size(), stride = 3 * sizeof(float);
   std::vector<std::uint32_t>& vertices = drawn.vertices;
-  if (surface.triangles.size() > most) {
+  if (triangles.size() > most) {
     std::vector<std::uint32_t> fewer(vertices.size());
     fewer.resize(meshopt_simplify(fewer.data(), vertices.data(), vertices.size(), drawn.positions.data(),
                                   count, stride, 3 * most, kAnyError, 0, nullptr));
@@ -49,18 +51,18 @@ DrawnSurface drawn_surface(const SolvedSurface& surface, const Vector3& origin, 
     vertices.swap(fewer);
   }
   // Vertices in the order of their triangles, without unused ones: fewer bytes, and better compression.
-  std::vector<std::uint32_t> places(count);
+  std::vector<std::uint32_t> order(count);
   const std::size_t used =
-      meshopt_optimizeVertexFetchRemap(places.data(), vertices.data(), vertices.size(), count);
+      meshopt_optimizeVertexFetchRemap(order.data(), vertices.data(), vertices.size(), count);
   drawn.originals.resize(used);
   std::vector<float> positions(3 * used);
   for (std::uint32_t vertex = 0; vertex < count; ++vertex) {
-    if (places[vertex] == kUnused) continue;
-    drawn.originals[places[vertex]] = vertex;
+    if (order[vertex] == kUnused) continue;
+    drawn.originals[order[vertex]] = vertex;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      positions[3 * places[vertex] + axis] = drawn.positions[3 * vertex + axis];
+      positions[3 * order[vertex] + axis] = drawn.positions[3 * vertex + axis];
   }
-  for (std::uint32_t& vertex : vertices) vertex = places[vertex];
+  for (std::uint32_t& vertex : vertices) vertex = order[vertex];
   drawn.positions.swap(positions);
   return drawn;
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "field/solved_surface.hpp"
+#include "crossgrain/types.hpp"
 
 namespace crossgrain {
 
@@ -16,8 +17,10 @@ struct DrawnSurface {
   std::vector<std::uint32_t> originals;  ///< for each vertex here, that of the surface
 };
 
-/// The surface with at most about `most` triangles. If it has more, edges are contracted, those that change
+/// The triangles as at most about `most` of them. If there are more, edges are contracted, those that change
 /// it least first (meshoptimizer); a triangle soup, which has no edges to contract, is clustered.
-DrawnSurface drawn_surface(const SolvedSurface& surface, const Vector3& origin, std::size_t most);
+DrawnSurface drawn_surface(const std::vector<Vector3>& places,
+                           const std::vector<std::array<std::uint32_t, 3>>& triangles, const Vector3& origin,
+                           std::size_t most);
 
 }  // namespace crossgrain

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "files/file_mark.hpp"
 #include "files/output_file.hpp"
 #include "page/page_scene.hpp"
 #include "page/page_template.hpp"
@@ -18,7 +19,7 @@ namespace crossgrain {
 namespace {
 
 /// Compression level: floats hardly become smaller with a higher one.
-constexpr int kZlibLevel = 5;
+constexpr int kZlibLevel = 4;
 
 /// Largest window, with a gzip header, which browsers decompress by themselves.
 constexpr int kGzipWindow = 15 + 16;
@@ -67,11 +68,15 @@ std::string inside_page(std::string_view json) {
   return text;
 }
 
-void write_page_text(std::string_view report, std::string_view packed_scene, const ByteSink& write) {
+void write_page_text(const std::string& solve, std::string_view report, std::string_view packed_scene,
+                     const ByteSink& write) {
   const std::string_view page = page_template();
   const std::size_t report_at = page.find(kReportPlace), scene_at = page.find(kScenePlace);
-  assert(report_at < scene_at && scene_at != std::string_view::npos);
-  write(page.substr(0, report_at));
+  const std::size_t marked = page.find(kHtmlMark) + kHtmlMark.size();
+  assert(marked < report_at && report_at < scene_at && scene_at != std::string_view::npos);
+  write(page.substr(0, marked));
+  if (!solve.empty()) write(std::string(kHtmlSolve) + solve + "\">");
+  write(page.substr(marked, report_at - marked));
   write(inside_page(report));
   write(page.substr(report_at + kReportPlace.size(), scene_at - report_at - kReportPlace.size()));
   write(packed_scene);
@@ -84,7 +89,7 @@ CompanionFile page_with(const SceneOf& scene_of) {
   return {kPageFile, [scene_of](const Monitor& monitor) -> CompanionFile::Writer {
             return [scene = base64(gzipped(scene_of(monitor)))](const SolveReport& report,
                                                                 const ByteSink& write) {
-              write_page_text(report_json(report), scene, write);
+              write_page_text(report.solve, report_json(report), scene, write);
             };
           }};
 }

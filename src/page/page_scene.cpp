@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/vector3.hpp"
+#include "display/leaf_corner_means.hpp"
 #include "display/shown_field.hpp"
 #include "display/surface_numbers.hpp"
 #include "field/field_data.hpp"
@@ -86,10 +87,11 @@ void add_corner_numbers(const ShownField& field, SceneWriter& scene) {
       for (const float number : leaf.numbers) numbers.push_back(to_bfloat16(number));
     return numbers;
   };
+  const CornersOfLeaves corners(field.grid());
   // Energy first: it keeps less while angles are made of the same pieces.
   const SurfaceNumbers energy(field, SurfaceNumber::kEnergy, kLongestPieces);
-  const auto energies = energy.at_leaf_corners();
-  const auto tilts = SurfaceNumbers(energy, SurfaceNumber::kAlignment).at_leaf_corners();
+  const auto energies = energy.at_leaf_corners(corners);
+  const auto tilts = SurfaceNumbers(energy, SurfaceNumber::kAlignment).at_leaf_corners(corners);
   scene.add("corner_cell", 1, column<std::uint32_t>(tilts, [](const auto& leaf) { return leaf.leaf; }));
   scene.add("corner_alignment_deg", 8, values(tilts));
   scene.add("corner_energy_density", 8, values(energies));

@@ -9,6 +9,11 @@
 #include "display/drawn_lines.hpp"
 
 namespace crossgrain {
+namespace {
+
+constexpr std::size_t kMostInterfaceTriangles = 50000;
+
+}  // namespace
 
 void Polylines::add_point(const Vector3& point) {
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -32,11 +37,17 @@ void add_quaternion(const Quaternion& q, std::vector<std::int16_t>& frames) {
 
 DrawnSurface add_surface(const SolvedSurface& surface, const Vector3& origin, const std::string& prefix,
                          std::size_t most_triangles, SceneWriter& scene) {
-  DrawnSurface drawn = drawn_surface(surface, origin, most_triangles);
+  DrawnSurface drawn = drawn_surface(surface.vertices, surface.triangles, origin, most_triangles);
   scene.add(prefix + "surface_vertices", 3, drawn.positions);
   scene.add(prefix + "surface_triangles", 3, drawn.vertices);
   scene.header[prefix + "surface"] = {{"triangles_total", surface.triangles.size()},
                                       {"triangles_shown", drawn.vertices.size() / 3}};
+  const DrawnSurface between =
+      drawn_surface(surface.vertices, surface.interfaces, origin, kMostInterfaceTriangles);
+  if (!between.vertices.empty()) {
+    scene.add(prefix + "interface_vertices", 3, between.positions);
+    scene.add(prefix + "interface_triangles", 3, between.vertices);
+  }
   return drawn;
 }
 

@@ -42,7 +42,8 @@ std::vector<T> column(const Items& items, const ValueOf& value_of) {
 /// Appends a unit quaternion as four integers of sixteen bits.
 void add_quaternion(const Quaternion& q, std::vector<std::int16_t>& frames);
 
-/// Adds the arrays surface_* and, in the header, how many of the triangles are there, each with the prefix.
+/// Adds the arrays surface_*, those of faces between solids (interface_*) and, in the header, how many of the
+/// triangles are there, each with the prefix.
 DrawnSurface add_surface(const SolvedSurface& surface, const Vector3& origin, const std::string& prefix,
                          std::size_t most_triangles, SceneWriter& scene);
 

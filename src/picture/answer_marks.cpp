@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "crossgrain/message.hpp"
 #include "picture/mark_shapes.hpp"
 #include "picture/singular_lines.hpp"
 
@@ -38,6 +39,10 @@ void answer_marks(const SolveReport& report, double radius, std::vector<Facet>& 
 
 LegendBlock answer_legend(const SolveReport& report, bool has_marks) {
   LegendBlock block{fmt::format("Field: {}", words_of(report.answer.verdict))};
+  const std::vector<Answer::Reason>& reasons = report.answer.reasons;
+  if (!reasons.empty()) block.notes.push_back(reasons.front().text);
+  if (reasons.size() > 1)
+    block.notes.push_back(fmt::format("and {}", counted(reasons.size() - 1, "other reason")));
   if (!has_marks) return block;
   for_each_kind(report, [&](const FaultLook& look, const char* name, const std::vector<Vector3>& places) {
     if (!places.empty())

@@ -106,7 +106,7 @@ void CellColours::choose_scale(const PictureOptions& options) {
     scale_.high = round_up(std::max(high, kLeastAngles));
   }
   if (options.range) scale_.low = (*options.range)[0], scale_.high = (*options.range)[1];
-  goes_on_ = samples.back().number > scale_.high;
+  if (samples.back().number > scale_.high) largest_ = samples.back().number;
 }
 
 void CellColours::choose_regions(const PictureOptions& options) {
@@ -169,9 +169,10 @@ Colour CellColours::on_surface(const MeshPoint& point) const {
   return kPlainPart;
 }
 
-std::optional<Colour> CellColours::on_cut(const Vector3& point, bool is_enclosed) const {
+std::optional<Colour> CellColours::on_cut(const Vector3& point,
+                                          const std::function<bool()>& is_enclosed) const {
   const CellIndex leaf = leaf_at(point);
-  if (leaf == kNoCell || (field_.grid().on_boundary[leaf] != 0 && !is_enclosed)) return std::nullopt;
+  if (leaf == kNoCell || (field_.grid().on_boundary[leaf] != 0 && !is_enclosed())) return std::nullopt;
   if (what_ == PictureColour::kEnergy) return of_number(numbers_->energy_at(point));
   if (what_ == PictureColour::kRegion)
     return of_region(sections_->at(point).value_or(field_.grid().regions[leaf]));
@@ -208,10 +209,10 @@ LegendBlock CellColours::region_legend() const {
 std::optional<LegendBlock> CellColours::legend() const {
   switch (what_) {
     case PictureColour::kAlignment:
-      return LegendBlock{"Surface to axis", "°", ColourBar{map_, scale_, goes_on_}};
+      return LegendBlock{"Surface to axis", "°", ColourBar{map_, scale_, largest_}};
     case PictureColour::kEnergy:
       return LegendBlock{"Energy density", unit_of_density(field_.report().model.unit),
-                         ColourBar{map_, scale_, goes_on_}};
+                         ColourBar{map_, scale_, largest_}};
     case PictureColour::kConstraint:
       return class_legend();
     case PictureColour::kRegion:

@@ -2,6 +2,7 @@
 // Colours of a part by the numbers, classes or regions of its field.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -32,7 +33,7 @@ class CellColours {
   /// Colour at a point on a cut through a grid, by energy or region, as cells without surface have no other
   /// numbers. None outside: where there is no cell, or in a cell with surface where that, which may have
   /// holes, does not enclose the point.
-  std::optional<Colour> on_cut(const Vector3& point, bool is_enclosed) const;
+  std::optional<Colour> on_cut(const Vector3& point, const std::function<bool()>& is_enclosed) const;
 
   /// Colour of a tet on a cut, by energy or region.
   Colour of_tet(std::uint32_t tet) const;
@@ -57,7 +58,7 @@ class CellColours {
   PictureColour what_;
   ColourMap map_;
   ColourScale scale_;
-  bool goes_on_ = false;
+  std::optional<double> largest_;           ///< if above the scale
   std::optional<SurfaceNumbers> numbers_;   ///< for kAlignment and kEnergy
   std::vector<std::int32_t> regions_;       ///< for kRegion, ascending
   std::optional<RegionSections> sections_;  ///< for kRegion on a cut through a grid

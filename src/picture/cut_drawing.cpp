@@ -18,7 +18,7 @@ namespace crossgrain {
 namespace {
 
 // Radii in units of PictureWeights.
-constexpr double kGhostRadius = 0.9, kOutlineRadius = 1.5, kInterfaceRadius = 1.1, kSeamRadius = 1.1,
+constexpr double kGhostRadius = 0.9, kOutlineRadius = 1.5, kInterfaceRadius = 1.1, kSeamRadius = 1.2,
                  kEdgeRadius = 0.35, kLineRadius = 1.7, kStreamlineRadius = 1.6;
 
 /// Distance from the cut within which streamlines are drawn on it, in units of PictureWeights.
@@ -42,9 +42,9 @@ constexpr double kLeastPolygon = 9;
 constexpr double kInto = 1e-5;
 
 /// Share of the part below which a coordinate is 0 but for rounding.
-constexpr double kRounding = 1e-12;
+constexpr double kRounding = 1e-9;
 
-constexpr Colour kSeamColour = colour_of(0x8d98a5), kEdgeColour = colour_of(0xb9c3cd);
+constexpr Colour kSeamColour = colour_of(0x5f6b78), kEdgeColour = colour_of(0xb9c3cd);
 
 Box box_of(const SolvedSurface& surface) {
   Box box = empty_box();
@@ -53,9 +53,6 @@ Box box_of(const SolvedSurface& surface) {
   return box;
 }
 
-/// Share of the cut on which an axis runs along it, above which the legend names it.
-constexpr double kLeastNamed = 0.02;
-
 }  // namespace
 
 std::optional<PictureCut> picture_cut(const PictureOptions& options, const SolvedSurface& surface,
@@ -63,10 +60,10 @@ std::optional<PictureCut> picture_cut(const PictureOptions& options, const Solve
   if (!options.cut) return std::nullopt;
   const Box box = box_of(surface);
   const auto axis = static_cast<std::size_t>(options.cut->axis);
-  const double position = options.cut->position.value_or(0.5 * (box.low[axis] + box.high[axis]));
   const double extent = box.high[axis] - box.low[axis];
+  const auto shown = [&](double x) { return std::abs(x) < kRounding * extent ? 0 : x; };
+  const double position = shown(options.cut->position.value_or(0.5 * (box.low[axis] + box.high[axis])));
   if (!(position > box.low[axis] && position < box.high[axis])) {
-    const auto shown = [&](double x) { return std::abs(x) < kRounding * extent ? 0 : x; };
     throw Error(ErrorKind::kUsage,
                 fmt::format("the cut at {} = {:.6g} is outside the part, which extends from {:.6g} to {:.6g}",
                             "xyz"[axis], position, shown(box.low[axis]), shown(box.high[axis])));
@@ -75,7 +72,7 @@ std::optional<PictureCut> picture_cut(const PictureOptions& options, const Solve
   if (std::abs(towards[axis]) < kFromItsEdge)
     throw Error(ErrorKind::kUsage, fmt::format("the cut across {} is seen edge-on", "xyz"[axis]),
                 Remedy::kTurnView);
-  PictureCut cut{{axis, position}, {0, 0, 0}};
+  PictureCut cut{{axis, position}, position, {0, 0, 0}};
   cut.normal[axis] = towards[axis] > 0 ? 1 : -1;
   cut.plane.position -= kInto * extent * cut.normal[axis];
   return cut;
@@ -97,12 +94,13 @@ bool CutDrawing::is_inside(const Vector3& point) const {
   return subject_.field.grid().on_boundary[mesh_.pieces()[*piece].element] == 0 || outline_.encloses(point);
 }
 
-void CutDrawing::add_to(Drawing& drawing, const Camera& camera) const {
+void CutDrawing::add_to(Drawing& drawing, const Camera& camera) {
   const double unit = PictureWeights(options_, camera).unit;
   Section section;
   section.normal = cut_.normal;
   section.offset = cut_.normal[cut_.plane.axis] * cut_.plane.position;
-  section.colour_at = [this](const Vector3& point, bool is_enclosed) -> std::optional<Colour> {
+  section.colour_at = [this](const Vector3& point,
+                             const std::function<bool()>& is_enclosed) -> std::optional<Colour> {
     if (!subject_.field.is_on_tets()) return subject_.colours.on_cut(point, is_enclosed);
     const auto piece = mesh_.piece_at(point);
     if (!piece) return std::nullopt;
@@ -156,7 +154,7 @@ void CutDrawing::add_edges(Drawing& drawing, double unit) const {
 }
 
 /// Adds the seams as dashes.
-void CutDrawing::add_seams(Drawing& drawing, double unit) const {
+void CutDrawing::add_seams(Drawing& drawing, double unit) {
   DrawnRods seams{RodLook::kInk, {}, {}, true};
   for (const std::vector<Vector3>& line : mesh_.seams(names_)) {
     double along = 0;
@@ -173,6 +171,7 @@ void CutDrawing::add_seams(Drawing& drawing, double unit) const {
       }
     }
   }
+  has_seam_ = !seams.rods.empty();
   drawing.rods.push_back(std::move(seams));
 }
 
@@ -197,36 +196,31 @@ void CutDrawing::add_glyphs(Drawing& drawing, double unit, double towards) const
     drawing.rods.push_back(frame_crosses(frames, kCrossShare * usual * askew, cut_.normal));
 }
 
-void CutDrawing::add_lines(Drawing& drawing, double unit) const {
+void CutDrawing::add_lines(Drawing& drawing, double unit) {
   CutLineOptions options{options_.frame_spacing * unit};
   DrawnRods rods{RodLook::kInk, {}, {}, true};
+  has_axis_ = {};
   for (const CutLine& line :
        cut_lines(mesh_, names_, options, [&](const Vector3& point) { return is_inside(point); }))
-    for (std::size_t k = 1; k < line.points.size(); ++k)
-      rods.rods.push_back({line.points[k - 1], line.points[k], kLineRadius * unit,
-                           colour_of(kAxisColours[line.names[k - 1]])});
+    for (std::size_t k = 1; k < line.points.size(); ++k) {
+      const std::uint8_t name = line.names[k - 1];
+      has_axis_[name] = true;
+      rods.rods.push_back(
+          {line.points[k - 1], line.points[k], kLineRadius * unit, colour_of(kAxisColours[name])});
+    }
   drawing.rods.push_back(std::move(rods));
 }
 
 std::optional<LegendBlock> CutDrawing::legend() const {
   if (options_.frames == PictureFrames::kNone) return std::nullopt;
-  LegendBlock block{"Frames on the cut"};
+  LegendBlock block{
+      fmt::format("Frames on the cut {} = {:.4g}", "xyz"[cut_.plane.axis], cut_.asked_position)};
   const bool has_lines = options_.frames == PictureFrames::kLines;
-  std::array<double, 3> area{};
-  double whole = 0;
-  for (std::uint32_t i = 0; i < mesh_.pieces().size(); ++i) {
-    const auto axes = axes_of(mesh_.frames()[i]);
-    const double own = mesh_.pieces()[i].size * mesh_.pieces()[i].size;
-    whole += own;
-    const auto off = [&](std::size_t k) { return std::abs(dot(axes[k % 3], cut_.normal)); };
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!has_lines || off(k) <= std::max(off(k + 1), off(k + 2))) area[names_[i][k]] += own;
-  }
   for (std::size_t k = 0; k < 3; ++k)
-    if (area[k] > kLeastNamed * whole)
+    if (has_axis_[k])
       block.signs.push_back({has_lines ? Sign::Shape::kThinLine : Sign::Shape::kBox,
                              colour_of(kAxisColours[k]), std::string("axis ") + "xyz"[k]});
-  if (!seams_of(names_, mesh_.frames(), mesh_.links()).empty())
+  if (has_seam_)
     block.signs.push_back({Sign::Shape::kDashes, kSeamColour, "seam, across which names change"});
   return block;
 }

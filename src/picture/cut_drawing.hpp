@@ -2,6 +2,7 @@
 // The drawing of a cut: the plane, its outline, and the frames on it.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct PictureSubject;
 /// Where a picture is cut open.
 struct PictureCut {
   CutPlane plane;
-  Vector3 normal;  ///< unit, towards the removed part
+  double asked_position;  ///< that of the plane but for a rounding
+  Vector3 normal;         ///< unit, towards the removed part
 
   /// Whether a point belongs to the part that stays.
   bool keeps(const Vector3& point) const {
@@ -38,17 +40,18 @@ class CutDrawing {
   CutDrawing(const PictureSubject& subject, const PictureOptions& options, const PictureCut& cut);
 
   /// Adds the section, the outline and the frames. The first rods of the drawing are the singular lines.
-  void add_to(Drawing& drawing, const Camera& camera) const;
+  void add_to(Drawing& drawing, const Camera& camera);
 
-  /// Legend of the axes on the cut; none without frames.
+  /// Legend of the frames on the cut; none without frames. Before `add_to` with all axes: no smaller than
+  /// that of what is drawn then.
   std::optional<LegendBlock> legend() const;
 
  private:
   bool is_inside(const Vector3& point) const;
   void add_outline(Drawing& drawing, Section& section, double unit) const;
-  void add_seams(Drawing& drawing, double unit) const;
+  void add_seams(Drawing& drawing, double unit);
   void add_glyphs(Drawing& drawing, double unit, double towards) const;
-  void add_lines(Drawing& drawing, double unit) const;
+  void add_lines(Drawing& drawing, double unit);
   void add_edges(Drawing& drawing, double unit) const;
 
   const PictureSubject& subject_;
@@ -57,6 +60,10 @@ class CutDrawing {
   CutOutline outline_;
   CutMesh mesh_;
   std::vector<AxisNames> names_;
+
+  // What the frames on the cut are drawn with.
+  std::array<bool, 3> has_axis_{true, true, true};
+  bool has_seam_ = true;
 };
 
 }  // namespace crossgrain

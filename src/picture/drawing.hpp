@@ -90,9 +90,10 @@ struct Section {
   Vector3 normal;  ///< unit; towards the removed part, on the side of the viewer
   double offset;   ///< the plane is normal . x = offset
 
-  /// Colour at a point of the plane, given whether the meshes that bound the solid enclose it; none where
-  /// nothing is shown. Called from several threads at once.
-  std::function<std::optional<Colour>(const Vector3& point, bool is_enclosed)> colour_at;
+  /// Colour at a point of the plane; none where nothing is shown. `is_enclosed` tells whether the meshes that
+  /// bound the solid enclose the point, which costs as much as a ray. Called from several threads at once.
+  std::function<std::optional<Colour>(const Vector3& point, const std::function<bool()>& is_enclosed)>
+      colour_at;
 
   /// Rods whose removed part is still drawn, with `ghost_opacity`.
   std::vector<Rod> ghosts = {};

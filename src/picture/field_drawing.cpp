@@ -22,8 +22,8 @@ DrawnMesh part(const PictureSubject& subject, const PictureOptions& options) {
   mesh.colour = kPlainPart;
   mesh.bounds_solid = true;
   const bool is_plain = subject.colours.is_none();
-  mesh.opacity = static_cast<float>(options.opacity.value_or(is_plain ? 0.2 : 0.72));
-  mesh.grazing_opacity = std::max(mesh.opacity, is_plain ? 0.82f : 0.92f);
+  mesh.opacity = static_cast<float>(options.opacity.value_or(is_plain ? 0.2 : 0.85));
+  mesh.grazing_opacity = std::max(mesh.opacity, is_plain ? 0.82f : 0.95f);
   if (!is_plain) {
     mesh.has_front_only = true;
     mesh.colour_at = [&colours = subject.colours](const MeshPoint& point) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "picture/legend.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <sstream>
 
 #include "picture/font.hpp"
 
@@ -12,6 +15,7 @@ namespace {
 constexpr double kLine = 1.6, kBetweenBlocks = 1.3, kTitle = 1.75;
 constexpr double kBarHeight = 11, kBarWidth = 1.1, kMark = 0.35, kBarText = 0.7;
 constexpr double kSign = 1.9, kSignText = 0.6;
+constexpr double kNoteWidth = 17, kNoteLine = 1.45;
 
 // Shares of light on the faces of solid signs.
 constexpr float kLit = 1.0f, kHalfLit = 0.8f, kUnlit = 0.62f;
@@ -46,7 +50,22 @@ std::string heading(const LegendBlock& block) {
 
 std::string mark_text(const ColourBar& bar, const ColourScale::Mark& mark) {
   constexpr double kAtTheEnd = 1 - 1e-6;
-  return bar.goes_on && mark.share > kAtTheEnd ? "≥ " + mark.text : mark.text;
+  if (!bar.largest || mark.share <= kAtTheEnd) return mark.text;
+  return fmt::format("≥ {}, up to {:.3g}", mark.text, *bar.largest);
+}
+
+/// A text in lines no wider than kNoteWidth, broken at spaces.
+std::vector<std::string> lines_of(const std::string& text, double size) {
+  std::vector<std::string> lines(1);
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (lines.back().empty() || Font::sans().width(longer, size) <= kNoteWidth * size)
+      lines.back() = longer;
+    else
+      lines.push_back(word);
+  }
+  return lines;
 }
 
 }  // namespace
@@ -55,14 +74,24 @@ std::string text_of(const std::vector<LegendBlock>& blocks) {
   std::string text;
   for (const LegendBlock& block : blocks) {
     text += heading(block) + "\n";
+    for (const std::string& note : block.notes) text += "  " + note + "\n";
     if (block.bar) {
       const auto& scale = block.bar->scale;
       text += "  " + number_text(scale.low) + " to " + number_text(scale.high);
-      text += block.bar->goes_on ? " and above\n" : "\n";
+      text += block.bar->largest ? fmt::format(" and above, up to {:.3g}\n", *block.bar->largest) : "\n";
     }
     for (const Sign& sign : block.signs) text += "  " + sign.text + "\n";
   }
   return text;
+}
+
+Legend::Legend(std::vector<LegendBlock> blocks, double size) : blocks_(std::move(blocks)), size_(size) {
+  for (LegendBlock& block : blocks_) {
+    std::vector<std::string> lines;
+    for (const std::string& note : block.notes)
+      for (std::string& line : lines_of(note, size)) lines.push_back(std::move(line));
+    block.notes = std::move(lines);
+  }
 }
 
 double Legend::width() const {
@@ -70,6 +99,7 @@ double Legend::width() const {
   double width = 0;
   for (const LegendBlock& block : blocks_) {
     width = std::max(width, font.width(heading(block), size_));
+    for (const std::string& note : block.notes) width = std::max(width, font.width(note, size_));
     if (block.bar) {
       for (const ColourScale::Mark& mark : block.bar->scale.marks())
         width =
@@ -82,7 +112,8 @@ double Legend::width() const {
 }
 
 double Legend::block_height(const LegendBlock& block) const {
-  return size_ * (kTitle + (block.bar ? kBarHeight : 0) + kLine * static_cast<double>(block.signs.size()));
+  return size_ * (kTitle + kNoteLine * static_cast<double>(block.notes.size()) +
+                  (block.bar ? kBarHeight : 0) + kLine * static_cast<double>(block.signs.size()));
 }
 
 double Legend::height() const {
@@ -97,6 +128,10 @@ void Legend::draw(Canvas& canvas, double left, double top, const Colour& ink) co
   for (const LegendBlock& block : blocks_) {
     canvas.text(heading(block), left, top + capital, size_, ink);
     double y = top + kTitle * size_;
+    for (const std::string& note : block.notes) {
+      canvas.text(note, left, y + capital, size_, ink);
+      y += kNoteLine * size_;
+    }
     if (block.bar) {
       draw_bar(canvas, *block.bar, left, y, ink);
       y += kBarHeight * size_;

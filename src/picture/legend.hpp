@@ -14,7 +14,8 @@ namespace crossgrain {
 struct ColourBar {
   ColourMap map;
   ColourScale scale;
-  bool goes_on = false;  ///< whether there are numbers above the scale, which have the colour of its end
+  std::optional<double> largest =
+      {};  ///< of the numbers, if above the scale; they have the colour of its end
 };
 
 struct Sign {
@@ -29,6 +30,7 @@ struct LegendBlock {
   std::string unit = {};  ///< shown in brackets after the title; may be empty
   std::optional<ColourBar> bar = {};
   std::vector<Sign> signs = {};
+  std::vector<std::string> notes = {};  ///< sentences below the title, broken into lines
 };
 
 /// The legend in words: a line for each title and, indented, for each sign and the ends of each bar. UTF-8.
@@ -37,7 +39,7 @@ std::string text_of(const std::vector<LegendBlock>& blocks);
 class Legend {
  public:
   /// A legend with letters of `size` pixels.
-  Legend(std::vector<LegendBlock> blocks, double size) : blocks_(std::move(blocks)), size_(size) {}
+  Legend(std::vector<LegendBlock> blocks, double size);
 
   /// Size in pixels; 0 without blocks.
   double width() const;

@@ -31,6 +31,9 @@ constexpr PictureOptions::View kUsualView{-55, 28};
 /// Views of cuts across x, y and z: about 27 degrees off their normals, so that what is behind shows too.
 constexpr std::array<PictureOptions::View, 3> kCutViews{{{-20, 18}, {-70, 18}, {-65, 62}}};
 
+/// Opacity of the paper behind the legend.
+constexpr float kLegendBacking = 0.85f;
+
 constexpr int kLeastSide = 64, kLargestSide = 10000;
 constexpr double kMostPixels = 64e6;
 
@@ -142,9 +145,13 @@ void draw_legend(const std::vector<LegendBlock>& blocks, const Layout& layout, c
                  Image& image) {
   Canvas canvas(image);
   const Colour ink = ink_on(options.background);
-  if (layout.legend)
+  if (layout.legend) {
+    // Creases of what a cut removed would run through the text.
+    if (options.background != PictureBackground::kTransparent)
+      canvas.fill(*layout.legend, paper_of(options.background), kLegendBacking);
     Legend(blocks, layout.text_size)
         .draw(canvas, layout.legend->left + layout.margin, layout.legend->top + layout.margin, ink);
+  }
   if (!layout.axes) return;
   draw_axis_cross(canvas, layout.camera->axes(), 0.5 * (layout.axes->left + layout.axes->right),
                   0.5 * (layout.axes->top + layout.axes->bottom), 0.32 * layout.axes->width(), ink);
@@ -202,10 +209,13 @@ void render_shown(const ShownField& field, const std::filesystem::path& picture,
   const PictureSubject subject{field, colours, curves.streamlines};
   std::optional<CutDrawing> cut;
   if (plane) cut.emplace(subject, options, *plane);
-  std::vector<LegendBlock> blocks = legend_blocks(field, colours, options, curves);
-  if (cut && options.legend)
-    if (auto block = cut->legend()) blocks.push_back(std::move(*block));
-  const Layout layout(options, direction, kept_surface(field.surface(), plane), blocks);
+  const auto blocks = [&] {
+    auto all = legend_blocks(field, colours, options, curves);
+    if (cut && options.legend)
+      if (auto block = cut->legend()) all.push_back(std::move(*block));
+    return all;
+  };
+  const Layout layout(options, direction, kept_surface(field.surface(), plane), blocks());
   const Camera& camera = *layout.camera;
   Drawing drawing = field_drawing(subject, options, camera);
   if (cut) cut->add_to(drawing, camera);
@@ -217,8 +227,8 @@ void render_shown(const ShownField& field, const std::filesystem::path& picture,
   render_options.haze = paper_of(options.background);
   if (options.background == PictureBackground::kDark) render_options.haze_share *= 0.5f;  // dark hides more
   render(drawing, camera, render_options, image, monitor);
-  if (options.legend) draw_legend(blocks, layout, options, image);
-  write_png(file, image, monitor, {.has_mark = true, .description = text_of(blocks)});
+  if (options.legend) draw_legend(blocks(), layout, options, image);
+  write_png(file, image, monitor, {.has_mark = true, .description = text_of(blocks())});
   file.commit();
 }
 

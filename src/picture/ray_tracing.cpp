@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace crossgrain {
 namespace {
@@ -119,18 +120,17 @@ RayTracing::Seen RayTracing::at(double x, double y, Scratch& scratch) const {
   }
   const auto rod = nearest_rod(cut, whole);
   const float rod_distance = rod ? rod->hit.distance : INFINITY;
-  cut_.meshes.all_hits(cut, scratch.cut_hits);
   whole_.meshes.all_hits(whole, scratch.whole_hits);
+  // Most rays of a cut end on it or on a rod upon it, without a look at what is behind.
+  bool has_cut_hits = false;
+  const auto cut_hits = [&]() -> const std::vector<ShapeHit>& {
+    if (!has_cut_hits) cut_.meshes.all_hits(cut, scratch.cut_hits);
+    has_cut_hits = true;
+    return scratch.cut_hits;
+  };
 
   Layers layers;
-  if (drawing_.section) {
-    Ray taken_away = whole;
-    taken_away.farthest = cut.nearest;
-    ShapeHit ghost;
-    if (ghosts_.first_hit(taken_away, ghost))
-      layers.add(pixel_of(drawing_.section->ghosts[ghost.primitive].colour, drawing_.section->ghost_opacity),
-                 0);
-  }
+  if (drawing_.section) add_ghost(whole, cut.nearest, layers);
   auto next_whole = scratch.whole_hits.begin();
   const auto add_whole_before = [&](float distance) {
     for (; next_whole != scratch.whole_hits.end() && next_whole->distance < distance; ++next_whole)
@@ -141,16 +141,19 @@ RayTracing::Seen RayTracing::at(double x, double y, Scratch& scratch) const {
   add_whole_before(std::min(plane, rod_distance));
   if (drawing_.section && !layers.is_opaque() && plane <= rod_distance) {
     const Vector3 place = space_.to_model(cut.origin + cut.nearest * cut.direction);
-    const auto colour = drawing_.section->colour_at(place, is_enclosed(scratch.cut_hits, cut));
+    const auto is_inside = [&] { return is_enclosed(cut_hits(), cut); };
+    const auto colour = drawing_.section->colour_at(place, std::cref(is_inside));
     if (colour) layers.add(pixel_of(*colour), 2);
     is_behind_cut = colour.has_value();
   }
-  for (const ShapeHit& hit : scratch.cut_hits) {
-    if (layers.is_opaque() || hit.distance > rod_distance) break;
-    add_whole_before(hit.distance);
-    const DrawnMesh& mesh = *cut_.drawn_meshes[hit.shape];
-    if (mesh.has_front_only && along(hit, cut) > 0) continue;
-    layers.add(mesh_pixel(mesh, hit, cut), 4 + hit.shape);
+  if (!layers.is_opaque() && plane <= rod_distance) {
+    for (const ShapeHit& hit : cut_hits()) {
+      if (layers.is_opaque() || hit.distance > rod_distance) break;
+      add_whole_before(hit.distance);
+      const DrawnMesh& mesh = *cut_.drawn_meshes[hit.shape];
+      if (mesh.has_front_only && along(hit, cut) > 0) continue;
+      layers.add(mesh_pixel(mesh, hit, cut), 4 + hit.shape);
+    }
   }
   add_whole_before(rod_distance);
   if (!rod) return layers.seen();
@@ -158,6 +161,16 @@ RayTracing::Seen RayTracing::at(double x, double y, Scratch& scratch) const {
   if (rod->rods->look != RodLook::kSolid) least = 0;
   if ((is_behind_cut && least > 0) || !layers.is_opaque()) layers.add_rod(rod_colour(*rod), least);
   return layers.seen();
+}
+
+/// Adds the rod that a section took away up to a distance along a ray, faintly.
+void RayTracing::add_ghost(const Ray& ray, double distance, Layers& layers) const {
+  Ray taken_away = ray;
+  taken_away.farthest = distance;
+  ShapeHit ghost;
+  if (ghosts_.first_hit(taken_away, ghost))
+    layers.add(pixel_of(drawing_.section->ghosts[ghost.primitive].colour, drawing_.section->ghost_opacity),
+               0);
 }
 
 std::optional<RayTracing::RodHit> RayTracing::nearest_rod(const Ray& cut, const Ray& whole) const {

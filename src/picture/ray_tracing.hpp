@@ -36,6 +36,9 @@ class RayTracing {
   Seen at(double x, double y, Scratch& scratch) const;
 
  private:
+  /// The layers along one ray.
+  class Layers;
+
   /// The meshes, rods and balls that a section cuts, or those that it leaves whole.
   struct Shapes {
     Shapes(const RayDevice& device, const RaySpace& space) : meshes(device, space), rods(device, space) {}
@@ -55,6 +58,7 @@ class RayTracing {
   static constexpr std::uint32_t kShapesOfRods = 3;
 
   Ray ray_at(double x, double y) const;
+  void add_ghost(const Ray& ray, double distance, Layers& layers) const;
   std::optional<RodHit> nearest_rod(const Ray& cut, const Ray& whole) const;
   bool is_enclosed(const std::vector<ShapeHit>& hits, const Ray& ray) const;
   Pixel mesh_pixel(const DrawnMesh& mesh, const ShapeHit& hit, const Ray& ray) const;
@@ -62,9 +66,6 @@ class RayTracing {
   Vector3 place_of(const ShapeHit& hit, const Ray& ray) const;
   SeenNormal seen_normal(const std::array<float, 3>& normal) const;
   float depth_share(float distance) const;
-
-  /// The layers along one ray.
-  class Layers;
 
   const Drawing& drawing_;
   const Camera& camera_;

@@ -29,7 +29,7 @@ constexpr LineLook kThree{colour_of(0x1272c4), 1}, kFive{colour_of(0xf09a1a), 1}
 constexpr Colour kTurning = colour_of(0xffd23e);
 
 // Sizes of marks, as multiples of the radius of lines.
-constexpr double kNodeRadius = 1.9, kDiscRadius = 2.3, kDiscThickness = 0.9, kTurningRadius = 2.5,
+constexpr double kNodeRadius = 2.6, kDiscRadius = 2.3, kDiscThickness = 0.9, kTurningRadius = 2.5,
                  kTurningLength = 6.5, kCapRadius = 1.25, kCapRim = 1.75, kCapThickness = 0.3, kDiscCap = 1.5;
 
 /// Smallest radius of an end on the surface, as a share of the usual one: it lies in the surface, so that the
@@ -78,7 +78,7 @@ void add_mark(const LineMark& mark, double usual, const Colour& ink, DrawnRods& 
   const Colour& colour = fault ? fault->colour : ink;
   switch (mark.shape) {
     case MarkShape::kNode:
-      drawn.balls.push_back({mark.place, (fault ? fault->size : kNodeRadius) * radius, colour});
+      drawn.balls.push_back({mark.place, std::max(fault ? fault->size : 0, kNodeRadius) * radius, colour});
       break;
     case MarkShape::kEnd:
       add_end(mark, std::max(radius, kLeastEnd * usual), colour, drawn.facets);

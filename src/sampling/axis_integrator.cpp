@@ -24,7 +24,6 @@ constexpr std::array<std::array<double, kStages - 1>, kStages - 1> kStageWeights
 
 /// Weights of the directions in the difference of the two results, over h.
 constexpr std::array<double, kStages> kErrorWeights = {-5.0 / 72, 1.0 / 12, 1.0 / 9, -1.0 / 8};
-constexpr double kLowerOrder = 2;
 
 /// Cosine of 45 degrees: beyond that angle from the previous direction, another axis may be as near.
 constexpr double kLeastCosine = 0.7071067811865476;
@@ -109,8 +108,9 @@ class AxisIntegrator::Way {
     h_ = std::clamp(h_, smallest_h(), options_.largest_step_cells * cell());
     const Step step = of_.step(front_, h_);
     if (step.is_ambiguous) return shortened(kLeastFactor) || ended(StreamlineEnd::kAmbiguous);
-    const double factor = std::clamp(kSafety * std::pow(options_.tolerance / step.error, 1.0 / kLowerOrder),
-                                     kLeastFactor, kMostFactor);
+    // The root of the lower order, two; it is exact, unlike pow, which differs between processors.
+    const double factor =
+        std::clamp(kSafety * std::sqrt(options_.tolerance / step.error), kLeastFactor, kMostFactor);
     if (step.error > options_.tolerance && shortened(std::min(factor, kSafety))) return true;
     const Vector3 &from = front_.place.point, &to = step.front.place.point;
     LineStop stop = of_.space_.first_stop(front_.place, to);

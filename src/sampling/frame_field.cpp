@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -137,7 +138,21 @@ const FrameField::Lazy& FrameField::ready_to_sample() const {
   return *lazy_;
 }
 
+namespace {
+
+void check_points(std::span<const Vector3> points) {
+  const auto found = std::find_if_not(points.begin(), points.end(), [](const Vector3& p) {
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  });
+  if (found != points.end())
+    throw Error(ErrorKind::kUsage,
+                fmt::format("point {} has a coordinate that is not a finite number", found - points.begin()));
+}
+
+}  // namespace
+
 FrameField::Sample FrameField::sample(const Vector3& point) const {
+  check_points({&point, 1});
   const Lazy& ready = ready_to_sample();
   return sample_of(ready.sampler->at(point), ready.distance->at(point));
 }
@@ -152,6 +167,7 @@ void FrameField::sample(std::span<const Vector3> points, std::span<Sample> sampl
   if (points.size() != samples.size())
     throw Error(ErrorKind::kUsage, fmt::format("{} points and room for {} samples; the numbers must be equal",
                                                points.size(), samples.size()));
+  check_points(points);
   const Lazy& ready = ready_to_sample();
   for (std::size_t begin = 0; begin < points.size(); begin += kPointsInOrder) {
     const std::size_t count = std::min(kPointsInOrder, points.size() - begin);

@@ -12,8 +12,8 @@
 namespace crossgrain {
 
 Sampler::Sampler(const Octree& tree, std::span<const StoredQuaternion> frames,
-                 std::span<const std::uint8_t> open_faces)
-    : field_{tree, frames, open_faces}, turns_(tree.size()) {
+                 std::span<const std::uint8_t> open_faces, Turns turns)
+    : field_{tree, frames, open_faces}, turns_(turns == Turns::kOfAll ? tree.size() : 0) {
   parallel_for_chunks(turns_.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
     LeafSurroundings around(tree, field_.finder);
     for (std::size_t i = begin; i < end; ++i) {
@@ -28,7 +28,10 @@ template <std::size_t kPoints>
 class Sampler::Run {
  public:
   explicit Run(const Sampler& sampler)
-      : field_(sampler.field_), turns_(sampler.turns_), around_(field_.tree, field_.finder) {}
+      : field_(sampler.field_),
+        turns_(sampler.turns_),
+        around_(field_.tree, field_.finder),
+        around_turned_(field_.tree, field_.finder) {}
 
   void answer(std::span<const Vector3> points, std::span<Result> results) {
     // Searches come first, so that none waits for the blending of another point.
@@ -81,8 +84,14 @@ class Sampler::Run {
     if (leaf != around_.leaf()) around_.move_to(leaf);
     const RootCube& root = field_.tree.root();
     const LeavesAround around(field_, around_, 1 / root.unit() * (point - root.origin));
-    const auto turn_of = [&](CellIndex i) -> const LeafTurn& { return turns_[i]; };
-    blends_[point_count_] = frame_blend(field_, around, turn_of, &terms_[term_count_]);
+    const auto known_turn = [&](CellIndex i) -> const LeafTurn& { return turns_[i]; };
+    const auto turn_on_demand = [&](CellIndex i) {
+      around_turned_.move_to(i);
+      return leaf_turn(field_, around_turned_);
+    };
+    BlendTerm* const terms = &terms_[term_count_];
+    blends_[point_count_] = turns_.empty() ? frame_blend(field_, around, turn_on_demand, terms)
+                                           : frame_blend(field_, around, known_turn, terms);
     term_count_ += blends_[point_count_].terms.size();
     results_[point_count_++] = &result;
   }
@@ -99,7 +108,7 @@ class Sampler::Run {
 
   const LeafField& field_;
   std::span<const LeafTurn> turns_;
-  LeafSurroundings around_;
+  LeafSurroundings around_, around_turned_;
   std::size_t point_count_ = 0, term_count_ = 0;
   std::array<Result*, kPoints> results_;
   std::array<FrameBlend, kPoints> blends_;

@@ -2,6 +2,7 @@
 // The frame at any point of a field that is given cell by cell.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,14 +20,21 @@ namespace crossgrain {
 /// second order. The blend is continuous across faces, also between leaves of different size. Leaves across
 /// an outside gap are not used. Outside the active leaves, the result is the frame of the nearest one.
 ///
-/// Takes at most 38 bytes per leaf and refers to the arrays given, which must outlive it. Queries allocate
-/// nothing and are safe from any number of threads. Renaming the axes of the cells' frames changes results by
-/// rounding only.
+/// Takes at most 38 bytes per leaf, 2 with turns on demand, and refers to the arrays given, which must
+/// outlive it. Queries allocate nothing and are safe from any number of threads. Renaming the axes of the
+/// cells' frames changes results by rounding only.
 class Sampler {
  public:
-  /// Computes the turns of all leaves, in parallel. `open_faces` as in LeafConnections.
+  /// When turns are computed. Results are the same to the bit.
+  enum class Turns : std::uint8_t {
+    kOfAll,     ///< those of all leaves at once, in parallel
+    kOnDemand,  ///< those around a point with each query: about ten, so for fewer points than a tenth of
+                ///< leaves
+  };
+
+  /// `open_faces` as in LeafConnections.
   Sampler(const Octree& tree, std::span<const StoredQuaternion> frames,
-          std::span<const std::uint8_t> open_faces);
+          std::span<const std::uint8_t> open_faces, Turns turns = Turns::kOfAll);
 
   struct Result {
     Quaternion frame;
@@ -50,7 +58,7 @@ class Sampler {
   class Run;
 
   LeafField field_;
-  std::vector<LeafTurn> turns_;
+  std::vector<LeafTurn> turns_;  ///< none on demand
 };
 
 }  // namespace crossgrain

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "crossgrain/solve.hpp"
 #include "display/cut_lines.hpp"
@@ -119,6 +120,39 @@ TEST(CutLines, RunStraightAlongTheAxesOfABoxFromSideToSide) {
     EXPECT_NEAR(std::abs(line.points.back()[along] - line.points.front()[along]), 3, 1e-3);
     EXPECT_NEAR(line.points.back()[1 - along], line.points.front()[1 - along], 1e-6);
   }
+}
+
+TEST(CutLines, HaveOneAlongTheMiddleOfAThinWall) {
+  const CutMesh mesh(box_of_tets(), kPlane);
+  CutLineOptions options;
+  options.spacing = 1;
+  const auto along_wall = [&](double thickness) {
+    const auto is_inside = [&](const Vector3& p) { return p[1] > 1.35 && p[1] < 1.35 + thickness; };
+    auto lines = cut_lines(mesh, mesh.named_axes(), options, is_inside);
+    std::erase_if(lines, [](const CutLine& line) { return line.names[0] != 0; });
+    return lines;
+  };
+  const auto lines = along_wall(0.3);
+  ASSERT_EQ(lines.size(), 1u);
+  for (const Vector3& point : lines[0].points) EXPECT_NEAR(point[1], 1.5, 1e-3);
+  EXPECT_TRUE(along_wall(0.1).empty()) << "would hide the wall";
+}
+
+TEST(CutLines, FollowTheEarlierNameOfTwoEquallySteepAxes) {
+  TetMesh box = tet_box({3, 3, 3});
+  const Quaternion eighth = from_rotation_vector({std::numbers::pi / 4, 0, 0});
+  for (Vector3& vertex : box.vertices) vertex = rotate(eighth, vertex);
+  SolveOptions solve_options;
+  solve_options.resolution = 8;
+  const TetFrameField field = solve_onto(TetDomain(box), solve_options);
+  const ShownField shown(field);
+  const CutMesh mesh(shown, {2, 2.1});
+  CutLineOptions options;
+  options.spacing = 0.4;
+  const auto lines = cut_lines(mesh, mesh.named_axes(), options, [](const Vector3&) { return true; });
+  ASSERT_GT(lines.size(), 10u);
+  for (const CutLine& line : lines)
+    for (const std::uint8_t name : line.names) EXPECT_LT(name, 2) << "y and z run alike on the cut";
 }
 
 TEST(CutLines, GoRoundARingOnce) {

@@ -104,9 +104,9 @@ TEST(LineEnd, FollowsTheFieldWhereItsAxisTurnsWithTheLine) {
   expect_same(drawn(end), end.points);
 }
 
-TEST(LineEnd, IsNotReplacedFurtherThanSixCells) {
-  // Ten cells along the upper side: that is how the line runs.
-  const LineEnd end = line({{0.9, 0, 1}, {-0.1, 0, 0.9}, {-0.1, 0, -1}}, kUp);
+TEST(LineEnd, IsNotReplacedFurtherThanFourCells) {
+  // Five cells along the upper side: that is how the line runs.
+  const LineEnd end = line({{0.4, 0, 1}, {-0.1, 0, 0.9}, {-0.1, 0, -1}}, kUp);
   expect_same(drawn(end), end.points);
 }
 
@@ -114,6 +114,25 @@ TEST(LineEnd, IsNotContinuedToAFarSurface) {
   const LineEnd end = line({{1, 0, 0}, {0.8, 0, 0}, {0.8, 0, -0.9}}, kUp);
   // Ten cells below the upper side.
   expect_same(drawn(end), end.points);
+}
+
+TEST(LineEnd, StaysOnItsSideOfAThinWall) {
+  // Down through a boss on a plate, out through the plate's upper side beside it; below is its lower side.
+  const auto quad = [](SolvedSurface& surface, const std::array<Vector3, 4>& corners) {
+    const auto first = static_cast<std::uint32_t>(surface.vertices.size());
+    surface.vertices.insert(surface.vertices.end(), corners.begin(), corners.end());
+    surface.triangles.push_back({first, first + 1, first + 2});
+    surface.triangles.push_back({first, first + 2, first + 3});
+  };
+  SolvedSurface surface;
+  quad(surface, {{{0.3, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0.3, 1, 0}}});
+  quad(surface, {{{-1, -1, -0.3}, {-1, 1, -0.3}, {1, 1, -0.3}, {1, -1, -0.3}}});
+  quad(surface, {{{0.3, -1, 0}, {0.3, 1, 0}, {0.3, 1, 1}, {0.3, -1, 1}}});
+  const SolidRays boss(surface);
+  const StraightEnd end =
+      straight_end(line({{0.5, 0, -0.05}, {0.2, 0, -0.1}, {0.2, 0, 0.9}}, kUp), kCell, boss);
+  EXPECT_NEAR(norm(end.points.front() - Vector3{0.5, 0, 0}), 0, 1e-12);
+  EXPECT_EQ(end.next, 0u);
 }
 
 TEST(LineEnd, KeepsHalfOfAShortLine) {

@@ -9,6 +9,7 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/solve.hpp"
+#include "display/leaf_corner_means.hpp"
 #include "display/region_sections.hpp"
 #include "measure/alignment.hpp"
 #include "measure/made_tets.hpp"
@@ -122,7 +123,8 @@ TEST(SurfaceNumbers, AreThoseOfCellsInThePartNotOfCellsThatDipIntoIt) {
 
 TEST(SurfaceNumbers, AtTheCornersOfLeavesGiveTheNumbersOnTheSurface) {
   const ShownField field = turned_box(10);
-  const auto leaves = SurfaceNumbers(field, SurfaceNumber::kAlignment).at_leaf_corners();
+  const auto leaves =
+      SurfaceNumbers(field, SurfaceNumber::kAlignment).at_leaf_corners(CornersOfLeaves(field.grid()));
   const auto& on_boundary = field.grid().on_boundary;
   EXPECT_EQ(leaves.size(), static_cast<std::size_t>(std::count(on_boundary.begin(), on_boundary.end(), 1)));
   for (const auto& [leaf, numbers] : leaves) {

@@ -50,14 +50,13 @@ TEST(AxisNames, HaveTheSeamsThatThePageFinds) {
   EXPECT_EQ(seams, expected);
 }
 
-TetFrameField field_on_tets() {
+TetFrameField field_on_tets(TetMesh mesh = tet_box({3, 3, 3})) {
   SolveOptions options;
   options.resolution = 8;
-  return solve_onto(TetDomain(tet_box({3, 3, 3})), options);
+  return solve_onto(TetDomain(std::move(mesh)), options);
 }
 
-nlohmann::json header_of(const SceneWriter& scene) {
-  const std::string bytes = scene.bytes();
+nlohmann::json header_of(const std::string& bytes) {
   std::uint32_t length = 0;
   std::copy_n(bytes.data() + 8, sizeof length, reinterpret_cast<char*>(&length));
   return nlohmann::json::parse(bytes.substr(12, length));
@@ -67,7 +66,7 @@ TEST(PageScene, OfTetsHasAllOfThemWhereThereAreFew) {
   const TetFrameField field = field_on_tets();
   SceneWriter scene;
   EXPECT_TRUE(add_tets(ShownField(field), {0, 0, 0}, 6 * 27, 1000, {}, scene));
-  const nlohmann::json header = header_of(scene);
+  const nlohmann::json header = header_of(scene.bytes());
   EXPECT_EQ(header["tets"]["shown"], 6 * 27);
   EXPECT_EQ(header["arrays"]["tet_corners"]["shape"][0], 6 * 27);
   EXPECT_EQ(header["arrays"]["tet_points"]["shape"][0], 4 * 4 * 4);
@@ -78,7 +77,7 @@ TEST(PageScene, OfTooManyTetsHasCellsThatCoverTheSolid) {
   for (const std::size_t most : {300u, 3000u}) {
     SceneWriter scene;
     EXPECT_FALSE(add_tets(ShownField(field), {0, 0, 0}, 6 * 27 - 1, most, {}, scene));
-    const nlohmann::json header = header_of(scene);
+    const nlohmann::json header = header_of(scene.bytes());
     EXPECT_EQ(header["tets"]["total"], 6 * 27);
     EXPECT_EQ(header["tets"]["shown"], 0);
     const auto cells = header["cells"]["shown"].get<double>();
@@ -90,6 +89,20 @@ TEST(PageScene, OfTooManyTetsHasCellsThatCoverTheSolid) {
     EXPECT_GE(volume, 0.9 * solid);
     EXPECT_LE(volume, 1.6 * solid);
   }
+}
+
+TEST(PageScene, HasTheFacesBetweenRegionsOfTetsAndOfTheGrid) {
+  TetMesh mesh = tet_box({2, 2, 2});
+  for (const auto& tet : mesh.tets) {
+    double middle = 0;
+    for (const std::uint32_t vertex : tet) middle += mesh.vertices[vertex][0] / 4;
+    mesh.regions.push_back(middle < 1 ? 1 : 2);
+  }
+  const nlohmann::json arrays = header_of(page_scene(field_on_tets(std::move(mesh))))["arrays"];
+  EXPECT_EQ(arrays["interface_triangles"]["shape"][0], 4 * 2);
+  EXPECT_EQ(arrays["interface_vertices"]["shape"][0], 3 * 3);
+  EXPECT_GE(arrays["grid_interface_triangles"]["shape"][0], 4 * 2);
+  EXPECT_FALSE(header_of(page_scene(field_on_tets()))["arrays"].contains("interface_triangles"));
 }
 
 TEST(PageScene, OfTetsIsTheSameForTheSameField) {

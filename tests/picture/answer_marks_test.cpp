@@ -48,6 +48,14 @@ TEST(AnswerLegend, CountsCreasesAndCornersThatAreNotMeshableOrUndecided) {
   EXPECT_EQ(texts_of(answer_legend(report, false)).size(), 1u);
 }
 
+TEST(AnswerLegend, SaysTheFirstReasonAndHowManyThereAre) {
+  SolveReport report;
+  report.answer.reasons.resize(3);
+  report.answer.reasons[0].text = "walls have fewer than 2.5 cells";
+  EXPECT_EQ(answer_legend(report, true).notes,
+            (std::vector<std::string>{"walls have fewer than 2.5 cells", "and 2 other reasons"}));
+}
+
 std::vector<Facet> marks_of(const SolveReport& report) {
   std::vector<Facet> facets;
   answer_marks(report, 0.5, facets);

@@ -101,9 +101,9 @@ TEST(Renderer, SectionTakesAwayWhatIsBeforeItAndShowsTheSolid) {
   Section section;
   section.normal = {0, -1, 0};
   section.offset = -0.5;  // y = 0.5, behind the rod
-  section.colour_at = [](const Vector3& point, bool is_enclosed) -> std::optional<Colour> {
+  section.colour_at = [](const Vector3& point, const auto& is_enclosed) -> std::optional<Colour> {
     EXPECT_NEAR(point[1], 0.5, 1e-6);
-    return is_enclosed ? std::optional<Colour>({0, 1, 0}) : std::nullopt;
+    return is_enclosed() ? std::optional<Colour>({0, 1, 0}) : std::nullopt;
   };
   scene.drawing.section = section;
   const Image image = scene.image();

@@ -4,17 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <numbers>
 #include <random>
 
+#include "crossgrain/error.hpp"
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "field/field_data.hpp"
 #include "field/made_grid.hpp"
 #include "harmonics/deviation.hpp"
 #include "sampling/arc_distance.hpp"
+#include "sampling/frames_in_leaves.hpp"
+#include "sampling/sampling.hpp"
 
 namespace crossgrain {
 namespace {
@@ -74,6 +78,62 @@ TEST(SamplingMany, IsThatOfEachPointToTheBitWhateverTheirNumber) {
         ASSERT_NO_FATAL_FAILURE(expect_same(samples[k], field.sample(points[k])));
     }
   }
+}
+
+TEST(Sampler, WithTurnsOnDemandIsTheSameToTheBit) {
+  const auto data = holed(around_a_line, 6);
+  const Sampler all(data->tree, data->frames, data->open_faces);
+  const Sampler on_demand(data->tree, data->frames, data->open_faces, Sampler::Turns::kOnDemand);
+  for (const Vector3& point : scattered(500, 6)) {
+    const Sampler::Result a = all.at(point), b = on_demand.at(point);
+    ASSERT_EQ(std::memcmp(&a.frame, &b.frame, sizeof(Quaternion)), 0);
+    ASSERT_EQ(a.leaf, b.leaf);
+    ASSERT_EQ(a.deviation, b.deviation);
+  }
+}
+
+TEST(FramesInLeaves, AreThoseOfTheSamplerToTheBit) {
+  const auto data = holed(around_a_line, 5);
+  const Sampler sampler(data->tree, data->frames, data->open_faces);
+  const LeafField field{data->tree, data->frames, data->open_faces};
+  FramesInLeaves frames(field);
+  std::mt19937 engine(5);
+  std::vector<Quaternion> expected;
+  const auto compare = [&] {
+    const std::span<const Quaternion> found = frames.frames();
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+      ASSERT_EQ(std::memcmp(&found[k], &expected[k], sizeof(Quaternion)), 0);
+    expected.clear();
+  };
+  for (CellIndex leaf = 0; leaf < data->tree.size(); leaf += 3) {
+    const Box box = data->tree.root().box(data->tree[leaf]);
+    for (unsigned k = 0; k < engine() % 4; ++k) {
+      Vector3 point;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        point[axis] = std::uniform_real_distribution<double>(box.low[axis], box.high[axis])(engine);
+      if (frames.is_full()) {
+        ASSERT_NO_FATAL_FAILURE(compare());
+      }
+      frames.add(leaf, point);
+      expected.push_back(sampler.in_leaf(leaf, point));
+    }
+  }
+  ASSERT_NO_FATAL_FAILURE(compare());
+}
+
+TEST(SamplingMany, OfAPointThatIsNowhereIsAnError) {
+  const FrameField field(holed(around_a_line, 1));
+  for (const double nowhere :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Vector3 point{0.5, 0.5, 0.5};
+      point[axis] = nowhere;
+      EXPECT_THROW(field.sample(point), Error);
+      EXPECT_THROW(field.sample(std::vector<Vector3>{{0.5, 0.5, 0.5}, point}), Error);
+    }
+  }
+  EXPECT_NO_THROW(field.sample(Vector3{1e300, -1e300, 1e300}));
 }
 
 TEST(SamplingMany, IsTheSameForAnyNumberOfThreads) {

@@ -4,9 +4,10 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 
-import { kDesktop, kPhone, launch, open, scene_file } from "./browser.mjs";
+import { kDesktop, kPhone, launch, open, scene_file, SharedPages } from "./browser.mjs";
 
 let browser;
+const shared = new SharedPages();
 before(async () => (browser = await launch()));
 after(() => browser?.close());
 
@@ -62,29 +63,35 @@ function faulty_controls() {
 }
 
 for (const [device_name, device] of [["desktop", kDesktop], ["phone", kPhone]]) {
-  for (const scheme of ["light", "dark"]) {
-    test(`texts are legible and controls have names: ${device_name}, ${scheme}`, async () => {
-      const { page, context } = await open(browser, scene_file("components"), { device, scheme });
-      await page.evaluate(() => window.crossgrain.change({ map: "alignment", glyph: { color: "tilt" } }));
-      await page.evaluate(() => document.getElementById("legend").setAttribute("open", ""));
-      for (const panel of ["field", "cell", "view"]) {
-        if (panel === "view" && device !== kPhone) continue;
-        if (panel === "cell") await page.evaluate(() => {
-          const [x, y] = window.crossgrain.screenOf([60, 4, 0]);
-          window.crossgrain.pickAt(x, y);
-        });
-        await page.locator(`[data-testid="tab-${panel}"]`).click();
-        assert.deepEqual(await page.evaluate(faint_texts), [], panel);
-        assert.deepEqual(await page.evaluate(faulty_controls), [], panel);
-        if (device === kPhone) await page.locator(`[data-testid="tab-${panel}"]`).click();
+  test(`texts are legible and controls have names: ${device_name}, light and dark`, async () => {
+    const { page, context } = await open(browser, scene_file("components"), { device });
+    const select = (panel) => page.locator(`[data-testid="tab-${panel}"]`).click();
+    const check = async (where) => {
+      for (const colorScheme of ["light", "dark"]) {
+        await page.emulateMedia({ colorScheme });
+        await page.waitForFunction((scheme) => window.crossgrain.state().resolved_theme === scheme, colorScheme);
+        assert.deepEqual(await page.evaluate(faint_texts), [], `${where}, ${colorScheme}`);
       }
-      if (device !== kPhone) {
-        await page.keyboard.press("?");
-        assert.deepEqual(await page.evaluate(faint_texts), [], "help");
-      }
-      await context.close();
-    });
-  }
+    };
+    await page.evaluate(() => window.crossgrain.change({ map: "alignment", glyph: { color: "tilt" } }));
+    await page.evaluate(() => document.getElementById("legend").setAttribute("open", ""));
+    for (const panel of ["field", "cell", "view"]) {
+      if (panel === "view" && device !== kPhone) continue;
+      if (panel === "cell") await page.evaluate(() => {
+        const [x, y] = window.crossgrain.screenOf([60, 4, 0]);
+        window.crossgrain.pickAt(x, y);
+      });
+      await select(panel);
+      await check(panel);
+      assert.deepEqual(await page.evaluate(faulty_controls), [], panel);
+      if (device === kPhone) await select(panel);
+    }
+    if (device !== kPhone) {
+      await page.keyboard.press("?");
+      await check("help");
+    }
+    await context.close();
+  });
 }
 
 test("the Tab key visits the view, then its buttons, then the panels, and shows where it is", async () => {
@@ -113,7 +120,7 @@ test("the Tab key visits the view, then its buttons, then the panels, and shows 
 });
 
 test("the document has a title, a language, landmarks and one first heading", async () => {
-  const { page, context } = await open(browser, scene_file("ball"));
+  const { page } = await shared.page(browser, "ball");
   const facts = await page.evaluate(() => ({
     language: document.documentElement.lang, main: document.querySelectorAll("main").length, first: document.querySelectorAll("h1").length,
     live: document.querySelectorAll("[aria-live=polite]").length, view: document.getElementById("view").getAttribute("aria-label"),
@@ -123,12 +130,13 @@ test("the document has a title, a language, landmarks and one first heading", as
   assert.equal(facts.first, 1);
   assert.ok(facts.live >= 1);
   assert.match(facts.view, /ball\.stl/);
-  await context.close();
 });
 
 test("who wants no motion gets none", async () => {
+  const { page } = await shared.page(browser, "ball");
   for (const motion of ["reduce", "no-preference"]) {
-    const { page, context } = await open(browser, scene_file("ball"), { motion });
+    await page.emulateMedia({ reducedMotion: motion });
+    await page.evaluate(() => window.crossgrain.setView("front"));
     const camera = () => page.evaluate(() => window.crossgrain.state());
     const { frames_drawn } = await camera();
     await page.evaluate(() => document.querySelector('[data-testid="view-top"]').click());
@@ -140,6 +148,5 @@ test("who wants no motion gets none", async () => {
     await page.evaluate(() => window.crossgrain.drawn());
     const drawn = (await camera()).frames_drawn - frames_drawn;
     assert.ok(drawn >= 1 && (motion !== "reduce" || drawn <= 2), `${motion}: ${drawn} frames`);
-    await context.close();
   }
 });

@@ -14,8 +14,11 @@ import { kScenes } from "../../viewer/tests/scenes.mjs";
 import { filled_page } from "../../viewer/tests/scene_writer.mjs";
 
 const kArguments = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--force-color-profile=srgb"];
-export const kDesktop = { viewport: { width: 1440, height: 900 } };
-export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
+// Half a device pixel a CSS pixel: software draws a quarter as many, and everything else is as large as it is on a desktop or a phone.
+export const kDesktop = { viewport: { width: 1440, height: 900 }, deviceScaleFactor: 0.5 };
+export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 1 };
+/** The same as they are, for pictures. */
+export const kSharp = { desktop: { ...kDesktop, deviceScaleFactor: 1 }, phone: { ...kPhone, deviceScaleFactor: 2 } };
 
 const folder = mkdtempSync(join(tmpdir(), "crossgrain-viewer-"));
 export const template = readFileSync(new URL("../../viewer/dist/report.html", import.meta.url), "utf8");
@@ -59,6 +62,34 @@ export async function open(browser, address, { device = kDesktop, scheme = "ligh
   return { page, context, problems, opened_ms: Date.now() - start };
 }
 
+/** Pages that tests of one file share: each scene is opened when it is first asked for. */
+export class SharedPages {
+  constructor() {
+    this.opened = new Map();
+  }
+
+  /** The page of a scene, shown as it opened. */
+  async page(browser, name) {
+    if (!this.opened.has(name)) {
+      const { page, problems } = await open(browser, scene_file(name));
+      const settings = await state(page);
+      this.opened.set(name, { page, problems, settings, link: await page.evaluate(() => window.crossgrain.link()) });
+      return { page, problems };
+    }
+    const { page, problems, settings, link } = this.opened.get(name);
+    await page.evaluate(async ([{ theme, cut, glyph, layers }, there]) => {
+      const restored = new Promise((resolve) => addEventListener("hashchange", resolve, { once: true }));
+      history.replaceState(null, "", location.pathname);
+      location.hash = new URL(there).hash;
+      await restored;
+      document.querySelector('[data-testid="tab-field"]').click();
+      await window.crossgrain.change({ theme, cut, glyph, layers, picked: -1, marked: null });
+    }, [settings, link]);
+    problems.length = 0;
+    return { page, problems };
+  }
+}
+
 export const state = (page) => page.evaluate(() => window.crossgrain.state());
 
 /** The drawing, reduced to `width` pixels, as a PNG in base64. */
@@ -69,7 +100,7 @@ export function picture(page, width = 360) {
     const small = document.createElement("canvas");
     small.width = wanted;
     small.height = Math.round((wanted * view.height) / view.width);
-    const context = small.getContext("2d");
+    const context = small.getContext("2d", { willReadFrequently: true });
     context.imageSmoothingQuality = "high";
     context.drawImage(view, 0, 0, small.width, small.height);
     return small.toDataURL("image/png").split(",")[1];
@@ -86,7 +117,7 @@ export function difference(page, first, second) {
       const canvas = document.createElement("canvas");
       canvas.width = image.width;
       canvas.height = image.height;
-      const context = canvas.getContext("2d");
+      const context = canvas.getContext("2d", { willReadFrequently: true });
       context.drawImage(image, 0, 0);
       return { width: image.width, height: image.height, data: context.getImageData(0, 0, image.width, image.height).data };
     };
@@ -109,7 +140,7 @@ export async function drawn_share_there() {
   const view = document.getElementById("view");
   const small = document.createElement("canvas");
   [small.width, small.height] = [200, 125];
-  const context = small.getContext("2d");
+  const context = small.getContext("2d", { willReadFrequently: true });
   context.drawImage(view, 0, 0, 200, 125);
   const { data } = context.getImageData(0, 0, 200, 125);
   let other = 0;

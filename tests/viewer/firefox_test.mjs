@@ -33,6 +33,8 @@ for (const name of ["tets", "components"]) {
     assert.equal(await browser.evaluate("window.crossgrain.state().map"), "energy");
     await browser.evaluate("window.crossgrain.cutAcross('x')");
     assert.ok((await browser.evaluate(kDrawnShare)) > 0.06);
+    assert.match(await browser.evaluate("window.crossgrain.picture()"), /^data:image\/png;base64,/, "with curves");
+    await browser.evaluate("window.crossgrain.change({ glyph: { shape: 'cross' } })");
     // The frames follow the flight of the view towards the cut.
     const glyphs = () => browser.evaluate("window.crossgrain.state().glyphs");
     for (let tries = 0; tries < 50 && (await glyphs()) <= 5; ++tries) await new Promise((resolve) => setTimeout(resolve, 200));

@@ -6,11 +6,12 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 
 import {
-  difference, drawn_share, keep_screenshot, kDesktop, kPhone, launch, open, page_file, picture, reference, scene_file, scene_named, state, template,
+  difference, drawn_share, keep_screenshot, kDesktop, kPhone, kSharp, launch, open, page_file, picture, reference, scene_file, scene_named, SharedPages, state, template,
 } from "./browser.mjs";
 import { filled_page } from "../../viewer/tests/scene_writer.mjs";
 
 let browser;
+const shared = new SharedPages();
 before(async () => (browser = await launch()));
 after(() => browser?.close());
 
@@ -23,8 +24,7 @@ for (const [name, device_name, scheme] of [
   ["ball", "desktop", "light"], ["tets", "desktop", "light"], ["plate", "desktop", "dark"], ["components", "desktop", "light"], ["components", "phone", "dark"], ["plate", "phone", "light"],
 ]) {
   test(`${name} opens without complaint and shows the part: ${device_name}, ${scheme}`, async (context) => {
-    const device = device_name === "phone" ? kPhone : kDesktop;
-    const opened = await open(browser, scene_file(name), { device, scheme });
+    const opened = await open(browser, scene_file(name), { device: kSharp[device_name], scheme });
     const { page, problems } = opened;
     context.diagnostic(`open after ${opened.opened_ms} ms`);
     assert.ok(opened.opened_ms < kLongestOpening, `${opened.opened_ms} ms`);
@@ -40,7 +40,7 @@ for (const [name, device_name, scheme] of [
 }
 
 test("the numbers and the answer are those of the report", async () => {
-  const { page, context } = await open(browser, scene_file("components"));
+  const { page } = await shared.page(browser, "components");
   const { report } = scene_named("components");
   assert.equal(await page.locator(by_test("number-cells")).innerText().then((text) => text.split("\n")[0]), report.levels.at(-1).active_cells.toLocaleString("en-US"));
   assert.match(await page.locator(by_test("number-energy")).innerText(), /^61\.3/);
@@ -53,11 +53,10 @@ test("the numbers and the answer are those of the report", async () => {
   ]);
   assert.equal(await page.locator(by_test("part-name")).innerText(), "five components <v2>.step");
   assert.match(await page.title(), /^five components <v2>\.step · Crossgrain$/);
-  await context.close();
 });
 
 test("all further reasons stand below the answer, with what to do next, and lead to their places", async () => {
-  const { page, context } = await open(browser, scene_file("components"));
+  const { page } = await shared.page(browser, "components");
   const { report } = scene_named("components");
   const shown = await page.locator(`${by_test("places-further-reasons")} .place`).allInnerTexts();
   assert.equal(shown.length, report.reasons.length - 1);
@@ -73,17 +72,16 @@ test("all further reasons stand below the answer, with what to do next, and lead
   assert.equal((await state(page)).marked.warn, true);
   await page.locator(`${by_test("places-further-reasons")} ${by_test("place")}`).click();
   assert.deepEqual((await state(page)).marked.point, [0, 0, 0]);
-  await context.close();
 });
 
 test("creases and corners are marked like nodes, and the legend says what the colours mean", async () => {
-  const { page, context } = await open(browser, scene_file("components"));
+  const { page } = await shared.page(browser, "components");
   assert.match((await page.locator(by_test("legend-balls")).innerText()).replace(/\s+/g, " "), /impossible for hexahedra 3 undecided 2/);
   await page.evaluate(() => window.crossgrain.change({ cut: { on: false }, layers: { part: false, creases: false, arcs: false, glyphs: false } }));
   const pixel = () => page.evaluate(() => {
     const view = document.getElementById("view");
     const [x, y] = window.crossgrain.screenOf([23, 26, 7]);
-    const small = document.createElement("canvas").getContext("2d");
+    const small = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
     small.drawImage(view, (x * view.width) / view.clientWidth, (y * view.height) / view.clientHeight, 1, 1, 0, 0, 1, 1);
     return [...small.getImageData(0, 0, 1, 1).data];
   });
@@ -92,16 +90,16 @@ test("creases and corners are marked like nodes, and the legend says what the co
   assert.ok(r > 2 * g && r > 2 * b, `${r} ${g} ${b} is not crimson`);
   await page.locator("label", { has: page.locator(by_test("show-nodes")) }).click();
   assert.equal(await page.locator(by_test("legend-balls")).count(), 0);
-  await context.close();
 });
 
 test("alignment that was measured nowhere is no number, in the text and on the scale", async () => {
-  const { report, scene } = scene_named("ball");
+  // The numbers stand beside the view, and without one.
+  const { report } = scene_named("ball");
   const none = { mean: 0, p95: 0, max: 0 };
   for (const [name, alignment_deg] of [
     ["all excluded", { ...none, excluded_share: 0.9996 }], ["null", { mean: null, p95: null, max: null, excluded_share: 1 }], ["nearly all", { ...none, excluded_share: 0.9994 }],
   ]) {
-    const { page, context, problems } = await open(browser, page_file("unaligned", filled_page(template, { ...report, alignment_deg }, scene)));
+    const { page, context, problems } = await open(browser, page_file("unaligned", filled_page(template, { ...report, alignment_deg }, null)));
     const nothing = name !== "nearly all";
     for (const part of ["mean", "p95", "max"]) assert.equal(await page.locator(by_test(`alignment-${part}`)).innerText(), nothing ? "n/a" : "0.00°", name);
     assert.equal(await page.locator(".scale").count(), nothing ? 0 : 1, name);
@@ -113,9 +111,10 @@ test("alignment that was measured nowhere is no number, in the text and on the s
 });
 
 test("a field of a solve that was stopped says what is missing", async () => {
-  const { report, scene } = scene_named("ball");
+  // The numbers stand beside the view, and without one.
+  const { report } = scene_named("ball");
   const stopped = { ...report, unfinished: { resolution_asked: 4 * report.resolution, levels_missing: 2, tets_missing: false } };
-  const { page, context, problems } = await open(browser, page_file("stopped", filled_page(template, stopped, scene)));
+  const { page, context, problems } = await open(browser, page_file("stopped", filled_page(template, stopped, null)));
   const done = report.levels.length;
   assert.match(await page.locator(by_test("unfinished")).innerText(), new RegExp(`Unfinished: level ${done} of ${done + 2}\\.[^]* 4 times as fine`));
   assert.deepEqual(problems, []);
@@ -123,11 +122,12 @@ test("a field of a solve that was stopped says what is missing", async () => {
 });
 
 test("numbers that are not finite, null in the report, are dashes or n/a", async () => {
-  const { report, scene } = scene_named("ball");
+  // The numbers stand beside the view, and without one.
+  const { report } = scene_named("ball");
   const levels = report.levels.map((level) => ({ ...level, energy: null, seconds: null }));
   const nothing = { mean: null, p95: null, max: null };
   const broken = { ...report, levels, alignment_deg: { ...nothing, excluded_share: null }, energy: { smoothness: null, boundary: null, total: null }, seconds: { total: null } };
-  const { page, context, problems } = await open(browser, page_file("null", filled_page(template, broken, scene)));
+  const { page, context, problems } = await open(browser, page_file("null", filled_page(template, broken, null)));
   assert.equal(await page.locator(by_test("number-energy")).innerText(), "–");
   assert.equal(await page.locator(by_test("alignment-max")).innerText(), "n/a");
   assert.match(await page.locator(by_test("numbers")).innerText(), /Time\s+–/i);
@@ -137,13 +137,12 @@ test("numbers that are not finite, null in the report, are dashes or n/a", async
 });
 
 test("a thinned page says so", async () => {
-  const { page, context } = await open(browser, scene_file("plate"));
+  const { page } = await shared.page(browser, "plate");
   assert.match(await page.locator(by_test("shown")).innerText(), /Cells smaller than 1 mm are shown merged: [\d,]+ of 4,100,000 cells/);
-  await context.close();
 });
 
 test("every control changes the picture", async () => {
-  const { page, context, problems } = await open(browser, scene_file("plate"));
+  const { page, problems } = await shared.page(browser, "plate");
   await page.evaluate(() => window.crossgrain.change({ cut: { axis: "z", flip: false, position: 0.5 } }));
   // From above the cells are large enough for their lines.
   await page.evaluate(() => window.crossgrain.setView("top"));
@@ -160,7 +159,7 @@ test("every control changes the picture", async () => {
   for (const name of ["show-streamlines", "show-part", "show-part", "show-creases", "show-arcs", "show-nodes", "show-glyphs", "show-glyphs", "show-cells", "cut-clip"]) await click(name);
   await page.evaluate(() => window.crossgrain.setView("iso"));
   last = await picture(page);
-  for (const name of ["map-alignment", "map-energy", "map-class", "map-none", "glyph-shape-cube", "cut-axis-x", "cut-axis-z", "cut-axis-view", "cut-axis-y"]) await click(name);
+  for (const name of ["map-alignment", "map-energy", "map-class", "map-none", "glyph-shape-cross", "glyph-shape-cube", "glyph-shape-curve", "cut-axis-x", "cut-axis-z", "cut-axis-view", "cut-axis-y"]) await click(name);
   await click("cut-clip");
   await changes("cut-flip", () => page.locator(by_test("cut-flip")).click());
   for (const value of ["tilt", "turn", "axes"]) {
@@ -179,11 +178,10 @@ test("every control changes the picture", async () => {
     });
   }
   assert.deepEqual(problems, []);
-  await context.close();
 });
 
 test("dragging turns the part, the wheel zooms, and the whole part comes back", async () => {
-  const { page, context } = await open(browser, scene_file("ball"));
+  const { page } = await shared.page(browser, "ball");
   await page.locator(by_test("view-iso")).click();
   const place = (one) => one.camera.position;
   const first = await state(page);
@@ -201,11 +199,10 @@ test("dragging turns the part, the wheel zooms, and the whole part comes back", 
   assert.ok(distance(zoomed) < distance(turned));
   await page.locator(by_test("view-iso")).click();
   place(await state(page)).forEach((value, k) => assert.ok(Math.abs(value - place(first)[k]) < 1e-9));
-  await context.close();
 });
 
 test("a click picks the cell that lies there, and says what it is", async () => {
-  const { page, context } = await open(browser, scene_file("ball"));
+  const { page } = await shared.page(browser, "ball");
   // A cell that the cut passes, whose place on the screen is known by projection.
   const [x, y] = await page.evaluate(() => window.crossgrain.screenOf([103.5, 50, 22.3]));
   await page.mouse.click(x, y);
@@ -222,11 +219,10 @@ test("a click picks the cell that lies there, and says what it is", async () => 
   await page.mouse.click(300, 800);
   assert.equal((await state(page)).picked, -1);
   assert.ok(await page.locator(by_test("cell-empty")).isVisible());
-  await context.close();
 });
 
 test("a cell with surface shows its form", async () => {
-  const { page, context } = await open(browser, scene_file("plate"));
+  const { page } = await shared.page(browser, "plate");
   const cell = await page.evaluate(() => {
     const [x, y] = window.crossgrain.screenOf([40, 0, 1.5]);
     return window.crossgrain.pickAt(x, y + 3);
@@ -236,11 +232,10 @@ test("a cell with surface shows its form", async () => {
   assert.ok(cell.form.weight > 0);
   await page.locator(`${by_test("cell-form")} summary`).click();
   assert.equal(await page.locator(`${by_test("cell-matrix")} td`).count(), 90);
-  await context.close();
 });
 
 test("places are flown to and marked", async () => {
-  const { page, context } = await open(browser, scene_file("components"));
+  const { page } = await shared.page(browser, "components");
   const before_it = await state(page);
   const buttons = page.locator(by_test("place"));
   assert.ok((await buttons.count()) >= 6);
@@ -253,11 +248,10 @@ test("places are flown to and marked", async () => {
   await page.locator(`${by_test("places-crowded-corners")} summary`).click();
   await page.locator(`${by_test("places-crowded-corners")} .quiet`).click();
   assert.equal(await page.locator(`${by_test("places-crowded-corners")} ${by_test("place")}`).count(), 9);
-  await context.close();
 });
 
 test("keys do what the help says", async () => {
-  const { page, context } = await open(browser, scene_file("plate"));
+  const { page } = await shared.page(browser, "plate");
   await page.locator("#view").focus();
   const after_key = async (key) => {
     await page.keyboard.press(key);
@@ -269,7 +263,7 @@ test("keys do what the help says", async () => {
   assert.equal((await after_key("c")).cut.on, false);
   assert.ok((await after_key("]")).cut.position > 0.5);
   assert.equal((await after_key("m")).map, "alignment");
-  assert.equal((await after_key("b")).glyph.shape, "cube");
+  for (const shape of ["cross", "cube", "curve"]) assert.equal((await after_key("b")).glyph.shape, shape);
   assert.equal((await after_key("l")).layers.streamlines, true);
   assert.equal((await after_key("t")).resolved_theme, "light");
   assert.equal((await after_key("t")).resolved_theme, "dark");
@@ -285,16 +279,16 @@ test("keys do what the help says", async () => {
   // Letters in a list are the list's own.
   await page.locator(by_test("glyph-color")).focus();
   assert.equal((await after_key("x")).cut.axis, "z");
-  await context.close();
 });
 
 test("nothing is drawn while nothing changes, and the same page gives the same picture", async () => {
   const first = await open(browser, scene_file("ball"));
-  // A change of the size of the panels, as their fonts arrive, draws once more.
-  await first.page.waitForTimeout(1500);
-  const { frames_drawn } = await state(first.page);
-  await first.page.waitForTimeout(400);
-  assert.equal((await state(first.page)).frames_drawn, frames_drawn);
+  // A change of the size of the panels, as their fonts arrive, draws once more: after that, nothing for a while.
+  await first.page.waitForFunction(async (quiet_ms) => {
+    const { frames_drawn } = window.crossgrain.state();
+    await new Promise((resolve) => setTimeout(resolve, quiet_ms));
+    return window.crossgrain.state().frames_drawn === frames_drawn;
+  }, 400, { polling: 100, timeout: 20_000 });
   const second = await open(browser, scene_file("ball"));
   assert.equal(await picture(first.page), await picture(second.page));
   await first.context.close();

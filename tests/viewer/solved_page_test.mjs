@@ -3,7 +3,7 @@
 // is left out, saying so.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -41,6 +41,22 @@ test("it says how many cells and singular lines the report has", { skip }, async
   assert.ok(text.includes(report.levels.at(-1).active_cells.toLocaleString("en-US")), text);
   const lines = await opened.page.locator('[data-testid="number-arcs"]').innerText();
   assert.ok(lines.includes(String(report.singularity.arcs)), lines);
+});
+
+test("under the content security policy of `crossgrain view` it draws itself, saves pictures, and can load nothing else", { skip }, async () => {
+  const server = spawn(program, ["view", folder, "--no-browser"], { stdio: ["ignore", "pipe", "inherit"] });
+  try {
+    const address = await new Promise((resolve) => server.stdout.once("data", (line) => resolve(String(line).trim())));
+    const { page, context, problems } = await open(browser, address);
+    assert.ok((await drawn_share(page)) > 0.06);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.locator('[data-testid="picture"]').click()]);
+    assert.ok(download.suggestedFilename().endsWith(".png"));
+    assert.deepEqual(problems, [`request: ${address}`]);
+    assert.equal(await page.evaluate(() => fetch("report.json").then(() => "loaded", () => "refused")), "refused");
+    await context.close();
+  } finally {
+    server.kill();
+  }
 });
 
 /** An STL file of flat faces, each a convex polygon of some corners, outward. */

@@ -4,16 +4,17 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 
-import { difference, keep_screenshot, kDesktop, kPhone, launch, open, picture, scene_file, scene_named, state } from "./browser.mjs";
+import { difference, keep_screenshot, kDesktop, kPhone, launch, open, picture, scene_file, scene_named, SharedPages, state } from "./browser.mjs";
 
 let browser;
+const shared = new SharedPages();
 before(async () => (browser = await launch()));
 after(() => browser?.close());
 
 const by_test = (name) => `[data-testid="${name}"]`;
 
 test("with a field on tets, the page shows that, and the grid from which it started where it is asked for", async () => {
-  const { page, context, problems } = await open(browser, scene_file("tets"));
+  const { page, problems } = await shared.page(browser, "tets");
   const { report } = scene_named("tets");
   const tets = report.onto.tets.toLocaleString("en-US");
   assert.equal(await page.locator(by_test("number-tets")).innerText().then((text) => text.split("\n")[0]), tets);
@@ -29,11 +30,10 @@ test("with a field on tets, the page shows that, and the grid from which it star
   await page.locator("label", { has: page.locator(by_test("field-main")) }).click();
   assert.equal(await picture(page), of_tets);
   assert.deepEqual(problems, []);
-  await context.close();
 });
 
 test("a click on a cut through tets picks the tet there", async () => {
-  const { page, context } = await open(browser, scene_file("tets"));
+  const { page } = await shared.page(browser, "tets");
   // The bar's origin is its middle, so this is a point of the cut.
   const point = [3.1, -4.2, 0];
   const [x, y] = await page.evaluate((at) => window.crossgrain.screenOf(at), point);
@@ -45,11 +45,10 @@ test("a click on a cut through tets picks the tet there", async () => {
   assert.equal(await page.locator(by_test("cell-title")).innerText(), `Tet ${picked.toLocaleString("en-US")}`);
   assert.equal(await page.locator(by_test("cell-form")).count(), 0);
   await keep_screenshot(page, "picked-tet-desktop-light");
-  await context.close();
 });
 
 test("several findings of a kind are summed up, and opened on demand", async () => {
-  const { page, context } = await open(browser, scene_file("tets"));
+  const { page } = await shared.page(browser, "tets");
   const kind = page.locator(`${by_test("places-creases-and-corners")} ${by_test("kind")}`);
   assert.equal(await kind.locator("summary").innerText(), "Three edges below 45 degrees");
   assert.equal(await kind.locator(by_test("place")).first().isVisible(), false);
@@ -57,7 +56,6 @@ test("several findings of a kind are summed up, and opened on demand", async () 
   assert.equal(await kind.locator(by_test("place")).count(), 3);
   await kind.locator(by_test("place")).nth(1).click();
   assert.deepEqual((await state(page)).marked.point, [10, 10, 0]);
-  await context.close();
 });
 
 test("the part fills the view at first, and what is left of it when another cut is chosen", async () => {
@@ -68,7 +66,7 @@ test("the part fills the view at first, and what is left of it when another cut 
       const view = document.getElementById("view");
       const small = document.createElement("canvas");
       [small.width, small.height] = [view.clientWidth, view.clientHeight];
-      const drawing = small.getContext("2d");
+      const drawing = small.getContext("2d", { willReadFrequently: true });
       drawing.drawImage(view, 0, 0, small.width, small.height);
       const { data } = drawing.getImageData(0, 0, small.width, small.height);
       let [left, right, top, bottom] = [Infinity, 0, Infinity, 0];
@@ -93,7 +91,7 @@ test("the part fills the view at first, and what is left of it when another cut 
 });
 
 test("turning the cut on turns the view towards it", async () => {
-  const { page, context } = await open(browser, scene_file("tets"));
+  const { page } = await shared.page(browser, "tets");
   for (const axis of ["x", "y", "z"]) {
     await page.locator("label", { has: page.locator(by_test(`cut-axis-${axis}`)) }).click();
     const { camera, cut } = await state(page);
@@ -102,11 +100,10 @@ test("turning the cut on turns the view towards it", async () => {
     const angle = (Math.acos(along) * 180) / Math.PI;
     assert.ok(angle > 24 && angle < 31, `${axis}: ${angle} degrees beside the normal`);
   }
-  await context.close();
 });
 
 test("any axis points up", async () => {
-  const { page, context } = await open(browser, scene_file("tets"));
+  const { page } = await shared.page(browser, "tets");
   for (const [axis, ahead] of [["x", [0, 0, -1]], ["y", [0, 0, 1]], ["z", [0, -1, 0]]]) {
     await page.locator(by_test(`up-${axis}`)).evaluate((input) => input.click());
     await page.evaluate(() => window.crossgrain.setView("front"));
@@ -116,11 +113,10 @@ test("any axis points up", async () => {
     const [low, high] = await page.evaluate((k) => [0, 5].map((height) => window.crossgrain.screenOf([0, 1, 2].map((other) => (other === k ? height : 0)))), "xyz".indexOf(axis));
     assert.ok(high[1] < low[1] - 10 && Math.abs(high[0] - low[0]) < 1, `${axis} is up: ${low} ${high}`);
   }
-  await context.close();
 });
 
 test("a link restores the view", async () => {
-  const { page, context } = await open(browser, scene_file("tets"));
+  const { page } = await shared.page(browser, "tets");
   await page.evaluate(() => window.crossgrain.change({ map: "energy", field: "grid", up: "y", cut: { axis: "x", position: 0.3, flip: true }, glyph: { shape: "cube" } }));
   await page.locator("#view").focus();
   for (const key of ["ArrowLeft", "ArrowUp", "+"]) await page.keyboard.press(key);
@@ -133,11 +129,10 @@ test("a link restores the view", async () => {
   const { mean } = await difference(page, before_it, await picture(second.page));
   assert.ok(mean < 1e-3, `${mean}`);
   await second.context.close();
-  await context.close();
 });
 
 test("the picture that is saved is twice as fine as the view and has the legend in it", async () => {
-  const { page, context } = await open(browser, scene_file("tets"));
+  const { page } = await shared.page(browser, "tets");
   const facts = await page.evaluate(async () => {
     const image = new Image();
     image.src = await window.crossgrain.picture();
@@ -157,18 +152,17 @@ test("the picture that is saved is twice as fine as the view and has the legend 
   assert.ok(facts.ink > 0.008 && facts.ink < 0.4, `${facts.ink} of the legend is ink`);
   const [download] = await Promise.all([page.waitForEvent("download"), page.locator(by_test("picture")).click()]);
   assert.equal(download.suggestedFilename(), "bar.png");
-  await context.close();
 });
 
 test("the half that is taken away has faint lines only", async () => {
-  const { page, context } = await open(browser, scene_file("tets"));
+  const { page } = await shared.page(browser, "tets");
   // The line is seen end on from the side; above the cut it is as faint as what lies behind.
   await page.evaluate(() => window.crossgrain.change({ cut: { axis: "z", flip: false }, layers: { part: false, creases: false, glyphs: false, nodes: false } }));
   await page.evaluate(() => window.crossgrain.setView("front"));
   const ink = () => page.evaluate(async () => {
     await window.crossgrain.drawn();
     const view = document.getElementById("view");
-    const canvas = document.createElement("canvas").getContext("2d");
+    const canvas = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
     const red_at = (height) => {
       const [x, y] = window.crossgrain.screenOf([0, 0, height]);
       canvas.drawImage(view, (x * view.width) / view.clientWidth, (y * view.height) / view.clientHeight, 1, 1, 0, 0, 1, 1);
@@ -181,5 +175,50 @@ test("the half that is taken away has faint lines only", async () => {
   await page.evaluate(() => window.crossgrain.change({ cut: { clip: false } }));
   const [below, above] = await ink();
   assert.ok(Math.abs(below - above) < 10, `${below} ${above}`);
-  await context.close();
+});
+
+/** The darkest of three channels at points of the model, each with those a few pixels beside it along x. */
+const dark_at = (page, points) => page.evaluate(async (all) => {
+  await window.crossgrain.drawn();
+  const view = document.getElementById("view");
+  const canvas = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+  const level = (x, y) => {
+    canvas.drawImage(view, ((x - 1) * view.width) / view.clientWidth, ((y - 1) * view.height) / view.clientHeight, 2, 2, 0, 0, 2, 2);
+    return Math.min(...[0, 4, 8, 12].map((k) => Math.max(...canvas.getImageData(0, 0, 2, 2).data.slice(k, k + 3))));
+  };
+  return all.map((point) => {
+    const [x, y] = window.crossgrain.screenOf(point);
+    return { on: level(x, y), beside: Math.min(level(x - 9, y), level(x + 9, y)) };
+  });
+}, points);
+
+test("the cut shows the face between two regions as a dark line, straight across the cells", async () => {
+  const { page } = await shared.page(browser, "regions");
+  await page.evaluate(() => window.crossgrain.change({ cut: { axis: "z", position: 0.5, flip: false }, layers: { cells: false, glyphs: false, part: false } }));
+  await page.evaluate(() => window.crossgrain.setView("top"));
+  await keep_screenshot(page, "regions-desktop-light");
+  const places = Array.from({ length: 25 }, (_, k) => -9 + 0.75 * k);
+  for (const { on, beside } of await dark_at(page, places.map((y) => [-y / 4, y, 0]))) assert.ok(on < beside - 50, `${on} on the line, ${beside} beside it`);
+  await page.evaluate(() => window.crossgrain.change({ layers: { creases: false } }));
+  for (const { on, beside } of await dark_at(page, places.map((y) => [-y / 4, y, 0]))) assert.ok(on > beside - 10, `${on} without creases`);
+});
+
+test("frames are curves at first, and follow the slider: at rest they are those of the cut that is shown", async () => {
+  const { page } = await shared.page(browser, "tets");
+  assert.equal((await state(page)).glyph.shape, "curve");
+  assert.equal(await page.locator(by_test("glyph-shape-curve")).isChecked(), true);
+  await page.evaluate(() => window.crossgrain.change({ cut: { position: 0.3 } }));
+  const there = await picture(page);
+  await page.evaluate(() => window.crossgrain.change({ cut: { position: 0.7 } }));
+  assert.ok((await difference(page, there, await picture(page))).mean > 1e-3);
+  // As a hand moves it, without waiting for any picture but the last.
+  await page.locator(by_test("cut-position")).evaluate((slider) => {
+    for (let place = 0.7; place > 0.305; place -= 0.02) {
+      slider.value = String(place);
+      slider.dispatchEvent(new Event("input"));
+    }
+    slider.value = "0.3";
+    slider.dispatchEvent(new Event("input"));
+  });
+  assert.equal(await picture(page), there);
 });

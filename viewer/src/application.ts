@@ -38,6 +38,7 @@ export class Application {
   private shown_cell = -1;
   private visited = -1;
   private note_timer = 0;
+  private shown_size = "";
 
   constructor(readonly scene: Scene, report: Report, private readonly tabs: Tabs, context: WebGL2RenderingContext) {
     const canvas = by_id("view") as HTMLCanvasElement;
@@ -221,7 +222,12 @@ export class Application {
     const left = getComputedStyle(controls).position === "fixed" ? controls.getBoundingClientRect().right : 0;
     const top = by_id("toolbar").getBoundingClientRect().bottom;
     // As high as the tallest legend, so that choosing another map does not move the part.
-    this.stage.resize(clientWidth, clientHeight, { left, top, bottom: left > 0 ? 108 : 52 });
+    const covered = { left, top, bottom: left > 0 ? 108 : 52 };
+    // The observer calls at first too, and where nothing is any different.
+    const size = JSON.stringify([clientWidth, clientHeight, covered, devicePixelRatio]);
+    if (size === this.shown_size) return;
+    this.shown_size = size;
+    this.stage.resize(clientWidth, clientHeight, covered);
   }
 
   private apply(settings: Settings): void {

@@ -6,7 +6,7 @@ import type { Vector } from "./math/frame.ts";
 
 export type Layer = "part" | "creases" | "arcs" | "nodes" | "streamlines" | "glyphs" | "cells";
 export type CutAxis = "x" | "y" | "z" | "view";
-export type GlyphShape = "cross" | "cube";
+export type GlyphShape = "curve" | "cross" | "cube";
 export type GlyphColor = "axes" | "tilt" | "turn";
 export type UpAxis = "x" | "y" | "z";
 /** Of a page of tets: the field on them, or the grid from which it started. */
@@ -62,7 +62,7 @@ export class SettingsStore {
     opacity: 0.35,
     map: "none",
     cut: { on: true, axis: "y", normal: [0, 1, 0], position: 0.5, flip: false, clip: true },
-    glyph: { shape: "cross", color: "axes", density: 0 },
+    glyph: { shape: "curve", color: "axes", density: 0 },
     streams: "cut",
     picked: -1,
     marked: null,

@@ -50,7 +50,7 @@ export function link_from(hash: string): { settings: Part; camera: Camera | null
     if (axis === "view" && normal.length === 3) settings.cut.normal = normal as Vector;
   }
   const [shape, color, density] = (given.get("frames") ?? "").split(",");
-  if (["cross", "cube"].includes(shape) && ["axes", "tilt", "turn"].includes(color)) {
+  if (["curve", "cross", "cube"].includes(shape) && ["axes", "tilt", "turn"].includes(color)) {
     settings.glyph = { shape: shape as "cross", color: color as "axes", density: Math.max(-2, Math.min(2, Math.round(Number(density) || 0))) };
   }
   if (given.has("show")) {

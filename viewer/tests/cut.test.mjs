@@ -4,14 +4,17 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { length_of, subtract } from "../src/math/frame.ts";
+import { axes_of, length_of, subtract } from "../src/math/frame.ts";
 import { kAllNames, matched_axes, name_axes, seams_of } from "../src/scene/axis_names.ts";
+import { cut_curves } from "../src/scene/cut_curves.ts";
+import { CutMap } from "../src/scene/cut_map.ts";
 import { cut_cells, cut_outline, cut_tets } from "../src/scene/cut_pieces.ts";
 import { build_octree } from "../src/scene/octree.ts";
-import { decode_scene, element_count } from "../src/scene/scene.ts";
+import { decode_scene, element_count, element_quaternion } from "../src/scene/scene.ts";
 import { tet_at } from "../src/scene/tet_finder.ts";
 import { Cut } from "../src/view/cut.ts";
-import { glyph_places, piece_at } from "../src/view/glyph_places.ts";
+import { glyph_places } from "../src/view/glyph_places.ts";
+import { regions_scene } from "./region_scene.mjs";
 import { ball_scene, components_scene, plate_scene } from "./sample_scene.mjs";
 import { box_of_tets, frame_around, middle_of, tets_scene } from "./tet_scene.mjs";
 
@@ -100,7 +103,7 @@ test("frames are drawn in the cut, inside the part, and apart from each other", 
     const offset = normal.reduce((sum, value, k) => sum + (value * (scene.low[k] + scene.high[k])) / 2, 0);
     cut.place(normal, offset);
     for (const spacing of [1.4, 4]) {
-      const places = glyph_places(cut.pieces, cut.outline, normal, spacing);
+      const places = glyph_places(cut.pieces, cut.map, cut.outline, spacing);
       assert.ok(places.length > 10, `${name}: ${places.length} frames`);
       for (const { point, piece } of places) {
         assert.ok(Math.abs(dot(normal, point) - offset) < 1e-3, `${name}: off the cut`);
@@ -121,7 +124,7 @@ test("walls that pass between the points of the raster have frames in their midd
   const cut = new Cut(scene, build_octree(scene), true);
   cut.place([1, 0, 0], 40.3);
   // The plate is 3 thick; points 8 apart are at 4 and -4 of its middle.
-  const places = glyph_places(cut.pieces, cut.outline, [1, 0, 0], 8);
+  const places = glyph_places(cut.pieces, cut.map, cut.outline, 8);
   assert.ok(places.length >= 5, `${places.length}`);
   for (const { point } of places) assert.ok(point[2] > 0 && point[2] < 3, `${point}`);
 });
@@ -129,9 +132,88 @@ test("walls that pass between the points of the raster have frames in their midd
 test("a wider spacing draws fewer frames", () => {
   const cut = new Cut(scenes.plate, build_octree(scenes.plate), true);
   cut.place([0, 0, 1], 1.5);
-  const counts = [1, 2, 4, 8].map((spacing) => glyph_places(cut.pieces, cut.outline, [0, 0, 1], spacing).length);
+  const counts = [1, 2, 4, 8].map((spacing) => glyph_places(cut.pieces, cut.map, cut.outline, spacing).length);
   assert.ok(counts[0] > 2 * counts[1] && counts[1] > 2 * counts[2] && counts[2] > 2 * counts[3], `${counts}`);
 });
+
+/** The curves on a cut: lists of points in space, and of the axis names of their segments. */
+function curves_of(scene, normal, offset, spacing) {
+  const cut = new Cut(scene, build_octree(scene), true);
+  cut.place(normal, offset);
+  const { pieces, map } = cut;
+  const { points, starts, pieces: begun_in, axes } = cut_curves(pieces, cut.named.names, map, normal, (piece) => element_quaternion(scene, pieces.element[piece]), spacing);
+  return Array.from({ length: starts.length - 1 }, (_, curve) => Array.from({ length: starts[curve + 1] - starts[curve] }, (_, step) => {
+    const k = starts[curve] + step;
+    return { at: map.point_at(points[2 * k], points[2 * k + 1]), element: pieces.element[begun_in[k]], axis: axes[k], name: cut.named.names[begun_in[k]][axes[k]] };
+  }));
+}
+
+test("curves run along an axis of the frames, in the cut and inside the part", () => {
+  for (const [name, normal] of [["ball", [0, 1, 0]], ["plate", [0, 0, 1]], ["tets", [0, 0, 1]], ["tets", [0.6, 0, 0.8]]]) {
+    const scene = scenes[name];
+    const offset = normal.reduce((sum, value, k) => sum + (value * (scene.low[k] + scene.high[k])) / 2, 0);
+    let [steps, astray] = [0, 0];
+    for (const curve of curves_of(scene, normal, offset, 2)) for (let k = 0; k + 1 < curve.length; ++k) {
+      const { at, element, axis } = curve[k];
+      assert.ok(Math.abs(dot(normal, at) - offset) < 2e-3 && scene.low.every((low, m) => at[m] > low - 1e-3 && at[m] < scene.high[m] + 1e-3), `${name}: ${at}`);
+      if (name === "ball") assert.ok(length_of(at) < 20.01, `${at} is outside`);
+      const way = subtract(curve[k + 1].at, at);
+      if (length_of(way) < 1e-3) continue;
+      const along = axes_of(element_quaternion(scene, element))[axis];
+      const flat = subtract(along, normal.map((value) => value * dot(normal, along)));
+      ++steps;
+      if (Math.abs(dot(flat, way)) < 0.94 * length_of(flat) * length_of(way)) ++astray; // 20 degrees: frames between pieces differ
+    }
+    assert.ok(steps > 300 && astray < 0.02 * steps, `${name}: ${astray} of ${steps} steps run elsewhere`);
+  }
+});
+
+test("curves are evenly spaced: in a calm field they are the lines of a square grid", () => {
+  const [side, spacing] = [20, 2];
+  // The bar's frames, all turned into one direction.
+  const tets = { ...scenes.tets.tets, frame: scenes.tets.tets.frame.map((_, k) => (k % 4 === 0 ? 32767 : 0)) };
+  const curves = curves_of({ ...scenes.tets, tets }, [0, 0, 1], 0.3, spacing);
+  const length = curves.reduce((sum, curve) => sum + length_of(subtract(curve[0].at, curve.at(-1).at)), 0);
+  // None run along the sides.
+  assert.ok(Math.abs(length - 2 * side * (side / spacing - 1)) < 0.02 * length, `${length} long in all`);
+  for (const axis of [0, 1]) {
+    const places = curves.filter((curve) => curve[0].name === axis).map((curve) => curve[0].at[1 - axis]).sort((a, b) => a - b);
+    assert.equal(places.length, 9);
+    places.slice(1).forEach((place, k) => assert.ok(place - places[k] > 0.95 * spacing && place - places[k] < 1.97 * spacing, `${places}`));
+  }
+});
+
+test("of two axes that run alike on the cut curves follow the one with the earlier name", () => {
+  const eighth = [Math.cos(Math.PI / 8), Math.sin(Math.PI / 8), 0, 0].map((value) => Math.round(32767 * value));
+  const tets = { ...scenes.tets.tets, frame: scenes.tets.tets.frame.map((_, k) => eighth[k % 4]) };
+  const names = new Set(curves_of({ ...scenes.tets, tets }, [0, 0, 1], 0.3, 2).flat().map(({ name }) => name));
+  assert.deepEqual([...names].sort(), [0, 1]);
+});
+
+test("walls thinner than the distance between curves have curves from side to side, and one along the middle", () => {
+  const curves = curves_of(scenes.plate, [1, 0, 0], 40.3, 8);
+  const heights = curves.map((curve) => Math.abs(curve[0].at[2] - curve.at(-1).at[2]));
+  assert.ok(heights.filter((height) => Math.abs(height - 3) < 0.02).length >= 8, `${heights}`);
+  const along = curves.filter((curve) => Math.abs(curve[0].at[1] - curve.at(-1).at[1]) > 70);
+  assert.equal(along.length, 1);
+  for (const { at } of along[0]) assert.ok(Math.abs(at[2] - 1.5) < 0.1, `${at}`);
+});
+
+test("faces between regions are cut as they are, not along the cells", () => {
+  const scene = decode_scene(regions_scene().scene);
+  const cut = new Cut(scene, build_octree(scene), true);
+  cut.place([0, 0, 1], 1);
+  const ends = Array.from({ length: cut.interfaces.length / 3 }, (_, k) => [...cut.interfaces.subarray(3 * k, 3 * k + 3)]);
+  assert.equal(ends.length, 4);
+  // The face is x = z / 2 - y / 4.
+  for (const [x, y, z] of ends) assert.ok(Math.abs(x - z / 2 + y / 4) < 1e-5 && Math.abs(z - 1) < 1e-5, `${[x, y, z]}`);
+  assert.deepEqual([Math.min(...ends.map(([, y]) => y)), Math.max(...ends.map(([, y]) => y))], [-10, 10]);
+});
+
+function piece_at(pieces, point) {
+  const map = new CutMap(pieces, null, [0, 0, 1]);
+  return map.piece_at(...map.flat_of(point));
+}
 
 test("the tet at a point is the one that holds it", () => {
   const { points, tets } = box_of_tets([0, 0, 0], [3, 2, 1], [4, 3, 2]);
@@ -140,13 +222,13 @@ test("the tet at a point is the one that holds it", () => {
   assert.equal(tet_at(all, [5, 1, 0.5]), -1);
   // In a plane of vertices there are polygons without area, which hold no point.
   const flat = cut_tets(all, [0, 0, 1], 0.5);
-  const there = piece_at(flat, [0, 0, 1], [1.1, 0.9, 0.5]);
+  const there = piece_at(flat, [1.1, 0.9, 0.5]);
   const place = corner_of(flat, flat.starts[there]);
   assert.ok(length_of(subtract(place, [1.1, 0.9, 0.5])) < 1.1, `${place}`);
   const cut = cut_tets(all, [0, 0, 1], 0.3);
   for (const tet of [0, 20, 70]) {
     const middle = middle_of(points, tets[tet]);
-    const piece = piece_at(cut, [0, 0, 1], [middle[0], middle[1], 0.3]);
+    const piece = piece_at(cut, [middle[0], middle[1], 0.3]);
     assert.ok(piece >= 0 && tet_at(all, [middle[0], middle[1], 0.3]) === cut.element[piece]);
   }
 });

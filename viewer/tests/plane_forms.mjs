@@ -23,37 +23,41 @@ export function plane_form(normal) {
   return { matrix, linear: zonal.map((value) => kReferenceZonal * value), constant: 7 / 12 };
 }
 
-/** Splits triangles until no edge is longer than `longest`; yields [centroid, normal, area]. */
+const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+
+/** Splits triangles until no edge is longer than `longest`; yields [centroid, normal, area], the normal as one object for all pieces of a triangle. */
 function* pieces(surface, longest) {
-  const stack = surface.triangles.map((triangle) => triangle.map((corner) => surface.vertices[corner]));
+  const stack = surface.triangles.map((triangle) => {
+    const [a, b, c] = triangle.map((corner) => surface.vertices[corner]);
+    return [a, b, c, unit(cross(minus(b, a), minus(c, a)))];
+  });
   while (stack.length > 0) {
-    const [a, b, c] = stack.pop();
+    const [a, b, c, normal] = stack.pop();
     const edges = [[a, b], [b, c], [c, a]].map(([p, q]) => Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
     const worst = edges.indexOf(Math.max(...edges));
     if (edges[worst] > longest) {
       const [p, q, r] = [[a, b, c], [b, c, a], [c, a, b]][worst];
       const middle = [0, 1, 2].map((k) => (p[k] + q[k]) / 2);
-      stack.push([p, middle, r], [middle, q, r]);
+      stack.push([p, middle, r, normal], [middle, q, r, normal]);
       continue;
     }
-    const e = [0, 1, 2].map((k) => b[k] - a[k]);
-    const f = [0, 1, 2].map((k) => c[k] - a[k]);
-    const n = cross(e, f);
-    const doubled = Math.hypot(...n);
-    if (doubled > 0) yield [[0, 1, 2].map((k) => (a[k] + b[k] + c[k]) / 3), unit(n), doubled / 2];
+    const doubled = Math.hypot(...cross(minus(b, a), minus(c, a)));
+    if (doubled > 0) yield [[0, 1, 2].map((k) => (a[k] + b[k] + c[k]) / 3), normal, doubled / 2];
   }
 }
 
 /** Gives cells their class and alignment, and returns the forms. `find` is (point) => cell number or -1. */
 export function add_forms(surface, cells, lattice, find) {
   const sums = new Map();
+  const forms = new Map(); // of normals
   for (const [point, normal, area] of pieces(surface, 0.6 * lattice.unit)) {
     const inside = [0, 1, 2].map((k) => point[k] - 1e-4 * lattice.unit * normal[k]);
     const cell = find(inside);
     if (cell < 0) continue;
     const sum = sums.get(cell) ?? { matrix: new Array(45).fill(0), linear: new Array(9).fill(0), constant: 0, weight: 0, tilt: 0 };
     sums.set(cell, sum);
-    const form = plane_form(normal);
+    const form = forms.get(normal) ?? plane_form(normal);
+    forms.set(normal, form);
     form.matrix.forEach((value, k) => (sum.matrix[k] += area * value));
     form.linear.forEach((value, k) => (sum.linear[k] += area * value));
     sum.constant += area * form.constant;

@@ -72,7 +72,7 @@ export const line = (from, to, count, bend = () => [0, 0, 0]) =>
     return from.map((value, axis) => value + share * (to[axis] - value) + away[axis]);
   });
 
-export function assemble({ solid, lattice, depth, frame_at, arcs, nodes, streamlines, report, singularity = {}, origin = [0, 0, 0], total, merged_to, more }) {
+export function assemble({ solid, lattice, depth, frame_at, arcs, nodes, streamlines, report, singularity = {}, origin = [0, 0, 0], total, merged_to, regions, more }) {
   const at = (point) => point.map((value, k) => value + origin[k]);
   const cells = cells_of(solid.distance, lattice, depth, frame_at, energy_near(arcs, 4 * lattice.unit));
   const surface = { ...solid.surface, origin };
@@ -105,7 +105,9 @@ export function assemble({ solid, lattice, depth, frame_at, arcs, nodes, streaml
     warnings: [],
     ...report,
   };
-  const scene = scene_of({ surface, creases: solid.creases, cells, lattice, arcs, nodes, forms, streamlines, total, merged_to, more });
+  const centers = cells.map(({ corner, size }) => corner.map((value, k) => lattice.low[k] + lattice.unit * (value + size / 2)));
+  const parts = regions ? { header: { regions: regions.numbers }, arrays: { cell_region: ["u16", 0, centers.map(regions.of)], ...regions.interfaces } } : {};
+  const scene = scene_of({ surface, creases: solid.creases, cells, lattice, arcs, nodes, forms, streamlines, total, merged_to, more: more ?? parts });
   return { report: full_report, scene };
 }
 

@@ -82,6 +82,17 @@ export function prism(center, radius, half_height, sides) {
   return { surface, creases, distance };
 }
 
+/** A square bar along z, with its sides along the axes. */
+export function bar(half, half_height) {
+  const solid = prism([0, 0, 0], half * Math.SQRT2, half_height, 4);
+  // The prism's corners lie on the axes: turned by an eighth its sides do.
+  const turned = ([x, y, z]) => [(x - y) * Math.SQRT1_2, (x + y) * Math.SQRT1_2, z];
+  return {
+    surface: { vertices: solid.surface.vertices.map(turned), triangles: solid.surface.triangles }, creases: solid.creases.map((crease) => crease.map(turned)),
+    distance: ([x, y, z]) => Math.max(Math.abs(x) - half, Math.abs(y) - half, Math.abs(z) - half_height),
+  };
+}
+
 /** A plate of square tiles, each with a round hole through it. */
 export function plate(columns, rows, tile, hole, thickness) {
   const count = 48;

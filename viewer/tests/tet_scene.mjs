@@ -4,7 +4,7 @@
 
 import { about, assemble, line } from "./sample_scene.mjs";
 import { upper_half } from "./scene_writer.mjs";
-import { prism } from "./solids.mjs";
+import { bar } from "./solids.mjs";
 
 // Each cube as six tets around its diagonal, whose vertices come in the order of the axes they step along.
 const kSteps = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
@@ -39,14 +39,7 @@ export const frame_around = (index) => ([x, y]) => about([0, 0, 1], index * Math
 
 export function tets_scene() {
   const [half, length, cubes] = [10, 40, 9];
-  const solid = prism([0, 0, 0], half * Math.SQRT2, length / 2, 4);
-  // The prism's corners lie on the axes: turned by an eighth its sides do.
-  const turned = ([x, y, z]) => [(x - y) * Math.SQRT1_2, (x + y) * Math.SQRT1_2, z];
-  const surface = { vertices: solid.surface.vertices.map(turned), triangles: solid.surface.triangles };
-  const bar = {
-    surface, creases: solid.creases.map((crease) => crease.map(turned)),
-    distance: ([x, y, z]) => Math.max(Math.abs(x) - half, Math.abs(y) - half, Math.abs(z) - length / 2),
-  };
+  const solid = bar(half, length / 2);
   const { points, tets } = box_of_tets([-half, -half, -length / 2], [2 * half, 2 * half, length], [cubes, cubes, 2 * cubes]);
   const middles = tets.map((tet) => middle_of(points, tet));
   const energy = middles.map(([x, y]) => 0.2 / (x * x + y * y + 0.2));
@@ -55,14 +48,14 @@ export function tets_scene() {
   const ends = (points_of_line) => [points_of_line[0], points_of_line.at(-1)].map((point) => ({ point, on_boundary: 1, degree: 1 }));
   const grid_nodes = lines.flatMap(ends);
   const middle_line = line([0, 0, -length / 2], [0, 0, length / 2], 8);
-  const { vertices, triangles } = surface;
+  const { vertices, triangles } = solid.surface;
   const tilt_at = ([x, y]) => 12 * Math.abs(Math.sin(2 * Math.atan2(y, x)));
   const singularity = {
     arcs: 1, nodes: 0, arc_list: [{ type: "regular", index: 0.25, verdict: "meshable", place: [0, 0, 0] }], node_list: [],
     crease_list: Array.from({ length: 3 }, (_, k) => ({ hexahedra: 0, least_angle_deg: 30, verdict: "not_meshable", place: [half, half, 5 * k - 5] })), corner_list: [],
   };
   return assemble({
-    solid: bar, depth: 5, lattice: { low: [-20, -20, -20], unit: 1.25 }, arcs: [{ points: middle_line, index: 0.25 }], nodes: ends(middle_line),
+    solid, depth: 5, lattice: { low: [-20, -20, -20], unit: 1.25 }, arcs: [{ points: middle_line, index: 0.25 }], nodes: ends(middle_line),
     frame_at: frame_around(0.25),
     more: {
       header: { first_cut: "z", tets: { total: tets.length, shown: tets.length }, grid_surface: { triangles_total: triangles.length, triangles_shown: triangles.length } },

@@ -19,6 +19,9 @@ interface Outside {
   surface: { triangles_total: number; triangles_shown: number };
   surface_vertices: Float32Array;
   surface_triangles: Uint32Array;
+  /** Faces between regions. */
+  interface_vertices: Float32Array;
+  interface_triangles: Uint32Array;
   arc_points: Float32Array;
   arc_starts: Uint32Array;
   /** Of the part around each point of the lines; infinite where nothing limits them. */
@@ -169,6 +172,8 @@ function outside(read: Read, prefix: string, surface: Outside["surface"]): Outsi
     surface,
     surface_vertices: read(`${prefix}surface_vertices`, "f32"),
     surface_triangles: read(`${prefix}surface_triangles`, "u32"),
+    interface_vertices: read(`${prefix}interface_vertices`, "f32"),
+    interface_triangles: read(`${prefix}interface_triangles`, "u32"),
     arc_points: read(`${prefix}arc_points`, "f32"),
     arc_starts: read(`${prefix}arc_starts`, "u32"),
     arc_wall: read(`${prefix}arc_wall`, "f32"),

@@ -71,7 +71,7 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
   if (scene.regions.length > 1) maps.push(["region", "Regions"]);
   panel.append(
     ...(scene.grid ? [group("Field",
-      bind.choice("Field", "field", [["main", "On the tets"], ["grid", "Grid it started from"]], (settings) => settings.field, (field) => store.change({ field, picked: -1 })))] : []),
+      bind.choice("Field", "field", [["main", "Tets"], ["grid", "Starting grid"]], (settings) => settings.field, (field) => store.change({ field, picked: -1 })))] : []),
     group("Colour by",
       bind.choice("Colour by", "map", maps,
         (settings) => settings.map, (map) => store.change({ map, opacity: map !== "none" && store.current.opacity < 0.5 ? 0.85 : store.current.opacity })),
@@ -91,7 +91,7 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
     ),
     group("Frames on the cut",
       bind.layer("Frames", "glyphs"),
-      bind.choice("Shape of frames", "glyph-shape", [["cross", "Cross"], ["cube", "Cube"]], (settings) => settings.glyph.shape, (shape) => store.change({ glyph: { shape } })),
+      bind.choice("Shape of frames", "glyph-shape", [["curve", "Curves"], ["cross", "Crosses"], ["cube", "Cubes"]], (settings) => settings.glyph.shape, (shape) => store.change({ glyph: { shape } })),
       bind.select("Colour", "glyph-color", [["axes", "axes x, y, z"], ["tilt", "tilt out of the cut"], ["turn", "turn in the cut"]],
         (settings) => settings.glyph.color, (color) => store.change({ glyph: { color } })),
       bind.slider("Density", "glyph-density", [-2, 2, 1], (settings) => settings.glyph.density, (density) => store.change({ glyph: { density } }),

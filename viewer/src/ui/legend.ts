@@ -4,7 +4,7 @@
 import { css_gradient, kClasses, region_color, type Theme } from "../math/color_maps.ts";
 import type { Scene } from "../scene/scene.ts";
 import type { Settings } from "../settings.ts";
-import { kTiltScale } from "../view/glyphs.ts";
+import { kTiltScale } from "../view/frame_colors.ts";
 import type { Range, Ranges } from "../view/ranges.ts";
 import { fault_counts, mark_counts, type FaultMark } from "../view/line_marks.ts";
 import { arc_kind, kArcKinds, type ArcKind } from "../view/singular_lines.ts";

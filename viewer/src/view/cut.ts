@@ -3,6 +3,7 @@
 
 import { subtract, length_of, type Quaternion, type Vector } from "../math/frame.ts";
 import { kAllNames, name_axes, seams_of, type AxisNames, type FrameLink } from "../scene/axis_names.ts";
+import { CutMap } from "../scene/cut_map.ts";
 import { cut_cells, cut_outline, cut_tets, type CutPieces } from "../scene/cut_pieces.ts";
 import type { Octree } from "../scene/octree.ts";
 import { element_quaternion, type Scene } from "../scene/scene.ts";
@@ -18,11 +19,13 @@ export class Cut {
   private key = "";
   private kept_pieces: CutPieces | null = null;
   private kept_outline: Float32Array | null = null;
+  private kept_interfaces: Float32Array | null = null;
+  private kept_map: CutMap | null = null;
   private kept_names: NamedFrames | null = null;
   normal: Vector = [0, 0, 1];
   offset = 0;
 
-  constructor(private readonly scene: Scene, private readonly octree: Octree, readonly closed: boolean) {}
+  constructor(private readonly scene: Scene, private readonly octree: Octree, private readonly closed: boolean) {}
 
   place(normal: Vector, offset: number): void {
     const key = `${normal} ${offset}`;
@@ -30,7 +33,7 @@ export class Cut {
     this.key = key;
     this.normal = normal;
     this.offset = offset;
-    this.kept_pieces = this.kept_outline = this.kept_names = null;
+    this.kept_pieces = this.kept_outline = this.kept_interfaces = this.kept_map = this.kept_names = null;
   }
 
   get pieces(): CutPieces {
@@ -41,6 +44,20 @@ export class Cut {
   /** Of the surface. */
   get outline(): Float32Array {
     return (this.kept_outline ??= cut_outline(this.scene.surface_vertices, this.scene.surface_triangles, this.normal, this.offset));
+  }
+
+  /** Of the faces between regions. */
+  get interfaces(): Float32Array {
+    return (this.kept_interfaces ??= cut_outline(this.scene.interface_vertices, this.scene.interface_triangles, this.normal, this.offset));
+  }
+
+  /** The outline where the surface is closed; elsewhere pieces alone say what is inside. */
+  get limits(): Float32Array | null {
+    return this.closed ? this.outline : null;
+  }
+
+  get map(): CutMap {
+    return (this.kept_map ??= new CutMap(this.pieces, this.limits, this.normal));
   }
 
   get named(): NamedFrames {

@@ -16,7 +16,6 @@ const kRow = 2048; // the width that every WebGL2 device has
 export interface FieldTextures {
   octree: DataTexture;
   values: DataTexture;
-  corners: DataTexture;
   palette: DataTexture;
 }
 
@@ -41,16 +40,20 @@ export function field_textures(scene: Scene, octree: Octree, ranges: Ranges): Fi
   values.minFilter = values.magFilter = NearestFilter;
   values.needsUpdate = true;
 
-  const corner_rows = Math.max(1, Math.ceil((4 * count) / kRow));
-  const corner_texels = new Uint8Array(corner_rows * kRow * 4);
-  corner_texels.set(corner_values(scene, ranges));
-  const corners = new DataTexture(corner_texels, kRow, corner_rows, RGBAFormat, UnsignedByteType);
-  corners.minFilter = corners.magFilter = NearestFilter;
-  corners.needsUpdate = true;
-
   const palette = new DataTexture(new Uint8Array(256 * 4), 256, 1, RGBAFormat, UnsignedByteType);
   palette.minFilter = palette.magFilter = LinearFilter;
-  return { octree: tree, values, corners, palette };
+  return { octree: tree, values, palette };
+}
+
+/** The numbers at the corners of cells. They take longer to make than all else, and are needed where a map shows them. */
+export function corner_texture(scene: Scene, ranges: Ranges): DataTexture {
+  const rows = Math.max(1, Math.ceil((4 * cell_count(scene)) / kRow));
+  const texels = new Uint8Array(rows * kRow * 4);
+  texels.set(corner_values(scene, ranges));
+  const corners = new DataTexture(texels, kRow, rows, RGBAFormat, UnsignedByteType);
+  corners.minFilter = corners.magFilter = NearestFilter;
+  corners.needsUpdate = true;
+  return corners;
 }
 
 export function set_palette(textures: FieldTextures, map: MapName, theme: Theme): void {

@@ -6,13 +6,14 @@ import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 
 import { kMaps, type Theme } from "../math/color_maps.ts";
-import type { Vector } from "../math/frame.ts";
+import { dot, scaled, type Vector } from "../math/frame.ts";
 import { build_octree, type Octree } from "../scene/octree.ts";
 import { element_size, type Scene } from "../scene/scene.ts";
 import { cut_normal, cut_offset, type Settings } from "../settings.ts";
 import { Cut } from "./cut.ts";
+import { CurveView } from "./curve_view.ts";
 import { CutFace } from "./cut_face.ts";
-import { field_textures, set_palette, type FieldTextures } from "./field_textures.ts";
+import { corner_texture, field_textures, set_palette, type FieldTextures } from "./field_textures.ts";
 import { GlyphView } from "./glyphs.ts";
 import type { FaultMark } from "./line_marks.ts";
 import { PartView } from "./part.ts";
@@ -24,8 +25,20 @@ import { TetFace } from "./tet_face.ts";
 import { line_material } from "./thin_lines.ts";
 import { kViewColors, scene_color, shader_color } from "./view_colors.ts";
 
-// Seams stand this share of the distance between frames in front of the cut, so that its face does not hide them.
-const kSeamLift = 0.02;
+// Lines on the cut stand this share of the distance between frames in front of it, so that its face does not hide half of them.
+const kLift = 0.04;
+
+/** How the view is looked at. */
+export interface Look {
+  theme: Theme;
+  /** Between frames on the cut, in model units. */
+  spacing: number;
+  /** Size of one where the camera looks. */
+  pixel: number;
+  eye: Vector;
+  /** Whether everything has to be drawn now, however long it takes. */
+  hurry: boolean;
+}
 
 export class FieldView {
   readonly group = new Group();
@@ -39,9 +52,14 @@ export class FieldView {
   private readonly cell_face: CutFace | null;
   private readonly tet_face: TetFace | null;
   private readonly lines: SingularLines;
+  private readonly curves: CurveView;
+  /** What is drawn on the face of the cut. */
+  private readonly on_cut = new Group();
   private readonly seams = new LineSegments2(new LineSegmentsGeometry(), line_material(1.4, 0.75));
+  private readonly outline = new LineSegments2(new LineSegmentsGeometry(), line_material(1.6, 1));
   private readonly picker: Picker;
   private drawn_seams: unknown = null;
+  private drawn_outline: unknown = null;
 
   constructor(readonly scene: Scene, readonly faults: FaultMark[], closed: boolean) {
     this.octree = build_octree(scene);
@@ -56,11 +74,14 @@ export class FieldView {
     this.lines = new SingularLines(scene, faults, this.uniforms);
     this.glyphs = new GlyphView(scene, this.cut);
     this.picker = new Picker(scene, this.octree, this.part.geometry, this.cut);
-    const { material } = this.seams;
-    material.dashed = true;
-    this.seams.renderOrder = 3;
-    this.seams.frustumCulled = false;
-    this.group.add(this.part.group, this.lines.group, this.glyphs.group, this.seams);
+    this.curves = new CurveView(scene, this.cut);
+    this.seams.material.dashed = true;
+    for (const lines of [this.seams, this.outline]) {
+      lines.renderOrder = 3;
+      lines.frustumCulled = false;
+    }
+    this.on_cut.add(this.seams, this.outline, this.curves.lines);
+    this.group.add(this.part.group, this.lines.group, this.glyphs.group, this.on_cut);
     for (const face of [this.tet_face, this.cell_face]) if (face) this.group.add(face.group);
   }
 
@@ -92,23 +113,34 @@ export class FieldView {
     const colors = kViewColors[theme];
     this.uniforms.map_kind.value = kMaps.indexOf(settings.map);
     set_palette(this.textures, settings.map, theme);
+    if (!this.scene.tets && (settings.map === "alignment" || settings.map === "energy")) this.uniforms.corner_values.value ??= corner_texture(this.scene, this.ranges);
     this.uniforms.base_color.value.copy(shader_color(colors.part));
     this.uniforms.void_color.value.copy(shader_color(colors.nothing));
     this.uniforms.face_color.value.copy(shader_color(colors.cut));
     this.cell_face?.line_color.value.copy(shader_color(colors.cell_line));
     this.tet_face?.recolor(colors.cell_line);
     this.part.recolor(scene_color(colors.crease));
+    this.part.set_mapped(settings.map !== "none");
     this.lines.recolor(colors);
     this.seams.material.color = scene_color(colors.seam);
+    this.outline.material.color = scene_color(colors.crease);
   }
 
-  /** What depends on the camera: frames on the cut, and lines that fade. `pixel` is the size of one there. */
-  update(settings: Settings, theme: Theme, spacing: number, pixel: number): void {
-    const { glyph, layers, cut } = settings;
+  /** What depends on the camera: frames on the cut, and lines that fade. Whether all of it is drawn; if not, it wants to be once more, at rest. */
+  update(settings: Settings, { theme, spacing, pixel, eye, hurry }: Look): boolean {
+    const { glyph: { shape, color }, layers, cut } = settings;
+    const { normal, offset } = this.cut;
     const shown = layers.glyphs && cut.on;
-    this.glyphs.update(shown, { normal: this.cut.normal, offset: this.cut.offset, spacing, shape: glyph.shape, color: glyph.color, theme });
+    const choice = { normal, offset, spacing, color, theme };
+    const in_front = dot(normal, eye) < offset ? -1 : 1;
+    this.on_cut.position.set(...scaled(normal, in_front * kLift * spacing));
+    this.glyphs.update(shown && shape !== "curve", { ...choice, shape: shape === "cube" ? "cube" : "cross" });
+    const is_drawn = this.curves.update(shown && shape === "curve", choice, hurry);
     this.tet_face?.update(pixel);
-    this.update_seams(shown && glyph.color === "axes", spacing);
+    if (is_drawn) this.update_seams(shown && color === "axes", spacing);
+    else this.seams.visible = false;
+    this.update_outline(cut.on && layers.creases);
+    return is_drawn;
   }
 
   private update_seams(visible: boolean, spacing: number): void {
@@ -118,10 +150,22 @@ export class FieldView {
     this.seams.material.dashSize = this.seams.material.gapSize = spacing / 5;
     if (segments === this.drawn_seams) return;
     this.drawn_seams = segments;
-    const lifted = segments.map((value, k) => value + kSeamLift * spacing * this.cut.normal[k % 3]);
     this.seams.geometry.dispose();
-    this.seams.geometry = new LineSegmentsGeometry().setPositions(lifted);
+    this.seams.geometry = new LineSegmentsGeometry().setPositions(segments);
     this.seams.computeLineDistances();
+  }
+
+  /** Of the part and of its regions. */
+  private update_outline(visible: boolean): void {
+    const { outline, interfaces } = this.cut;
+    this.outline.visible = visible && outline.length + interfaces.length > 0;
+    if (!this.outline.visible || interfaces === this.drawn_outline) return;
+    this.drawn_outline = interfaces;
+    const segments = new Float32Array(outline.length + interfaces.length);
+    segments.set(outline);
+    segments.set(interfaces, outline.length);
+    this.outline.geometry.dispose();
+    this.outline.geometry = new LineSegmentsGeometry().setPositions(segments);
   }
 
   /** The tet or cell at a place of the view, both coordinates -1 ... 1 and y up; -1 where there is none. */

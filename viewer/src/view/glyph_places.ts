@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where to draw frames on a cut: at the points of a raster that lie in the part, and in the middle of walls that pass between them.
 
-import { dot, tangents_of, type Vector } from "../math/frame.ts";
+import type { Vector } from "../math/frame.ts";
+import { flattened, holds, type CutMap } from "../scene/cut_map.ts";
 import type { CutPieces } from "../scene/cut_pieces.ts";
 
 export interface GlyphPlace {
@@ -15,25 +16,11 @@ const kMostPoints = 20_000;
 const kApart = 0.75;
 
 /** `outline` is that of the surface where it is closed, null where pieces alone say what is inside. */
-export function glyph_places(pieces: CutPieces, outline: Float32Array | null, normal: Vector, spacing: number): GlyphPlace[] {
+export function glyph_places(pieces: CutPieces, map: CutMap, outline: Float32Array | null, spacing: number): GlyphPlace[] {
   if (pieces.count === 0) return [];
-  const [first, second] = tangents_of(normal);
-  const height = dot(normal, [pieces.corners[0], pieces.corners[1], pieces.corners[2]]);
-  const flat = flattened(pieces.corners, first, second);
-  const raster = new Raster(flat, spacing);
-  if (outline) raster.keep_inside(flattened(outline, first, second));
-  const found = raster.pieces_at(pieces, flat);
-  return found.map(({ piece, u, v }) => ({ piece, point: [0, 1, 2].map((k) => u * first[k] + v * second[k] + height * normal[k]) as Vector }));
-}
-
-function flattened(points: Float32Array, first: Vector, second: Vector): Float32Array {
-  const flat = new Float32Array((2 * points.length) / 3);
-  for (let k = 0; k < flat.length / 2; ++k) {
-    const [x, y, z] = [points[3 * k], points[3 * k + 1], points[3 * k + 2]];
-    flat[2 * k] = first[0] * x + first[1] * y + first[2] * z;
-    flat[2 * k + 1] = second[0] * x + second[1] * y + second[2] * z;
-  }
-  return flat;
+  const raster = new Raster(map.flat, spacing);
+  if (outline) raster.keep_inside(flattened(outline, map.first, map.second));
+  return raster.pieces_at(pieces, map.flat).map(({ piece, u, v }) => ({ piece, point: map.point_at(u, v) }));
 }
 
 class Raster {
@@ -152,26 +139,4 @@ class Raster {
     }
     return bins;
   }
-}
-
-/** Whether a convex polygon, in either sense, holds a point; one without area holds none. */
-export function holds(flat: Float32Array, begin: number, end: number, u: number, v: number): boolean {
-  let sense = 0;
-  for (let k = begin; k < end; ++k) {
-    const next = k + 1 < end ? k + 1 : begin;
-    const turn = (flat[2 * next] - flat[2 * k]) * (v - flat[2 * k + 1]) - (flat[2 * next + 1] - flat[2 * k + 1]) * (u - flat[2 * k]);
-    if (turn === 0) continue;
-    if (sense !== 0 && turn > 0 !== sense > 0) return false;
-    sense = turn;
-  }
-  return sense !== 0;
-}
-
-/** The piece at a point of the cut, or -1. */
-export function piece_at(pieces: CutPieces, normal: Vector, point: Vector): number {
-  const [first, second] = tangents_of(normal);
-  const flat = flattened(pieces.corners, first, second);
-  const [u, v] = [dot(first, point), dot(second, point)];
-  for (let piece = 0; piece < pieces.count; ++piece) if (holds(flat, pieces.starts[piece], pieces.starts[piece + 1], u, v)) return piece;
-  return -1;
 }

@@ -3,26 +3,26 @@
 
 import { BoxGeometry, BufferAttribute, BufferGeometry, Group, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3 } from "three";
 
-import { ramp_color, type Color, type Theme } from "../math/color_maps.ts";
-import { axes_of, tangents_of, tilt_deg, turn_deg, type Vector } from "../math/frame.ts";
+import type { Theme } from "../math/color_maps.ts";
+import type { Vector } from "../math/frame.ts";
 import { element_quaternion, type Scene } from "../scene/scene.ts";
 import type { GlyphColor, GlyphShape } from "../settings.ts";
 import type { Cut } from "./cut.ts";
+import { frame_color } from "./frame_colors.ts";
 import { glyph_places } from "./glyph_places.ts";
 import { kLight } from "./shader_parts.ts";
 import { axis_colors, shader_color } from "./view_colors.ts";
 
-// Tilts are drawn up to this many degrees: half of what is possible, since larger ones are rare.
-export const kTiltScale = 30;
+type Shape = Exclude<GlyphShape, "curve">;
 // Half of the length of bars and of the side of cubes, as shares of the distance between frames.
-const kReach: Record<GlyphShape, number> = { cross: 0.46, cube: 0.27 };
+const kReach: Record<Shape, number> = { cross: 0.46, cube: 0.27 };
 
 export interface GlyphChoice {
   normal: Vector;
   offset: number;
   /** Between frames, in model units. */
   spacing: number;
-  shape: GlyphShape;
+  shape: Shape;
   color: GlyphColor;
   theme: Theme;
 }
@@ -30,7 +30,7 @@ export interface GlyphChoice {
 export class GlyphView {
   readonly group = new Group();
   count = 0;
-  private readonly meshes: Record<GlyphShape, Mesh<InstancedBufferGeometry, ShaderMaterial>>;
+  private readonly meshes: Record<Shape, Mesh<InstancedBufferGeometry, ShaderMaterial>>;
   private readonly colors = { value: [0, 1, 2].map(() => new Vector3()) };
   private readonly normal = { value: new Vector3() };
   private drawn = "";
@@ -50,20 +50,18 @@ export class GlyphView {
     axis_colors(choice.theme).forEach((color, k) => this.colors.value[k].copy(shader_color(color)));
     this.normal.value.set(...choice.normal);
     const { pieces } = this.cut;
-    const places = glyph_places(pieces, this.cut.closed ? this.cut.outline : null, choice.normal, choice.spacing);
-    const named = choice.color === "axes" ? this.cut.named : null;
-    const first = tangents_of(choice.normal)[0];
+    const places = glyph_places(pieces, this.cut.map, this.cut.limits, choice.spacing);
     const centers = new Float32Array(4 * places.length);
     const turns = new Float32Array(4 * places.length);
     const names = new Float32Array(3 * places.length);
     const tints = new Float32Array(3 * places.length).fill(-1);
     places.forEach(({ piece, point }, k) => {
-      const element = pieces.element[piece];
-      const [w, x, y, z] = element_quaternion(this.scene, element);
+      const frame = element_quaternion(this.scene, pieces.element[piece]);
+      const [w, x, y, z] = frame;
       centers.set([...point, choice.spacing], 4 * k);
       turns.set([x, y, z, w], 4 * k);
-      if (named) names.set(named.names[piece], 3 * k);
-      else tints.set(this.color_of(element, choice, first), 3 * k);
+      if (choice.color === "axes") names.set(this.cut.named.names[piece], 3 * k);
+      else tints.set(frame_color(frame, choice.color, choice.normal, choice.theme), 3 * k);
     });
     for (const shape of ["cross", "cube"] as const) {
       const mesh = this.meshes[shape];
@@ -82,12 +80,6 @@ export class GlyphView {
       mesh.geometry = geometry;
     }
     this.count = places.length;
-  }
-
-  private color_of(element: number, choice: GlyphChoice, first: Vector): Color {
-    const axes = axes_of(element_quaternion(this.scene, element));
-    if (choice.color === "tilt") return ramp_color("tilt", choice.theme, tilt_deg(axes, choice.normal) / kTiltScale);
-    return ramp_color("turn", choice.theme, turn_deg(axes, choice.normal, first) / 90);
   }
 }
 

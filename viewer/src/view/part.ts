@@ -8,7 +8,7 @@ import type { Vector } from "../math/frame.ts";
 import type { Scene } from "../scene/scene.ts";
 import { shaded_triangles } from "./creased_normals.ts";
 import { fraction_of, type Ranges } from "./ranges.ts";
-import { kClip, kFieldLookup, kLight } from "./shader_parts.ts";
+import { kClip, kFieldColors, kFieldLookup, kLight } from "./shader_parts.ts";
 import type { SharedUniforms } from "./shared_uniforms.ts";
 import { line_material, segments_of } from "./thin_lines.ts";
 
@@ -46,6 +46,16 @@ export class PartView {
 
   recolor(crease: Color): void {
     for (const lines of this.creases) lines.material.color = crease;
+  }
+
+  /** Whether a map colours the surface. Without one the shader does not look for cells, and is sooner compiled. */
+  set_mapped(mapped: boolean): void {
+    for (const { material } of this.sides) {
+      if ("MAPPED" in material.defines === mapped) continue;
+      if (mapped) material.defines.MAPPED = 1;
+      else delete material.defines.MAPPED;
+      material.needsUpdate = true;
+    }
   }
 
   cut(normal: Vector, offset: number, clip: boolean): void {
@@ -113,14 +123,21 @@ function part_material(uniforms: SharedUniforms, opacity: { value: number }, sid
       in vec3 world_normal;
       in vec3 view_point;
       ${has_numbers ? "in vec3 shown;" : ""}
-      ${kClip}${kLight}${kFieldLookup}
+      uniform vec3 base_color;
+      ${kClip}${kLight}
+      #ifdef MAPPED
+      ${has_numbers ? kFieldColors : kFieldLookup}
+      #endif
       void main() {
         clip_at_cut(world_point);
         vec3 outward = normalize(world_normal);
         vec3 toward = normalize((viewMatrix * vec4(outward, 0.0)).xyz) * (inward ? -1.0 : 1.0);
+        vec3 color = base_color;
+        #ifdef MAPPED
         ${has_numbers
-          ? "vec3 color = map_kind == 1 ? ramp_color(shown.x) : map_kind == 2 ? ramp_color(shown.y) : map_kind == 4 ? region_color(int(shown.z + 0.5)) : base_color;"
-          : "vec3 color = surface_color(world_point, outward);"}
+          ? "if (map_kind == 1) color = ramp_color(shown.x); if (map_kind == 2) color = ramp_color(shown.y); if (map_kind == 4) color = region_color(int(shown.z + 0.5));"
+          : "color = surface_color(world_point, outward);"}
+        #endif
         float facing = abs(dot(toward, normalize(view_point)));
         // Glass: nearly clear where it is looked at straight, denser where it turns away, so that shape shows at any opacity.
         float rim = pow(1.0 - facing, 2.5);

@@ -10,7 +10,6 @@ import { element_size, type Scene } from "../scene/scene.ts";
 import { tet_at } from "../scene/tet_finder.ts";
 import type { Settings } from "../settings.ts";
 import type { Cut } from "./cut.ts";
-import { piece_at } from "./glyph_places.ts";
 
 // Below the surface by this share of a tet, to be inside the one that has the face.
 const kBelow = 0.02;
@@ -57,7 +56,7 @@ export class Picker {
   private on_cut(point: Vector): number {
     const { scene, cut } = this;
     if (!scene.tets) return cell_at(scene, this.octree, subtract(point, scaled(cut.normal, 1e-3 * scene.cells.unit)));
-    const piece = piece_at(cut.pieces, cut.normal, point);
+    const piece = cut.map.piece_at(...cut.map.flat_of(point));
     return piece < 0 ? -1 : cut.pieces.element[piece];
   }
 

@@ -7,7 +7,6 @@ import { kStepsInward } from "../scene/octree.ts";
 export const kFieldColors = /* glsl */ `
 uniform sampler2D palette;
 uniform int map_kind; // 0 none, 1 alignment, 2 energy, 3 class, 4 region
-uniform vec3 base_color;
 
 vec3 ramp_color(float share) { return texture(palette, vec2(share * 0.99609375 + 0.001953125, 0.5)).rgb; }
 vec3 region_color(int region) { return texelFetch(palette, ivec2(region & 255, 0), 0).rgb; }
@@ -68,7 +67,6 @@ vec2 numbers_at(Cell cell, vec3 at) {
 }
 
 vec3 field_color(Cell cell, vec3 at) {
-  if (map_kind == 0) return base_color;
   if (map_kind == 1) return ramp_color(numbers_at(cell, at).r);
   if (map_kind == 2) return ramp_color(numbers_at(cell, at).g);
   vec4 values = values_of(cell.number);
@@ -77,7 +75,6 @@ vec3 field_color(Cell cell, vec3 at) {
 
 // Of a point on the surface: from the boundary cell there, or a little inside.
 vec3 surface_color(vec3 point, vec3 outward) {
-  if (map_kind == 0) return base_color;
   vec3 at = (point - lattice_low) / lattice_unit;
   float steps[${kStepsInward.length}] = float[${kStepsInward.length}](${kStepsInward.map((step) => step.toFixed(3)).join(", ")});
   vec3 color = void_color;

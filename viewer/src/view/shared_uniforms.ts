@@ -11,7 +11,8 @@ export interface SharedUniforms {
   [name: string]: IUniform;
   octree: IUniform<DataTexture>;
   cell_values: IUniform<DataTexture>;
-  corner_values: IUniform<DataTexture>;
+  /** Null until a map shows them. */
+  corner_values: IUniform<DataTexture | null>;
   palette: IUniform<DataTexture>;
   octree_depth: IUniform<number>;
   lattice_low: IUniform<Vector3>;
@@ -30,7 +31,7 @@ export function shared_uniforms(scene: Scene, octree: Octree, textures: FieldTex
   return {
     octree: { value: textures.octree },
     cell_values: { value: textures.values },
-    corner_values: { value: textures.corners },
+    corner_values: { value: null },
     palette: { value: textures.palette },
     octree_depth: { value: octree.depth },
     lattice_low: { value: new Vector3(...scene.cells.low) },

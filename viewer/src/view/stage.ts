@@ -8,14 +8,16 @@ import { dot, type Vector } from "../math/frame.ts";
 import { element_count, type Scene } from "../scene/scene.ts";
 import { cut_normal, type FieldName, type Settings } from "../settings.ts";
 import { CameraRig, type Covered } from "./camera_rig.ts";
+import { kRest } from "./curve_view.ts";
 import { FieldView } from "./field_view.ts";
 import { Marks } from "./marks.ts";
 import type { FaultMark } from "./line_marks.ts";
 import { StreamlineView } from "./streamlines.ts";
 import { kViewColors } from "./view_colors.ts";
 
-// Frames on the cut are this many pixels apart, so that each can be read.
+// Frames on the cut are this many pixels apart, so that each can be read, and curves so many.
 const kGlyphPixels = 30;
+const kCurvePixels = 24;
 
 export class Stage {
   readonly rig: CameraRig;
@@ -29,6 +31,7 @@ export class Stage {
   private theme: Theme = "light";
   private height = 1;
   private pending = 0;
+  private at_rest = 0;
   private after_drawing: (() => void)[] = [];
   onmove: () => void = () => {};
 
@@ -120,7 +123,8 @@ export class Stage {
   get glyph_spacing(): number {
     // A cut that is seen at a slant is seen shortened one way: halfway to what that asks for, since the other way there is room.
     const slant = Math.max(0.15, Math.abs(dot(cut_normal(this.settings), this.rig.direction)));
-    const wanted = ((kGlyphPixels * this.pixel) / Math.sqrt(slant)) * 2 ** -this.settings.glyph.density;
+    const pixels = this.settings.glyph.shape === "curve" ? kCurvePixels : kGlyphPixels;
+    const wanted = ((pixels * this.pixel) / Math.sqrt(slant)) * 2 ** -this.settings.glyph.density;
     const unit = Math.max(this.field.least_spacing, 1e-12);
     return unit * Math.SQRT2 ** Math.round(2 * Math.log2(wanted / unit));
   }
@@ -146,7 +150,7 @@ export class Stage {
     const before = this.renderer.getPixelRatio();
     const { clientWidth, clientHeight } = this.canvas;
     this.set_size(clientWidth, clientHeight, scale);
-    this.draw();
+    this.draw(true);
     take(this.canvas);
     this.set_size(clientWidth, clientHeight, before);
     this.draw();
@@ -164,10 +168,13 @@ export class Stage {
     });
   }
 
-  private draw(): void {
+  private draw(hurry = this.after_drawing.length > 0): void {
     cancelAnimationFrame(this.pending);
+    clearTimeout(this.at_rest);
     this.pending = 0;
-    this.field.update(this.settings, this.theme, this.glyph_spacing, this.pixel);
+    const eye = this.rig.camera.position.toArray();
+    const is_drawn = this.field.update(this.settings, { theme: this.theme, spacing: this.glyph_spacing, pixel: this.pixel, eye, hurry });
+    if (!is_drawn) this.at_rest = window.setTimeout(() => this.draw_soon(), kRest);
     this.renderer.render(this.three, this.rig.camera);
     ++this.frames_drawn;
     for (const resolve of this.after_drawing.splice(0)) resolve();
