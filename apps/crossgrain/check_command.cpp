@@ -147,8 +147,12 @@ SolveReport judged(const FrameField& field, const std::string& folder) {
 }  // namespace
 
 void run_check(const CheckArguments& arguments) {
-  const FrameField field = read_field(arguments.field);
-  const SolveReport report = judged(field, arguments.field);
+  const auto read = [&] {
+    FrameField field = read_field(arguments.field);
+    SolveReport report = judged(field, arguments.field);
+    return std::pair(std::move(field), std::move(report));
+  };
+  const auto& [field, report] = read_one_solve(arguments.field, read);
   if (arguments.json) {
     print_result(check_json(report));
     return;

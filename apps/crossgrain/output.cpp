@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
@@ -12,7 +11,24 @@
 
 namespace crossgrain::app {
 
-void print_result(const std::string& text) {
+namespace {
+
+/// A path may contain any byte; control characters could forge lines or colour the terminal. Those of one
+/// byte, and those that UTF-8 writes as C2 80 to C2 9F, become question marks.
+std::string printable(std::string text, bool keeps_lines) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
+    if (c == 0xc2 && next >= 0x80 && next < 0xa0) text[i] = text[i + 1] = '?';
+    if ((c < 0x20 && !(keeps_lines && c == '\n')) || c == 0x7f) text[i] = '?';
+  }
+  return text;
+}
+
+}  // namespace
+
+void print_result(const std::string& result) {
+  const std::string text = printable(result, true);
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
   throw Error(ErrorKind::kOutput, {"standard output", "",
                                    fmt::format("cannot be written: {}; free some space or redirect it",
@@ -20,11 +36,7 @@ void print_result(const std::string& text) {
 }
 
 void print_message(const std::string& message) {
-  std::string line = "crossgrain: " + message;
-  // A path may contain any byte; control characters could forge lines or colour the terminal.
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-  line += '\n';
+  const std::string line = printable("crossgrain: " + message, false) + '\n';
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

@@ -18,17 +18,17 @@ bool are_same(const std::filesystem::path& a, const std::filesystem::path& b) {
 
 }  // namespace
 
-void check_output_folder(const SolveArguments& arguments) {
-  if (arguments.onto.empty() && !is_tet_file(arguments.model))
-    check_field_folder(arguments.output, arguments.output_options);
-  else
-    check_onto_folder(arguments.output, arguments.output_options);
+std::shared_ptr<FolderReservation> reserve_output_folder(const SolveArguments& arguments) {
+  const bool has_tets = !arguments.onto.empty() || is_tet_file(arguments.model);
+  const auto check = has_tets ? check_onto_folder : check_field_folder;
+  auto reservation = check(arguments.output, arguments.output_options);
   // part.step and part.mesh have the same folder by default.
   const bool is_allowed = arguments.output_options.foreign_files == ForeignFiles::kReplace;
-  if (arguments.is_output_named || is_allowed) return;
+  if (arguments.is_output_named || is_allowed) return reservation;
   if (const std::optional<std::string> model = replaced_model(arguments))
     throw Error(ErrorKind::kOutput,
                 {arguments.output, "", "holds the field of " + *model, Remedy::kChooseFolder});
+  return reservation;
 }
 
 std::optional<std::string> replaced_model(const SolveArguments& arguments) {
@@ -38,8 +38,7 @@ std::optional<std::string> replaced_model(const SolveArguments& arguments) {
 }
 
 void check_output_file(const std::string& path) {
-  std::error_code unknown;
-  if (!std::filesystem::exists(path, unknown) || is_own_file(path)) return;
+  if (!may_exist(path) || is_own_file(path)) return;
   throw Error(ErrorKind::kOutput,
               {path, "", "is there, and Crossgrain did not write it", Remedy::kClearPlace});
 }

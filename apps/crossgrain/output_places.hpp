@@ -2,16 +2,19 @@
 // Whether results may go where they would, before they are computed.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "arguments.hpp"
+#include "crossgrain/io.hpp"
 
 namespace crossgrain::app {
 
-/// Throws Error(kOutput) if the result cannot be written to the folder, if the folder holds a file that
-/// Crossgrain did not write, or if nobody named it and it holds the field of another model.
-void check_output_folder(const SolveArguments& arguments);
+/// Returns the sole right to write the result to the folder. Throws Error(kOutput) if that is not possible,
+/// if the folder holds a file that Crossgrain did not write, or if nobody named it and it holds the field of
+/// another model.
+std::shared_ptr<FolderReservation> reserve_output_folder(const SolveArguments& arguments);
 
 /// Returns the other model whose field in the folder the result will replace, if there is one.
 std::optional<std::string> replaced_model(const SolveArguments& arguments);

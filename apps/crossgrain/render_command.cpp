@@ -4,11 +4,15 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/picture.hpp"
+#include "crossgrain/read_limits.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "interruption.hpp"
 #include "messages.hpp"
@@ -31,29 +35,41 @@ void check_files(const RenderArguments& arguments) {
 
 std::vector<AxisCurve> streamlines_in(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / kStreamlinesFile;
-  if (!std::filesystem::exists(path))
+  if (!may_exist(path))
     throw Error(ErrorKind::kInput, {path.string(), "", "does not exist", Remedy::kTraceStreamlines});
   return read_streamlines(path);
 }
 
-void draw(const RenderArguments& arguments, const Monitor& monitor) {
+/// What is drawn, read from the folder.
+struct Subject {
+  std::variant<FrameField, TetFrameField> field;
+  SingularityGraph lines;
+  std::vector<AxisCurve> streamlines;
+};
+
+Subject read_subject(const RenderArguments& arguments) {
   const std::filesystem::path folder = arguments.field;
-  const bool has_tets = std::filesystem::exists(folder / kTetSingularityFile);
+  const bool has_tets = may_exist(folder / kTetSingularityFile);
   if (arguments.choice == FieldChoice::kTets && !has_tets)
     throw Error(ErrorKind::kInput, {arguments.field, "", "has no field on tets"});
   const bool draws_tets = has_tets && arguments.choice != FieldChoice::kGrid;
-  const SingularityGraph lines =
-      read_singularities(folder / (draws_tets ? kTetSingularityFile : kSingularityFile));
-  PictureCurves curves{&lines, {}};
-  if (arguments.streamlines) curves.streamlines = streamlines_in(folder);
+  SingularityGraph lines = read_singularities(folder / (draws_tets ? kTetSingularityFile : kSingularityFile));
+  std::vector<AxisCurve> streamlines;
+  if (arguments.streamlines) streamlines = streamlines_in(folder);
+  if (!draws_tets) return {read_field(folder), std::move(lines), std::move(streamlines)};
+  std::optional<TetFrameField> field = read_tet_field(folder);
+  if (!field) throw Error(ErrorKind::kInput, {arguments.field, "", "lacks its tets", Remedy::kSolveAgain});
+  return {std::move(*field), std::move(lines), std::move(streamlines)};
+}
+
+void draw(const RenderArguments& arguments, const Monitor& monitor) {
+  const Subject subject = read_one_solve(arguments.field, [&] { return read_subject(arguments); });
+  const PictureCurves curves{&subject.lines, subject.streamlines};
   const auto render = [&](const auto& field) {
     naming(arguments.field,
            [&] { render_picture(field, arguments.output, arguments.options, curves, monitor); });
   };
-  if (!draws_tets) return render(read_field(folder));
-  const std::optional<TetFrameField> field = read_tet_field(folder);
-  if (!field) throw Error(ErrorKind::kInput, {arguments.field, "", "lacks its tets", Remedy::kSolveAgain});
-  render(*field);
+  std::visit(render, subject.field);
 }
 
 }  // namespace
@@ -65,6 +81,7 @@ void run_render(const RenderArguments& arguments) {
   const Interruption interruption(monitor);
   const ThreadLimit limit(arguments.threads);
   const auto start = std::chrono::steady_clock::now();
+  const ReadLimits limits(monitor);
   draw(arguments, monitor);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (arguments.quiet) return;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/page.hpp"
+#include "crossgrain/read_limits.hpp"
 #include "crossgrain/solve.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "interruption.hpp"
@@ -103,7 +105,11 @@ FrameField solve_model(const SolveArguments& arguments, const SolveOptions& opti
                        const Monitor& monitor) {
   return naming(arguments.model, [&] {
     if (arguments.from.empty()) return solve(mesh, options, monitor);
-    return solve_from(read_field(arguments.from), mesh, options, monitor);
+    const FrameField earlier = [&] {
+      const ReadLimits limits(monitor, options.max_memory_bytes);
+      return read_field(arguments.from);
+    }();
+    return solve_from(earlier, mesh, options, monitor);
   });
 }
 
@@ -154,23 +160,38 @@ std::optional<TetFrameField> carried(const SolveArguments& arguments, const Solv
   }
 }
 
+struct Inputs {
+  SolveOptions options;  ///< with the constraints, and sized for the tets
+  std::optional<TetDomain> domain;
+  TriangleMesh mesh;
+};
+
+/// Reads and checks all files but the field of --from. Warnings go to `warn`.
+Inputs read_inputs(const SolveArguments& arguments, const Monitor& monitor, const Warn& warn) {
+  const ReadLimits limits(monitor, arguments.options.max_memory_bytes);
+  check_start(arguments);
+  Inputs inputs{arguments.options, {}, {}};
+  if (arguments.page) keep_forms_for_page(inputs.options);
+  if (!arguments.constraints.empty()) inputs.options.constraints = read_constraints(arguments.constraints);
+  inputs.domain = read_domain(arguments, warn);
+  if (inputs.domain) inputs.options = sized_for(*inputs.domain, std::move(inputs.options));
+  inputs.mesh = is_tet_file(arguments.model)
+                    ? inputs.domain->boundary()
+                    : read_surface(arguments.model, read_options(arguments, inputs.options), monitor);
+  for (const Warning& warning : inputs.mesh.warnings) warn(warning);
+  if (!arguments.onto.empty()) check_same_unit(arguments, inputs.mesh, *inputs.domain);
+  check_clip(arguments, inputs.mesh);
+  return inputs;
+}
+
 /// Solves, transfers the field to the tets if there are any, and writes all files. Warnings from reading go
 /// to `warn` before the solve.
-SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point start, const Monitor& monitor,
-                            const Warn& warn, const std::function<void()>& leave_line) {
-  check_start(arguments);
+SolveReport solve_and_write(const SolveArguments& arguments,
+                            const std::shared_ptr<FolderReservation>& reservation, Clock::time_point start,
+                            const Monitor& monitor, const Warn& warn,
+                            const std::function<void()>& leave_line) {
   monitor.report({Phase::kRead, 0, 0, 0, 0});
-  SolveOptions options = arguments.options;
-  if (arguments.page) keep_forms_for_page(options);
-  if (!arguments.constraints.empty()) options.constraints = read_constraints(arguments.constraints);
-  const std::optional<TetDomain> domain = read_domain(arguments, warn);
-  if (domain) options = sized_for(*domain, std::move(options));
-  const TriangleMesh mesh = is_tet_file(arguments.model)
-                                ? domain->boundary()
-                                : read_surface(arguments.model, read_options(arguments, options), monitor);
-  for (const Warning& warning : mesh.warnings) warn(warning);
-  if (!arguments.onto.empty()) check_same_unit(arguments, mesh, *domain);
-  check_clip(arguments, mesh);
+  const auto [options, domain, mesh] = read_inputs(arguments, monitor, warn);
   const double read_seconds = seconds_since(start);
   monitor.check_stop();
   if (const auto replaced = replaced_model(arguments); replaced && !arguments.quiet) {
@@ -183,6 +204,7 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
 
   monitor.report({Phase::kWrite, 0, 0, 0, 0});
   OutputOptions output_options = arguments.output_options;
+  output_options.reservation = reservation;
   // The folder was checked before the solve. What has appeared there since must not cost the result, unless
   // it would be lost.
   if (output_options.foreign_files == ForeignFiles::kRefuse)
@@ -208,7 +230,7 @@ SolveReport solve_and_write(const SolveArguments& arguments, Clock::time_point s
 int run_solve(const SolveArguments& arguments) {
   const auto start = Clock::now();
   const ThreadLimit thread_limit(arguments.options.threads);
-  check_output_folder(arguments);
+  const auto reservation = reserve_output_folder(arguments);
   SolveReport report;
   {
     ProgressLines lines(!arguments.quiet && (arguments.progress || isatty(STDERR_FILENO)));
@@ -237,7 +259,7 @@ int run_solve(const SolveArguments& arguments) {
       lines.end_line();
       print_warning(warning, arguments.model);
     };
-    report = solve_and_write(arguments, start, monitor, warn, [&lines] { lines.leave_line(); });
+    report = solve_and_write(arguments, reservation, start, monitor, warn, [&lines] { lines.leave_line(); });
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)

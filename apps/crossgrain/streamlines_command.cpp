@@ -134,6 +134,10 @@ AnyField read_any_field(const StreamlinesArguments& arguments) {
   return read_field(arguments.field);
 }
 
+std::string solve_of(const AnyField& field) {
+  return std::visit([](const auto& any) { return any.report().solve; }, field);
+}
+
 StreamlineTracer tracer_of(const AnyField& field, const StreamlinesArguments& arguments,
                            const StreamlineOptions& options, const Monitor& monitor) {
   if (const auto* tets = std::get_if<TetFrameField>(&field)) return StreamlineTracer(*tets, options);
@@ -179,7 +183,7 @@ void run_streamlines(const StreamlinesArguments& arguments) {
                              : arguments.seeds == "-" ? "standard input"
                                                       : arguments.seeds;
   tell_of_seeds(traced, seeds.size(), source);
-  write_streamlines(traced.lines, arguments.output, monitor);
+  write_streamlines(traced.lines, arguments.output, monitor, solve_of(field));
   if (!arguments.quiet) print_result(summary_of(traced.lines, seeds.size(), seconds, arguments.output));
 }
 

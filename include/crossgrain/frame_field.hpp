@@ -76,16 +76,17 @@ class FrameField {
   /// Solid that the cell belongs to (SolveReport::regions). Empty where there are not several.
   std::span<const std::int32_t> regions() const;
 
-  /// Samples the field at a point with finite coordinates. Inside an active cell the coefficients of the
-  /// surrounding cells are blended and projected to the nearest frame; cells across a gap in the solid take
-  /// no part. Elsewhere the result is the frame of the nearest cell.
+  /// Samples the field at a point. Inside an active cell the coefficients of the surrounding cells are
+  /// blended and projected to the nearest frame; cells across a gap in the solid take no part. Elsewhere the
+  /// result is the frame of the nearest cell. Errors: kUsage for a coordinate that is not a finite number.
   Sample sample(const Vector3& point) const;
 
   /// Samples many points in parallel; bitwise identical to calling `sample` on each. Points may come in any
   /// order.
   std::vector<Sample> sample(std::span<const Vector3> points) const;
 
-  /// Samples into an array of the caller's. Errors: kUsage unless both spans have the same size.
+  /// Samples into an array of the caller's. Errors: kUsage unless both spans have the same size, and as
+  /// above.
   void sample(std::span<const Vector3> points, std::span<Sample> samples) const;
 
   /// The singular graph of the cells. Arcs end up to one cell before the surface.

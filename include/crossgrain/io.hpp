@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "crossgrain/constraints.hpp"
@@ -144,6 +147,9 @@ enum class ForeignFiles {
   kReplace  ///< replaces or removes those with names of results, and leaves the others
 };
 
+/// The sole right to write a field to a folder, until the last pointer to it goes or the process ends.
+class FolderReservation;
+
 /// Which cells `write_field` writes to field.vtu (all by default), and which further files. The report and
 /// the files for tets always describe the whole field.
 struct OutputOptions {
@@ -163,15 +169,20 @@ struct OutputOptions {
 
   /// The default protects other files in the folder.
   ForeignFiles foreign_files = ForeignFiles::kRefuse;
+
+  /// The right to write to this folder, from `check_field_folder` or `check_onto_folder`; without one,
+  /// `write_field` reserves the folder itself.
+  std::shared_ptr<FolderReservation> reservation = {};
 };
 
 /// Writes FOLDER/field.vtu, FOLDER/singularities.vtu and FOLDER/surface.vtu (docs/field-file.md), which
-/// ParaView opens, and FOLDER/report.json (docs/report.md). Creates the folder if it does not exist. Files
-/// are written under temporary names and then renamed, so that a failure leaves the earlier ones. Files of an
-/// earlier field on tets, kStreamlinesFile and earlier companions that are not written again are removed.
-/// Adds the time to `seconds.write` and `seconds.total` of the report and updates `peak_memory_bytes`. If no
-/// cell touches the box of `options`, all cells are written, with a warning in the report. Returns the report
-/// as written. Throws Error(kOutput); Error(kUsage) for invalid options and for formats of fields on tets;
+/// ParaView opens, and FOLDER/report.json (docs/report.md). Creates the folder if it does not exist. New
+/// files are written elsewhere and then take the place of the earlier ones, all at once
+/// (docs/command-line.md), so that a failure leaves the earlier ones. Files of an earlier field on tets,
+/// kStreamlinesFile and earlier companions that are not written again are removed. Adds the time to
+/// `seconds.write` and `seconds.total` of the report and updates `peak_memory_bytes`. If no cell touches the
+/// box of `options`, all cells are written, with a warning in the report. Returns the report as written.
+/// Throws Error(kOutput); Error(kUsage) for invalid options and for formats of fields on tets;
 /// Error(kInterrupted).
 SolveReport write_field(const FrameField& field, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
@@ -209,12 +220,38 @@ std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::p
 /// Error(kInput).
 bool is_clipped_field(const std::filesystem::path& folder);
 
+/// Returns false if there is certainly no such file. If the system does not tell, reading it will say why.
+bool may_exist(const std::filesystem::path& path);
+
 /// Returns whether a file has the mark that the files of this library carry, pictures included; those of
 /// formats without comments do not (docs/field-file.md).
 bool is_own_file(const std::filesystem::path& path);
 
 /// Returns SolveReport::Model::path of the field in a folder; none if the folder has no readable report.
 std::optional<std::string> model_of_result(const std::filesystem::path& folder);
+
+/// Returns SolveReport::solve that all files of a result name; empty if they name none. Finishes an
+/// interrupted `write_field` first. Throws Error(kInput), naming two files, if they are of different solves.
+std::string solve_of_result(const std::filesystem::path& folder);
+
+/// Returns read(), which reads files of a result, all of one solve: again if the result is replaced
+/// meanwhile.
+template <class Read>
+auto read_one_solve(const std::filesystem::path& folder, const Read& read) {
+  for (std::string solve = solve_of_result(folder);;) {
+    std::exception_ptr failure;
+    std::optional<decltype(read())> value;
+    try {
+      value.emplace(read());
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    const std::string before = std::exchange(solve, solve_of_result(folder));
+    if (solve != before) continue;
+    if (failure) std::rethrow_exception(failure);
+    return std::move(*value);
+  }
+}
 
 /// Returns the names of the files that `write_field` writes with these options for a field on a grid or, with
 /// `on_tets`, on tets; report.json comes last.
@@ -225,11 +262,14 @@ std::vector<std::string> result_files(const OutputOptions& options = {}, bool on
 std::vector<std::string> all_result_files();
 
 /// Throws Error(kOutput) if `write_field` could not or, because of foreign files, would not write to a
-/// folder; leaves no trace. Call before a solve to fail early.
-void check_field_folder(const std::filesystem::path& folder, const OutputOptions& options = {});
+/// folder, and if another one is about to. Returns the sole right to do so; when that goes unused, nothing of
+/// it is left. Call before a solve to fail early.
+std::shared_ptr<FolderReservation> check_field_folder(const std::filesystem::path& folder,
+                                                      const OutputOptions& options = {});
 
 /// Checks the folder for a field on tets.
-void check_onto_folder(const std::filesystem::path& folder, const OutputOptions& options = {});
+std::shared_ptr<FolderReservation> check_onto_folder(const std::filesystem::path& folder,
+                                                     const OutputOptions& options = {});
 
 // In the following, the path "-" stands for standard input or standard output. Text files have one item per
 // line, with numbers separated by blanks; blank lines and everything after a word that begins with '#' are
@@ -261,10 +301,11 @@ std::size_t write_samples(const FrameField& field, std::span<const Vector3> poin
 inline constexpr const char* kStreamlinesFile = "streamlines.vtu";
 
 /// Writes streamlines as polylines to a .vtu file (docs/streamlines.md), which ParaView opens. The file
-/// appears complete or not at all. Throws Error(kUsage) for a line whose tangents are not as many as its
-/// points or whose seed is not among them, Error(kOutput) and Error(kInterrupted).
+/// appears complete or not at all. `solve` is SolveReport::solve of their field: lines in its folder must
+/// name it. Throws Error(kUsage) for a line whose tangents are not as many as its points or whose seed is not
+/// among them, Error(kOutput) and Error(kInterrupted).
 void write_streamlines(std::span<const Streamline> lines, const std::filesystem::path& path,
-                       const Monitor& monitor = {});
+                       const Monitor& monitor = {}, const std::string& solve = {});
 
 /// Reads the lines that `write_streamlines` has written. Throws Error(kInput).
 std::vector<AxisCurve> read_streamlines(const std::filesystem::path& path);

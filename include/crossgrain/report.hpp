@@ -19,6 +19,11 @@ namespace crossgrain {
 /// The content of `report.json`. docs/report.md explains each number. Lengths are in model units, angles in
 /// degrees, times in seconds.
 struct SolveReport {
+  /// Tells the results of different solves apart: 16 hexadecimal digits, a checksum of the field and of the
+  /// options of writing it, so that the same solve has the same. Set by `write_field`, which puts it into all
+  /// files with a mark; empty before.
+  std::string solve = {};
+
   struct Model {
     std::string path;  ///< the given path; empty for a mesh from memory
     std::size_t triangles = 0;

@@ -21,6 +21,9 @@ class Descriptor {
   bool is_open() const { return number_ >= 0; }
   int number() const { return number_; }
 
+  /// Gives the descriptor away, open.
+  int release() { return std::exchange(number_, -1); }
+
   /// Closes the descriptor. Returns 0, or -1 with errno set: then written data may not have reached the disk.
   int close() {
     const int number = std::exchange(number_, -1);

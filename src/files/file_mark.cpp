@@ -9,17 +9,39 @@
 
 namespace crossgrain {
 
-bool has_mark(const std::filesystem::path& path) {
-  // Opening a pipe would wait for its writer.
+namespace {
+
+/// The first bytes of a regular file; none of anything else, as opening a pipe would wait for its writer.
+std::string beginning_of(const std::filesystem::path& path) {
   std::error_code unknown;
-  if (!std::filesystem::is_regular_file(path, unknown)) return false;
+  if (!std::filesystem::is_regular_file(path, unknown)) return "";
   std::string bytes(kMarkedBytes, '\0');
   std::ifstream file(path, std::ios::binary);
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return bytes;
+}
+
+bool holds_mark(const std::string& bytes) {
   constexpr std::array kMarks = {kXmlMark, kHtmlMark, kJsonMark, kTextMark, kPngMark};
   return std::any_of(kMarks.begin(), kMarks.end(),
                      [&](std::string_view mark) { return bytes.find(mark) != std::string::npos; });
+}
+
+}  // namespace
+
+bool has_mark(const std::filesystem::path& path) {
+  return holds_mark(beginning_of(path));
+}
+
+std::optional<std::string> marked_solve(const std::filesystem::path& path) {
+  const std::string bytes = beginning_of(path);
+  if (!holds_mark(bytes)) return std::nullopt;
+  for (const std::string_view words : {kXmlSolve, kHtmlSolve, kJsonSolve}) {
+    const std::size_t at = bytes.find(words);
+    if (at != std::string::npos) return bytes.substr(at + words.size(), kSolveBytes);
+  }
+  return "";
 }
 
 }  // namespace crossgrain

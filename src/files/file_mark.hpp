@@ -4,6 +4,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace crossgrain {
@@ -19,10 +21,20 @@ inline constexpr std::string_view kTextMark = "# written by Crossgrain: ";
 /// Keyword and text of a tEXt chunk, as a PNG file has them.
 inline constexpr std::string_view kPngMark{"Software\0Crossgrain", 19};
 
-/// A mark ends within this many bytes of the beginning.
+/// The solve of a file follows its mark in the same manner: these words and the 16 characters of
+/// SolveReport::solve.
+inline constexpr std::string_view kXmlSolve = "<!-- solve ";
+inline constexpr std::string_view kHtmlSolve = R"(<meta name="crossgrain-solve" content=")";
+inline constexpr std::string_view kJsonSolve = R"("solve": ")";
+inline constexpr std::size_t kSolveBytes = 16;
+
+/// Mark and solve end this many bytes of the beginning.
 inline constexpr std::size_t kMarkedBytes = 1024;
 
 /// Returns whether a file has a mark; false for anything but a readable regular file. Follows links.
 bool has_mark(const std::filesystem::path& path);
+
+/// Returns the solve that a file with a mark belongs to, empty if it names none. Nothing for other files.
+std::optional<std::string> marked_solve(const std::filesystem::path& path);
 
 }  // namespace crossgrain

@@ -11,6 +11,7 @@
 #include <new>
 #include <system_error>
 
+#include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "files/descriptor.hpp"
 #include "files/read_memory.hpp"
@@ -30,9 +31,11 @@ namespace {
 
 /// Reads up to `size` bytes; fewer if the file ends earlier.
 std::size_t read_fully(int descriptor, char* out, std::size_t size, const std::string& name) {
+  constexpr std::size_t kPiece = std::size_t{1} << 24;
   std::size_t done = 0;
   while (done < size) {
-    const ssize_t got = ::read(descriptor, out + done, size - done);
+    check_watched();
+    const ssize_t got = ::read(descriptor, out + done, std::min(kPiece, size - done));
     if (got == 0) break;
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail_to_open(name, errno);
@@ -52,7 +55,7 @@ InputFile::InputFile(const std::filesystem::path& path) : name_(path.string()) {
   if (status.st_size == 0) refuse(name_, "is empty", Remedy::kCopyAgain);
 
   const auto size = static_cast<std::size_t>(status.st_size);
-  check_read_memory(name_, size, 1, 0);
+  require_read_memory(name_, static_cast<double>(size));
   try {
     bytes_ = std::make_unique_for_overwrite<char[]>(size);
   } catch (const std::bad_alloc&) {
@@ -71,6 +74,7 @@ InputFile InputFile::standard_input() {
   for (;;) {
     size += read_fully(STDIN_FILENO, bytes.get() + size, capacity - size, name);
     if (size < capacity) break;
+    require_read_memory(name, 2 * static_cast<double>(capacity));
     auto larger = std::make_unique_for_overwrite<char[]>(2 * capacity);
     std::copy_n(bytes.get(), size, larger.get());
     bytes = std::move(larger);

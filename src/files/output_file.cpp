@@ -8,9 +8,12 @@
 
 #include <cassert>
 #include <cerrno>
+#include <regex>
 #include <system_error>
+#include <utility>
 
 #include "crossgrain/error.hpp"
+#include "files/folder_calls.hpp"
 
 namespace crossgrain {
 namespace {
@@ -24,46 +27,36 @@ constexpr std::size_t kBufferBytes = 1 << 18;
 
 // The user's umask is subtracted.
 constexpr mode_t kFileMode = 0666;
-constexpr mode_t kFolderMode = 0777;
 
-Remedy remedy_for(int code) {
-  switch (code) {
-    case EACCES:
-    case EPERM:
-    case EROFS:
-      return Remedy::kChooseWritablePlace;
-    case ENOSPC:
-    case EDQUOT:
-    case EFBIG:
-      return Remedy::kFreeSpace;
-    case ENOENT:
-    case ENOTDIR:
-      return Remedy::kMakeFolder;
-    default:
-      return Remedy::kCheckOutputDisk;
-  }
-}
-
-[[noreturn]] void fail_output(const std::string& name, const std::string& doing, int code) {
-  throw Error(ErrorKind::kOutput,
-              {name, "", fmt::format("cannot be {}: {}", doing, std::generic_category().message(code)),
-               remedy_for(code)});
-}
-
-/// Removes a regular file or a link, if there is one.
-void remove_file(const std::filesystem::path& path) {
+/// Returns the file that `target` names, behind all links. Throws Error(kOutput) unless a regular file may be
+/// written there. Nothing is opened, since opening a pipe would wait for its reader.
+std::filesystem::path resolved(const std::filesystem::path& target) {
+  const std::string& name = target.string();
+  const auto refuse = [](const std::string& what, const std::string& text, Remedy remedy) {
+    throw Error(ErrorKind::kOutput, {what, "", text, remedy});
+  };
+  if (target.filename().empty()) refuse("'" + name + "'", "names no file to write", Remedy::kNameOutput);
   struct stat status {};
-  if (::lstat(path.c_str(), &status) != 0 || !(S_ISREG(status.st_mode) || S_ISLNK(status.st_mode))) return;
-  if (::unlink(path.c_str()) != 0 && errno != ENOENT) fail_output(path.string(), "removed", errno);
+  if (::stat(name.c_str(), &status) != 0) {
+    if (errno == ENOENT && ::lstat(name.c_str(), &status) == 0)
+      refuse(name, "is a link to nothing", Remedy::kClearPlace);
+    return target;
+  }
+  if (S_ISDIR(status.st_mode)) refuse(name, "is a folder, but must be a file", Remedy::kClearPlace);
+  if (!S_ISREG(status.st_mode)) refuse(name, "is not a regular file", Remedy::kClearPlace);
+  if (::access(name.c_str(), W_OK) != 0) fail_output(name, "written", errno);
+  std::error_code unresolved;
+  const auto path = std::filesystem::canonical(target, unresolved);
+  return unresolved ? target : path;
 }
 
-/// Opens a temporary file with an unused name in the same folder, since a rename works only within a file
-/// system.
-Descriptor open_temporary(const std::filesystem::path& target, std::string& temporary) {
+/// Opens a temporary file with an unused name, in the folder of its target, since a rename works only within
+/// a file system.
+Descriptor open_temporary(int folder, const std::string& target, std::string& temporary) {
   for (int attempt = 0;; ++attempt) {
-    const std::string name = fmt::format(".{}.{}-{}.part", target.filename().string(), ::getpid(), attempt);
-    temporary = (target.parent_path() / name).string();
-    Descriptor descriptor(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kFileMode));
+    temporary = fmt::format(".{}.{}-{}.part", target, ::getpid(), attempt);
+    Descriptor descriptor(
+        ::openat(folder, temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kFileMode));
     if (descriptor.is_open() || errno != EEXIST) return descriptor;
   }
 }
@@ -71,29 +64,25 @@ Descriptor open_temporary(const std::filesystem::path& target, std::string& temp
 }  // namespace
 
 OutputFile::OutputFile(const std::filesystem::path& target) : name_(target.string()) {
-  if (target.filename().empty())
-    throw Error(ErrorKind::kOutput, {"'" + name_ + "'", "", "names no file to write", Remedy::kNameOutput});
-  struct stat status {};
-  const bool exists = ::stat(name_.c_str(), &status) == 0;
-  if (exists && S_ISDIR(status.st_mode))
-    throw Error(ErrorKind::kOutput, {name_, "", "is a folder, but must be a file", Remedy::kClearPlace});
-  if (exists && ::access(name_.c_str(), W_OK) != 0) fail("written", errno);
-  if (exists && !S_ISREG(status.st_mode)) {
-    descriptor_ = Descriptor(::open(name_.c_str(), O_WRONLY | O_CLOEXEC));
-  } else {
-    // Links are followed, so that the file is replaced and not the link.
-    std::error_code unresolved;
-    const auto resolved = std::filesystem::weakly_canonical(target, unresolved);
-    if (!unresolved) name_ = resolved.string();
-    descriptor_ = open_temporary(name_, temporary_);
-  }
+  const std::filesystem::path path = resolved(target);
+  target_ = path.filename().string();
+  folder_ = open_folder(path.parent_path());
+  if (folder_.is_open()) descriptor_ = open_temporary(folder_.number(), target_, temporary_);
   if (!descriptor_.is_open()) {
     temporary_.clear();
     fail("created", errno);
   }
 }
 
-OutputFile::OutputFile(std::string name, int descriptor) : name_(std::move(name)), descriptor_(descriptor) {
+OutputFile::OutputFile(int folder, std::string name, std::string shown)
+    : name_(std::move(shown)),
+      target_(std::move(name)),
+      descriptor_(::openat(folder, target_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kFileMode)) {
+  if (!descriptor_.is_open()) fail("created", errno);
+}
+
+OutputFile::OutputFile(std::string name, int descriptor)
+    : name_(std::move(name)), is_stream_(true), descriptor_(descriptor) {
   if (!descriptor_.is_open()) fail("opened", errno);
 }
 
@@ -103,7 +92,7 @@ OutputFile OutputFile::standard_output() {
 }
 
 OutputFile::~OutputFile() {
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (!temporary_.empty()) ::unlinkat(folder_.number(), temporary_.c_str(), 0);
 }
 
 void OutputFile::fail(const char* doing, int code) const {
@@ -131,7 +120,7 @@ void OutputFile::flush() {
 
 void OutputFile::start_writing_back() {
 #ifdef SYNC_FILE_RANGE_WRITE
-  if (temporary_.empty() || flushed_ - sent_ < kSentBytes) return;
+  if (is_stream_ || flushed_ - sent_ < kSentBytes) return;
   // Only a hint: errors show when the file is finished.
   ::sync_file_range(descriptor_.number(), static_cast<off_t>(sent_), static_cast<off_t>(flushed_ - sent_),
                     SYNC_FILE_RANGE_WRITE);
@@ -142,9 +131,9 @@ void OutputFile::start_writing_back() {
 void OutputFile::write_at(std::uint64_t offset, std::string_view bytes) {
   assert(descriptor_.is_open());
   while (!bytes.empty()) {
-    const ssize_t done = temporary_.empty() ? ::write(descriptor_.number(), bytes.data(), bytes.size())
-                                            : ::pwrite(descriptor_.number(), bytes.data(), bytes.size(),
-                                                       static_cast<off_t>(offset));
+    const ssize_t done =
+        is_stream_ ? ::write(descriptor_.number(), bytes.data(), bytes.size())
+                   : ::pwrite(descriptor_.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (done < 0 && errno == EINTR) continue;
     if (done < 0) fail("written", errno);
     bytes.remove_prefix(static_cast<std::size_t>(done));
@@ -153,7 +142,7 @@ void OutputFile::write_at(std::uint64_t offset, std::string_view bytes) {
 }
 
 void OutputFile::patch(std::uint64_t offset, std::string_view bytes) {
-  assert(!temporary_.empty() && !checksum_ && offset + bytes.size() <= position());
+  assert(!is_stream_ && !checksum_ && offset + bytes.size() <= position());
   flush();
   write_at(offset, bytes);
 }
@@ -162,65 +151,22 @@ void OutputFile::finish() {
   if (!descriptor_.is_open()) return;
   flush();
   // Pipes and terminals cannot be synchronised.
-  if (!temporary_.empty() && ::fsync(descriptor_.number()) != 0) fail("written", errno);
+  if (!is_stream_ && ::fsync(descriptor_.number()) != 0) fail("written", errno);
   if (descriptor_.close() != 0) fail("closed", errno);
 }
 
 void OutputFile::commit() {
   finish();
   if (temporary_.empty()) return;
-  if (::rename(temporary_.c_str(), name_.c_str()) != 0) fail("put in place", errno);
+  const int folder = folder_.number();
+  if (::renameat(folder, temporary_.c_str(), folder, target_.c_str()) != 0) fail("put in place", errno);
   temporary_.clear();
+  if (!sync_folder(folder)) fail("put in place", errno);
 }
 
-NewFolders::NewFolders(const std::filesystem::path& folder) {
-  if (folder.empty())
-    throw Error(ErrorKind::kOutput, {"''", "", "names no folder to write into", Remedy::kNameOutput});
-  try {
-    make(folder);
-  } catch (...) {
-    remove();
-    throw;
-  }
-}
-
-void NewFolders::make(const std::filesystem::path& folder) {
-  std::filesystem::path reached;
-  for (const std::filesystem::path& step : folder) {
-    reached /= step;
-    if (::mkdir(reached.c_str(), kFolderMode) == 0) {
-      made_.push_back(reached);
-      continue;
-    }
-    const int code = errno;
-    struct stat status {};
-    if (::stat(reached.c_str(), &status) != 0) fail_output(reached.string(), "created", code);
-    if (!S_ISDIR(status.st_mode))
-      throw Error(ErrorKind::kOutput,
-                  {reached.string(), "", "is a file, but must be a folder", Remedy::kClearPlace});
-  }
-}
-
-void NewFolders::remove() noexcept {
-  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) ::rmdir(folder->c_str());
-  made_.clear();
-}
-
-OutputFile& OutputFolder::create(const std::string& name) {
-  files_.push_back(std::make_unique<OutputFile>(folder_ / name));
-  return *files_.back();
-}
-
-void OutputFolder::commit() {
-  for (const auto& file : files_) file->finish();
-  for (const auto& file : files_) file->commit();
-  for (const auto& path : outdated_) remove_file(path);
-  made_.keep();
-}
-
-void check_writable(const std::filesystem::path& folder, const std::vector<std::string>& names) {
-  OutputFolder probe(folder);
-  for (const std::string& name : names) probe.create(name);
+bool is_temporary_name(const std::string& name) {
+  static const std::regex pattern(R"(\..+\.[0-9]+-[0-9]+\.part)");
+  return std::regex_match(name, pattern);
 }
 
 }  // namespace crossgrain

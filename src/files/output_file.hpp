@@ -6,11 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include "files/checksum.hpp"
 #include "files/descriptor.hpp"
@@ -18,11 +17,16 @@
 namespace crossgrain {
 
 /// A file being written. Every failure (no permission, disk full, on write or close) throws Error(kOutput)
-/// with the path and the remedy. Anything but a regular file (a pipe, /dev/stdout) is written to directly.
+/// with the path and the remedy.
 class OutputFile {
  public:
-  /// Opens a temporary file in the folder of `target`, which must exist.
+  /// Opens a temporary file in the folder of `target`, which must exist. `target` may be a link to a file.
+  /// Anything else than a regular file, such as a pipe, a device or a folder, is an error: it would hang, or
+  /// lose what was written.
   explicit OutputFile(const std::filesystem::path& target);
+
+  /// Opens a new file in a folder that nobody reads yet, without a temporary name; errors call it `shown`.
+  OutputFile(int folder, std::string name, std::string shown);
 
   /// Writes to standard output. Errors call it "standard output".
   static OutputFile standard_output();
@@ -36,6 +40,10 @@ class OutputFile {
 
   void write(std::string_view bytes);
   void write(const void* bytes, std::size_t size) { write({static_cast<const char*>(bytes), size}); }
+
+  /// The solve that the file belongs to (SolveReport::solve), for its writer; empty if there is none.
+  const std::string& solve() const { return solve_; }
+  void set_solve(std::string solve) { solve_ = std::move(solve); }
 
   /// Number of bytes written so far.
   std::uint64_t position() const { return flushed_ + buffer_.size(); }
@@ -63,8 +71,12 @@ class OutputFile {
   void write_at(std::uint64_t offset, std::string_view bytes);
   [[noreturn]] void fail(const char* doing, int code) const;
 
-  std::string name_;
-  std::string temporary_;  ///< empty if written to directly
+  std::string name_;  ///< in errors
+  std::string solve_;
+  Descriptor folder_;       ///< of the temporary file: it may be moved meanwhile
+  std::string temporary_;   ///< name in the folder; empty if there is none
+  std::string target_;      ///< name in the folder that the temporary file gets
+  bool is_stream_ = false;  ///< standard output
   Descriptor descriptor_;
   std::uint64_t flushed_ = 0;
   std::uint64_t sent_ = 0;  ///< part of flushed_ whose write to disk has been started
@@ -72,47 +84,8 @@ class OutputFile {
   std::optional<Checksum> checksum_;
 };
 
-/// Creates a folder and its missing parents. Unless kept, they are removed again if empty.
-class NewFolders {
- public:
-  explicit NewFolders(const std::filesystem::path& folder);
-  ~NewFolders() { remove(); }
-  NewFolders(const NewFolders&) = delete;
-  NewFolders& operator=(const NewFolders&) = delete;
-
-  void keep() { made_.clear(); }
-
- private:
-  void make(const std::filesystem::path& folder);
-  void remove() noexcept;
-
-  std::vector<std::filesystem::path> made_;  ///< outermost first
-};
-
-/// A folder that receives several files, all or none. Without `commit`, the temporary files and the folders
-/// created for them are removed.
-class OutputFolder {
- public:
-  explicit OutputFolder(const std::filesystem::path& folder) : folder_(folder), made_(folder) {}
-
-  /// Creates a file in the folder. The folder owns it.
-  OutputFile& create(const std::string& name);
-
-  /// Removes an earlier file or link of this name at `commit`. Anything else of this name stays.
-  void remove_at_commit(const std::string& name) { outdated_.push_back(folder_ / name); }
-
-  /// Finishes all files; only then renames them and removes the outdated ones.
-  void commit();
-
- private:
-  std::filesystem::path folder_;
-  NewFolders made_;  // declared before the files, so that they are gone when it removes folders
-  std::vector<std::unique_ptr<OutputFile>> files_;
-  std::vector<std::filesystem::path> outdated_;
-};
-
-/// Throws Error(kOutput) if a folder with such files could not be written. Leaves no trace. Call before a
-/// long computation to fail early.
-void check_writable(const std::filesystem::path& folder, const std::vector<std::string>& names);
+/// Returns whether a file has a name that OutputFile gives to temporary files. A run that was killed leaves
+/// them.
+bool is_temporary_name(const std::string& name);
 
 }  // namespace crossgrain

@@ -36,6 +36,9 @@
 namespace crossgrain {
 namespace {
 
+/// Number of leaves whose turns a place on demand takes, Sampler::Turns.
+constexpr std::size_t kTurnsPerPlace = 10;
+
 /// Returns the largest deviation from symmetry of the coefficients, rounded to single precision as in files.
 template <int D>
 double largest_deviation(std::span<const StoredQuaternion> frames) {
@@ -134,6 +137,13 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, Solved
   append(warnings, found.warnings);
 }
 
+/// How frames for the report are sampled: creases have a few per cent as many places as there are cells.
+Sampler::Turns turns_for(const PreparedModel& model, const RequestedAxes& asked, const Octree& tree) {
+  const std::size_t places = asked.points.size() + asked.polylines.size() + asked.faces.size() +
+                             asked.stresses.size() + model.inner_faces().triangles.size();
+  return kTurnsPerPlace * places < tree.size() ? Sampler::Turns::kOnDemand : Sampler::Turns::kOfAll;
+}
+
 /// Reports how well the interpolated field meets the constraints besides the surface.
 void describe_guides(const PreparedModel& model, const RequestedAxes& asked, const SolveOptions& options,
                      const Sampler& sampler, FieldData& data) {
@@ -163,6 +173,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   watch.start();
   const ThreadLimit thread_limit(options.threads);
   const WatchedLoops watched(monitor, Stops::kHeeded);
+  check_surface_memory(mesh, options);
   PreparedModel model(mesh, options);
   CoarserGraphs coarser;
   SolvedField solved = nested_solve(model.solid(), options, monitor, initial_frame, watch.restart(),
@@ -185,7 +196,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   data->tree = std::move(solved.level.tree);
   data->frames = std::move(solved.frames);
   data->open_faces = std::move(solved.open_faces);
-  const Sampler sampler(data->tree, data->frames, data->open_faces);
+  const Sampler sampler(data->tree, data->frames, data->open_faces, turns_for(model, asked, data->tree));
   describe_guides(model, asked, options, sampler, *data);
   data->surface = SurfaceSource(std::move(model).solved_surface());
   describe_surface(sampler, *data);

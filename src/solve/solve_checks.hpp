@@ -18,6 +18,9 @@ void check_options(const SolveOptions& options);
 /// Throws Error(kInput) for a model so small, large or far away that derived numbers exceed single precision.
 void check_scale(const Box& box);
 
+/// Throws Error(kLimit) if the surface alone needs more memory than allowed, before any is taken for it.
+void check_surface_memory(const TriangleMesh& mesh, const SolveOptions& options);
+
 /// Calls `check_scale`. Throws Error(kUsage) if the cells are too large for the model, and Error(kLimit) if
 /// even the largest cells that lack of memory permits (kMostLevelsLeftOut) need more memory than allowed.
 void check_size(const Surface& surface, const SolveOptions& options);

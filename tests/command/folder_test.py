@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What `crossgrain solve` does with a folder that is there already: its own files go, others stay untouched."""
 
+import os
 import signal
 import subprocess
 import unittest
@@ -82,12 +83,106 @@ class ForeignFiles(FolderTest):
     def test_a_killed_solve_leaves_nothing_that_stops_the_next(self):
         process = subprocess.Popen([PROGRAM, "solve", "box.stl", "-o", "out", "--resolution", "160"], cwd=self.folder,
                                    stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
-        left = []
-        while process.poll() is None and not left:
-            left = list((self.folder / "out").glob(".*.part")) if (self.folder / "out").is_dir() else []
+        part = self.folder / ".out.crossgrain-part"
+        while process.poll() is None and not part.exists():
+            pass
         process.send_signal(signal.SIGKILL)
         process.wait(timeout=60)
+        self.assertTrue(part.exists())
         self.assert_succeeds(self.solve("box.stl", "-o", "out"))
+        self.assertEqual(self.names(), ["box.mesh", "box.stl", "out"])
+
+
+class OneSolveAtATime(FolderTest):
+    def test_a_second_solve_into_the_folder_is_refused_and_the_first_is_whole(self):
+        for there in (False, True):
+            with self.subTest(there=there):
+                process = subprocess.Popen([PROGRAM, "solve", "box.stl", "-o", "a/out", "--resolution", "160", "--progress"],
+                                           cwd=self.folder, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL)
+                self.addCleanup(process.stderr.close)
+                process.stderr.readline()
+                self.assert_fails(self.solve("box.mesh", "-o", "a/out"), OUTPUT, "a/out: another solve is writing to it; wait")
+                process.communicate(timeout=120)
+                self.assertEqual(process.returncode, 0)
+                self.assertNotIn("onto.vtu", self.contents("a/out"))
+                self.assertEqual([path.name for path in (self.folder / "a").iterdir()], ["out"])
+
+    def test_many_into_a_new_folder_leave_one_that_is_whole(self):
+        for k in range(10):
+            runs = [subprocess.Popen([PROGRAM, "solve", "box.stl", "-o", f"new{k}/out", *RESOLUTION, "--quiet"],
+                                     cwd=self.folder, stderr=subprocess.PIPE, text=True) for _ in range(3)]
+            results = [(run.communicate(timeout=60)[1], run.returncode) for run in runs]
+            self.assertIn(("", 0), results)
+            for errors, code in results:
+                self.assertTrue(code == 0 or (code == OUTPUT and "another solve" in errors), results)
+            self.assert_succeeds(self.run_here("check", f"new{k}/out"))
+            self.assertEqual([path.name for path in (self.folder / f"new{k}").iterdir()], ["out"])
+
+
+class FilesOfDifferentSolves(FolderTest):
+    READERS = (["check", "out"], ["render", "out", "-o", "a.png", "--size", "64x64"], ["streamlines", "out", "-o", "a.vtu"],
+               ["sample", "out", "1", "0.5", "0.5"], ["view", "out", "--no-browser"],
+               ["solve", "box.stl", "--from", "out", "-o", "more", "--resolution", "16"])
+
+    def assert_refused(self, name):
+        for reader in self.READERS:
+            with self.subTest(name=name, reader=reader[0]):
+                self.assert_fails(self.run_here(*reader), 3, f"out/{name}", "out/report.json", "is of another solve than")
+                self.assertFalse(set(self.names()) & {"a.png", "a.vtu", "more"})
+
+    def test_are_refused_by_every_command_which_names_two(self):
+        for arguments in (["-o", "out"], ["-o", "other", "--degree", "3"]):
+            self.assert_succeeds(self.solve("box.mesh", *arguments))
+            self.assert_succeeds(self.run_here("streamlines", arguments[1], "--count", "3"))
+        own, other = self.contents("out"), self.contents("other")
+        for name in own:
+            if name in ("report.json", "onto.frames"):
+                continue
+            self.write("out/" + name, other[name])
+            self.assert_refused(name)
+            self.write("out/" + name, own[name])
+        for reader in self.READERS[:4]:
+            self.assert_succeeds(self.run_here(*reader))
+
+    def test_of_formats_without_a_mark_are_told_by_their_bytes(self):
+        self.assert_succeeds(self.solve("box.mesh", "-o", "out", "--write", "fra"))
+        frames = (self.folder / "out" / "onto.frames").read_text()
+        self.write("out/onto.frames", "".join(line[::1] + "\n" for line in reversed(frames.splitlines())))
+        for reader in self.READERS[1:3]:
+            self.assert_fails(self.run_here(*reader), 3, "out/onto.frames", "out/report.json")
+        self.write("out/onto.frames", frames)
+        self.write("out/onto.fra", "FRA 1\n")
+        self.assert_fails(self.run_here("check", "out"), 3, "out/onto.fra", "out/report.json")
+
+    def test_have_the_same_mark_after_the_same_solve_with_other_threads(self):
+        for name, threads in (("out", 1), ("again", 2)):
+            self.assert_succeeds(self.solve("box.mesh", "-o", name, "--threads", threads))
+        first, second = self.contents("out"), self.contents("again")
+        for name in first:
+            if name not in ("report.json", "report.html"):
+                self.assertEqual(first[name], second[name])
+
+
+class PlacesThatAreNoFiles(FolderTest):
+    def test_are_refused_at_once_by_every_command(self):
+        self.assert_succeeds(self.solve("box.stl", "-o", "out"))
+        os.mkfifo(self.folder / "pipe")
+        (self.folder / "link").symlink_to("nowhere")
+        self.write("points.txt", "1 0.5 0.5\n")
+        for command in (["render", "out", "--size", "64x64"], ["streamlines", "out"], ["sample", "out", "points.txt"]):
+            for place, words in (("pipe", "is not a regular file"), ("/dev/null", "is not a regular file"),
+                                 ("link", "is a link to nothing"), ("out", "folder")):
+                with self.subTest(command=command[0], place=place):
+                    self.assert_fails(self.run_here(*command, "-o", place), OUTPUT, place, words)
+        self.assert_fails(self.run_here("sample", "out", "points.txt", "--outside", "pipe"), OUTPUT, "pipe")
+        self.assert_fails(self.solve("box.stl", "-o", "link"), OUTPUT, "link: is a link to nothing")
+        self.assert_fails(self.solve("box.stl", "-o", "pipe"), OUTPUT, "pipe: is a file, but must be a folder")
+
+    def test_are_refused_in_a_result_too(self):
+        (self.folder / "out").mkdir()
+        os.mkfifo(self.folder / "out" / "report.json")
+        for force in ([], ["--force"]):
+            self.assert_fails(self.solve("box.stl", "-o", "out", *force), OUTPUT, "out/report.json: is not a regular file")
 
 
 class OutputsThatNobodyNamed(FolderTest):

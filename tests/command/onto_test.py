@@ -19,7 +19,8 @@ from pathlib import Path
 import numpy as np
 
 from field_reader import read_arrays
-from program import CommandTest, box_triangles, medit_text, stl_bytes, tet_box, tilt, torus_triangles, vtk_text
+from program import (CommandTest, box_triangles, medit_text, stl_bytes, tet_box, tilt, torus_triangles, vtk_text,
+                     without_solve)
 from recompute_onto import OntoRecomputation
 
 USAGE, INPUT, OUTPUT = 2, 3, 4
@@ -78,7 +79,8 @@ class TetsAsModel(OntoTest):
         self.solve("box.mesh", "--resolution", 16, folder="medit")
         self.solve("box.vtk", "--resolution", 16, folder="vtk")
         for name in ("field.vtu", "onto.frames"):
-            self.assertEqual((self.folder / "medit" / name).read_bytes(), (self.folder / "vtk" / name).read_bytes())
+            self.assertEqual(without_solve((self.folder / "medit" / name).read_bytes()),
+                             without_solve((self.folder / "vtk" / name).read_bytes()))
         medit, vtk = (read_arrays(self.folder / folder / "onto.vtu") for folder in ("medit", "vtk"))
         # Of the two only Medit says a region of each tet.
         np.testing.assert_array_equal(medit.pop("region"), 1)

@@ -2,30 +2,16 @@
 #include "files/output_file.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <csignal>
-#include <functional>
+#include <optional>
 
-#include "crossgrain/error.hpp"
+#include "files/output_error.hpp"
+#include "files/small_files.hpp"
 #include "files/temporary_folder.hpp"
 
 namespace crossgrain {
 namespace {
-
-/// The message of the Error(kOutput) that `action` gives.
-std::string output_error_of(const std::function<void()>& action) {
-  try {
-    action();
-    ADD_FAILURE() << "no error";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::kOutput);
-    return error.what();
-  }
-  return "";
-}
 
 TEST(OutputFile, AppearsOnlyWhenCommitted) {
   const TemporaryFolder folder;
@@ -101,32 +87,44 @@ TEST(OutputFile, SumsUpItsBytesHoweverTheyComeIn) {
   EXPECT_EQ(file.checksum()->value(), 0x85944171f73967e8u) << "FNV-1a of foobar";
 }
 
-TEST(OutputFile, SaysThatTheDiskIsFullAndHowToMendIt) {
-  OutputFile file("/dev/full");
-  file.write("some text");
-  const std::string message = output_error_of([&] { file.commit(); });
-  EXPECT_NE(message.find("/dev/full: cannot be written: No space left"), std::string::npos) << message;
-  EXPECT_NE(message.find("free some space"), std::string::npos) << message;
+TEST(OutputFile, LeavesNothingBehindWhenTheDiskFillsUpAndSaysHowToMendIt) {
+  const TemporaryFolder folder;
+  const SmallFiles limit;
+  const std::string message = output_error_of([&] {
+    OutputFile file(folder.path() / "a.txt");
+    file.write(std::string(300'000, 'x'));
+    file.commit();
+  });
+  EXPECT_NE(message.find("a.txt: cannot be written: File too large; free some space"), std::string::npos)
+      << message;
+  EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(OutputFile, LeavesNothingBehindWhenTheDiskFillsUp) {
+TEST(OutputFile, RefusesPipesDevicesAndLinksToNothingAtOnce) {
   const TemporaryFolder folder;
-  // A limit on the size of files stands in for the size of the disk.
-  rlimit before{};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{100'000, before.rlim_max};
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string message = output_error_of([&] {
-    OutputFolder output(folder.path() / "out");
-    OutputFile& file = output.create("field.vtu");
-    file.write(std::string(300'000, 'x'));
-    output.commit();
-  });
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
-  EXPECT_NE(message.find("field.vtu: cannot be written"), std::string::npos) << message;
-  EXPECT_TRUE(folder.names().empty());
+  const auto pipe = folder.path() / "pipe", link = folder.path() / "link";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::filesystem::create_symlink("nowhere", link);
+  for (const std::filesystem::path& path : {pipe, std::filesystem::path("/dev/full")}) {
+    const std::string message = output_error_of([&] { OutputFile file(path); });
+    EXPECT_NE(message.find(path.string() + ": is not a regular file; remove it"), std::string::npos)
+        << message;
+  }
+  const std::string message = output_error_of([&] { OutputFile file(link); });
+  EXPECT_NE(message.find("link: is a link to nothing; remove it"), std::string::npos) << message;
+}
+
+TEST(OutputFile, LeavesNothingInAFolderThatIsMovedMeanwhile) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "a");
+  std::optional<OutputFile> dropped, kept;
+  dropped.emplace(folder.path() / "a" / "dropped");
+  kept.emplace(folder.path() / "a" / "kept");
+  std::filesystem::rename(folder.path() / "a", folder.path() / "b");
+  dropped.reset();
+  kept->commit();
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "b" / "kept"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path() / "b"), {}), 1);
 }
 
 TEST(OutputFile, RefusesAFolderInItsPlaceAndAMissingFolder) {
@@ -135,92 +133,6 @@ TEST(OutputFile, RefusesAFolderInItsPlaceAndAMissingFolder) {
   output_error_of([&] { OutputFile file(folder.path() / ""); });
   const std::string message = output_error_of([&] { OutputFile file(folder.path() / "none" / "a.txt"); });
   EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
-}
-
-TEST(OutputFolder, PublishesAllItsFilesTogether) {
-  const TemporaryFolder folder;
-  OutputFolder output(folder.path() / "new" / "deeper");
-  output.create("a").write("1");
-  output.create("b").write("2");
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "new/deeper/a"));
-  output.commit();
-  EXPECT_EQ(content_of(folder.path() / "new/deeper/a"), "1");
-  EXPECT_EQ(content_of(folder.path() / "new/deeper/b"), "2");
-}
-
-TEST(OutputFolder, RemovesTheFoldersItMadeUnlessCommitted) {
-  const TemporaryFolder folder;
-  { OutputFolder(folder.path() / "new" / "deeper/").create("a").write("1"); }
-  EXPECT_TRUE(folder.names().empty());
-}
-
-TEST(OutputFolder, LeavesAnExistingFolderAndItsFiles) {
-  const TemporaryFolder folder;
-  folder.write("other", "content");
-  { OutputFolder(folder.path()).create("a").write("1"); }
-  EXPECT_EQ(folder.names(), std::vector<std::string>{"other"});
-}
-
-TEST(OutputFolder, RemovesOutdatedFilesOnlyOnceItsOwnAreComplete) {
-  const TemporaryFolder folder;
-  folder.write("outdated", "content");
-  std::filesystem::create_symlink(folder.write("target", "content"), folder.path() / "link");
-  const std::vector<std::string> before = folder.names();
-  {
-    OutputFolder output(folder.path());
-    output.create("a").write("1");
-    output.remove_at_commit("outdated");
-  }
-  EXPECT_EQ(folder.names(), before);
-  OutputFolder output(folder.path());
-  output.create("a").write("1");
-  for (const char* name : {"outdated", "link", "missing"}) output.remove_at_commit(name);
-  output.commit();
-  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a", "target"}));
-}
-
-TEST(OutputFolder, RemovesNothingThatIsNoFile) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directory(folder.path() / "outdated");
-  OutputFolder output(folder.path());
-  output.create("a").write("1");
-  output.remove_at_commit("outdated");
-  output.commit();
-  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a", "outdated"}));
-}
-
-TEST(OutputFolder, RefusesAFileInTheWay) {
-  const TemporaryFolder folder;
-  folder.write("file", "content");
-  for (const char* name : {"file", "file/deeper"}) {
-    const std::string message = output_error_of([&] { OutputFolder output(folder.path() / name); });
-    EXPECT_NE(message.find("is a file, but must be a folder"), std::string::npos) << message;
-  }
-}
-
-TEST(OutputFolder, RefusesWhereNoFolderCanBeMade) {
-  const std::string message = output_error_of([] { OutputFolder output("/proc/crossgrain/out"); });
-  EXPECT_NE(message.find("/proc/crossgrain: cannot be created"), std::string::npos) << message;
-}
-
-TEST(CheckWritable, LeavesNoTrace) {
-  const TemporaryFolder folder;
-  check_writable(folder.path() / "new" / "deeper", {"field.vtu", "report.json"});
-  EXPECT_TRUE(folder.names().empty());
-}
-
-TEST(CheckWritable, RefusesAFolderInThePlaceOfAFile) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directory(folder.path() / "field.vtu");
-  output_error_of([&] { check_writable(folder.path(), {"report.json", "field.vtu"}); });
-}
-
-TEST(CheckWritable, RefusesAProtectedFolder) {
-  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
-  const TemporaryFolder folder;
-  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_read);
-  output_error_of([&] { check_writable(folder.path(), {"a"}); });
-  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "field/field_data.hpp"
-#include "files/output_file.hpp"
+#include "files/output_folder.hpp"
 #include "harmonics/deviation.hpp"
 #include "harmonics/frame.hpp"
 #include "io/json/json_file.hpp"
@@ -22,6 +22,7 @@
 #include "io/result/report_file.hpp"
 #include "io/result/result_files.hpp"
 #include "io/result/singularity_file.hpp"
+#include "io/result/solve_id.hpp"
 #include "io/result/surface_file.hpp"
 #include "io/result/tet_files.hpp"
 #include "io/vtu/vtu_arrays.hpp"
@@ -178,20 +179,27 @@ bool is_companion(const std::string& name, const OutputOptions& options) {
 
 }  // namespace
 
-void check_field_folder(const std::filesystem::path& folder, const OutputOptions& options) {
+std::shared_ptr<FolderReservation> check_field_folder(const std::filesystem::path& folder,
+                                                      const OutputOptions& options) {
+  auto reservation = reserve_writable(folder, result_files(options));
   check_foreign_files(folder, options);
-  check_writable(folder, result_files(options));
+  return reservation;
 }
 
 SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
-                            const Monitor& monitor, const OutputOptions& options,
+                            const Monitor& monitor, const OutputOptions& options, const std::string& solve,
                             const std::function<void(OutputFolder&, SolveReport&)>& add_files) {
   check_output_options(options);
   check_formats(options.formats);
+  auto reservation = options.reservation ? options.reservation : std::make_shared<FolderReservation>(folder);
+  if (reservation->name() != folder.string())
+    throw Error(ErrorKind::kUsage, "the folder '" + reservation->name() + "' is reserved, not this one");
+  OutputFolder output(std::move(reservation));
   check_foreign_files(folder, options);
   Stopwatch stopwatch;
   stopwatch.start();
-  OutputFolder output(folder);
+  report.solve = solve;
+  output.set_solve(solve);
   write_chosen_cells(field.data(), options, output.create(kFieldFile), report, monitor);
   write_singularities(output.create(kSingularityFile), field.singularities(), monitor);
   if (const auto surface = field.data().surface.get())
@@ -229,7 +237,7 @@ SolveReport write_field(const FrameField& field, SolveReport report, const std::
   // The report of a field read from a folder may contain results on tets, and files of an earlier field on
   // tets would seem to belong to this one.
   report.onto.reset();
-  return write_field_and(field, std::move(report), folder, monitor, options,
+  return write_field_and(field, std::move(report), folder, monitor, options, solve_id(field.data(), options),
                          [](OutputFolder& output, SolveReport&) {
                            for (const TetFile& file : tet_files()) output.remove_at_commit(file.name);
                          });
@@ -241,13 +249,17 @@ SolveReport write_field(const FrameField& field, const std::filesystem::path& fo
 }
 
 FrameField read_field(const std::filesystem::path& folder) {
-  auto data = std::make_shared<FieldData>(read_field_arrays(folder / kFieldFile));
-  data->report = read_report(folder / kReportFile);
-  data->surface = surface_in(folder / kSurfaceFile);
-  return FrameField(std::move(data));
+  return read_one_solve(folder, [&] {
+    auto data = std::make_shared<FieldData>(read_field_arrays(folder / kFieldFile));
+    data->report = read_report(folder / kReportFile);
+    check_listed_sizes(folder, data->report);
+    data->surface = surface_in(folder / kSurfaceFile);
+    return FrameField(std::move(data));
+  });
 }
 
 bool is_clipped_field(const std::filesystem::path& folder) {
+  complete_folder(folder);
   return VtuFile(folder / kFieldFile).find(VtuSection::kFieldData, field_arrays::kClipBox) != nullptr;
 }
 

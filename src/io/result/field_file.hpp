@@ -4,20 +4,21 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/report.hpp"
-#include "files/output_file.hpp"
+#include "files/output_folder.hpp"
 
 namespace crossgrain {
 
 /// Like `write_field` (crossgrain/io.hpp), with additional files that appear together with field.vtu and
-/// report.json or not at all. add_files creates and writes them, and lists those without a mark in the
-/// report; its time counts as seconds.write.
+/// report.json or not at all. `solve` is what all files name (solve_id). add_files creates and writes them,
+/// and lists those without a mark in the report; its time counts as seconds.write.
 SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
-                            const Monitor& monitor, const OutputOptions& options,
+                            const Monitor& monitor, const OutputOptions& options, const std::string& solve,
                             const std::function<void(OutputFolder&, SolveReport&)>& add_files);
 
 }  // namespace crossgrain

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <regex>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -14,6 +13,7 @@
 
 #include "crossgrain/error.hpp"
 #include "files/file_mark.hpp"
+#include "files/folder_reservation.hpp"
 #include "io/result/report_file.hpp"
 #include "io/result/result_files.hpp"
 
@@ -50,12 +50,11 @@ bool is_unchanged(const fs::path& path, const UnmarkedFile& written) {
 }
 
 /// Returns whether desktops leave a file of this name in folders that they show, or a run of this library
-/// that was killed: its temporary files (OutputFile).
+/// that was killed.
 bool is_litter(const std::string& name) {
-  static const std::regex temporary(R"(\..+\.[0-9]+-[0-9]+\.part)");
   constexpr std::array<std::string_view, 3> kOfDesktops = {".DS_Store", "Thumbs.db", "desktop.ini"};
   return std::find(kOfDesktops.begin(), kOfDesktops.end(), name) != kOfDesktops.end() ||
-         std::regex_match(name, temporary);
+         is_name_of_unfinished_work(name);
 }
 
 /// Returns the names of all that is in a folder, sorted; empty if it does not exist.
@@ -125,6 +124,11 @@ std::vector<std::string> companions_in(const fs::path& folder) {
     if (file.checksum.empty() && std::binary_search(present.begin(), present.end(), file.name))
       names.push_back(file.name);
   return names;
+}
+
+bool may_exist(const fs::path& path) {
+  std::error_code unknown;
+  return fs::status(path, unknown).type() != fs::file_type::not_found;
 }
 
 bool is_own_file(const fs::path& path) {

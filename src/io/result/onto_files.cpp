@@ -10,6 +10,7 @@
 #include "crossgrain/io.hpp"
 #include "io/result/field_file.hpp"
 #include "io/result/foreign_files.hpp"
+#include "io/result/solve_id.hpp"
 #include "io/result/tet_files.hpp"
 #include "solve/tet_domain_data.hpp"
 
@@ -48,6 +49,7 @@ SolveReport write_field_onto(const FrameField& field, SolveReport report, const 
          output.field.tet_frames.size() == output.solid.mesh.tets.size());
   warn_of_left_out_tets(output.solid, options, report);
   return write_field_and(field, std::move(report), folder, monitor, options,
+                         solve_id(field.data(), options, &output),
                          [&](OutputFolder& files, SolveReport& written) {
                            for (const TetFile& file : tet_files()) {
                              if (is_asked_for(file, options.formats))
@@ -70,10 +72,12 @@ SolveReport write_field(const TetFrameField& field, const std::filesystem::path&
   return write_field(field, field.report(), folder, monitor, options);
 }
 
-void check_onto_folder(const std::filesystem::path& folder, const OutputOptions& options) {
+std::shared_ptr<FolderReservation> check_onto_folder(const std::filesystem::path& folder,
+                                                     const OutputOptions& options) {
   check_formats(options.formats);
+  auto reservation = reserve_writable(folder, result_files(options, /*on_tets=*/true));
   check_foreign_files(folder, options);
-  check_writable(folder, result_files(options, /*on_tets=*/true));
+  return reservation;
 }
 
 }  // namespace crossgrain

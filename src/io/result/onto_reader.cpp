@@ -11,6 +11,7 @@
 #include "crossgrain/io.hpp"
 #include "io/result/field_arrays.hpp"
 #include "io/result/result_files.hpp"
+#include "io/result/solve_id.hpp"
 #include "io/text/text_scanner.hpp"
 #include "io/vtu/vtu_reader.hpp"
 #include "singularity/singularity_graph.hpp"
@@ -76,8 +77,10 @@ TetDomain domain_in(const std::filesystem::path& path) {
   fail_damaged(path);
 }
 
-std::vector<Quaternion> read_vertex_frames(const std::filesystem::path& path, std::size_t vertices) {
+std::vector<Quaternion> read_vertex_frames(const std::filesystem::path& path, std::size_t vertices,
+                                           const SolveReport& report) {
   const InputFile file(path);
+  check_listed_bytes(path, file.bytes(), report);
   TextScanner scanner(file, {});
   std::vector<Quaternion> frames;
   frames.reserve(vertices);
@@ -110,21 +113,29 @@ OntoTets read_onto_tets(const std::filesystem::path& path) {
   return tets;
 }
 
-std::optional<TetFrameField> read_tet_field(const std::filesystem::path& folder) {
+namespace {
+
+std::optional<TetFrameField> read_any_tet_field(const std::filesystem::path& folder) {
   const std::filesystem::path grid_path = folder / kTetGridFile;
-  if (!std::filesystem::exists(grid_path)) return std::nullopt;
+  if (!may_exist(grid_path)) return std::nullopt;
   FrameField grid = read_field(folder);
   TetDomain domain = domain_in(grid_path);
   auto field = std::make_shared<TetField>();
-  field->vertex_frames = read_vertex_frames(folder / kTetFramesFile, domain.mesh().vertices.size());
-  field->tet_frames = tet_frames_of(domain.mesh(), field->vertex_frames);
   SolveReport report = grid.report();
+  field->vertex_frames = read_vertex_frames(folder / kTetFramesFile, domain.mesh().vertices.size(), report);
+  field->tet_frames = tet_frames_of(domain.mesh(), field->vertex_frames);
   return TetFrameField(std::move(grid), std::move(domain), std::move(field), std::move(report));
+}
+
+}  // namespace
+
+std::optional<TetFrameField> read_tet_field(const std::filesystem::path& folder) {
+  return read_one_solve(folder, [&] { return read_any_tet_field(folder); });
 }
 
 std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / kTetGridFile;
-  if (!std::filesystem::exists(path)) return std::nullopt;
+  if (!may_exist(path)) return std::nullopt;
   OntoTets tets = read_onto_tets(path);
   std::vector<Warning> warnings;
   const std::size_t count = tets.mesh.tets.size();

@@ -6,14 +6,17 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/version.hpp"
 #include "files/input_file.hpp"
+#include "files/read_memory.hpp"
 #include "io/json/json_file.hpp"
 #include "io/result/json_members.hpp"
 #include "io/result/report_members.hpp"
 #include "io/result/result_files.hpp"
+#include "io/result/solve_id.hpp"
 
 namespace crossgrain {
 namespace {
@@ -22,6 +25,9 @@ using Json = nlohmann::ordered_json;
 
 /// With its key it is kJsonMark.
 constexpr const char* kProgram = "Crossgrain";
+
+/// With its value it is kJsonSolve.
+constexpr const char* kSolveKey = "solve";
 
 }  // namespace
 
@@ -34,6 +40,7 @@ Json json_of(const SolveReport& report) {
   json["schema"] = kReportSchema;
   json["program"] = kProgram;
   JsonWriter writer(json);
+  writer.text(kSolveKey, report.solve);
   describe_results(writer, report);
   json["version"] = kVersion;
   describe_doubts(writer, report);
@@ -88,7 +95,12 @@ std::optional<std::string> model_of_result(const std::filesystem::path& folder) 
 
 SolveReport read_report(const std::filesystem::path& path) {
   const InputFile file(path);
-  const Json json = Json::parse(file.bytes(), nullptr, false);
+  // A value of two characters takes this much in the worst case, while its array grows.
+  constexpr double kMemoryOverFile = 32;
+  require_read_memory(file.name(), kMemoryOverFile * static_cast<double>(file.bytes().size()));
+  Checkpoint checkpoint;
+  const auto watch = [&](int, Json::parse_event_t, Json&) { return checkpoint.pass(), true; };
+  const Json json = Json::parse(file.bytes(), watch, false);
   if (json.is_discarded()) fail_input(file, {}, "is not JSON", Remedy::kCopyOrSolveAgain);
   JsonReader reader(json, file);
   int schema = 0;
@@ -97,6 +109,9 @@ SolveReport read_report(const std::filesystem::path& path) {
     fail_input(file, {}, fmt::format("has schema {} and this program reads {}", schema, kReportSchema),
                Remedy::kSolveAgain);
   SolveReport report;
+  reader.text(kSolveKey, report.solve);
+  if (!report.solve.empty() && !is_solve_id(report.solve))
+    fail_input(file, {}, "names no solve", Remedy::kCopyOrSolveAgain);
   describe_results(reader, report);
   describe_doubts(reader, report);
   return report;

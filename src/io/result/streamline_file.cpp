@@ -104,15 +104,6 @@ void add_polylines(const LinesInFile& lines, std::vector<VtuArray>& arrays) {
   arrays.push_back(uniform_types(lines.size(), kVtkPolyLine));
 }
 
-/// Parts of a VTU file are filled in afterwards.
-void check_regular(const std::filesystem::path& path) {
-  std::error_code unknown;
-  if (!std::filesystem::exists(path, unknown) || std::filesystem::is_regular_file(path, unknown) ||
-      std::filesystem::is_directory(path, unknown))
-    return;
-  throw Error(ErrorKind::kOutput, {path.string(), "", "is not a regular file", Remedy::kNameOutput});
-}
-
 void check_lines(std::span<const Streamline> lines) {
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const Streamline& line = lines[k];
@@ -126,15 +117,14 @@ void check_lines(std::span<const Streamline> lines) {
 }  // namespace
 
 void check_streamline_file(const std::filesystem::path& path) {
-  check_regular(path);
   const OutputFile file(path);
 }
 
 void write_streamlines(std::span<const Streamline> lines, const std::filesystem::path& path,
-                       const Monitor& monitor) {
+                       const Monitor& monitor, const std::string& solve) {
   check_lines(lines);
-  check_regular(path);
   OutputFile file(path);
+  file.set_solve(solve);
   const LinesInFile in_file(lines);
   std::vector<VtuArray> arrays;
   arrays.push_back(point_vectors<float>(

@@ -11,6 +11,7 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
 #include "io/result/field_arrays.hpp"
 #include "io/vtu/vtu_arrays.hpp"
 #include "io/vtu/vtu_reader.hpp"
@@ -207,8 +208,7 @@ void write_surface(OutputFile& file, const SolvedSurface& surface, const Monitor
 }
 
 SurfaceSource surface_in(const std::filesystem::path& path) {
-  std::error_code unknown;
-  if (std::filesystem::status(path, unknown).type() == std::filesystem::file_type::not_found) return {};
+  if (!may_exist(path)) return {};
   return SurfaceSource(
       [file = std::make_shared<const VtuFile>(path)] { return SurfaceReader(*file).read(); });
 }
