@@ -79,6 +79,7 @@ enum class Remedy : int {
   kCheckOutputDisk,
   kClearPlace,
   kChooseFolder,  ///< or allow it: OutputOptions::foreign_files
+  kAwaitSolve,
 
   kReportModel  ///< to the makers of this library
 };

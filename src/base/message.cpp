@@ -74,6 +74,7 @@ constexpr Wording kWordings[] = {
     {Remedy::kCheckOutputDisk, "check_output_disk", "check the disk, or choose another place"},
     {Remedy::kClearPlace, "clear_place", "remove it, or choose another place"},
     {Remedy::kChooseFolder, "choose_folder", "choose another folder, or allow writing beside and over them"},
+    {Remedy::kAwaitSolve, "await_solve", "wait for its end"},
     {Remedy::kReportModel, "report_model", "please report the model that brought it about"},
 };
 

@@ -147,6 +147,10 @@ WatchedLoops::~WatchedLoops() {
   t_watching = before_;
 }
 
+void check_watched() {
+  if (t_watching != nullptr) t_watching->check();
+}
+
 void run_within_limit(const std::function<void()>& work) {
 #ifndef CROSSGRAIN_STD_THREADS
   if (t_arena != nullptr) return t_arena->tasks.execute(work);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <numeric>
 #include <vector>
@@ -43,6 +44,22 @@ class WatchedLoops {
   const Monitor& monitor_;
   const Stops stops_;
   const WatchedLoops* const before_;
+};
+
+/// Queries the monitor of this thread's innermost WatchedLoops, if there is one: for long loops that are not
+/// parallel.
+void check_watched();
+
+/// Calls check_watched at every 2^16-th pass, for loops of short steps.
+class Checkpoint {
+ public:
+  void pass() {
+    if (++passes_ % kPasses == 0) check_watched();
+  }
+
+ private:
+  static constexpr std::uint32_t kPasses = 1 << 16;
+  std::uint32_t passes_ = 0;
 };
 
 /// Runs body(i) for every i in [0, count).

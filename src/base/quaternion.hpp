@@ -97,14 +97,8 @@ inline Vector3 rotate(const Quaternion& q, const Vector3& v) {
   return v[0] * axes[0] + v[1] * axes[1] + v[2] * axes[2];
 }
 
-/// Returns the rotation by |v| radians about v (the exponential map).
-inline Quaternion from_rotation_vector(const Vector3& v) {
-  const double angle_rad = norm(v);
-  const double sinc = angle_rad > 1e-8 ? std::sin(angle_rad / 2) / angle_rad : 0.5;
-  return {std::cos(angle_rad / 2), sinc * v[0], sinc * v[1], sinc * v[2]};
-}
-
-/// from_rotation_vector for |v| <= 1/2, by its series, exact to rounding.
+/// Returns the rotation by |v| <= 1/2 radians about v (the exponential map), by its series, exact to
+/// rounding.
 template <class Real>
 BasicQuaternion<Real> from_small_rotation_vector(const BasicVector3<Real>& v) {
   const Real s = -0.25 * dot(v, v);  // -(half the angle)^2
@@ -118,6 +112,17 @@ BasicQuaternion<Real> from_small_rotation_vector(const BasicVector3<Real>& v) {
       (1 + s * (1.0 / 6) *
                (1 + s * (1.0 / 20) * (1 + s * (1.0 / 42) * (1 + s * (1.0 / 72) * (1 + s * (1.0 / 110))))));
   return {cosine, half_sinc * v[0], half_sinc * v[1], half_sinc * v[2]};
+}
+
+/// Returns the rotation by |v| radians about v. Squares that of a part of v, since sines of the C library
+/// differ between processors in the last bit.
+inline Quaternion from_rotation_vector(Vector3 v) {
+  constexpr double kSmall = 0.5;
+  int halvings = 0;
+  for (double angle_rad = norm(v); angle_rad > kSmall && std::isfinite(angle_rad); angle_rad /= 2) ++halvings;
+  Quaternion q = from_small_rotation_vector(std::ldexp(1.0, -halvings) * v);
+  for (; halvings > 0; --halvings) q = q * q;
+  return q;
 }
 
 inline StoredQuaternion to_stored(const Quaternion& q) {

@@ -67,7 +67,9 @@ std::vector<StoredQuaternion> random_frames(std::size_t count, std::uint64_t see
     const double a = 2 * std::numbers::pi * random.next_double(),
                  b = 2 * std::numbers::pi * random.next_double();
     const double r = std::sqrt(1 - u), s = std::sqrt(u);
-    frame = to_stored(Quaternion{r * std::sin(a), r * std::cos(a), s * std::sin(b), s * std::cos(b)});
+    // Cosine and sine are those of a rotation by twice the angle: equal on all processors.
+    const Quaternion of_a = from_rotation_vector({2 * a, 0, 0}), of_b = from_rotation_vector({2 * b, 0, 0});
+    frame = to_stored(Quaternion{r * of_a.x, r * of_a.w, s * of_b.x, s * of_b.w});
   }
   return frames;
 }

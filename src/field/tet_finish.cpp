@@ -165,11 +165,11 @@ Quaternion with_axis_along(const Quaternion& frame, const Vector3& direction) {
     if (std::abs(dot(axis, direction)) > std::abs(dot(nearest, direction))) nearest = axis;
   }
   if (dot(nearest, direction) < 0) nearest = -nearest;
+  // The shortest rotation between the two, by half its angle: 1 + cos t = 2 cos^2(t/2), sin t = 2 sin cos.
   const Vector3 turn = cross(nearest, direction);
-  const double sine = norm(turn);
-  if (sine == 0) return frame;
-  const double angle_rad = std::atan2(sine, dot(nearest, direction));
-  return normalised(from_rotation_vector((angle_rad / sine) * turn) * frame);
+  if (norm(turn) == 0) return frame;
+  const Quaternion rotation{1 + dot(nearest, direction), turn[0], turn[1], turn[2]};
+  return normalised(rotation * frame);
 }
 
 TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const BoundaryVertices& boundary,

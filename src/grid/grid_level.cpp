@@ -18,8 +18,9 @@ namespace {
 /// touches the cell.
 constexpr double kSmallestPiece = 1e-9;
 
-/// Number of leaves that one task refines.
-constexpr std::size_t kRefineGrain = 512;
+/// Most leaves that one task refines, and pieces after which it takes no more leaves: near the root, leaves
+/// hold most of the surface.
+constexpr std::size_t kRefineGrain = 512, kRefinePieces = std::size_t{1} << 16;
 
 /// Offset of the surface from the centre of the root cube, in finest cells. Any three numbers work that are
 /// not close to a fraction with a small denominator.
@@ -58,7 +59,8 @@ Winding winding_at(const Solid& solid, const Vector3& point) {
 
 class Refiner {
  public:
-  Refiner(const GridLevel& level, const Solid& solid) : level_(level), solid_(solid) {}
+  Refiner(const GridLevel& level, const Solid& solid, const Monitor& monitor)
+      : level_(level), solid_(solid), monitor_(monitor) {}
 
   RefinedRun refine(CellIndex begin, CellIndex end, const std::vector<bool>& marked) const {
     RefinedRun run;
@@ -79,6 +81,7 @@ class Refiner {
     ++run.split;
     const std::array<Winding, 8> windings = windings_of_children(i);
     for (int octant = 0; octant < 8; ++octant) {
+      monitor_.check_stop();
       const CellAddress child = level_.tree[i].child(octant);
       const std::size_t piece_count = clip_to(child, level_.pieces_of(i), run.pieces);
       const auto [winding, near_cap] = windings[octant];
@@ -149,7 +152,21 @@ class Refiner {
 
   const GridLevel& level_;
   const Solid& solid_;
+  const Monitor& monitor_;
 };
+
+/// Returns the first leaves of the runs that tasks refine, and the number of leaves.
+std::vector<CellIndex> begins_of_runs(const GridLevel& level) {
+  std::vector<CellIndex> begins;
+  const auto leaves = static_cast<CellIndex>(level.size());
+  for (CellIndex i = 0; i < leaves; ++i) {
+    const bool is_full = begins.empty() || i - begins.back() == kRefineGrain ||
+                         level.piece_begin[i] - level.piece_begin[begins.back()] >= kRefinePieces;
+    if (is_full) begins.push_back(i);
+  }
+  begins.push_back(leaves);
+  return begins;
+}
 
 RefinedLevel joined(const RootCube& root, std::vector<RefinedRun> runs, std::size_t leaves_before) {
   std::vector<std::size_t> leaf_begin{0}, piece_begin{0};
@@ -235,13 +252,11 @@ RefinedLevel uniform_level(const Solid& solid, const RootCube& root, int depth, 
 RefinedLevel refined(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid,
                      std::vector<bool> marked, const Monitor& monitor) {
   balance_marks(level.tree, neighbours, marked);
-  const Refiner refiner(level, solid);
-  std::vector<RefinedRun> runs((level.size() + kRefineGrain - 1) / kRefineGrain);
-  parallel_for_chunks(level.size(), kRefineGrain, [&](std::size_t begin, std::size_t end) {
-    monitor.check_stop();
-    runs[begin / kRefineGrain] =
-        refiner.refine(static_cast<CellIndex>(begin), static_cast<CellIndex>(end), marked);
-  });
+  const Refiner refiner(level, solid, monitor);
+  const std::vector<CellIndex> begins = begins_of_runs(level);
+  std::vector<RefinedRun> runs(begins.size() - 1);
+  parallel_for(
+      runs.size(), [&](std::size_t r) { runs[r] = refiner.refine(begins[r], begins[r + 1], marked); }, 1);
   RefinedLevel finer = joined(level.tree.root(), std::move(runs), level.examined_leaves);
   finer.neighbours = face_neighbours({level.tree, neighbours, marked}, finer.level.tree, finer.parent);
   if (solid.guides != nullptr) finer.level.guides = LeafGuides(finer.level.tree, *solid.guides);

@@ -9,8 +9,7 @@
 #include "constraint/classification.hpp"
 #include "grid/cell_constraints.hpp"
 #include "measure/angle_statistics.hpp"
-#include "sampling/frame_blend.hpp"
-#include "sampling/turn_cache.hpp"
+#include "sampling/frames_in_leaves.hpp"
 #include "surface/clipping.hpp"
 
 namespace crossgrain {
@@ -59,10 +58,8 @@ class RunOfLeaves {
         field_(field),
         begin_(begin),
         end_(end),
-        around_(field.tree, field.finder),
-        turns_(field),
-        leaves_(end - begin),
-        terms_(kTermsAtOnce) {}
+        frames_(field),
+        leaves_(end - begin) {}
 
   /// Sets the angles of all pieces, and the means and constraints of all leaves.
   void measure(std::vector<float>& angles, AlignmentMeasurement& result) {
@@ -70,11 +67,9 @@ class RunOfLeaves {
       if (!level_.holds_surface(i)) continue;
       const ConstraintClass constraints = constraint_class(level_, solid_, i);
       result.leaf_constraints[i] = as_written(constraints);
-      around_.move_to(i);
       for (std::uint32_t k = level_.piece_begin[i]; k < level_.piece_begin[i + 1]; ++k) {
-        if (point_count_ == kPointsAtOnce || term_count_ + LeavesAround::kMost > kTermsAtOnce)
-          measure_points(angles);
-        add_point(k, compatible(constraints));
+        if (frames_.is_full()) measure_points(angles);
+        add_point(i, k, compatible(constraints));
       }
     }
     measure_points(angles);
@@ -85,8 +80,6 @@ class RunOfLeaves {
   }
 
  private:
-  static constexpr std::size_t kPointsAtOnce = 64, kTermsAtOnce = 16 * kPointsAtOnce;
-
   struct Point {
     CellIndex leaf;
     std::uint32_t piece;
@@ -97,45 +90,36 @@ class RunOfLeaves {
     double weighted = 0, area = 0;
   };
 
-  void add_point(std::uint32_t k, bool included) {
-    const CellIndex leaf = around_.leaf();
-    const RootCube& root = field_.tree.root();
-    const Box box = root.box(field_.tree[leaf]);
+  void add_point(CellIndex leaf, std::uint32_t k, bool included) {
+    const Box box = field_.tree.root().box(field_.tree[leaf]);
     const Vector3 centroid = clip_triangle(solid_.surface.corners(level_.pieces[k].triangle), box).centroid;
-    const LeavesAround around(field_, around_, 1 / root.unit() * (centroid - root.origin));
-    points_[point_count_] = {leaf, k, included,
-                             solid_.surface.normal_at(level_.pieces[k].triangle, centroid)};
-    const FrameBlend& blend = blends_[point_count_++] =
-        frame_blend(field_, around, turns_, &terms_[term_count_]);
-    term_count_ += blend.terms.size();
+    points_[point_count_++] = {leaf, k, included,
+                               solid_.surface.normal_at(level_.pieces[k].triangle, centroid)};
+    frames_.add(leaf, centroid);
   }
 
   void measure_points(std::vector<float>& angles) {
-    blend_frames({blends_.data(), point_count_}, {frames_.data(), point_count_});
+    const std::span<const Quaternion> frames = frames_.frames();
     for (std::size_t p = 0; p < point_count_; ++p) {
       const auto& [leaf, k, included, normal] = points_[p];
       const SurfacePiece& piece = level_.pieces[k];
-      const double angle = angle_to_nearest_axis_deg(frames_[p], normal);
+      const double angle = angle_to_nearest_axis_deg(frames[p], normal);
       angles[k] = included ? static_cast<float>(angle) : kExcludedAngle;
       LeafSum& sum = leaves_[leaf - begin_];
       sum.weighted += piece.area * angle;
       sum.area += piece.area;
     }
-    point_count_ = term_count_ = 0;
+    point_count_ = 0;
   }
 
   const GridLevel& level_;
   const Solid& solid_;
   const LeafField& field_;
   CellIndex begin_, end_;
-  LeafSurroundings around_;
-  TurnCache turns_;
+  FramesInLeaves frames_;
   std::vector<LeafSum> leaves_;
-  std::size_t point_count_ = 0, term_count_ = 0;
-  std::array<Point, kPointsAtOnce> points_;
-  std::array<FrameBlend, kPointsAtOnce> blends_;
-  std::array<Quaternion, kPointsAtOnce> frames_;
-  std::vector<BlendTerm> terms_;
+  std::size_t point_count_ = 0;
+  std::array<Point, FramesInLeaves::kMost> points_;
 };
 
 }  // namespace

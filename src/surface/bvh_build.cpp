@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
+#include <span>
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
@@ -52,18 +52,17 @@ struct Split {
 
 class Builder {
  public:
-  Builder(const Surface& surface, std::vector<std::uint32_t>& order)
-      : boxes_(surface.size()), centres_(surface.size()), order_(order) {
+  explicit Builder(const Surface& surface) : items_(surface.size()) {
     parallel_for(surface.size(), [&](std::size_t t) {
       const auto corners = surface.corners(t);
-      boxes_[t] = {corners[0], corners[0]};
-      for (const Vector3& corner : corners) extend(boxes_[t], {corner, corner});
-      centres_[t] = 0.5 * (boxes_[t].low + boxes_[t].high);
+      Item& item = items_[t];
+      item = {{corners[0], corners[0]}, static_cast<std::uint32_t>(t)};
+      for (const Vector3& corner : corners) extend(item.box, {corner, corner});
     });
   }
 
-  /// Builds the subtree over order[first, first + count); its `skip` counts from its own first node.
-  std::vector<Node> build(std::uint32_t first, std::uint32_t count, int depth) const {
+  /// Builds the subtree over the items [first, first + count); its `skip` counts from its own first node.
+  std::vector<Node> build(std::uint32_t first, std::uint32_t count, int depth) {
     std::vector<Node> nodes;
     if (count < kParallelTriangles) {
       nodes.reserve(count);
@@ -80,38 +79,52 @@ class Builder {
         },
         1);
     nodes.reserve(1 + halves[0].size() + halves[1].size());
-    nodes.push_back({box_of_range(first, count), 0, first, count});
-    for (const auto& half : halves) {
+    nodes.push_back({halves[0][0].box, 0, first, count});
+    extend(nodes[0].box, halves[1][0].box);
+    for (auto& half : halves) {
       const auto offset = static_cast<std::uint32_t>(nodes.size());
       for (const Node& node : half) nodes.push_back({node.box, offset + node.skip, node.first, node.count});
+      half = {};
     }
     nodes[0].skip = static_cast<std::uint32_t>(nodes.size());
     return nodes;
   }
 
+  /// Returns the triangles in the order of the leaves.
+  std::vector<std::uint32_t> order() const {
+    std::vector<std::uint32_t> order(items_.size());
+    parallel_for(order.size(), [&](std::size_t i) { order[i] = items_[i].triangle; });
+    return order;
+  }
+
  private:
-  void append_subtree(std::uint32_t first, std::uint32_t count, int depth, std::vector<Node>& nodes) const {
+  /// A triangle with its box, in one place, since the order of triangles soon has nothing to do with that of
+  /// the tree.
+  struct Item {
+    Box box;
+    std::uint32_t triangle;
+  };
+
+  std::span<const Item> items(std::uint32_t first, std::uint32_t count) const {
+    return std::span(items_).subspan(first, count);
+  }
+
+  static Vector3 centre_of(const Box& box) { return 0.5 * (box.low + box.high); }
+
+  void append_subtree(std::uint32_t first, std::uint32_t count, int depth, std::vector<Node>& nodes) {
     const std::size_t index = nodes.size();
-    nodes.push_back({box_of_range(first, count), 0, first, count});
+    nodes.push_back({kEmptyBox, 0, first, count});
     if (count > kLeafTriangles) {
       const std::uint32_t lower = divide(first, count, depth);
       append_subtree(first, lower, depth + 1, nodes);
+      const std::size_t upper = nodes.size();
       append_subtree(first + lower, count - lower, depth + 1, nodes);
+      extend(nodes[index].box, nodes[index + 1].box);
+      extend(nodes[index].box, nodes[upper].box);
+    } else {
+      for (const Item& item : items(first, count)) extend(nodes[index].box, item.box);
     }
     nodes[index].skip = static_cast<std::uint32_t>(nodes.size());
-  }
-
-  Box box_of_range(std::uint32_t first, std::uint32_t count) const {
-    Box box = kEmptyBox;
-    for (std::uint32_t i = first; i < first + count; ++i) extend(box, boxes_[order_[i]]);
-    return box;
-  }
-
-  Box centre_box(std::uint32_t first, std::uint32_t count) const {
-    Box box = kEmptyBox;
-    for (std::uint32_t i = first; i < first + count; ++i)
-      extend(box, {centres_[order_[i]], centres_[order_[i]]});
-    return box;
   }
 
   static std::size_t bin_of(const Vector3& centre, const Box& centres, std::size_t axis) {
@@ -119,13 +132,7 @@ class Builder {
     return std::min(kBins - 1, static_cast<std::size_t>(position * kBins));
   }
 
-  Split best_split(std::uint32_t first, std::uint32_t count, const Box& centres, std::size_t axis) const {
-    std::array<Bin, kBins> bins{};
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      Bin& bin = bins[bin_of(centres_[order_[i]], centres, axis)];
-      extend(bin.box, boxes_[order_[i]]);
-      ++bin.count;
-    }
+  static Split best_split(const std::array<Bin, kBins>& bins, std::uint32_t count, std::size_t axis) {
     std::array<double, kBins> upper_cost{};
     Bin upper;
     for (std::size_t b = kBins - 1; b > 0; --b) {
@@ -145,34 +152,52 @@ class Builder {
     return best;
   }
 
-  /// Reorders order[first, first + count) into two halves and returns the size of the lower one, neither 0
-  /// nor count.
-  std::uint32_t divide(std::uint32_t first, std::uint32_t count, int depth) const {
-    const Box centres = centre_box(first, count);
+  Split best_split(std::span<const Item> items, const Box& centres) const {
+    std::array<std::array<Bin, kBins>, 3> bins{};
+    std::array<bool, 3> is_wide;
+    for (std::size_t axis = 0; axis < 3; ++axis) is_wide[axis] = centres.low[axis] < centres.high[axis];
+    for (const Item& item : items) {
+      const Vector3 centre = centre_of(item.box);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!is_wide[axis]) continue;
+        Bin& bin = bins[axis][bin_of(centre, centres, axis)];
+        extend(bin.box, item.box);
+        ++bin.count;
+      }
+    }
     Split best;
-    for (std::size_t axis = 0; axis < 3 && depth < kMostHeuristicDepth; ++axis) {
-      if (!(centres.low[axis] < centres.high[axis])) continue;
-      const Split split = best_split(first, count, centres, axis);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!is_wide[axis]) continue;
+      const Split split = best_split(bins[axis], static_cast<std::uint32_t>(items.size()), axis);
       if (split.cost < best.cost) best = split;
     }
+    return best;
+  }
+
+  /// Reorders the items [first, first + count) into two halves and returns the size of the lower one, neither
+  /// 0 nor count.
+  std::uint32_t divide(std::uint32_t first, std::uint32_t count, int depth) {
+    if (depth >= kMostHeuristicDepth) return count / 2;
+    Box centres = kEmptyBox;
+    for (const Item& item : items(first, count)) extend(centres, {centre_of(item.box), centre_of(item.box)});
+    const Split best = best_split(items(first, count), centres);
     if (best.cost == kInfinity) return count / 2;
-    const auto begin = order_.begin() + first;
-    const auto middle = std::partition(begin, begin + count, [&](std::uint32_t t) {
-      return bin_of(centres_[t], centres, best.axis) < best.bin;
+    const auto begin = items_.begin() + first;
+    const auto middle = std::partition(begin, begin + count, [&](const Item& item) {
+      return bin_of(centre_of(item.box), centres, best.axis) < best.bin;
     });
     return static_cast<std::uint32_t>(middle - begin);
   }
 
-  std::vector<Box> boxes_;
-  std::vector<Vector3> centres_;
-  std::vector<std::uint32_t>& order_;
+  std::vector<Item> items_;
 };
 
 }  // namespace
 
-TriangleBvh::TriangleBvh(const Surface& surface) : surface_(&surface), triangle_order_(surface.size()) {
-  std::iota(triangle_order_.begin(), triangle_order_.end(), 0u);
-  nodes_ = Builder(surface, triangle_order_).build(0, static_cast<std::uint32_t>(surface.size()), 0);
+TriangleBvh::TriangleBvh(const Surface& surface) : surface_(&surface) {
+  Builder builder(surface);
+  nodes_ = builder.build(0, static_cast<std::uint32_t>(surface.size()), 0);
+  triangle_order_ = builder.order();
 }
 
 }  // namespace crossgrain

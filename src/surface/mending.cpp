@@ -155,7 +155,18 @@ class Mender {
     return kept;
   }
 
+  /// Returns whether nearly all triangles lie alone though cracks are joined. By chance some of them enclose
+  /// a little, the more of them the sooner, which is no solid.
+  bool is_scattered(std::size_t triangles) const {
+    constexpr double kNearlyAll = 0.9;
+    const auto alone = std::count_if(patches_.begin(), patches_.end(), [](const Patch& patch) {
+      return patch.triangles.size() == 1 && patch.nonmanifold_edges == 0;
+    });
+    return alone > 1 && static_cast<double>(alone) > kNearlyAll * static_cast<double>(triangles);
+  }
+
   void judge(const std::vector<std::uint32_t>& kept) {
+    if (is_scattered(kept.size())) fail_without_inside(kept.size());
     std::vector<std::uint32_t> patch_of;
     for (const std::uint32_t t : kept) patch_of.push_back(patch_of_[t]);
     const PatchSides sides = judge_patches(selected_triangles(mesh_, kept), patch_of, patches_);
@@ -216,6 +227,8 @@ class Mender {
       what = "it is flat";
     } else if (count(FindingKind::kTriangleSoup) > 0) {
       what = "it is a soup of " + all + ", no two of which share an edge";
+    } else if (is_scattered(triangles)) {
+      what = "it is a soup of " + all + ", nearly all of which share no edge";
     } else if (count(FindingKind::kOneSidedSheet) > 0) {
       what = "it is a one-sided sheet of " + all + ", such as a Moebius band";
     } else if (count(FindingKind::kStrayFacet) > 0) {

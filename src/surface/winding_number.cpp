@@ -72,15 +72,13 @@ class Multipoles {
  public:
   void add(const std::array<Vector3, 3>& corners) {
     const Vector3 n = area_vector(corners), c = centroid(corners);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        m_[i][j] += n[i] * c[j];
-        for (std::size_t k = 0; k < 3; ++k) {
-          // Mean of y_j y_k over a triangle, from its corners and centroid.
-          double mean = 9 * c[j] * c[k];
-          for (const Vector3& y : corners) mean += y[j] * y[k];
-          t_[i][j][k] += 0.5 * n[i] * mean / 12;
-        }
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t i = 0; i < 3; ++i) m_[i][j] += n[i] * c[j];
+      for (std::size_t k = 0; k <= j; ++k) {
+        // Twelve times the mean of y_j y_k over a triangle, from its corners and centroid.
+        double mean = 9 * c[j] * c[k];
+        for (const Vector3& y : corners) mean += y[j] * y[k];
+        for (std::size_t i = 0; i < 3; ++i) t_[i][j][k] += n[i] * mean;
       }
     }
   }
@@ -94,9 +92,12 @@ class Multipoles {
   }
 
   std::array<float, 7> octupole() const {
+    const auto t = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return t_[i][std::max(j, k)][std::min(j, k)];
+    };
+    // Of the sums a mean of three, one half for T, one twelfth for the means over triangles.
     const auto symmetric = [&](std::size_t i, std::size_t j, std::size_t k) {
-      // t_ is already symmetric in its last two indices.
-      return (t_[i][j][k] + t_[j][k][i] + t_[k][i][j]) / 3;
+      return (t(i, j, k) + t(j, k, i) + t(k, i, j)) / 72;
     };
     const auto trace = [&](std::size_t k) {
       return symmetric(0, 0, k) + symmetric(1, 1, k) + symmetric(2, 2, k);
@@ -110,7 +111,8 @@ class Multipoles {
 
  private:
   std::array<std::array<double, 3>, 3> m_{};
-  std::array<std::array<std::array<double, 3>, 3>, 3> t_{};
+  std::array<std::array<std::array<double, 3>, 3>, 3> t_{};  ///< times 24; only where the second index is
+                                                             ///< not below the third, as T is symmetric
 };
 
 /// Relative to the mean of the surface, so that the volume of an open surface does not depend on its
@@ -169,9 +171,10 @@ WindingNumber::Cluster WindingNumber::make_cluster(const std::array<Vector3, 3>*
   Vector3 dipole{0, 0, 0}, centre{0, 0, 0};
   for (std::uint32_t t = 0; t < count; ++t) {
     const Vector3 n = area_vector(corners[t]);
-    area += norm(n);
+    const double here = norm(n);
+    area += here;
     dipole += n;
-    centre += norm(n) * centroid(corners[t]);
+    centre += here * centroid(corners[t]);
   }
   centre = area > 0 ? (1 / area) * centre : centroid(corners[0]);
 

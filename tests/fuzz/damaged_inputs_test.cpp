@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "files/temporary_folder.hpp"
-#include "fuzz/allocation_watch.hpp"
 #include "fuzz/made_inputs.hpp"
 #include "fuzz/mutation.hpp"
 #include "fuzz/reader_checks.hpp"
+#include "support/allocation_watch.hpp"
 
 namespace crossgrain {
 namespace {
@@ -20,7 +20,7 @@ class EveryReader : public testing::TestWithParam<ReaderUnderTest> {
  protected:
   /// How the reader broke its promise; empty where it kept it, having taken or refused the bytes.
   static std::string fault(std::string_view bytes, bool must_take = false) {
-    forget_allocations();
+    watch_allocations();
     try {
       if (!GetParam().check(bytes) && must_take) return "refused";
     } catch (const std::exception& exception) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "io/gmsh_files.hpp"
+#include "io/made_cad_answers.hpp"
 #include "io/medit_files.hpp"
 #include "io/result/report_file.hpp"
 #include "io/sample_field.hpp"
@@ -152,6 +153,11 @@ std::vector<std::string> made_cad() {
       "\nOpen CASCADE Topology V3 (c)\nLocations 0\n"};
 }
 
+std::vector<std::string> made_cad_answers() {
+  return {written(some_answer()), written({CadEnd::kFault, {}, {"is damaged", Remedy::kExportAgain}}),
+          written({CadEnd::kOutOfMemory, {}, {}})};
+}
+
 std::vector<std::string> made_constraints() {
   return {R"({"schema": 1,
  "points": [{"at": [30, 10, 10], "frame": [[1, 1, 0], [1, -1, 0], [0, 0, 1]]},
@@ -186,6 +192,7 @@ std::vector<std::string> made_inputs(std::string_view reader) {
   if (reader == "normals") return {"0 0 1\n1 0 0 2.5\n# none\n0.3 -4 1e-3 7\n"};
   if (reader == "constraints") return made_constraints();
   if (reader == "cad") return made_cad();
+  if (reader == "cad_answer") return made_cad_answers();
   throw std::logic_error("no inputs for " + std::string(reader));
 }
 

@@ -29,6 +29,7 @@ constexpr std::array kReaders = {
     ReaderUnderTest{"normals", check_normals},
     ReaderUnderTest{"constraints", check_constraints},
     ReaderUnderTest{"cad", check_cad},
+    ReaderUnderTest{"cad_answer", check_cad_answer},
 };
 
 }  // namespace

@@ -48,6 +48,9 @@ ReaderCheck check_report;
 /// What is looked at in a STEP, IGES or BREP file before OpenCASCADE sees it, which is not called.
 ReaderCheck check_cad;
 
+/// What crossgrain_cad writes, which a damaged CAD file may have taken over.
+ReaderCheck check_cad_answer;
+
 struct ReaderUnderTest {
   std::string_view name;  ///< of its fuzz target, dictionary and folder of regression inputs
   ReaderCheck* check;

@@ -5,12 +5,16 @@
 #include <signal.h>
 
 #include <chrono>
+#include <cmath>
+#include <cstring>
+#include <limits>
 #include <random>
 #include <thread>
 
 #include "base/system_memory.hpp"
 #include "crossgrain/version.hpp"
 #include "io/cad/cad_messages.hpp"
+#include "io/made_cad_answers.hpp"
 #include "io/made_cad_files.hpp"
 #include "io/surface_files.hpp"
 
@@ -74,32 +78,6 @@ std::string greeting() {
   return fmt::format("crossgrain_cad {}\n", kVersion);
 }
 
-/// What the program writes for an answer.
-std::string written(const CadAnswer& answer) {
-  std::FILE* file = std::tmpfile();
-  write_cad_greeting(file);
-  EXPECT_TRUE(write_cad_answer(file, answer));
-  std::string bytes(static_cast<std::size_t>(std::ftell(file)), '\0');
-  std::rewind(file);
-  EXPECT_EQ(std::fread(bytes.data(), 1, bytes.size(), file), bytes.size());
-  std::fclose(file);
-  return bytes;
-}
-
-CadAnswer some_answer() {
-  CadAnswer answer;
-  answer.mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}};
-  answer.mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-  answer.mesh.faces = {1, 2, 3, 4};
-  answer.mesh.solids = {0, 0, 0, 0};
-  answer.mesh.creases = {{{{0, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}, 5}};
-  answer.mesh.unit = "mm";
-  answer.mesh.file_unit = "inch";
-  answer.mesh.warnings = {{WarningKind::kUnknownUnit, "one"},
-                          {WarningKind::kMissingFaces, {"", "face 3", "another", Remedy::kRepairFile}}};
-  return answer;
-}
-
 TEST(CadProcess, HandsOverTheWholeMesh) {
   TriangleMesh sent = some_answer().mesh;
   const TriangleMesh got = FakeReader(saying(written(some_answer()))).read();
@@ -161,6 +139,58 @@ TEST(CadProcess, BelievesNoAnswerThatContradictsItself) {
   answer = some_answer();
   answer.mesh.creases[0].tangents.clear();
   EXPECT_FALSE(cad_answer_in(written(answer)));
+}
+
+TEST(CadProcess, BelievesNoAnswerBeyondALimit) {
+  const auto is_believed = [](const auto& change) {
+    CadAnswer answer = some_answer();
+    change(answer);
+    return cad_answer_in(written(answer)).has_value();
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNone = std::nan("");
+  EXPECT_TRUE(is_believed([](CadAnswer& a) { a.mesh.unit.assign(kMostCadTextBytes, 'm'); }));
+  EXPECT_TRUE(is_believed([](CadAnswer& a) { a.mesh.warnings.resize(kMostCadWarnings); }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.unit.assign(kMostCadTextBytes + 1, 'm'); }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.warnings.resize(kMostCadWarnings + 1); }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.warnings[0].text = "\x1b[2J"; }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.fault.text = "two\nlines"; }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.warnings[0].kind = static_cast<WarningKind>(-1); }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.warnings[0].remedy = static_cast<Remedy>(1000); }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.end = static_cast<CadEnd>(3); }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.solids[0] = -1; }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.faces[0] = -1; }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.vertices[0][2] = kInfinity; }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.corner_normals.assign(4, {Vector3{kNone, 0, 0}}); }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.creases[0].tangents[1][0] = kNone; }));
+}
+
+/// Eight bytes anywhere replaced by numbers that no list can have, or that look like one that it can.
+TEST(CadProcess, SurvivesEveryLengthInEveryPlace) {
+  const std::string sound = written(some_answer());
+  for (const std::uint64_t length : {std::uint64_t{1}, std::uint64_t{1000}, std::uint64_t{1} << 32,
+                                     std::uint64_t{1} << 60, UINT64_MAX / 24 + 1, UINT64_MAX}) {
+    for (std::size_t at = greeting().size(); at + sizeof length <= sound.size(); ++at) {
+      std::string bytes = sound;
+      std::memcpy(bytes.data() + at, &length, sizeof length);
+      cad_answer_in(bytes);
+    }
+  }
+}
+
+TEST(CadProcess, RefusesRequestsThatAreNone) {
+  CadRequest request{"part.step", CadFormat::kIges, {}, 4711};
+  const std::vector<std::string> sound = arguments_of(request);
+  ASSERT_TRUE(cad_request_of(sound));
+  EXPECT_FALSE(cad_request_of({}));
+  EXPECT_FALSE(cad_request_of({sound.begin(), sound.end() - 1}));
+  for (std::size_t i = 0; i + 1 < sound.size(); ++i) {
+    for (const char* other : {"", "-", "1x", "99999999999999999999999"}) {
+      std::vector<std::string> arguments = sound;
+      arguments[i] = other;
+      const bool is_large_number = i >= 4 && i <= 9 && i != 8 && std::string_view(other).size() > 2;
+      EXPECT_EQ(cad_request_of(arguments).has_value(), is_large_number) << i << " " << other;
+    }
+  }
 }
 
 /// Whatever bytes a crash leaves behind: no crash here, and no memory beyond them.
@@ -252,6 +282,19 @@ TEST(CadProcess, StartsWithNoFilesSignalsAndChatterOfThisOne) {
   EXPECT_EQ(content_of(reader.folder() / "files"), "0\n1\n2\n3\n4\n");  // 4 is the folder that is listed
   EXPECT_EQ(content_of(reader.folder() / "signals").find_first_of("123456789abcdef", 60), std::string::npos)
       << content_of(reader.folder() / "signals");
+}
+
+TEST(CadProcess, HasTheArithmeticOfAllProcessorsWhateverThisOneHas) {
+  const FakeReader reader("env > \"$(dirname \"$0\")/variables\"; " + saying(written(some_answer())));
+  ::setenv("GLIBC_TUNABLES", "glibc.malloc.check=0", 1);
+  ::setenv("CROSSGRAIN_TEST", "kept", 1);
+  reader.read();
+  ::unsetenv("GLIBC_TUNABLES");
+  ::unsetenv("CROSSGRAIN_TEST");
+  const std::string variables = "\n" + content_of(reader.folder() / "variables");
+  EXPECT_NE(variables.find("\nGLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4\n"), std::string::npos) << variables;
+  EXPECT_EQ(variables.find("glibc.malloc"), std::string::npos);
+  EXPECT_NE(variables.find("\nCROSSGRAIN_TEST=kept\n"), std::string::npos);
 }
 
 TEST(CadProcess, WorksWhereThisOneDoesNotWaitForItsChildren) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -46,7 +47,7 @@ class Writer {
 
   /// Writes a vector whose items `write` writes one by one.
   template <class Items, class Each>
-  void list(const Items& items, const Each& write) {
+  void list(const Items& items, std::size_t, const Each& write) {
     value(static_cast<std::uint64_t>(items.size()));
     for (const auto& item : items) write(item);
   }
@@ -79,9 +80,10 @@ class Reader {
     bytes(items.data(), items.size() * kItem);
   }
 
+  /// `least_bytes` is the size of the shortest item in the answer.
   template <class Items, class Each>
-  void list(Items& items, const Each& read) {
-    items.resize(count(sizeof(std::uint64_t)));
+  void list(Items& items, std::size_t least_bytes, const Each& read) {
+    items.resize(count(least_bytes));
     for (auto& item : items) read(item);
   }
 
@@ -109,6 +111,11 @@ class Reader {
   bool sound_ = true;
 };
 
+/// Bytes of a crease and of a warning without points and text: numbers of items, tag, kind and remedy.
+constexpr std::size_t kCountBytes = sizeof(std::uint64_t);
+constexpr std::size_t kLeastCreaseBytes = 2 * kCountBytes + sizeof(CreaseCurve::tag);
+constexpr std::size_t kLeastWarningBytes = 3 * kCountBytes + sizeof(WarningKind) + sizeof(Remedy);
+
 /// Defines the contents of an answer and their order, for reading and writing.
 template <class Stream, class Answer>
 void exchange(Stream& stream, Answer& answer) {
@@ -121,14 +128,14 @@ void exchange(Stream& stream, Answer& answer) {
   stream.items(mesh.faces);
   stream.items(mesh.solids);
   stream.items(mesh.corner_normals);
-  stream.list(mesh.creases, [&stream](auto& crease) {
+  stream.list(mesh.creases, kLeastCreaseBytes, [&stream](auto& crease) {
     stream.items(crease.points);
     stream.items(crease.tangents);
     stream.value(crease.tag);
   });
   stream.items(mesh.unit);
   stream.items(mesh.file_unit);
-  stream.list(mesh.warnings, [&stream](auto& warning) {
+  stream.list(mesh.warnings, kLeastWarningBytes, [&stream](auto& warning) {
     stream.value(warning.kind);
     stream.items(warning.file);
     stream.items(warning.place);
@@ -141,18 +148,44 @@ bool is_known(Remedy remedy) {
   return remedy >= Remedy::kNone && remedy <= Remedy::kReportModel;
 }
 
+/// Returns whether a text is one line that can be shown.
+bool is_line(std::string_view text) {
+  return text.size() <= kMostCadTextBytes &&
+         std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+}
+
+bool is_sound(const Warning& warning) {
+  return warning.kind >= WarningKind{} && warning.kind <= WarningKind::kNotFinite &&
+         is_known(warning.remedy) && is_line(warning.file) && is_line(warning.place) && is_line(warning.text);
+}
+
+bool are_finite(std::span<const Vector3> vectors) {
+  return std::all_of(vectors.begin(), vectors.end(), [](const Vector3& v) {
+    return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+  });
+}
+
+bool is_sound(const CreaseCurve& crease) {
+  return crease.points.size() == crease.tangents.size() && are_finite(crease.points) &&
+         are_finite(crease.tangents);
+}
+
+bool are_numbers(const std::vector<std::int32_t>& items) {
+  return std::all_of(items.begin(), items.end(), [](std::int32_t item) { return item >= 0; });
+}
+
 /// Returns whether a mesh is consistent with the documentation of TriangleMesh.
 bool is_consistent(const TriangleMesh& mesh) {
   const std::size_t vertices = mesh.vertices.size(), triangles = mesh.triangles.size();
   const auto belongs = [triangles](const auto& items) { return items.empty() || items.size() == triangles; };
   return belongs(mesh.faces) && belongs(mesh.solids) && belongs(mesh.corner_normals) &&
-         std::all_of(
-             mesh.creases.begin(), mesh.creases.end(),
-             [](const CreaseCurve& crease) { return crease.points.size() == crease.tangents.size(); }) &&
+         are_numbers(mesh.faces) && are_numbers(mesh.solids) && are_finite(mesh.vertices) &&
+         std::all_of(mesh.corner_normals.begin(), mesh.corner_normals.end(), are_finite) &&
+         std::all_of(mesh.creases.begin(), mesh.creases.end(),
+                     [](const CreaseCurve& crease) { return is_sound(crease); }) &&
+         is_line(mesh.unit) && is_line(mesh.file_unit) && mesh.warnings.size() <= kMostCadWarnings &&
          std::all_of(mesh.warnings.begin(), mesh.warnings.end(),
-                     [](const Warning& warning) {
-                       return warning.kind <= WarningKind::kLeftOutTets && is_known(warning.remedy);
-                     }) &&
+                     [](const Warning& warning) { return is_sound(warning); }) &&
          std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [vertices](const auto& triangle) {
            return std::all_of(triangle.begin(), triangle.end(), [vertices](auto v) { return v < vertices; });
          });
@@ -225,7 +258,7 @@ std::optional<CadAnswer> cad_answer_in(std::string_view written) {
   CadAnswer answer;
   exchange(reader, answer);
   if (!reader.sound() || reader.rest() != kTrailer || answer.end > CadEnd::kOutOfMemory ||
-      !is_known(answer.fault.remedy) || !is_consistent(answer.mesh))
+      !is_known(answer.fault.remedy) || !is_line(answer.fault.text) || !is_consistent(answer.mesh))
     return std::nullopt;
   return answer;
 }

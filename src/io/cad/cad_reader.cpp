@@ -28,6 +28,10 @@ using End = HelperOutcome::End;
 /// Exit status when the dynamic linker finds a library missing.
 constexpr int kLibrariesMissing = 127;
 
+/// Sines and the like of the GNU C library differ in the last bit between processors with and without fused
+/// multiply-add, and with them OpenCASCADE's triangles. All processors have the variants without.
+constexpr const char* kOneArithmetic = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4";
+
 constexpr double kSecondsPerByte = 10e-6;
 
 std::filesystem::path cad_program(const InputFile& file, const ReadOptions& options) {
@@ -90,6 +94,12 @@ HelperOutcome outcome_of(const InputFile& file, const HelperRun& run, const Moni
   try {
     return run_helper(run, monitor);
   } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again)
+      throw Error(ErrorKind::kLimit,
+                  {file.name(), "",
+                   "the system starts no more processes, and CAD files are read in one; end some, or raise "
+                   "their limit (ulimit -u)",
+                   Remedy::kNone});
     fail_input(file, {},
                fmt::format("the reader of CAD files, {}, cannot be started: {}", run.program.string(),
                            error.code().message()),
@@ -114,7 +124,9 @@ TriangleMesh read_cad(const InputFile& file, CadFormat format, const ReadOptions
   check_range(options.read_seconds, std::numeric_limits<double>::max(), "read_seconds");
   CadRequest request{file.name(), format, options, ::getpid()};
   request.options.max_memory_bytes = memory_for_helper(file, options);
-  const HelperRun run{cad_program(file, options), arguments_of(request),
+  const HelperRun run{cad_program(file, options),
+                      arguments_of(request),
+                      {kOneArithmetic},
                       options.read_seconds + kSecondsPerByte * static_cast<double>(file.bytes().size()),
                       request.options.max_memory_bytes};
   const HelperOutcome outcome = outcome_of(file, run, monitor);

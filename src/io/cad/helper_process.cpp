@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <chrono>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -79,19 +80,38 @@ class Attributes {
   posix_spawnattr_t attributes_;
 };
 
+std::vector<char*> pointers_to(const std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(const_cast<char*>(text.c_str()));
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// Returns the environment of this process with some settings added or replaced.
+std::vector<std::string> environment_with(const std::vector<std::string>& settings) {
+  std::vector<std::string> all = settings;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string_view text = *variable, name = text.substr(0, text.find('='));
+    const bool is_set = std::any_of(settings.begin(), settings.end(), [name](const std::string& setting) {
+      return setting.starts_with(name) && setting.substr(name.size()).starts_with('=');
+    });
+    if (!is_set) all.emplace_back(text);
+  }
+  return all;
+}
+
 /// A process that is killed when this object is destroyed.
 class Child {
  public:
   Child(const HelperRun& run, int answer) {
     const std::string program = run.program.string();
-    std::vector<char*> arguments{const_cast<char*>(program.c_str())};
-    for (const std::string& argument : run.arguments)
-      arguments.push_back(const_cast<char*>(argument.c_str()));
-    arguments.push_back(nullptr);
+    std::vector<std::string> words{program};
+    words.insert(words.end(), run.arguments.begin(), run.arguments.end());
+    const std::vector<std::string> environment = environment_with(run.environment);
     const FileActions actions(answer);
     const Attributes attributes;
-    require(::posix_spawn(&process_, program.c_str(), actions.get(), attributes.get(), arguments.data(),
-                          environ));
+    require(::posix_spawn(&process_, program.c_str(), actions.get(), attributes.get(),
+                          pointers_to(words).data(), pointers_to(environment).data()));
   }
   ~Child() {
     if (!is_waited_for_) kill_and_wait();

@@ -16,8 +16,9 @@ inline constexpr int kAnswerDescriptor = 3;
 struct HelperRun {
   std::filesystem::path program;
   std::vector<std::string> arguments;
-  double seconds;                ///< it is killed after this time
-  std::size_t max_answer_bytes;  ///< it is killed if its answer is longer
+  std::vector<std::string> environment;  ///< NAME=VALUE, beside or in place of the variables of this process
+  double seconds;                        ///< it is killed after this time
+  std::size_t max_answer_bytes;          ///< it is killed if its answer is longer
 };
 
 struct HelperOutcome {

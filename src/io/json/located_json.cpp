@@ -9,6 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
+#include "base/parallel.hpp"
+#include "files/read_memory.hpp"
+
 namespace crossgrain {
 namespace {
 
@@ -17,7 +20,10 @@ class ReadPosition {
  public:
   explicit ReadPosition(std::string_view bytes) : bytes_(bytes) {}
 
-  void advance() { ++read_; }
+  void advance() {
+    ++read_;
+    checkpoint_.pass();
+  }
 
   /// Returns the 1-based line of the last token. To find the end of a number the parser has read one
   /// character more, possibly a line end; no token ends with one.
@@ -38,6 +44,7 @@ class ReadPosition {
 
  private:
   std::string_view bytes_;
+  Checkpoint checkpoint_;
   std::size_t read_ = 0, counted_ = 0, line_ = 1, line_begin_ = 0;
 };
 
@@ -123,7 +130,8 @@ class LocatedJsonBuilder {
 
   bool add(LocatedJson::Kind kind, double number = 0) {
     const auto next = static_cast<std::uint32_t>(json_.nodes_.size() + 1);
-    json_.nodes_.push_back({static_cast<std::uint32_t>(position_.line()), next, number, key_, kind});
+    append_within_memory(json_.file_->name(), json_.nodes_,
+                         {static_cast<std::uint32_t>(position_.line()), next, number, key_, kind});
     return true;
   }
 
@@ -143,7 +151,7 @@ class LocatedJsonBuilder {
   /// Returns the index of a text in texts_; each text is stored once, since keys repeat.
   std::uint32_t place_of(const std::string& text) {
     const auto [found, is_new] = places_.emplace(text, static_cast<std::uint32_t>(json_.texts_.size()));
-    if (is_new) json_.texts_.push_back(text);
+    if (is_new) append_within_memory(json_.file_->name(), json_.texts_, text);
     return found->second;
   }
 

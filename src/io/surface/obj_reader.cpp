@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "files/read_memory.hpp"
 #include "io/surface/surface_builder.hpp"
 #include "io/surface/surface_reader.hpp"
 #include "io/text/text_scanner.hpp"
@@ -51,7 +52,8 @@ class ObjReader {
     for (std::string_view word = scanner.word(); !word.empty(); word = scanner.word()) {
       const std::int64_t index = scanner.integer(word.substr(0, word.find('/')), "the number of a vertex");
       if (index == 0) fail_input(file_, place, "a face refers to vertex 0, but vertices are numbered from 1");
-      corners_.push_back(index > 0 ? index - 1 : static_cast<std::int64_t>(vertices_so_far) + index);
+      append_within_memory(file_.name(), corners_,
+                           index > 0 ? index - 1 : static_cast<std::int64_t>(vertices_so_far) + index);
     }
     builder_.add_polygon(corners_, place);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "files/read_memory.hpp"
 #include "io/surface/surface_builder.hpp"
 #include "io/surface/surface_reader.hpp"
 #include "io/text/text_scanner.hpp"
@@ -81,7 +82,8 @@ class OffReader {
     if (count < 0) scanner_.fail(fmt::format("a face of {} corners", count));
     corners_.clear();
     for (std::int64_t i = 0; i < count; ++i)
-      corners_.push_back(scanner_.integer(scanner_.word_anywhere(), "the number of a vertex"));
+      append_within_memory(scanner_.file().name(), corners_,
+                           scanner_.integer(scanner_.word_anywhere(), "the number of a vertex"));
     builder_.add_polygon(corners_, scanner_.place());
     scanner_.next_line();
   }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "files/read_memory.hpp"
 #include "io/surface/ply_header.hpp"
 #include "io/surface/surface_builder.hpp"
 #include "io/surface/surface_reader.hpp"
@@ -131,7 +132,8 @@ class PlyBodyReader {
   void read_corners(const PlyProperty& property) {
     const std::uint64_t length = list_length(property);
     corners_.clear();
-    for (std::uint64_t i = 0; i < length; ++i) corners_.push_back(values_.integer(property.type, "an index"));
+    for (std::uint64_t i = 0; i < length; ++i)
+      append_within_memory(file_.name(), corners_, values_.integer(property.type, "an index"));
   }
 
   const InputFile& file_;

@@ -8,11 +8,13 @@
 #include <limits>
 #include <utility>
 
+#include "files/read_memory.hpp"
+
 namespace crossgrain {
 
 void SurfaceBuilder::reserve(std::size_t vertices, std::size_t triangles) {
-  mesh_.vertices.reserve(vertices);
-  mesh_.triangles.reserve(triangles);
+  reserve_more(file_->name(), mesh_.vertices, vertices - std::min(vertices, mesh_.vertices.size()));
+  reserve_more(file_->name(), mesh_.triangles, triangles);
 }
 
 void SurfaceBuilder::add_vertex(const Vector3& position, const Place& place) {
@@ -21,21 +23,24 @@ void SurfaceBuilder::add_vertex(const Vector3& position, const Place& place) {
   }
   if (mesh_.vertices.size() >= std::numeric_limits<std::uint32_t>::max())
     fail_input(*file_, place, "more than 4294967295 vertices", Remedy::kSimplify);
-  mesh_.vertices.push_back(position);
+  checkpoint_.pass();
+  append_within_memory(file_->name(), mesh_.vertices, position);
 }
 
 void SurfaceBuilder::add_polygon(std::span<const std::int64_t> corners, const Place& place) {
+  checkpoint_.pass();
   corners_.clear();
   for (const std::int64_t corner : corners) {
     if (corner < 0 || static_cast<std::size_t>(corner) >= mesh_.vertices.size())
       fail_out_of_range(corner, place);
-    corners_.push_back(static_cast<std::uint32_t>(corner));
+    append_within_memory(file_->name(), corners_, static_cast<std::uint32_t>(corner));
   }
   if (corners_.size() > 3) {
     corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
     while (corners_.size() > 3 && corners_.front() == corners_.back()) corners_.pop_back();
   }
   if (corners_.size() < 3) return;
+  reserve_more(file_->name(), mesh_.triangles, corners_.size() - 2);
   if (!triangulator_.triangulate(corners_, mesh_.vertices, mesh_.triangles))
     fail_input(
         *file_, place,

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "crossgrain/types.hpp"
 #include "files/input_file.hpp"
 #include "io/surface/polygon.hpp"
@@ -40,6 +41,7 @@ class SurfaceBuilder {
 
   const InputFile* file_;
   int first_index_;
+  Checkpoint checkpoint_;
   TriangleMesh mesh_;
   PolygonTriangulator triangulator_;
   std::vector<std::uint32_t> corners_;

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "crossgrain/error.hpp"
+#include "crossgrain/read_limits.hpp"
 #include "files/read_memory.hpp"
 #include "io/tets/tet_reader.hpp"
 #include "io/text/file_signature.hpp"
@@ -71,14 +72,13 @@ bool is_read_by(const SurfaceFormat& format, const FileSignature& signature) {
 /// Memory of the file and the mesh together relative to the file size (bench/read_surfaces, rounded).
 constexpr double kMemoryOverFile = 2;
 
-void check_memory(const std::filesystem::path& path, const SurfaceFormat* format,
-                  const ReadOptions& options) {
+void check_memory(const std::filesystem::path& path, const SurfaceFormat* format) {
   std::error_code ignored;
   const std::uintmax_t size = std::filesystem::file_size(path, ignored);
   // InputFile reports it if there is no file.
   if (ignored || size == 0) return;
   const bool is_cad = format != nullptr && format->is_cad;
-  check_read_memory(path.string(), size, is_cad ? 1 : kMemoryOverFile, options.max_memory_bytes);
+  require_read_memory(path.string(), (is_cad ? 1 : kMemoryOverFile) * static_cast<double>(size));
 }
 
 /// Returns the surface as in the file. The bytes of the file are released on return.
@@ -86,7 +86,7 @@ TriangleMesh read_unwelded(const std::filesystem::path& path, const ReadOptions&
                            const Monitor& monitor) {
   const std::string extension = path.extension().string();
   const SurfaceFormat* format = format_of(extension);
-  check_memory(path, format, options);
+  check_memory(path, format);
   const InputFile file(path);
   if (format == nullptr) fail_unknown_extension(file, extension);
   try {
@@ -108,6 +108,7 @@ bool is_cad_file(const std::filesystem::path& path) {
 
 TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& options,
                           const Monitor& monitor) {
+  const ReadLimits limits(monitor, options.max_memory_bytes);
   return weld(read_unwelded(path, options, monitor));
 }
 

@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "files/read_memory.hpp"
 #include "io/tets/gmsh_elements.hpp"
 
 namespace crossgrain {
@@ -49,6 +50,13 @@ void GmshMesh::read_entity(NumberStream& in, int dimension) {
   if (dimension > 0) in.skip(kInt, count(in, size_type_, 1, kInt, "the number of bounding entities"));
 }
 
+void GmshMesh::reserve_nodes(std::uint64_t nodes) {
+  // The table of numbers may be needed too.
+  require_read_memory(file_->name(),
+                      static_cast<double>(nodes) * (sizeof(Vector3) + NodeNumbers::kMostBytesANode));
+  builder_.reserve_vertices(nodes);
+}
+
 void GmshMesh::read_node(NumberStream& in) {
   const Place place = in.place("node", builder_.vertex_count());
   Vector3 position;
@@ -65,7 +73,7 @@ void GmshMesh::read_nodes_4(NumberStream& in) {
   const std::uint64_t blocks = count(in, size_type_, 4, kInt, "the number of blocks of nodes");
   const std::uint64_t nodes = count(in, size_type_, 4, kInt, "the number of nodes");
   in.skip(size_type_, 2);  // least and largest number
-  builder_.reserve_vertices(nodes);
+  reserve_nodes(nodes);
   for (std::uint64_t block = 0; block < blocks; ++block) {
     const std::int64_t dimension = in.integer(kInt, "the dimension of an entity");
     in.skip(kInt, 1);  // tag
@@ -85,7 +93,7 @@ void GmshMesh::read_nodes_4(NumberStream& in) {
 
 void GmshMesh::read_nodes_2(NumberStream& in, std::int64_t count) {
   const std::uint64_t nodes = in.checked_count(count, 4, kInt, "the number of nodes");
-  builder_.reserve_vertices(nodes);
+  reserve_nodes(nodes);
   for (std::uint64_t i = 0; i < nodes; ++i) {
     numbers_.add(in.integer(kInt, "the number of a node"));
     read_node(in);

@@ -41,6 +41,7 @@ class GmshMesh {
   std::uint64_t count(NumberStream& in, NumberType type, std::uint64_t least, NumberType least_type,
                       const char* what) const;
   void read_entity(NumberStream& in, int dimension);
+  void reserve_nodes(std::uint64_t nodes);
   void read_node(NumberStream& in);
   void finish_nodes(NumberStream& in);
   const CellType& element_type(NumberStream& in) const;

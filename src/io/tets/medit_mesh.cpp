@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "files/read_memory.hpp"
+
 namespace crossgrain {
 namespace {
 
@@ -88,7 +90,7 @@ void MeditMesh::read_rows(NumberStream& rows, const MeditSection& section, std::
     case MeditContent::kRidges:
       ridges_place_ = rows.place("ridge", 0);
       for (std::uint64_t i = 0; i < count; ++i)
-        ridges_.push_back(rows.integer(numbers_.integer, "the number of an edge"));
+        append_within_memory(file_->name(), ridges_, rows.integer(numbers_.integer, "the number of an edge"));
       return;
   }
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/parallel.hpp"
+
 namespace crossgrain {
 
 void NodeNumbers::add(std::int64_t number) {
@@ -22,7 +24,11 @@ void NodeNumbers::add(std::int64_t number) {
 }
 
 std::optional<std::int64_t> NodeNumbers::finish() {
-  std::sort(pairs_.begin(), pairs_.end());
+  Checkpoint checkpoint;
+  std::sort(pairs_.begin(), pairs_.end(), [&](const auto& a, const auto& b) {
+    checkpoint.pass();
+    return a < b;
+  });
   const auto twice = std::adjacent_find(pairs_.begin(), pairs_.end(),
                                         [](const auto& a, const auto& b) { return a.first == b.first; });
   if (twice != pairs_.end()) return twice->first;

@@ -22,6 +22,9 @@ class NodeNumbers {
   /// Returns the 0-based index of the node with a number; nothing if there is none.
   std::optional<std::int64_t> index_of(std::int64_t number) const;
 
+  /// Twice a pair, while the table grows.
+  static constexpr std::size_t kMostBytesANode = 2 * sizeof(std::pair<std::int64_t, std::uint32_t>);
+
  private:
   bool is_run() const { return pairs_.empty(); }
 

@@ -8,18 +8,13 @@
 #include <limits>
 #include <string>
 
+#include "files/read_memory.hpp"
+
 namespace crossgrain {
 namespace {
 
 /// The six edges of each tet have 32-bit numbers (tets/stiffness.cpp).
 constexpr std::size_t kMostTets = UINT32_MAX / 6;
-
-/// Exact the first time, doubling afterwards, for files with many blocks.
-template <class T>
-void reserve_more(std::vector<T>& values, std::size_t more) {
-  const std::size_t needed = values.size() + more;
-  if (needed > values.capacity()) values.reserve(std::max(needed, 2 * values.capacity()));
-}
 
 const char* singular_of(CellShape shape) {
   return shape == CellShape::kEdge ? "an edge" : shape == CellShape::kTriangle ? "a triangle" : "a tet";
@@ -28,13 +23,13 @@ const char* singular_of(CellShape shape) {
 }  // namespace
 
 void TetBuilder::reserve_vertices(std::size_t more) {
-  reserve_more(mesh_.vertices, more);
+  reserve_more(file_->name(), mesh_.vertices, more);
 }
 
 void TetBuilder::reserve_tets(std::size_t more) {
   if (more > kMostTets - std::min(kMostTets, mesh_.tets.size()))
     fail_input(*file_, {}, fmt::format("more than {} tets", kMostTets), Remedy::kSimplify);
-  reserve_more(mesh_.tets, more);
+  reserve_more(file_->name(), mesh_.tets, more);
 }
 
 void TetBuilder::add_vertex(const Vector3& position, const Place& place) {
@@ -43,7 +38,8 @@ void TetBuilder::add_vertex(const Vector3& position, const Place& place) {
   }
   if (mesh_.vertices.size() >= std::numeric_limits<std::uint32_t>::max())
     fail_input(*file_, place, "more than 4294967295 vertices", Remedy::kSimplify);
-  mesh_.vertices.push_back(position);
+  checkpoint_.pass();
+  append_within_memory(file_->name(), mesh_.vertices, position);
 }
 
 std::uint32_t TetBuilder::checked_index(std::int64_t node, CellShape shape, const Place& place) const {
@@ -67,6 +63,7 @@ std::int32_t TetBuilder::checked_tag(std::int64_t tag, const Place& place) const
 
 void TetBuilder::add_cell(const CellType& type, std::span<const std::int64_t> nodes,
                           std::optional<std::int64_t> tag, const Place& place, bool is_stated) {
+  checkpoint_.pass();
   const auto index = [&](std::size_t corner) { return checked_index(nodes[corner], type.shape, place); };
   switch (type.shape) {
     case CellShape::kPassedOver:
@@ -74,15 +71,17 @@ void TetBuilder::add_cell(const CellType& type, std::span<const std::int64_t> no
     case CellShape::kOtherSolid:
       return count_other_solids(type, 1, place);
     case CellShape::kEdge:
-      mesh_.feature_edges.push_back({{index(0), index(1)}, checked_tag(tag.value_or(0), place), is_stated});
+      append_within_memory(file_->name(), mesh_.feature_edges,
+                           {{index(0), index(1)}, checked_tag(tag.value_or(0), place), is_stated});
       return;
     case CellShape::kTriangle:
-      mesh_.feature_faces.push_back({{index(0), index(1), index(2)}, checked_tag(tag.value_or(0), place)});
+      append_within_memory(file_->name(), mesh_.feature_faces,
+                           {{index(0), index(1), index(2)}, checked_tag(tag.value_or(0), place)});
       return;
     case CellShape::kTet:
       if (mesh_.tets.size() >= kMostTets) reserve_tets(1);
-      mesh_.tets.push_back({index(0), index(1), index(2), index(3)});
-      if (tag) mesh_.regions.push_back(checked_tag(*tag, place));
+      append_within_memory(file_->name(), mesh_.tets, {index(0), index(1), index(2), index(3)});
+      if (tag) append_within_memory(file_->name(), mesh_.regions, checked_tag(*tag, place));
       if (type.nodes != corners_of(type.shape)) ++curved_tets_;
       return;
   }

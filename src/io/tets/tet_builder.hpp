@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "crossgrain/types.hpp"
 #include "files/input_file.hpp"
 
@@ -87,6 +88,7 @@ class TetBuilder {
 
   const InputFile* file_;
   int first_index_;
+  Checkpoint checkpoint_;
   TetMesh mesh_;
   std::size_t curved_tets_ = 0;
   std::vector<std::pair<const CellType*, std::uint64_t>> other_solids_;

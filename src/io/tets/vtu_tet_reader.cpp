@@ -98,10 +98,12 @@ class VtuTetReader {
   std::optional<std::string> unpack(const DataArray& array) const {
     const std::string_view bytes = file_->bytes();
     if (array.format == "binary")
-      return unpack_vtu_data(bytes.substr(array.begin, array.end - array.begin), true, header_.package);
+      return unpack_vtu_data(file_->name(), bytes.substr(array.begin, array.end - array.begin), true,
+                             header_.package);
     if (array.format != "appended" || !header_.appended || array.offset > appended_.size())
       return std::nullopt;
-    return unpack_vtu_data(appended_.substr(array.offset), header_.appended->is_base64, header_.package);
+    return unpack_vtu_data(file_->name(), appended_.substr(array.offset), header_.appended->is_base64,
+                           header_.package);
   }
 
   void add_points() {

@@ -21,6 +21,7 @@ void NumberStream::fail(const std::string& text, Remedy remedy) const {
 
 template <class T>
 T NumberStream::take() {
+  checkpoint_.pass();
   if (bytes_.size() - position_ < sizeof(T))
     fail(array_.empty() ? "the file ends here: cut short" : "holds fewer numbers than it should",
          Remedy::kCopyAgain);

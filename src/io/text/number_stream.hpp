@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/parallel.hpp"
 #include "files/input_file.hpp"
 #include "io/text/number_type.hpp"
 #include "io/text/text_scanner.hpp"
@@ -77,6 +78,7 @@ class NumberStream {
   std::string_view bytes_;
   std::size_t position_ = 0;
   bool swapped_ = false;
+  Checkpoint checkpoint_;
   std::string array_;
   Place element_;
 };

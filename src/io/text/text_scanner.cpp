@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.hpp"
+
 namespace crossgrain {
 namespace {
 
@@ -87,7 +89,16 @@ bool TextScanner::skip_continuation() {
   return true;
 }
 
+void TextScanner::check_stop() {
+  // Takes some milliseconds to read.
+  constexpr std::size_t kBetween = std::size_t{1} << 20;
+  if (position_ < next_check_) return;
+  check_watched();
+  next_check_ = position_ + kBetween;
+}
+
 std::string_view TextScanner::word() {
+  check_stop();
   do {
     while (position_ < text_.size() && character(text_[position_]) == Character::kBlank) ++position_;
     if (at_line_end()) return {};
@@ -114,6 +125,7 @@ std::string_view TextScanner::word_anywhere() {
 }
 
 bool TextScanner::next_line() {
+  check_stop();
   for (;;) {
     const std::size_t begin = position_;
     while (!at_line_end()) ++position_;

@@ -52,12 +52,14 @@ class TextScanner {
   bool at_line_end() const;
   void skip_line_end();
   bool skip_continuation();
+  void check_stop();
 
   const InputFile* file_;
   std::string_view text_;
   Syntax syntax_;
   std::size_t position_;
   std::size_t line_;
+  std::size_t next_check_ = 0;  ///< position from which a stop is looked for
 };
 
 /// Returns whether two words are equal up to the case of their letters.

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "base/parallel.hpp"
+#include "files/read_memory.hpp"
 #include "io/vtu/zlib_blocks.hpp"
 
 namespace crossgrain {
@@ -48,6 +50,7 @@ class PackedBytes {
       return true;
     }
     for (std::uint64_t i = 0; i < count; ++i) {
+      checkpoint_.pass();
       if (group_begin_ == group_size_ && !decode_group()) return false;
       out[i] = group_[group_begin_++];
     }
@@ -78,12 +81,13 @@ class PackedBytes {
   std::size_t position_ = 0;
   std::array<char, 3> group_{};  ///< decoded bytes; those from group_begin_ on are unread
   std::size_t group_begin_ = 0, group_size_ = 0;
+  Checkpoint checkpoint_;
 };
 
 class Unpacker {
  public:
-  Unpacker(std::string_view text, bool is_base64, const VtuPackage& package)
-      : bytes_(text, is_base64), package_(package) {}
+  Unpacker(const std::string& name, std::string_view text, bool is_base64, const VtuPackage& package)
+      : name_(name), bytes_(text, is_base64), package_(package) {}
 
   std::optional<std::string> unpack() { return package_.is_compressed ? inflate() : copy(); }
 
@@ -102,6 +106,7 @@ class Unpacker {
   std::optional<std::string> copy() {
     std::uint64_t size = 0;
     if (!read_words({&size, 1}) || size > bytes_.most_left()) return std::nullopt;
+    require_read_memory(name_, static_cast<double>(size));
     std::string out(size, '\0');
     if (!bytes_.read(out.data(), size)) return std::nullopt;
     return out;
@@ -123,19 +128,21 @@ class Unpacker {
     for (std::size_t i = 0; i < blocks->count(); ++i) {
       compressed.resize(sizes[i]);
       if (!bytes_.read(reinterpret_cast<char*>(compressed.data()), compressed.size())) return std::nullopt;
-      if (!inflate_onto(out, compressed, blocks->raw_size(i))) return std::nullopt;
+      if (!inflate_onto(name_, out, compressed, blocks->raw_size(i))) return std::nullopt;
     }
     return out;
   }
 
+  const std::string& name_;  ///< of the file
   PackedBytes bytes_;
   const VtuPackage& package_;
 };
 
 }  // namespace
 
-std::optional<std::string> unpack_vtu_data(std::string_view text, bool is_base64, const VtuPackage& package) {
-  return Unpacker(text, is_base64, package).unpack();
+std::optional<std::string> unpack_vtu_data(const std::string& name, std::string_view text, bool is_base64,
+                                           const VtuPackage& package) {
+  return Unpacker(name, text, is_base64, package).unpack();
 }
 
 }  // namespace crossgrain

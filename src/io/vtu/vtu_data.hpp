@@ -22,7 +22,9 @@ struct VtuPackage {
 
 /// Returns the decoded bytes, in the byte order of the file, of the array at the start of `text`, which is
 /// base64 or raw and may continue beyond the array. Nothing if it is cut short or damaged. Allocates memory
-/// for what `text` contains, not for what it claims.
-std::optional<std::string> unpack_vtu_data(std::string_view text, bool is_base64, const VtuPackage& package);
+/// for what `text` contains, not for what it claims, and within the limits of reading the file `name`
+/// (files/read_memory.hpp).
+std::optional<std::string> unpack_vtu_data(const std::string& name, std::string_view text, bool is_base64,
+                                           const VtuPackage& package);
 
 }  // namespace crossgrain

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "files/input_file.hpp"
 #include "io/vtu/xml_tags.hpp"
 
@@ -34,7 +35,9 @@ class VtuHeaderReader {
   void read_tags() {
     XmlTags tags(text_);
     std::optional<VtuSection> section;
+    Checkpoint checkpoint;
     while (const auto tag = tags.next()) {
+      checkpoint.pass();
       const std::size_t position = tags.position();
       if (tag->name == "VTKFile") {
         read_layout(*tag, position);

@@ -16,12 +16,16 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
+#include "files/read_memory.hpp"
 
 namespace crossgrain {
 namespace {
 
 /// More than any header with some dozens of arrays needs.
 constexpr std::size_t kLongestHeader = 1 << 20;
+
+/// Far more than the writer puts into a block; larger ones could not be stopped in time.
+constexpr std::uint64_t kLargestBlock = std::uint64_t{1} << 26;
 
 constexpr std::string_view kDataTag = "<AppendedData";
 
@@ -129,7 +133,7 @@ ZlibBlocks VtuFile::locate(const Array& array) const {
   const std::uint64_t sizes_begin = data_begin + array.offset + 3 * kWord;
   read_at(sizes_begin, sizes.data(), count * kWord);
   std::optional<ZlibBlocks> blocks = zlib_blocks(head, sizes, sizes_begin + count * kWord, file_bytes_);
-  check(blocks.has_value());
+  check(blocks.has_value() && blocks->block_bytes <= kLargestBlock);
 
   const std::uint64_t row_bytes = array.components * size_of(array.type);
   check(blocks->raw_bytes % row_bytes == 0);
@@ -137,12 +141,13 @@ ZlibBlocks VtuFile::locate(const Array& array) const {
   if (array.section == VtuSection::kPoints || array.section == VtuSection::kPointData)
     check(rows == header_.points);
   if (array.section == VtuSection::kCellData) check(rows == header_.cells);
+  require_read_memory(name_, static_cast<double>(blocks->raw_bytes));
   // All blocks but the last claim one size, and memory is allocated for it.
   if (blocks->count() > 0) {
     std::vector<unsigned char> first(blocks->begins[1] - blocks->begins[0]);
     read_at(blocks->begins[0], first.data(), first.size());
     std::string inflated;
-    check(inflate_onto(inflated, first, blocks->raw_size(0)));
+    check(inflate_onto(name_, inflated, first, blocks->raw_size(0)));
   }
   return std::move(*blocks);
 }

@@ -63,6 +63,7 @@ class VtuWriter {
   void write_header(std::size_t points, std::size_t cells) {
     file_.write("<?xml version=\"1.0\"?>\n");
     file_.write(kXmlMark);
+    if (!file_.solve().empty()) file_.write(fmt::format("\n{}{} -->", kXmlSolve, file_.solve()));
     file_.write(
         "\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
         "byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/parallel.hpp"
+#include "files/read_memory.hpp"
+
 namespace crossgrain {
 namespace {
 
@@ -40,10 +43,13 @@ bool inflate_block(std::span<const unsigned char> compressed, char* out, std::ui
   return code == Z_OK && got == raw_bytes;
 }
 
-bool inflate_onto(std::string& out, std::span<const unsigned char> compressed, std::uint64_t raw_bytes) {
+bool inflate_onto(const std::string& name, std::string& out, std::span<const unsigned char> compressed,
+                  std::uint64_t raw_bytes) {
   constexpr std::uint64_t kPiece = 1 << 16;
   if (compressed.size() > std::numeric_limits<uInt>::max()) return false;
-  z_stream stream{};
+  struct Stream : z_stream {
+    ~Stream() { inflateEnd(this); }
+  } stream{};
   // The interface of zlib lacks const; it does not write to the input.
   stream.next_in = const_cast<unsigned char*>(compressed.data());
   stream.avail_in = static_cast<uInt>(compressed.size());
@@ -54,6 +60,12 @@ bool inflate_onto(std::string& out, std::span<const unsigned char> compressed, s
     const std::size_t done = out.size();
     // One byte more, to detect a stream that continues.
     const std::uint64_t room = std::min(kPiece, raw_bytes - (done - begin) + 1);
+    check_watched();
+    if (done + room > out.capacity()) {
+      const std::size_t capacity = std::max(done + room, 2 * out.capacity());
+      require_read_memory(name, static_cast<double>(capacity));
+      out.reserve(capacity);
+    }
     out.resize(done + room);
     stream.next_out = reinterpret_cast<unsigned char*>(out.data() + done);
     stream.avail_out = static_cast<uInt>(room);
@@ -61,7 +73,6 @@ bool inflate_onto(std::string& out, std::span<const unsigned char> compressed, s
     out.resize(out.size() - stream.avail_out);
     if (out.size() - begin > raw_bytes) break;
   }
-  inflateEnd(&stream);
   return code == Z_STREAM_END && out.size() - begin == raw_bytes;
 }
 

@@ -36,8 +36,10 @@ std::optional<ZlibBlocks> zlib_blocks(const std::array<std::uint64_t, 3>& head,
 /// Decompresses into `out`. Returns whether `compressed` is a zlib stream of exactly `raw_bytes` bytes.
 bool inflate_block(std::span<const unsigned char> compressed, char* out, std::uint64_t raw_bytes);
 
-/// Decompresses and appends to `out`, which grows with the data, whatever `raw_bytes` claims. Returns whether
-/// it was a zlib stream of exactly `raw_bytes` bytes.
-bool inflate_onto(std::string& out, std::span<const unsigned char> compressed, std::uint64_t raw_bytes);
+/// Decompresses and appends to `out`, which grows with the data, whatever `raw_bytes` claims, and only within
+/// the limits of reading the file `name` (files/read_memory.hpp). Returns whether it was a zlib stream of
+/// exactly `raw_bytes` bytes.
+bool inflate_onto(const std::string& name, std::string& out, std::span<const unsigned char> compressed,
+                  std::uint64_t raw_bytes);
 
 }  // namespace crossgrain

@@ -14,10 +14,12 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <string_view>
 
 #include "io/cad/cad_messages.hpp"
 #include "io/cad/helper_process.hpp"
 #include "io/cad/program/bodies.hpp"
+#include "io/cad/program/confinement.hpp"
 #include "io/cad/program/fault.hpp"
 #include "io/cad/program/shape_file.hpp"
 #include "io/cad/program/tessellation.hpp"
@@ -27,29 +29,32 @@ namespace {
 
 constexpr int kNotAsked = 2;
 
+/// Returns the text as one line of bearable length, whatever OpenCASCADE or the file puts in.
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  constexpr std::string_view kCut = "...";
+  if (text.size() > kMostCadTextBytes) text.replace(kMostCadTextBytes - kCut.size(), text.npos, kCut);
+  return text;
+}
+
 TriangleMesh read(const CadRequest& request) {
   const CadShape file = read_shape(request.path, request.format);
   const Bodies bodies = find_bodies(file.shape, request.options);
   TriangleMesh mesh = tessellate(bodies, request.options);
   mesh.unit = file.unit;
-  mesh.file_unit = file.file_unit;
+  mesh.file_unit = one_line(file.file_unit);
   mesh.warnings.insert(mesh.warnings.begin(), bodies.warnings.begin(), bodies.warnings.end());
   mesh.warnings.insert(mesh.warnings.begin(), file.warnings.begin(), file.warnings.end());
+  for (Warning& warning : mesh.warnings) warning.text = one_line(warning.text);
   return mesh;
-}
-
-/// Returns the text as one line, whatever OpenCASCADE puts in.
-std::string one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  return text;
 }
 
 CadAnswer given_up(const char* reason) {
   return {CadEnd::kFault,
           {},
-          {fmt::format("OpenCASCADE gives up on it ({})",
-                       reason == nullptr || *reason == '\0' ? "for no reason given" : one_line(reason)),
+          {one_line(fmt::format("OpenCASCADE gives up on it ({})",
+                                reason == nullptr || *reason == '\0' ? "for no reason given" : reason)),
            Remedy::kRepairFile}};
 }
 
@@ -86,20 +91,16 @@ void end_with_uncaught_exception() {
   std::abort();
 }
 
-void limit(__rlimit_resource resource, std::size_t most) {
-  const rlimit both{most, most};
-  ::setrlimit(resource, &both);
-}
-
-/// Limits memory, disables core dumps, and ends this process when its parent ends.
+/// Limits memory and confines this process, which ends when its parent ends.
 void restrict_to(const CadRequest& request) {
-  limit(RLIMIT_CORE, 0);
 #ifndef __SANITIZE_ADDRESS__  // which reserves terabytes
-  limit(RLIMIT_DATA, request.options.max_memory_bytes);
+  const rlimit memory{request.options.max_memory_bytes, request.options.max_memory_bytes};
+  ::setrlimit(RLIMIT_DATA, &memory);
 #endif
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   // The parent may have ended before.
   if (::getppid() != request.asking_process) ::_exit(kNotAsked);
+  confine_to_reading(request.path);
 }
 
 int run(const std::vector<std::string>& arguments) {

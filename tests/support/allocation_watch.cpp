@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fuzz/allocation_watch.hpp"
+#include "support/allocation_watch.hpp"
 
 #include <atomic>
 #include <cstdlib>
@@ -7,12 +7,14 @@
 
 namespace {
 
+std::atomic<long> count = 0, failing_number = -1;
 std::atomic<std::size_t> largest = 0;
 
 }  // namespace
 
 // Those of arrays and without exceptions call this one.
 void* operator new(std::size_t size) {
+  if (count.fetch_add(1, std::memory_order_relaxed) == failing_number) throw std::bad_alloc();
   std::size_t before = largest.load(std::memory_order_relaxed);
   while (size > before && !largest.compare_exchange_weak(before, size, std::memory_order_relaxed)) continue;
   if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
@@ -27,8 +29,15 @@ void operator delete(void* memory, std::size_t) noexcept {
 
 namespace crossgrain {
 
-void forget_allocations() {
+void watch_allocations(long failing) {
+  failing_number = -1;
+  count = 0;
   largest = 0;
+  failing_number = failing;
+}
+
+long allocation_count() {
+  return count;
 }
 
 std::size_t largest_allocation() {
