@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 #include "crossgrain/io.hpp"
 
@@ -29,6 +31,18 @@ std::string names_of_formats() {
 }
 
 }  // namespace
+
+std::optional<std::uint64_t> parse_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, code] = std::from_chars(text.data(), end, seed);
+  if (code != std::errc() || stop != end) return std::nullopt;
+  return seed;
+}
+
+std::string fault_of_seed(const std::string& text) {
+  return parse_seed(text) ? "" : "'" + text + "' is not a whole number from 0 to 18446744073709551615";
+}
 
 std::string fault_of_length(const std::string& text) {
   double value = 0;

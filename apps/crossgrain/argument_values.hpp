@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,10 @@
 #include "crossgrain/types.hpp"
 
 namespace crossgrain::app {
+
+/// Returns a whole number below 2^64; none for other texts, which CLI11 would clamp.
+std::optional<std::uint64_t> parse_seed(const std::string& text);
+std::string fault_of_seed(const std::string& text);
 
 /// Accepts a positive, finite number. CLI11's own check accepts NaN.
 std::string fault_of_length(const std::string& text);

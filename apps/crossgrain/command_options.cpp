@@ -210,8 +210,11 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
           "within it (default: nine tenths of the machine or container)")
       ->check(fault_of_bytes)
       ->type_name("SIZE");
-  command->add_option("--seed", options.seed, "Seed of the random initial frames (default 0)")
-      ->check(CLI::NonNegativeNumber)
+  command
+      ->add_option_function<std::string>(
+          "--seed", [&options](const std::string& text) { options.seed = *parse_seed(text); },
+          "Seed of the random initial frames (default 0)")
+      ->check(fault_of_seed)
       ->type_name("N");
   command->add_flag("--union", options.unite_solids,
                     "Treat several solids as one: ignore the faces between them");

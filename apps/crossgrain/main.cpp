@@ -18,9 +18,6 @@
 namespace crossgrain::app {
 namespace {
 
-/// Exit code of a fault in the program itself, which is none of the documented codes.
-constexpr int kInternalError = 1;
-
 struct Run {
   int operator()(const Finished& finished) const { return finished.exit_code; }
   int operator()(const SolveArguments& arguments) const { return run_solve(arguments); }
@@ -65,8 +62,8 @@ int run(int argc, char** argv) {
         exit_code_of(ErrorKind::kLimit),
         std::visit(Subject(), arguments) + line_of(message, is_solve ? Command::kSolve : Command::kOther));
   } catch (const std::exception& error) {
-    return fail(kInternalError, std::visit(Subject(), arguments) + "unexpected: " + error.what() +
-                                    "; please report this with the input");
+    const Unexpected unexpected = unexpected_of(error);
+    return fail(unexpected.exit_code, std::visit(Subject(), arguments) + unexpected.text);
   } catch (...) {
     return fail(kInternalError, std::visit(Subject(), arguments) + "unexpected; please report this");
   }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <system_error>
+#include <thread>
 
 namespace crossgrain::app {
 namespace {
@@ -32,8 +34,19 @@ constexpr OptionWords kOptionWords[] = {
     {Remedy::kMakeFolder, "make that folder, or choose another with -o", true},
     {Remedy::kCheckOutputDisk, "check the disk, or choose another place with -o", true},
     {Remedy::kChooseFolder, "choose another folder with -o, or write there with --force", false},
+    {Remedy::kAwaitSolve, "wait for its end, or choose another folder with -o", false},
     {Remedy::kClearPlace, "remove it, or choose another place with -o", true},
 };
+
+/// Returns whether the system starts no more threads, for which oneTBB has no exception of its own.
+bool has_no_threads_left() {
+  try {
+    std::thread([] {}).join();
+    return false;
+  } catch (const std::system_error&) {
+    return true;
+  }
+}
 
 }  // namespace
 
@@ -51,6 +64,14 @@ int exit_code_of(ErrorKind kind) {
       return 130;
   }
   return 1;
+}
+
+Unexpected unexpected_of(const std::exception& exception) {
+  if (has_no_threads_left())
+    return {exit_code_of(ErrorKind::kLimit),
+            "the system starts no more threads; end some processes, or raise their limit (ulimit -u)"};
+  return {kInternalError,
+          std::string("unexpected: ") + exception.what() + "; please report this with the input"};
 }
 
 std::string line_of(const Message& message, Command command) {

@@ -2,6 +2,7 @@
 // Errors and warnings of the library in terms of this program: its options and exit codes.
 #pragma once
 
+#include <exception>
 #include <string>
 
 #include "crossgrain/error.hpp"
@@ -10,6 +11,16 @@ namespace crossgrain::app {
 
 /// Exit code of an error (docs/command-line.md).
 int exit_code_of(ErrorKind kind);
+
+/// Exit code of a fault in the program itself.
+constexpr int kInternalError = 1;
+
+/// What to tell of an exception that is no Error.
+struct Unexpected {
+  int exit_code;
+  std::string text;
+};
+Unexpected unexpected_of(const std::exception& exception);
 
 /// `solve` has options for resolution, memory and time that other commands lack.
 enum class Command { kSolve, kOther };

@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
 #include "view/page_name.hpp"
 
 namespace crossgrain::app {
@@ -40,6 +41,7 @@ void check_folder(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(status)) fail("is not a folder", Remedy::kGiveFieldFolder);
   if (!std::filesystem::is_regular_file(folder / kPageName, failure))
     fail(fmt::format("has no {}; solve again without --no-report", kPageName));
+  solve_of_result(folder);
 }
 
 }  // namespace

@@ -131,6 +131,48 @@ class View(CommandTest):
             self.assertIn(self.ask("/report.json", method)[0].status, (400, 404))
         self.assertEqual((self.field / "report.json").read_text(), '{"schema": 4}')
 
+    def connect(self, count, sent=b""):
+        """So many connections that send this and then nothing."""
+        for _ in range(count):
+            connection = socket.create_connection(("127.0.0.1", self.port), timeout=20)
+            self.addCleanup(connection.close)
+            connection.sendall(sent)
+
+    def assert_answers_within(self, seconds):
+        start = time.monotonic()
+        self.assertEqual(self.status("/report.json"), 200)
+        self.assertLess(time.monotonic() - start, seconds)
+
+    def test_a_request_beside_500_idle_connections_is_answered_within_a_second(self):
+        self.serve()
+        self.connect(500)
+        self.assert_answers_within(1)
+        self.connect(500, b"GET /report.json HTTP/1.1\r\nHo")
+        self.assert_answers_within(1)
+
+    def test_more_connections_than_it_serves_at_once_delay_others_by_little(self):
+        self.serve()
+        self.connect(1000)
+        # Those that send nothing are closed after a second, which makes room.
+        self.assert_answers_within(3)
+
+    def test_idle_connections_do_not_delay_its_end(self):
+        address, process = self.start("--no-browser")
+        self.port = int(re.search(r":(\d+)/", address).group(1))
+        self.connect(100)
+        self.assert_answers_within(1)
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(timeout=2), 0)
+
+    def test_a_page_may_run_what_it_contains_and_load_nothing(self):
+        self.serve()
+        for path in ("/report.html", "/none"):
+            policy = dict(part.strip().split(" ", 1) for part in self.ask(path)[0].headers["Content-Security-Policy"].split(";"))
+            self.assertEqual(policy["default-src"], "'none'")
+            for sources in policy.values():
+                for source in sources.split():
+                    self.assertIn(source, ("'none'", "'unsafe-inline'", "data:", "blob:"))
+
     def test_signals_end_it_and_that_is_no_error(self):
         # At once, so that it may not yet have begun to serve.
         for number in 3 * (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):

@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 #include <httplib.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -16,6 +19,7 @@
 #include <utility>
 
 #include "crossgrain/error.hpp"
+#include "view/connection_threads.hpp"
 #include "view/page_name.hpp"
 
 namespace crossgrain::app {
@@ -25,10 +29,36 @@ constexpr const char* kAddress = "127.0.0.1";
 
 enum Status { kRedirect = 302, kForbidden = 403, kNotFound = 404 };
 
-/// The default of the library would let two servers share a port.
-void set_socket_options(socket_t socket) {
-  const int yes = 1;
-  ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+/// Connections served at once; more wait. Each takes a descriptor, and another for the file that it reads.
+constexpr std::size_t kMostConnections = 600;
+
+/// The HTTP library waits by select(), which knows no higher descriptors.
+constexpr rlim_t kMostDescriptors = FD_SETSIZE;
+
+/// A connection that sends nothing for so long is closed. On one machine requests arrive within milliseconds,
+/// and the server ends only with its connections.
+constexpr time_t kSecondsOfSilence = 1;
+
+/// The page is one file, with its script and style in it. It draws itself from what it contains: pictures as
+/// data and blobs, and asks for no address.
+constexpr const char* kContentSecurityPolicy =
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+class Connections : public httplib::TaskQueue {
+ public:
+  void enqueue(std::function<void()> job) override { threads_.run(std::move(job)); }
+  void shutdown() override { threads_.finish(); }
+
+ private:
+  ConnectionThreads threads_{kMostConnections};
+};
+
+void limit_descriptors() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = std::min(limit.rlim_max, kMostDescriptors);
+  ::setrlimit(RLIMIT_NOFILE, &limit);
 }
 
 std::string content_type_of(const std::filesystem::path& file) {
@@ -69,10 +99,20 @@ httplib::ContentProvider provider_of(const std::shared_ptr<std::ifstream>& file)
 class FolderServer::Files {
  public:
   explicit Files(const std::filesystem::path& folder) : folder_(std::filesystem::canonical(folder)) {
-    server.set_socket_options(set_socket_options);
+    limit_descriptors();
+    server.set_socket_options([this](socket_t socket) {
+      // The default of the library would let two servers share a port.
+      const int yes = 1;
+      ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+      listening_ = socket;
+    });
+    server.new_task_queue = [] { return new Connections; };
+    server.set_read_timeout(kSecondsOfSilence);
+    server.set_keep_alive_timeout(kSecondsOfSilence);
     server.set_tcp_nodelay(true);
     server.set_default_headers({{"Cache-Control", "no-store"},
                                 {"X-Content-Type-Options", "nosniff"},
+                                {"Content-Security-Policy", kContentSecurityPolicy},
                                 {"Cross-Origin-Resource-Policy", "same-origin"}});
     server.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
       if (is_for_this_machine(request)) return httplib::Server::HandlerResponse::Unhandled;
@@ -86,6 +126,9 @@ class FolderServer::Files {
       serve_file(request.matches[1].str(), response);
     });
   }
+
+  /// Lets as many connections wait as the system allows; the library's five lose those of a burst.
+  void let_connections_wait() const { ::listen(listening_, SOMAXCONN); }
 
   httplib::Server server;
   std::atomic<bool> has_served = false;
@@ -123,6 +166,7 @@ class FolderServer::Files {
   }
 
   std::filesystem::path folder_;
+  socket_t listening_ = -1;
 };
 
 FolderServer::FolderServer(const std::filesystem::path& folder) : files_(std::make_unique<Files>(folder)) {}
@@ -137,6 +181,7 @@ int FolderServer::bind(int port) {
     throw Error(ErrorKind::kOutput,
                 {fmt::format("port {} of {}", port, kAddress), "",
                  "is in use or needs privileges; choose another with --port, or omit it"});
+  files_->let_connections_wait();
   return files_->port = port;
 }
 

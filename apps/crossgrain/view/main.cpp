@@ -20,8 +20,6 @@
 namespace crossgrain::app {
 namespace {
 
-constexpr int kInternalError = 1;
-
 /// Blocks SIGINT, SIGTERM and SIGHUP in this thread and its later threads; `wait` receives them.
 class EndingSignals {
  public:
@@ -74,8 +72,9 @@ int run(int argc, char** argv) {
     print_message(line_of(error.message(), Command::kOther));
     return exit_code_of(error.kind());
   } catch (const std::exception& error) {
-    print_message(std::string(argv[1]) + ": unexpected: " + error.what() + "; please report this");
-    return kInternalError;
+    const Unexpected unexpected = unexpected_of(error);
+    print_message(std::string(argv[1]) + ": " + unexpected.text);
+    return unexpected.exit_code;
   }
 }
 
