@@ -14,10 +14,10 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, stl_bytes
+from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, no_more_processes, stl_bytes
 
 CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
-INPUT, INTERRUPTED = 3, 130
+INPUT, LIMIT, INTERRUPTED = 3, 5, 130
 
 
 STEP = "ISO-10303-21;\nEND-ISO-10303-21;\n"
@@ -76,6 +76,10 @@ class WithAHangingReader(CommandTest):
         self.assert_fails(self.finished(process), INPUT, "part.step", "did not finish within 0.5 s", "--read-seconds")
         self.assert_gone(reader)
         self.assertFalse((self.folder / "out").exists())
+
+    def test_a_system_without_processes_left_is_told(self):
+        result = self.run_without_privileges("solve", "part.step", "-o", "out", program=self.program, preexec_fn=no_more_processes)
+        self.assert_fails(result, LIMIT, "part.step", "starts no more processes", "ulimit -u")
 
     def test_an_interrupt_stops_it(self):
         for number in (signal.SIGINT, signal.SIGTERM):

@@ -15,7 +15,7 @@ from program import CommandTest, box_triangles, cylinder_triangles, run, sphere_
 
 INPUT = 3
 SECONDS = 10
-BAD = Path(os.environ.get("CROSSGRAIN_SHARED", "/work/shared")) / "models" / "bad"
+BAD = Path(os.environ.get("CROSSGRAIN_SHARED", Path(__file__).resolve().parents[3] / "shared")) / "models" / "bad"
 
 # File: exit code, and words of the error, or the kinds and numbers of what is found.
 OUTCOMES = {
@@ -190,6 +190,11 @@ class Damage(CommandTest):
         report = self.solve(np.concatenate([self.box, self.box + [2, 0.25, 0.125]]), "both")
         self.assertEqual([(finding["kind"], finding["count"]) for finding in report["input"]["findings"]],
                          [("touching components", 1)])
+
+    def test_random_triangles_are_refused_whatever_their_number(self):
+        for count in (1000, 2000, 4000, 16000):
+            with self.subTest(count=count):
+                self.assert_refused(np.random.default_rng(7).random((count, 3, 3)), f"soup of {count} triangles")
 
     def test_what_has_no_inside_is_refused(self):
         self.assert_refused(sheet(), "open sheet of 128 triangles")

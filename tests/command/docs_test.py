@@ -159,5 +159,19 @@ class RunningText(CommandTest):
                 self.assert_succeeds(run(*words, cwd=self.folder))
 
 
+class Limits(unittest.TestCase):
+    def test_every_limit_names_a_test_that_there_is(self):
+        sources = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests").rglob("*.cpp"))
+        rows = re.findall(r"^\|(?! limit|---).*\| (.*) \|$", (ROOT / "docs" / "limits.md").read_text(encoding="utf-8"), re.MULTILINE)
+        self.assertGreater(len(rows), 15)
+        for row in rows:
+            with self.subTest(row):
+                suite, name = re.fullmatch(r"`(\w+)\.(\w+)`", row).groups()
+                if suite.endswith("_test"):
+                    self.assertIn(f"def {name}(", (ROOT / "tests" / "command" / f"{suite}.py").read_text(encoding="utf-8"))
+                else:
+                    self.assertRegex(sources, rf"TEST(_F|_P)?\({suite}, {name}\)")
+
+
 if __name__ == "__main__":
     unittest.main()

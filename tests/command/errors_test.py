@@ -8,7 +8,7 @@ import struct
 import subprocess
 import unittest
 
-from program import PROGRAM, CommandTest, box_triangles, run, stl_bytes
+from program import PROGRAM, CommandTest, box_triangles, no_more_processes, run, stl_bytes
 
 USAGE, INPUT, OUTPUT, LIMIT = 2, 3, 4, 5
 
@@ -59,7 +59,8 @@ class WrongUsage(CommandTest):
                               ("--max-memory", "0"), ("--max-memory", "-1GB"), ("--max-memory", "much"),
                               ("--max-memory", "1XB"), ("--max-memory", "1e30"), ("--max-memory", ""),
                               ("--crease-angle", "0"), ("--crease-angle", "181"), ("--crease-angle", "nan"),
-                              ("--threads", "-2"), ("--seed", "-1"), ("--seed", "x")]:
+                              ("--threads", "-2"), ("--seed", "-1"), ("--seed", "x"), ("--seed", "1e3"),
+                              ("--seed", "18446744073709551616")]:
             with self.subTest(option=option, value=value):
                 self.refuse(["solve", "a.stl", option, value], option)
 
@@ -82,12 +83,27 @@ class WrongSizes(CommandTest):
 
     def test_what_cannot_fit_into_memory_is_refused_at_once(self):
         for arguments in (["--resolution", "400000"], ["--cell-size", "1e-300"]):
-            self.assert_fails(self.run_here("solve", "box.stl", *arguments), LIMIT, "lower --resolution")
+            result = self.run_here("solve", "box.stl", *arguments)
+            self.assert_fails(result, LIMIT, "lower --resolution")
+            self.assertNotIn("nan", result.stderr)
+            self.assertNotIn("inf", result.stderr)
         self.assertEqual(self.names(), ["box.stl"])
 
     def test_where_even_much_larger_cells_need_more_memory_than_allowed_it_is_refused(self):
         self.assert_fails(self.run_here("solve", "box.stl", "--resolution", "512", "--max-memory", "5MB"), LIMIT, "--max-memory")
         self.assertEqual(self.names(), ["box.stl"])
+
+    def test_control_characters_of_names_do_not_reach_the_terminal(self):
+        # Bytes that end a line, begin a sequence of a terminal, and begin one in UTF-8.
+        name = "a\x1b[31m\x7f\u009b31m"
+        (self.folder / "box.stl").rename(self.folder / (name + ".stl"))
+        result = self.run_here("solve", name + ".stl", "--resolution", "8")
+        self.assert_succeeds(result)
+        wrong = self.run_here("solve", name + ".stl", "--resolution", "3")
+        missing = self.run_here("check", name)
+        for text in (result.stdout, result.stderr, wrong.stderr, missing.stderr):
+            self.assertFalse(any(character in text for character in "\x1b\x7f\u009b"), repr(text))
+        self.assertIn("a?[31m???31m", result.stdout)
 
     def test_any_number_of_threads_will_do(self):
         result = self.run_here("solve", "box.stl", "--resolution", "8", "--threads", "2147483647", "--quiet")
@@ -185,19 +201,24 @@ class UnwritableOutput(CommandTest):
 
     def test_a_folder_without_permission(self):
         (self.folder / "locked").mkdir(mode=0o555)
-        self.folder.chmod(0o755)
-        # The superuser may write anywhere, so the program runs as nobody then.
-        user = {"user": 65534, "group": 65534} if os.getuid() == 0 else {}
-        try:
-            result = self.run_here("solve", "box.stl", "-o", "locked/out", **user)
-        except PermissionError:
-            self.skipTest("others than the superuser cannot enter the folder of the program")
+        result = self.run_without_privileges("solve", "box.stl", "-o", "locked/out")
         self.assert_fails(result, OUTPUT, "locked/out", "Permission denied", "-o")
         self.assertEqual(list((self.folder / "locked").iterdir()), [])
+
+    def test_names_that_the_system_does_not_allow(self):
+        for name in ("a" * 256, "/".join(["a" * 250] * 17)):
+            self.assert_fails(self.run_here("solve", name + ".stl", "-o", "out"), INPUT, "File name too long")
+            self.assert_fails(self.run_here("solve", "box.stl", "-o", name), OUTPUT, "File name too long", "-o")
+        self.assertEqual(self.names(), ["box.stl"])
 
     def test_the_output_is_looked_at_before_the_model(self):
         self.write("taken", "precious")
         self.assert_fails(self.run_here("solve", "none.stl", "-o", "taken"), OUTPUT, "taken")
+
+    def test_a_system_without_threads_left_is_told(self):
+        result = self.run_without_privileges("solve", "box.stl", "-o", "out", "--resolution", "16", preexec_fn=no_more_processes)
+        if result.returncode != 0:  # on one core it needs none
+            self.assert_fails(result, LIMIT, "box.stl", "starts no more threads", "ulimit -u")
 
     def test_a_full_disk_leaves_nothing_and_an_earlier_result_as_it_was(self):
         def small_files_only():

@@ -6,6 +6,8 @@ The program is named by the environment variable CROSSGRAIN_PROGRAM.
 
 import itertools
 import os
+import re
+import resource
 import struct
 import subprocess
 import tempfile
@@ -18,13 +20,18 @@ PROGRAM = os.environ.get("CROSSGRAIN_PROGRAM", "")
 TIME_LIMIT = 120
 
 
-def run(*arguments, stdin=b"", **options):
+def run(*arguments, stdin=b"", program=PROGRAM, **options):
     """The finished process, its output as text."""
-    command = [PROGRAM, *map(str, arguments)]
+    command = [program, *map(str, arguments)]
     result = subprocess.run(command, input=stdin, capture_output=True, timeout=TIME_LIMIT, check=False, **options)
     result.stdout = result.stdout.decode()
     result.stderr = result.stderr.decode()
     return result
+
+
+def no_more_processes():
+    """For a process that has been started: it can start no other, nor a thread."""
+    resource.setrlimit(resource.RLIMIT_NPROC, (1, 1))
 
 
 class CommandTest(unittest.TestCase):
@@ -37,6 +44,15 @@ class CommandTest(unittest.TestCase):
 
     def run_here(self, *arguments, **options):
         return run(*arguments, cwd=self.folder, **options)
+
+    def run_without_privileges(self, *arguments, program=PROGRAM, **options):
+        """The superuser may write anywhere and start any number of processes, so the program runs as nobody then."""
+        self.folder.chmod(0o777)
+        user = {"user": 65534, "group": 65534} if os.getuid() == 0 else {}
+        try:
+            return run(*arguments, program=program, cwd=self.folder, **user, **options)
+        except PermissionError:
+            self.skipTest("others than the superuser cannot enter the folder of the program")
 
     def write(self, name, content):
         path = self.folder / name
@@ -58,6 +74,20 @@ class CommandTest(unittest.TestCase):
 
     def assert_succeeds(self, result):
         self.assertEqual(result.returncode, 0, result.stderr)
+
+
+def without_solve(content):
+    """The bytes of a .vtu file but for the solve that it names."""
+    return re.sub(rb"<!-- solve [0-9a-f]{16} -->", b"", content)
+
+
+def without_costs(report):
+    """What a solve found, without its name and what it took."""
+    del report["seconds"], report["peak_memory_bytes"], report["solve"]
+    report.get("onto", {}).pop("seconds", None)
+    for level in report["levels"]:
+        del level["seconds"]
+    return report
 
 
 def box_triangles(size=(2.0, 1.0, 1.5)):

@@ -12,7 +12,7 @@ from program import CommandTest, box_triangles, cylinder_triangles, stl_bytes, t
 from recompute_report import IN_NO_WAY, disagreements
 
 KEYS = {
-    "": ["schema", "program", "verdict", "answer", "reasons", "model", "degree", "resolution", "levels", "energy", "alignment_deg", "spectrum", "singularity",
+    "": ["schema", "program", "solve", "verdict", "answer", "reasons", "model", "degree", "resolution", "levels", "energy", "alignment_deg", "spectrum", "singularity",
          "seconds", "peak_memory_bytes", "version", "input", "creases", "walls", "coarser", "warnings"],
     "model": ["path", "triangles", "bounding_box", "watertight", "components"],
     "input": ["triangles_solved", "closed", "findings"],
