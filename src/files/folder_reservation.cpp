@@ -63,7 +63,7 @@ FolderReservation::FolderReservation(const fs::path& folder)
     throw Error(ErrorKind::kOutput, {"''", "", "names no folder to write into", Remedy::kNameOutput});
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     if (!open_if_there()) made_.emplace(without_trailing_slash(folder).parent_path());
-    open_parent();
+    if (!open_parent()) continue;
     clear_leftovers();
     is_beside_ = !folder_.is_open() || (parent_.is_open() && path_.has_filename() &&
                                         may_be_exchanged(parent_.number(), folder_.number(), path_));
@@ -114,9 +114,12 @@ bool FolderReservation::open_if_there() {
   refuse_busy();
 }
 
-void FolderReservation::open_parent() {
+bool FolderReservation::open_parent() {
   parent_ = open_folder(path_.parent_path());
-  if (!parent_.is_open() && !folder_.is_open()) fail_output(shown_, "created", errno);
+  if (parent_.is_open() || folder_.is_open()) return true;
+  // Another solve that had created it may have given up and removed it.
+  if (errno != ENOENT) fail_output(shown_, "created", errno);
+  return false;
 }
 
 void FolderReservation::clear_leftovers() {
@@ -161,6 +164,7 @@ bool FolderReservation::make_staging() {
   staging_ = open_folder_in(place.parent, place.name);
   if (!staging_.is_open()) {
     const int code = errno;
+    if (code == ENOENT) return false;  // another one took it for a leftover
     ::unlinkat(place.parent, place.name.c_str(), AT_REMOVEDIR);
     fail_output(shown_, "written", code);
   }

@@ -50,7 +50,7 @@ class FolderReservation {
 
  private:
   bool open_if_there();
-  void open_parent();
+  bool open_parent();
   void clear_leftovers();
   void clear_leftover(const FolderEntry& entry);
   bool make_staging();

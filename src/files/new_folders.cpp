@@ -15,18 +15,24 @@ namespace {
 // The user's umask is subtracted.
 constexpr mode_t kFolderMode = 0777;
 
+/// Another process may remove folders on the way while they are created; each attempt fails only if that
+/// happens again.
+constexpr int kAttempts = 20;
+
 }  // namespace
 
 NewFolders::NewFolders(const std::filesystem::path& folder) {
   try {
-    make(folder);
+    for (int attempt = 0; attempt < kAttempts; ++attempt)
+      if (make(folder)) return;
+    fail_output(folder.string(), "created", ENOENT);
   } catch (...) {
     remove();
     throw;
   }
 }
 
-void NewFolders::make(const std::filesystem::path& folder) {
+bool NewFolders::make(const std::filesystem::path& folder) {
   std::filesystem::path reached;
   for (const std::filesystem::path& step : folder) {
     reached /= step;
@@ -39,12 +45,14 @@ void NewFolders::make(const std::filesystem::path& folder) {
     if (::stat(reached.c_str(), &status) != 0) {
       if (errno == ENOENT && ::lstat(reached.c_str(), &status) == 0)
         throw Error(ErrorKind::kOutput, {reached.string(), "", "is a link to nothing", Remedy::kClearPlace});
+      if (code == EEXIST || code == ENOENT) return false;
       fail_output(reached.string(), "created", code);
     }
     if (!S_ISDIR(status.st_mode))
       throw Error(ErrorKind::kOutput,
                   {reached.string(), "", "is a file, but must be a folder", Remedy::kClearPlace});
   }
+  return true;
 }
 
 void NewFolders::remove() noexcept {

@@ -17,7 +17,7 @@ class NewFolders {
   void keep() { made_.clear(); }
 
  private:
-  void make(const std::filesystem::path& folder);
+  bool make(const std::filesystem::path& folder);
   void remove() noexcept;
 
   std::vector<std::filesystem::path> made_;  ///< outermost first
