@@ -139,11 +139,16 @@ LevelEnergy level_energy(const GridLevel& level, const Solid& solid, const Adjac
   energy.neighbours = compare_neighbours(level.tree, adjacency, frames, sharp_turns);
   parts.smoothness = energy.neighbours.smoothness;
   const auto sum_over_leaves = [&](const auto& term) {
-    return parallel_sum(frames.size(), [&](std::size_t i) {
-      const auto leaf = static_cast<CellIndex>(i);
-      if (!level.is_constrained(leaf)) return 0.0;
-      return boundary_weight / level.tree.cell_size(leaf) * term(leaf, from_stored(frames[i]));
-    });
+    std::vector<double> values(frames.size());
+    parallel_for(
+        frames.size(),
+        [&](std::size_t i) {
+          const auto leaf = static_cast<CellIndex>(i);
+          if (level.is_constrained(leaf))
+            values[i] = boundary_weight / level.tree.cell_size(leaf) * term(leaf, from_stored(frames[i]));
+        },
+        level.leaves_per_task());
+    return parallel_sum(values.size(), [&](std::size_t i) { return values[i]; });
   };
   parts.unavoidable = sum_over_leaves([&](CellIndex leaf, const Quaternion& frame) {
     return least_boundary_value(level, solid, leaf, frame);

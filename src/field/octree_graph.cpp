@@ -237,7 +237,7 @@ LeafConnections connect_leaves(const GridLevel& level, std::span<const FaceNeigh
   LeafConnections result;
   result.open_faces.resize(level.size());
   result.weights = sized_vector<FaceWeights>(level.size());
-  parallel_for_chunks(level.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_for_chunks(level.size(), level.leaves_per_task(), [&](std::size_t begin, std::size_t end) {
     monitor.check_stop();
     for (std::size_t i = begin; i < end; ++i) {
       result.weights[i] = connector.owned(static_cast<CellIndex>(i));
@@ -265,9 +265,10 @@ CellForms<D> boundary_forms(const GridLevel& level, const Solid& solid, double b
     return degree_factor * boundary_weight / level.tree.cell_size(i);
   };
   std::vector<std::uint8_t> is_plane(level.size());
-  parallel_for(level.size(), [&](std::size_t i) {
-    is_plane[i] = has_single_normal(level, solid, static_cast<CellIndex>(i));
-  });
+  parallel_for(
+      level.size(),
+      [&](std::size_t i) { is_plane[i] = has_single_normal(level, solid, static_cast<CellIndex>(i)); },
+      level.leaves_per_task());
   std::vector<CellIndex> planes, generals;
   for (CellIndex i = 0; i < level.size(); ++i) {
     if (level.is_constrained(i)) (is_plane[i] ? planes : generals).push_back(i);
@@ -278,10 +279,14 @@ CellForms<D> boundary_forms(const GridLevel& level, const Solid& solid, double b
                     scale_of(planes[k]) * constrained_area(level, planes[k]));
   });
   forms.reserve_general(generals);
-  parallel_for(generals.size(), [&](std::size_t k) {
-    const QuadraticForm<D> form = cell_form<D>(level, solid, generals[k]);
-    forms.set_general(generals[k], shift == Shift::kSpectral ? shifted(form) : form, scale_of(generals[k]));
-  });
+  parallel_for(
+      generals.size(),
+      [&](std::size_t k) {
+        const QuadraticForm<D> form = cell_form<D>(level, solid, generals[k]);
+        forms.set_general(generals[k], shift == Shift::kSpectral ? shifted(form) : form,
+                          scale_of(generals[k]));
+      },
+      level.leaves_per_task());
   return forms;
 }
 

@@ -2,10 +2,12 @@
 // One level of the nested iteration: the octree so far, with the surface in each leaf.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "crossgrain/monitor.hpp"
 #include "grid/face_neighbours.hpp"
 #include "grid/leaf_guides.hpp"
@@ -48,6 +50,12 @@ struct GridLevel {
   bool centre_inside(CellIndex i) const { return centre_winding[i] > 0; }
   bool holds_surface(CellIndex i) const { return piece_begin[i + 1] > piece_begin[i]; }
   bool is_constrained(CellIndex i) const { return holds_surface(i) || guides.has(i); }
+
+  /// Number of leaves for one task of a loop over their pieces: near the root, leaves hold many.
+  std::size_t leaves_per_task() const {
+    constexpr std::size_t kPieces = std::size_t{1} << 14;
+    return std::clamp<std::size_t>(kPieces * size() / (pieces.size() + 1), 1, kParallelGrain);
+  }
 };
 
 /// A new level, with data that are needed only until it is solved and refined.

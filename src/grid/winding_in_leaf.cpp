@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grid/winding_in_leaf.hpp"
 
+#include <algorithm>
+
 #include "base/instruction_set.hpp"
 #include "surface/segment_crossing.hpp"
 
@@ -9,6 +11,51 @@ namespace {
 
 /// Distance, relative to its size, by which points of a leaf may be outside it.
 constexpr double kRounding = 1e-9;
+
+/// Segments from one point, which they have as origin, to `ends`: tells those that may meet a box.
+template <class Real, std::size_t kGroups>
+class SegmentBoxes {
+ public:
+  explicit SegmentBoxes(const std::array<BasicVector3<Real>, kGroups>& ends) {
+    // A number of this size stands for the inverse of 0 without making one that is not a number.
+    constexpr double kLargest = 1e200;
+    for (std::size_t g = 0; g < kGroups; ++g)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Real end = ends[g][axis];
+        inverse_[g][axis] = select(abs(end) > 0.0, Real(1.0) / end, Real(kLargest));
+      }
+  }
+
+  /// By slabs (Kay and Kajiya 1986).
+  bool any_may_meet(const Vector3& low, const Vector3& high) const {
+    for (const BasicVector3<Real>& inverse : inverse_) {
+      Real begin = 0.0, end = 1.0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Real at_low = Real(low[axis]) * inverse[axis], at_high = Real(high[axis]) * inverse[axis];
+        const Real first = select(at_low < at_high, at_low, at_high);
+        const Real last = select(at_low < at_high, at_high, at_low);
+        begin = select(first > begin, first, begin);
+        end = select(last < end, last, end);
+      }
+      if (any(end >= begin)) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::array<BasicVector3<Real>, kGroups> inverse_;
+};
+
+/// The bounding box of a triangle relative to a point, enlarged by `margin`.
+Box box_around(const std::array<Vector3, 3>& corners, const Vector3& point, double margin) {
+  Box box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [low, high] = std::minmax({corners[0][axis], corners[1][axis], corners[2][axis]});
+    box.low[axis] = low - point[axis] - margin;
+    box.high[axis] = high - point[axis] + margin;
+  }
+  return box;
+}
 
 template <int W, std::size_t N>
 WindingChanges<N> changes_in_lanes(const GridLevel& level, const Solid& solid, CellIndex i,
@@ -24,8 +71,15 @@ WindingChanges<N> changes_in_lanes(const GridLevel& level, const Solid& solid, C
   }
   const Vector3 centre = level.tree.centre(i);
   const double reach = 0.5 * (1 + kRounding) * level.tree.cell_size(i);
+  std::array<BasicVector3<Real>, kGroups> directions = ends;
+  for (auto& direction : directions)
+    for (std::size_t axis = 0; axis < 3; ++axis) direction[axis] = direction[axis] - Real(centre[axis]);
+  const SegmentBoxes<Real, kGroups> segments(directions);
   for (const SurfacePiece& piece : level.pieces_of(i)) {
-    const CrossingsFrom crossings(solid.surface.corners(piece.triangle), centre, reach);
+    const std::array<Vector3, 3> corners = solid.surface.corners(piece.triangle);
+    const auto [low, high] = box_around(corners, centre, kRounding * reach);
+    if (!segments.any_may_meet(low, high)) continue;
+    const CrossingsFrom crossings(corners, centre, reach);
     for (std::size_t g = 0; g < kGroups; ++g) {
       const auto change = crossings.to(ends[g]);
       sums[g] += change.change;
