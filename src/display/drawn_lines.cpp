@@ -26,7 +26,7 @@ constexpr double kMostMoved = 1.5;
 class LinesOfField {
  public:
   explicit LinesOfField(const ShownField& field)
-      : graph_(field.lines()), rays_(field.surface()), sizes_(field) {}
+      : graph_(field.lines()), rays_(field.searchable()), sizes_(field) {}
 
   DrawnLines lines() const {
     DrawnLines drawn;

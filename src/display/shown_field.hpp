@@ -40,6 +40,11 @@ class ShownField {
   /// tets().solid.boundary[k] with vertices of the mesh, and which has the creases of the solve.
   const SolvedSurface& surface() const { return *surface_; }
 
+  /// The same for searching. Throws Error(kInput) if no triangle has an area.
+  std::shared_ptr<const SearchableSurface> searchable() const {
+    return is_on_tets() ? crossgrain::searchable(*surface_) : grid().surface.searchable();
+  }
+
   const SingularityGraph& lines() const { return *lines_; }
   const SolveReport& report() const { return tets_ ? tets_->report() : grid_.report(); }
 

@@ -13,22 +13,17 @@ constexpr double kOpposite = -0.4;
 
 }  // namespace
 
-SolidRays::SolidRays(const SolvedSurface& surface)
-    : surface_(prepare_surface(
-          CheckedMesh::derived({.vertices = surface.vertices, .triangles = surface.triangles}))),
-      bvh_(surface_) {}
-
 std::optional<SolidRays::Hit> SolidRays::first_hit(const Vector3& origin, const Vector3& direction,
                                                    double most) const {
-  const std::optional<RayHit> hit = bvh_.first_hit(origin, direction, 0, most);
+  const std::optional<RayHit> hit = surface_->bvh().first_hit(origin, direction, 0, most);
   if (!hit) return std::nullopt;
-  const Vector3& normal = surface_.normals[hit->triangle];
+  const Vector3& normal = surface_->surface().normals[hit->triangle];
   return Hit{hit->t, origin + hit->t * direction, normal, dot(normal, direction) > 0};
 }
 
 SolidRays::Hit SolidRays::nearest(const Vector3& point) const {
-  const NearestPoint nearest = bvh_.nearest(point);
-  const Vector3& normal = surface_.normals[nearest.triangle];
+  const NearestPoint nearest = surface_->bvh().nearest(point);
+  const Vector3& normal = surface_->surface().normals[nearest.triangle];
   return {std::sqrt(nearest.squared_distance), nearest.point, normal, dot(normal, nearest.point - point) > 0};
 }
 

@@ -2,23 +2,19 @@
 // Distances to the drawn surface along rays.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/vector3.hpp"
-#include "field/solved_surface.hpp"
-#include "surface/bvh.hpp"
-#include "surface/surface.hpp"
+#include "surface/searchable_surface.hpp"
 
 namespace crossgrain {
 
-/// The surface of a solid, which may be open. Refers to itself, so it can be neither copied nor moved.
-/// Queries are safe from any number of threads.
+/// The surface of a solid, which may be open. Queries are safe from any number of threads.
 class SolidRays {
  public:
-  /// Copies the triangles. Throws Error(kInput) if none has an area.
-  explicit SolidRays(const SolvedSurface& surface);
-  SolidRays(const SolidRays&) = delete;
-  SolidRays& operator=(const SolidRays&) = delete;
+  explicit SolidRays(std::shared_ptr<const SearchableSurface> surface) : surface_(std::move(surface)) {}
 
   struct Hit {
     double distance;  ///< model units
@@ -38,8 +34,7 @@ class SolidRays {
   double chord(const Vector3& point, const Vector3& direction) const;
 
  private:
-  Surface surface_;
-  TriangleBvh bvh_;
+  std::shared_ptr<const SearchableSurface> surface_;
 };
 
 }  // namespace crossgrain

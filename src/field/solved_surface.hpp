@@ -7,10 +7,10 @@
 #include <functional>
 #include <future>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "crossgrain/types.hpp"
+#include "surface/searchable_surface.hpp"
 
 namespace crossgrain {
 
@@ -29,30 +29,36 @@ struct SolvedSurface {
   std::vector<std::array<std::int32_t, 2>> interface_regions = {};
 };
 
+/// The outer surface, for searching. Throws Error(kInput) if no triangle has an area.
+std::shared_ptr<const SearchableSurface> searchable(const SolvedSurface& surface);
+
 /// A surface in memory, or one that is read from a file when it is first needed: most users of a field do not
-/// need it, and it may be larger than the field.
+/// need it, and it may be larger than the field. Thread-safe.
 class SurfaceSource {
  public:
   /// Holds no surface.
   SurfaceSource() = default;
 
-  explicit SurfaceSource(SolvedSurface surface) {
-    std::promise<std::shared_ptr<const SolvedSurface>> now;
-    now.set_value(std::make_shared<const SolvedSurface>(std::move(surface)));
-    surface_ = now.get_future().share();
-  }
+  /// `searched` is the surface for searching, or null if that is to be made when it is first needed.
+  explicit SurfaceSource(SolvedSurface surface, std::shared_ptr<const SearchableSurface> searched = nullptr);
 
-  explicit SurfaceSource(std::function<SolvedSurface()> read)
-      : surface_(std::async(std::launch::deferred, [read = std::move(read)] {
-                   return std::make_shared<const SolvedSurface>(read());
-                 }).share()) {}
+  explicit SurfaceSource(std::function<SolvedSurface()> read);
 
   /// Returns the surface, or null if there is none. Throws what reading it throws, at every call.
-  /// Thread-safe.
   std::shared_ptr<const SolvedSurface> get() const { return surface_.valid() ? surface_.get() : nullptr; }
 
+  /// Returns the surface for searching, or null if there is none or it has no triangles. Throws as get() and
+  /// crossgrain::searchable do.
+  std::shared_ptr<const SearchableSurface> searchable() const {
+    return searchable_.valid() ? searchable_.get() : nullptr;
+  }
+
  private:
-  std::shared_future<std::shared_ptr<const SolvedSurface>> surface_;
+  template <class T>
+  using Shared = std::shared_future<std::shared_ptr<const T>>;
+
+  Shared<SolvedSurface> surface_;
+  Shared<SearchableSurface> searchable_;
 };
 
 }  // namespace crossgrain

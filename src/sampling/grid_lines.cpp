@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
@@ -53,11 +54,8 @@ GridLines::GridLines(const FieldData& field, const TriangleMesh* surface, double
   if (surface) {
     boundary_.emplace(*surface);
     check_place(*boundary_, field);
-  } else if (const auto solved = field.surface.get(); solved && !solved->triangles.empty()) {
-    TriangleMesh mesh;
-    mesh.vertices = solved->vertices;
-    mesh.triangles = solved->triangles;
-    boundary_.emplace(mesh);
+  } else if (auto solved = field.surface.searchable()) {
+    boundary_.emplace(std::move(solved));
   }
 }
 

@@ -6,13 +6,11 @@
 
 namespace crossgrain {
 ModelBoundary::ModelBoundary(const TriangleMesh& mesh)
-    : mended_(mend_surface(split_solids(mesh, true).outer)),
-      bvh_(mended_.surface),
-      winding_(mended_.surface, bvh_) {}
+    : surface_(std::make_shared<const SearchableSurface>(mend_surface(split_solids(mesh, true).outer))) {}
 
 double ModelBoundary::share_to(const Vector3& from, const Vector3& to) const {
   if (from == to) return 1;  // a ray needs a direction
-  const auto hit = bvh_.first_hit(from, to - from, 0, 1);
+  const auto hit = surface_->bvh().first_hit(from, to - from, 0, 1);
   return hit ? hit->t : 1;
 }
 

@@ -60,19 +60,18 @@ PreparedModel::PreparedModel(const TriangleMesh& mesh, SolidSplit split, const S
     : mesh_(mesh),
       inner_faces_(std::move(split.inner)),
       interfaces_(std::move(split.between)),
-      mended_(mended_and_checked(std::move(split.outer), options)),
-      bvh_(mended_.surface),
-      winding_(mended_.surface, bvh_),
-      creases_(mended_.surface, inner_faces_, options.creases, winding_.flipped()),
-      guides_(guides_of(creases_, inner_faces_, mended_.surface, options)),
-      solid_{mended_.surface, bvh_, winding_, mended_.closed, &guides_} {}
+      searchable_(
+          std::make_shared<const SearchableSurface>(mended_and_checked(std::move(split.outer), options))),
+      creases_(surface(), inner_faces_, options.creases, searchable_->winding().flipped()),
+      guides_(guides_of(creases_, inner_faces_, surface(), options)),
+      solid_{surface(), searchable_->bvh(), searchable_->winding(), mended().closed, &guides_} {}
 
 SolveReport::Model PreparedModel::description() const {
   // Edges along which solids touch have more than two triangles.
-  const SurfaceTopology& topology = mended_.topology;
+  const SurfaceTopology& topology = mended().topology;
   SolveReport::Model model;
   model.triangles = mesh_.triangles.size();
-  model.bounding_box = mended_.surface.box;
+  model.bounding_box = surface().box;
   model.watertight = topology.watertight || (has_several_solids(mesh_) && topology.unbalanced_edges == 0);
   model.components = topology.components;
   model.unit = mesh_.unit;
@@ -81,24 +80,26 @@ SolveReport::Model PreparedModel::description() const {
 }
 
 SolveReport::Input PreparedModel::findings() const {
-  SurfaceFindings findings = mended_.findings;
-  find_self_intersections(mended_, bvh_, winding_, findings);
-  return input_report(mended_, findings);
+  SurfaceFindings findings = mended().findings;
+  find_self_intersections(mended(), searchable_->bvh(), searchable_->winding(), findings);
+  return input_report(mended(), findings);
 }
 
-SolvedSurface PreparedModel::solved_surface() && {
-  TriangleMesh& mesh = mended_.surface.mesh;
-  SolvedSurface released{std::move(mesh.vertices), std::move(mesh.triangles), {}};
-  if (has_several_solids(mesh_)) released.regions = std::move(mesh.solids);
+SurfaceSource PreparedModel::solved_surface() && {
+  const TriangleMesh& mesh = surface().mesh;
+  SolvedSurface released{mesh.vertices, mesh.triangles, {}};
+  if (has_several_solids(mesh_)) released.regions = mesh.solids;
   add_interfaces(interfaces_, inner_faces_.vertices, released);
-  if (winding_.flipped()) {
+  const bool is_flipped = searchable_->winding().flipped();
+  if (is_flipped) {
     for (auto& [a, b, c] : released.triangles) std::swap(b, c);
     for (auto& [a, b, c] : released.interfaces) std::swap(b, c);
   }
   for (CreaseCurve& curve : creases_.curves) {
     if (curve.points.size() > 1) released.creases.push_back(std::move(curve.points));
   }
-  return released;
+  // With the triangles reversed, normals and trees are others.
+  return is_flipped ? SurfaceSource(std::move(released)) : SurfaceSource(std::move(released), searchable_);
 }
 
 }  // namespace crossgrain

@@ -2,6 +2,7 @@
 // A model prepared for a solve: the repaired surface, tests for inside, and all constraints on frames.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@
 #include "field/solved_surface.hpp"
 #include "grid/grid_level.hpp"
 #include "measure/crease_report.hpp"
-#include "surface/mending.hpp"
+#include "surface/searchable_surface.hpp"
 #include "surface/solid_split.hpp"
 
 namespace crossgrain {
@@ -25,8 +26,8 @@ class PreparedModel {
   PreparedModel& operator=(const PreparedModel&) = delete;
 
   const Solid& solid() const { return solid_; }
-  const Surface& surface() const { return mended_.surface; }
-  const MendedSurface& mended() const { return mended_; }
+  const Surface& surface() const { return searchable_->surface(); }
+  const MendedSurface& mended() const { return searchable_->mended(); }
 
   /// Returns the faces inside the model across which frames have an axis: those between solids, and tagged
   /// ones.
@@ -37,7 +38,7 @@ class PreparedModel {
   SolveReport::Input findings() const;
 
   /// Returns the surface that was solved. Leaves the model unusable.
-  SolvedSurface solved_surface() &&;
+  SurfaceSource solved_surface() &&;
 
  private:
   PreparedModel(const TriangleMesh& mesh, SolidSplit split, const SolveOptions& options);
@@ -45,9 +46,7 @@ class PreparedModel {
   const TriangleMesh& mesh_;
   TriangleMesh inner_faces_;
   std::vector<SolidSplit::Between> interfaces_;
-  MendedSurface mended_;
-  TriangleBvh bvh_;
-  WindingNumber winding_;
+  std::shared_ptr<const SearchableSurface> searchable_;
   CreaseNetwork creases_;
   Guides guides_;
   Solid solid_;

@@ -198,7 +198,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   data->open_faces = std::move(solved.open_faces);
   const Sampler sampler(data->tree, data->frames, data->open_faces, turns_for(model, asked, data->tree));
   describe_guides(model, asked, options, sampler, *data);
-  data->surface = SurfaceSource(std::move(model).solved_surface());
+  data->surface = std::move(model).solved_surface();
   describe_surface(sampler, *data);
   return data;
 }

@@ -18,7 +18,7 @@ SolvedSurface surface_of(const TriangleMesh& mesh) {
 
 /// The box [-1, 1] x [-1, 1] x [-1, 1].
 const SolidRays& box() {
-  static const SolidRays rays(surface_of(make_box({2, 2, 2})));
+  static const SolidRays rays(searchable(surface_of(make_box({2, 2, 2}))));
   return rays;
 }
 
@@ -128,7 +128,7 @@ TEST(LineEnd, StaysOnItsSideOfAThinWall) {
   quad(surface, {{{0.3, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0.3, 1, 0}}});
   quad(surface, {{{-1, -1, -0.3}, {-1, 1, -0.3}, {1, 1, -0.3}, {1, -1, -0.3}}});
   quad(surface, {{{0.3, -1, 0}, {0.3, 1, 0}, {0.3, 1, 1}, {0.3, -1, 1}}});
-  const SolidRays boss(surface);
+  const SolidRays boss(searchable(surface));
   const StraightEnd end =
       straight_end(line({{0.5, 0, -0.05}, {0.2, 0, -0.1}, {0.2, 0, 0.9}}, kUp), kCell, boss);
   EXPECT_NEAR(norm(end.points.front() - Vector3{0.5, 0, 0}), 0, 1e-12);
@@ -147,7 +147,7 @@ TEST(LineEnd, WithoutAxesIsOnlyExtended) {
 }
 
 TEST(WallsAlongALine, AreThoseOfTheSolidAroundIt) {
-  const SolidRays plate(surface_of(make_box({2, 2, 0.1})));
+  const SolidRays plate(searchable(surface_of(make_box({2, 2, 0.1}))));
   const std::vector<Vector3> along{{-0.5, 0, 0}, {0, 0, 0.01}, {0.5, 0, 0}},
       across{{0, 0, 0.05}, {0, 0, -0.05}};
   for (const double wall : walls_along(along, plate)) EXPECT_NEAR(wall, 0.1, 1e-4);
@@ -155,8 +155,8 @@ TEST(WallsAlongALine, AreThoseOfTheSolidAroundIt) {
 }
 
 TEST(WallsAlongALine, DoNotJump) {
-  const SolidRays part(
-      surface_of(join_meshes(make_box({0.2, 2, 2}), translate_mesh(make_box({2, 2, 0.1}), {1.1, 0, 0}))));
+  const SolidRays part(searchable(
+      surface_of(join_meshes(make_box({0.2, 2, 2}), translate_mesh(make_box({2, 2, 0.1}), {1.1, 0, 0})))));
   std::vector<Vector3> points;
   for (int k = 0; k <= 40; ++k) points.push_back({-0.05 + 0.01 * k, 0, 0});
   const std::vector<double> walls = walls_along(points, part);
@@ -167,7 +167,7 @@ TEST(WallsAlongALine, DoNotJump) {
 TEST(WallsAlongALine, AreNoneWhereTheSurfaceIsOpen) {
   SolvedSurface sheet = surface_of(make_box({2, 2, 2}));
   sheet.triangles.resize(1);
-  const SolidRays rays(sheet);
+  const SolidRays rays(searchable(sheet));
   for (const double wall : walls_along({{0, 0, 0}, {0.1, 0, 0}}, rays))
     EXPECT_EQ(wall, std::numeric_limits<double>::infinity());
 }
