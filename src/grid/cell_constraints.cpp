@@ -2,17 +2,84 @@
 #include "grid/cell_constraints.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
+#include "base/instruction_set.hpp"
+#include "base/lanes.hpp"
 #include "base/vector3.hpp"
 #include "constraint/normal_form.hpp"
 
 namespace crossgrain {
+namespace {
+
+/// Leaves with at least so many pieces, as near the root, have them added in lanes, at a fifth of the time.
+constexpr std::size_t kManyPieces = 32;
+
+/// Number of sums that pieces are added to in turn, whatever the number of lanes: so all processors get the
+/// same bits.
+constexpr std::size_t kSums = 8;
+
+/// Sums of weighted C C^T + S S^T, b and weights (constraint/normal_form.hpp).
+template <int D, class Real>
+struct NormalSums {
+  FormMatrix<D, Real> projections{};
+  Coefficients<D, Real> zonals{};
+  Real weight = 0.0;
+
+  void add(const BasicVector3<Real>& normal, const Real& area) {
+    const NormalBasis<D, Real> basis = normal_basis<D, Real>(normal);
+    add_outer_product<D, Real>(projections, area, basis.cosine);
+    add_outer_product<D, Real>(projections, area, basis.sine);
+    if constexpr (D == 4)
+      for (std::size_t k = 0; k < zonals.size(); ++k) zonals[k] += area * basis.zonal[k];
+    weight += area;
+  }
+};
+
+template <int D>
+void add_sums(const NormalSums<D, double>& sums, QuadraticForm<D>& form) {
+  add_scaled(form.matrix, -1.0, sums.projections);
+  add_identity(form, sums.weight);
+  if constexpr (D == 4) {
+    add_scaled(form.linear, 1.0, sums.zonals);
+    form.constant += sums.weight * kZonalShare;
+  }
+  form.weight += sums.weight;
+}
+
+template <int D>
+void add_many_pieces(const GridLevel& level, const Solid& solid, CellIndex i, QuadraticForm<D>& form) {
+  const std::span<const SurfacePiece> pieces = level.pieces_of(i);
+  run_in_lanes([&]<int W>() {
+    for (std::size_t first = 0; first < kSums; first += W) {
+      NormalSums<D, Lanes<W>> sums;
+      for (std::size_t k = first; k < pieces.size(); k += kSums) {
+        BasicVector3<Lanes<W>> normals{0.0, 0.0, 1.0};
+        Lanes<W> areas = 0.0;
+        for (int lane = 0; lane < W && k + static_cast<std::size_t>(lane) < pieces.size(); ++lane) {
+          const SurfacePiece& piece = pieces[k + static_cast<std::size_t>(lane)];
+          set_lane(normals, lane, normal_of(level, solid, i, piece));
+          areas.set(lane, piece.area);
+        }
+        sums.add(normals, areas);
+      }
+      for (int lane = 0; lane < W; ++lane)
+        add_sums<D>({in_lane(sums.projections, lane), in_lane(sums.zonals, lane), sums.weight[lane]}, form);
+    }
+  });
+}
+
+}  // namespace
 
 template <int D>
 QuadraticForm<D> cell_form(const GridLevel& level, const Solid& solid, CellIndex i) {
   QuadraticForm<D> form{};
-  for (const SurfacePiece& piece : level.pieces_of(i)) {
-    add_normal(form, normal_of(level, solid, i, piece), piece.area);
+  if (level.pieces_of(i).size() >= kManyPieces) {
+    add_many_pieces(level, solid, i, form);
+  } else {
+    for (const SurfacePiece& piece : level.pieces_of(i))
+      add_normal(form, normal_of(level, solid, i, piece), piece.area);
   }
   for (const LeafGuide& guide : level.guides.of(i)) add_normal(form, guide.unit_direction(), guide.area);
   return form;

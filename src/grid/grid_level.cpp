@@ -80,23 +80,46 @@ class Refiner {
   void split(CellIndex i, RefinedRun& run) const {
     ++run.split;
     const std::array<Winding, 8> windings = windings_of_children(i);
+    const std::vector<std::uint8_t> octants = octants_of_pieces(i);
     for (int octant = 0; octant < 8; ++octant) {
       monitor_.check_stop();
       const CellAddress child = level_.tree[i].child(octant);
-      const std::size_t piece_count = clip_to(child, level_.pieces_of(i), run.pieces);
+      const std::size_t piece_count = clip_to(child, octant, level_.pieces_of(i), octants, run.pieces);
       const auto [winding, near_cap] = windings[octant];
       if (piece_count > 0 || winding > 0 || (near_cap && reaches_inside(child)))
         close_leaf(i, child, piece_count, winding, run);
     }
   }
 
-  /// Clips the pieces to `child`, appends the results to `clipped`, and returns their number.
-  std::size_t clip_to(CellAddress child, std::span<const SurfacePiece> pieces,
-                      std::vector<SurfacePiece>& clipped) const {
+  /// Returns for each piece of leaf i the children that the box of its triangle meets: bit k for octant k.
+  std::vector<std::uint8_t> octants_of_pieces(CellIndex i) const {
+    // The octants in the lower and upper half of the cell along each axis.
+    constexpr std::array<std::uint8_t, 3> kLower{0b01010101, 0b00110011, 0b00001111};
+    const auto pieces = level_.pieces_of(i);
+    const RootCube& root = level_.tree.root();
+    const Box lower = root.box(level_.tree[i].child(0)), upper = root.box(level_.tree[i].child(7));
+    std::vector<std::uint8_t> octants(pieces.size(), 0xff);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const std::array<Vector3, 3> corners = solid_.surface.corners(pieces[k].triangle);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto [low, high] = std::minmax({corners[0][axis], corners[1][axis], corners[2][axis]});
+        if (low >= lower.high[axis]) octants[k] &= static_cast<std::uint8_t>(~kLower[axis]);
+        if (high < upper.low[axis]) octants[k] &= kLower[axis];
+      }
+    }
+    return octants;
+  }
+
+  /// Clips the pieces that may be in `child` to it, appends the results to `clipped`, and returns their
+  /// number. `octants` as octants_of_pieces returns.
+  std::size_t clip_to(CellAddress child, int octant, std::span<const SurfacePiece> pieces,
+                      const std::vector<std::uint8_t>& octants, std::vector<SurfacePiece>& clipped) const {
     const std::size_t before = clipped.size();
     const Box box = level_.tree.root().box(child);
     const double cell_size = level_.tree.root().cell_size(child.depth());
-    for (const SurfacePiece& piece : pieces) {
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      if ((octants[k] >> octant & 1) == 0) continue;
+      const SurfacePiece& piece = pieces[k];
       const double area = clip_triangle(solid_.surface.corners(piece.triangle), box).area;
       if (area > kSmallestPiece * std::min(cell_size * cell_size, solid_.surface.areas[piece.triangle]))
         clipped.push_back({piece.triangle, static_cast<float>(area)});

@@ -22,16 +22,24 @@ class SegmentBoxes {
     for (std::size_t g = 0; g < kGroups; ++g)
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const Real end = ends[g][axis];
+        for (int lane = 0; lane < Real::kCount; ++lane) {
+          around_.low[axis] = std::min(around_.low[axis], end[lane]);
+          around_.high[axis] = std::max(around_.high[axis], end[lane]);
+        }
         inverse_[g][axis] = select(abs(end) > 0.0, Real(1.0) / end, Real(kLargest));
       }
   }
 
+  bool any_may_meet(const Box& box) const { return boxes_meet(box, around_) && any_meets(box); }
+
+ private:
   /// By slabs (Kay and Kajiya 1986).
-  bool any_may_meet(const Vector3& low, const Vector3& high) const {
+  bool any_meets(const Box& box) const {
     for (const BasicVector3<Real>& inverse : inverse_) {
       Real begin = 0.0, end = 1.0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Real at_low = Real(low[axis]) * inverse[axis], at_high = Real(high[axis]) * inverse[axis];
+        const Real at_low = Real(box.low[axis]) * inverse[axis],
+                   at_high = Real(box.high[axis]) * inverse[axis];
         const Real first = select(at_low < at_high, at_low, at_high);
         const Real last = select(at_low < at_high, at_high, at_low);
         begin = select(first > begin, first, begin);
@@ -42,8 +50,8 @@ class SegmentBoxes {
     return false;
   }
 
- private:
   std::array<BasicVector3<Real>, kGroups> inverse_;
+  Box around_{{0, 0, 0}, {0, 0, 0}};  ///< all segments
 };
 
 /// The bounding box of a triangle relative to a point, enlarged by `margin`.
@@ -77,8 +85,7 @@ WindingChanges<N> changes_in_lanes(const GridLevel& level, const Solid& solid, C
   const SegmentBoxes<Real, kGroups> segments(directions);
   for (const SurfacePiece& piece : level.pieces_of(i)) {
     const std::array<Vector3, 3> corners = solid.surface.corners(piece.triangle);
-    const auto [low, high] = box_around(corners, centre, kRounding * reach);
-    if (!segments.any_may_meet(low, high)) continue;
+    if (!segments.any_may_meet(box_around(corners, centre, kRounding * reach))) continue;
     const CrossingsFrom crossings(corners, centre, reach);
     for (std::size_t g = 0; g < kGroups; ++g) {
       const auto change = crossings.to(ends[g]);
