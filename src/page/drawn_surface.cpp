@@ -20,7 +20,7 @@ constexpr double kEnough = 1.5;
 
 /// Contracting edges takes a microsecond a triangle. Surfaces with more than so many times the number
 /// requested are first clustered to this: a page of 1600 pixels does not show the difference.
-constexpr std::size_t kClustered = 8;
+constexpr std::size_t kClustered = 4;
 
 /// What meshoptimizer gives for the place of a vertex without triangles.
 constexpr std::uint32_t kUnused = UINT32_MAX;

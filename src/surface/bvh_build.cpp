@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Builds the tree: binned surface area heuristic, after Wald, "On fast construction of SAH-based bounding
-// volume hierarchies" (2007). The two halves of a large node are built in parallel into separate arrays,
-// which are then joined, so the result does not depend on the number of threads.
+// volume hierarchies" (2007). The two halves of a large node are built in parallel, small ones into arrays of
+// their own, which are joined at the end, so the result does not depend on the number of threads.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -61,32 +61,11 @@ class Builder {
     });
   }
 
-  /// Builds the subtree over the items [first, first + count); its `skip` counts from its own first node.
-  std::vector<Node> build(std::uint32_t first, std::uint32_t count, int depth) {
-    std::vector<Node> nodes;
-    if (count < kParallelTriangles) {
-      nodes.reserve(count);
-      append_subtree(first, count, depth, nodes);
-      return nodes;
-    }
-    const std::uint32_t lower = divide(first, count, depth);
-    std::array<std::vector<Node>, 2> halves;
-    parallel_for(
-        2,
-        [&](std::size_t upper) {
-          halves[upper] =
-              upper ? build(first + lower, count - lower, depth + 1) : build(first, lower, depth + 1);
-        },
-        1);
-    nodes.reserve(1 + halves[0].size() + halves[1].size());
-    nodes.push_back({halves[0][0].box, 0, first, count});
-    extend(nodes[0].box, halves[1][0].box);
-    for (auto& half : halves) {
-      const auto offset = static_cast<std::uint32_t>(nodes.size());
-      for (const Node& node : half) nodes.push_back({node.box, offset + node.skip, node.first, node.count});
-      half = {};
-    }
-    nodes[0].skip = static_cast<std::uint32_t>(nodes.size());
+  /// Returns the nodes over all items.
+  std::vector<Node> build() {
+    const Part root = part_of(0, static_cast<std::uint32_t>(items_.size()), 0);
+    auto nodes = sized_vector<Node>(root.size);
+    place(root, 0, nodes);
     return nodes;
   }
 
@@ -104,6 +83,53 @@ class Builder {
     Box box;
     std::uint32_t triangle;
   };
+
+  /// A subtree: its own nodes if it is small, or two halves below a node.
+  struct Part {
+    std::uint32_t first, count;
+    std::size_t size = 0;          ///< number of nodes
+    std::vector<Node> nodes = {};  ///< `skip` counts from the first of them
+    std::vector<Part> halves = {};
+  };
+
+  Part part_of(std::uint32_t first, std::uint32_t count, int depth) {
+    Part part{first, count};
+    if (count < kParallelTriangles) {
+      part.nodes.reserve(count);
+      append_subtree(first, count, depth, part.nodes);
+      part.size = part.nodes.size();
+      return part;
+    }
+    const std::uint32_t lower = divide(first, count, depth);
+    part.halves.resize(2);
+    parallel_for(
+        2,
+        [&](std::size_t upper) {
+          part.halves[upper] =
+              upper ? part_of(first + lower, count - lower, depth + 1) : part_of(first, lower, depth + 1);
+        },
+        1);
+    part.size = 1 + part.halves[0].size + part.halves[1].size;
+    return part;
+  }
+
+  /// Writes the nodes of a part from `begin` on.
+  static void place(const Part& part, std::size_t begin, std::vector<Node>& nodes) {
+    const auto offset = static_cast<std::uint32_t>(begin);
+    if (part.halves.empty()) {
+      for (std::size_t k = 0; k < part.size; ++k) {
+        const Node& node = part.nodes[k];
+        nodes[begin + k] = {node.box, offset + node.skip, node.first, node.count};
+      }
+      return;
+    }
+    const std::array<std::size_t, 2> begins{begin + 1, begin + 1 + part.halves[0].size};
+    parallel_for(
+        2, [&](std::size_t half) { place(part.halves[half], begins[half], nodes); }, 1);
+    nodes[begin] = {nodes[begins[0]].box, offset + static_cast<std::uint32_t>(part.size), part.first,
+                    part.count};
+    extend(nodes[begin].box, nodes[begins[1]].box);
+  }
 
   std::span<const Item> items(std::uint32_t first, std::uint32_t count) const {
     return std::span(items_).subspan(first, count);
@@ -196,7 +222,7 @@ class Builder {
 
 TriangleBvh::TriangleBvh(const Surface& surface) : surface_(&surface) {
   Builder builder(surface);
-  nodes_ = builder.build(0, static_cast<std::uint32_t>(surface.size()), 0);
+  nodes_ = builder.build();
   triangle_order_ = builder.order();
 }
 
