@@ -33,7 +33,7 @@ struct Range {
 EnergyParts energy_of(const TriangleMesh& mesh, const SolveOptions& options) {
   const Surface surface = prepare_surface(mesh);
   const TriangleBvh bvh(surface);
-  const WindingNumber winding(surface, bvh);
+  const WindingNumber winding(bvh);
   return nested_solve({surface, bvh, winding, true}, options, Monitor{}).energy;
 }
 

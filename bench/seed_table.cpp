@@ -15,7 +15,7 @@ constexpr int kSeeds = 10;
 void print_row(const char* name, const TriangleMesh& mesh, Degree degree, bool relax) {
   const Surface surface = prepare_surface(mesh);
   const TriangleBvh bvh(surface);
-  const WindingNumber winding(surface, bvh);
+  const WindingNumber winding(bvh);
   SolveOptions options;
   options.cell_size = 1.0 / 16;
   options.degree = degree;

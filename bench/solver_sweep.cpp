@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
     for (const Shape& shape : solids) {
       const Surface surface = prepare_surface(shape.mesh);
       const TriangleBvh bvh(surface);
-      const WindingNumber winding(surface, bvh);
+      const WindingNumber winding(bvh);
       double lowest = INFINITY, highest = -INFINITY;
       for (int seed = 0; seed < seeds; ++seed) {
         SolveOptions options;

@@ -39,7 +39,7 @@ struct SolidBody {
       : number(solid),
         surface(prepare_surface(CheckedMesh::derived(std::move(mesh)))),
         bvh(surface),
-        winding(surface, bvh),
+        winding(bvh),
         volume(enclosed_volume(surface)) {}
   SolidBody(const SolidBody&) = delete;
   SolidBody& operator=(const SolidBody&) = delete;

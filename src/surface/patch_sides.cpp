@@ -73,7 +73,7 @@ class PatchJudge {
       if (rest_.empty()) break;
       const Surface surface = prepare_surface(CheckedMesh::derived(selected_triangles(mesh_, rest_)));
       const TriangleBvh bvh(surface);
-      const WindingNumber winding(surface, bvh);
+      const WindingNumber winding(bvh);
       sides_.inside_out = winding.flipped();
       if (patches_.size() > kMostPatches) break;
       const std::vector<View> views = look(surface, winding);

@@ -20,7 +20,7 @@ SearchableSurface::SearchableSurface(MendedSurface mended)
 SearchableSurface::SearchableSurface(Surface surface) : SearchableSurface(as_mended(std::move(surface))) {}
 
 const WindingNumber& SearchableSurface::winding() const {
-  std::call_once(winding_once_, [this] { winding_.emplace(mended_.surface, bvh_); });
+  std::call_once(winding_once_, [this] { winding_.emplace(bvh_); });
   return *winding_;
 }
 

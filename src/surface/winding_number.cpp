@@ -133,32 +133,35 @@ double enclosed_volume(const std::vector<std::array<Vector3, 3>>& triangles) {
 
 }  // namespace
 
-WindingNumber::WindingNumber(const Surface& surface, const TriangleBvh& bvh, double beta) {
-  const Box& box = surface.box;
+WindingNumber::WindingNumber(const TriangleBvh& bvh, double beta) : bvh_(&bvh) {
+  const Box& box = bvh.surface().box;
   const Vector3 size = box.high - box.low;
   middle_ = 0.5 * (box.low + box.high);
   scale_ = 1 / std::max({size[0], size[1], size[2]});
 
-  const auto& order = bvh.triangle_order();
-  corners_.resize(order.size());
-  parallel_for(order.size(), [&](std::size_t i) {
-    const auto corners = surface.corners(order[i]);
-    corners_[i] = {to_unit(corners[0]), to_unit(corners[1]), to_unit(corners[2])};
-  });
+  // Side by side only for the many sums here.
+  auto corners = sized_vector<std::array<Vector3, 3>>(bvh.triangle_order().size());
+  parallel_for(corners.size(), [&](std::size_t i) { corners[i] = unit_corners(i); });
 
-  clusters_.resize(bvh.nodes().size());
+  clusters_ = sized_vector<Cluster>(bvh.nodes().size());
   parallel_for(
       clusters_.size(),
       [&](std::size_t i) {
         const TriangleBvh::Node& node = bvh.nodes()[i];
-        clusters_[i] = make_cluster(corners_.data() + node.first, node.count, beta);
+        clusters_[i] = make_cluster(corners.data() + node.first, node.count, beta);
         clusters_[i].skip = node.skip;
         clusters_[i].first = node.first;
         clusters_[i].count = node.count;
       },
       kClusterGrain);
 
-  if (enclosed_volume(corners_) < 0) orientation_ = -1;
+  if (enclosed_volume(corners) < 0) orientation_ = -1;
+}
+
+/// The corners of the triangle at a place in the order of the tree, in unit coordinates.
+std::array<Vector3, 3> WindingNumber::unit_corners(std::size_t place) const {
+  const auto [a, b, c] = bvh_->surface().corners(bvh_->triangle_order()[place]);
+  return {to_unit(a), to_unit(b), to_unit(c)};
 }
 
 Vector3 WindingNumber::to_unit(const Vector3& p) const {
@@ -218,7 +221,8 @@ double WindingNumber::far_solid_angle(const Cluster& cluster, float x, float y, 
 double WindingNumber::exact_solid_angle(const Cluster& leaf, const Vector3& p) const {
   AngleSum half_angles;
   for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-    const Vector3 a = corners_[i][0] - p, b = corners_[i][1] - p, c = corners_[i][2] - p;
+    const std::array<Vector3, 3> corners = unit_corners(i);
+    const Vector3 a = corners[0] - p, b = corners[1] - p, c = corners[2] - p;
     const double la = norm(a), lb = norm(b), lc = norm(c);
     half_angles.add(la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb, dot(a, cross(b, c)));
   }

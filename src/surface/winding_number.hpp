@@ -14,12 +14,12 @@ namespace crossgrain {
 /// Generalised winding number of a triangle soup (Jacobson et al. 2013): the solid angle of the surface seen
 /// from p, over 4 pi. It is 1 inside a closed outward-oriented surface, 0 outside, and in between near holes.
 /// Groups of triangles far from p are replaced by multipoles (Barill et al. 2018); near triangles count
-/// exactly. Copies what it needs of the surface and the tree. Queries are thread-safe.
+/// exactly. Refers to the tree and its surface, which must outlive it. Queries are thread-safe.
 class WindingNumber {
  public:
   /// A multipole replaces a group of triangles for points farther from its centre than beta times its radius.
   /// winding_number.cpp has a table of the accuracy and cost of beta.
-  WindingNumber(const Surface& surface, const TriangleBvh& bvh, double beta = kDefaultBeta);
+  explicit WindingNumber(const TriangleBvh& bvh, double beta = kDefaultBeta);
 
   /// Returns the winding number at p for the outward orientation (see `flipped`), within 0.02 of the exact
   /// sum.
@@ -46,16 +46,17 @@ class WindingNumber {
     std::uint32_t skip, first, count;
   };
 
+  std::array<Vector3, 3> unit_corners(std::size_t place) const;
   static Cluster make_cluster(const std::array<Vector3, 3>* corners, std::uint32_t count, double beta);
   static double far_solid_angle(const Cluster& cluster, float x, float y, float z);
   Vector3 to_unit(const Vector3& p) const;
   double exact_solid_angle(const Cluster& leaf, const Vector3& p) const;
 
+  const TriangleBvh* bvh_;
   Vector3 middle_;
   double scale_;
   double orientation_ = 1;
   std::vector<Cluster> clusters_;
-  std::vector<std::array<Vector3, 3>> corners_;  ///< in unit coordinates, in the order of the tree
 };
 
 }  // namespace crossgrain

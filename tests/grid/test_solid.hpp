@@ -17,7 +17,7 @@ class TestSolid {
       : closed_(analyse_topology(weld(mesh)).watertight),
         surface_(prepare_surface(std::move(mesh))),
         bvh_(surface_),
-        winding_(surface_, bvh_) {}
+        winding_(bvh_) {}
   TestSolid(const TestSolid&) = delete;
   TestSolid& operator=(const TestSolid&) = delete;
 

@@ -22,7 +22,7 @@ constexpr double kStorage_deg = 2e-5;
 /// A solid on a uniform grid, and one frame for every cell.
 struct Measured {
   Measured(const TriangleMesh& mesh, double cell_size, const Quaternion& frame)
-      : surface(prepare_surface(mesh)), bvh(surface), winding(surface, bvh) {
+      : surface(prepare_surface(mesh)), bvh(surface), winding(bvh) {
     const auto [root, depth] = frame_around(surface.box, cell_size);
     level = uniform_level(solid, root, depth).level;
     open_faces = testing::connect_leaves(level, solid).open_faces;

@@ -13,7 +13,7 @@ constexpr double kWanted = 4;
 SolveReport::Walls walls_of(const TriangleMesh& mesh, double cell_size) {
   const Surface surface = prepare_surface(mesh);
   const TriangleBvh bvh(surface);
-  const WindingNumber winding(surface, bvh);
+  const WindingNumber winding(bvh);
   const Solid solid{surface, bvh, winding};
   const auto [root, depth] = frame_around(surface.box, cell_size);
   return measure_walls(uniform_level(solid, root, depth).level, solid, RefinementOptions());

@@ -19,7 +19,7 @@ namespace {
 /// A solved field.
 struct Solved {
   Solved(const TriangleMesh& mesh, int resolution)
-      : surface(prepare_surface(mesh)), bvh(surface), winding(surface, bvh) {
+      : surface(prepare_surface(mesh)), bvh(surface), winding(bvh) {
     SolveOptions options;
     options.resolution = resolution;
     field = nested_solve(solid, options, {});

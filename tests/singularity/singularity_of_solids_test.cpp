@@ -41,7 +41,7 @@ std::string name_of(const Setting& setting) {
 Solved solve_coarsely(const TriangleMesh& mesh, const Setting& setting) {
   const Surface surface = prepare_surface(mesh);
   const TriangleBvh bvh(surface);
-  const WindingNumber winding(surface, bvh);
+  const WindingNumber winding(bvh);
   SolveOptions options;
   std::tie(options.degree, options.resolution) = setting;
   Solved solved;

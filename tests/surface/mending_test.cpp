@@ -23,7 +23,7 @@ std::size_t count_of(const MendedSurface& mended, FindingKind kind) {
 double misplaced_share(const MendedSurface& mended, const TriangleMesh& clean, std::mt19937& random) {
   const Surface surface = prepare_surface(clean);
   const TriangleBvh bvh(surface), mended_bvh(mended.surface);
-  const WindingNumber winding(surface, bvh), mended_winding(mended.surface, mended_bvh);
+  const WindingNumber winding(bvh), mended_winding(mended_bvh);
   const Vector3 size = surface.box.high - surface.box.low;
   constexpr int kPoints = 4000;
   int misplaced = 0;

@@ -59,7 +59,7 @@ TEST(WindingChange, SumsUpToTheDifferenceOfWindingNumbersOverAClosedSurface) {
   for (const TriangleMesh& mesh : {make_bracket(16), make_torus(0.6, 0.25, 24, 12), overlapping}) {
     const Surface surface = prepare_surface(rotate_mesh(mesh, random.rotation()));
     const TriangleBvh bvh(surface);
-    const WindingNumber winding(surface, bvh);
+    const WindingNumber winding(bvh);
     int certain = 0, changed = 0;
     for (int trial = 0; trial < 2000; ++trial) {
       const Vector3 a = 0.4 * random.vector(), b = 0.4 * random.vector();

@@ -15,7 +15,7 @@ namespace {
 SurfaceFindings findings_of(const TriangleMesh& mesh) {
   const MendedSurface mended = mend_surface(mesh);
   const TriangleBvh bvh(mended.surface);
-  const WindingNumber winding(mended.surface, bvh);
+  const WindingNumber winding(bvh);
   SurfaceFindings findings;
   find_self_intersections(mended, bvh, winding, findings);
   return findings;
@@ -101,7 +101,7 @@ TEST(SelfIntersections, AreThoseOfAllPairs) {
   MendedSurface mended = mend_surface(make_box({40, 40, 40}));
   mended.surface = prepare_surface(inner);
   const TriangleBvh bvh(mended.surface);
-  const WindingNumber winding(mended.surface, bvh);
+  const WindingNumber winding(bvh);
   SurfaceFindings findings;
   find_self_intersections(mended, bvh, winding, findings);
   EXPECT_EQ(count_of(findings, FindingKind::kSelfIntersection), crossings_among(inner, 1e-6));
@@ -152,7 +152,7 @@ TEST(SelfIntersections, CountingThemEndsEarlyWhereThereAreVeryMany) {
   MendedSurface mended = mend_surface(make_box({1, 1, 1}));
   mended.surface = prepare_surface(random_triangles(20000, random));
   const TriangleBvh bvh(mended.surface);
-  const WindingNumber winding(mended.surface, bvh);
+  const WindingNumber winding(bvh);
   SurfaceFindings findings;
   find_self_intersections(mended, bvh, winding, findings);
   ASSERT_EQ(findings.size(), 1u);

@@ -52,7 +52,7 @@ double exact_winding_number(const Surface& surface, const Vector3& p) {
 
 struct Prepared {
   explicit Prepared(TriangleMesh mesh)
-      : surface(prepare_surface(std::move(mesh))), bvh(surface), winding(surface, bvh) {}
+      : surface(prepare_surface(std::move(mesh))), bvh(surface), winding(bvh) {}
   Surface surface;
   TriangleBvh bvh;
   WindingNumber winding;
@@ -132,8 +132,8 @@ TEST(WindingNumber, ErrorFallsWithTheThirdPowerOfBeta) {
   // 8; the largest error over a sample scatters, so half of that is asked for.
   const Surface surface = prepare_surface(make_torus(0.6, 0.25, 48, 24));
   const TriangleBvh bvh(surface);
-  const double coarse = largest_error(surface, WindingNumber(surface, bvh, 2), 200);
-  const double fine = largest_error(surface, WindingNumber(surface, bvh, 4), 200);
+  const double coarse = largest_error(surface, WindingNumber(bvh, 2), 200);
+  const double fine = largest_error(surface, WindingNumber(bvh, 4), 200);
   EXPECT_GT(coarse, 4 * fine);
   EXPECT_GT(fine, 0);
 }
@@ -144,7 +144,7 @@ TEST(WindingNumber, MultipolesLeaveAnErrorOfFifthOrderInTheDistance) {
   // the distance: 1/32.
   const Surface surface = prepare_surface(random_soup(20));
   const TriangleBvh bvh(surface);
-  const WindingNumber winding(surface, bvh, 1e-9);
+  const WindingNumber winding(bvh, 1e-9);
   const auto mean_square_error = [&](double distance) {
     std::mt19937 random(9);
     double sum = 0;
@@ -161,7 +161,7 @@ TEST(WindingNumber, MultipolesLeaveAnErrorOfFifthOrderInTheDistance) {
 TEST(WindingNumber, WithAHugeBetaIsTheExactSum) {
   const Surface surface = prepare_surface(random_soup(300));
   const TriangleBvh bvh(surface);
-  EXPECT_LT(largest_error(surface, WindingNumber(surface, bvh, 1e6), 200), 1e-12);
+  EXPECT_LT(largest_error(surface, WindingNumber(bvh, 1e6), 200), 1e-12);
 }
 
 TEST(WindingNumber, OfASurfaceInsideOutIsThatOfTheSurface) {
