@@ -94,13 +94,44 @@ struct FacedDirections {
   }
 };
 
-/// Returns the least boundary value that any frame attains in the leaf.
-double least_boundary_value(const GridLevel& level, const Solid& solid, CellIndex leaf,
-                            const Quaternion& frame) {
+/// The boundary value of a frame in a leaf, and the least one that any frame attains there.
+struct BoundaryValues {
+  double of_frame = 0, least = 0;
+};
+
+BoundaryValues boundary_values(const GridLevel& level, const Solid& solid, CellIndex leaf,
+                               const Quaternion& frame) {
+  const Coefficients<4> h = frame_coefficients<4>(frame);
   const FacedDirections faced(level, solid, leaf);
-  if (faced.are_more) return std::max(0.0, least_value(cell_form<4>(level, solid, leaf), frame));
-  if (faced.count < 2) return 0;
-  return least_value_of_two(faced.normals[0], faced.areas[0], faced.normals[1], faced.areas[1]);
+  if (faced.are_more) {
+    const QuadraticForm<4> form = cell_form<4>(level, solid, leaf);
+    return {std::max(0.0, value(form, h)), std::max(0.0, least_value(form, frame))};
+  }
+  const double least = faced.count < 2 ? 0
+                                       : least_value_of_two(faced.normals[0], faced.areas[0],
+                                                            faced.normals[1], faced.areas[1]);
+  return {boundary_value(level, solid, leaf, h), least};
+}
+
+/// Sums of both over all leaves, each divided by the size of its leaf.
+BoundaryValues boundary_sums(const GridLevel& level, const Solid& solid,
+                             std::span<const StoredQuaternion> frames) {
+  const std::size_t grain = level.leaves_per_task();
+  std::vector<BoundaryValues> sums((frames.size() + grain - 1) / grain);
+  const auto add = [](BoundaryValues& sum, const BoundaryValues& term, double factor) {
+    sum.of_frame += factor * term.of_frame;
+    sum.least += factor * term.least;
+  };
+  parallel_for_chunks(frames.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (auto leaf = static_cast<CellIndex>(begin); leaf < end; ++leaf) {
+      if (level.is_constrained(leaf))
+        add(sums[begin / grain], boundary_values(level, solid, leaf, from_stored(frames[leaf])),
+            1 / level.tree.cell_size(leaf));
+    }
+  });
+  BoundaryValues total;
+  for (const BoundaryValues& sum : sums) add(total, sum, 1);
+  return total;
 }
 
 double smoothness_energy(const Adjacency& adjacency, const FieldState<4>& state) {
@@ -138,25 +169,9 @@ LevelEnergy level_energy(const GridLevel& level, const Solid& solid, const Adjac
   EnergyParts& parts = energy.parts;
   energy.neighbours = compare_neighbours(level.tree, adjacency, frames, sharp_turns);
   parts.smoothness = energy.neighbours.smoothness;
-  const auto sum_over_leaves = [&](const auto& term) {
-    std::vector<double> values(frames.size());
-    parallel_for(
-        frames.size(),
-        [&](std::size_t i) {
-          const auto leaf = static_cast<CellIndex>(i);
-          if (level.is_constrained(leaf))
-            values[i] = boundary_weight / level.tree.cell_size(leaf) * term(leaf, from_stored(frames[i]));
-        },
-        level.leaves_per_task());
-    return parallel_sum(values.size(), [&](std::size_t i) { return values[i]; });
-  };
-  parts.unavoidable = sum_over_leaves([&](CellIndex leaf, const Quaternion& frame) {
-    return least_boundary_value(level, solid, leaf, frame);
-  });
-  const double boundary = sum_over_leaves([&](CellIndex leaf, const Quaternion& frame) {
-    return boundary_value(level, solid, leaf, frame_coefficients<4>(frame));
-  });
-  parts.boundary = std::max(0.0, boundary - parts.unavoidable);
+  const BoundaryValues boundary = boundary_sums(level, solid, frames);
+  parts.unavoidable = boundary_weight * boundary.least;
+  parts.boundary = boundary_weight * std::max(0.0, boundary.of_frame - boundary.least);
   return energy;
 }
 
