@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "display/line_walls.hpp"
+#include "field/solved_surface.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "fuzz/reader_checks.hpp"
 #include "io/gmsh_files.hpp"
 #include "io/made_cad_answers.hpp"
 #include "io/medit_files.hpp"
@@ -45,6 +46,18 @@ std::vector<std::string> made_medit_binary() {
   for (const int version : {1, 2, 3, 4})
     for (const bool swapped : {false, true})
       out.push_back(medit_binary(small_tet_mesh(), version, swapped).content);
+  return out;
+}
+
+std::vector<std::string> made_vtu_data() {
+  std::vector<std::string> out;
+  const std::string raw = std::string(100, '\0') + "some bytes that do not repeat";
+  for (unsigned flags = 0; flags < 16; ++flags) {
+    const VtuEncoding encoding{(flags & VtuDataFlags::kBase64) != 0 ? "base64" : "raw",
+                               (flags & VtuDataFlags::kCompressed) != 0, (flags & VtuDataFlags::kWide) != 0,
+                               (flags & VtuDataFlags::kSwapped) != 0};
+    out.push_back(static_cast<char>(flags) + packed_vtu_data(raw, encoding));
+  }
   return out;
 }
 
@@ -180,6 +193,7 @@ std::vector<std::string> made_inputs(std::string_view reader) {
   if (reader == "gmsh") return contents(gmsh_files(small_tet_mesh()));
   if (reader == "vtk") return contents(vtk_files(small_tet_mesh()));
   if (reader == "vtu") return contents(vtu_files(small_tet_mesh()));
+  if (reader == "vtu_data") return made_vtu_data();
   if (reader == "field") return made_fields();
   if (reader == "field_arrays")
     return {array_bytes(sample_data(Degree::kThree, 0)), array_bytes(sample_data(Degree::kFour, 1))};

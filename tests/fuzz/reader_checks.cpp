@@ -18,6 +18,7 @@ constexpr std::array kReaders = {
     ReaderUnderTest{"gmsh", check_gmsh},
     ReaderUnderTest{"vtk", check_vtk},
     ReaderUnderTest{"vtu", check_vtu},
+    ReaderUnderTest{"vtu_data", check_vtu_data},
     ReaderUnderTest{"field", check_field},
     ReaderUnderTest{"field_arrays", check_field_arrays},
     ReaderUnderTest{"onto_arrays", check_onto_arrays},

@@ -25,6 +25,12 @@ using ReaderCheck = bool(std::string_view bytes);
 
 ReaderCheck check_stl, check_obj, check_ply, check_off;
 ReaderCheck check_medit, check_medit_binary, check_gmsh, check_vtk, check_vtu;
+/// One array of a .vtu file, which is inflated here whatever the XML around it says: the first byte tells how
+/// it is packed (VtuDataFlags), the others are the array.
+ReaderCheck check_vtu_data;
+struct VtuDataFlags {
+  static constexpr unsigned kWide = 1, kSwapped = 2, kCompressed = 4, kBase64 = 8;
+};
 ReaderCheck check_points, check_normals, check_constraints;
 
 /// field.vtu as it stands, and by its arrays: the number of bytes of each (two of them, little endian) and

@@ -122,6 +122,40 @@ inline std::string base64(std::string_view bytes) {
   return out;
 }
 
+/// An array as the file has it: the numbers before the data, and the data.
+inline std::string packed_vtu_data(const std::string& raw, const VtuEncoding& encoding) {
+  const auto put_word = [&](ByteWriter& out, std::size_t word) {
+    if (encoding.wide)
+      out.put(static_cast<std::uint64_t>(word));
+    else
+      out.put(static_cast<std::uint32_t>(word));
+  };
+  ByteWriter header(encoding.swapped);
+  std::string data = raw;
+  if (encoding.compressed) {
+    constexpr std::size_t kBlock = 64;
+    data.clear();
+    std::vector<std::size_t> sizes;
+    for (std::size_t begin = 0; begin < raw.size(); begin += kBlock) {
+      const std::size_t bytes = std::min(kBlock, raw.size() - begin);
+      std::string block(compressBound(bytes), '\0');
+      uLongf size = block.size();
+      compress(reinterpret_cast<Bytef*>(block.data()), &size,
+               reinterpret_cast<const Bytef*>(raw.data() + begin), bytes);
+      data += block.substr(0, size);
+      sizes.push_back(size);
+    }
+    put_word(header, sizes.size());
+    put_word(header, kBlock);
+    put_word(header, raw.size() % kBlock);
+    for (const std::size_t size : sizes) put_word(header, size);
+  } else {
+    put_word(header, raw.size());
+  }
+  if (encoding.format == "raw") return header.bytes() + data;
+  return encoding.apart ? base64(header.bytes()) + base64(data) : base64(header.bytes() + data);
+}
+
 class VtuFileWriter {
  public:
   explicit VtuFileWriter(VtuEncoding encoding) : encoding_(std::move(encoding)) {}
@@ -141,7 +175,7 @@ class VtuFileWriter {
     }
     ByteWriter raw(encoding_.swapped);
     for (const U value : values) raw.put(static_cast<T>(value));
-    const std::string packed = pack(raw.bytes());
+    const std::string packed = packed_vtu_data(raw.bytes(), encoding_);
     if (encoding_.format == "binary") {
       text_ += fmt::format("format=\"binary\">\n  {}\n</DataArray>\n", packed);
     } else {
@@ -164,40 +198,6 @@ class VtuFileWriter {
   }
 
  private:
-  void put_word(ByteWriter& out, std::size_t word) const {
-    if (encoding_.wide)
-      out.put(static_cast<std::uint64_t>(word));
-    else
-      out.put(static_cast<std::uint32_t>(word));
-  }
-
-  std::string pack(const std::string& raw) const {
-    ByteWriter header(encoding_.swapped);
-    std::string data = raw;
-    if (encoding_.compressed) {
-      constexpr std::size_t kBlock = 64;
-      data.clear();
-      std::vector<std::size_t> sizes;
-      for (std::size_t begin = 0; begin < raw.size(); begin += kBlock) {
-        const std::size_t bytes = std::min(kBlock, raw.size() - begin);
-        std::string block(compressBound(bytes), '\0');
-        uLongf size = block.size();
-        compress(reinterpret_cast<Bytef*>(block.data()), &size,
-                 reinterpret_cast<const Bytef*>(raw.data() + begin), bytes);
-        data += block.substr(0, size);
-        sizes.push_back(size);
-      }
-      put_word(header, sizes.size());
-      put_word(header, kBlock);
-      put_word(header, raw.size() % kBlock);
-      for (const std::size_t size : sizes) put_word(header, size);
-    } else {
-      put_word(header, raw.size());
-    }
-    if (encoding_.format == "raw") return header.bytes() + data;
-    return encoding_.apart ? base64(header.bytes()) + base64(data) : base64(header.bytes() + data);
-  }
-
   VtuEncoding encoding_;
   std::string text_, appended_;
 };
