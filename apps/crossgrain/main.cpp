@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line program. Every error is one line on standard error and the exit code of its kind.
+#include <unistd.h>
+
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 
 #include "arguments.hpp"
 #include "commands.hpp"
@@ -69,6 +73,21 @@ int run(int argc, char** argv) {
   }
 }
 
+/// Ends the process where an exception cannot be caught: the library for JSON allocates in destructors.
+/// Files are as after a kill.
+[[noreturn]] void end_uncaught() {
+  try {
+    if (const std::exception_ptr exception = std::current_exception()) std::rethrow_exception(exception);
+  } catch (const std::bad_alloc&) {
+    // Without asking for memory.
+    constexpr std::string_view kLine =
+        "crossgrain: out of memory; close other programs, or simplify the model\n";
+    if (::write(STDERR_FILENO, kLine.data(), kLine.size()) >= 0) std::_Exit(exit_code_of(ErrorKind::kLimit));
+  } catch (...) {
+  }
+  std::abort();
+}
+
 }  // namespace
 }  // namespace crossgrain::app
 
@@ -78,6 +97,7 @@ int main(int argc, char** argv) {
   // first large array that is freed, and a quarter of the peak is unused memory.
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
 #endif
+  std::set_terminate(crossgrain::app::end_uncaught);
   // A file that exceeds a limit of the system should fail like any other write error, not end the process.
   std::signal(SIGXFSZ, SIG_IGN);
   return crossgrain::app::run(argc, argv);

@@ -24,6 +24,7 @@ constexpr float kSameDistance = 1e-6f;
 struct CollectingContext {
   RTCIntersectContext embree;  // first, so that its address is that of the whole
   std::vector<ShapeHit>* hits;
+  bool is_out_of_memory = false;  ///< an exception must not leave the filter: Embree would swallow it
 };
 
 /// Records every triangle that a ray meets, and lets the ray continue.
@@ -31,8 +32,12 @@ void collect(const RTCFilterFunctionNArguments* arguments) {
   auto* context = reinterpret_cast<CollectingContext*>(arguments->context);
   const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
   const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
-  context->hits->push_back(
-      {ray->tfar, hit->geomID, hit->primID, hit->u, hit->v, {hit->Ng_x, hit->Ng_y, hit->Ng_z}});
+  try {
+    context->hits->push_back(
+        {ray->tfar, hit->geomID, hit->primID, hit->u, hit->v, {hit->Ng_x, hit->Ng_y, hit->Ng_z}});
+  } catch (const std::bad_alloc&) {
+    context->is_out_of_memory = true;
+  }
   arguments->valid[0] = 0;
 }
 
@@ -217,6 +222,7 @@ void RayScene::all_hits(const Ray& ray, std::vector<ShapeHit>& hits) const {
   context.hits = &hits;
   RTCRayHit cast = embree_ray(ray);
   rtcIntersect1(embree_->scene, &context.embree, &cast);
+  if (context.is_out_of_memory) throw std::bad_alloc();
   if (hits.size() < 2) return;
   std::sort(hits.begin(), hits.end(), [](const ShapeHit& a, const ShapeHit& b) {
     return std::tie(a.distance, a.shape, a.primitive) < std::tie(b.distance, b.shape, b.primitive);
