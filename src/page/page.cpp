@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crossgrain/page.hpp"
 
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include <cassert>
 #include <cstdint>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
@@ -19,29 +20,21 @@ namespace crossgrain {
 namespace {
 
 /// Compression level: floats hardly become smaller with a higher one.
-constexpr int kZlibLevel = 4;
-
-/// Largest window, with a gzip header, which browsers decompress by themselves.
-constexpr int kGzipWindow = 15 + 16;
+constexpr int kCompressionLevel = 4;
 
 /// Largest number of forms: a form takes ten times the bytes of all other data of a cell.
 constexpr std::size_t kMostForms = 8000;
 
 constexpr std::string_view kReportPlace = "/*REPORT*/", kScenePlace = "/*SCENE*/";
 
+/// With a gzip header, which browsers decompress by themselves.
 std::string gzipped(std::string_view bytes) {
-  z_stream stream{};
-  if (deflateInit2(&stream, kZlibLevel, Z_DEFLATED, kGzipWindow, 8, Z_DEFAULT_STRATEGY) != Z_OK)
-    throw std::bad_alloc();
-  std::string packed(deflateBound(&stream, bytes.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  [[maybe_unused]] const int result = deflate(&stream, Z_FINISH);
-  assert(result == Z_STREAM_END);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(kCompressionLevel), libdeflate_free_compressor);
+  if (!compressor) throw std::bad_alloc();
+  std::string packed(libdeflate_gzip_compress_bound(compressor.get(), bytes.size()), '\0');
+  packed.resize(
+      libdeflate_gzip_compress(compressor.get(), bytes.data(), bytes.size(), packed.data(), packed.size()));
   return packed;
 }
 

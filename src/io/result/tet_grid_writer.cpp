@@ -24,7 +24,7 @@ void add_tets(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
       [&mesh](std::size_t begin, std::size_t end, Index* out) {
         for (std::size_t i = begin; i < end; ++i) *out++ = static_cast<Index>(mesh.tets[i / 4][i % 4]);
       },
-      VtuPacking::kSingleBytes));
+      VtuPacking::kAlways));
   add_uniform_cells<Index>(mesh.tets.size(), 4, kVtkTet, arrays);
 }
 

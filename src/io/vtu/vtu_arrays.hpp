@@ -26,7 +26,7 @@ VtuArray stored_array(VtuSection section, const char* name, const std::vector<T>
   };
   constexpr bool kIsMeasured = std::is_floating_point_v<T>;
   return vtu_array<T>(section, name, 1, values.size(), copy,
-                      kIsMeasured ? VtuPacking::kMeasured : VtuPacking::kRepetitions);
+                      kIsMeasured ? VtuPacking::kMeasured : VtuPacking::kAlways);
 }
 
 /// Rows of `components` floats; row_of(i) returns row i, any sequence of that many numbers.

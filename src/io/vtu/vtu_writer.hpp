@@ -29,13 +29,13 @@ struct VtuArray {
   /// Writes rows [begin, end) to `out`. Called for disjoint ranges from several threads at once. `out` is
   /// aligned for any type.
   std::function<void(std::size_t begin, std::size_t end, void* out)> produce;
-  VtuPacking packing = VtuPacking::kRepetitions;
+  VtuPacking packing = VtuPacking::kAlways;
 };
 
 /// Returns an array of T from produce(begin, end, T* out).
 template <class T, class Produce>
 VtuArray vtu_array(VtuSection section, std::string name, std::size_t components, std::size_t tuples,
-                   Produce produce, VtuPacking packing = VtuPacking::kRepetitions) {
+                   Produce produce, VtuPacking packing = VtuPacking::kAlways) {
   return {section,
           std::move(name),
           number_type_of<T>(),

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/vtu/zlib_blocks.hpp"
 
+#include <libdeflate.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+#include <new>
 
 #include "base/parallel.hpp"
 #include "files/read_memory.hpp"
@@ -37,10 +40,12 @@ std::optional<ZlibBlocks> zlib_blocks(const std::array<std::uint64_t, 3>& head,
 }
 
 bool inflate_block(std::span<const unsigned char> compressed, char* out, std::uint64_t raw_bytes) {
-  uLongf got = raw_bytes;
-  const int code =
-      uncompress(reinterpret_cast<unsigned char*>(out), &got, compressed.data(), compressed.size());
-  return code == Z_OK && got == raw_bytes;
+  const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> decompressor(
+      libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+  if (!decompressor) throw std::bad_alloc();
+  // Without a place for the number of bytes, another number than `raw_bytes` is an error.
+  return libdeflate_zlib_decompress(decompressor.get(), compressed.data(), compressed.size(), out, raw_bytes,
+                                    nullptr) == LIBDEFLATE_SUCCESS;
 }
 
 bool inflate_onto(const std::string& name, std::string& out, std::span<const unsigned char> compressed,
