@@ -2,6 +2,7 @@
 #include "io/vtu/zlib_packer.hpp"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <random>
 
@@ -32,9 +33,7 @@ Bytes unpacked(const Bytes& stream, std::size_t expected) {
 }
 
 class ZlibPackerOf : public testing::TestWithParam<VtuPacking> {};
-INSTANTIATE_TEST_SUITE_P(Packings, ZlibPackerOf,
-                         testing::Values(VtuPacking::kAlways, VtuPacking::kAlways,
-                                         VtuPacking::kMeasured));
+INSTANTIATE_TEST_SUITE_P(Packings, ZlibPackerOf, testing::Values(VtuPacking::kAlways, VtuPacking::kMeasured));
 
 TEST_P(ZlibPackerOf, MakesStreamsThatZlibUnpacks) {
   ZlibPacker packer(1);
@@ -47,8 +46,7 @@ TEST_P(ZlibPackerOf, MakesStreamsThatZlibUnpacks) {
 
 TEST_P(ZlibPackerOf, MakesTheSameBytesWhateverItMadeBefore) {
   ZlibPacker used(1);
-  for (const VtuPacking packing :
-       {VtuPacking::kAlways, VtuPacking::kAlways, VtuPacking::kMeasured}) {
+  for (const VtuPacking packing : {VtuPacking::kAlways, VtuPacking::kMeasured}) {
     packed(used, random_bytes(100000), packing);
     packed(used, Bytes(1000, 1), packing);
   }
