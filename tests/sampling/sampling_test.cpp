@@ -247,8 +247,7 @@ TEST(Sampler, GoesWithTheManyWhereTheCellOfThePointDisagreesWithAllAround) {
 }
 
 struct Model {
-  explicit Model(const TriangleMesh& mesh)
-      : surface(prepare_surface(mesh)), bvh(surface), winding(bvh) {}
+  explicit Model(const TriangleMesh& mesh) : surface(prepare_surface(mesh)), bvh(surface), winding(bvh) {}
   Surface surface;
   TriangleBvh bvh;
   WindingNumber winding;
