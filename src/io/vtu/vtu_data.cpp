@@ -44,6 +44,7 @@ class PackedBytes {
   /// Reads bytes. Returns false if there are fewer.
   bool read(char* out, std::uint64_t count) {
     if (count > most_left()) return false;
+    if (count == 0) return true;  // `out` may be null
     if (!is_base64_) {
       std::memcpy(out, text_.data() + position_, count);
       position_ += count;
