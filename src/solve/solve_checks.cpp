@@ -165,7 +165,7 @@ void check_scale(const Box& box) {
 }
 
 void check_surface_memory(const TriangleMesh& mesh, const SolveOptions& options) {
-  // Measured with 3 and 10 million triangles: 282 and 284, most of it for winding numbers and boxes.
+  // Measured with 2 and 10 million triangles, page included: 273 and 274.
   constexpr double kBytesATriangle = 290;
   constexpr double kSmall = 1 << 24;
   const double more = kBytesATriangle * static_cast<double>(mesh.triangles.size());
