@@ -22,15 +22,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <unordered_map>
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 
 namespace crossgrain {
 namespace {
-
-/// Nodes near the root cost as much as thousands of leaves, so tasks get few of them.
-constexpr std::size_t kClusterGrain = 16;
 
 /// Centres are stored in single precision, with errors up to 6e-8. A cluster at least this far away is not
 /// affected.
@@ -70,6 +69,18 @@ class AngleSum {
 /// Sums of M and T over triangles, given by their corners relative to the centre.
 class Multipoles {
  public:
+  /// Adds the sums of other triangles about another centre, `offset` from this one; `dipole` is their N.
+  void add(const Multipoles& other, const Vector3& dipole, const Vector3& offset) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        m_[i][j] += other.m_[i][j] + dipole[i] * offset[j];
+        for (std::size_t k = 0; k <= j; ++k)
+          t_[i][j][k] += other.t_[i][j][k] + 12 * (other.m_[i][j] * offset[k] + other.m_[i][k] * offset[j] +
+                                                   dipole[i] * offset[j] * offset[k]);
+      }
+    }
+  }
+
   void add(const std::array<Vector3, 3>& corners) {
     const Vector3 n = area_vector(corners), c = centroid(corners);
     for (std::size_t j = 0; j < 3; ++j) {
@@ -133,6 +144,116 @@ double enclosed_volume(const std::vector<std::array<Vector3, 3>>& triangles) {
 
 }  // namespace
 
+/// Makes clusters from the leaves up: the sums of a node are those of its children about another centre.
+class WindingNumber::ClusterMaker {
+ public:
+  using Nodes = std::vector<TriangleBvh::Node>;
+  using Corners = std::vector<std::array<Vector3, 3>>;
+
+  ClusterMaker(const Nodes& nodes, const Corners& corners, double beta)
+      : nodes_(nodes), corners_(corners), beta_(beta), clusters_(sized_vector<Cluster>(nodes.size())) {}
+
+  std::vector<Cluster> clusters() {
+    // Subtrees of few triangles are made side by side, then the nodes above them.
+    std::vector<std::uint32_t> above, subtrees;
+    for (std::uint32_t i = 0; i < nodes_.size();) {
+      const bool is_small = nodes_[i].count <= kSubtreeTriangles || is_leaf(i);
+      (is_small ? subtrees : above).push_back(i);
+      i = is_small ? nodes_[i].skip : i + 1;
+    }
+    std::vector<Sums> of_subtrees(subtrees.size());
+    parallel_for(
+        subtrees.size(), [&](std::size_t k) { of_subtrees[k] = made(subtrees[k]); }, 1);
+    std::unordered_map<std::uint32_t, Sums> known;
+    for (std::size_t k = 0; k < subtrees.size(); ++k) known.emplace(subtrees[k], of_subtrees[k]);
+    std::vector<Vector3> centres(above.size());
+    for (std::size_t k = above.size(); k-- > 0;) {
+      const std::uint32_t lower = above[k] + 1;
+      const Sums sums = Sums(known.at(lower), known.at(nodes_[lower].skip));
+      centres[k] = sums.centre;
+      set(above[k], sums);
+      known.emplace(above[k], sums);
+    }
+    parallel_for(
+        above.size(), [&](std::size_t k) { set_reach(above[k], centres[k]); }, 1);
+    return std::move(clusters_);
+  }
+
+ private:
+  static constexpr std::uint32_t kSubtreeTriangles = 8192;
+
+  /// Sums over the triangles of a node.
+  struct Sums {
+    double area = 0;
+    Vector3 dipole{0, 0, 0}, moment{0, 0, 0}, centre{0, 0, 0};
+    Multipoles multipoles;  ///< about the centre
+
+    Sums() = default;
+
+    explicit Sums(std::span<const std::array<Vector3, 3>> triangles) {
+      for (const auto& corners : triangles) {
+        const Vector3 n = area_vector(corners);
+        add(norm(n), n, norm(n) * centroid(corners));
+      }
+      centre = area > 0 ? (1 / area) * moment : centroid(triangles.front());
+      for (const auto& [a, b, c] : triangles) multipoles.add({a - centre, b - centre, c - centre});
+    }
+
+    Sums(const Sums& lower, const Sums& upper) {
+      for (const Sums* child : {&lower, &upper}) add(child->area, child->dipole, child->moment);
+      centre = area > 0 ? (1 / area) * moment : lower.centre;
+      for (const Sums* child : {&lower, &upper})
+        multipoles.add(child->multipoles, child->dipole, child->centre - centre);
+    }
+
+   private:
+    void add(double more_area, const Vector3& more_dipole, const Vector3& more_moment) {
+      area += more_area;
+      dipole += more_dipole;
+      moment += more_moment;
+    }
+  };
+
+  bool is_leaf(std::uint32_t i) const { return nodes_[i].skip == i + 1; }
+
+  std::span<const std::array<Vector3, 3>> triangles(std::uint32_t i) const {
+    return std::span(corners_).subspan(nodes_[i].first, nodes_[i].count);
+  }
+
+  /// Makes the clusters of a subtree and returns the sums of its root.
+  Sums made(std::uint32_t i) {
+    const Sums sums = is_leaf(i) ? Sums(triangles(i)) : Sums(made(i + 1), made(nodes_[i + 1].skip));
+    set(i, sums);
+    set_reach(i, sums.centre);
+    return sums;
+  }
+
+  void set(std::uint32_t i, const Sums& sums) {
+    Cluster& cluster = clusters_[i];
+    for (std::size_t k = 0; k < 3; ++k) cluster.centre[k] = static_cast<float>(sums.centre[k]);
+    for (std::size_t k = 0; k < 3; ++k) cluster.dipole[k] = static_cast<float>(sums.dipole[k]);
+    cluster.quadrupole = sums.multipoles.quadrupole();
+    cluster.octupole = sums.multipoles.octupole();
+    cluster.skip = nodes_[i].skip;
+    cluster.first = nodes_[i].first;
+    cluster.count = nodes_[i].count;
+  }
+
+  void set_reach(std::uint32_t i, const Vector3& centre) {
+    double squared_radius = 0;
+    for (const auto& corners : triangles(i))
+      for (const Vector3& corner : corners)
+        squared_radius = std::max(squared_radius, dot(corner - centre, corner - centre));
+    const double reach = std::max(beta_ * std::sqrt(squared_radius), kLeastReach);
+    clusters_[i].squared_reach = static_cast<float>(reach * reach);
+  }
+
+  const Nodes& nodes_;
+  const Corners& corners_;
+  double beta_;
+  std::vector<Cluster> clusters_;
+};
+
 WindingNumber::WindingNumber(const TriangleBvh& bvh, double beta) : bvh_(&bvh) {
   const Box& box = bvh.surface().box;
   const Vector3 size = box.high - box.low;
@@ -143,17 +264,7 @@ WindingNumber::WindingNumber(const TriangleBvh& bvh, double beta) : bvh_(&bvh) {
   auto corners = sized_vector<std::array<Vector3, 3>>(bvh.triangle_order().size());
   parallel_for(corners.size(), [&](std::size_t i) { corners[i] = unit_corners(i); });
 
-  clusters_ = sized_vector<Cluster>(bvh.nodes().size());
-  parallel_for(
-      clusters_.size(),
-      [&](std::size_t i) {
-        const TriangleBvh::Node& node = bvh.nodes()[i];
-        clusters_[i] = make_cluster(corners.data() + node.first, node.count, beta);
-        clusters_[i].skip = node.skip;
-        clusters_[i].first = node.first;
-        clusters_[i].count = node.count;
-      },
-      kClusterGrain);
+  clusters_ = ClusterMaker(bvh.nodes(), corners, beta).clusters();
 
   if (enclosed_volume(corners) < 0) orientation_ = -1;
 }
@@ -166,38 +277,6 @@ std::array<Vector3, 3> WindingNumber::unit_corners(std::size_t place) const {
 
 Vector3 WindingNumber::to_unit(const Vector3& p) const {
   return scale_ * (p - middle_);
-}
-
-WindingNumber::Cluster WindingNumber::make_cluster(const std::array<Vector3, 3>* corners, std::uint32_t count,
-                                                   double beta) {
-  double area = 0;
-  Vector3 dipole{0, 0, 0}, centre{0, 0, 0};
-  for (std::uint32_t t = 0; t < count; ++t) {
-    const Vector3 n = area_vector(corners[t]);
-    const double here = norm(n);
-    area += here;
-    dipole += n;
-    centre += here * centroid(corners[t]);
-  }
-  centre = area > 0 ? (1 / area) * centre : centroid(corners[0]);
-
-  double squared_radius = 0;
-  Multipoles multipoles;
-  for (std::uint32_t t = 0; t < count; ++t) {
-    const auto& [a, b, c] = corners[t];
-    multipoles.add({a - centre, b - centre, c - centre});
-    for (const Vector3& corner : corners[t])
-      squared_radius = std::max(squared_radius, dot(corner - centre, corner - centre));
-  }
-
-  Cluster cluster{};
-  const double reach = std::max(beta * std::sqrt(squared_radius), kLeastReach);
-  cluster.squared_reach = static_cast<float>(reach * reach);
-  for (std::size_t k = 0; k < 3; ++k) cluster.centre[k] = static_cast<float>(centre[k]);
-  for (std::size_t k = 0; k < 3; ++k) cluster.dipole[k] = static_cast<float>(dipole[k]);
-  cluster.quadrupole = multipoles.quadrupole();
-  cluster.octupole = multipoles.octupole();
-  return cluster;
 }
 
 /// With r = (x, y, z); the components of Q and S that are not stored follow from the traces.

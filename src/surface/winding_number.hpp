@@ -35,6 +35,8 @@ class WindingNumber {
   static constexpr double kDefaultBeta = 1.75;
 
  private:
+  class ClusterMaker;
+
   /// Triangles [first, first + count) and their multipoles, in unit coordinates: the longest side of the box
   /// is 1, its middle the origin. In depth-first order as in TriangleBvh. Single precision saves cache.
   struct Cluster {
@@ -47,7 +49,6 @@ class WindingNumber {
   };
 
   std::array<Vector3, 3> unit_corners(std::size_t place) const;
-  static Cluster make_cluster(const std::array<Vector3, 3>* corners, std::uint32_t count, double beta);
   static double far_solid_angle(const Cluster& cluster, float x, float y, float z);
   Vector3 to_unit(const Vector3& p) const;
   double exact_solid_angle(const Cluster& leaf, const Vector3& p) const;
