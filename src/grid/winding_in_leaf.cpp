@@ -17,7 +17,7 @@ template <class Real, std::size_t kGroups>
 class SegmentBoxes {
  public:
   explicit SegmentBoxes(const std::array<BasicVector3<Real>, kGroups>& ends) {
-    // A number of this size stands for the inverse of 0 without making one that is not a number.
+    // Stands for the inverse of 0 and of what is nearly 0: infinity times 0 would be no number.
     constexpr double kLargest = 1e200;
     for (std::size_t g = 0; g < kGroups; ++g)
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -26,7 +26,7 @@ class SegmentBoxes {
           around_.low[axis] = std::min(around_.low[axis], end[lane]);
           around_.high[axis] = std::max(around_.high[axis], end[lane]);
         }
-        inverse_[g][axis] = select(abs(end) > 0.0, Real(1.0) / end, Real(kLargest));
+        inverse_[g][axis] = select(abs(end) > 1 / kLargest, Real(1.0) / end, Real(kLargest));
       }
   }
 

@@ -25,6 +25,7 @@
 #include "crossgrain/solve.hpp"
 #include "crossgrain/streamlines.hpp"
 #include "field/field_data.hpp"
+#include "files/folder_reservation.hpp"
 #include "files/temporary_folder.hpp"
 #include "io/medit_files.hpp"
 #include "io/vtk_files.hpp"
@@ -94,7 +95,7 @@ void expect_exceptions(
     ASSERT_NO_THROW(check()) << number;
   }
   EXPECT_TRUE(act() == expected);
-  EXPECT_GT(failures, 4 * passed) << failures << " of " << count;
+  EXPECT_GT(failures, 2 * passed) << failures << " of " << count;
 }
 
 TEST(AllocationFailure, OfASolveIsAnException) {
@@ -175,6 +176,8 @@ std::map<std::string, std::string> contents_of(const std::filesystem::path& resu
   std::map<std::string, std::string> contents;
   for (const auto& entry : std::filesystem::directory_iterator(result)) {
     const std::string name = entry.path().filename();
+    if (is_name_of_unfinished_work(name))
+      continue;  // memory ran out after the exchange: for the next command
     contents[name] = name.starts_with("report.") ? "" : content_of(entry.path());
   }
   return contents;
@@ -193,11 +196,10 @@ TEST(AllocationFailure, OfWritingAndReadingAFieldLeavesItsFolderWhole) {
       ASSERT_TRUE(ending == kDone || ending == kThrown || ending == kTerminated)
           << act << number << ": " << ending;
       ++endings[ending];
-      ASSERT_EQ(contents_of(folder.path() / "result"), before) << act << number;
+      ASSERT_TRUE(contents_of(folder.path() / "result") == before) << act << number;
       ASSERT_NE(solve_of_result(folder.path() / "result"), "") << act << number;
-      if (ending != kTerminated) {
-        ASSERT_EQ(folder.names(), (std::vector<std::string>{"count", "result"})) << act << number;
-      }
+      for (const std::string& name : folder.names())
+        ASSERT_TRUE(name == "count" || name == "result" || is_name_of_unfinished_work(name)) << act << name;
     }
     EXPECT_GT(endings[kThrown], 4 * endings[kTerminated]) << act;
     ASSERT_EQ(run_apart("write", folder.path(), -1), kDone);
