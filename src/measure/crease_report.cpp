@@ -11,6 +11,7 @@
 #include "base/vector3.hpp"
 #include "measure/alignment.hpp"
 #include "measure/angle_statistics.hpp"
+#include "surface/edge_uses.hpp"
 #include "surface/topology.hpp"
 
 namespace crossgrain {
@@ -51,9 +52,9 @@ double length_of(const CreaseCurve& curve) {
 
 /// The sharp curves of the surface and the inner faces. Each numbers its vertices by itself: the surface may
 /// have been welded.
-std::vector<CreaseCurve> curves_of(const Surface& surface, const TriangleMesh& inner,
-                                   const CreaseAngles& angles) {
-  if (inner.triangles.empty()) return sharp_curves(surface, angles);
+std::vector<CreaseCurve> curves_of(const Surface& surface, std::span<const EdgeUse> uses,
+                                   const TriangleMesh& inner, const CreaseAngles& angles) {
+  if (inner.triangles.empty()) return sharp_curves(surface, uses, angles);
   TriangleMesh both{surface.mesh.vertices, surface.mesh.triangles};
   const auto offset = static_cast<std::uint32_t>(both.vertices.size());
   both.vertices.insert(both.vertices.end(), inner.vertices.begin(), inner.vertices.end());
@@ -82,11 +83,13 @@ const char* first_at(std::size_t count) {
 }  // namespace
 
 CreaseNetwork::CreaseNetwork(const Surface& surface, const TriangleMesh& inner, const CreaseAngles& angles,
-                             bool inside_out)
-    : curves(surface.mesh.creases.empty() ? curves_of(surface, inner, angles)
-                                          : without_repeats(surface.mesh.creases)),
-      corners(corners_of(curves, angles)),
-      knives(knife_edges(surface, angles, inside_out)) {}
+                             bool inside_out) {
+  const std::vector<EdgeUse> uses = sorted_edge_uses(surface.mesh.triangles);
+  curves = surface.mesh.creases.empty() ? curves_of(surface, uses, inner, angles)
+                                        : without_repeats(surface.mesh.creases);
+  corners = corners_of(curves, angles);
+  knives = knife_edges(surface, uses, angles, inside_out);
+}
 
 SolveReport::Creases crease_report(const CreaseNetwork& creases, const Sampler& sampler, double step) {
   SolveReport::Creases report;

@@ -4,9 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "crossgrain/types.hpp"
+#include "field/solved_surface.hpp"
 
 namespace crossgrain {
 
@@ -22,5 +24,10 @@ struct DrawnSurface {
 DrawnSurface drawn_surface(const std::vector<Vector3>& places,
                            const std::vector<std::array<std::uint32_t, 3>>& triangles, const Vector3& origin,
                            std::size_t most);
+
+/// The outer surface with fewer triangles, on some of its vertices, if it has many more than a page of `most`
+/// triangles shows; without creases, interfaces and regions.
+std::optional<SolvedSurface> clustered_surface(const SolvedSurface& surface, const Vector3& origin,
+                                               std::size_t most);
 
 }  // namespace crossgrain

@@ -148,8 +148,17 @@ class PageScene {
   }
 
   std::string of_grid(const FrameField& field) {
-    add_outside(ShownField(field));
-    const Reduced shown = reduced(field, kMostShownCells, monitor_);
+    const ShownField whole(field);
+    Reduced shown = reduced(field, kMostShownCells, monitor_);
+    if (auto fewer = clustered_surface(whole.surface(), origin_, kMostTriangles)) {
+      add_outside(whole, *fewer);
+      // Numbers at the corners of cells are those of the surface that is shown; lines end at the whole one.
+      FieldData data = shown.field.data();
+      data.surface = SurfaceSource(*std::move(fewer), field.data().surface.searchable());
+      shown.field = FrameField(std::make_shared<const FieldData>(std::move(data)));
+    } else {
+      add_outside(whole, whole.surface());
+    }
     add_grid(field, shown);
     add_lines(StreamlineTracer(shown.field, page_streamlines()));
     return scene_.bytes();
@@ -157,11 +166,11 @@ class PageScene {
 
   std::string of_tets(const TetFrameField& field) {
     const ShownField shown(field);
-    const DrawnSurface drawn = add_outside(shown);
+    const DrawnSurface drawn = add_outside(shown, shown.surface());
     add_boundary_numbers(shown, drawn, scene_);
     if (add_tets(shown, origin_, kMostShownTets, kMostShownCells, monitor_, scene_)) {
       const ShownField grid(field.grid());
-      add_surface(grid.surface(), origin_, "grid_", kMostGridTriangles, scene_);
+      add_surface(grid.surface(), grid.surface(), origin_, "grid_", kMostGridTriangles, scene_);
       add_singularities(grid, origin_, "grid_", scene_);
       add_grid(field.grid(), reduced(field.grid(), kMostGridCells, monitor_));
     }
@@ -170,8 +179,8 @@ class PageScene {
   }
 
  private:
-  DrawnSurface add_outside(const ShownField& field) {
-    DrawnSurface drawn = add_surface(field.surface(), origin_, "", kMostTriangles, scene_);
+  DrawnSurface add_outside(const ShownField& field, const SolvedSurface& outside) {
+    DrawnSurface drawn = add_surface(field.surface(), outside, origin_, "", kMostTriangles, scene_);
     add_creases(field.surface(), origin_, scene_);
     monitor_.check();
     add_singularities(field, origin_, "", scene_);

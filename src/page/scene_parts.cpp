@@ -35,9 +35,9 @@ void add_quaternion(const Quaternion& q, std::vector<std::int16_t>& frames) {
     frames.push_back(static_cast<std::int16_t>(std::lround(32767 * std::clamp(part, -1.0, 1.0))));
 }
 
-DrawnSurface add_surface(const SolvedSurface& surface, const Vector3& origin, const std::string& prefix,
-                         std::size_t most_triangles, SceneWriter& scene) {
-  DrawnSurface drawn = drawn_surface(surface.vertices, surface.triangles, origin, most_triangles);
+DrawnSurface add_surface(const SolvedSurface& surface, const SolvedSurface& outside, const Vector3& origin,
+                         const std::string& prefix, std::size_t most_triangles, SceneWriter& scene) {
+  DrawnSurface drawn = drawn_surface(outside.vertices, outside.triangles, origin, most_triangles);
   scene.add(prefix + "surface_vertices", 3, drawn.positions);
   scene.add(prefix + "surface_triangles", 3, drawn.vertices);
   scene.header[prefix + "surface"] = {{"triangles_total", surface.triangles.size()},

@@ -43,9 +43,10 @@ std::vector<T> column(const Items& items, const ValueOf& value_of) {
 void add_quaternion(const Quaternion& q, std::vector<std::int16_t>& frames);
 
 /// Adds the arrays surface_*, those of faces between solids (interface_*) and, in the header, how many of the
-/// triangles are there, each with the prefix.
-DrawnSurface add_surface(const SolvedSurface& surface, const Vector3& origin, const std::string& prefix,
-                         std::size_t most_triangles, SceneWriter& scene);
+/// triangles are there, each with the prefix. The triangles are those of `outside`, which is the surface
+/// itself or has fewer.
+DrawnSurface add_surface(const SolvedSurface& surface, const SolvedSurface& outside, const Vector3& origin,
+                         const std::string& prefix, std::size_t most_triangles, SceneWriter& scene);
 
 /// Adds the arrays arc_*, node_* and mark_*, each with the prefix.
 void add_singularities(const ShownField& field, const Vector3& origin, const std::string& prefix,

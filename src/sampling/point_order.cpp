@@ -31,7 +31,7 @@ std::uint32_t key_of(const RootCube& root, const Vector3& point) {
 }  // namespace
 
 std::vector<std::uint32_t> morton_order(const RootCube& root, std::span<const Vector3> points) {
-  std::vector<Keyed> keyed(points.size()), sorted(points.size());
+  auto keyed = sized_vector<Keyed>(points.size()), sorted = sized_vector<Keyed>(points.size());
   parallel_for(points.size(), [&](std::size_t k) {
     keyed[k] = {key_of(root, points[k]), static_cast<std::uint32_t>(k)};
   });

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
 #include "sampling/point_order.hpp"
@@ -58,19 +60,19 @@ LineCell cell_to_start(const LineSpace& space, const Vector3& point) {
 class AreaSequence {
  public:
   explicit AreaSequence(const LineSurface& surface) : surface_(surface) {
+    const std::size_t count = surface.triangles.size();
     Box box = empty_box();
-    std::vector<Vector3> middles;
-    for (const auto& corners : surface.triangles) {
-      Vector3 sum{0, 0, 0};
-      for (const std::uint32_t v : corners) {
-        include(box, surface.vertices[v]);
-        sum += surface.vertices[v];
-      }
-      middles.push_back(1.0 / 3 * sum);
-    }
+    for (const auto& corners : surface.triangles)
+      for (const std::uint32_t v : corners) include(box, surface.vertices[v]);
+    auto middles = sized_vector<Vector3>(count);
+    parallel_for(count, [&](std::size_t t) {
+      const auto& [a, b, c] = surface.triangles[t];
+      middles[t] = 1.0 / 3 * (surface.vertices[a] + surface.vertices[b] + surface.vertices[c]);
+    });
     order_ = morton_order({box.low, longest_side(box)}, middles);
-    double sum = 0;
-    for (const std::uint32_t triangle : order_) areas_.push_back(sum += norm(twice_area(triangle)));
+    areas_ = sized_vector<double>(count);
+    parallel_for(count, [&](std::size_t k) { areas_[k] = norm(twice_area(order_[k])); });
+    std::partial_sum(areas_.begin(), areas_.end(), areas_.begin());
   }
 
   struct Place {

@@ -34,10 +34,11 @@ double least_cosine_at(const Surface& surface, std::span<const EdgeUse> uses) {
 
 /// Returns the sharp edges that count, ascending. Those of a surface that is not smooth beside them hold what
 /// ends there: tagged edges, open ones, and those of three or more triangles.
-std::vector<std::array<std::uint32_t, 2>> sharp_edges(const Surface& surface, const CreaseAngles& angles,
+std::vector<std::array<std::uint32_t, 2>> sharp_edges(const Surface& surface,
+                                                      std::span<const EdgeUse> all_uses,
+                                                      const CreaseAngles& angles,
                                                       std::span<const std::array<std::uint32_t, 2>> tagged) {
   const double least_cosine = std::cos(angles.least_deg * kDegree);
-  const std::vector<EdgeUse> all_uses = sorted_edge_uses(surface.mesh.triangles);
   std::vector<SharpEdge> sharp;
   std::vector<std::uint32_t> holding;
   for (const auto& edge : tagged) holding.insert(holding.end(), edge.begin(), edge.end());
@@ -70,10 +71,10 @@ struct Spoke {
 /// Both spokes of every sharp edge, sorted.
 class SharpEdges {
  public:
-  SharpEdges(const Surface& surface, const CreaseAngles& angles,
+  SharpEdges(const Surface& surface, std::span<const EdgeUse> all_uses, const CreaseAngles& angles,
              std::span<const std::array<std::uint32_t, 2>> tagged)
       : vertices_(surface.mesh.vertices), straight_(std::cos(angles.corner_deg * kDegree)) {
-    for (const auto& [a, b] : sharp_edges(surface, angles, tagged)) add(a, b);
+    for (const auto& [a, b] : sharp_edges(surface, all_uses, angles, tagged)) add(a, b);
     std::sort(spokes_.begin(), spokes_.end());
     const std::size_t sharp = spokes_.size();
     for (const auto& [a, b] : tagged) {
@@ -190,7 +191,13 @@ std::size_t directions_of(std::span<const CurveEnd> ends) {
 
 std::vector<CreaseCurve> sharp_curves(const Surface& surface, const CreaseAngles& angles,
                                       std::span<const std::array<std::uint32_t, 2>> tagged) {
-  SharpEdges edges(surface, angles, tagged);
+  return sharp_curves(surface, sorted_edge_uses(surface.mesh.triangles), angles, tagged);
+}
+
+std::vector<CreaseCurve> sharp_curves(const Surface& surface, std::span<const EdgeUse> all_uses,
+                                      const CreaseAngles& angles,
+                                      std::span<const std::array<std::uint32_t, 2>> tagged) {
+  SharpEdges edges(surface, all_uses, angles, tagged);
   std::vector<CreaseCurve> curves;
   for (const std::vector<std::uint32_t>& chain : edges.chains()) {
     CreaseCurve curve;
@@ -227,12 +234,12 @@ std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves, const 
   return corners;
 }
 
-KnifeEdges knife_edges(const Surface& surface, const CreaseAngles& angles, bool inside_out) {
+KnifeEdges knife_edges(const Surface& surface, std::span<const EdgeUse> all_uses, const CreaseAngles& angles,
+                       bool inside_out) {
   // The closer the faces, the further apart the normals.
   const double largest_cosine = -std::cos(angles.knife_deg * kDegree);
   const auto& vertices = surface.mesh.vertices;
   KnifeEdges knives;
-  const std::vector<EdgeUse> all_uses = sorted_edge_uses(surface.mesh.triangles);
   for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
     if (uses.size() != 2 || uses[0].forward == uses[1].forward) return;
     if (cosine_between(surface, uses[0], uses[1]) >= largest_cosine) return;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "crossgrain/options.hpp"
+#include "surface/edge_uses.hpp"
 #include "surface/guides.hpp"
 #include "surface/surface.hpp"
 
@@ -22,6 +23,11 @@ namespace crossgrain {
 std::vector<CreaseCurve> sharp_curves(const Surface& surface, const CreaseAngles& angles,
                                       std::span<const std::array<std::uint32_t, 2>> tagged = {});
 
+/// Returns the same from known edge uses (`sorted_edge_uses`).
+std::vector<CreaseCurve> sharp_curves(const Surface& surface, std::span<const EdgeUse> all_uses,
+                                      const CreaseAngles& angles,
+                                      std::span<const std::array<std::uint32_t, 2>> tagged = {});
+
 /// A point where curves meet, or where one bends.
 struct CreaseCorner {
   Vector3 position;
@@ -33,14 +39,17 @@ struct CreaseCorner {
 /// position. The end of a single curve, where a crease fades out, is no corner.
 std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves, const CreaseAngles& angles);
 
-/// Edges of two triangles with less than CreaseAngles::knife_deg of solid between them. Normals must point
-/// out of the solid, or into it if the surface is `inside_out`.
+/// Edges of two triangles with less than CreaseAngles::knife_deg of solid between them.
 struct KnifeEdges {
   static constexpr std::size_t kMostPlaces = 100;
   std::size_t count = 0;
   std::vector<Vector3> places;  ///< middles of the first kMostPlaces
 };
-KnifeEdges knife_edges(const Surface& surface, const CreaseAngles& angles, bool inside_out = false);
+
+/// Returns the knife edges among those of `sorted_edge_uses`. Normals must point out of the solid, or into it
+/// if the surface is `inside_out`.
+KnifeEdges knife_edges(const Surface& surface, std::span<const EdgeUse> all_uses, const CreaseAngles& angles,
+                       bool inside_out = false);
 
 /// Returns the curves as guides that end at the corners; tagged curves have their own weight.
 Guides guides_along(std::span<const CreaseCurve> curves, std::span<const CreaseCorner> corners, double weight,

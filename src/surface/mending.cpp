@@ -284,11 +284,12 @@ MendedSurface as_it_is(TriangleMesh mesh, const SurfaceTopology& topology, const
   result.topology = topology;
   result.closed = true;
   Tally degenerate, inside_out;
-  std::vector<bool> has_area(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  std::vector<std::uint8_t> has_area(mesh.triangles.size());
+  parallel_for(has_area.size(), [&](std::size_t t) {
     has_area[t] = shape_of(corners_of(mesh.triangles[t], mesh.vertices)).area > 0;
-    if (!has_area[t]) degenerate.add(mesh.vertices[mesh.triangles[t][0]]);
-  }
+  });
+  for (std::size_t t = 0; t < has_area.size(); ++t)
+    if (has_area[t] == 0) degenerate.add(mesh.vertices[mesh.triangles[t][0]]);
   if (orientation < 0) inside_out.add(centroid_of(mesh, 0), parts.count);
   degenerate.report(result.findings, FindingKind::kDegenerateTriangle);
   inside_out.report(result.findings, FindingKind::kInsideOutPart);
@@ -296,7 +297,7 @@ MendedSurface as_it_is(TriangleMesh mesh, const SurfaceTopology& topology, const
   result.parts = parts.count;
   if (parts.count < 2) return result;
   for (std::size_t t = 0; t < has_area.size(); ++t)
-    if (has_area[t]) result.part_of.push_back(parts.of[t]);
+    if (has_area[t] != 0) result.part_of.push_back(parts.of[t]);
   return result;
 }
 

@@ -49,11 +49,27 @@ void shorten(std::vector<T>& entries, std::size_t size) {
   if (!entries.empty()) entries.resize(size);
 }
 
-Box box_of_triangles(const TriangleMesh& mesh) {
-  Box box = empty_box();
-  for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t vertex : triangle) include(box, mesh.vertices[vertex]);
-  return box;
+/// The box of the triangles for which counts(corners) holds.
+template <class Counts>
+Box box_of_those(const TriangleMesh& mesh, const Counts& counts) {
+  constexpr std::size_t kGrain = std::size_t{1} << 16;
+  std::vector<Box> boxes((mesh.triangles.size() + kGrain - 1) / kGrain, empty_box());
+  parallel_for_chunks(mesh.triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    Box& box = boxes[begin / kGrain];
+    for (std::size_t t = begin; t < end; ++t) {
+      const std::array<Vector3, 3> corners = corners_of(mesh.triangles[t], mesh.vertices);
+      if (!counts(corners)) continue;
+      for (const Vector3& corner : corners) include(box, corner);
+    }
+  });
+  Box all = empty_box();
+  for (const Box& box : boxes) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      all.low[axis] = std::min(all.low[axis], box.low[axis]);
+      all.high[axis] = std::max(all.high[axis], box.high[axis]);
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -154,13 +170,8 @@ TriangleShape shape_of(const std::array<Vector3, 3>& corners) {
 }
 
 Box box_of_solid_triangles(const TriangleMesh& mesh) {
-  Box box = empty_box();
-  for (const auto& triangle : mesh.triangles) {
-    const std::array<Vector3, 3> corners = corners_of(triangle, mesh.vertices);
-    if (shape_of(corners).area == 0) continue;
-    for (const Vector3& corner : corners) include(box, corner);
-  }
-  return box;
+  return box_of_those(mesh,
+                      [&](const std::array<Vector3, 3>& corners) { return shape_of(corners).area != 0; });
 }
 
 Vector3 Surface::blended_normal(std::size_t triangle, const Vector3& point) const {
@@ -186,36 +197,46 @@ Surface prepare_surface(CheckedMesh mesh) {
   const std::size_t count = mesh->triangles.size();
   Surface surface;
   surface.mesh = *std::move(mesh);
-  std::vector<TriangleShape> shapes(count);
-  parallel_for(count, [&](std::size_t t) { shapes[t] = shape_of(surface.corners(t)); });
+  auto normals = sized_vector<Vector3>(count);
+  auto areas = sized_vector<double>(count);
+  parallel_for(count, [&](std::size_t t) {
+    const TriangleShape shape = shape_of(surface.corners(t));
+    normals[t] = shape.normal;
+    areas[t] = shape.area;
+  });
 
   auto& triangles = surface.mesh.triangles;
   auto& faces = surface.mesh.faces;
   auto& solids = surface.mesh.solids;
   auto& corner_normals = surface.mesh.corner_normals;
-  surface.normals.reserve(count);
-  surface.areas.reserve(count);
+  std::size_t kept = 0;
   for (std::size_t t = 0; t < count; ++t) {
-    if (shapes[t].area == 0) continue;
-    const std::size_t kept = surface.areas.size();
-    triangles[kept] = triangles[t];
-    move_entry(faces, t, kept);
-    move_entry(solids, t, kept);
-    move_entry(corner_normals, t, kept);
-    surface.normals.push_back(shapes[t].normal);
-    surface.areas.push_back(shapes[t].area);
+    if (areas[t] == 0) continue;
+    if (kept < t) {
+      move_entry(triangles, t, kept);
+      move_entry(faces, t, kept);
+      move_entry(solids, t, kept);
+      move_entry(corner_normals, t, kept);
+      move_entry(normals, t, kept);
+      move_entry(areas, t, kept);
+    }
+    ++kept;
   }
-  triangles.resize(surface.areas.size());
-  shorten(faces, triangles.size());
-  shorten(solids, triangles.size());
-  shorten(corner_normals, triangles.size());
+  shorten(triangles, kept);
+  shorten(faces, kept);
+  shorten(solids, kept);
+  shorten(corner_normals, kept);
+  shorten(normals, kept);
+  shorten(areas, kept);
+  surface.normals = std::move(normals);
+  surface.areas = std::move(areas);
   surface.degenerate_triangles = count - triangles.size();
   if (triangles.empty()) {
     if (count == 0) throw Error(ErrorKind::kInput, "no triangles, where a surface is needed");
     throw Error(ErrorKind::kInput, "none of the " + std::to_string(count) + " triangles has an area",
                 Remedy::kExportAgain);
   }
-  surface.box = box_of_triangles(surface.mesh);
+  surface.box = box_of_those(surface.mesh, [](const std::array<Vector3, 3>&) { return true; });
   return surface;
 }
 

@@ -89,11 +89,13 @@ SurfaceTopology analyse_topology(const TriangleMesh& mesh, std::span<const EdgeU
         std::count_if(uses.begin(), uses.end(), [](const EdgeUse& use) { return use.forward; });
     if (2 * static_cast<std::size_t>(forward) != uses.size()) ++topology.unbalanced_edges;
   });
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& triangle = mesh.triangles[t];
-    if (shape_of(corners_of(triangle, mesh.vertices)).area == 0) ++topology.degenerate_triangles;
-    if (!is_collapsed(triangle) && sets.root(static_cast<std::uint32_t>(t)) == t) ++topology.components;
-  }
+  std::atomic<std::size_t> degenerate = 0;
+  parallel_for(mesh.triangles.size(), [&](std::size_t t) {
+    if (shape_of(corners_of(mesh.triangles[t], mesh.vertices)).area == 0) ++degenerate;
+  });
+  topology.degenerate_triangles = degenerate;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    if (!is_collapsed(mesh.triangles[t]) && sets.root(t) == t) ++topology.components;
   topology.watertight = topology.components > 0 && topology.open_edges == 0 &&
                         topology.nonmanifold_edges == 0 && topology.misoriented_edges == 0;
   return topology;

@@ -161,18 +161,22 @@ Surface wedge(double tip_deg) {
       extrude({{0, 0}, {std::cos(half), -std::sin(half)}, {std::cos(half), std::sin(half)}}, {}, -1, {1}));
 }
 
+KnifeEdges knives_of(const Surface& surface, bool inside_out = false) {
+  return knife_edges(surface, sorted_edge_uses(surface.mesh.triangles), kAngles, inside_out);
+}
+
 TEST(KnifeEdges, AreCountedInTheSolidOnly) {
-  EXPECT_EQ(knife_edges(wedge(30), kAngles).count, 1u);
-  EXPECT_EQ(knife_edges(wedge(50), kAngles).count, 0u);
-  const KnifeEdges knives = knife_edges(wedge(20), kAngles);
+  EXPECT_EQ(knives_of(wedge(30)).count, 1u);
+  EXPECT_EQ(knives_of(wedge(50)).count, 0u);
+  const KnifeEdges knives = knives_of(wedge(20));
   EXPECT_NEAR(norm(knives.places.at(0)), 0, 1e-12);
   // A slit of 20 degrees cut into a block leaves 340 degrees of solid.
   const double half = 10 * std::numbers::pi / 180;
   const Surface slit = prepare_surface(extrude(
       {{0, 0}, {1, std::tan(half)}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, -std::tan(half)}}, {}, -1, {1}));
-  EXPECT_EQ(knife_edges(slit, kAngles).count, 0u);
+  EXPECT_EQ(knives_of(slit).count, 0u);
   Surface turned = prepare_surface(flip_mesh(wedge(30).mesh));
-  EXPECT_EQ(knife_edges(turned, kAngles, true).count, 1u);
+  EXPECT_EQ(knives_of(turned, true).count, 1u);
 }
 
 TEST(CreaseCorners, AreWhereOneCurveBendsOrThreeMeet) {
