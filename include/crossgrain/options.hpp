@@ -163,6 +163,10 @@ struct SolverOptions {
   /// Sweeps end when one lowers the energy by less than this fraction.
   double sweep_tolerance = 1e-4;
 
+  /// Cells rest whose last step lowered the energy by at most this share of the tolerance, divided by the
+  /// number of cells, until a neighbour's step lowers it by more; 0: none rests.
+  double resting_share = 0.3;
+
   CalmFieldOptions calm_fields = {};
 };
 
@@ -201,6 +205,9 @@ struct OntoOptions {
   /// as a fraction of it.
   int most_sweeps = 300;
   double sweep_tolerance = 1e-5;
+
+  /// As in SolverOptions.
+  double resting_share = 0.3;
 
   CalmFieldOptions calm_fields = {};
 };

@@ -33,23 +33,43 @@ struct CellsInLanes {
   std::uint32_t operator[](int lane) const { return cells[lane]; }
 };
 
-/// Calls visit(CellsInLanes<W>, block) for all cells in the order, compiled for this processor, W being the
-/// number of lanes of type Number. Blocks of a phase are visited from several threads. Blocks with a zero in
-/// `is_visited` are skipped; if it is empty, none is.
+/// Which cells a sweep visits, by a byte for each block and one for each cell; all of them where there are
+/// none. The byte of a visited cell becomes zero before the visit, which may set it and those of neighbours.
+struct VisitedCells {
+  std::span<const std::uint8_t> blocks = {};
+  std::span<std::uint8_t> cells = {};
+
+  /// Moves the cells of a run that are to be visited to `chosen`.
+  std::span<const std::uint32_t> choose(std::span<const std::uint32_t> run,
+                                        std::vector<std::uint32_t>& chosen) const {
+    if (cells.empty()) return run;
+    chosen.clear();
+    for (const std::uint32_t cell : run) {
+      // Cells of other blocks that are visited now may be neighbours of those, not of this one.
+      if (cells[cell] == 0) continue;
+      cells[cell] = 0;
+      chosen.push_back(cell);
+    }
+    return chosen;
+  }
+};
+
+/// Calls visit(CellsInLanes<W>, block) for the visited cells in the order, compiled for this processor, W
+/// being the number of lanes of type Number. Blocks of a phase are visited from several threads.
 template <class Number, class Visit>
-void visit_in_lanes(const SweepOrder& order, const Visit& visit,
-                    std::span<const std::uint8_t> is_visited = {}) {
+void visit_in_lanes(const SweepOrder& order, const Visit& visit, const VisitedCells& visited = {}) {
   for (std::size_t phase = 0; phase < order.phase_count(); ++phase) {
     const std::size_t first = order.phase_begin[phase];
     parallel_for(
         order.phase_begin[phase + 1] - first,
         [&](std::size_t k) {
           const std::size_t block = first + k;
-          if (!is_visited.empty() && !is_visited[block]) return;
+          if (!visited.blocks.empty() && !visited.blocks[block]) return;
+          std::vector<std::uint32_t> chosen;
           run_in_lanes([&]<int Doubles>() {
             constexpr int W = Doubles * static_cast<int>(sizeof(double) / sizeof(Number));
             for (std::size_t r = order.block_begin[block]; r < order.block_begin[block + 1]; ++r) {
-              const std::span<const std::uint32_t> run = order.run(r);
+              const std::span<const std::uint32_t> run = visited.choose(order.run(r), chosen);
               for (std::size_t i = 0; i < run.size(); i += W) visit(CellsInLanes<W>(run, i), block);
             }
           });
@@ -62,11 +82,11 @@ void visit_in_lanes(const SweepOrder& order, const Visit& visit,
 /// cell, in the cells' order, so the sums are bitwise identical for any number of threads and lanes.
 template <class Number, class Visit>
 std::vector<double> block_sums_in_lanes(const SweepOrder& order, const Visit& visit,
-                                        std::span<const std::uint8_t> is_visited = {}) {
+                                        const VisitedCells& visited = {}) {
   std::vector<double> sums(order.block_count(), 0.0);
   visit_in_lanes<Number>(
       order, [&]<int W>(const CellsInLanes<W>& cells, std::size_t block) { visit(cells, sums[block]); },
-      is_visited);
+      visited);
   return sums;
 }
 

@@ -5,6 +5,8 @@
 // and u.(L_a L_b h) = -(L_a u).(L_b h), the generators being antisymmetric.
 #include "field/manifold_sweep.hpp"
 
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -93,10 +95,10 @@ struct PredictedDecrease {
   Real at(double fraction) const { return -fraction * slope - 0.5 * fraction * fraction * curvature; }
 };
 
-/// Adds the decrease of f for each cell to `decrease`.
+/// Adds the decrease of f for each cell to `decrease`. Returns it.
 template <class Number, int D, int W>
-void update_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsInLanes<W>& cells,
-                  double over_relaxation, double& decrease) {
+std::array<double, W> update_cells(const FieldGraph<D>& graph, FieldState<D>& state,
+                                   const CellsInLanes<W>& cells, double over_relaxation, double& decrease) {
   using Real = BasicLanes<Number, W>;
   const LocalEnergy<D, Real> energy(graph, state.coefficients, cells);
   const auto frame = from_stored<Real>(state.frames, cells);
@@ -129,30 +131,49 @@ void update_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsI
     store_in<D>(state, cells, gains, turned, after);
   }
   for (const double amount : fell) decrease += amount;
+  return fell;
+}
+
+/// Keeps the cells awake whose steps lowered the energy enough, and wakes their neighbours. Neighbours may be
+/// those of cells in other blocks too, hence the atomic stores of equal values.
+template <int W>
+void wake_around(const Adjacency& adjacency, const CellsInLanes<W>& cells, std::span<const double> fell,
+                 const RestingCells& resting) {
+  const auto wake = [&](std::uint32_t cell) {
+    std::atomic_ref(resting.awake[cell]).store(1, std::memory_order_relaxed);
+  };
+  for (int lane = 0; lane < cells.count; ++lane) {
+    if (!(fell[static_cast<std::size_t>(lane)] > resting.least_decrease)) continue;
+    wake(cells[lane]);
+    const Adjacency::Row row = adjacency[cells[lane]];
+    for (std::size_t k = 0; k < row.size(); ++k) wake(row.cell(k));
+  }
 }
 
 }  // namespace
 
 template <int D, class Number>
 std::vector<double> manifold_sweep_over(const FieldGraph<D>& graph, FieldState<D>& state,
-                                        double over_relaxation, std::span<const std::uint8_t> is_visited) {
-  return block_sums_in_lanes<Number>(
-      graph.order(),
-      [&]<int W>(const CellsInLanes<W>& cells, double& sum) {
-        update_cells<Number>(graph, state, cells, over_relaxation, sum);
-      },
-      is_visited);
+                                        double over_relaxation, const RestingCells& resting) {
+  return block_sums_in_lanes<Number>(graph.order(),
+                                     [&]<int W>(const CellsInLanes<W>& cells, double& sum) {
+                                       const auto fell =
+                                           update_cells<Number>(graph, state, cells, over_relaxation, sum);
+                                       if (!resting.awake.empty())
+                                         wake_around(graph.adjacency(), cells, fell, resting);
+                                     },
+                                     {resting.awake_blocks, resting.awake});
 }
 
 template <int D>
 double manifold_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double over_relaxation) {
-  const std::vector<double> decreases = manifold_sweep_over<D>(graph, state, over_relaxation, {});
+  const std::vector<double> decreases = manifold_sweep_over<D>(graph, state, over_relaxation);
   return std::accumulate(decreases.begin(), decreases.end(), 0.0);
 }
 
 #define CROSSGRAIN_INSTANTIATE(D, Number)                                                                   \
   template std::vector<double> manifold_sweep_over<D, Number>(const FieldGraph<D>&, FieldState<D>&, double, \
-                                                              std::span<const std::uint8_t>);
+                                                              const RestingCells&);
 CROSSGRAIN_INSTANTIATE(3, float)
 CROSSGRAIN_INSTANTIATE(3, double)
 CROSSGRAIN_INSTANTIATE(4, float)

@@ -27,14 +27,22 @@ inline constexpr double kLargestStep_rad = 0.5;
 template <int D>
 double manifold_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double over_relaxation = 1);
 
-/// Sweeps only blocks without a zero in `is_visited` (all if it is empty), with arithmetic in `Number`, float
-/// or double. Returns the decrease of the energy for each block.
+/// What a sweep leaves out. A cell whose step lowered the energy by no more than `least_decrease` rests until
+/// a neighbour's step lowers it by more.
+struct RestingCells {
+  std::span<const std::uint8_t> awake_blocks = {};  ///< zero for blocks left out; empty: none is
+  std::span<std::uint8_t> awake = {};               ///< zero for cells at rest; empty: none rests
+  double least_decrease = 0;
+};
+
+/// Sweeps all that does not rest, with arithmetic in `Number`, float or double. Returns the decrease of the
+/// energy for each block.
 ///
 /// Frames and coefficients are stored in single precision. Arithmetic in single precision settles at the same
 /// energies to 1e-5 (tests/field/sweep_test.cpp) at twice the speed.
 template <int D, class Number = float>
 std::vector<double> manifold_sweep_over(const FieldGraph<D>& graph, FieldState<D>& state,
-                                        double over_relaxation, std::span<const std::uint8_t> is_visited);
+                                        double over_relaxation, const RestingCells& resting = {});
 
 extern template double manifold_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double);
 extern template double manifold_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double);

@@ -67,6 +67,7 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
   SettledFrames result;
   result.energy = graph_energy(graph, state);
   BlocksAwake blocks(graph.order());
+  std::vector<std::uint8_t> awake(plan.resting_share > 0 ? state.size() : 0, 1);
   // If all frames agree, rounding of the forms makes the energy slightly negative.
   const auto allowance = [&] {
     return plan.fraction * std::max(plan.least_energy, result.energy) + plan.noise;
@@ -77,14 +78,16 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
   for (int sweep = 0; sweep < sweeps_allowed() && !result.settled; ++sweep) {
     const double over_relaxation =
         sweep < plan.most_sweeps ? plan.over_relaxation : plan.calm_over_relaxation;
-    const std::vector<double> decreases = manifold_sweep_over(graph, state, over_relaxation, blocks.awake());
+    const double least_decrease = plan.resting_share * allowance() / static_cast<double>(state.size());
+    const std::vector<double> decreases =
+        manifold_sweep_over(graph, state, over_relaxation, {blocks.awake(), awake, least_decrease});
     const double decrease = std::accumulate(decreases.begin(), decreases.end(), 0.0);
     result.energy -= decrease;
     after_sweep(result.energy);
     // In degree 3 sweeps return a lower bound of the decrease.
-    const bool is_last = decrease <= allowance() || sweep + 1 >= sweeps_allowed();
-    if (D == 3 && is_last) result.energy = graph_energy(graph, state);
-    result.settled = decrease <= allowance();
+    result.settled = decrease <= (1 - plan.resting_share) * allowance();
+    if (D == 3 && (result.settled || sweep + 1 >= sweeps_allowed()))
+      result.energy = graph_energy(graph, state);
     blocks.update(decreases, allowance());
   }
   result.frames = std::move(state.frames);
@@ -102,6 +105,7 @@ SettlingPlan settling_plan(const Options& options, const Adjacency& adjacency, d
           options.over_relaxation,
           options.sweep_tolerance,
           rounding_noise(adjacency),
+          options.resting_share,
           energy_of_turn(calm.least_turn_deg),
           energy_of_turn(calm.calm_turn_deg),
           calm.more_sweeps,

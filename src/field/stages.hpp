@@ -30,6 +30,10 @@ struct SettlingPlan {
   double fraction = 0;
   double noise = 0;
 
+  /// Cells rest whose last step lowered the energy by at most this share of what ends the sweeps, divided by
+  /// the number of cells: together they leave at most that share undone.
+  double resting_share = 0;
+
   /// `fraction` is of at least this energy. Below `calm_energy`, sweeps that run out are followed by up to
   /// `more_sweeps` with an over-relaxation of their own (CalmFieldOptions).
   double least_energy = 0;

@@ -107,10 +107,14 @@ SolveReport::Creases crease_report(const CreaseNetwork& creases, const Sampler& 
     add_places(curve, step, places);
   }
   std::vector<WeightedAngle> angles_deg(places.size());
-  parallel_for(places.size(), [&](std::size_t k) {
-    const Place& place = places[k];
-    angles_deg[k] = {angle_to_nearest_axis_deg(sampler.at(place.position).frame, place.tangent),
-                     place.length};
+  parallel_for_chunks(places.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vector3> points;
+    for (std::size_t k = begin; k < end; ++k) points.push_back(places[k].position);
+    std::vector<Sampler::Result> sampled(points.size());
+    sampler.at(points, sampled);
+    for (std::size_t k = begin; k < end; ++k)
+      angles_deg[k] = {angle_to_nearest_axis_deg(sampled[k - begin].frame, places[k].tangent),
+                       places[k].length};
   });
   report.tangent_deg = summary_of(std::move(angles_deg));
   return report;

@@ -2,6 +2,7 @@
 #include "measure/walls.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <compare>
 #include <limits>
@@ -43,25 +44,40 @@ struct ThinWall {
 
 /// Sums over a range of leaves, or over all.
 struct WallSums {
-  double thinnest = kNone, area = 0;
+  double area = 0;
   std::size_t two_sheet_cells = 0;
   std::vector<ThinWall> thin_walls;
 
   void add(const WallSums& other) {
-    thinnest = std::min(thinnest, other.thinnest);
     area += other.area;
     two_sheet_cells += other.two_sheet_cells;
     thin_walls.insert(thin_walls.end(), other.thin_walls.begin(), other.thin_walls.end());
   }
 };
 
-void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double thin, WallSums& sums) {
+/// The least of the numbers that all threads tell it.
+class SharedLeast {
+ public:
+  double get() const { return least_.load(std::memory_order_relaxed); }
+
+  void tell(double number) {
+    double before = get();
+    while (number < before && !least_.compare_exchange_weak(before, number, std::memory_order_relaxed)) {
+    }
+  }
+
+ private:
+  std::atomic<double> least_ = kNone;
+};
+
+void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double thin, SharedLeast& thinnest,
+              WallSums& sums) {
   if (!level.holds_surface(i)) return;
   double area = 0;
   for (const SurfacePiece& piece : level.pieces_of(i)) area += piece.area;
-  // Only the thinnest of the walls that are not thin matters.
-  const double thickness = wall_thickness(level, solid, i, std::max(thin, sums.thinnest));
-  sums.thinnest = std::min(sums.thinnest, thickness);
+  // Only the thinnest of the walls that are not thin matters, of all threads.
+  const double thickness = wall_thickness(level, solid, i, std::max(thin, thinnest.get()));
+  thinnest.tell(thickness);
   sums.area += area;
   if (thickness < thin) sums.thin_walls.push_back({static_cast<float>(thickness), static_cast<float>(area)});
   sums.two_sheet_cells += holds_two_sheets(level, solid, i);
@@ -108,10 +124,11 @@ SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid,
   const AnswerOptions answer;
   const double finest = smallest_cell_size(level.tree);
   const double thin = std::max(options.thickness_cells, answer.wall_cells) * finest;
+  SharedLeast thinnest;
   std::vector<WallSums> runs((level.size() + kLeafGrain - 1) / kLeafGrain);
   parallel_for_chunks(level.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<CellIndex>(begin); i < end; ++i)
-      add_leaf(level, solid, i, thin, runs[begin / kLeafGrain]);
+      add_leaf(level, solid, i, thin, thinnest, runs[begin / kLeafGrain]);
   });
   WallSums sums;
   for (const WallSums& run : runs) sums.add(run);
@@ -123,7 +140,7 @@ SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid,
     report.thin_share = area_below(options.thickness_cells * finest, sums.thin_walls) / sums.area;
     report.unresolved_share = area_below(answer.wall_cells * finest, sums.thin_walls) / sums.area;
   }
-  if (std::isfinite(sums.thinnest)) report.thinnest_cells = sums.thinnest / finest;
+  if (std::isfinite(thinnest.get())) report.thinnest_cells = thinnest.get() / finest;
   if (report.unresolved_share > answer.thin_share)
     report.deciding_cells = thickness_of_all_but(answer.thin_share * sums.area, sums.thin_walls) / finest;
   if (report.thin_share > options.unresolved_share) {

@@ -85,9 +85,14 @@ class Sampler::Run {
     const RootCube& root = field_.tree.root();
     const LeavesAround around(field_, around_, 1 / root.unit() * (point - root.origin));
     const auto known_turn = [&](CellIndex i) -> const LeafTurn& { return turns_[i]; };
-    const auto turn_on_demand = [&](CellIndex i) {
-      around_turned_.move_to(i);
-      return leaf_turn(field_, around_turned_);
+    const auto turn_on_demand = [&](CellIndex i) -> const LeafTurn& {
+      auto& [of, turn] = latest_[i % kPoints];
+      if (of != i) {
+        around_turned_.move_to(i);
+        turn = leaf_turn(field_, around_turned_);
+        of = i;
+      }
+      return turn;
     };
     BlendTerm* const terms = &terms_[term_count_];
     blends_[point_count_] = turns_.empty() ? frame_blend(field_, around, turn_on_demand, terms)
@@ -106,9 +111,16 @@ class Sampler::Run {
     point_count_ = term_count_ = 0;
   }
 
+  /// The latest turn on demand of the leaves with one remainder: points near each other share leaves.
+  struct Turned {
+    CellIndex leaf = kNoCell;
+    LeafTurn turn;
+  };
+
   const LeafField& field_;
   std::span<const LeafTurn> turns_;
   LeafSurroundings around_, around_turned_;
+  std::array<Turned, kPoints> latest_;
   std::size_t point_count_ = 0, term_count_ = 0;
   std::array<Result*, kPoints> results_;
   std::array<FrameBlend, kPoints> blends_;

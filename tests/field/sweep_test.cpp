@@ -293,11 +293,11 @@ TYPED_TEST(SweepTest, SweepsInSinglePrecisionSettleAtTheEnergyOfSweepsInDouble) 
   const auto graph = graph_of<D>(this->level_, this->bracket_.solid());
   FieldState<D> in_single = state_of<D>(random_frames(graph.size(), 6));
   // From random frames any rounding decides which valley is found: they set out together.
-  for (int sweep = 0; sweep < 40; ++sweep) manifold_sweep_over<D, double>(graph, in_single, 1.4, {});
+  for (int sweep = 0; sweep < 40; ++sweep) manifold_sweep_over<D, double>(graph, in_single, 1.4);
   FieldState<D> in_double = in_single;
   for (int sweep = 0; sweep < 200; ++sweep) {
-    manifold_sweep_over<D, float>(graph, in_single, 1.4, {});
-    manifold_sweep_over<D, double>(graph, in_double, 1.4, {});
+    manifold_sweep_over<D, float>(graph, in_single, 1.4);
+    manifold_sweep_over<D, double>(graph, in_double, 1.4);
   }
   EXPECT_NEAR(graph_energy(graph, in_single) / graph_energy(graph, in_double), 1, 1e-5);
 }
