@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cassert>
 #include <mutex>
+#include <utility>
 #ifdef CROSSGRAIN_STD_THREADS
 #include <atomic>
 #include <exception>
 #include <thread>
 #else
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/task_arena.h>
 #endif
 
@@ -97,6 +99,12 @@ void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
   if (failure) std::rethrow_exception(failure);
 }
 
+void run_both(const std::function<void()>& first, const std::function<void()>& second) {
+  run_chunks(2, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t task = begin; task < end; ++task) (task == 0 ? first : second)();
+  });
+}
+
 #else
 
 int most_threads() {
@@ -118,6 +126,11 @@ void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
       });
     });
   });
+}
+
+/// Not isolated: the thread that ends first helps with the loops of the other.
+void run_both(const std::function<void()>& first, const std::function<void()>& second) {
+  run_within_limit([&] { tbb::parallel_invoke(first, second); });
 }
 
 #endif
@@ -156,6 +169,21 @@ void run_within_limit(const std::function<void()>& work) {
   if (t_arena != nullptr) return t_arena->tasks.execute(work);
 #endif
   work();
+}
+
+void run_side_by_side(const std::function<void()>& first, const std::function<void()>& second) {
+  const WatchedLoops* const watching = t_watching;
+  const auto watched = [watching](const std::function<void()>& work) {
+    const WatchedLoops* const before = std::exchange(t_watching, watching);
+    try {
+      work();
+    } catch (...) {
+      t_watching = before;
+      throw;
+    }
+    t_watching = before;
+  };
+  run_both([&] { watched(first); }, [&] { watched(second); });
 }
 
 void parallel_for_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {

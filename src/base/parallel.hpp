@@ -22,6 +22,11 @@ inline constexpr std::size_t kParallelGrain = 256;
 void parallel_for_chunks(std::size_t count, std::size_t grain,
                          const std::function<void(std::size_t begin, std::size_t end)>& body);
 
+/// Runs two tasks, on two threads if there are two, each with loops of its own, which query the same monitor
+/// as those of this thread. Returns, or throws what one of them threw, once both have ended; after a failure
+/// the other may be left out.
+void run_side_by_side(const std::function<void()>& first, const std::function<void()>& second);
+
 /// Runs `work` on this thread. Loops of other libraries on oneTBB inside it obey this thread's ThreadLimit.
 void run_within_limit(const std::function<void()>& work);
 
@@ -30,7 +35,8 @@ enum class Stops { kHeeded, kIgnored };
 
 /// While an object lives, loops that this thread starts query a monitor before each chunk and throw
 /// Error(kInterrupted) if it says so. A solve therefore ends promptly at any stage and size. If objects are
-/// nested, the innermost counts. Other threads are not affected, nor are loops inside a loop on them.
+/// nested, the innermost counts. Other threads are not affected, nor are loops inside a loop on them; those
+/// of run_side_by_side are.
 class WatchedLoops {
  public:
   WatchedLoops(const Monitor& monitor, Stops stops);

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "display/leaf_corner_means.hpp"
 #include "display/shown_field.hpp"
@@ -159,22 +161,12 @@ class PageScene {
     } else {
       add_outside(whole, whole.surface());
     }
-    add_grid(field, shown);
-    add_lines(StreamlineTracer(shown.field, page_streamlines()));
+    add_beside_lines(shown.field, [&] { add_grid(field, shown); });
     return scene_.bytes();
   }
 
   std::string of_tets(const TetFrameField& field) {
-    const ShownField shown(field);
-    const DrawnSurface drawn = add_outside(shown, shown.surface());
-    add_boundary_numbers(shown, drawn, scene_);
-    if (add_tets(shown, origin_, kMostShownTets, kMostShownCells, monitor_, scene_)) {
-      const ShownField grid(field.grid());
-      add_surface(grid.surface(), grid.surface(), origin_, "grid_", kMostGridTriangles, scene_);
-      add_singularities(grid, origin_, "grid_", scene_);
-      add_grid(field.grid(), reduced(field.grid(), kMostGridCells, monitor_));
-    }
-    add_lines(StreamlineTracer(field, page_streamlines()));
+    add_beside_lines(field, [&] { add_all_tets(field); });
     return scene_.bytes();
   }
 
@@ -187,8 +179,26 @@ class PageScene {
     return drawn;
   }
 
-  void add_lines(const StreamlineTracer& tracer) {
-    add_streamlines(tracer, origin_, static_cast<int>(first_cut_), monitor_, scene_);
+  void add_all_tets(const TetFrameField& field) {
+    const ShownField shown(field);
+    const DrawnSurface drawn = add_outside(shown, shown.surface());
+    add_boundary_numbers(shown, drawn, scene_);
+    if (!add_tets(shown, origin_, kMostShownTets, kMostShownCells, monitor_, scene_)) return;
+    const ShownField grid(field.grid());
+    add_surface(grid.surface(), grid.surface(), origin_, "grid_", kMostGridTriangles, scene_);
+    add_singularities(grid, origin_, "grid_", scene_);
+    add_grid(field.grid(), reduced(field.grid(), kMostGridCells, monitor_));
+  }
+
+  /// Adds the streamlines of a field after what add_rest adds, while which they are traced.
+  template <class Field>
+  void add_beside_lines(const Field& field, const std::function<void()>& add_rest) {
+    std::optional<PageStreamlines> lines;
+    run_side_by_side(add_rest, [&] {
+      lines.emplace(StreamlineTracer(field, page_streamlines()), origin_, static_cast<int>(first_cut_),
+                    monitor_);
+    });
+    lines->write(scene_);
   }
 
   void add_grid(const FrameField& field, const Reduced& shown) {

@@ -6,8 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "page/scene_parts.hpp"
-
 namespace crossgrain {
 namespace {
 
@@ -33,25 +31,28 @@ StreamlineOptions page_streamlines() {
   return options;
 }
 
-void add_streamlines(const StreamlineTracer& tracer, const Vector3& origin, int axis, const Monitor& monitor,
-                     SceneWriter& scene) {
-  Polylines lines(origin);
-  std::vector<std::uint8_t> axes, sets;
-  const auto add = [&](const std::vector<StreamlineSeed>& seeds, std::uint8_t set) {
-    for (const Streamline& line : tracer.trace(seeds, monitor).lines) {
-      const std::size_t pieces = line.points.size() - 1;
-      const std::size_t drawn = std::min(pieces, kMostPoints);
-      for (std::size_t k = 0; k <= drawn; ++k) lines.add_point(line.points[k * pieces / drawn]);
-      lines.end_line();
-      axes.push_back(static_cast<std::uint8_t>(line.axis));
-      sets.push_back(set);
-    }
-  };
-  add(tracer.cut_seeds(axis, std::nullopt, kSeeds, monitor), 0);
-  add(tracer.surface_seeds(kSeeds, monitor), 1);
-  lines.write(scene, "streamline_points", "streamline_starts");
-  scene.add("streamline_axis", 1, axes);
-  scene.add("streamline_set", 1, sets);
+PageStreamlines::PageStreamlines(const StreamlineTracer& tracer, const Vector3& origin, int axis,
+                                 const Monitor& monitor)
+    : lines_(origin) {
+  add(tracer.trace(tracer.cut_seeds(axis, std::nullopt, kSeeds, monitor), monitor).lines, 0);
+  add(tracer.trace(tracer.surface_seeds(kSeeds, monitor), monitor).lines, 1);
+}
+
+void PageStreamlines::add(const std::vector<Streamline>& traced, std::uint8_t set) {
+  for (const Streamline& line : traced) {
+    const std::size_t pieces = line.points.size() - 1;
+    const std::size_t drawn = std::min(pieces, kMostPoints);
+    for (std::size_t k = 0; k <= drawn; ++k) lines_.add_point(line.points[k * pieces / drawn]);
+    lines_.end_line();
+    axes_.push_back(static_cast<std::uint8_t>(line.axis));
+    sets_.push_back(set);
+  }
+}
+
+void PageStreamlines::write(SceneWriter& scene) const {
+  lines_.write(scene, "streamline_points", "streamline_starts");
+  scene.add("streamline_axis", 1, axes_);
+  scene.add("streamline_set", 1, sets_);
 }
 
 }  // namespace crossgrain

@@ -97,28 +97,52 @@ void spread(std::uint32_t start, const Neighbours& neighbours, std::vector<AxisN
   }
 }
 
-/// Gives each frame the names that its neighbours give it over the largest width; returns whether any
-/// changed.
-bool straighten(const Neighbours& neighbours, std::vector<AxisNames>& names) {
-  bool has_changed = false;
-  for (std::uint32_t i = 0; i < names.size(); ++i) {
-    const auto agreed = [&](const AxisNames& own) {
-      double width = 0;
-      for (const auto& link : neighbours.of(i))
-        if (renamed(own, link.axes) == names[link.to]) width += link.width;
-      return width;
-    };
-    double most = agreed(names[i]) * (1 + 1e-9);
+/// Gives frames the names that their neighbours give them over the largest width.
+class Straightening {
+ public:
+  Straightening(const Neighbours& neighbours, std::vector<AxisNames>& names)
+      : neighbours_(neighbours), names_(names), is_due_(names.size(), 1) {}
+
+  /// Visits all frames with a neighbour that has changed since the last visit, which are all at first.
+  /// Returns whether any changed.
+  bool round() {
+    bool has_changed = false;
+    for (std::uint32_t i = 0; i < names_.size(); ++i) {
+      if (is_due_[i] == 0) continue;
+      is_due_[i] = 0;
+      const AxisNames chosen = chosen_for(i);
+      if (chosen == names_[i]) continue;
+      names_[i] = chosen;
+      has_changed = true;
+      for (const auto& link : neighbours_.of(i)) is_due_[link.to] = 1;
+    }
+    return has_changed;
+  }
+
+ private:
+  static std::size_t number_of(const AxisNames& names) { return 3u * names[0] + names[1]; }
+
+  AxisNames chosen_for(std::uint32_t i) const {
+    std::array<double, 9> widths{};  // over which neighbours give these names, by their number
+    for (const auto& [to, axes, cost, width] : neighbours_.of(i)) {
+      const AxisNames& there = names_[to];
+      widths[number_of({there[axes[0]], there[axes[1]], there[axes[2]]})] += width;
+    }
+    AxisNames chosen = names_[i];
+    double most = widths[number_of(chosen)] * (1 + 1e-9);
     for (const AxisNames& other : kAllNames) {
-      const double width = agreed(other);
+      const double width = widths[number_of(other)];
       if (width <= most) continue;
       most = width * (1 + 1e-9);
-      names[i] = other;
-      has_changed = true;
+      chosen = other;
     }
+    return chosen;
   }
-  return has_changed;
-}
+
+  const Neighbours& neighbours_;
+  std::vector<AxisNames>& names_;
+  std::vector<std::uint8_t> is_due_;
+};
 
 }  // namespace
 
@@ -139,7 +163,8 @@ std::vector<AxisNames> name_axes(std::span<const Quaternion> frames, std::span<c
   };
   begin_at(start);
   for (std::uint32_t i = 0; i < frames.size(); ++i) begin_at(i);
-  for (int round = 0; round < kRounds && straighten(neighbours, names); ++round) {
+  Straightening straightening(neighbours, names);
+  for (int round = 0; round < kRounds && straightening.round(); ++round) {
   }
   return names;
 }

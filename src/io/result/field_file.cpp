@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
@@ -200,21 +201,27 @@ SolveReport write_field_and(const FrameField& field, SolveReport report, const s
   stopwatch.start();
   report.solve = solve;
   output.set_solve(solve);
-  write_chosen_cells(field.data(), options, output.create(kFieldFile), report, monitor);
-  write_singularities(output.create(kSingularityFile), field.singularities(), monitor);
-  if (const auto surface = field.data().surface.get())
-    write_surface(output.create(kSurfaceFile), *surface, monitor);
-  else
-    output.remove_at_commit(kSurfaceFile);
-  report.unmarked_files.clear();
-  add_files(output, report);
+  std::vector<CompanionFile::Writer> companions;
+  run_side_by_side(
+      [&] {
+        write_chosen_cells(field.data(), options, output.create(kFieldFile), report, monitor);
+        write_singularities(output.create(kSingularityFile), field.singularities(), monitor);
+        if (const auto surface = field.data().surface.get())
+          write_surface(output.create(kSurfaceFile), *surface, monitor);
+        else
+          output.remove_at_commit(kSurfaceFile);
+        report.unmarked_files.clear();
+        add_files(output, report);
+      },
+      [&] {
+        for (const CompanionFile& companion : options.companions)
+          companions.push_back(companion.prepare(monitor));
+      });
   list_companions(options, report);
   std::vector<std::string> earlier = companions_in(folder);
   earlier.insert(earlier.end(), {kStreamlinesFile, kPageFile});
   for (const std::string& name : earlier)
     if (!is_companion(name, options)) output.remove_at_commit(name);
-  std::vector<CompanionFile::Writer> companions;
-  for (const CompanionFile& companion : options.companions) companions.push_back(companion.prepare(monitor));
   report.seconds.write = stopwatch.restart();
   report.seconds.total += report.seconds.write;
   report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());
