@@ -72,33 +72,55 @@ constexpr std::array<std::uint32_t, 8> parents_around_octants() {
 
 constexpr auto kParentsAround = parents_around_octants();
 
+/// The slot of the cell at `step` from a child.
+int slot_beside(CellAddress child, const LeafSurroundings::Step& step) {
+  return slot_of_octant(child.octant()) + step[0] + 4 * step[1] + 16 * step[2];
+}
+
+/// The number among the 27 of the cell that contains a slot.
+int parent_of_slot(int slot) {
+  const auto along = [&](int shift) { return ((slot >> shift & 3) + 1) / 2; };
+  return along(0) + 3 * along(2) + 9 * along(4);
+}
+
+/// The entry of a cell in a cache of so many, a power of two.
+std::size_t place_of(CellAddress cell, std::size_t entries) {
+  std::uint64_t hash = cell.packed() * 0x9e3779b97f4a7c15;
+  hash ^= hash >> 32;
+  return static_cast<std::size_t>(hash * 0x9e3779b97f4a7c15 >> 40) & (entries - 1);
+}
+
+LeafSurroundings::Step step_of_number(int number) {
+  return {number % 3 - 1, number / 3 % 3 - 1, number / 9 - 1};
+}
+
 }  // namespace
+
+void LeafSurroundings::Block::move_to(CellAddress to) {
+  if (to == parent) return;
+  parent = to;
+  looked_up = 0;
+  larger = equal = occupied = 0;
+}
 
 void LeafSurroundings::move_to(CellIndex leaf) {
   const CellAddress cell = tree_[leaf];
   leaf_ = leaf;
   if (cell.depth() == 0) {  // it has no parent and no neighbours
     own_slot_ = kLowestSlotOfParent;
-    ranges_[kLowestSlotOfParent] = {leaf, leaf + 1};
-    occupied_ = equal_ = std::uint64_t{1} << kLowestSlotOfParent;
-    larger_ = 0;
+    own_.ranges[kLowestSlotOfParent] = {leaf, leaf + 1};
+    own_.occupied = own_.equal = std::uint64_t{1} << kLowestSlotOfParent;
+    own_.larger = 0;
     return;
   }
-  if (cell.parent() != parent_) {
-    parent_ = cell.parent();
-    looked_up_ = 0;
-    if (parent_.depth() > 0 && parent_.parent() != grandparent_) {
-      grandparent_ = parent_.parent();
-      found_ = 0;
-    }
-    larger_ = equal_ = occupied_ = 0;
-  }
+  own_.move_to(cell.parent());
   const int octant = cell.octant();
   own_slot_ = slot_of_octant(octant);
   for (std::size_t axis = 0; axis < 3; ++axis) outward_[axis] = (octant >> axis & 1) ? 1 : -1;
-  for (std::uint32_t missing = kParentsAround[static_cast<std::size_t>(octant)] & ~looked_up_; missing != 0;
-       missing &= missing - 1) {
-    look_up(std::countr_zero(missing));
+  for (std::uint32_t missing = kParentsAround[static_cast<std::size_t>(octant)] & ~own_.looked_up;
+       missing != 0; missing &= missing - 1) {
+    const int number = std::countr_zero(missing);
+    look_up(own_, number, over_beside_parent(step_of_number(number)));
   }
 }
 
@@ -113,59 +135,86 @@ LeafSurroundings::Slots LeafSurroundings::slots_towards(const Step& signs) const
   return (steps(0) * rows * layers) << (own_slot_ - kLowestSlotOfParent);
 }
 
+LeafRange LeafSurroundings::found_over(CellAddress cell, const Step& step) const {
+  const auto beside = moved(cell, step);
+  if (!beside) return {};
+  const auto [first, last] = finder_.over(*beside);
+  return {first, last};
+}
+
 /// Returns the leaves that overlap the cell of the parent's size at `step` from the parent.
 LeafRange LeafSurroundings::over_beside_parent(const Step& step) {
-  const auto find = [&]() -> LeafRange {
-    const auto cell = moved(parent_, step);
-    if (!cell) return {};
-    const auto [first, last] = finder_.over(*cell);
-    return {first, last};
-  };
-  if (parent_.depth() == 0) return find();
-  const int slot = slot_of_octant(parent_.octant()) + step[0] + 4 * step[1] + 16 * step[2];
-  LeafRange& range = parent_ranges_[static_cast<std::size_t>(slot)];
-  if (!(found_ >> slot & 1)) {
-    range = find();
-    found_ |= std::uint64_t{1} << slot;
+  const CellAddress parent = own_.parent;
+  if (parent.depth() == 0) return found_over(parent, step);
+  const CellAddress grandparent = parent.parent();
+  Block& above = above_[place_of(grandparent, above_.size())];
+  above.move_to(grandparent);
+  const int slot = slot_beside(parent, step), number = parent_of_slot(slot);
+  if (!(above.looked_up >> number & 1))
+    look_up(above, number, over_beside(grandparent, step_of_number(number)));
+  return above.ranges[static_cast<std::size_t>(slot)];
+}
+
+/// Likewise for the grandparent.
+LeafRange LeafSurroundings::over_beside(CellAddress grandparent, const Step& step) {
+  if (grandparent.depth() == 0) return found_over(grandparent, step);
+  const CellAddress parent = grandparent.parent();
+  Top& top = tops_[place_of(parent, tops_.size())];
+  if (top.parent != parent) {
+    top.parent = parent;
+    top.found = 0;
+  }
+  const int slot = slot_beside(grandparent, step);
+  LeafRange& range = top.ranges[static_cast<std::size_t>(slot)];
+  if (!(top.found >> slot & 1)) {
+    range = found_over(grandparent, step);
+    top.found |= std::uint64_t{1} << slot;
   }
   return range;
 }
 
-void LeafSurroundings::look_up(int parent_number) {
-  looked_up_ |= std::uint32_t{1} << parent_number;
-  const LeafRange leaves =
-      over_beside_parent({parent_number % 3 - 1, parent_number / 3 % 3 - 1, parent_number / 9 - 1});
+/// Fills the slots in one of the 27 cells, which these leaves overlap.
+void LeafSurroundings::look_up(Block& block, int parent_number, const LeafRange& leaves) {
+  block.looked_up |= std::uint32_t{1} << parent_number;
   const SlottedChildren& slotted = kChildrenInSlots[static_cast<std::size_t>(parent_number)];
   const std::span children(slotted.children.data(), static_cast<std::size_t>(slotted.count));
-  if (leaves.empty() || tree_[leaves.first].depth() <= parent_.depth()) {
-    for (const auto& [octant, slot] : children) ranges_[static_cast<std::size_t>(slot)] = leaves;
+  if (leaves.empty() || tree_[leaves.first].depth() <= block.parent.depth()) {
+    for (const auto& [octant, slot] : children) block.ranges[static_cast<std::size_t>(slot)] = leaves;
     if (leaves.empty()) return;
-    larger_ |= slotted.slots;
-    occupied_ |= slotted.slots;
+    block.larger |= slotted.slots;
+    block.occupied |= slotted.slots;
     return;
   }
-  const CellAddress cell = tree_[leaves.first].ancestor_at(parent_.depth());
-  for (const auto& [octant, slot] : children) place(leaves, cell.child(octant), slot);
+  const CellAddress cell = tree_[leaves.first].ancestor_at(block.parent.depth());
+  CellIndex next = leaves.first;
+  for (const auto& [octant, slot] : children) place(block, leaves, next, cell.child(octant), slot);
 }
 
-/// Fills a slot with the leaves in `cell`, out of `leaves`, which are in the parent of `cell`.
-void LeafSurroundings::place(LeafRange leaves, CellAddress cell, int child_slot) {
-  LeafRange& range = ranges_[static_cast<std::size_t>(child_slot)];
-  const std::uint64_t bit = std::uint64_t{1} << child_slot;
+/// Fills a slot with the leaves in `cell`, out of `leaves`, which are in the parent of `cell`, from `next`
+/// on. Moves `next` to their end.
+void LeafSurroundings::place(Block& block, const LeafRange& leaves, CellIndex& next, CellAddress cell,
+                             int slot) const {
+  LeafRange& range = block.ranges[static_cast<std::size_t>(slot)];
+  const std::uint64_t bit = std::uint64_t{1} << slot;
   // If all siblings before it are undivided leaves, the position of a child equals its octant.
   const CellIndex likely = leaves.first + static_cast<CellIndex>(cell.octant());
   if (likely < leaves.last && tree_[likely] == cell) {
-    range = {likely, likely + 1};
-    occupied_ |= bit;
-    equal_ |= bit;
+    range = {likely, next = likely + 1};
+    block.occupied |= bit;
+    block.equal |= bit;
     return;
   }
-  while (leaves.first < leaves.last && tree_[leaves.first] < cell) ++leaves.first;
-  range = {leaves.first, leaves.first};
-  while (range.last < leaves.last && cell.contains(tree_[range.last])) ++range.last;
+  const CellAddress* const all = tree_.leaves().data();
+  const auto index = [&](const CellAddress* leaf) { return static_cast<CellIndex>(leaf - all); };
+  const CellAddress *const end = all + leaves.last, *first = all + next;
+  if (first != end && *first < cell) first = std::lower_bound(first, end, cell);
+  const CellAddress* const last =
+      std::partition_point(first, end, [&](CellAddress leaf) { return cell.contains(leaf); });
+  range = {index(first), index(last)};
+  next = range.last;
   if (range.empty()) return;
-  occupied_ |= bit;
-  if (tree_[range.first] == cell) equal_ |= bit;
+  block.occupied |= bit;
+  if (*first == cell) block.equal |= bit;
 }
 
 }  // namespace crossgrain
