@@ -29,7 +29,8 @@ using Candidate = SettledFrames;
 /// Relaxation and manifold sweeps on one level.
 double volume_of(const Octree& tree) {
   return parallel_sum(tree.size(), [&](std::size_t i) {
-    return std::pow(tree.root().cell_size(tree[static_cast<CellIndex>(i)].depth()), 3);
+    const double size = tree.root().cell_size(tree[static_cast<CellIndex>(i)].depth());
+    return size * size * size;
   });
 }
 

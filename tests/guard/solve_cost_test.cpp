@@ -25,15 +25,19 @@ constexpr bool kSpeedMeansSomething = false;
 constexpr int kRounds = 3;
 constexpr int kPlainSweeps = 40;
 
-/// How many plain updates a cell a solve may cost: about twice what was measured, 28 to 35 with vectors of
-/// eight, four and two doubles. To be lowered when solves get faster.
-constexpr double kMostPlainUpdatesPerCell = 65;
+/// A solve of one thread beside the plain loop.
+struct Cost {
+  std::size_t cells;
+  double solve_seconds;       ///< processor time, the least of a few
+  double seconds_per_update;  ///< of the plain loop
 
-TEST(SolveCost, StaysBelowTwiceItsUsualMultipleOfAPlainLoop) {
-  if (!kSpeedMeansSomething) GTEST_SKIP() << "measures optimised builds without sanitizers only";
-  const TriangleMesh part = make_bracket(64);
+  /// How many plain updates a cell costs.
+  double ratio() const { return solve_seconds / static_cast<double>(cells) / seconds_per_update; }
+};
+
+Cost measured(const TriangleMesh& part, int resolution) {
   SolveOptions options;
-  options.resolution = 144;
+  options.resolution = resolution;
   options.threads = 1;
   PlainBox plain(32);
   double plain_seconds = INFINITY, solve_seconds = INFINITY;
@@ -44,12 +48,27 @@ TEST(SolveCost, StaysBelowTwiceItsUsualMultipleOfAPlainLoop) {
                              }));
     solve_seconds = std::min(solve_seconds, cpu_seconds_of([&] { cells = solve(part, options).size(); }));
   }
-  const double seconds_per_update = plain_seconds / kPlainSweeps / static_cast<double>(plain.size());
-  const double ratio = solve_seconds / static_cast<double>(cells) / seconds_per_update;
+  const Cost cost{cells, solve_seconds, plain_seconds / kPlainSweeps / static_cast<double>(plain.size())};
   std::printf("%zu cells, %.2f us a cell: as much as %.1f updates of the plain loop, %.3f us each\n", cells,
-              1e6 * solve_seconds / static_cast<double>(cells), ratio, 1e6 * seconds_per_update);
-  EXPECT_LT(ratio, kMostPlainUpdatesPerCell)
-      << "a solve takes twice as long as it should, or more: see docs/notes/performance.md, \"The guard\"";
+              1e6 * solve_seconds / static_cast<double>(cells), cost.ratio(), 1e6 * cost.seconds_per_update);
+  return cost;
+}
+
+/// How many plain updates a cell a solve may cost: about twice what was measured, 28 to 35 and 72 to 75. To
+/// be lowered when solves get faster.
+constexpr double kMostForBracket = 65, kMostForFacets = 160;
+
+constexpr const char* kTooSlow =
+    "a solve takes twice as long as it should, or more: see docs/notes/performance.md, \"The guard\"";
+
+TEST(SolveCost, StaysBelowTwiceItsUsualMultipleOfAPlainLoop) {
+  if (!kSpeedMeansSomething) GTEST_SKIP() << "measures optimised builds without sanitizers only";
+  EXPECT_LT(measured(make_bracket(64), 144).ratio(), kMostForBracket) << kTooSlow;
+}
+
+TEST(SolveCost, StaysBelowTwiceItsUsualMultipleOnASurfaceOfManyFacets) {
+  if (!kSpeedMeansSomething) GTEST_SKIP() << "measures optimised builds without sanitizers only";
+  EXPECT_LT(measured(make_sphere(1, 6), 112).ratio(), kMostForFacets) << kTooSlow;
 }
 
 TEST(PlainBox, LowersTheEnergyWithEverySweep) {
