@@ -82,7 +82,8 @@ int run(int argc, char** argv) {
     // Without asking for memory.
     constexpr std::string_view kLine =
         "crossgrain: out of memory; close other programs, or simplify the model\n";
-    if (::write(STDERR_FILENO, kLine.data(), kLine.size()) >= 0) std::_Exit(exit_code_of(ErrorKind::kLimit));
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kLine.data(), kLine.size());
+    std::_Exit(exit_code_of(ErrorKind::kLimit));
   } catch (...) {
   }
   std::abort();

@@ -134,8 +134,9 @@ struct CompanionFile {
   /// Writes the content, given the report as it is written.
   using Writer = std::function<void(const SolveReport& report, const ByteSink& write)>;
 
-  /// Returns the writer. Called once, after the field's own files are written: the time it takes counts in
-  /// `seconds.write` of the report. Gets the monitor of `write_field`.
+  /// Returns the writer. Called once, while the field's own files are written, perhaps on another thread;
+  /// those of several companions one after the other. The time counts in `seconds.write` of the report. Gets
+  /// the monitor of `write_field`.
   std::function<Writer(const Monitor& monitor)> prepare;
 };
 

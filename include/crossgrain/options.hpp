@@ -164,7 +164,8 @@ struct SolverOptions {
   double sweep_tolerance = 1e-4;
 
   /// Cells rest whose last step lowered the energy by at most this share of the tolerance, divided by the
-  /// number of cells, until a neighbour's step lowers it by more; 0: none rests.
+  /// number of cells, until a neighbour's step lowers it by more; 0: none rests. In [0, 1). The
+  /// tolerance counts less by this share, for what rests (docs/notes/performance.md, "The sweep").
   double resting_share = 0.3;
 
   CalmFieldOptions calm_fields = {};

@@ -2,12 +2,12 @@
 #include "base/parallel.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
+#include <exception>
 #include <mutex>
 #include <utility>
 #ifdef CROSSGRAIN_STD_THREADS
-#include <atomic>
-#include <exception>
 #include <thread>
 #else
 #include <oneapi/tbb/parallel_for.h>
@@ -64,6 +64,32 @@ thread_local const WatchedLoops* t_watching = nullptr;
 
 using ChunkBody = std::function<void(std::size_t, std::size_t)>;
 
+/// Keeps the first exception of several tasks until all have ended, after which no more begin. None may pass
+/// through oneTBB: it would end the loops inside other tasks before they are done, without a word.
+class FirstFailure {
+ public:
+  template <class Task>
+  void run(const Task& task) {
+    if (has_failed_.load(std::memory_order_relaxed)) return;
+    try {
+      task();
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      has_failed_.store(true, std::memory_order_relaxed);
+    }
+  }
+
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::atomic<bool> has_failed_{false};
+  std::mutex mutex_;
+  std::exception_ptr failure_;
+};
+
 #ifdef CROSSGRAIN_STD_THREADS
 
 int most_threads() {
@@ -77,26 +103,19 @@ void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
     return;
   }
   std::atomic<std::size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex failure_mutex;
+  FirstFailure failure;
   const auto work = [&] {
     // All threads that the limit allows are busy already, so inner loops run on this thread.
     const ThreadLimit this_thread_only(1);
-    for (std::size_t begin; (begin = next.fetch_add(grain)) < count;) {
-      try {
-        body(begin, std::min(begin + grain, count));
-      } catch (...) {
-        const std::lock_guard lock(failure_mutex);
-        if (!failure) failure = std::current_exception();
-      }
-    }
+    for (std::size_t begin; (begin = next.fetch_add(grain)) < count;)
+      failure.run([&] { body(begin, std::min(begin + grain, count)); });
   };
   std::vector<std::thread> threads;
   for (int i = 1; i < most_threads() && static_cast<std::size_t>(i) * grain < count; ++i)
     threads.emplace_back(work);
   work();
   for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
+  failure.rethrow();
 }
 
 void run_both(const std::function<void()>& first, const std::function<void()>& second) {
@@ -117,20 +136,24 @@ void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
     if (count > 0) body(0, count);
     return;
   }
+  FirstFailure failure;
   run_within_limit([&] {
     // Isolated, so that a thread that waits for an inner loop does not start a task of the outer one, which
     // may wait for the result of this thread.
     tbb::this_task_arena::isolate([&] {
       tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
-        body(chunk * grain, std::min((chunk + 1) * grain, count));
+        failure.run([&] { body(chunk * grain, std::min((chunk + 1) * grain, count)); });
       });
     });
   });
+  failure.rethrow();
 }
 
 /// Not isolated: the thread that ends first helps with the loops of the other.
 void run_both(const std::function<void()>& first, const std::function<void()>& second) {
-  run_within_limit([&] { tbb::parallel_invoke(first, second); });
+  FirstFailure failure;
+  run_within_limit([&] { tbb::parallel_invoke([&] { failure.run(first); }, [&] { failure.run(second); }); });
+  failure.rethrow();
 }
 
 #endif

@@ -26,11 +26,12 @@ class ParallelNormals {
 
   void add(const Vector3& normal, double weight);
 
-  /// The frame whose sum of weight * E_n is the least, to a share of twice the fourth power of the largest
-  /// angle between a normal and the first; nothing if that is above kLargestAngle.
+  /// The frame whose sum of weight * E_n is the least, to a share of seven times the fourth power of
+  /// the largest angle between a normal and the first (2.5 times where they spread to all sides; normals in
+  /// one plane are the worst); nothing if that is above kLargestAngle.
   std::optional<Quaternion> best_frame() const;
 
-  /// In radians: the least value is met to a share of 2e-4.
+  /// In radians: the least value is met to a share of 7e-4.
   static constexpr double kLargestAngle = 0.1;
 
  private:

@@ -95,7 +95,7 @@ struct FacedDirections {
   }
 };
 
-/// Returns the frame of least boundary value in a leaf whose normals are nearly parallel, to a share of 2e-4
+/// Returns the frame of least boundary value in a leaf whose normals are nearly parallel, to a share of 7e-4
 /// of that: a twentieth of the time of a search.
 std::optional<Quaternion> best_for_parallel(const GridLevel& level, const Solid& solid, CellIndex leaf) {
   if (level.guides.has(leaf)) return std::nullopt;

@@ -4,22 +4,6 @@
 #include <utility>
 
 namespace crossgrain {
-namespace {
-
-template <class T>
-std::shared_future<std::shared_ptr<const T>> ready(std::shared_ptr<const T> value) {
-  std::promise<std::shared_ptr<const T>> now;
-  now.set_value(std::move(value));
-  return now.get_future().share();
-}
-
-/// A future that calls make() when it is first asked.
-template <class Make>
-auto on_demand(Make make) {
-  return std::async(std::launch::deferred, std::move(make)).share();
-}
-
-}  // namespace
 
 std::shared_ptr<const SearchableSurface> searchable(const SolvedSurface& surface) {
   TriangleMesh mesh;
@@ -29,15 +13,26 @@ std::shared_ptr<const SearchableSurface> searchable(const SolvedSurface& surface
 }
 
 SurfaceSource::SurfaceSource(SolvedSurface surface, std::shared_ptr<const SearchableSurface> searched)
-    : surface_(ready(std::make_shared<const SolvedSurface>(std::move(surface)))),
-      searchable_(searched ? ready(std::move(searched)) : on_demand([from = surface_] {
-        return from.get()->triangles.empty() ? nullptr : crossgrain::searchable(*from.get());
-      })) {}
+    : surface_(std::make_shared<MadeOnDemand<SolvedSurface>>(
+          std::make_shared<const SolvedSurface>(std::move(surface)))) {
+  if (searched)
+    searchable_ = std::make_shared<MadeOnDemand<SearchableSurface>>(std::move(searched));
+  else
+    search_surface();
+}
 
 SurfaceSource::SurfaceSource(std::function<SolvedSurface()> read)
-    : surface_(on_demand([read = std::move(read)] { return std::make_shared<const SolvedSurface>(read()); })),
-      searchable_(on_demand([from = surface_] {
-        return from.get()->triangles.empty() ? nullptr : crossgrain::searchable(*from.get());
-      })) {}
+    : surface_(std::make_shared<MadeOnDemand<SolvedSurface>>(
+          [read = std::move(read)] { return std::make_shared<const SolvedSurface>(read()); })) {
+  search_surface();
+}
+
+void SurfaceSource::search_surface() {
+  searchable_ = std::make_shared<MadeOnDemand<SearchableSurface>>(
+      [from = surface_]() -> std::shared_ptr<const SearchableSurface> {
+        const auto surface = from->get();
+        return surface->triangles.empty() ? nullptr : crossgrain::searchable(*surface);
+      });
+}
 
 }  // namespace crossgrain

@@ -5,8 +5,9 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <future>
 #include <memory>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 #include "crossgrain/types.hpp"
@@ -32,6 +33,32 @@ struct SolvedSurface {
 /// The outer surface, for searching. Throws Error(kInput) if no triangle has an area.
 std::shared_ptr<const SearchableSurface> searchable(const SolvedSurface& surface);
 
+/// A value that is made when it is first asked for, and after a failure when it is asked for again.
+/// Thread-safe.
+template <class T>
+class MadeOnDemand {
+ public:
+  using Pointer = std::shared_ptr<const T>;
+
+  explicit MadeOnDemand(Pointer value) : value_(std::move(value)) {}
+  explicit MadeOnDemand(std::function<Pointer()> make) : make_(std::move(make)) {}
+
+  /// Throws what making it throws.
+  Pointer get() {
+    const std::lock_guard lock(mutex_);
+    if (make_) {
+      value_ = make_();
+      make_ = {};
+    }
+    return value_;
+  }
+
+ private:
+  std::mutex mutex_;
+  Pointer value_;
+  std::function<Pointer()> make_;  ///< none once it is made
+};
+
 /// A surface in memory, or one that is read from a file when it is first needed: most users of a field do not
 /// need it, and it may be larger than the field. Thread-safe.
 class SurfaceSource {
@@ -44,21 +71,20 @@ class SurfaceSource {
 
   explicit SurfaceSource(std::function<SolvedSurface()> read);
 
-  /// Returns the surface, or null if there is none. Throws what reading it throws, at every call.
-  std::shared_ptr<const SolvedSurface> get() const { return surface_.valid() ? surface_.get() : nullptr; }
+  /// Returns the surface, or null if there is none. Throws what reading it throws.
+  std::shared_ptr<const SolvedSurface> get() const { return surface_ ? surface_->get() : nullptr; }
 
   /// Returns the surface for searching, or null if there is none or it has no triangles. Throws as get() and
   /// crossgrain::searchable do.
   std::shared_ptr<const SearchableSurface> searchable() const {
-    return searchable_.valid() ? searchable_.get() : nullptr;
+    return searchable_ ? searchable_->get() : nullptr;
   }
 
  private:
-  template <class T>
-  using Shared = std::shared_future<std::shared_ptr<const T>>;
+  void search_surface();
 
-  Shared<SolvedSurface> surface_;
-  Shared<SearchableSurface> searchable_;
+  std::shared_ptr<MadeOnDemand<SolvedSurface>> surface_;
+  std::shared_ptr<MadeOnDemand<SearchableSurface>> searchable_;
 };
 
 }  // namespace crossgrain

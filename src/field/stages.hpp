@@ -31,7 +31,8 @@ struct SettlingPlan {
   double noise = 0;
 
   /// Cells rest whose last step lowered the energy by at most this share of what ends the sweeps, divided by
-  /// the number of cells: together they leave at most that share undone.
+  /// the number of cells: in one sweep all of them together would hardly lower it by more than that share,
+  /// which is taken off what ends the sweeps.
   double resting_share = 0;
 
   /// `fraction` is of at least this energy. Below `calm_energy`, sweeps that run out are followed by up to

@@ -97,7 +97,7 @@ void check_sweeps(const Options& options) {
   demand(options.over_relaxation >= 1 && options.over_relaxation < 2,
          "the over-relaxation must lie in [1, 2)");
   demand(options.sweep_tolerance >= 0, "the sweep tolerance must not be negative");
-  demand(options.resting_share >= 0, "the resting share must not be negative");
+  demand(options.resting_share >= 0 && options.resting_share < 1, "the resting share must lie in [0, 1)");
   const CalmFieldOptions& calm = options.calm_fields;
   demand(calm.more_sweeps >= 0, "numbers of sweeps must not be negative");
   demand(calm.over_relaxation >= 1 && calm.over_relaxation < 2, "the over-relaxation must lie in [1, 2)");

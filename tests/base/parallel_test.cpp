@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
+#include <cstdint>
+#include <functional>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -262,6 +265,55 @@ TEST(ParallelSum, AddsChunkByChunk) {
 
 TEST(ParallelSum, OfNothingIsZero) {
   EXPECT_EQ(parallel_sum(0, [](std::size_t) { return 1.0; }), 0);
+}
+
+/// How many of the indices of loops inside a task beside one that fails are left out, in many runs.
+std::size_t left_out_beside_a_failure(
+    const std::function<void(const std::function<void()>& work)>& run_beside) {
+  std::size_t left_out = 0;
+  for (int run = 0; run < 50; ++run) {
+    EXPECT_THROW(run_beside([&] {
+                   for (int loop = 0; loop < 50; ++loop) {
+                     std::vector<std::uint8_t> visited(5000, 0);
+                     parallel_for(
+                         visited.size(), [&](std::size_t i) { visited[i] = 1; }, 50);
+                     left_out += static_cast<std::size_t>(std::count(visited.begin(), visited.end(), 0));
+                   }
+                 }),
+                 std::runtime_error);
+  }
+  return left_out;
+}
+
+TEST(ParallelLoop, IsWholeBesideAChunkOfAnOuterLoopThatThrows) {
+  const ThreadLimit limit(4);
+  EXPECT_EQ(left_out_beside_a_failure([](const std::function<void()>& work) {
+              parallel_for(
+                  2, [&](std::size_t i) { i == 0 ? work() : throw std::runtime_error("a failure"); }, 1);
+            }),
+            0u);
+}
+
+TEST(SideBySide, LoopsAreWholeBesideATaskThatThrows) {
+  const ThreadLimit limit(4);
+  EXPECT_EQ(left_out_beside_a_failure([](const std::function<void()>& work) {
+              run_side_by_side(work, [] { throw std::runtime_error("a failure"); });
+            }),
+            0u);
+}
+
+TEST(SideBySide, BothTasksRunAndQueryTheMonitorOfTheThread) {
+  for (const int threads : {1, 2}) {
+    const ThreadLimit limit(threads);
+    Monitor monitor;
+    int first = 0, second = 0;
+    run_side_by_side([&] { ++first; }, [&] { ++second; });
+    EXPECT_EQ(std::pair(first, second), std::pair(1, 1));
+    const WatchedLoops watched(monitor, Stops::kHeeded);
+    monitor.cancel();
+    EXPECT_THROW(run_side_by_side([] { check_watched(); }, [] {}), Error);
+    EXPECT_THROW(run_side_by_side([] {}, [] { check_watched(); }), Error);
+  }
 }
 
 }  // namespace

@@ -27,6 +27,11 @@ def processor_seconds(process):
     return (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
 
 
+def has_ended(process):
+    with open(f"/proc/{process.pid}/stat") as file:
+        return file.read().rsplit(")", 1)[1].split()[0] == "Z"
+
+
 class Large(CommandTest):
     def make(self, kind, megabytes=LARGE_MB):
         """In a process of its own: the peak memory of a child begins with that of its parent."""
@@ -78,6 +83,7 @@ class Reading(Large):
     def assert_stops(self, arguments, after):
         process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         while processor_seconds(process) < after:
+            self.assertFalse(has_ended(process), "it ended before it could be stopped")
             time.sleep(0.005)
         process.send_signal(signal.SIGTERM)
         before = processor_seconds(process)

@@ -169,6 +169,7 @@ class View(CommandTest):
             address, process = self.start("--no-browser")
             self.port = int(re.search(r":(\d+)/", address).group(1))
             with self.connected(100):
+                self.ask("/report.html")  # after these connections, so that they have been accepted
                 start = time.monotonic()
                 process.send_signal(signal.SIGTERM)
                 self.assertEqual(process.wait(timeout=60), 0)

@@ -2,6 +2,9 @@
 // One cell, one sweep: local energies, Newton steps, manifold and relaxation sweeps.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+
 #include "base/parallel.hpp"
 #include "crossgrain/options.hpp"
 #include "field/connected_level.hpp"
@@ -300,6 +303,60 @@ TYPED_TEST(SweepTest, SweepsInSinglePrecisionSettleAtTheEnergyOfSweepsInDouble) 
     manifold_sweep_over<D, double>(graph, in_double, 1.4);
   }
   EXPECT_NEAR(graph_energy(graph, in_single) / graph_energy(graph, in_double), 1, 1e-5);
+}
+
+TYPED_TEST(SweepTest, CellsThatAllMoveRestInNoSweep) {
+  constexpr int D = TypeParam::value;
+  const auto graph = graph_of<D>(this->level_, this->bracket_.solid());
+  FieldState<D> state = state_of<D>(random_frames(graph.size(), 7)), with_rests = state;
+  std::vector<std::uint8_t> awake(graph.size(), 1);
+  for (int sweep = 0; sweep < 3; ++sweep) {
+    EXPECT_EQ(manifold_sweep_over<D>(graph, state, 1.4),
+              manifold_sweep_over<D>(graph, with_rests, 1.4, {{}, awake, 0}));
+  }
+  EXPECT_EQ(state.coefficients, with_rests.coefficients);
+}
+
+TYPED_TEST(SweepTest, RestEndsBesideACellThatMovesEnough) {
+  constexpr int D = TypeParam::value;
+  const auto graph = graph_of<D>(this->level_, this->bracket_.solid());
+  FieldState<D> state = state_of<D>(random_frames(graph.size(), 7));
+  for (const double least : {0.0, 1e300}) {
+    std::vector<std::uint8_t> awake(graph.size(), 0);
+    const std::uint32_t first = graph.order().cells.back();  // none is visited after it
+    awake[first] = 1;
+    const auto before = state.coefficients;
+    const auto decreases = manifold_sweep_over<D>(graph, state, 1.4, {{}, awake, least});
+    for (std::uint32_t i = 0; i < graph.size(); ++i)
+      ASSERT_EQ(state.coefficients[i] == before[i], i != first);
+    std::vector<std::uint8_t> expected(graph.size(), 0);
+    if (least == 0) {
+      expected[first] = 1;
+      for (const auto& [cell, weight] : graph.adjacency()[first]) expected[cell] = 1;
+    }
+    EXPECT_EQ(awake, expected);
+    EXPECT_GT(std::accumulate(decreases.begin(), decreases.end(), 0.0), 0);
+    state = state_of<D>(random_frames(graph.size(), 8));
+  }
+}
+
+TYPED_TEST(SweepTest, SweepsWithRestsAreTheSameToTheBitForAnyNumberOfThreads) {
+  constexpr int D = TypeParam::value;
+  const auto graph = graph_of<D>(this->level_, this->bracket_.solid());
+  std::vector<FieldState<D>> results;
+  std::vector<std::size_t> resting;
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    FieldState<D> state = state_of<D>(random_frames(graph.size(), 7));
+    std::vector<std::uint8_t> awake(graph.size(), 1);
+    for (int sweep = 0; sweep < 12; ++sweep) manifold_sweep_over<D>(graph, state, 1.4, {{}, awake, 1e-3});
+    results.push_back(std::move(state));
+    resting.push_back(static_cast<std::size_t>(std::count(awake.begin(), awake.end(), 0)));
+  }
+  EXPECT_EQ(results[0].coefficients, results[1].coefficients);
+  EXPECT_EQ(results[0].coefficients, results[2].coefficients);
+  EXPECT_GT(resting[0], 100u);
+  EXPECT_LT(resting[0], results[0].size());
 }
 
 TYPED_TEST(SweepTest, SweepsAreTheSameToTheBitForAnyNumberOfThreads) {

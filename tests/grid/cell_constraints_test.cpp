@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "base/vector3.hpp"
 #include "constraint/normal_form.hpp"
 #include "grid/test_solid.hpp"
@@ -87,6 +89,26 @@ TYPED_TEST(CellFormTest, OfAllCellsIsTheFormOfTheSurface) {
   for (std::size_t t = 0; t < solid.surface().size(); ++t)
     add_normal(expected, solid.surface().normals[t], solid.surface().areas[t]);
   EXPECT_LE(largest_difference(sum, expected), 1e-6 * expected.weight);
+}
+
+TYPED_TEST(CellFormTest, OfManyPiecesIsTheSumOverThem) {
+  constexpr int D = TypeParam::value;
+  RandomSamples random(3);
+  const TestSolid solid(rotate_mesh(make_sphere(0.8, 4), random.rotation()));
+  const GridLevel level = solid.level(0.3);
+  std::set<std::size_t> remainders;
+  for (CellIndex i = 0; i < level.size(); ++i) {
+    const auto pieces = level.pieces_of(i);
+    if (pieces.size() < 40) continue;
+    remainders.insert(pieces.size() % 8);
+    QuadraticForm<D> sum;
+    for (const SurfacePiece& piece : pieces)
+      add_normal(sum, solid.surface().normals[piece.triangle], static_cast<double>(piece.area));
+    const QuadraticForm<D> form = cell_form<D>(level, solid.solid(), i);
+    ASSERT_LE(largest_difference(form, sum), 1e-13 * sum.weight);
+    ASSERT_NEAR(form.weight, sum.weight, 1e-13 * sum.weight);
+  }
+  EXPECT_GT(remainders.size(), 4u);
 }
 
 /// A turned box of 1 x 0.8 x 0.6, and places on it.
