@@ -85,7 +85,7 @@ void add_known_ends(const char* file, int resolution, std::size_t model, std::de
   options.resolution = kFiner * resolution;
   const FrameField fine = solve(read_surface(file), options);
   const ShownField shown(coarse);
-  rays.emplace_back(shown.surface());
+  rays.emplace_back(shown.searchable());
   const CellSizes sizes(shown);
   for_each_end(coarse.singularities(), [&](const SingularityGraph::Arc& arc, const LineEnd& end) {
     const double cell = sizes.at(end.points[std::min<std::size_t>(1, end.points.size() - 1)], -1);

@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
     options.most_sweeps = 300;
     options.sweep_tolerance = 1e-6;
     const TetFrames found =
-        finish_on_tets(tets.edges, tets.boundary, std::move(frames), Degree::kFour, options, Monitor());
+        finish_on_tets(tets.edges, tets.boundary, {std::move(frames)}, Degree::kFour, options, Monitor());
     const double energy =
         evaluate_vertex_field(tets.solid, tets.boundary, tets.edges, found.frames).dirichlet;
     ++ends[std::lround(1000 * energy)];

@@ -173,6 +173,8 @@ Inputs read_inputs(const SolveArguments& arguments, const Monitor& monitor, cons
   Inputs inputs{arguments.options, {}, {}};
   if (arguments.page) keep_forms_for_page(inputs.options);
   if (!arguments.constraints.empty()) inputs.options.constraints = read_constraints(arguments.constraints);
+  // Whoever names a field to start from wants what that becomes.
+  if (!arguments.from.empty()) inputs.options.onto.other_starts.clear();
   inputs.domain = read_domain(arguments, warn);
   if (inputs.domain) inputs.options = sized_for(*inputs.domain, std::move(inputs.options));
   inputs.mesh = is_tet_file(arguments.model)

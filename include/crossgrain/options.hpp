@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "crossgrain/constraints.hpp"
 #include "crossgrain/types.hpp"
@@ -180,6 +181,14 @@ enum class TetBoundary {
 /// Returns the name in report.json: "all" or "smooth-only".
 const char* name_of(TetBoundary boundary);
 
+/// A grid for a further field inside a tet mesh, relative to SolveOptions::boundary_weight and to cells of
+/// OntoOptions::cell_size_edges, whatever cells the field of the grid has.
+struct OtherStart {
+  double cell_size = 1;
+  double boundary_weight = 1;
+  std::size_t most_vertices = SIZE_MAX;  ///< left out on meshes of more vertices
+};
+
 /// How a field on the grid is transferred to a tet mesh and finished there. The sweeps in
 /// docs/notes/solver.md chose the defaults.
 struct OntoOptions {
@@ -190,6 +199,19 @@ struct OntoOptions {
   /// longest side.
   double cell_size_edges = 2;
   int fewest_cells = 8;
+
+  /// Fields on these grids inside the tets are transferred too, and the one that ends lowest is the result:
+  /// fields on one grid differ little by their seed, those on several by up to some per cent of their energy.
+  /// Empty: only the field on the grid itself. Left out where faces of the model have constraints, since
+  /// those of the tets have other numbers, and where the tets do not fill the solid of that field: the boxes
+  /// of both differ by more than `same_box` of their longest side.
+  std::vector<OtherStart> other_starts = {{0.63, 0.5, 20000}, {1.5874, 0.5, 20000}, {2, 0.1}};
+  double same_box = 0.05;
+
+  /// Starts are compared after their relaxation and so many manifold sweeps; only those within this fraction
+  /// of the lowest energy are finished.
+  int race_sweeps = 10;
+  double race_margin = 0.001;
 
   /// Weight of the form of a crease or corner vertex, in units of the sum of its edge weights. Larger values
   /// follow creases more closely and are less smooth.

@@ -278,7 +278,9 @@ struct SolveReport {
     std::size_t unused_vertices = 0;  ///< vertices of no tet
     std::size_t inverted_tets = 0;    ///< reoriented
     std::size_t left_out_tets = 0;    ///< tets without volume
-    double seconds = 0;               ///< from the field on the grid to that on the tets, with evaluation
+    /// From which field it comes: 0 that on the grid, k the k-th of OntoOptions::other_starts.
+    std::size_t start = 0;
+    double seconds = 0;  ///< from the field on the grid to that on the tets, with evaluation
   };
   std::optional<Onto> onto;  ///< set only if there is a tet mesh
 

@@ -36,7 +36,9 @@ FrameField solve_from(const FrameField& earlier, const TriangleMesh& mesh, const
 SolveOptions sized_for(const TetDomain& domain, SolveOptions options = {});
 
 /// Transfers a field to the vertices of a tet mesh and finishes it there (docs/solver.md): relaxation and
-/// sweeps lower the Dirichlet energy of the degree-4 coefficients, which are linear in every tet. Smooth
+/// sweeps lower the Dirichlet energy of the degree-4 coefficients, which are linear in every tet. The same is
+/// done with fields on other grids inside the tets (OntoOptions::other_starts; empty them to keep to `field`)
+/// and the one of the lowest energy is returned. Smooth
 /// boundary vertices keep an axis exactly along their area-weighted normal; `options.onto` says how creases
 /// and corners are constrained. Vertices outside all cells start with the frame of the nearest cell of their
 /// component. The degree is that of `field`. Errors: kUsage; kInput if no vertex lies in a cell, or for tets

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/tet_finish.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <span>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "constraint/normal_form.hpp"
@@ -134,26 +138,102 @@ FieldGraph<D> graph_of(const std::shared_ptr<const Connectivity>& connectivity, 
   return {connectivity, vertex_forms<D>(connectivity->adjacency, holds, options, guides)};
 }
 
-/// Relaxes in degree 4 for both degrees, as on the grid, and settles in the field's own.
+/// Finishes one start or the best of several, in the field's own degree.
 template <int D>
-SettledFrames solved(const std::shared_ptr<const Connectivity>& connectivity, const Holds& holds,
-                     Frames frames, const OntoOptions& options, std::span<const VertexGuide> guides,
-                     const Extent& extent, const SweepMonitor& after_sweep) {
-  const FieldGraph<D> graph = graph_of<D>(connectivity, holds, options, guides);
-  std::function<Frames(Frames)> relax;
-  if (options.relaxation_sweeps > 0) {
-    relax = [&](Frames came) {
-      const RelaxationPlan plan{options.relaxation_sweeps, options.symmetrisation, options.over_relaxation};
-      if constexpr (D == 4) {
-        came = relaxed(graph, std::move(came), plan, after_sweep);
-      } else {
-        came = relaxed(graph_of<4>(connectivity, holds, options, guides), std::move(came), plan, after_sweep);
-      }
-      return stored(aligned(holds, came));
-    };
+class Finish {
+ public:
+  Finish(std::shared_ptr<const Connectivity> connectivity, const Holds& holds, const OntoOptions& options,
+         std::span<const VertexGuide> guides, const Extent& extent, const SweepMonitor& after_sweep)
+      : connectivity_(std::move(connectivity)),
+        holds_(holds),
+        options_(options),
+        guides_(guides),
+        after_sweep_(after_sweep),
+        plan_(settling_plan(options, connectivity_->adjacency, extent.volume, extent.side)),
+        graph_(graph_of<D>(connectivity_, holds, options, guides)) {}
+
+  SettledFrames of(Frames start) {
+    std::function<Frames(Frames)> relax;
+    if (options_.relaxation_sweeps > 0)
+      relax = [&](Frames came) { return relaxed(std::move(came), after_sweep_); };
+    return relaxed_and_settled(graph_, std::move(start), relax, plan_, after_sweep_);
   }
-  const SettlingPlan settling = settling_plan(options, connectivity->adjacency, extent.volume, extent.side);
-  return relaxed_and_settled(graph, std::move(frames), relax, settling, after_sweep);
+
+  /// Sets `best` to the number of the start that ends lowest. Starts that are behind after a few sweeps are
+  /// not finished.
+  SettledFrames of_best(std::vector<Frames> starts, std::size_t& best) {
+    const double energy_before = graph_energy(graph_, state_of<D>(starts.front()));
+    std::vector<SettledFrames> raced = raced_from(starts);
+    std::vector<double> energies;
+    for (const SettledFrames& frames : raced) energies.push_back(dirichlet(frames.frames));
+    const double highest = (1 + options_.race_margin) * *std::min_element(energies.begin(), energies.end());
+    SettledFrames result;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < raced.size(); ++k) {
+      if (!(energies[k] <= highest + plan_.noise)) continue;
+      if (!raced[k].settled) raced[k] = settled(graph_, std::move(raced[k].frames), plan_, after_sweep_);
+      const double energy = dirichlet(raced[k].frames);
+      if (!(energy < lowest)) continue;
+      lowest = energy;
+      result = std::move(raced[k]);
+      best = k;
+    }
+    if (result.energy <= energy_before) return result;
+    best = 0;
+    return settled(graph_, std::move(starts.front()), plan_, after_sweep_);
+  }
+
+ private:
+  /// Relaxes all starts and settles them for a few sweeps. Small graphs keep one thread busy, so two halves
+  /// of the starts go side by side; only the first is reported.
+  std::vector<SettledFrames> raced_from(const std::vector<Frames>& starts) {
+    if (D != 4) relaxed_graph_ = graph_of<4>(connectivity_, holds_, options_, guides_);
+    SettlingPlan race = plan_;
+    race.most_sweeps = options_.race_sweeps;
+    race.more_sweeps = 0;
+    std::vector<SettledFrames> raced(starts.size());
+    const auto run = [&](std::size_t begin, std::size_t end, const SweepMonitor& after_sweep) {
+      for (std::size_t k = begin; k < end; ++k)
+        raced[k] = settled(graph_, relaxed(starts[k], after_sweep), race, after_sweep);
+    };
+    const std::size_t half = starts.size() / 2;
+    run_side_by_side([&] { run(0, half, after_sweep_); },
+                     [&] { run(half, starts.size(), [](double) { check_watched(); }); });
+    return raced;
+  }
+
+  /// The energy that the report gives, without what creases add.
+  double dirichlet(const Frames& frames) const {
+    return graph_energy(FieldGraph<4>{connectivity_, CellForms<4>(frames.size())}, state_of<4>(frames));
+  }
+
+  /// Relaxes in degree 4 for both degrees, as on the grid.
+  Frames relaxed(Frames frames, const SweepMonitor& after_sweep) {
+    const RelaxationPlan plan{options_.relaxation_sweeps, options_.symmetrisation, options_.over_relaxation};
+    if constexpr (D == 4) {
+      frames = crossgrain::relaxed(graph_, std::move(frames), plan, after_sweep);
+    } else {
+      if (!relaxed_graph_.connectivity)
+        relaxed_graph_ = graph_of<4>(connectivity_, holds_, options_, guides_);
+      frames = crossgrain::relaxed(relaxed_graph_, std::move(frames), plan, after_sweep);
+    }
+    return stored(aligned(holds_, frames));
+  }
+
+  const std::shared_ptr<const Connectivity> connectivity_;
+  const Holds& holds_;
+  const OntoOptions& options_;
+  const std::span<const VertexGuide> guides_;
+  const SweepMonitor& after_sweep_;
+  const SettlingPlan plan_;
+  const FieldGraph<D> graph_;
+  FieldGraph<4> relaxed_graph_;  ///< in degree 3, once it is needed
+};
+
+template <int D>
+SettledFrames finished(Finish<D> finish, std::vector<Frames> starts, std::size_t& best) {
+  best = 0;
+  return starts.size() == 1 ? finish.of(std::move(starts.front())) : finish.of_best(std::move(starts), best);
 }
 
 }  // namespace
@@ -173,22 +253,30 @@ Quaternion with_axis_along(const Quaternion& frame, const Vector3& direction) {
 }
 
 TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const BoundaryVertices& boundary,
-                         std::vector<Quaternion> start, Degree degree, const OntoOptions& options,
-                         const Monitor& monitor, const std::vector<VertexGuide>& guides,
-                         const Extent& extent) {
-  const auto connectivity = connectivity_of(start.size(), edges);
+                         std::vector<std::vector<Quaternion>> starts, Degree degree,
+                         const OntoOptions& options, const Monitor& monitor,
+                         const std::vector<VertexGuide>& guides, const Extent& extent) {
+  const std::size_t vertices = starts.front().size();
+  const auto connectivity = connectivity_of(vertices, edges);
   const Holds holds(boundary, options.boundary);
-  int sweeps = 0;
+  TetFrames result;
   const SweepMonitor after_sweep = [&](double energy) {
     monitor.check_stop();
-    monitor.report({Phase::kTets, 0, start.size(), ++sweeps, energy});
+    monitor.report({Phase::kTets, 0, vertices, ++result.sweeps, energy});
   };
-  holds.align(start);
-  const SettledFrames result =
-      degree == Degree::kThree
-          ? solved<3>(connectivity, holds, stored(start), options, guides, extent, after_sweep)
-          : solved<4>(connectivity, holds, stored(start), options, guides, extent, after_sweep);
-  return {aligned(holds, result.frames), result.settled, sweeps};
+  std::vector<Frames> stored_starts;
+  for (std::vector<Quaternion>& start : starts) {
+    holds.align(start);
+    stored_starts.push_back(stored(start));
+  }
+  const SettledFrames found = degree == Degree::kThree
+                                  ? finished<3>({connectivity, holds, options, guides, extent, after_sweep},
+                                                std::move(stored_starts), result.start)
+                                  : finished<4>({connectivity, holds, options, guides, extent, after_sweep},
+                                                std::move(stored_starts), result.start);
+  result.frames = aligned(holds, found.frames);
+  result.settled = found.settled;
+  return result;
 }
 
 }  // namespace crossgrain

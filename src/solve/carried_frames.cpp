@@ -35,7 +35,7 @@ class SharedComponents {
 
 }  // namespace
 
-CarriedFrames carried_frames(const FieldData& field, const TetSolid& solid) {
+CarriedFrames carried_frames(const GridFrames& field, const TetSolid& solid) {
   const std::vector<Vector3>& points = solid.mesh.vertices;
   const LeafFinder finder(field.tree);
   CarriedFrames result;

@@ -3,13 +3,22 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/quaternion.hpp"
-#include "field/field_data.hpp"
+#include "grid/octree.hpp"
 #include "tets/tet_solid.hpp"
 
 namespace crossgrain {
+
+/// A field on the leaves of a tree.
+struct GridFrames {
+  const Octree& tree;
+  std::span<const StoredQuaternion> frames;
+  std::span<const std::uint8_t> open_faces;  ///< as in LeafConnections
+};
 
 struct CarriedFrames {
   std::vector<Quaternion> frames;  ///< one per vertex
@@ -20,6 +29,6 @@ struct CarriedFrames {
 /// relaxation follows. Other vertices get the frame of the nearest cell of their own component: a cell
 /// connected, through open faces, to one that contains a vertex of the same component of tets. If there is
 /// none, they get the frame of the nearest cell.
-CarriedFrames carried_frames(const FieldData& field, const TetSolid& solid);
+CarriedFrames carried_frames(const GridFrames& field, const TetSolid& solid);
 
 }  // namespace crossgrain

@@ -112,6 +112,13 @@ void check_onto(const OntoOptions& options) {
   demand(options.fewest_cells >= kSmallestResolution, "there must be at least 4 cells across a tet mesh");
   demand(options.crease_weight >= 0 && options.crease_weight <= kLargestCreaseWeight,
          "the weight of creases must lie in [0, 10000]");
+  for (const OtherStart& start : options.other_starts)
+    demand(start.cell_size > 0 && std::isfinite(start.cell_size) && start.boundary_weight > 0 &&
+               std::isfinite(start.boundary_weight),
+           "cell sizes and boundary weights of other starts must be positive numbers");
+  demand(options.same_box >= 0, "the difference of boxes must not be negative");
+  demand(options.race_sweeps >= 0, "numbers of sweeps must not be negative");
+  demand(options.race_margin >= 0, "the margin of a race must not be negative");
 }
 
 }  // namespace

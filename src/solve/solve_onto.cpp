@@ -18,6 +18,7 @@
 #include "singularity/tet_matchings.hpp"
 #include "singularity/tet_surface.hpp"
 #include "solve/carried_frames.hpp"
+#include "solve/other_starts.hpp"
 #include "solve/solve_checks.hpp"
 #include "solve/tet_constraints.hpp"
 #include "solve/tet_domain_data.hpp"
@@ -69,7 +70,8 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   Stopwatch stopwatch;
   stopwatch.start();
   const TetDomainData& tets = domain.data();
-  CarriedFrames start = carried_frames(grid.data(), tets.solid);
+  CarriedFrames start =
+      carried_frames({grid.data().tree, grid.data().frames, grid.data().open_faces}, tets.solid);
   if (start.outside == tets.solid.mesh.vertices.size() - tets.solid.unused_vertices)
     throw Error(ErrorKind::kInput, "no vertex of the tets lies in the field's solid", Remedy::kMatchUnits);
   monitor.check_stop();
@@ -86,7 +88,13 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   // With steps of half an edge, a polyline misses only corners of tets.
   const std::vector<VertexGuide> guides =
       vertex_guides(options.constraints, tets.solid, boundary, 0.5 * tets.typical_edge_length);
-  TetFrames finished = finish_on_tets(tets.edges, boundary, std::move(start.frames), grid.data().degree,
+  std::vector<std::vector<Quaternion>> starts{std::move(start.frames)};
+  std::vector<std::size_t> numbers{0};
+  for (StartFrames& other : other_starts(domain, grid.report().model.bounding_box, options)) {
+    numbers.push_back(other.number);
+    starts.push_back(std::move(other.frames));
+  }
+  TetFrames finished = finish_on_tets(tets.edges, boundary, std::move(starts), grid.data().degree,
                                       options.onto, monitor, guides, extent_of(tets));
   field->vertex_frames = std::move(finished.frames);
   field->tet_frames = tet_frames_of(tets.solid.mesh, field->vertex_frames);
@@ -102,6 +110,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   monitor.report({Phase::kTets, 0, tets.solid.mesh.vertices.size(), finished.sweeps, report.onto->dirichlet});
   report.onto->feature_edge_deg = angles_along(tets.solid, features.edges, field->vertex_frames);
   report.onto->boundary = options.onto.boundary;
+  report.onto->start = numbers[finished.start];
   report.onto->singularity = tet_summary(tets.solid, field->tet_frames, *lines);
   report.onto->edge_length = domain.typical_edge_length();
   report.onto->unfollowed_share =

@@ -33,8 +33,8 @@ class TetFinish : public ::testing::Test {
   }
 
   std::vector<Quaternion> finished(const OntoOptions& options) const {
-    return finish_on_tets(edges_, boundary_, start_, static_cast<crossgrain::Degree>(Degree::value), options,
-                          Monitor())
+    return finish_on_tets(edges_, boundary_, {start_}, static_cast<crossgrain::Degree>(Degree::value),
+                          options, Monitor())
         .frames;
   }
 
@@ -69,6 +69,23 @@ TYPED_TEST(TetFinish, HoldsTheNormalsOfSmoothVerticesToRounding) {
   EXPECT_GT(smooth, 20u);
 }
 
+TYPED_TEST(TetFinish, ReturnsTheLowestOfSeveralStarts) {
+  OntoOptions options;
+  options.relaxation_sweeps = 0;
+  options.most_sweeps = 200;
+  const std::vector<Quaternion> along(this->start_.size(), Quaternion{});
+  // A quarter of the cube's symmetry away from the box: the sweeps do not leave it soon.
+  const std::vector<Quaternion> across(this->start_.size(), from_rotation_vector({0, 0, 0.78}));
+  const auto finish = [&](std::vector<std::vector<Quaternion>> starts) {
+    return finish_on_tets(this->edges_, this->boundary_, std::move(starts),
+                          static_cast<crossgrain::Degree>(TypeParam::value), options, Monitor());
+  };
+  EXPECT_EQ(finish({across, along, across}).start, 1u);
+  EXPECT_EQ(finish({along, across}).start, 0u);
+  for (const Quaternion& frame : finish({across, along}).frames)
+    EXPECT_LT(testing::misorientation_rad(frame, Quaternion{}), 1e-3);
+}
+
 /// A plate of one layer of cells: what smooth vertices it has lie on its two large faces, so only creases and
 /// corners know where its sides are.
 template <class Degree>
@@ -83,7 +100,7 @@ class FinishOfAPlate : public ::testing::Test {
     options.sweep_tolerance = 0;
     const TetSolid solid = solid_of(TetBox{{6, 5, 1}}.mesh());
     return finish_on_tets(stiffness_edges(solid.mesh), classify_boundary_vertices(solid),
-                          std::vector<Quaternion>(solid.mesh.vertices.size(), turned_),
+                          {std::vector<Quaternion>(solid.mesh.vertices.size(), turned_)},
                           static_cast<crossgrain::Degree>(Degree::value), options, Monitor())
         .frames;
   }

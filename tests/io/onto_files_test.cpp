@@ -115,13 +115,15 @@ TEST(OntoFiles, GiveTheFieldOnTetsBack) {
   EXPECT_EQ(read->domain().mesh().regions, field.domain().mesh().regions);
   EXPECT_EQ(read->report().onto->dirichlet, field.report().onto->dirichlet);
   EXPECT_EQ(read->grid().quaternions(), field.grid().quaternions());
-  const auto expect_near = [](const std::vector<Frame>& a, const std::vector<Frame>& b) {
+  const auto expect_near = [](const std::vector<Frame>& a, const std::vector<Frame>& b, double distance) {
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i)
-      for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_LT(norm(a[i].axes[axis] - b[i].axes[axis]), 1e-12);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        EXPECT_LT(norm(a[i].axes[axis] - b[i].axes[axis]), distance);
   };
-  expect_near(read->vertex_frames(), field.vertex_frames());
-  expect_near(read->tet_frames(), field.tet_frames());
+  expect_near(read->vertex_frames(), field.vertex_frames(), 1e-12);
+  // Newton steps end at 1e-8, and rounding decides from which of two equal vertices they start.
+  expect_near(read->tet_frames(), field.tet_frames(), 1e-7);
 }
 
 TEST(OntoFiles, OfAFolderWithoutTetsGiveNoField) {

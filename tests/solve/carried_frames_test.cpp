@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "field/field_data.hpp"
 #include "field/made_grid.hpp"
 #include "measure/made_tets.hpp"
 #include "sampling/nearest_leaf.hpp"
@@ -50,6 +51,10 @@ FieldData two_plates() {
   return data;
 }
 
+GridFrames grid_frames(const FieldData& data) {
+  return {data.tree, data.frames, data.open_faces};
+}
+
 /// The tets of two plates that fill these cells but for a gap of 1/50, the lower one first.
 TetMesh plates_of_tets() {
   TetMesh mesh;
@@ -74,7 +79,7 @@ std::size_t corner_at_the_gap(const TetMesh& mesh) {
 
 TEST(CarriedFrames, AreThoseOfTheCellsThatVerticesAreIn) {
   const TetSolid solid = solid_of(plates_of_tets());
-  const CarriedFrames carried = carried_frames(two_plates(), solid);
+  const CarriedFrames carried = carried_frames(grid_frames(two_plates()), solid);
   EXPECT_EQ(carried.outside, 0u);
   ASSERT_EQ(carried.frames.size(), solid.mesh.vertices.size());
   for (std::size_t i = 0; i < carried.frames.size(); ++i) {
@@ -91,7 +96,7 @@ TEST(CarriedFrames, OfAVertexOutsideAreOfItsOwnPlateThoughAnotherIsNearer) {
   const CellIndex nearest = nearest_leaf(data.tree, mesh.vertices[vertex]);
   ASSERT_EQ(from_stored(data.frames[nearest]).z, from_stored(to_stored(kUpperFrame)).z);
 
-  const CarriedFrames carried = carried_frames(data, solid_of(mesh));
+  const CarriedFrames carried = carried_frames(grid_frames(data), solid_of(mesh));
   EXPECT_EQ(carried.outside, 1u);
   EXPECT_LT(angle_between_rad(carried.frames[vertex], kLowerFrame), kStored_rad);
 }
@@ -100,7 +105,7 @@ TEST(CarriedFrames, OfVerticesOfNoTetAreFiniteAndNotCounted) {
   TetMesh mesh = plates_of_tets();
   const std::size_t first = mesh.vertices.size();
   mesh.vertices.insert(mesh.vertices.end(), {{5, -3, 7}, {0.8, 0, 0.505}, {0.3, 0.3, 0.3}});
-  const CarriedFrames carried = carried_frames(two_plates(), solid_of(mesh));
+  const CarriedFrames carried = carried_frames(grid_frames(two_plates()), solid_of(mesh));
   EXPECT_EQ(carried.outside, 0u);
   for (std::size_t i = first; i < mesh.vertices.size(); ++i) {
     const Quaternion& q = carried.frames.at(i);
@@ -114,7 +119,7 @@ TEST(CarriedFrames, OfAComponentThatIsInNoCellAreThoseOfTheNearest) {
   // The lower plate stays; the upper one goes beside the cells, half of it at each height.
   for (std::size_t i = half; i < mesh.vertices.size(); ++i) mesh.vertices[i] += Vector3{0.8, 0, -0.2};
   const TetSolid solid = solid_of(mesh);
-  const CarriedFrames carried = carried_frames(two_plates(), solid);
+  const CarriedFrames carried = carried_frames(grid_frames(two_plates()), solid);
   EXPECT_EQ(carried.outside, half);
   for (std::size_t i = half; i < mesh.vertices.size(); ++i) {
     const Quaternion& expected = mesh.vertices[i][2] > 0.5 ? kUpperFrame : kLowerFrame;

@@ -120,6 +120,26 @@ TEST_F(SolveOntoCylinder, LowersTheDirichletEnergyOfWhatIsCarriedOver) {
   EXPECT_LT(onto_of(field).dirichlet, onto_of(carried).dirichlet);
 }
 
+TEST_F(SolveOntoCylinder, EndsAsLowAsFromTheBestOfItsStarts) {
+  SolveOptions options;
+  options.onto.race_margin = 1;  // all are finished
+  const SolveReport::Onto best = onto_of(solve_onto(domain(), options));
+  std::vector<OtherStart> starts = options.onto.other_starts;
+  starts.insert(starts.begin(), OtherStart{});
+  options.onto.other_starts.clear();
+  const SolveOptions sized = sized_for(domain(), options);
+  std::vector<double> energies;
+  for (const OtherStart& start : starts) {
+    SolveOptions own = sized;
+    own.cell_size *= start.cell_size;
+    own.solver.boundary_weight *= start.boundary_weight;
+    energies.push_back(onto_of(solve_onto(domain(), own)).dirichlet);
+  }
+  // The race interrupts the sweeps once, so cells that rest wake up.
+  EXPECT_NEAR(best.dirichlet / *std::min_element(energies.begin(), energies.end()), 1, 2e-3);
+  EXPECT_NEAR(best.dirichlet / energies[best.start], 1, 2e-3);
+}
+
 TEST_F(SolveOntoCylinder, HoldsTheNormalsOfSmoothVerticesExactly) {
   for (const TetBoundary boundary : {TetBoundary::kAll, TetBoundary::kSmoothOnly}) {
     SolveOptions options;
@@ -256,6 +276,10 @@ TEST(CarryOnto, RefusesOptionsOutOfRange) {
   EXPECT_TRUE(refused([](OntoOptions& onto) { onto.over_relaxation = 2; }));
   EXPECT_TRUE(refused([](OntoOptions& onto) { onto.symmetrisation = INFINITY; }));
   EXPECT_TRUE(refused([](OntoOptions& onto) { onto.sweep_tolerance = -1; }));
+  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.race_sweeps = -1; }));
+  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.race_margin = NAN; }));
+  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.other_starts = {{0, 1}}; }));
+  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.other_starts = {{1, -1}}; }));
 }
 
 TEST(SizedFor, TakesCellsOfTheSizeOfTheEdges) {

@@ -161,6 +161,7 @@ void describe_onto(File& file, Onto& onto) {
   file.member("unused_vertices", onto.unused_vertices);
   file.member("inverted_tets", onto.inverted_tets);
   file.member("left_out_tets", onto.left_out_tets);
+  file.member("start", onto.start);
   file.member("seconds", onto.seconds);
 }
 
