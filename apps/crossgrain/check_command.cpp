@@ -101,7 +101,7 @@ std::string comparison_with(const SolveReport::Coarser& coarser, const Singulari
   const bool same = coarser.differences.empty() && coarser.verdict == graph.verdict &&
                     coarser.arcs == graph.arcs && coarser.nodes == graph.nodes &&
                     coarser.boundary_ends == graph.boundary_ends;
-  if (same) return text + ", the same\n";
+  if (same) return text + fmt::format(", the same; unchanged from {:g} cells on\n", coarser.last_change);
   text += "; others\n";
   constexpr std::size_t kMost = 5;
   for (std::size_t k = 0; k < std::min(coarser.differences.size(), kMost); ++k) {

@@ -167,6 +167,10 @@ struct SolveReport {
       Vector3 place{};  ///< its middle
     };
     std::vector<Difference> differences;
+
+    /// Resolution of the last level with other lines than the level before it: that of the field itself if
+    /// there are differences, that of the coarsest level if all have the same.
+    double last_change = 0;
   };
   std::optional<Coarser> coarser;
 

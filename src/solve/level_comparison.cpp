@@ -2,6 +2,8 @@
 #include "solve/level_comparison.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -37,12 +39,22 @@ bool is_among(const Arc& arc, const std::vector<Arc>& others, double reach) {
   return 2 * near > arc.points.size();
 }
 
-void add_differences(const SingularityGraph& graph, const SingularityGraph& other, bool only_coarser,
-                     double reach, std::vector<SolveReport::Coarser::Difference>& differences) {
+void add_missing(const SingularityGraph& graph, const SingularityGraph& other, bool only_coarser,
+                 double reach, std::vector<SolveReport::Coarser::Difference>& differences) {
   for (const Arc& arc : graph.arcs) {
     if (is_among(arc, other.arcs, reach)) continue;
     differences.push_back({only_coarser, arc.index, arc.points[arc.points.size() / 2]});
   }
+}
+
+/// The arcs that only one of two levels has. `coarser_size` is the size of the cells of the coarser one.
+std::vector<SolveReport::Coarser::Difference> differences_of(const SingularityGraph& finer,
+                                                             const SingularityGraph& coarser,
+                                                             double coarser_size) {
+  std::vector<SolveReport::Coarser::Difference> differences;
+  add_missing(finer, coarser, false, kReachCells * coarser_size, differences);
+  add_missing(coarser, finer, true, kReachCells * coarser_size, differences);
+  return differences;
 }
 
 }  // namespace
@@ -51,6 +63,10 @@ void CoarserGraphs::add(const CoarserLevel& level) {
   one_before_ = std::exchange(
       last_,
       Kept{level.depth, singularity_graph(singular_grid_edges(level.tree, level.frames, level.open_faces))});
+  if (!one_before_ ||
+      !differences_of(last_->graph, one_before_->graph, level.tree.root().cell_size(one_before_->depth))
+           .empty())
+    changed_at_.push_back(level.depth);
 }
 
 std::optional<SolveReport::Coarser> CoarserGraphs::before(int depth, const SingularityGraph& graph,
@@ -64,9 +80,13 @@ std::optional<SolveReport::Coarser> CoarserGraphs::before(int depth, const Singu
   coarser.nodes = counts.nodes;
   coarser.boundary_ends = counts.boundary_ends;
   coarser.verdict = counts.verdict;
-  const double reach = kReachCells * 2 * cell_size;
-  add_differences(graph, kept->graph, false, reach, coarser.differences);
-  add_differences(kept->graph, graph, true, reach, coarser.differences);
+  coarser.differences = differences_of(graph, kept->graph, 2 * cell_size);
+  int last_change = depth;
+  if (coarser.differences.empty()) {
+    const auto after = std::upper_bound(changed_at_.begin(), changed_at_.end(), kept->depth);
+    last_change = *std::prev(after);  // the coarsest level is one of them
+  }
+  coarser.last_change = std::ldexp(resolution, last_change - depth);
   return coarser;
 }
 

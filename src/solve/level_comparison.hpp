@@ -3,14 +3,15 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "crossgrain/report.hpp"
 #include "field/nested_solve.hpp"
 
 namespace crossgrain {
 
-/// Keeps the graphs of the last two levels that a finer one followed: a solve that is stopped returns the
-/// last of them.
+/// Keeps the graphs of the last two levels that a finer one followed, since a solve that is stopped returns
+/// the last of them, and which levels changed the lines.
 class CoarserGraphs {
  public:
   void add(const CoarserLevel& level);
@@ -26,6 +27,7 @@ class CoarserGraphs {
     SingularityGraph graph;
   };
   std::optional<Kept> last_, one_before_;
+  std::vector<int> changed_at_;  ///< depths of levels with other lines than the one before, coarsest first
 };
 
 }  // namespace crossgrain

@@ -38,7 +38,8 @@ class OfAGrid(CheckTest):
         lines = self.check().splitlines()
         self.assertLessEqual(len(lines), 15)
         self.assertEqual(lines[0], "can be meshed locally (necessary, not sufficient)")
-        self.assertEqual(lines[-1], "at half the resolution: 4 arcs, 0 nodes, 8 ends on the surface, the same")
+        self.assertEqual(lines[-1], "at half the resolution: 4 arcs, 0 nodes, 8 ends on the surface, the same; unchanged from "
+                                    f"{self.report['coarser']['last_change']:g} cells on")
         self.assertIn(["arcs", "4"], [line.split() for line in lines])
         self.assertIn(["ends", "on", "the", "surface", "8"], [line.split() for line in lines])
 

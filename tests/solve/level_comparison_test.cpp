@@ -34,6 +34,23 @@ TEST(LevelComparison, IsWithTheFieldOfHalfTheResolution) {
   EXPECT_EQ(fine.coarser->verdict, coarse.singularity.verdict);
 }
 
+TEST(LevelComparison, TellsWhichLevelLastChangedTheLines) {
+  const TriangleMesh mesh = make_cylinder(0.5, 0.7, 64);
+  const SolveReport fine = report_at(mesh, 96);
+  ASSERT_TRUE(fine.coarser);
+  ASSERT_TRUE(fine.coarser->differences.empty());
+  // The level that is named differs from the one below it, and all finer ones have its lines.
+  for (int resolution = 48; resolution >= 12; resolution /= 2) {
+    const SolveReport report = report_at(mesh, resolution);
+    ASSERT_TRUE(report.coarser);
+    EXPECT_EQ(report.coarser->last_change == resolution, !report.coarser->differences.empty()) << resolution;
+    if (resolution < fine.coarser->last_change) break;
+    EXPECT_EQ(report.coarser->last_change, fine.coarser->last_change) << resolution;
+  }
+  // With every level the same, it is the coarsest: a box has no lines at all.
+  EXPECT_EQ(report_at(make_box({1, 1, 1}), 32).coarser->last_change, 4);
+}
+
 TEST(LevelComparison, NeedsTwoLevels) {
   EXPECT_FALSE(report_at(make_box({1, 1, 1}), 4).coarser);
 }

@@ -296,6 +296,7 @@ void describe_coarser(File& file, Coarser& coarser) {
   file.member("nodes", coarser.nodes);
   file.member("boundary_ends", coarser.boundary_ends);
   file.name("verdict", coarser.verdict);
+  file.member("last_change", coarser.last_change);
   file.list("differences", coarser.differences, [](auto& inner, auto& difference) {
     inner.member("only_coarser", difference.only_coarser);
     inner.member("index", difference.index);
