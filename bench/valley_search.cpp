@@ -63,6 +63,7 @@ void search(const std::string& path, bool all) {
       options.resolution =
           static_cast<int>(std::lround(kCoarsest * std::pow(kFinest / kCoarsest, grid / (kGrids - 1.0))));
       options.solver.boundary_weight = weight;
+      options.onto.other_starts.clear();
       Found other = carry(options);
       other.where =
           std::to_string(options.resolution) + " cells, weight " + std::to_string(static_cast<int>(weight));

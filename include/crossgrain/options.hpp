@@ -213,6 +213,9 @@ struct OntoOptions {
   int race_sweeps = 10;
   double race_margin = 0.001;
 
+  /// A later start must end lower by more than this fraction, so that what the sweeps leave decides nothing.
+  double race_tie = 3e-4;
+
   /// Weight of the form of a crease or corner vertex, in units of the sum of its edge weights. Larger values
   /// follow creases more closely and are less smooth.
   double crease_weight = 0.4;

@@ -173,7 +173,7 @@ class Finish {
       if (!(energies[k] <= highest + plan_.noise)) continue;
       if (!raced[k].settled) raced[k] = settled(graph_, std::move(raced[k].frames), plan_, after_sweep_);
       const double energy = dirichlet(raced[k].frames);
-      if (!(energy < lowest)) continue;
+      if (!(energy < (1 - options_.race_tie) * lowest)) continue;
       lowest = energy;
       result = std::move(raced[k]);
       best = k;
@@ -189,7 +189,7 @@ class Finish {
   std::vector<SettledFrames> raced_from(const std::vector<Frames>& starts) {
     if (D != 4) relaxed_graph_ = graph_of<4>(connectivity_, holds_, options_, guides_);
     SettlingPlan race = plan_;
-    race.most_sweeps = options_.race_sweeps;
+    race.most_sweeps = std::min(options_.race_sweeps, plan_.most_sweeps);
     race.more_sweeps = 0;
     std::vector<SettledFrames> raced(starts.size());
     const auto run = [&](std::size_t begin, std::size_t end, const SweepMonitor& after_sweep) {

@@ -118,7 +118,7 @@ void check_onto(const OntoOptions& options) {
            "cell sizes and boundary weights of other starts must be positive numbers");
   demand(options.same_box >= 0, "the difference of boxes must not be negative");
   demand(options.race_sweeps >= 0, "numbers of sweeps must not be negative");
-  demand(options.race_margin >= 0, "the margin of a race must not be negative");
+  demand(options.race_margin >= 0 && options.race_tie >= 0, "margins of a race must not be negative");
 }
 
 }  // namespace

@@ -53,6 +53,44 @@ SolveReport::Onto describe(const TetDomainData& domain, const VertexFieldEvaluat
   return onto;
 }
 
+/// The features and boundary of the domain, unless it has walls that the union ignores.
+class UsedFeatures {
+ public:
+  UsedFeatures(const TetDomainData& tets, bool unite) : tets_(tets) {
+    if (!unite || !has_several_regions(tets.solid.mesh)) return;
+    united_features_ = features_of(tets.solid, tets.walls, /*unite=*/true);
+    united_boundary_ = classify_boundary_vertices(tets.solid, {}, *united_features_);
+  }
+
+  const InnerFeatures& features() const { return united_features_ ? *united_features_ : tets_.features; }
+  const BoundaryVertices& boundary() const { return united_boundary_ ? *united_boundary_ : tets_.boundary; }
+
+ private:
+  const TetDomainData& tets_;
+  std::optional<InnerFeatures> united_features_;
+  std::optional<BoundaryVertices> united_boundary_;
+};
+
+/// Finishes the frames carried from the grid, or those of the other start that ends lower; `start` of the
+/// result is its number.
+TetFrames best_finish(std::vector<Quaternion> carried, const FrameField& grid, const TetDomain& domain,
+                      const BoundaryVertices& boundary, const SolveOptions& options, const Monitor& monitor) {
+  const TetDomainData& tets = domain.data();
+  // With steps of half an edge, a polyline misses only corners of tets.
+  const std::vector<VertexGuide> guides =
+      vertex_guides(options.constraints, tets.solid, boundary, 0.5 * tets.typical_edge_length);
+  std::vector<std::vector<Quaternion>> starts{std::move(carried)};
+  std::vector<std::size_t> numbers{0};
+  for (StartFrames& other : other_starts(domain, grid.report().model.bounding_box, options)) {
+    numbers.push_back(other.number);
+    starts.push_back(std::move(other.frames));
+  }
+  TetFrames finished = finish_on_tets(tets.edges, boundary, std::move(starts), grid.data().degree,
+                                      options.onto, monitor, guides, extent_of(tets));
+  finished.start = numbers[finished.start];
+  return finished;
+}
+
 }  // namespace
 
 const char* name_of(TetBoundary boundary) {
@@ -76,26 +114,9 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
     throw Error(ErrorKind::kInput, "no vertex of the tets lies in the field's solid", Remedy::kMatchUnits);
   monitor.check_stop();
   auto field = std::make_shared<TetField>();
-  // The features and boundary of the domain are used, unless it has walls that the union ignores.
-  std::optional<InnerFeatures> united_features;
-  std::optional<BoundaryVertices> united_boundary;
-  if (options.unite_solids && has_several_regions(tets.solid.mesh)) {
-    united_features = features_of(tets.solid, tets.walls, /*unite=*/true);
-    united_boundary = classify_boundary_vertices(tets.solid, {}, *united_features);
-  }
-  const InnerFeatures& features = united_features ? *united_features : tets.features;
-  const BoundaryVertices& boundary = united_boundary ? *united_boundary : tets.boundary;
-  // With steps of half an edge, a polyline misses only corners of tets.
-  const std::vector<VertexGuide> guides =
-      vertex_guides(options.constraints, tets.solid, boundary, 0.5 * tets.typical_edge_length);
-  std::vector<std::vector<Quaternion>> starts{std::move(start.frames)};
-  std::vector<std::size_t> numbers{0};
-  for (StartFrames& other : other_starts(domain, grid.report().model.bounding_box, options)) {
-    numbers.push_back(other.number);
-    starts.push_back(std::move(other.frames));
-  }
-  TetFrames finished = finish_on_tets(tets.edges, boundary, std::move(starts), grid.data().degree,
-                                      options.onto, monitor, guides, extent_of(tets));
+  const UsedFeatures used(tets, options.unite_solids);
+  const BoundaryVertices& boundary = used.boundary();
+  TetFrames finished = best_finish(std::move(start.frames), grid, domain, boundary, options, monitor);
   field->vertex_frames = std::move(finished.frames);
   field->tet_frames = tet_frames_of(tets.solid.mesh, field->vertex_frames);
   auto lines = std::make_shared<const SingularityGraph>(
@@ -108,9 +129,9 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   std::erase_if(report.warnings, is_of_resolution);
   report.onto = describe(tets, evaluate_vertex_field(tets.solid, boundary, tets.edges, field->vertex_frames));
   monitor.report({Phase::kTets, 0, tets.solid.mesh.vertices.size(), finished.sweeps, report.onto->dirichlet});
-  report.onto->feature_edge_deg = angles_along(tets.solid, features.edges, field->vertex_frames);
+  report.onto->feature_edge_deg = angles_along(tets.solid, used.features().edges, field->vertex_frames);
   report.onto->boundary = options.onto.boundary;
-  report.onto->start = numbers[finished.start];
+  report.onto->start = finished.start;
   report.onto->singularity = tet_summary(tets.solid, field->tet_frames, *lines);
   report.onto->edge_length = domain.typical_edge_length();
   report.onto->unfollowed_share =

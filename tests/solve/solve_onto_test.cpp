@@ -278,6 +278,7 @@ TEST(CarryOnto, RefusesOptionsOutOfRange) {
   EXPECT_TRUE(refused([](OntoOptions& onto) { onto.sweep_tolerance = -1; }));
   EXPECT_TRUE(refused([](OntoOptions& onto) { onto.race_sweeps = -1; }));
   EXPECT_TRUE(refused([](OntoOptions& onto) { onto.race_margin = NAN; }));
+  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.race_tie = -1; }));
   EXPECT_TRUE(refused([](OntoOptions& onto) { onto.other_starts = {{0, 1}}; }));
   EXPECT_TRUE(refused([](OntoOptions& onto) { onto.other_starts = {{1, -1}}; }));
 }
