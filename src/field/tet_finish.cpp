@@ -165,14 +165,14 @@ class Finish {
     const double energy_before = graph_energy(graph_, state_of<D>(starts.front()));
     std::vector<SettledFrames> raced = raced_from(starts);
     std::vector<double> energies;
-    for (const SettledFrames& frames : raced) energies.push_back(dirichlet(frames.frames));
+    for (const SettledFrames& frames : raced) energies.push_back(compared(frames));
     const double highest = (1 + options_.race_margin) * *std::min_element(energies.begin(), energies.end());
     SettledFrames result;
     double lowest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < raced.size(); ++k) {
       if (!(energies[k] <= highest + plan_.noise)) continue;
       if (!raced[k].settled) raced[k] = settled(graph_, std::move(raced[k].frames), plan_, after_sweep_);
-      const double energy = dirichlet(raced[k].frames);
+      const double energy = compared(raced[k]);
       if (!(energy < (1 - options_.race_tie) * lowest)) continue;
       lowest = energy;
       result = std::move(raced[k]);
@@ -202,9 +202,12 @@ class Finish {
     return raced;
   }
 
-  /// The energy that the report gives, without what creases add.
-  double dirichlet(const Frames& frames) const {
-    return graph_energy(FieldGraph<4>{connectivity_, CellForms<4>(frames.size())}, state_of<4>(frames));
+  /// The energy by which starts are compared: the Dirichlet energy that the report gives, without what
+  /// creases add; with guides inside what is minimised, so that a field that ignores them does not win.
+  double compared(const SettledFrames& settled) const {
+    if (!guides_.empty()) return settled.energy;
+    return graph_energy(FieldGraph<4>{connectivity_, CellForms<4>(settled.frames.size())},
+                        state_of<4>(settled.frames));
   }
 
   /// Relaxes in degree 4 for both degrees, as on the grid.

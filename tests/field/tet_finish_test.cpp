@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numbers>
+
 #include "harmonics/frame.hpp"
 #include "harmonics/random_samples.hpp"
 #include "tets/tet_meshes.hpp"
@@ -84,6 +87,24 @@ TYPED_TEST(TetFinish, ReturnsTheLowestOfSeveralStarts) {
   EXPECT_EQ(finish({along, across}).start, 0u);
   for (const Quaternion& frame : finish({across, along}).frames)
     EXPECT_LT(testing::misorientation_rad(frame, Quaternion{}), 1e-3);
+}
+
+TYPED_TEST(TetFinish, DoesNotPreferAStartThatIgnoresGuides) {
+  OntoOptions options;
+  options.relaxation_sweeps = options.most_sweeps = 0;
+  std::uint32_t inside = 0;
+  const std::vector<std::uint32_t>& boundary = this->boundary_.vertices;
+  while (std::find(boundary.begin(), boundary.end(), inside) != boundary.end()) ++inside;
+  const std::vector<Quaternion> even(this->start_.size(), Quaternion{});
+  std::vector<Quaternion> following = even;
+  following[inside] = from_rotation_vector({0, 0, std::numbers::pi / 4});
+  const auto best = [&](const std::vector<VertexGuide>& guides) {
+    return finish_on_tets(this->edges_, this->boundary_, {even, following},
+                          static_cast<crossgrain::Degree>(TypeParam::value), options, Monitor(), guides)
+        .start;
+  };
+  EXPECT_EQ(best({}), 0u);
+  EXPECT_EQ(best({{inside, normalised(Vector3{1, 1, 0}), 100}}), 1u);
 }
 
 /// A plate of one layer of cells: what smooth vertices it has lie on its two large faces, so only creases and
