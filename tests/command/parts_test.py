@@ -50,9 +50,13 @@ class ShippedParts(PartTest):
                 self.assertTrue(report["model"]["watertight"])
                 self.assertLess(report["alignment_deg"]["mean"], 1)
 
-    def test_the_bracket_takes_less_than_400_bytes_a_cell(self):
-        report = self.solve(PROJECT / "models" / "bracket.stl", "--resolution", "128")
-        self.assertLess(report["peak_memory_bytes"], 400 * report["levels"][-1]["active_cells"])
+    def test_a_further_cell_of_the_bracket_takes_less_than_220_bytes(self):
+        cells, memory = [], []
+        for resolution in (128, 256):
+            report = self.solve(PROJECT / "models" / "bracket.stl", "--resolution", resolution)
+            cells.append(report["levels"][-1]["active_cells"])
+            memory.append(report["peak_memory_bytes"])
+        self.assertLess(memory[1] - memory[0], 220 * (cells[1] - cells[0]))
 
     def test_the_turned_bracket_has_the_energy_of_the_upright_one(self):
         facets = read_facets(PROJECT / "models" / "bracket.stl")
