@@ -177,6 +177,8 @@ Inputs read_inputs(const SolveArguments& arguments, const Monitor& monitor, cons
   if (!arguments.from.empty()) inputs.options.onto.other_starts.clear();
   inputs.domain = read_domain(arguments, warn);
   if (inputs.domain) inputs.options = sized_for(*inputs.domain, std::move(inputs.options));
+  // On tets several grids are compared instead (OntoOptions::other_starts).
+  if (is_tet_file(arguments.model)) inputs.options.solver.decision_cells = 0;
   inputs.mesh = is_tet_file(arguments.model)
                     ? inputs.domain->boundary()
                     : read_surface(arguments.model, read_options(arguments, inputs.options), monitor);

@@ -38,8 +38,8 @@ class FrameField {
     /// length. 0 where the frames agree, up to 200/3 on a singular line; 0 outside active cells.
     double deviation;
 
-    /// Distance to the nearest arc of singularities(), model units, inside and outside; infinity if there are
-    /// no arcs.
+    /// Distance to the nearest arc, model units, inside and outside; infinity if there are none. Arcs beside
+    /// creases count, which singularities() leaves out.
     double singular_distance;
   };
 

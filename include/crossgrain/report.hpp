@@ -102,6 +102,7 @@ struct SolveReport {
     std::size_t boundary_ends = 0;     ///< number of points where arcs reach the surface
     std::size_t unresolved_loops = 0;  ///< number of closed arcs of a few cells, not counted as arcs
     std::size_t unresolved_stubs = 0;  ///< as in SingularityGraph
+    std::size_t crease_hooks = 0;      ///< as in SingularityGraph
     std::size_t short_arcs = 0;        ///< arcs of a few cells, counted as arcs
 
     /// On tets, number of singular edges with one end on the surface where no arc ends: each flattens the
@@ -153,6 +154,15 @@ struct SolveReport {
     std::vector<Crease> crease_list;
     std::vector<Corner> corner_list;
   } singularity;
+
+  /// The uniform grid where the lines were decided (SolverOptions::decision_cells); none if there was none.
+  struct Decision {
+    double cell_size = 0;  ///< model units
+    std::size_t cells = 0;
+    double energy = 0;   ///< total, there
+    double seconds = 0;  ///< part of `seconds.grid` and `seconds.solve`
+  };
+  std::optional<Decision> decision;
 
   /// The singular lines of the level before the last; none if there was no such level.
   struct Coarser {

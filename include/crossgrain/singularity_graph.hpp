@@ -85,6 +85,10 @@ struct SingularityGraph {
   /// not among the arcs.
   std::size_t unresolved_stubs = 0;
 
+  /// Number of short arcs from surface to surface along a crease (SingularityOptions::hook_cells), on grids;
+  /// not among the arcs.
+  std::size_t crease_hooks = 0;
+
   /// On tets, number of singular edges with one end on the surface where no arc ends: an arc that runs along
   /// the surface touches it.
   std::size_t contacts = 0;
@@ -102,6 +106,20 @@ struct SingularityOptions {
   /// Largest length of an arc that is merged into its node: where several lines meet within a cell or two,
   /// the singular edges form a few nodes joined by short arcs.
   double merge_cells = 2.5;
+
+  /// On grids, largest length of an arc from a node to the surface that is merged into the node, in place of
+  /// `merge_cells`: lines that end side by side on the surface often meet in the cells before.
+  double end_cells = 5;
+
+  /// Largest length of an arc from surface to surface that is left out where it stays within
+  /// `hook_reach_cells` of one crease. Where the angle of solid at a crease passes 45, 135, 225 or 315
+  /// degrees, two numbers of hexahedra cost alike, and the line between them runs along the crease, in and
+  /// out of the first cells. docs/notes/verdict.md has the sweep.
+  double hook_cells = 12, hook_reach_cells = 1.5;
+
+  /// How near a crease an arc from surface to surface of at most `merge_cells` is left out too: at a knife
+  /// edge the tip has no room for lines across it.
+  double tip_reach_cells = 3;
 
   /// Largest length of a closed arc that is left out: where frames of neighbours differ by more than 45
   /// degrees the matching is ambiguous, and a wrong one produces a loop around its face.

@@ -69,6 +69,14 @@ BasicVector3<Real> orthogonal_unit(const BasicVector3<Real>& n) {
   return {1 + sign * n[0] * n[0] * a, sign * n[0] * n[1] * a, -sign * n[0]};
 }
 
+/// Distance of a point to the segment between a and b.
+inline double distance_to_segment(const Vector3& point, const Vector3& a, const Vector3& b) {
+  const Vector3 along = b - a, to = point - a;
+  const double square = dot(along, along);
+  const double t = square > 0 ? std::clamp(dot(to, along) / square, 0.0, 1.0) : 0;
+  return norm(to - t * along);
+}
+
 /// Returns the empty box: after `include` of a point it holds that point only.
 constexpr Box empty_box() {
   return {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};

@@ -101,10 +101,10 @@ Frames inherited(const Frames& frames, const std::vector<CellIndex>& parent) {
   return result;
 }
 
-Frames sampled(const InitialFrame& initial_frame, const GridLevel& level) {
+Frames sampled(const InitialField& initial, const GridLevel& level) {
   Frames frames(level.size());
   parallel_for(level.size(), [&](std::size_t i) {
-    frames[i] = to_stored(initial_frame(level.tree.centre(static_cast<CellIndex>(i))));
+    frames[i] = to_stored(initial.frame_at(level.tree.centre(static_cast<CellIndex>(i))));
   });
   return frames;
 }
@@ -114,13 +114,14 @@ template <int D>
 class NestedSolver {
  public:
   NestedSolver(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-               const InitialFrame& initial_frame, double seconds_before, const VisitLevel& visit_level)
+               const InitialField& initial, const WholeRun& run, const VisitLevel& visit_level)
       : solid_(solid),
         options_(options),
         monitor_(monitor),
-        initial_frame_(initial_frame),
+        initial_(initial),
         visit_level_(visit_level),
-        seconds_so_far_(seconds_before) {}
+        run_(run),
+        seconds_so_far_(run.seconds_before) {}
 
   SolvedField run() {
     level_watch_.start();
@@ -130,7 +131,7 @@ class NestedSolver {
       result_.frames = std::move(candidates_.front().frames);
     } catch (const Error& error) {
       const bool is_stop = error.kind() == ErrorKind::kInterrupted && !monitor_.cancelled();
-      if (!is_stop || !monitor_.may_be_stopped() || !can_stand_alone(coarser_)) throw;
+      if (!is_stop || !may_be_stopped() || !can_stand_alone(coarser_)) throw;
       result_ = std::move(coarser_);
       result_.stopped = true;
     }
@@ -145,8 +146,8 @@ class NestedSolver {
     const auto [root, finest_depth] =
         frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
     coarsest_depth_ = std::max(0, finest_depth - levels_above_finest());
-    level_count_ = finest_depth - coarsest_depth_ + 1;
-    SolveForecast forecast(options_, finest_depth, current_memory_bytes(), monitor_.may_be_stopped());
+    level_count_ = number_of(finest_depth) + run_.levels_after;
+    SolveForecast forecast(options_, finest_depth, current_memory_bytes(), may_be_stopped());
     report(Phase::kGrid, coarsest_depth_, 0);
     RefinedLevel made = uniform_level(solid_, root, coarsest_depth_, monitor_);
     for (int depth = coarsest_depth_;; ++depth) {
@@ -157,20 +158,22 @@ class NestedSolver {
       result_.levels_left_out = finest_depth - depth;
       const LevelGrowth growth(result_.level, solid_, options_.refinement);
       const bool finest = depth == finest_depth || !next_fits(forecast, growth);
-      if (finest) level_count_ = number_of(depth);
+      if (finest) level_count_ = number_of(depth) + run_.levels_after;
       report(Phase::kGrid, depth, result_.level.size());
       // No level follows the finest one: its neighbours end here.
       Connectivity connectivity =
           finest ? connect(std::vector(std::move(made.neighbours))) : connect(made.neighbours);
       solve_level(depth, std::move(connectivity), std::move(made.parent), finest);
       if (finest) return;
-      predict(forecast, growth);
+      if (run_.levels_after == 0) predict(forecast, growth);
       made = refine(std::move(made.neighbours), depth, finest_depth);
     }
   }
 
-  /// 1-based number of the level; 1 is the coarsest.
-  int number_of(int depth) const { return depth - coarsest_depth_ + 1; }
+  /// 1-based number of the level in the run.
+  int number_of(int depth) const { return run_.levels_before + depth - coarsest_depth_ + 1; }
+
+  bool may_be_stopped() const { return monitor_.may_be_stopped() && run_.levels_after == 0; }
 
   void report(Phase phase, int depth, std::size_t cells) const {
     monitor_.report(
@@ -191,6 +194,10 @@ class NestedSolver {
   }
 
   int levels_above_finest() const {
+    if (initial_.first_cell_size > 0) {
+      const double finest = finest_cell_size(solid_.surface.box, options_);
+      return std::max(1, static_cast<int>(std::lround(std::log2(initial_.first_cell_size / finest))));
+    }
     const double ratio = finest_resolution() / options_.refinement.coarsest_cells;
     // The margin keeps powers of two exact.
     return std::max(0, static_cast<int>(std::floor(std::log2(ratio) + 1e-9)));
@@ -260,10 +267,11 @@ class NestedSolver {
   }
 
   /// Makes the first frames of every candidate. `parent` as in RefinedLevel.
-  void start_candidates(bool coarsest, std::vector<CellIndex> parent) {
-    if (initial_frame_) {
+  void start_candidates(int depth, bool coarsest, std::vector<CellIndex> parent) {
+    const double cell_size = result_.level.tree.root().cell_size(depth);
+    if (initial_.frame_at && (coarsest || cell_size >= initial_.last_cell_size)) {
       candidates_.resize(1);
-      candidates_[0].frames = sampled(initial_frame_, result_.level);
+      candidates_[0].frames = sampled(initial_, result_.level);
     } else if (coarsest) {
       candidates_.resize(static_cast<std::size_t>(std::max(1, options_.solver.starts)));
       for (std::size_t start = 0; start < candidates_.size(); ++start) {
@@ -290,7 +298,7 @@ class NestedSolver {
     grid_watch_.stop();
 
     solve_watch_.start();
-    start_candidates(coarsest, std::move(parent));
+    start_candidates(place.depth, coarsest, std::move(parent));
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
       candidates_[c] = solver.solved(std::move(candidates_[c].frames), relaxation_sweeps(c, coarsest));
     }
@@ -299,7 +307,7 @@ class NestedSolver {
 
   int relaxation_sweeps(std::size_t start, bool coarsest) const {
     const SolverOptions& options = options_.solver;
-    if (initial_frame_) return 0;
+    if (initial_.frame_at) return 0;
     if (coarsest)
       return static_cast<int>(options.start_relaxation / std::pow(3.0, static_cast<double>(start)));
     return is_uniform_ ? options.level_relaxation : 0;
@@ -341,13 +349,13 @@ class NestedSolver {
     next.levels = result_.levels;
     next.expected = result_.expected;
     GridLevel ending;  // the solved level, unless it is kept
-    if (monitor_.may_be_stopped())
+    if (may_be_stopped())
       keep_solved();
     else
       ending = std::move(result_.level);
     result_ = std::move(next);
     report(Phase::kGrid, depth + 1, 0);
-    const GridLevel& level = monitor_.may_be_stopped() ? coarser_.level : ending;
+    const GridLevel& level = may_be_stopped() ? coarser_.level : ending;
     return refined(level, neighbours, solid_, std::move(marks), monitor_);
   }
 
@@ -362,8 +370,9 @@ class NestedSolver {
   const Solid& solid_;
   const SolveOptions& options_;
   const Monitor& monitor_;
-  const InitialFrame& initial_frame_;
+  const InitialField& initial_;
   const VisitLevel& visit_level_;
+  const WholeRun run_;
   SolvedField result_;   ///< the level being built or solved
   SolvedField coarser_;  ///< the finished level before it, if the solve may be stopped
 
@@ -381,11 +390,10 @@ class NestedSolver {
 }  // namespace
 
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-                         const InitialFrame& initial_frame, double seconds_before,
-                         const VisitLevel& visit_level) {
+                         const InitialField& initial, const WholeRun& run, const VisitLevel& visit_level) {
   return options.degree == Degree::kThree
-             ? NestedSolver<3>(solid, options, monitor, initial_frame, seconds_before, visit_level).run()
-             : NestedSolver<4>(solid, options, monitor, initial_frame, seconds_before, visit_level).run();
+             ? NestedSolver<3>(solid, options, monitor, initial, run, visit_level).run()
+             : NestedSolver<4>(solid, options, monitor, initial, run, visit_level).run();
 }
 
 }  // namespace crossgrain

@@ -44,8 +44,26 @@ inline double finest_cell_size(const Box& box, const SolveOptions& options) {
   return longest_side(box) / (options.resolution > 0 ? options.resolution : kDefaultResolution);
 }
 
-/// Returns an initial frame at a point, instead of random starts.
-using InitialFrame = std::function<Quaternion(const Vector3& point)>;
+/// A field to begin with, instead of random starts. Nothing is relaxed then.
+struct InitialField {
+  /// The frame at a point; null: random starts.
+  std::function<Quaternion(const Vector3& point)> frame_at;
+
+  /// The first level is that whose cells are nearest to this size, as a ratio, and never the finest; 0: as
+  /// RefinementOptions::coarsest_cells says. Model units.
+  double first_cell_size = 0;
+
+  /// Levels with cells of at least this size begin with this field, and finer ones with that of the level
+  /// before. Model units.
+  double last_cell_size = 0;
+};
+
+/// What a run does before and after one of several solves.
+struct WholeRun {
+  double seconds_before = 0;
+  int levels_before = 0;  ///< solved levels
+  int levels_after = 0;   ///< to be solved. If there are any, no forecast is made, and a stop ends the solve
+};
 
 /// A level that has been solved and that a finer one follows.
 struct CoarserLevel {
@@ -58,13 +76,12 @@ struct CoarserLevel {
 /// Is called with each such level, coarsest first.
 using VisitLevel = std::function<void(const CoarserLevel& level)>;
 
-/// Solves level by level. `initial_frame`, if given, replaces the starts on the coarsest level and the frames
-/// that finer levels inherit; nothing is relaxed then. `seconds_before` is the time that the solve has taken
-/// so far. Throws Error(kLimit) if the grid cannot be built or memory allows only much coarser cells,
-/// Error(kInput) if the solid has no cell, Error(kInterrupted) once the monitor is cancelled. If stopped, it
-/// returns the last finished level, bitwise identical to a solve that memory limits to that level.
+/// Solves level by level. Throws Error(kLimit) if the grid cannot be built or memory allows only much coarser
+/// cells, Error(kInput) if the solid has no cell, Error(kInterrupted) once the monitor is cancelled. If
+/// stopped, it returns the last finished level, bitwise identical to a solve that memory limits to that
+/// level.
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-                         const InitialFrame& initial_frame = {}, double seconds_before = 0,
+                         const InitialField& initial = {}, const WholeRun& run = {},
                          const VisitLevel& visit_level = {});
 
 }  // namespace crossgrain

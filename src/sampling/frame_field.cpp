@@ -133,7 +133,10 @@ std::span<const std::int32_t> FrameField::regions() const {
 const FrameField::Lazy& FrameField::ready_to_sample() const {
   std::call_once(lazy_->sampling_once, [&] {
     lazy_->sampler.emplace(data_->tree, data_->frames, data_->open_faces);
-    lazy_->distance.emplace(singularities().arcs);
+    // With lines beside creases, which do turn frames, and without a surface that may take long to read.
+    const SingularityGraph lines =
+        singularity_graph(singular_grid_edges(data_->tree, data_->frames, data_->open_faces));
+    lazy_->distance.emplace(lines.arcs);
   });
   return *lazy_;
 }
@@ -189,7 +192,11 @@ const SingularityGraph& FrameField::singularities() const {
 }
 
 SingularityGraph FrameField::singularities(const SingularityOptions& options) const {
-  return singularity_graph(singular_grid_edges(data_->tree, data_->frames, data_->open_faces), options);
+  const std::shared_ptr<const SolvedSurface> surface = data_->surface.get();
+  std::span<const std::vector<Vector3>> creases;
+  if (surface) creases = surface->creases;
+  return singularity_graph(singular_grid_edges(data_->tree, data_->frames, data_->open_faces, creases),
+                           options);
 }
 
 const SolveReport& FrameField::report() const {

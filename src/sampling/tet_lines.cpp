@@ -13,12 +13,6 @@
 namespace crossgrain {
 namespace {
 
-double distance_to_segment(const Vector3& a, const Vector3& b, const Vector3& point) {
-  const Vector3 along = b - a;
-  const double share = std::clamp(dot(point - a, along) / dot(along, along), 0.0, 1.0);
-  return norm(point - (a + share * along));
-}
-
 double mean_edge(const std::array<std::uint32_t, 4>& tet, const std::vector<Vector3>& vertices) {
   double sum = 0;
   for (std::size_t i = 0; i < 4; ++i)
@@ -94,7 +88,7 @@ double TetLines::share_to_tube(std::uint32_t tet, const Vector3& from, const Vec
        at != tubes_at_tets_.end() && at->tet == tet; ++at) {
     const Tube& tube = tubes_[at->tube];
     const auto distance = [&](double share) {
-      return distance_to_segment(tube.from, tube.to, from + share * (to - from));
+      return distance_to_segment(from + share * (to - from), tube.from, tube.to);
     };
     if (distance(0) > tube.radius + norm(to - from)) continue;
     least = std::min(least, tube_entry(distance, tube.radius));

@@ -7,6 +7,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "singularity/chains.hpp"
+#include "singularity/crease_curves.hpp"
 
 namespace crossgrain {
 namespace {
@@ -30,6 +31,7 @@ class Merger {
  public:
   Merger(const SingularEdges& singular, const SingularityOptions& options)
       : singular_(singular),
+        creases_(singular.creases),
         options_(options),
         incident_(singular.points.size()),
         linked_(singular.points.size(), false),
@@ -61,12 +63,15 @@ class Merger {
         kept.push_back(&line);
       }
     }
+    find_ends_on_boundary();
     // Arcs between nodes that were merged have become loops.
     for (const Chain* line : kept) {
       const bool is_loop =
           !line->is_closed() && sets_.root(line->vertices.front()) == sets_.root(line->vertices.back());
       if (is_loop && length_in_cells(*line) <= options_.loop_cells)
         take_in(*line);
+      else if (is_hook(*line))
+        ++network.crease_hooks;
       else
         kept_after_all.push_back(line);
     }
@@ -122,9 +127,41 @@ class Merger {
                         [&](std::uint32_t e) { return singular_.edges[e].turn.is_about_an_axis(); });
   }
 
+  void find_ends_on_boundary() {
+    reaches_surface_.assign(incident_.size(), false);
+    for (std::uint32_t p = 0; p < incident_.size(); ++p)
+      if (ends_on_boundary(p)) reaches_surface_[sets_.root(p)] = true;
+  }
+
+  /// Whether a short line from surface to surface keeps close to one crease.
+  bool is_hook(const Chain& line) {
+    const double length = length_in_cells(line);
+    if (line.is_closed() || length > options_.hook_cells ||
+        !reaches_surface_[sets_.root(line.vertices.front())] ||
+        !reaches_surface_[sets_.root(line.vertices.back())])
+      return false;
+    std::vector<Vector3> places;
+    double cell_size = 0;
+    for (const std::uint32_t point : line.vertices) {
+      places.push_back(singular_.points[point].place);
+      cell_size = std::max(cell_size, singular_.points[point].cell_size);
+    }
+    const double reach =
+        length <= options_.merge_cells ? options_.tip_reach_cells : options_.hook_reach_cells;
+    return creases_.one_follows(places, reach * cell_size);
+  }
+
+  /// On tets the edges of a line reach the surface itself.
+  bool is_end_on_a_grid(std::uint32_t point) const {
+    return incident_[point].size() == 1 && singular_.points[point].name < 0;
+  }
+
   bool is_part_of_a_node(const Chain& line) const {
-    if (!is_node(line.vertices.front()) && !is_node(line.vertices.back())) return false;
-    return length_in_cells(line) <= (line.is_closed() ? options_.loop_cells : options_.merge_cells);
+    const std::uint32_t front = line.vertices.front(), back = line.vertices.back();
+    if (!is_node(front) && !is_node(back)) return false;
+    if (line.is_closed()) return length_in_cells(line) <= options_.loop_cells;
+    const bool ends_on_a_grid = is_end_on_a_grid(front) || is_end_on_a_grid(back);
+    return length_in_cells(line) <= (ends_on_a_grid ? options_.end_cells : options_.merge_cells);
   }
 
   /// Joins the remaining lines at places where exactly two of them meet.
@@ -185,10 +222,12 @@ class Merger {
   }
 
   const SingularEdges& singular_;
+  const CreaseCurves creases_;
   const SingularityOptions& options_;
   std::vector<std::vector<std::uint32_t>> incident_;  ///< edges at each point
   std::vector<bool> linked_;                          ///< ends from which a line continues over the surface
   DisjointSets sets_;                                 ///< sets of points that are one place
+  std::vector<bool> reaches_surface_;                 ///< by root: whether a line ends on the surface there
 };
 
 }  // namespace

@@ -27,6 +27,7 @@ struct MergedNetwork {
   std::vector<Arc> arcs;
   std::size_t unresolved_loops = 0;
   std::size_t unresolved_stubs = 0;
+  std::size_t crease_hooks = 0;
 };
 
 /// Joins singular edges to arcs and merges short ones (SingularityOptions). Arcs continue through places at

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/vector3.hpp"
@@ -30,6 +31,9 @@ struct SingularEdges {
   /// Edges of the surface of tets between two points. A line may continue over one, which has no tets all
   /// around and so is not singular.
   std::vector<std::array<std::uint32_t, 2>> surface_edges = {};
+
+  /// Creases of the surface, polylines; they must outlive the edges. Empty if they are not known.
+  std::span<const std::vector<Vector3>> creases = {};
 };
 
 }  // namespace crossgrain

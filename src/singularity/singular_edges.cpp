@@ -166,8 +166,11 @@ SingularEdges by_end_points(const std::vector<GridEdge>& edges, const RootCube& 
 
 SingularEdges singular_grid_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                   std::span<const std::uint8_t> open_faces,
+                                  std::span<const std::vector<Vector3>> creases,
                                   std::span<const std::uint8_t> owners) {
-  return by_end_points(singular_edges(tree, frames, open_faces, owners), tree.root());
+  SingularEdges singular = by_end_points(singular_edges(tree, frames, open_faces, owners), tree.root());
+  singular.creases = creases;
+  return singular;
 }
 
 }  // namespace crossgrain

@@ -54,9 +54,10 @@ std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQ
 /// the one that continues to it has no edge at all, and the point may also be a node.
 SingularEdges by_end_points(const std::vector<GridEdge>& edges, const RootCube& root);
 
-/// The singular edges of a whole field by their end points.
+/// The singular edges of a whole field by their end points. `creases` as in SingularEdges.
 SingularEdges singular_grid_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                   std::span<const std::uint8_t> open_faces,
+                                  std::span<const std::vector<Vector3>> creases = {},
                                   std::span<const std::uint8_t> owners = {});
 
 }  // namespace crossgrain

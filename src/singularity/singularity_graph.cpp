@@ -109,6 +109,7 @@ SingularityGraph singularity_graph(const SingularEdges& singular, const Singular
   judge_nodes(graph);
   graph.unresolved_loops = network.unresolved_loops;
   graph.unresolved_stubs = network.unresolved_stubs;
+  graph.crease_hooks = network.crease_hooks;
   graph.contacts = contacts_of(singular, network);
   graph.edges = singular.edges.size();
   for (const SingularEdge& edge : singular.edges)
@@ -123,6 +124,7 @@ SolveReport::Singularity summary_of(const SingularityGraph& graph, const Singula
   summary.arcs = graph.arcs.size();
   summary.unresolved_loops = graph.unresolved_loops;
   summary.unresolved_stubs = graph.unresolved_stubs;
+  summary.crease_hooks = graph.crease_hooks;
   summary.contacts = graph.contacts;
   summary.verdict = graph.verdict();
   for (const SingularityGraph::Arc& arc : graph.arcs) {

@@ -22,10 +22,7 @@ constexpr double kReachCells = 3;
 
 bool is_near(const Vector3& point, const Arc& arc, double reach) {
   for (std::size_t k = 1; k < arc.points.size(); ++k) {
-    const Vector3 &a = arc.points[k - 1], along = arc.points[k] - a, to = point - a;
-    const double square = dot(along, along);
-    const double t = square > 0 ? std::clamp(dot(to, along) / square, 0.0, 1.0) : 0;
-    if (norm(to - t * along) <= reach) return true;
+    if (distance_to_segment(point, arc.points[k - 1], arc.points[k]) <= reach) return true;
   }
   return false;
 }
@@ -59,10 +56,10 @@ std::vector<SolveReport::Coarser::Difference> differences_of(const SingularityGr
 
 }  // namespace
 
-void CoarserGraphs::add(const CoarserLevel& level) {
-  one_before_ = std::exchange(
-      last_,
-      Kept{level.depth, singularity_graph(singular_grid_edges(level.tree, level.frames, level.open_faces))});
+void CoarserGraphs::add(const CoarserLevel& level, std::span<const std::vector<Vector3>> creases) {
+  one_before_ =
+      std::exchange(last_, Kept{level.depth, singularity_graph(singular_grid_edges(
+                                                 level.tree, level.frames, level.open_faces, creases))});
   if (!one_before_ ||
       !differences_of(last_->graph, one_before_->graph, level.tree.root().cell_size(one_before_->depth))
            .empty())

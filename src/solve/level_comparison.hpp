@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "crossgrain/report.hpp"
@@ -14,7 +15,8 @@ namespace crossgrain {
 /// the last of them, and which levels changed the lines.
 class CoarserGraphs {
  public:
-  void add(const CoarserLevel& level);
+  /// `creases` as in SingularEdges.
+  void add(const CoarserLevel& level, std::span<const std::vector<Vector3>> creases);
 
   /// What the level before one of this depth has in its place; none if there is no such level. `resolution`
   /// is that of the level, `cell_size` the size of its finest cells.

@@ -66,6 +66,13 @@ PreparedModel::PreparedModel(const TriangleMesh& mesh, SolidSplit split, const S
       guides_(guides_of(creases_, inner_faces_, surface(), options)),
       solid_{surface(), searchable_->bvh(), searchable_->winding(), mended().closed, &guides_} {}
 
+std::vector<std::vector<Vector3>> PreparedModel::crease_lines() const {
+  std::vector<std::vector<Vector3>> lines;
+  for (const CreaseCurve& curve : creases_.curves)
+    if (curve.points.size() > 1) lines.push_back(curve.points);
+  return lines;
+}
+
 SolveReport::Model PreparedModel::description() const {
   // Edges along which solids touch have more than two triangles.
   const SurfaceTopology& topology = mended().topology;
@@ -87,16 +94,13 @@ SolveReport::Input PreparedModel::findings() const {
 
 SurfaceSource PreparedModel::solved_surface() && {
   const TriangleMesh& mesh = surface().mesh;
-  SolvedSurface released{mesh.vertices, mesh.triangles, {}};
+  SolvedSurface released{mesh.vertices, mesh.triangles, crease_lines()};
   if (has_several_solids(mesh_)) released.regions = mesh.solids;
   add_interfaces(interfaces_, inner_faces_.vertices, released);
   const bool is_flipped = searchable_->winding().flipped();
   if (is_flipped) {
     for (auto& [a, b, c] : released.triangles) std::swap(b, c);
     for (auto& [a, b, c] : released.interfaces) std::swap(b, c);
-  }
-  for (CreaseCurve& curve : creases_.curves) {
-    if (curve.points.size() > 1) released.creases.push_back(std::move(curve.points));
   }
   // With the triangles reversed, normals and trees are others.
   return is_flipped ? SurfaceSource(std::move(released)) : SurfaceSource(std::move(released), searchable_);

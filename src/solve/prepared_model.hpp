@@ -34,6 +34,9 @@ class PreparedModel {
   const TriangleMesh& inner_faces() const { return inner_faces_; }
   const CreaseNetwork& creases() const { return creases_; }
 
+  /// Returns the polylines of creases of two or more points.
+  std::vector<std::vector<Vector3>> crease_lines() const;
+
   SolveReport::Model description() const;
   SolveReport::Input findings() const;
 

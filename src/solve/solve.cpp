@@ -28,6 +28,7 @@
 #include "sampling/sampling.hpp"
 #include "singularity/singular_edges.hpp"
 #include "singularity/singularity_graph.hpp"
+#include "solve/decided_field.hpp"
 #include "solve/kept_forms.hpp"
 #include "solve/level_comparison.hpp"
 #include "solve/prepared_model.hpp"
@@ -99,7 +100,9 @@ double cell_size_of(const SolveReport& report) {
 }
 
 /// Sets what can be computed from the cells alone, without interpolation between them.
-void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, SolvedField& solved,
+/// `creases` as in SingularEdges.
+void describe_cells(const PreparedModel& model, const TriangleMesh& mesh,
+                    std::span<const std::vector<Vector3>> creases, SolvedField& solved,
                     const CoarserGraphs& coarser, const SolveOptions& options, FieldData& data) {
   AlignmentMeasurement alignment =
       measure_alignment(solved.level, model.solid(), {solved.level.tree, solved.frames, solved.open_faces});
@@ -111,8 +114,8 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh, Solved
   data.report = report_of(model.solid(), solved, alignment, options);
   data.report.model = model.description();
   data.report.input = model.findings();
-  data.singularities = std::make_shared<const SingularityGraph>(singularity_graph(
-      singular_grid_edges(solved.level.tree, solved.frames, solved.open_faces, solved.near_sharp_turn)));
+  data.singularities = std::make_shared<const SingularityGraph>(singularity_graph(singular_grid_edges(
+      solved.level.tree, solved.frames, solved.open_faces, creases, solved.near_sharp_turn)));
   data.report.singularity = summary_of(*data.singularities);
   data.report.coarser = coarser.before(solved.levels.back().depth, *data.singularities,
                                        data.report.resolution, cell_size_of(data.report));
@@ -166,7 +169,7 @@ void describe_surface(const Sampler& sampler, FieldData& data) {
 }
 
 std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptions& options,
-                                      const Monitor& monitor, const InitialFrame& initial_frame) {
+                                      const Monitor& monitor, InitialField initial) {
   check_options(options);
   check_constraints(options.constraints);
   Stopwatch watch;
@@ -175,21 +178,34 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const WatchedLoops watched(monitor, Stops::kHeeded);
   check_surface_memory(mesh, options);
   PreparedModel model(mesh, options);
+  const std::vector<std::vector<Vector3>> creases = model.crease_lines();
   CoarserGraphs coarser;
-  SolvedField solved = nested_solve(model.solid(), options, monitor, initial_frame, watch.restart(),
-                                    [&](const CoarserLevel& level) { coarser.add(level); });
+  const std::unique_ptr<const DecidedField> decided =
+      initial.frame_at ? nullptr : DecidedField::solved(model.solid(), options, monitor);
+  WholeRun run{watch.restart(), 0, 0};
+  if (decided) {
+    initial = decided->initial_field(options.solver);
+    run.levels_before = static_cast<int>(decided->field().levels.size());
+  }
+  SolvedField solved = nested_solve(model.solid(), options, monitor, initial, run,
+                                    [&](const CoarserLevel& level) { coarser.add(level, creases); });
   check_interior(solved.level, model.mended());
+  if (decided) {
+    solved.grid_seconds += decided->description().seconds - decided->field().solve_seconds;
+    solved.solve_seconds += decided->field().solve_seconds;
+  }
 
   // The field is complete, so a stop has no effect from here on.
   const WatchedLoops watched_to_the_end(monitor, Stops::kIgnored);
-  const int level = static_cast<int>(solved.levels.size());
+  const int level = run.levels_before + static_cast<int>(solved.levels.size());
   monitor.report({Phase::kAnalysis, 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN(),
                   level, level + (solved.stopped ? solved.levels_left_out : 0)});
   monitor.check();
   auto data = std::make_shared<FieldData>();
   data->degree = options.degree;
   data->energy_density = std::move(solved.energy_density);
-  describe_cells(model, mesh, solved, coarser, options, *data);
+  describe_cells(model, mesh, creases, solved, coarser, options, *data);
+  if (decided) data->report.decision = decided->description();
   monitor.check();
   const RequestedAxes asked = requested_axes(options.constraints, model.solid(), solved.level,
                                              finest_cell_size(model.surface().box, options));
@@ -213,8 +229,8 @@ FrameField solve_from(const FrameField& earlier, const TriangleMesh& mesh, const
                       const Monitor& monitor) {
   const FieldData& data = earlier.data();
   const Sampler sampler(data.tree, data.frames, data.open_faces);
-  const auto initial_frame = [&](const Vector3& point) { return sampler.at(point).frame; };
-  const std::shared_ptr<FieldData> result = solve_with(mesh, options, monitor, initial_frame);
+  const auto frame_at = [&](const Vector3& point) { return sampler.at(point).frame; };
+  const std::shared_ptr<FieldData> result = solve_with(mesh, options, monitor, {frame_at});
   if (auto warning = other_model_warning(data.report.model.bounding_box, result->report.model.bounding_box))
     result->report.warnings.push_back(std::move(*warning));
   return FrameField(result);

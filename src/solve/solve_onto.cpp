@@ -149,7 +149,8 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
 }
 
 TetFrameField solve_onto(const TetDomain& domain, const SolveOptions& options, const Monitor& monitor) {
-  const SolveOptions sized = sized_for(domain, options);
+  SolveOptions sized = sized_for(domain, options);
+  sized.solver.decision_cells = 0;  // several grids are compared instead (OntoOptions::other_starts)
   return carry_onto(solve(domain.boundary(), sized, monitor), domain, sized, monitor);
 }
 

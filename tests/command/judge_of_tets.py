@@ -126,6 +126,7 @@ class Comparison:
         self.number("length", section["length"], length, EXACT * length)
         self.same("unresolved_loops", section["unresolved_loops"], on.loops)
         self.same("unresolved_stubs", section["unresolved_stubs"], on.stubs)
+        self.same("crease_hooks", section["crease_hooks"], 0)
         self.same("contacts", section["contacts"], on.contacts())
         short = [sum(arc.cells <= MERGE_CELLS * margin for arc in on.arcs) for margin in (1 / NEAR, NEAR)]
         self.between("short_arcs", section["short_arcs"], *short)

@@ -377,7 +377,7 @@ def value_at(section, path):
 
 
 # Keys of `singularity` on a grid that are not recomputed; judge_of_tets.py does it on tets.
-IN_NO_WAY = {"unresolved_stubs", "short_arcs", "crease_list", "corner_list"}
+IN_NO_WAY = {"unresolved_stubs", "crease_hooks", "short_arcs", "crease_list", "corner_list"}
 
 # Keys that are compared elsewhere, or not always there.
 IN_OTHER_WAYS = {"model": {"path"}, "creases": {"tangent_deg"},

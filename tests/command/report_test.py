@@ -19,7 +19,7 @@ KEYS = {
     "energy": ["smoothness", "boundary", "unavoidable", "total", "deviation_max"],
     "alignment_deg": ["mean", "p95", "max", "excluded_share"],
     "spectrum": ["plane", "axis", "frame", "free", "conflicted"],
-    "singularity": ["edges", "length", "arcs", "nodes", "boundary_ends", "unresolved_loops", "unresolved_stubs", "short_arcs", "contacts",
+    "singularity": ["edges", "length", "arcs", "nodes", "boundary_ends", "unresolved_loops", "unresolved_stubs", "crease_hooks", "short_arcs", "contacts",
                     "verdict", "not_meshable_arcs", "not_meshable_nodes", "undecided_nodes", "arc_list", "node_list", "crease_list",
                     "corner_list"],
     "seconds": ["read", "grid", "solve", "write", "total"],

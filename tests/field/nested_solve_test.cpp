@@ -181,11 +181,9 @@ TEST(NestedSolve, TakesACellSizeInPlaceOfAResolution) {
 TEST(NestedSolve, StartsFromAGivenFieldWhateverTheSeed) {
   const TestSolid torus(make_torus(0.6, 0.25, 64, 32));
   // The torus' own frames: an axis around it.
-  const InitialFrame around = [](const Vector3& p) {
-    return from_rotation_vector({0, 0, std::atan2(p[1], p[0])});
-  };
-  const SolvedField a = nested_solve(torus.solid(), options_of(20, Degree::kFour, 1), Monitor(), around);
-  const SolvedField b = nested_solve(torus.solid(), options_of(20, Degree::kFour, 2), Monitor(), around);
+  const auto around = [](const Vector3& p) { return from_rotation_vector({0, 0, std::atan2(p[1], p[0])}); };
+  const SolvedField a = nested_solve(torus.solid(), options_of(20, Degree::kFour, 1), Monitor(), {around});
+  const SolvedField b = nested_solve(torus.solid(), options_of(20, Degree::kFour, 2), Monitor(), {around});
   EXPECT_TRUE(same_bits(a.frames, b.frames));
 }
 
@@ -193,7 +191,7 @@ TEST(NestedSolve, StaysWithAGivenFieldThatIsTheSolution) {
   const Quaternion turn = RandomSamples(4).rotation();
   const TestSolid box(rotate_mesh(make_box({1, 0.8, 0.6}), turn));
   const SolvedField field =
-      nested_solve(box.solid(), options_of(16), Monitor(), [&](const Vector3&) { return turn; });
+      nested_solve(box.solid(), options_of(16), Monitor(), {[&](const Vector3&) { return turn; }});
   for (const StoredQuaternion& frame : field.frames)
     ASSERT_LT(misorientation_rad(from_stored(frame), turn), 0.01 * kDegree_rad);
 }

@@ -304,6 +304,49 @@ TEST(SingularityGraph, LeavesOutAStubOfThirdTurnsFromSurfaceToSurface) {
   EXPECT_EQ(longer.verdict(), Verdict::kNotMeshable);
 }
 
+TEST(SingularityGraph, LeavesOutALineFromSurfaceToSurfaceInTheFirstCellsAlongOneCrease) {
+  const std::vector<std::vector<Vector3>> along{{{-5, 1.2, 0}, {30, 1.2, 0}}};
+  const std::vector<std::vector<Vector3>> across{{{2, -20, 0}, {2, 20, 0}}};
+  const std::vector<std::vector<Vector3>> halves{{{-5, 1, 0}, {4, 1, 0}}, {{4, 1, 0}, {30, 1, 0}}};
+  const auto graph_beside = [](int cells, const std::vector<std::vector<Vector3>>& creases) {
+    SingularEdges singular = singular_of(line({0, 0, 0}, 0, cells, {kQuarter, unit(0)}));
+    singular.creases = creases;
+    return singularity_graph(singular);
+  };
+  EXPECT_EQ(graph_beside(12, along).arcs.size(), 0u);
+  EXPECT_EQ(graph_beside(12, along).crease_hooks, 1u);
+  EXPECT_EQ(graph_beside(13, along).arcs.size(), 1u) << "long";
+  EXPECT_EQ(graph_beside(8, across).arcs.size(), 1u) << "through a wall";
+  EXPECT_EQ(graph_beside(8, halves).arcs.size(), 1u) << "from one crease to the next";
+  EXPECT_EQ(graph_beside(2, {{{-5, 2.5, 0}, {30, 2.5, 0}}}).arcs.size(), 0u) << "across a tip";
+  EXPECT_EQ(graph_beside(4, {{{-5, 2.5, 0}, {30, 2.5, 0}}}).arcs.size(), 1u);
+}
+
+TEST(SingularityGraph, LeavesOutAHookAtTheEndOfAnArcAndKeepsTheArc) {
+  // The arc arrives at (10, 0, 0), where a line goes on along a crease and another one to the surface.
+  SingularEdges singular =
+      singular_of(line({0, 0, 0}, 0, 10, {kQuarter, unit(0)}) + line({10, 0, 0}, 1, 8, {kQuarter, unit(1)}) +
+                  line({10, 0, -1}, 2, 1, {kQuarter, unit(2)}));
+  const std::vector<std::vector<Vector3>> creases{{{10.5, -9, 0}, {10.5, 9, 0}}};
+  singular.creases = creases;
+  const Graph graph = singularity_graph(singular);
+  EXPECT_EQ(graph.crease_hooks, 1u);
+  ASSERT_EQ(graph.arcs.size(), 1u);
+  EXPECT_EQ(count_nodes(graph, true), 2u);
+}
+
+TEST(SingularityGraph, MergesAShortArcFromANodeToTheSurface) {
+  const auto arms = [](int cells) {
+    return graph_of(line({0, 0, 0}, 0, 20, {kQuarter, unit(0)}) +
+                    line({20, 0, 0}, 1, 20, {kQuarter, unit(1)}) +
+                    line({20, 0, -cells}, 2, cells, {kHalf, unit(2)}));
+  };
+  EXPECT_EQ(arms(5).arcs.size(), 2u);
+  EXPECT_EQ(count_nodes(arms(5), false), 0u);
+  EXPECT_EQ(arms(6).arcs.size(), 3u);
+  EXPECT_EQ(count_nodes(arms(6), false), 1u);
+}
+
 TEST(SingularityGraph, CountsWhereAnArcTouchesTheSurface) {
   SingularEdges singular = singular_of(line({0, 0, 0}, 0, 8, {kQuarter, unit(0)}));
   EXPECT_EQ(singularity_graph(singular).contacts, 0u) << "arcs end there";

@@ -9,9 +9,11 @@
 namespace crossgrain {
 namespace {
 
+/// Of levels that begin with those below them, not with a field of their own.
 SolveReport report_at(const TriangleMesh& mesh, int resolution) {
   SolveOptions options;
   options.resolution = resolution;
+  options.solver.decision_cells = 0;
   return solve(mesh, options).report();
 }
 

@@ -86,6 +86,7 @@ void describe_singularity(File& file, const char* key, Singularity& graph) {
     inner.member("boundary_ends", graph.boundary_ends);
     inner.member("unresolved_loops", graph.unresolved_loops);
     inner.member("unresolved_stubs", graph.unresolved_stubs);
+    inner.member("crease_hooks", graph.crease_hooks);
     inner.member("short_arcs", graph.short_arcs);
     inner.member("contacts", graph.contacts);
     inner.name("verdict", graph.verdict);
@@ -289,6 +290,14 @@ void describe_warning(File& file, Warning& warning) {
   file.note("advice", words_of(warning.remedy));
 }
 
+template <class File, class Decision>
+void describe_decision(File& file, Decision& decision) {
+  file.member("cell_size", decision.cell_size);
+  file.member("cells", decision.cells);
+  file.member("energy", decision.energy);
+  file.member("seconds", decision.seconds);
+}
+
 template <class File, class Coarser>
 void describe_coarser(File& file, Coarser& coarser) {
   file.member("resolution", coarser.resolution);
@@ -350,6 +359,8 @@ void describe_doubts(File& file, Report& report) {
     walls.member("two_sheet_cells", report.walls.two_sheet_cells);
     walls.member("tied_cells", report.walls.tied_cells);
   });
+  file.optional_object("decision", report.decision,
+                       [](auto& inner, auto& decision) { describe_decision(inner, decision); });
   file.optional_object("coarser", report.coarser,
                        [](auto& inner, auto& coarser) { describe_coarser(inner, coarser); });
   file.optional_object("expected", report.expected,

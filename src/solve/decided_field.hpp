@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The field with which a solve begins, the same at any resolution and in any position of the model.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "base/quaternion.hpp"
+#include "crossgrain/report.hpp"
+#include "field/nested_solve.hpp"
+#include "sampling/sampling.hpp"
+
+namespace crossgrain {
+
+/// A rotation about a point.
+struct Turn {
+  Quaternion rotation{1, 0, 0, 0};
+  Vector3 centre{};
+
+  Vector3 of_point(const Vector3& point) const { return rotate(rotation, point - centre); }
+  Vector3 of_direction(const Vector3& direction) const { return rotate(rotation, direction); }
+};
+
+/// Returns the turn that brings a surface into axes of its own: those to which most of it is normal or
+/// tangent, ordered by the extent along them, longest first, each towards its heavier end; the centre becomes
+/// the origin. Turned copies of a surface are the same afterwards, but for its symmetries.
+Turn turn_to_own_axes(const Surface& surface);
+
+/// Returns the size of the cells of a uniform grid of about `cells` cells, model units.
+double cell_size_for(const Surface& surface, bool closed, std::size_t cells);
+
+/// A field on one uniform, relaxed grid.
+class DecidedField {
+ public:
+  /// Solves on SolverOptions::decision_cells cells. `monitor` hears of the levels before `levels_after` more;
+  /// a stop ends the solve. Null if the options want no such field, or if these cells or the memory do not
+  /// suffice for one. Throws Error(kInterrupted).
+  static std::unique_ptr<const DecidedField> solved(const Solid& solid, const SolveOptions& options,
+                                                    const Monitor& monitor);
+
+  DecidedField(const DecidedField&) = delete;
+  DecidedField& operator=(const DecidedField&) = delete;
+
+  /// The frame at a point of the model.
+  Quaternion frame_at(const Vector3& point) const;
+
+  /// What a solve of the same model begins with. Refers to this object.
+  InitialField initial_field(const SolverOptions& options) const;
+
+  const SolvedField& field() const { return field_; }
+  SolveReport::Decision description() const;
+
+ private:
+  DecidedField(const Turn& turn, SolvedField field, double seconds);
+
+  Turn turn_;
+  SolvedField field_;
+  double seconds_;
+  Sampler sampler_;  ///< of field_
+};
+
+}  // namespace crossgrain
