@@ -142,14 +142,13 @@ struct SolverOptions {
   int level_relaxation = 40;
   std::size_t relaxed_cells = 40000;
 
-  /// Number of cells of a uniform grid, in axes of the model's own, where singular lines are decided: levels
-  /// with cells down to 1 / decided_ratio of its size begin with the field there, so that the lines do not
-  /// depend on the resolution or on how the model lies in space. 0, or finest cells larger than
-  /// largest_decided times that size: each resolution decides on its own coarse levels. Turning a model of
-  /// more than turned_triangles triangles would cost more than the decision; its grid is that of space.
-  /// docs/notes/solver.md has the sweeps.
+  /// Number of cells of a uniform grid, in axes of the model's own, where singular lines are decided: the
+  /// first level, of cells about as large, begins with the field there, so that the lines depend less on the
+  /// resolution and on how the model lies in space. 0, or finest cells larger than largest_decided times that
+  /// size: each resolution decides on its own coarse levels. Turning a model of more than turned_triangles
+  /// triangles would cost more than the decision; its grid is that of space. docs/notes/solver.md has the
+  /// sweeps.
   std::size_t decision_cells = 28000;
-  double decided_ratio = 2.9;
   double largest_decided = 1.5;
   std::size_t turned_triangles = 500000;
 

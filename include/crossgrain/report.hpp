@@ -159,8 +159,7 @@ struct SolveReport {
   struct Decision {
     double cell_size = 0;  ///< model units
     std::size_t cells = 0;
-    double energy = 0;   ///< total, there
-    double seconds = 0;  ///< part of `seconds.grid` and `seconds.solve`
+    double energy = 0;  ///< total, with the unavoidable part, there
   };
   std::optional<Decision> decision;
 

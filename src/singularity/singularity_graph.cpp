@@ -62,7 +62,7 @@ void judge_nodes(SingularityGraph& graph) {
   }
 }
 
-/// Number of edges with one end on the surface, where no arc ends.
+/// Number of edges of tets with one end on the surface, where no arc ends. On a grid no edge reaches it.
 std::size_t contacts_of(const SingularEdges& singular, const MergedNetwork& network) {
   std::vector<std::uint8_t> is_end(network.places.size(), 0);
   for (const MergedNetwork::Arc& arc : network.arcs)
@@ -70,6 +70,7 @@ std::size_t contacts_of(const SingularEdges& singular, const MergedNetwork& netw
   std::size_t contacts = 0;
   for (const SingularEdge& edge : singular.edges) {
     const auto [a, b] = edge.ends;
+    if (singular.points[a].name < 0) continue;
     const bool a_touches = singular.points[a].on_boundary, b_touches = singular.points[b].on_boundary;
     if (a_touches != b_touches) contacts += !is_end[network.place_of[a_touches ? a : b]];
   }

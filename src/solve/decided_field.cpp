@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "base/stopwatch.hpp"
@@ -17,9 +18,12 @@
 namespace crossgrain {
 namespace {
 
-/// Smallest difference of a turn from a symmetry of the coordinate axes, rad: below it, coordinates change
-/// places and signs without rounding.
-constexpr double kSameAxes = 1e-4;
+/// Axes of space are the surface's own if the form of all its normals is within this share of its weight of
+/// the least value there, as for a model that is turned by less than about 0.05 degrees, or of a round one.
+constexpr double kSameAxes = 1e-6;
+
+/// Differences of extents and moments that may be rounding, as shares.
+constexpr double kRounding = 1e-9;
 
 Vector3 centre_of(const Surface& surface) {
   Vector3 sum{};
@@ -32,25 +36,15 @@ Vector3 centre_of(const Surface& surface) {
   return (1 / area) * sum;
 }
 
-/// Directions along which most of the surface is normal or tangent.
-std::array<Vector3, 3> axes_of(const Surface& surface) {
+/// Directions to which most of the surface is normal or tangent.
+std::array<Vector3, 3> axes_of_surface(const Surface& surface) {
   QuadraticForm<4> form;
   const double scale = 1 / (longest_side(surface.box) * longest_side(surface.box));
   for (std::size_t t = 0; t < surface.size(); ++t)
     add_normal(form, surface.normals[t], scale * surface.areas[t]);
-  const Quaternion frame = minimising_frame(form);
-  std::array<Vector3, 3> axes;
-  for (std::size_t k = 0; k < 3; ++k) {
-    Vector3 axis{};
-    axis[k] = 1;
-    axes[k] = rotate(frame, axis);
-    const bool is_one_of_space = std::any_of(axes[k].begin(), axes[k].end(), [](double part) {
-      return std::abs(part) > 1 - kSameAxes * kSameAxes / 2;
-    });
-    if (is_one_of_space)
-      for (double& part : axes[k]) part = std::round(part);
-  }
-  return axes;
+  const Quaternion least = minimising_frame(form), space{1, 0, 0, 0};
+  const auto energy = [&](const Quaternion& frame) { return value(form, frame_coefficients<4>(frame)); };
+  return axes_of(energy(space) - energy(least) < kSameAxes * form.weight ? space : least);
 }
 
 struct Along {
@@ -60,7 +54,7 @@ struct Along {
 
 /// The axis with the extent of the surface along it, towards the end with the larger third moment.
 Along along(const Surface& surface, const Vector3& centre, const Vector3& axis) {
-  double low = std::numeric_limits<double>::infinity(), high = -low, third = 0;
+  double low = std::numeric_limits<double>::infinity(), high = -low, third = 0, all = 0;
   for (std::size_t t = 0; t < surface.size(); ++t) {
     double mean = 0;
     for (const Vector3& corner : surface.corners(t)) {
@@ -69,39 +63,41 @@ Along along(const Surface& surface, const Vector3& centre, const Vector3& axis) 
       high = std::max(high, place);
       mean += place / 3;
     }
-    third += surface.areas[t] * mean * mean * mean;
+    const double moment = surface.areas[t] * mean * mean * mean;
+    third += moment;
+    all += std::abs(moment);
   }
-  return {third < 0 ? -axis : axis, high - low};
+  return {third < -kRounding * all ? -axis : axis, high - low};
 }
 
-Surface turned(const Surface& surface, const Turn& turn) {
+Surface turned(const Surface& surface, const Quaternion& turn) {
   Surface result = surface;
-  for (Vector3& vertex : result.mesh.vertices) vertex = turn.of_point(vertex);
-  for (Vector3& normal : result.normals) normal = turn.of_direction(normal);
+  for (Vector3& vertex : result.mesh.vertices) vertex = rotate(turn, vertex);
+  for (Vector3& normal : result.normals) normal = rotate(turn, normal);
   for (auto& corners : result.mesh.corner_normals)
-    for (Vector3& normal : corners) normal = turn.of_direction(normal);
+    for (Vector3& normal : corners) normal = rotate(turn, normal);
   result.box = box_of_solid_triangles(result.mesh);
   return result;
 }
 
-void turn_segments(std::vector<GuideSegment>& segments, const Turn& turn) {
+void turn_segments(std::vector<GuideSegment>& segments, const Quaternion& turn) {
   for (GuideSegment& segment : segments) {
-    for (Vector3& end : segment.ends) end = turn.of_point(end);
-    for (Vector3& direction : segment.directions) direction = turn.of_direction(direction);
+    for (Vector3& end : segment.ends) end = rotate(turn, end);
+    for (Vector3& direction : segment.directions) direction = rotate(turn, direction);
   }
 }
 
-Guides turned(Guides guides, const Turn& turn) {
+Guides turned(Guides guides, const Quaternion& turn) {
   turn_segments(guides.creases, turn);
   turn_segments(guides.segments, turn);
-  for (Vector3& corner : guides.corners) corner = turn.of_point(corner);
+  for (Vector3& corner : guides.corners) corner = rotate(turn, corner);
   for (GuideFace& face : guides.faces) {
-    for (Vector3& corner : face.corners) corner = turn.of_point(corner);
-    for (Vector3& direction : face.directions) direction = turn.of_direction(direction);
+    for (Vector3& corner : face.corners) corner = rotate(turn, corner);
+    for (Vector3& direction : face.directions) direction = rotate(turn, direction);
   }
   for (GuidePoint& point : guides.points) {
-    point.place = turn.of_point(point.place);
-    for (Vector3& direction : point.directions) direction = turn.of_direction(direction);
+    point.place = rotate(turn, point.place);
+    for (Vector3& direction : point.directions) direction = rotate(turn, direction);
   }
   return guides;
 }
@@ -125,8 +121,8 @@ SolveOptions on_one_grid(SolveOptions options, double cell_size) {
 }
 
 /// The field of the turned solid.
-SolvedField solved_in(const Turn& turn, const Solid& solid, const SolveOptions& options, const WholeRun& run,
-                      const Monitor& monitor) {
+SolvedField solved_in(const Quaternion& turn, const Solid& solid, const SolveOptions& options,
+                      const WholeRun& run, const Monitor& monitor) {
   const SearchableSurface surface(turned(solid.surface, turn));
   const Guides guides = solid.guides ? turned(*solid.guides, turn) : Guides();
   const Solid turned_solid{surface.surface(), surface.bvh(), surface.winding(), solid.closed, &guides};
@@ -135,15 +131,17 @@ SolvedField solved_in(const Turn& turn, const Solid& solid, const SolveOptions& 
 
 }  // namespace
 
-Turn turn_to_own_axes(const Surface& surface) {
+Quaternion turn_to_own_axes(const Surface& surface) {
   const Vector3 centre = centre_of(surface);
   std::array<Along, 3> sides;
-  const std::array<Vector3, 3> axes = axes_of(surface);
+  const std::array<Vector3, 3> axes = axes_of_surface(surface);
   for (std::size_t k = 0; k < 3; ++k) sides[k] = along(surface, centre, axes[k]);
-  std::stable_sort(sides.begin(), sides.end(),
-                   [](const Along& a, const Along& b) { return a.extent > b.extent; });
+  const double same = kRounding * longest_side(surface.box);
+  // By hand, since "longer by more than rounding" is no order.
+  for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {0, 1}})
+    if (sides[j].extent > sides[i].extent + same) std::swap(sides[i], sides[j]);
   const Vector3 third = cross(sides[0].axis, sides[1].axis);
-  return {conjugate(quaternion_of({sides[0].axis, sides[1].axis, third})), centre};
+  return conjugate(quaternion_of({sides[0].axis, sides[1].axis, third}));
 }
 
 double cell_size_for(const Surface& surface, bool closed, std::size_t cells) {
@@ -174,7 +172,7 @@ std::unique_ptr<const DecidedField> DecidedField::solved(const Solid& solid, con
   const WholeRun run{0, 0, levels_from(size, solid, options)};
   try {
     const bool turns = solid.surface.size() <= options.solver.turned_triangles;
-    const Turn turn = turns ? turn_to_own_axes(solid.surface) : Turn();
+    const Quaternion turn = turns ? turn_to_own_axes(solid.surface) : Quaternion{1, 0, 0, 0};
     SolvedField field =
         turns ? solved_in(turn, solid, own, run, monitor) : nested_solve(solid, own, monitor, {}, run);
     return std::unique_ptr<const DecidedField>(new DecidedField(turn, std::move(field), watch.restart()));
@@ -184,24 +182,25 @@ std::unique_ptr<const DecidedField> DecidedField::solved(const Solid& solid, con
   }
 }
 
-DecidedField::DecidedField(const Turn& turn, SolvedField field, double seconds)
+DecidedField::DecidedField(const Quaternion& turn, SolvedField field, double seconds)
     : turn_(turn),
       field_(std::move(field)),
       seconds_(seconds),
       sampler_(field_.level.tree, field_.frames, field_.open_faces) {}
 
 Quaternion DecidedField::frame_at(const Vector3& point) const {
-  return conjugate(turn_.rotation) * sampler_.at(turn_.of_point(point)).frame;
+  return conjugate(turn_) * sampler_.at(rotate(turn_, point)).frame;
 }
 
-InitialField DecidedField::initial_field(const SolverOptions& options) const {
+InitialField DecidedField::initial_field() const {
   const double size = description().cell_size;
-  return {[this](const Vector3& point) { return frame_at(point); }, size, size / options.decided_ratio};
+  // Of levels with cells as large: finer ones are refined around the lines of the level before.
+  return {[this](const Vector3& point) { return frame_at(point); }, size, size / std::numbers::sqrt2};
 }
 
 SolveReport::Decision DecidedField::description() const {
   return {field_.level.tree.root().cell_size(field_.levels.back().depth), field_.level.size(),
-          field_.energy.total() + field_.energy.unavoidable, seconds_};
+          field_.energy.total() + field_.energy.unavoidable};
 }
 
 }  // namespace crossgrain

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 
 #include "base/quaternion.hpp"
 #include "crossgrain/report.hpp"
@@ -13,19 +12,10 @@
 
 namespace crossgrain {
 
-/// A rotation about a point.
-struct Turn {
-  Quaternion rotation{1, 0, 0, 0};
-  Vector3 centre{};
-
-  Vector3 of_point(const Vector3& point) const { return rotate(rotation, point - centre); }
-  Vector3 of_direction(const Vector3& direction) const { return rotate(rotation, direction); }
-};
-
-/// Returns the turn that brings a surface into axes of its own: those to which most of it is normal or
-/// tangent, ordered by the extent along them, longest first, each towards its heavier end; the centre becomes
-/// the origin. Turned copies of a surface are the same afterwards, but for its symmetries.
-Turn turn_to_own_axes(const Surface& surface);
+/// Returns the rotation that brings a surface into axes of its own: those to which most of it is normal or
+/// tangent, the axes of space if they are such, ordered by the extent along them, longest first, each towards
+/// its heavier end. Turned copies of a surface are the same afterwards, but for its symmetries.
+Quaternion turn_to_own_axes(const Surface& surface);
 
 /// Returns the size of the cells of a uniform grid of about `cells` cells, model units.
 double cell_size_for(const Surface& surface, bool closed, std::size_t cells);
@@ -46,15 +36,16 @@ class DecidedField {
   Quaternion frame_at(const Vector3& point) const;
 
   /// What a solve of the same model begins with. Refers to this object.
-  InitialField initial_field(const SolverOptions& options) const;
+  InitialField initial_field() const;
 
   const SolvedField& field() const { return field_; }
+  double seconds() const { return seconds_; }  ///< that it took
   SolveReport::Decision description() const;
 
  private:
-  DecidedField(const Turn& turn, SolvedField field, double seconds);
+  DecidedField(const Quaternion& turn, SolvedField field, double seconds);
 
-  Turn turn_;
+  Quaternion turn_;  ///< of the model to the grid
   SolvedField field_;
   double seconds_;
   Sampler sampler_;  ///< of field_

@@ -184,14 +184,14 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
       initial.frame_at ? nullptr : DecidedField::solved(model.solid(), options, monitor);
   WholeRun run{watch.restart(), 0, 0};
   if (decided) {
-    initial = decided->initial_field(options.solver);
+    initial = decided->initial_field();
     run.levels_before = static_cast<int>(decided->field().levels.size());
   }
   SolvedField solved = nested_solve(model.solid(), options, monitor, initial, run,
                                     [&](const CoarserLevel& level) { coarser.add(level, creases); });
   check_interior(solved.level, model.mended());
   if (decided) {
-    solved.grid_seconds += decided->description().seconds - decided->field().solve_seconds;
+    solved.grid_seconds += decided->seconds() - decided->field().solve_seconds;
     solved.solve_seconds += decided->field().solve_seconds;
   }
 

@@ -349,6 +349,7 @@ TEST(SingularityGraph, MergesAShortArcFromANodeToTheSurface) {
 
 TEST(SingularityGraph, CountsWhereAnArcTouchesTheSurface) {
   SingularEdges singular = singular_of(line({0, 0, 0}, 0, 8, {kQuarter, unit(0)}));
+  for (SingularEdges::Point& point : singular.points) point.name = 7;
   EXPECT_EQ(singularity_graph(singular).contacts, 0u) << "arcs end there";
   singular.points[4].on_boundary = true;
   const Graph graph = singularity_graph(singular);

@@ -32,19 +32,19 @@ SolveOptions options_of(int resolution, std::size_t decision_cells) {
 
 TEST(DecidedField, HasTheSameAxesOfItsOwnHoweverTheModelLies) {
   const TriangleMesh bracket = make_bracket(32);
-  const Turn upright = turn_to_own_axes(prepare_surface(bracket));
+  const Quaternion upright = turn_to_own_axes(prepare_surface(bracket));
   const Quaternion rotation = from_rotation_vector({0.4, -1.1, 2.3});
   const Vector3 shift{100, -20, 3};
-  const Turn turned = turn_to_own_axes(prepare_surface(moved(bracket, rotation, shift)));
+  const Quaternion turned = turn_to_own_axes(prepare_surface(moved(bracket, rotation, shift)));
   for (const Vector3& vertex : bracket.vertices) {
-    const Vector3 apart = turned.of_point(rotate(rotation, vertex) + shift) - upright.of_point(vertex);
+    const Vector3 apart = rotate(turned, rotate(rotation, vertex)) - rotate(upright, vertex);
     EXPECT_NEAR(norm(apart), 0, 1e-6);
   }
 }
 
 TEST(DecidedField, PutsTheLongestSideFirstAndRoundsNothingOfAnUprightModel) {
-  const Turn turn = turn_to_own_axes(prepare_surface(make_box({1, 3, 2})));
-  const Vector3 longest = turn.of_direction({0, 1, 0}), middle = turn.of_direction({0, 0, 1});
+  const Quaternion turn = turn_to_own_axes(prepare_surface(make_box({1, 3, 2})));
+  const Vector3 longest = rotate(turn, {0, 1, 0}), middle = rotate(turn, {0, 0, 1});
   EXPECT_EQ((Vector3{std::abs(longest[0]), longest[1], longest[2]}), (Vector3{1, 0, 0}));
   EXPECT_EQ((Vector3{middle[0], std::abs(middle[1]), middle[2]}), (Vector3{0, 1, 0}));
 }
@@ -103,9 +103,16 @@ TEST(DecidedField, EndsWhenItIsStoppedOrCancelled) {
 TEST(DecidedField, OfModelsWithTooManyTrianglesLiesAlongTheAxesOfSpace) {
   const TestSolid part(moved(make_box({1, 1, 2}), from_rotation_vector({0, 0, 0.5}), {5, 5, 5}));
   SolveOptions options = options_of(32, 5000);
-  EXPECT_LT(norm(DecidedField::solved(part.solid(), options, Monitor())->field().level.tree.centre(0)), 2);
+  const auto extent = [&](int axis) {
+    const auto decided = DecidedField::solved(part.solid(), options, Monitor());
+    const Octree& tree = decided->field().level.tree;
+    Box box = empty_box();
+    for (CellIndex i = 0; i < tree.size(); ++i) include(box, tree.centre(i));
+    return box.high[axis] - box.low[axis];
+  };
+  EXPECT_NEAR(extent(0), 2, 0.2) << "the longest side first";
   options.solver.turned_triangles = 11;
-  EXPECT_GT(norm(DecidedField::solved(part.solid(), options, Monitor())->field().level.tree.centre(0)), 5);
+  EXPECT_NEAR(extent(2), 2, 0.2);
 }
 
 TEST(DecidedField, IsToldOfInTheReportAndNumberedBeforeTheLevels) {
@@ -121,7 +128,6 @@ TEST(DecidedField, IsToldOfInTheReportAndNumberedBeforeTheLevels) {
   ASSERT_TRUE(report.decision);
   EXPECT_NEAR(static_cast<double>(report.decision->cells), 5000, 500);
   EXPECT_GT(report.decision->energy, 0);
-  EXPECT_LT(report.decision->seconds, report.seconds.grid + report.seconds.solve);
   EXPECT_FALSE(falls);
   EXPECT_EQ(last, most);
   EXPECT_GT(last, static_cast<int>(report.levels.size()));

@@ -295,7 +295,6 @@ void describe_decision(File& file, Decision& decision) {
   file.member("cell_size", decision.cell_size);
   file.member("cells", decision.cells);
   file.member("energy", decision.energy);
-  file.member("seconds", decision.seconds);
 }
 
 template <class File, class Coarser>
