@@ -114,14 +114,14 @@ template <int D>
 class NestedSolver {
  public:
   NestedSolver(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-               const InitialField& initial, const WholeRun& run, const VisitLevel& visit_level)
+               const InitialField& initial, const PlaceInRun& place, const VisitLevel& visit_level)
       : solid_(solid),
         options_(options),
         monitor_(monitor),
         initial_(initial),
         visit_level_(visit_level),
-        run_(run),
-        seconds_so_far_(run.seconds_before) {}
+        is_decision_(place.is_decision),
+        seconds_so_far_(place.seconds_before) {}
 
   SolvedField run() {
     level_watch_.start();
@@ -146,7 +146,7 @@ class NestedSolver {
     const auto [root, finest_depth] =
         frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
     coarsest_depth_ = std::max(0, finest_depth - levels_above_finest());
-    level_count_ = number_of(finest_depth) + run_.levels_after;
+    level_count_ = number_of(finest_depth);
     SolveForecast forecast(options_, finest_depth, current_memory_bytes(), may_be_stopped());
     report(Phase::kGrid, coarsest_depth_, 0);
     RefinedLevel made = uniform_level(solid_, root, coarsest_depth_, monitor_);
@@ -158,26 +158,26 @@ class NestedSolver {
       result_.levels_left_out = finest_depth - depth;
       const LevelGrowth growth(result_.level, solid_, options_.refinement);
       const bool finest = depth == finest_depth || !next_fits(forecast, growth);
-      if (finest) level_count_ = number_of(depth) + run_.levels_after;
+      if (finest) level_count_ = number_of(depth);
       report(Phase::kGrid, depth, result_.level.size());
       // No level follows the finest one: its neighbours end here.
       Connectivity connectivity =
           finest ? connect(std::vector(std::move(made.neighbours))) : connect(made.neighbours);
       solve_level(depth, std::move(connectivity), std::move(made.parent), finest);
       if (finest) return;
-      if (run_.levels_after == 0) predict(forecast, growth);
+      if (!is_decision_) predict(forecast, growth);
       made = refine(std::move(made.neighbours), depth, finest_depth);
     }
   }
 
-  /// 1-based number of the level in the run.
-  int number_of(int depth) const { return run_.levels_before + depth - coarsest_depth_ + 1; }
+  /// 1-based number of the level; 1 is the coarsest. 0 if levels have no numbers.
+  int number_of(int depth) const { return is_decision_ ? 0 : depth - coarsest_depth_ + 1; }
 
-  bool may_be_stopped() const { return monitor_.may_be_stopped() && run_.levels_after == 0; }
+  bool may_be_stopped() const { return monitor_.may_be_stopped() && !is_decision_; }
 
   void report(Phase phase, int depth, std::size_t cells) const {
-    monitor_.report(
-        {phase, depth, cells, 0, std::numeric_limits<double>::quiet_NaN(), number_of(depth), level_count_});
+    monitor_.report({is_decision_ ? Phase::kSolve : phase, depth, cells, 0,
+                     std::numeric_limits<double>::quiet_NaN(), number_of(depth), level_count_});
   }
 
   /// Reports the energy of the finished level as SolveReport::Energy has it, whatever the sweeps minimise.
@@ -372,7 +372,7 @@ class NestedSolver {
   const Monitor& monitor_;
   const InitialField& initial_;
   const VisitLevel& visit_level_;
-  const WholeRun run_;
+  const bool is_decision_;
   SolvedField result_;   ///< the level being built or solved
   SolvedField coarser_;  ///< the finished level before it, if the solve may be stopped
 
@@ -390,10 +390,11 @@ class NestedSolver {
 }  // namespace
 
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-                         const InitialField& initial, const WholeRun& run, const VisitLevel& visit_level) {
+                         const InitialField& initial, const PlaceInRun& place,
+                         const VisitLevel& visit_level) {
   return options.degree == Degree::kThree
-             ? NestedSolver<3>(solid, options, monitor, initial, run, visit_level).run()
-             : NestedSolver<4>(solid, options, monitor, initial, run, visit_level).run();
+             ? NestedSolver<3>(solid, options, monitor, initial, place, visit_level).run()
+             : NestedSolver<4>(solid, options, monitor, initial, place, visit_level).run();
 }
 
 }  // namespace crossgrain

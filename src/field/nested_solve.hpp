@@ -58,11 +58,13 @@ struct InitialField {
   double last_cell_size = 0;
 };
 
-/// What a run does before and after one of several solves.
-struct WholeRun {
+/// The place of a solve in a run.
+struct PlaceInRun {
   double seconds_before = 0;
-  int levels_before = 0;  ///< solved levels
-  int levels_after = 0;   ///< to be solved. If there are any, no forecast is made, and a stop ends the solve
+
+  /// Whether another solve follows that begins with this one's field. Then progress has no numbers of levels,
+  /// nothing is forecast, and a stop ends the solve.
+  bool is_decision = false;
 };
 
 /// A level that has been solved and that a finer one follows.
@@ -81,7 +83,7 @@ using VisitLevel = std::function<void(const CoarserLevel& level)>;
 /// stopped, it returns the last finished level, bitwise identical to a solve that memory limits to that
 /// level.
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-                         const InitialField& initial = {}, const WholeRun& run = {},
+                         const InitialField& initial = {}, const PlaceInRun& place = {},
                          const VisitLevel& visit_level = {});
 
 }  // namespace crossgrain

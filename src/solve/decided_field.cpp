@@ -107,12 +107,6 @@ bool is_wanted(const Solid& solid, const SolveOptions& options, double decided_s
   return finest_cell_size(solid.surface.box, options) <= options.solver.largest_decided * decided_size;
 }
 
-/// Number of levels after the decision, as far as known before it.
-int levels_from(double decided_size, const Solid& solid, const SolveOptions& options) {
-  const double finest = finest_cell_size(solid.surface.box, options);
-  return 1 + std::max(1, static_cast<int>(std::lround(std::log2(decided_size / finest))));
-}
-
 SolveOptions on_one_grid(SolveOptions options, double cell_size) {
   options.resolution = 0;
   options.cell_size = cell_size;
@@ -120,13 +114,15 @@ SolveOptions on_one_grid(SolveOptions options, double cell_size) {
   return options;
 }
 
+constexpr PlaceInRun kPlace{0, true};
+
 /// The field of the turned solid.
 SolvedField solved_in(const Quaternion& turn, const Solid& solid, const SolveOptions& options,
-                      const WholeRun& run, const Monitor& monitor) {
+                      const Monitor& monitor) {
   const SearchableSurface surface(turned(solid.surface, turn));
   const Guides guides = solid.guides ? turned(*solid.guides, turn) : Guides();
   const Solid turned_solid{surface.surface(), surface.bvh(), surface.winding(), solid.closed, &guides};
-  return nested_solve(turned_solid, options, monitor, {}, run);
+  return nested_solve(turned_solid, options, monitor, {}, kPlace);
 }
 
 }  // namespace
@@ -169,12 +165,11 @@ std::unique_ptr<const DecidedField> DecidedField::solved(const Solid& solid, con
   const double size = cell_size_for(solid.surface, solid.closed, options.solver.decision_cells);
   if (!is_wanted(solid, options, size)) return nullptr;
   const SolveOptions own = on_one_grid(options, size);
-  const WholeRun run{0, 0, levels_from(size, solid, options)};
   try {
     const bool turns = solid.surface.size() <= options.solver.turned_triangles;
     const Quaternion turn = turns ? turn_to_own_axes(solid.surface) : Quaternion{1, 0, 0, 0};
     SolvedField field =
-        turns ? solved_in(turn, solid, own, run, monitor) : nested_solve(solid, own, monitor, {}, run);
+        turns ? solved_in(turn, solid, own, monitor) : nested_solve(solid, own, monitor, {}, kPlace);
     return std::unique_ptr<const DecidedField>(new DecidedField(turn, std::move(field), watch.restart()));
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::kInterrupted) throw;

@@ -23,8 +23,8 @@ double cell_size_for(const Surface& surface, bool closed, std::size_t cells);
 /// A field on one uniform, relaxed grid.
 class DecidedField {
  public:
-  /// Solves on SolverOptions::decision_cells cells. `monitor` hears of the levels before `levels_after` more;
-  /// a stop ends the solve. Null if the options want no such field, or if these cells or the memory do not
+  /// Solves on SolverOptions::decision_cells cells. `monitor` hears of levels without numbers; a stop
+  /// ends the solve. Null if the options want no such field, or if these cells or the memory do not
   /// suffice for one. Throws Error(kInterrupted).
   static std::unique_ptr<const DecidedField> solved(const Solid& solid, const SolveOptions& options,
                                                     const Monitor& monitor);

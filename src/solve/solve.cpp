@@ -182,12 +182,8 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   CoarserGraphs coarser;
   const std::unique_ptr<const DecidedField> decided =
       initial.frame_at ? nullptr : DecidedField::solved(model.solid(), options, monitor);
-  WholeRun run{watch.restart(), 0, 0};
-  if (decided) {
-    initial = decided->initial_field();
-    run.levels_before = static_cast<int>(decided->field().levels.size());
-  }
-  SolvedField solved = nested_solve(model.solid(), options, monitor, initial, run,
+  if (decided) initial = decided->initial_field();
+  SolvedField solved = nested_solve(model.solid(), options, monitor, initial, {watch.restart()},
                                     [&](const CoarserLevel& level) { coarser.add(level, creases); });
   check_interior(solved.level, model.mended());
   if (decided) {
@@ -197,7 +193,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
 
   // The field is complete, so a stop has no effect from here on.
   const WatchedLoops watched_to_the_end(monitor, Stops::kIgnored);
-  const int level = run.levels_before + static_cast<int>(solved.levels.size());
+  const int level = static_cast<int>(solved.levels.size());
   monitor.report({Phase::kAnalysis, 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN(),
                   level, level + (solved.stopped ? solved.levels_left_out : 0)});
   monitor.check();

@@ -48,6 +48,7 @@ SolveOptions options_of(int threads, Degree degree, int resolution = 48) {  // f
   options.resolution = resolution;
   options.degree = degree;
   options.threads = threads;
+  options.solver.decision_cells = 0;  // tests stop at levels
   return options;
 }
 
