@@ -109,7 +109,7 @@ struct SingularityOptions {
 
   /// On grids, largest length of an arc from a node to the surface that is merged into the node, in place of
   /// `merge_cells`: lines that end side by side on the surface often meet in the cells before.
-  double end_cells = 5;
+  double end_cells = 4;
 
   /// Largest length of an arc from surface to surface that is left out where it stays within
   /// `hook_reach_cells` of one crease. Where the angle of solid at a crease passes 45, 135, 225 or 315

@@ -341,10 +341,10 @@ TEST(SingularityGraph, MergesAShortArcFromANodeToTheSurface) {
                     line({20, 0, 0}, 1, 20, {kQuarter, unit(1)}) +
                     line({20, 0, -cells}, 2, cells, {kHalf, unit(2)}));
   };
-  EXPECT_EQ(arms(5).arcs.size(), 2u);
-  EXPECT_EQ(count_nodes(arms(5), false), 0u);
-  EXPECT_EQ(arms(6).arcs.size(), 3u);
-  EXPECT_EQ(count_nodes(arms(6), false), 1u);
+  EXPECT_EQ(arms(4).arcs.size(), 2u);
+  EXPECT_EQ(count_nodes(arms(4), false), 0u);
+  EXPECT_EQ(arms(5).arcs.size(), 3u);
+  EXPECT_EQ(count_nodes(arms(5), false), 1u);
 }
 
 TEST(SingularityGraph, CountsWhereAnArcTouchesTheSurface) {
