@@ -145,11 +145,15 @@ struct SolverOptions {
   /// Number of cells of a uniform grid, in axes of the model's own, where singular lines are decided: the
   /// first level, of cells about as large, begins with the field there, so that the lines depend less on the
   /// resolution and on how the model lies in space. 0, or finest cells larger than largest_decided times that
-  /// size: each resolution decides on its own coarse levels. Turning a model of more than turned_triangles
-  /// triangles would cost more than the decision; its grid is that of space. docs/notes/solver.md has the
-  /// sweeps.
+  /// size: each resolution decides on its own coarse levels. docs/notes/solver.md has the sweeps.
   std::size_t decision_cells = 28000;
   double largest_decided = 1.5;
+
+  /// Relaxation sweeps on uniform levels that begin with the decision. A few smooth what rounding decides
+  /// beside lines; more move lines to where these cells would have them.
+  int decided_relaxation = 4;
+
+  /// Largest number of triangles of a model that is turned for the decision.
   std::size_t turned_triangles = 500000;
 
   /// Degree of the relaxed problems, whatever the degree of the field. In degree 4 they are quadratic but for

@@ -254,7 +254,7 @@ class NestedSolver {
   void solve_level(int depth, Connectivity connectivity, std::vector<CellIndex> parent, bool finest) {
     const GridLevel& level = result_.level;
     const Progress place{Phase::kSolve, depth, level.size(), 0, 0, number_of(depth), level_count_};
-    const Swept swept = settle(std::move(connectivity), std::move(parent), depth == coarsest_depth_, place);
+    const Swept swept = settle(std::move(connectivity), std::move(parent), finest, place);
     keep_best(swept.adjacency, finest || level.size() > options_.solver.start_cells, finest);
     report_energy(place, swept.sweeps);
     if (!finest && visit_level_)
@@ -291,8 +291,8 @@ class NestedSolver {
     int sweeps;
   };
 
-  Swept settle(Connectivity connectivity, std::vector<CellIndex> parent, bool coarsest,
-               const Progress& place) {
+  Swept settle(Connectivity connectivity, std::vector<CellIndex> parent, bool finest, const Progress& place) {
+    const bool coarsest = place.depth == coarsest_depth_;
     const auto shared = std::make_shared<Connectivity>(std::move(connectivity));
     LevelSolver<D> solver(result_.level, solid_, shared, options_, monitor_, place);
     grid_watch_.stop();
@@ -300,14 +300,19 @@ class NestedSolver {
     solve_watch_.start();
     start_candidates(place.depth, coarsest, std::move(parent));
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
-      candidates_[c] = solver.solved(std::move(candidates_[c].frames), relaxation_sweeps(c, coarsest));
+      candidates_[c] =
+          solver.solved(std::move(candidates_[c].frames), relaxation_sweeps(c, coarsest, finest));
     }
     return {std::move(shared->adjacency), solver.sweeps()};  // all else ends here, to make room
   }
 
-  int relaxation_sweeps(std::size_t start, bool coarsest) const {
+  int relaxation_sweeps(std::size_t start, bool coarsest, bool finest) const {
     const SolverOptions& options = options_.solver;
-    if (initial_.frame_at) return 0;
+    if (initial_.frame_at) {
+      const bool relaxes =
+          initial_.relaxation_sweeps > 0 && is_uniform_ && result_.level.size() <= options.relaxed_cells;
+      return !relaxes ? 0 : finest ? options.level_relaxation : initial_.relaxation_sweeps;
+    }
     if (coarsest)
       return static_cast<int>(options.start_relaxation / std::pow(3.0, static_cast<double>(start)));
     return is_uniform_ ? options.level_relaxation : 0;

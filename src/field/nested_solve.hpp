@@ -44,7 +44,7 @@ inline double finest_cell_size(const Box& box, const SolveOptions& options) {
   return longest_side(box) / (options.resolution > 0 ? options.resolution : kDefaultResolution);
 }
 
-/// A field to begin with, instead of random starts. Nothing is relaxed then.
+/// A field to begin with, instead of random starts.
 struct InitialField {
   /// The frame at a point; null: random starts.
   std::function<Quaternion(const Vector3& point)> frame_at;
@@ -56,6 +56,10 @@ struct InitialField {
   /// Levels with cells of at least this size begin with this field, and finer ones with that of the level
   /// before. Model units.
   double last_cell_size = 0;
+
+  /// Relaxation sweeps on uniform levels. If there are any, a finest level that is uniform is relaxed as
+  /// usual, since nothing smooths it further.
+  int relaxation_sweeps = 0;
 };
 
 /// The place of a solve in a run.

@@ -187,10 +187,11 @@ Quaternion DecidedField::frame_at(const Vector3& point) const {
   return conjugate(turn_) * sampler_.at(rotate(turn_, point)).frame;
 }
 
-InitialField DecidedField::initial_field() const {
+InitialField DecidedField::initial_field(const SolverOptions& options) const {
   const double size = description().cell_size;
   // Of levels with cells as large: finer ones are refined around the lines of the level before.
-  return {[this](const Vector3& point) { return frame_at(point); }, size, size / std::numbers::sqrt2};
+  return {[this](const Vector3& point) { return frame_at(point); }, size, size / std::numbers::sqrt2,
+          options.decided_relaxation};
 }
 
 SolveReport::Decision DecidedField::description() const {

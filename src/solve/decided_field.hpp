@@ -36,7 +36,7 @@ class DecidedField {
   Quaternion frame_at(const Vector3& point) const;
 
   /// What a solve of the same model begins with. Refers to this object.
-  InitialField initial_field() const;
+  InitialField initial_field(const SolverOptions& options) const;
 
   const SolvedField& field() const { return field_; }
   double seconds() const { return seconds_; }  ///< that it took

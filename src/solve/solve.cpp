@@ -182,7 +182,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   CoarserGraphs coarser;
   const std::unique_ptr<const DecidedField> decided =
       initial.frame_at ? nullptr : DecidedField::solved(model.solid(), options, monitor);
-  if (decided) initial = decided->initial_field();
+  if (decided) initial = decided->initial_field(options.solver);
   SolvedField solved = nested_solve(model.solid(), options, monitor, initial, {watch.restart()},
                                     [&](const CoarserLevel& level) { coarser.add(level, creases); });
   check_interior(solved.level, model.mended());

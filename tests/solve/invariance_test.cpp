@@ -18,7 +18,7 @@ namespace {
 
 /// Relative differences of energies: of sums in another order, which the sweeps carry on until they stop, and
 /// of sweeps that visit the cells another way round and settle elsewhere.
-constexpr double kRounding = 1e-4, kOtherWay = 0.02;
+constexpr double kRounding = 1e-6, kOtherWay = 0.01;
 
 /// What is compared: the number of arcs of each index, of nodes and of ends on the surface, and the energy.
 struct Answered {
