@@ -89,9 +89,8 @@ std::string remarks_on(const Singularity& graph) {
         fmt::format("arcs run oblique to their frames along {:.3g} of {:.3g}: hexahedra are sheared there\n",
                     oblique, length);
   if (graph.contacts > 0)
-    text +=
-        fmt::format("{} of {} singular edges touch the surface where no arc ends: hexahedra are flat there\n",
-                    graph.contacts, graph.edges);
+    text += fmt::format("arcs touch the surface in {} places where none ends: hexahedra are flat there\n",
+                        graph.contacts);
   return text;
 }
 

@@ -149,9 +149,15 @@ struct SolverOptions {
   std::size_t decision_cells = 28000;
   double largest_decided = 1.5;
 
-  /// Relaxation sweeps on uniform levels that begin with the decision. A few smooth what rounding decides
-  /// beside lines; more move lines to where these cells would have them.
-  int decided_relaxation = 4;
+  /// Relaxation sweeps on each level of at most `decided_relaxed_cells` after the decision, under a penalty
+  /// that is weaker in finer cells, so that lines have cores as large as cells of the decision and move as
+  /// in a continuum. More sweeps move lines further from what was decided.
+  int decided_relaxation = 12;
+  std::size_t decided_relaxed_cells = 400000;
+
+  /// After this relaxation a field also counts as settled if the last of `most_sweeps` lowered the energy by
+  /// less than this fraction: lines that have left the cells refined for them go on sliding into larger ones.
+  double sliding_tolerance = 1e-3;
 
   /// Largest number of triangles of a model that is turned for the decision.
   std::size_t turned_triangles = 500000;

@@ -89,8 +89,9 @@ struct SingularityGraph {
   /// not among the arcs.
   std::size_t crease_hooks = 0;
 
-  /// On tets, number of singular edges with one end on the surface where no arc ends: an arc that runs along
-  /// the surface touches it.
+  /// Number of places where an arc that runs along the surface touches it: on tets, singular edges with one
+  /// end on the surface where no arc ends; on grids, gaps without cells on one side
+  /// (SingularityOptions::touch_cells).
   std::size_t contacts = 0;
 
   /// The verdict of the worst arc or node: kNotMeshable, kUndecided, kMeshable.
@@ -110,6 +111,11 @@ struct SingularityOptions {
   /// On grids, largest length of an arc from a node to the surface that is merged into the node, in place of
   /// `merge_cells`: lines that end side by side on the surface often meet in the cells before.
   double end_cells = 4;
+
+  /// On grids, largest distance between two ends on the surface from which one line goes on, and how far the
+  /// other end may lie beside the direction of either: a line that touches the surface between cells has no
+  /// edges there.
+  double touch_cells = 3, touch_aside_cells = 1.5;
 
   /// Largest length of an arc from surface to surface that is left out where it stays within
   /// `hook_reach_cells` of one crease. Where the angle of solid at a crease passes 45, 135, 225 or 315

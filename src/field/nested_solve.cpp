@@ -49,12 +49,19 @@ class LevelSolver {
   }
 
   /// Relaxes if `relaxation_sweeps` is positive, then sweeps on the manifold until the energy settles.
-  SettledFrames solved(Frames frames, int relaxation_sweeps) {
-    const RelaxationPlan relaxation{relaxation_sweeps, options_.symmetrisation, options_.over_relaxation};
-    const SettlingPlan settling = settling_plan(options_, connectivity_->adjacency, volume_of(level_.tree),
-                                                longest_side(solid_.surface.box));
+  SettledFrames solved(Frames frames, int relaxation_sweeps, const InitialField& initial) {
+    RelaxationPlan relaxation{relaxation_sweeps, options_.symmetrisation, options_.over_relaxation};
+    std::vector<float> penalty_shares;
+    if (relaxation_sweeps > 0 && initial.core_size > 0) {
+      penalty_shares = penalty_shares_for(initial.core_size);
+      relaxation.grows = false;
+      relaxation.penalty_shares = penalty_shares;
+    }
+    SettlingPlan settling = settling_plan(options_, connectivity_->adjacency, volume_of(level_.tree),
+                                          longest_side(solid_.surface.box));
     std::function<Frames(Frames)> relax;
     if (relaxation_sweeps > 0) {
+      settling.sliding_fraction = initial.sliding_tolerance;
       relax = [=, this](Frames came) {
         return options_.relaxation_degree == Degree::kThree
                    ? relaxed_in(relaxed_graph3_, std::move(came), relaxation)
@@ -67,13 +74,28 @@ class LevelSolver {
   int sweeps() const { return progress_.sweep; }
 
  private:
+  /// A core of radius r balances smoothness, of weight h in cells of size h, against a penalty of weight h^3
+  /// / r^2 in them.
+  std::vector<float> penalty_shares_for(double core_size) const {
+    std::vector<float> shares(level_.size());
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      const double ratio = level_.tree.cell_size(static_cast<CellIndex>(i)) / core_size;
+      shares[i] = static_cast<float>(std::min(1.0, ratio * ratio));
+    }
+    return shares;
+  }
+
   template <int R>
   Frames relaxed_in(FieldGraph<R>& graph, Frames frames, const RelaxationPlan& plan) {
+    const auto after_sweep = [this](double energy) { advance(energy); };
+    if constexpr (R == D) {
+      if (!options_.shift_relaxed_forms) return relaxed(graph_, std::move(frames), plan, after_sweep);
+    }
     if (!graph.connectivity) {
       const Shift shift = options_.shift_relaxed_forms ? Shift::kSpectral : Shift::kNone;
       graph = {connectivity_, boundary_forms<R>(level_, solid_, options_.boundary_weight, shift)};
     }
-    return relaxed(graph, std::move(frames), plan, [this](double energy) { advance(energy); });
+    return relaxed(graph, std::move(frames), plan, after_sweep);
   }
 
   void advance(double energy) {
@@ -254,7 +276,7 @@ class NestedSolver {
   void solve_level(int depth, Connectivity connectivity, std::vector<CellIndex> parent, bool finest) {
     const GridLevel& level = result_.level;
     const Progress place{Phase::kSolve, depth, level.size(), 0, 0, number_of(depth), level_count_};
-    const Swept swept = settle(std::move(connectivity), std::move(parent), finest, place);
+    const Swept swept = settle(std::move(connectivity), std::move(parent), depth == coarsest_depth_, place);
     keep_best(swept.adjacency, finest || level.size() > options_.solver.start_cells, finest);
     report_energy(place, swept.sweeps);
     if (!finest && visit_level_)
@@ -291,8 +313,8 @@ class NestedSolver {
     int sweeps;
   };
 
-  Swept settle(Connectivity connectivity, std::vector<CellIndex> parent, bool finest, const Progress& place) {
-    const bool coarsest = place.depth == coarsest_depth_;
+  Swept settle(Connectivity connectivity, std::vector<CellIndex> parent, bool coarsest,
+               const Progress& place) {
     const auto shared = std::make_shared<Connectivity>(std::move(connectivity));
     LevelSolver<D> solver(result_.level, solid_, shared, options_, monitor_, place);
     grid_watch_.stop();
@@ -301,18 +323,15 @@ class NestedSolver {
     start_candidates(place.depth, coarsest, std::move(parent));
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
       candidates_[c] =
-          solver.solved(std::move(candidates_[c].frames), relaxation_sweeps(c, coarsest, finest));
+          solver.solved(std::move(candidates_[c].frames), relaxation_sweeps(c, coarsest), initial_);
     }
     return {std::move(shared->adjacency), solver.sweeps()};  // all else ends here, to make room
   }
 
-  int relaxation_sweeps(std::size_t start, bool coarsest, bool finest) const {
+  int relaxation_sweeps(std::size_t start, bool coarsest) const {
     const SolverOptions& options = options_.solver;
-    if (initial_.frame_at) {
-      const bool relaxes =
-          initial_.relaxation_sweeps > 0 && is_uniform_ && result_.level.size() <= options.relaxed_cells;
-      return !relaxes ? 0 : finest ? options.level_relaxation : initial_.relaxation_sweeps;
-    }
+    if (initial_.frame_at)
+      return result_.level.size() <= initial_.relaxed_cells ? initial_.relaxation_sweeps : 0;
     if (coarsest)
       return static_cast<int>(options.start_relaxation / std::pow(3.0, static_cast<double>(start)));
     return is_uniform_ ? options.level_relaxation : 0;

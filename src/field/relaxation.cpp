@@ -47,20 +47,20 @@ Coefficients<D, Real> minimising_coefficients(const LocalEnergy<D, Real>& energy
 
 /// Steps down the gradient of E_sym, whose curvature across the orbit is at most kCurvature |h|^2 there.
 template <int D, class Real>
-void symmetrise(Coefficients<D, Real>& h, double strength) {
+void symmetrise(Coefficients<D, Real>& h, const Real& strength) {
   constexpr double kCurvature = D == 3 ? 576.0 : 1600.0;  // bound 4 l^2 (l+1)^2
   // Over-relaxation and negative weights can make |h| exceed 1; then both steps must be shorter.
   const Real before = squared_norm(h);
-  add_scaled(h, -strength / (kCurvature * select(before > 1.0, before, 1.0)), deviation_gradient<D>(h));
+  add_scaled(h, -1.0 * strength / (kCurvature * select(before > 1.0, before, 1.0)), deviation_gradient<D>(h));
   const Real after = squared_norm(h);
   if (D == 3) h = scaled(h, select(after > 0.0, 1 / sqrt(after), 1.0));
   // (|h|^2 - 1)^2 has curvature 8 at |h| = 1.
-  if (D == 4) h = scaled(h, 1 - strength * 0.5 * (after - 1) / select(after > 1.0, after, 1.0));
+  if (D == 4) h = scaled(h, 1 - 0.5 * strength * (after - 1) / select(after > 1.0, after, 1.0));
 }
 
 template <int D, class Real>
-void symmetrise_steps(Coefficients<D, Real>& h, double strength) {
-  for (; strength > 0; strength -= 1) symmetrise<D>(h, std::min(strength, 1.0));
+void symmetrise_steps(Coefficients<D, Real>& h, double strength, const Real& share) {
+  for (; strength > 0; strength -= 1) symmetrise<D>(h, std::min(strength, 1.0) * share);
 }
 
 /// Returns the point on the line from `before` to `minimum`, `over_relaxation` times as far.
@@ -74,18 +74,18 @@ Coefficients<D, Real> over_relaxed(const Coefficients<D, Real>& before, const Co
 
 /// Updates the degree-4 coefficients h = b_n + x C + y S of a frame with an axis along `axis`: over-relaxes
 /// from `before` to the minimiser of the local energy, then steps back towards the radius x^2 + y^2 = 5/12 of
-/// frames.
+/// frames by the share `symmetrisation`, at most 1, of the way.
 template <class Real>
 Coefficients<4, Real> relaxed_about(const BasicVector3<Real>& axis, const LocalEnergy<4, Real>& energy,
-                                    const Coefficients<4, Real>& before, double symmetrisation,
+                                    const Coefficients<4, Real>& before, const Real& symmetrisation,
                                     double over_relaxation) {
   const NormalBasis<4, Real> basis = normal_basis<4>(axis);
   const Coefficients<4, Real> h =
       over_relaxed<4>(before, scaled(energy.linear(), 1 / energy.stiffness()), over_relaxation);
   const Real x = dot(basis.cosine, h), y = dot(basis.sine, h);
   const Real radius = sqrt(x * x + y * y);
-  const double strength = std::min(symmetrisation, 1.0);
-  const Real scale = select(radius > 0.0, 1 + strength * (std::sqrt(1 - kZonalShare) / radius - 1), 1.0);
+  const Real scale =
+      select(radius > 0.0, 1 + symmetrisation * (std::sqrt(1 - kZonalShare) / radius - 1), 1.0);
   Coefficients<4, Real> result = basis.zonal;
   add_scaled(result, x * scale, basis.cosine);
   add_scaled(result, y * scale, basis.sine);
@@ -94,17 +94,21 @@ Coefficients<4, Real> relaxed_about(const BasicVector3<Real>& axis, const LocalE
 
 template <int D, int W>
 void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsInLanes<W>& cells,
-                 double symmetrisation, double over_relaxation) {
+                 double symmetrisation, double over_relaxation, std::span<const float> penalty_shares) {
   using Real = SingleLanes<W>;
+  Real share(1.0);
+  if (!penalty_shares.empty())
+    for (int lane = 0; lane < W; ++lane) share.set(lane, penalty_shares[cells[lane]]);
   const LocalEnergy<D, Real> energy(graph, state.coefficients, cells, NeighbourTerm::kBound);
   const Coefficients<D, Real> before = from_stored<D, Real>(state.coefficients, cells);
   Coefficients<D, Real> h =
       over_relaxed<D>(before, minimising_coefficients<D>(energy, graph.forms, cells), over_relaxation);
-  symmetrise_steps<D>(h, symmetrisation);
+  symmetrise_steps<D>(h, symmetrisation, share);
   if constexpr (D == 4) {
     const HeldAxes<Real> held(graph.forms, cells);
+    const Real strength = std::min(symmetrisation, 1.0) * share;
     if (held.any)
-      h = select(held.mask, relaxed_about(held.axes, energy, before, symmetrisation, over_relaxation), h);
+      h = select(held.mask, relaxed_about(held.axes, energy, before, strength, over_relaxation), h);
   }
   std::array<bool, W> is_stored{};
   for (int lane = 0; lane < cells.count; ++lane) is_stored[lane] = !graph.adjacency()[cells[lane]].empty();
@@ -115,9 +119,9 @@ void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsIn
 
 template <int D>
 void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation,
-                      double over_relaxation) {
+                      double over_relaxation, std::span<const float> penalty_shares) {
   visit_in_lanes<float>(graph.order(), [&]<int W>(const CellsInLanes<W>& cells, std::size_t) {
-    relax_cells(graph, state, cells, symmetrisation, over_relaxation);
+    relax_cells(graph, state, cells, symmetrisation, over_relaxation, penalty_shares);
   });
 }
 
@@ -144,8 +148,10 @@ void project_to_frames(FieldState<D>& state) {
   });
 }
 
-template void relaxation_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double, double);
-template void relaxation_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double, double);
+template void relaxation_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double, double,
+                                  std::span<const float>);
+template void relaxation_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double, double,
+                                  std::span<const float>);
 template void project_to_frames<3>(FieldState<3>&);
 template void project_to_frames<4>(FieldState<4>&);
 

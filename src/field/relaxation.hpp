@@ -3,6 +3,8 @@
 // where frames alone would be stuck.
 #pragma once
 
+#include <span>
+
 #include "field/field_graph.hpp"
 #include "field/field_state.hpp"
 
@@ -18,20 +20,23 @@ namespace crossgrain {
 /// `symmetrisation` >= 0 adds the (semi)symmetrisation penalty (docs/design.md section 4) by operator
 /// splitting: it is the number of steps down the gradient of E_sym + (|h|^2 - 1)^2 after the minimisation,
 /// each as long as stability allows; a fractional part shortens the last one. `over_relaxation` in [1, 2)
-/// (degree 4 only) multiplies the step to the minimum.
+/// (degree 4 only) multiplies the step to the minimum. `penalty_shares`, in [0, 1], multiply the steps of
+/// each cell; empty: 1 for all.
 ///
 /// Degree 4 keeps held axes; in degree 3 no cell may have one.
 template <int D>
 void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation,
-                      double over_relaxation = 1);
+                      double over_relaxation = 1, std::span<const float> penalty_shares = {});
 
 /// Ends a relaxation: every cell takes the frame nearest to its coefficients, and the coefficients of that
 /// frame.
 template <int D>
 void project_to_frames(FieldState<D>& state);
 
-extern template void relaxation_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double, double);
-extern template void relaxation_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double, double);
+extern template void relaxation_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double, double,
+                                         std::span<const float>);
+extern template void relaxation_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double, double,
+                                         std::span<const float>);
 extern template void project_to_frames<3>(FieldState<3>&);
 extern template void project_to_frames<4>(FieldState<4>&);
 

@@ -19,7 +19,8 @@ std::vector<StoredQuaternion> relaxed(const FieldGraph<D>& graph, std::vector<St
                                       const RelaxationPlan& plan, const SweepMonitor& after_sweep) {
   FieldState<D> state = state_of<D>(std::move(frames));
   for (int sweep = 0; sweep < plan.sweeps; ++sweep) {
-    relaxation_sweep(graph, state, plan.symmetrisation * (sweep + 1) / plan.sweeps, plan.over_relaxation);
+    const double grown = plan.grows ? (sweep + 1.0) / plan.sweeps : 1;
+    relaxation_sweep(graph, state, plan.symmetrisation * grown, plan.over_relaxation, plan.penalty_shares);
     after_sweep(std::numeric_limits<double>::quiet_NaN());
   }
   project_to_frames(state);
@@ -88,6 +89,7 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
     result.settled = decrease <= (1 - plan.resting_share) * allowance();
     if (D == 3 && (result.settled || sweep + 1 >= sweeps_allowed()))
       result.energy = graph_energy(graph, state);
+    if (sweep + 1 >= sweeps_allowed()) result.settled |= decrease <= plan.sliding_fraction * result.energy;
     blocks.update(decreases, allowance());
   }
   result.frames = std::move(state.frames);
@@ -109,7 +111,8 @@ SettlingPlan settling_plan(const Options& options, const Adjacency& adjacency, d
           energy_of_turn(calm.least_turn_deg),
           energy_of_turn(calm.calm_turn_deg),
           calm.more_sweeps,
-          calm.over_relaxation};
+          calm.over_relaxation,
+          0};
 }
 
 template SettlingPlan settling_plan(const SolverOptions&, const Adjacency&, double, double);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "crossgrain/options.hpp"
@@ -18,8 +19,10 @@ using SweepMonitor = std::function<void(double energy)>;
 
 struct RelaxationPlan {
   int sweeps = 0;
-  double symmetrisation = 0;  ///< of the last sweep; it grows linearly from zero
+  double symmetrisation = 0;  ///< of the last sweep
   double over_relaxation = 1;
+  bool grows = true;  ///< the penalty grows linearly from zero; false: it is the same in all sweeps
+  std::span<const float> penalty_shares = {};  ///< of each cell, as in relaxation_sweep
 };
 
 struct SettlingPlan {
@@ -41,6 +44,9 @@ struct SettlingPlan {
   double calm_energy = 0;
   int more_sweeps = 0;
   double calm_over_relaxation = 1;
+
+  /// Sweeps that run out have settled if the last one lowered the energy by at most this fraction of it.
+  double sliding_fraction = 0;
 };
 
 /// Returns a plan of SolverOptions or OntoOptions for a graph in a part of this volume and longest side.
@@ -53,8 +59,7 @@ struct SettledFrames {
   bool settled = false;  ///< false: the sweeps ran out
 };
 
-/// Runs `sweeps` relaxation sweeps under a symmetrisation penalty that grows from zero to `symmetrisation`.
-/// Returns the frames nearest to the resulting coefficients.
+/// Runs the relaxation sweeps of a plan. Returns the frames nearest to the resulting coefficients.
 template <int D>
 std::vector<StoredQuaternion> relaxed(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
                                       const RelaxationPlan& plan, const SweepMonitor& after_sweep);

@@ -42,11 +42,13 @@ class Merger {
       if (!goes_on_over_surface(a, b)) continue;
       linked_[a] = linked_[b] = true;
       sets_.join(a, b);
+      touches_ += singular.points[a].name < 0;
     }
   }
 
   MergedNetwork merge() {
     MergedNetwork network;
+    network.touches = touches_;
     const std::vector<Chain> lines = lines_between_points();
     std::vector<const Chain*> kept, kept_after_all;
     const auto take_in = [&](const Chain& line) {
@@ -93,11 +95,32 @@ class Merger {
     return chains(ends, goes_through);
   }
 
-  /// Whether two ends on the surface, joined by a surface edge, belong to one line that leaves the tets
-  /// there.
+  /// Whether two ends, a pair of SingularEdges::surface_edges, belong to one line that leaves the tets or the
+  /// leaves there.
   bool goes_on_over_surface(std::uint32_t a, std::uint32_t b) const {
     if (linked_[a] || linked_[b] || incident_[a].size() != 1 || incident_[b].size() != 1) return false;
-    return is_one_line(singular_.edges[incident_[a][0]], a, singular_.edges[incident_[b][0]], b);
+    if (!is_one_line(singular_.edges[incident_[a][0]], a, singular_.edges[incident_[b][0]], b)) return false;
+    const bool on_a_grid = singular_.points[a].name < 0;
+    return !on_a_grid || (leads_to(a, b) && leads_to(b, a));
+  }
+
+  /// Whether the last edges of a line that ends at `end` point to `other`, as well as a staircase can.
+  bool leads_to(std::uint32_t end, std::uint32_t other) const {
+    constexpr int kLastEdges = 4;
+    constexpr double kBehind = 0.5;
+    std::uint32_t before = end, edge = incident_[end][0];
+    for (int k = 0; k < kLastEdges; ++k) {
+      const auto& ends = singular_.edges[edge].ends;
+      before = ends[ends[0] == before];
+      if (incident_[before].size() != 2) break;
+      edge = incident_[before][incident_[before][0] == edge];
+    }
+    const SingularEdges::Point& from = singular_.points[end];
+    const Vector3 direction = normalised(from.place - singular_.points[before].place);
+    const Vector3 gap = (1 / from.cell_size) * (singular_.points[other].place - from.place);
+    const double forward = dot(gap, direction);
+    return forward >= -kBehind && norm(gap) <= options_.touch_cells &&
+           norm(gap - forward * direction) <= options_.touch_aside_cells;
   }
 
   bool is_node(std::uint32_t point) const { return incident_[point].size() > 2; }
@@ -226,6 +249,7 @@ class Merger {
   const SingularityOptions& options_;
   std::vector<std::vector<std::uint32_t>> incident_;  ///< edges at each point
   std::vector<bool> linked_;                          ///< ends from which a line continues over the surface
+  std::size_t touches_ = 0;                           ///< pairs of these on a grid
   DisjointSets sets_;                                 ///< sets of points that are one place
   std::vector<bool> reaches_surface_;                 ///< by root: whether a line ends on the surface there
 };

@@ -28,6 +28,7 @@ struct MergedNetwork {
   std::size_t unresolved_loops = 0;
   std::size_t unresolved_stubs = 0;
   std::size_t crease_hooks = 0;
+  std::size_t touches = 0;  ///< on a grid, gaps at the surface over which arcs continue
 };
 
 /// Joins singular edges to arcs and merges short ones (SingularityOptions). Arcs continue through places at

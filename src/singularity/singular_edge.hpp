@@ -28,8 +28,8 @@ struct SingularEdges {
   std::vector<Point> points;
   std::vector<SingularEdge> edges;
 
-  /// Edges of the surface of tets between two points. A line may continue over one, which has no tets all
-  /// around and so is not singular.
+  /// Pairs of points between which a line may continue along the surface, where no edge is singular for want
+  /// of tets or leaves all around: edges of the surface of tets; ends on a grid, the nearest first.
   std::vector<std::array<std::uint32_t, 2>> surface_edges = {};
 
   /// Creases of the surface, polylines; they must outlive the edges. Empty if they are not known.

@@ -6,8 +6,10 @@
 #include <cassert>
 
 #include "base/parallel.hpp"
+#include "crossgrain/singularity_graph.hpp"
 #include "grid/leaf_surroundings.hpp"
 #include "singularity/matching.hpp"
+#include "singularity/touching_ends.hpp"
 
 namespace crossgrain {
 namespace {
@@ -170,6 +172,7 @@ SingularEdges singular_grid_edges(const Octree& tree, std::span<const StoredQuat
                                   std::span<const std::uint8_t> owners) {
   SingularEdges singular = by_end_points(singular_edges(tree, frames, open_faces, owners), tree.root());
   singular.creases = creases;
+  singular.surface_edges = touching_ends(singular, tree, open_faces, SingularityOptions().touch_cells);
   return singular;
 }
 

@@ -62,12 +62,13 @@ void judge_nodes(SingularityGraph& graph) {
   }
 }
 
-/// Number of edges of tets with one end on the surface, where no arc ends. On a grid no edge reaches it.
+/// Number of edges of tets with one end on the surface, where no arc ends, and of gaps on a grid, whose edges
+/// never reach it.
 std::size_t contacts_of(const SingularEdges& singular, const MergedNetwork& network) {
   std::vector<std::uint8_t> is_end(network.places.size(), 0);
   for (const MergedNetwork::Arc& arc : network.arcs)
     if (!arc.closed) is_end[arc.places.front()] = is_end[arc.places.back()] = 1;
-  std::size_t contacts = 0;
+  std::size_t contacts = network.touches;
   for (const SingularEdge& edge : singular.edges) {
     const auto [a, b] = edge.ends;
     if (singular.points[a].name < 0) continue;

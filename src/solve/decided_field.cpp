@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "base/stopwatch.hpp"
@@ -189,9 +188,15 @@ Quaternion DecidedField::frame_at(const Vector3& point) const {
 
 InitialField DecidedField::initial_field(const SolverOptions& options) const {
   const double size = description().cell_size;
-  // Of levels with cells as large: finer ones are refined around the lines of the level before.
-  return {[this](const Vector3& point) { return frame_at(point); }, size, size / std::numbers::sqrt2,
-          options.decided_relaxation};
+  InitialField initial;
+  initial.frame_at = [this](const Vector3& point) { return frame_at(point); };
+  initial.first_cell_size = initial.core_size = size;
+  // The coarser of two levels may have merged lines that the decision tells apart.
+  initial.last_cell_size = size / 2;
+  initial.relaxation_sweeps = options.decided_relaxation;
+  initial.relaxed_cells = options.decided_relaxed_cells;
+  initial.sliding_tolerance = options.sliding_tolerance;
+  return initial;
 }
 
 SolveReport::Decision DecidedField::description() const {

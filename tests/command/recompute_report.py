@@ -221,7 +221,7 @@ class Recomputation:
         unit = self.field.arrays["root_cube"].ravel()[3] / 2.0**19
         length = unit * sum(width for _, _, width, _ in edges)
         return {"edges": (len(edges), 0), "length": (length, 1e-9 * length),
-                "unresolved_loops": (small_loops(edges), 0), "contacts": (0, 0)}
+                "unresolved_loops": (small_loops(edges), 0), "contacts": most_contacts(edges)}
 
     def singular_edges_of(self, i):
         """(start, axis, width, whether two axes change places around it), in units of the smallest possible cell."""
@@ -368,6 +368,15 @@ def small_loops(edges):
         loops += vertex not in seen and all(len(joined[v]) == 2 for v in component) and len(component) <= 6
         seen |= component
     return loops
+
+
+def most_contacts(edges):
+    """The middle and half of the range in which contacts lie: each joins two points where one edge ends."""
+    degrees = Counter()
+    for start, axis, width, _ in edges:
+        degrees.update([start, tuple(x + width * (k == axis) for k, x in enumerate(start))])
+    ends = sum(degree == 1 for degree in degrees.values())
+    return ends / 4, ends / 4
 
 
 def value_at(section, path):

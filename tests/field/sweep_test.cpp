@@ -375,6 +375,23 @@ TYPED_TEST(SweepTest, SweepsAreTheSameToTheBitForAnyNumberOfThreads) {
   EXPECT_EQ(results[0].coefficients, results[2].coefficients);
 }
 
+TYPED_TEST(SweepTest, PenaltySharesLieBetweenNoPenaltyAndAllOfIt) {
+  constexpr int D = TypeParam::value;
+  const auto graph = graph_of<D>(this->level_, this->bracket_.solid());
+  const auto swept = [&](double symmetrisation, std::span<const float> shares) {
+    FieldState<D> state = state_of<D>(random_frames(graph.size(), 7));
+    for (int sweep = 0; sweep < 3; ++sweep) relaxation_sweep(graph, state, symmetrisation, 1, shares);
+    return state.coefficients;
+  };
+  const std::vector<float> none(graph.size(), 0), half(graph.size(), 0.5), all(graph.size(), 1);
+  EXPECT_EQ(swept(1, all), swept(1, {}));
+  EXPECT_EQ(swept(1, half), swept(0.5, {}));
+  EXPECT_NE(swept(1, half), swept(1, {}));
+  if constexpr (D == 4) {
+    EXPECT_EQ(swept(1, none), swept(0, {}));
+  }
+}
+
 TYPED_TEST(SweepTest, RelaxationSweepNeverRaisesTheRelaxedEnergy) {
   constexpr int D = TypeParam::value;
   RandomSamples random(8);

@@ -357,6 +357,39 @@ TEST(SingularityGraph, CountsWhereAnArcTouchesTheSurface) {
   EXPECT_EQ(graph.contacts, 2u);
 }
 
+TEST(SingularityGraph, JoinsALineThatTouchesTheSurfaceBetweenCells) {
+  // The second line begins at `start`, with frames that turn about x in this sense.
+  const auto joined = [](GridPoint start, double sign) {
+    SingularEdges singular = singular_of(line({0, 0, 0}, 0, 10, {kQuarter, unit(0)}) +
+                                         line(start, 0, 10, {kQuarter, unit(0, sign)}));
+    const auto at = [&](const Vector3& place) {
+      const auto found = std::find_if(singular.points.begin(), singular.points.end(),
+                                      [&](const auto& point) { return norm(point.place - place) < 0.1; });
+      return static_cast<std::uint32_t>(found - singular.points.begin());
+    };
+    const Vector3 end{double(start[0]), double(start[1]), double(start[2])};
+    singular.surface_edges = {{at({10, 0, 0}), at(end)}};
+    return singularity_graph(singular);
+  };
+  const Graph graph = joined({12, 1, 0}, 1);
+  ASSERT_EQ(graph.arcs.size(), 1u);
+  EXPECT_EQ(graph.arcs[0].index, 0.25);
+  EXPECT_EQ(graph.nodes.size(), 2u);
+  EXPECT_EQ(graph.contacts, 1u);
+  EXPECT_EQ(joined({12, 1, 0}, -1).arcs.size(), 2u) << "frames turn the other way";
+  EXPECT_EQ(joined({12, 2, 0}, 1).arcs.size(), 2u) << "beside the line";
+  EXPECT_EQ(joined({14, 0, 0}, 1).arcs.size(), 2u) << "too far";
+  EXPECT_EQ(joined({8, 1, 0}, 1).arcs.size(), 2u) << "behind the end";
+}
+
+TEST(SingularityGraph, DoesNotJoinTheEndsOfAShortLine) {
+  for (const int cells : {1, 2, 3}) {
+    SingularEdges singular = singular_of(line({0, 0, 0}, 0, cells, {kQuarter, unit(0)}));
+    singular.surface_edges = {{0, static_cast<std::uint32_t>(cells)}};
+    EXPECT_EQ(singularity_graph(singular).contacts, 0u) << cells;
+  }
+}
+
 TEST(SingularityGraph, KnowsAnArcAroundWhichFramesTurnAboutNoAxis) {
   // A third of a turn about the diagonal of a frame whose axes are those of space.
   const Vector3 diagonal = normalised(Vector3{1, 1, 1});
