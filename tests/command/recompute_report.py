@@ -385,8 +385,8 @@ def value_at(section, path):
     return section
 
 
-# Keys of `singularity` on a grid that are not recomputed; judge_of_tets.py does it on tets.
-IN_NO_WAY = {"unresolved_stubs", "crease_hooks", "short_arcs", "crease_list", "corner_list"}
+# Keys of `singularity` on a grid that are not recomputed, apart from a range of `contacts`; judge_of_tets.py does it on tets.
+IN_NO_WAY = {"unresolved_stubs", "crease_hooks", "short_arcs", "contacts", "crease_list", "corner_list"}
 
 # Keys that are compared elsewhere, or not always there.
 IN_OTHER_WAYS = {"model": {"path"}, "creases": {"tangent_deg"},
