@@ -89,7 +89,9 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
     result.settled = decrease <= (1 - plan.resting_share) * allowance();
     if (D == 3 && (result.settled || sweep + 1 >= sweeps_allowed()))
       result.energy = graph_energy(graph, state);
-    if (sweep + 1 >= sweeps_allowed()) result.settled |= decrease <= plan.sliding_fraction * result.energy;
+    // A twist of 120 degrees over the part, four times the calm angle, is no line that slides.
+    if (sweep + 1 >= sweeps_allowed() && result.energy > 16 * plan.calm_energy)
+      result.settled |= decrease <= plan.sliding_fraction * result.energy;
     blocks.update(decreases, allowance());
   }
   result.frames = std::move(state.frames);
