@@ -157,7 +157,7 @@ struct SolverOptions {
 
   /// After this relaxation a field also counts as settled if the last of `most_sweeps` lowered the energy by
   /// less than this fraction: lines that have left the cells refined for them go on sliding into larger ones.
-  double sliding_tolerance = 5e-4;
+  double sliding_tolerance = 1e-3;
 
   /// Largest number of triangles of a model that is turned for the decision.
   std::size_t turned_triangles = 500000;
