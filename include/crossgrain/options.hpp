@@ -32,8 +32,9 @@ struct RefinementOptions {
   double unresolved_share = 0.02;
 
   /// Threshold on the energy density times the squared cell size; dimensionless. A rotation of t radians
-  /// across a cell gives 10/3 t^2 / 2.
-  double energy_density_threshold = 0.2;
+  /// across a cell gives 10/3 t^2 / 2. Above 0.1 lines escape from the cells refined for them, and sweeps run
+  /// out while they slide on into larger ones (docs/notes/solver.md).
+  double energy_density_threshold = 0.1;
 
   /// Smallest number of cells along the longest side of the bounding box on the coarsest level.
   int coarsest_cells = 4;
@@ -154,10 +155,6 @@ struct SolverOptions {
   /// in a continuum. More sweeps move lines further from what was decided.
   int decided_relaxation = 12;
   std::size_t decided_relaxed_cells = 400000;
-
-  /// After this relaxation a field also counts as settled if the last of `most_sweeps` lowered the energy by
-  /// less than this fraction: lines that have left the cells refined for them go on sliding into larger ones.
-  double sliding_tolerance = 1e-3;
 
   /// Largest number of triangles of a model that is turned for the decision.
   std::size_t turned_triangles = 500000;

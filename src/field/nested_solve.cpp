@@ -14,107 +14,14 @@
 #include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
 #include "field/leaf_stencil.hpp"
+#include "field/level_solver.hpp"
 #include "field/solve_forecast.hpp"
-#include "field/stages.hpp"
 #include "grid/refinement.hpp"
 
 namespace crossgrain {
 namespace {
 
 using Frames = std::vector<StoredQuaternion>;
-
-/// The field of one start on the last level.
-using Candidate = SettledFrames;
-
-/// Relaxation and manifold sweeps on one level.
-double volume_of(const Octree& tree) {
-  return parallel_sum(tree.size(), [&](std::size_t i) {
-    const double size = tree.root().cell_size(tree[static_cast<CellIndex>(i)].depth());
-    return size * size * size;
-  });
-}
-
-template <int D>
-class LevelSolver {
- public:
-  LevelSolver(const GridLevel& level, const Solid& solid, std::shared_ptr<const Connectivity> connectivity,
-              const SolveOptions& options, const Monitor& monitor, const Progress& place)
-      : level_(level),
-        solid_(solid),
-        options_(options.solver),
-        monitor_(monitor),
-        progress_(place),
-        connectivity_(std::move(connectivity)) {
-    graph_ = {connectivity_, boundary_forms<D>(level, solid, options_.boundary_weight, Shift::kNone)};
-  }
-
-  /// Relaxes if `relaxation_sweeps` is positive, then sweeps on the manifold until the energy settles.
-  SettledFrames solved(Frames frames, int relaxation_sweeps, const InitialField& initial) {
-    RelaxationPlan relaxation{relaxation_sweeps, options_.symmetrisation, options_.over_relaxation};
-    std::vector<float> penalty_shares;
-    if (relaxation_sweeps > 0 && initial.core_size > 0) {
-      penalty_shares = penalty_shares_for(initial.core_size);
-      relaxation.grows = false;
-      relaxation.penalty_shares = penalty_shares;
-    }
-    SettlingPlan settling = settling_plan(options_, connectivity_->adjacency, volume_of(level_.tree),
-                                          longest_side(solid_.surface.box));
-    std::function<Frames(Frames)> relax;
-    if (relaxation_sweeps > 0) {
-      settling.sliding_fraction = initial.sliding_tolerance;
-      relax = [=, this](Frames came) {
-        return options_.relaxation_degree == Degree::kThree
-                   ? relaxed_in(relaxed_graph3_, std::move(came), relaxation)
-                   : relaxed_in(relaxed_graph4_, std::move(came), relaxation);
-      };
-    }
-    return relaxed_and_settled(graph_, std::move(frames), relax, settling, [this](double e) { advance(e); });
-  }
-
-  int sweeps() const { return progress_.sweep; }
-
- private:
-  /// A core of radius r balances smoothness, of weight h in cells of size h, against a penalty of weight h^3
-  /// / r^2 in them.
-  std::vector<float> penalty_shares_for(double core_size) const {
-    std::vector<float> shares(level_.size());
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-      const double ratio = level_.tree.cell_size(static_cast<CellIndex>(i)) / core_size;
-      shares[i] = static_cast<float>(std::min(1.0, ratio * ratio));
-    }
-    return shares;
-  }
-
-  template <int R>
-  Frames relaxed_in(FieldGraph<R>& graph, Frames frames, const RelaxationPlan& plan) {
-    const auto after_sweep = [this](double energy) { advance(energy); };
-    if constexpr (R == D) {
-      if (!options_.shift_relaxed_forms) return relaxed(graph_, std::move(frames), plan, after_sweep);
-    }
-    if (!graph.connectivity) {
-      const Shift shift = options_.shift_relaxed_forms ? Shift::kSpectral : Shift::kNone;
-      graph = {connectivity_, boundary_forms<R>(level_, solid_, options_.boundary_weight, shift)};
-    }
-    return relaxed(graph, std::move(frames), plan, after_sweep);
-  }
-
-  void advance(double energy) {
-    ++progress_.sweep;
-    progress_.energy = energy;
-    monitor_.check_stop();
-    monitor_.report(progress_);
-  }
-
-  const GridLevel& level_;
-  const Solid& solid_;
-  const SolverOptions& options_;
-  const Monitor& monitor_;
-  Progress progress_;
-  std::shared_ptr<const Connectivity> connectivity_;
-  FieldGraph<D> graph_;
-  FieldGraph<3> relaxed_graph3_;
-  FieldGraph<4> relaxed_graph4_;
-};
 
 /// Returns for each leaf the frame of its parent.
 Frames inherited(const Frames& frames, const std::vector<CellIndex>& parent) {
@@ -129,6 +36,18 @@ Frames sampled(const InitialField& initial, const GridLevel& level) {
     frames[i] = to_stored(initial.frame_at(level.tree.centre(static_cast<CellIndex>(i))));
   });
   return frames;
+}
+
+/// Marks the leaves above `depth` in which lines of the field lie, or beside which.
+Marks moved_line_marks(const GridLevel& level, const Adjacency& adjacency, const Frames& frames, int depth,
+                       double threshold) {
+  Marks marks(level.size(), false);
+  const NeighbourComparison comparison =
+      compare_neighbours(level.tree, adjacency, frames, SharpTurns::kLeftOut);
+  mark_energy_density(level, comparison.energy_density, threshold, marks);
+  for (CellIndex i = 0; i < level.size(); ++i)
+    if (level.tree[i].depth() == depth) marks[i] = false;
+  return marks;
 }
 
 /// The nested iteration, level by level, with the frames of all starts that are still candidates.
@@ -182,10 +101,13 @@ class NestedSolver {
       const bool finest = depth == finest_depth || !next_fits(forecast, growth);
       if (finest) level_count_ = number_of(depth);
       report(Phase::kGrid, depth, result_.level.size());
+      RelaxedStart relaxed;
+      if (initial_.relaxation_sweeps > 0 && result_.level.size() <= initial_.relaxed_cells)
+        relaxed = relaxed_and_refined(depth, made);
       // No level follows the finest one: its neighbours end here.
       Connectivity connectivity =
           finest ? connect(std::vector(std::move(made.neighbours))) : connect(made.neighbours);
-      solve_level(depth, std::move(connectivity), std::move(made.parent), finest);
+      solve_level(depth, std::move(connectivity), std::move(made.parent), std::move(relaxed), finest);
       if (finest) return;
       if (!is_decision_) predict(forecast, growth);
       made = refine(std::move(made.neighbours), depth, finest_depth);
@@ -272,11 +194,56 @@ class NestedSolver {
     return connectivity;
   }
 
+  /// Frames of a level from which its manifold sweeps start.
+  struct RelaxedStart {
+    Frames frames;    ///< empty: the level is not relaxed before
+    Frames original;  ///< from which they were relaxed
+    int sweeps = 0;
+  };
+
+  /// Relaxes the first frames of the level `made`, whose tree is in `result_`, then refines that level once
+  /// more where singular lines have moved into larger cells: there they would move on for hundreds of sweeps.
+  RelaxedStart relaxed_and_refined(int depth, RefinedLevel& made) {
+    auto [start, marks] = relaxed_and_marked(depth, made);
+    if (std::find(marks.begin(), marks.end(), true) == marks.end()) return start;
+    RefinedLevel again = refined(result_.level, made.neighbours, solid_, std::move(marks), monitor_);
+    start.frames = inherited(start.frames, again.parent);
+    start.original = inherited(start.original, again.parent);
+    result_.level = std::move(again.level);
+    made = std::move(again);
+    return start;
+  }
+
+  /// All but the frames and the marks ends with this function, to make room.
+  std::pair<RelaxedStart, Marks> relaxed_and_marked(int depth, const RefinedLevel& made) {
+    const auto connectivity = std::make_shared<const Connectivity>(connect(made.neighbours));
+    grid_watch_.stop();
+    solve_watch_.start();
+    start_candidates(depth, made.parent);
+    LevelSolver<D> solver(result_.level, solid_, connectivity, options_, monitor_, place_of(depth, 0));
+    RelaxedStart start;
+    start.original = std::move(candidates_.front().frames);
+    start.frames = solver.relaxed_with_cores(start.original, initial_.relaxation_sweeps, initial_.core_size);
+    start.sweeps = solver.sweeps();
+    Marks marks;
+    if (options_.refinement.by_energy_density)
+      marks = moved_line_marks(result_.level, connectivity->adjacency, start.frames, depth,
+                               options_.refinement.energy_density_threshold);
+    solve_watch_.stop();
+    grid_watch_.start();
+    return {std::move(start), std::move(marks)};
+  }
+
+  Progress place_of(int depth, int sweeps) const {
+    return {Phase::kSolve, depth, result_.level.size(), sweeps, 0, number_of(depth), level_count_};
+  }
+
   /// `parent` as in RefinedLevel.
-  void solve_level(int depth, Connectivity connectivity, std::vector<CellIndex> parent, bool finest) {
+  void solve_level(int depth, Connectivity connectivity, std::vector<CellIndex> parent, RelaxedStart relaxed,
+                   bool finest) {
     const GridLevel& level = result_.level;
-    const Progress place{Phase::kSolve, depth, level.size(), 0, 0, number_of(depth), level_count_};
-    const Swept swept = settle(std::move(connectivity), std::move(parent), depth == coarsest_depth_, place);
+    const Progress place = place_of(depth, relaxed.sweeps);
+    const Swept swept = settle(std::move(connectivity), std::move(parent), std::move(relaxed), place);
     keep_best(swept.adjacency, finest || level.size() > options_.solver.start_cells, finest);
     report_energy(place, swept.sweeps);
     if (!finest && visit_level_)
@@ -289,7 +256,8 @@ class NestedSolver {
   }
 
   /// Makes the first frames of every candidate. `parent` as in RefinedLevel.
-  void start_candidates(int depth, bool coarsest, std::vector<CellIndex> parent) {
+  void start_candidates(int depth, const std::vector<CellIndex>& parent) {
+    const bool coarsest = depth == coarsest_depth_;
     const double cell_size = result_.level.tree.root().cell_size(depth);
     if (initial_.frame_at && (coarsest || cell_size >= initial_.last_cell_size)) {
       candidates_.resize(1);
@@ -302,7 +270,7 @@ class NestedSolver {
         candidates_[start].frames = random_frames(result_.level.size(), seed);
       }
     } else {
-      for (Candidate& candidate : candidates_)
+      for (SettledFrames& candidate : candidates_)
         candidate.frames = inherited(candidate.frames.empty() ? coarser_.frames : candidate.frames, parent);
     }
   }
@@ -313,26 +281,29 @@ class NestedSolver {
     int sweeps;
   };
 
-  Swept settle(Connectivity connectivity, std::vector<CellIndex> parent, bool coarsest,
+  Swept settle(Connectivity connectivity, std::vector<CellIndex> parent, RelaxedStart relaxed,
                const Progress& place) {
     const auto shared = std::make_shared<Connectivity>(std::move(connectivity));
     LevelSolver<D> solver(result_.level, solid_, shared, options_, monitor_, place);
     grid_watch_.stop();
 
     solve_watch_.start();
-    start_candidates(place.depth, coarsest, std::move(parent));
-    for (std::size_t c = 0; c < candidates_.size(); ++c) {
-      candidates_[c] =
-          solver.solved(std::move(candidates_[c].frames), relaxation_sweeps(c, coarsest), initial_);
+    if (!relaxed.frames.empty()) {
+      candidates_.front() = solver.settled_below(std::move(relaxed.frames), std::move(relaxed.original));
+    } else {
+      start_candidates(place.depth, std::exchange(parent, {}));
+      for (std::size_t c = 0; c < candidates_.size(); ++c) {
+        SettledFrames& candidate = candidates_[c];
+        candidate = solver.solved(std::move(candidate.frames), relaxation_sweeps(c, place.depth));
+      }
     }
     return {std::move(shared->adjacency), solver.sweeps()};  // all else ends here, to make room
   }
 
-  int relaxation_sweeps(std::size_t start, bool coarsest) const {
+  int relaxation_sweeps(std::size_t start, int depth) const {
     const SolverOptions& options = options_.solver;
-    if (initial_.frame_at)
-      return result_.level.size() <= initial_.relaxed_cells ? initial_.relaxation_sweeps : 0;
-    if (coarsest)
+    if (initial_.frame_at) return 0;
+    if (depth == coarsest_depth_)
       return static_cast<int>(options.start_relaxation / std::pow(3.0, static_cast<double>(start)));
     return is_uniform_ ? options.level_relaxation : 0;
   }
@@ -402,7 +373,7 @@ class NestedSolver {
 
   /// Fields of the starts that are still compared. If the solve may be stopped, a single one moves its frames
   /// to coarser_ between levels.
-  std::vector<Candidate> candidates_;
+  std::vector<SettledFrames> candidates_;
   std::size_t best_ = 0;  ///< the candidate of lowest energy on the last level
   int coarsest_depth_ = 0;
   int level_count_ = 0;  ///< as far as known

@@ -59,11 +59,11 @@ struct InitialField {
 
   /// Relaxation sweeps on every level of at most so many cells, under a penalty for which a singular line has
   /// a core of the size of a cell of `core_size`, or of its own cells where those are larger. So lines cost
-  /// the same in cells of all sizes, and are not drawn into the larger ones.
+  /// the same in cells of all sizes, and are not drawn into the larger ones. Cells that lines have moved into
+  /// are refined again.
   int relaxation_sweeps = 0;
   std::size_t relaxed_cells = 0;
-  double sliding_tolerance = 0;  ///< SettlingPlan::sliding_fraction of the sweeps after it
-  double core_size = 0;          ///< model units
+  double core_size = 0;  ///< model units
 };
 
 /// The place of a solve in a run.

@@ -89,9 +89,6 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
     result.settled = decrease <= (1 - plan.resting_share) * allowance();
     if (D == 3 && (result.settled || sweep + 1 >= sweeps_allowed()))
       result.energy = graph_energy(graph, state);
-    // A twist of 120 degrees over the part, four times the calm angle, is no line that slides.
-    if (sweep + 1 >= sweeps_allowed() && result.energy > 16 * plan.calm_energy)
-      result.settled |= decrease <= plan.sliding_fraction * result.energy;
     blocks.update(decreases, allowance());
   }
   result.frames = std::move(state.frames);
@@ -113,8 +110,7 @@ SettlingPlan settling_plan(const Options& options, const Adjacency& adjacency, d
           energy_of_turn(calm.least_turn_deg),
           energy_of_turn(calm.calm_turn_deg),
           calm.more_sweeps,
-          calm.over_relaxation,
-          0};
+          calm.over_relaxation};
 }
 
 template SettlingPlan settling_plan(const SolverOptions&, const Adjacency&, double, double);

@@ -44,9 +44,6 @@ struct SettlingPlan {
   double calm_energy = 0;
   int more_sweeps = 0;
   double calm_over_relaxation = 1;
-
-  /// Sweeps that run out have settled if the last one lowered the energy by at most this fraction of it.
-  double sliding_fraction = 0;
 };
 
 /// Returns a plan of SolverOptions or OntoOptions for a graph in a part of this volume and longest side.
@@ -69,17 +66,15 @@ template <int D>
 SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
                       const SettlingPlan& plan, const SweepMonitor& after_sweep);
 
-/// Settles the frames after `relax` has changed them. If that ends above the energy of the original frames,
-/// settles those instead, so that the energy never rises. Without `relax` it only settles.
+/// Settles `relaxed`. If that ends above the energy of `original`, from which it was relaxed, settles that
+/// instead, so that the energy never rises.
 template <int D>
-SettledFrames relaxed_and_settled(
-    const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
-    const std::function<std::vector<StoredQuaternion>(std::vector<StoredQuaternion>)>& relax,
-    const SettlingPlan& plan, const SweepMonitor& after_sweep) {
-  if (!relax) return settled(graph, std::move(frames), plan, after_sweep);
-  const double energy_before = graph_energy(graph, state_of<D>(frames));
-  SettledFrames result = settled(graph, relax(frames), plan, after_sweep);
-  if (!(result.energy <= energy_before)) result = settled(graph, std::move(frames), plan, after_sweep);
+SettledFrames lower_settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> relaxed,
+                            std::vector<StoredQuaternion> original, const SettlingPlan& plan,
+                            const SweepMonitor& after_sweep) {
+  const double energy_before = graph_energy(graph, state_of<D>(original));
+  SettledFrames result = settled(graph, std::move(relaxed), plan, after_sweep);
+  if (!(result.energy <= energy_before)) result = settled(graph, std::move(original), plan, after_sweep);
   return result;
 }
 

@@ -153,10 +153,9 @@ class Finish {
         graph_(graph_of<D>(connectivity_, holds, options, guides)) {}
 
   SettledFrames of(Frames start) {
-    std::function<Frames(Frames)> relax;
-    if (options_.relaxation_sweeps > 0)
-      relax = [&](Frames came) { return relaxed(std::move(came), after_sweep_); };
-    return relaxed_and_settled(graph_, std::move(start), relax, plan_, after_sweep_);
+    if (options_.relaxation_sweeps == 0) return settled(graph_, std::move(start), plan_, after_sweep_);
+    Frames changed = relaxed(start, after_sweep_);
+    return lower_settled(graph_, std::move(changed), std::move(start), plan_, after_sweep_);
   }
 
   /// Sets `best` to the number of the start that ends lowest. Starts that are behind after a few sweeps are

@@ -195,7 +195,6 @@ InitialField DecidedField::initial_field(const SolverOptions& options) const {
   initial.last_cell_size = size / 2;
   initial.relaxation_sweeps = options.decided_relaxation;
   initial.relaxed_cells = options.decided_relaxed_cells;
-  initial.sliding_tolerance = options.sliding_tolerance;
   return initial;
 }
 

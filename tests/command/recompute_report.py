@@ -19,6 +19,7 @@ from field_reader import FACES, Field
 from frame_math import (boundary_form, coefficients, cubic_spectrum, deviation, frame_product, least_near, matching,
                         normal_energy)
 from program import run
+from recompute_contacts import Turn, contacts
 from recompute_singularity import graph_faults
 from surface_pieces import Surface, pieces_by_cell
 
@@ -217,14 +218,14 @@ class Recomputation:
         return {name: (count[name], 0) for name in ("plane", "axis", "frame", "free", "conflicted")}
 
     def singularity(self):
-        edges = {edge for i in range(len(self.field)) for edge in self.singular_edges_of(i)}
+        edges = {edge: turn for i in range(len(self.field)) for edge, turn in self.singular_edges_of(i)}
         unit = self.field.arrays["root_cube"].ravel()[3] / 2.0**19
-        length = unit * sum(width for _, _, width, _ in edges)
+        length = unit * sum(width for _, _, width in edges)
         return {"edges": (len(edges), 0), "length": (length, 1e-9 * length),
-                "unresolved_loops": (small_loops(edges), 0), "contacts": most_contacts(edges)}
+                "unresolved_loops": (small_loops(edges), 0), "contacts": (contacts(self.field, edges), 0)}
 
     def singular_edges_of(self, i):
-        """(start, axis, width, whether two axes change places around it), in units of the smallest possible cell."""
+        """((start, axis, width), turn), in units of the smallest possible cell."""
         field = self.field
         width = 1 << (19 - int(field.depth[i]))
         low = [x * width for x in field.place[i]]
@@ -237,7 +238,7 @@ class Recomputation:
                 ring = self.cells_around(start, axis, width)
                 turn = self.turn_around(ring, b, c) if ring else np.eye(3)
                 if not np.array_equal(turn, np.eye(3)):
-                    yield tuple(start), axis, width, round(np.linalg.det(np.abs(turn))) < 0
+                    yield (tuple(start), axis, width), Turn(turn, [field.axes[cell] for cell in ring])
 
     def cells_around(self, start, axis, width):
         """The cells in the four quadrants, in turn; empty where one is missing or smaller than the edge."""
@@ -353,7 +354,7 @@ def complete_leaves(cells):
 def small_loops(edges):
     """How many closed lines of at most six edges there are where nothing else arrives."""
     joined = {}
-    for start, axis, width, _ in edges:
+    for start, axis, width in edges:
         end = tuple(x + width * (k == axis) for k, x in enumerate(start))
         joined.setdefault(start, []).append(end)
         joined.setdefault(end, []).append(start)
@@ -370,23 +371,14 @@ def small_loops(edges):
     return loops
 
 
-def most_contacts(edges):
-    """The middle and half of the range in which contacts lie: each joins two points where one edge ends."""
-    degrees = Counter()
-    for start, axis, width, _ in edges:
-        degrees.update([start, tuple(x + width * (k == axis) for k, x in enumerate(start))])
-    ends = sum(degree == 1 for degree in degrees.values())
-    return ends / 4, ends / 4
-
-
 def value_at(section, path):
     for key in path.split("."):
         section = section[key]
     return section
 
 
-# Keys of `singularity` on a grid that are not recomputed, apart from a range of `contacts`; judge_of_tets.py does it on tets.
-IN_NO_WAY = {"unresolved_stubs", "crease_hooks", "short_arcs", "contacts", "crease_list", "corner_list"}
+# Keys of `singularity` on a grid that are not recomputed; judge_of_tets.py does it on tets.
+IN_NO_WAY = {"unresolved_stubs", "crease_hooks", "short_arcs", "crease_list", "corner_list"}
 
 # Keys that are compared elsewhere, or not always there.
 IN_OTHER_WAYS = {"model": {"path"}, "creases": {"tangent_deg"},

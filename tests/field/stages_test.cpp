@@ -129,12 +129,11 @@ TYPED_TEST(Stages, BlocksThatHaveSettledAreLeftAloneWithoutLosingEnergy) {
 
 TYPED_TEST(Stages, RelaxationThatDoesHarmIsUndone) {
   const Frames start = this->good();
-  const auto harm = [this](Frames) { return this->random(9); };
   for (const int sweeps : {0, 1, 3}) {
     const SettlingPlan plan{sweeps, 1.6, 0, 0};
     // Few sweeps from random frames do not come near the start: the claim has something to hold against.
     ASSERT_GT(settled(this->graph_, this->random(9), plan, ignore).energy, 1.5 * this->energy_of(start));
-    const SettledFrames result = relaxed_and_settled<TestFixture::D>(this->graph_, start, harm, plan, ignore);
+    const SettledFrames result = lower_settled(this->graph_, this->random(9), start, plan, ignore);
     EXPECT_LE(this->energy_of(result.frames), this->energy_of(start) * (1 + kStored));
     EXPECT_TRUE(same_bits(result.frames, settled(this->graph_, start, plan, ignore).frames));
   }
@@ -143,8 +142,7 @@ TYPED_TEST(Stages, RelaxationThatDoesHarmIsUndone) {
 TYPED_TEST(Stages, RelaxationThatHelpsIsKept) {
   const Frames better = this->good();
   const SettlingPlan plan{2, 1.6, 0, 0};
-  const SettledFrames result = relaxed_and_settled<TestFixture::D>(
-      this->graph_, this->random(3), [&](Frames) { return better; }, plan, ignore);
+  const SettledFrames result = lower_settled(this->graph_, better, this->random(3), plan, ignore);
   EXPECT_TRUE(same_bits(result.frames, settled(this->graph_, better, plan, ignore).frames));
 }
 
@@ -154,11 +152,8 @@ TYPED_TEST(Stages, RelaxingAndSettlingNeverEndsAboveWhereItBegan) {
     for (const int sweeps_before : {0, 5, 100}) {
       const Frames start =
           settled(this->graph_, this->random(seed), {sweeps_before, 1.6, 0, 0}, ignore).frames;
-      const auto relax = [&](Frames frames) {
-        return relaxed(this->graph_, std::move(frames), {4, 4, 1.6}, ignore);
-      };
-      const SettledFrames result =
-          relaxed_and_settled<TestFixture::D>(this->graph_, start, relax, {40, 1.6, 1e-4, 0}, ignore);
+      const SettledFrames result = lower_settled(
+          this->graph_, relaxed(this->graph_, start, {4, 4, 1.6}, ignore), start, {40, 1.6, 1e-4, 0}, ignore);
       EXPECT_LE(this->energy_of(result.frames), this->energy_of(start) * (1 + kStored));
     }
   }

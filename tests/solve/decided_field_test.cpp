@@ -136,6 +136,18 @@ TEST(DecidedField, IsToldOfInTheReportAndHasNoNumbersOfLevels) {
   EXPECT_EQ(last, static_cast<int>(report.levels.size()));
 }
 
+TEST(DecidedField, SettlesIfCellsAreRefinedAroundTheLinesThatRelaxationMoves) {
+  const TriangleMesh torus = make_torus(1, 0.5, 64, 32);
+  SolveOptions options = options_of(128, SolveOptions().solver.decision_cells);
+  const SolveReport refined = solve(torus, options).report();
+  EXPECT_TRUE(refined.warnings.empty());
+  options.refinement.energy_density_threshold = 0.2;
+  const SolveReport narrow = solve(torus, options).report();
+  ASSERT_EQ(narrow.warnings.size(), 1u);
+  EXPECT_EQ(narrow.warnings.front().kind, WarningKind::kNotSettled);
+  EXPECT_LT(refined.levels.back().active_cells, narrow.levels.back().active_cells * 5 / 4);
+}
+
 TEST(DecidedField, GivesAPartTheSameNumberOfLinesAtEachResolution) {
   for (const int resolution : {48, 56, 64, 80})
     EXPECT_EQ(solve(make_bracket(32), options_of(resolution, 20000)).singularities().arcs.size(), 5u)

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Relaxation and manifold sweeps on one level of the nested iteration.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "crossgrain/monitor.hpp"
+#include "crossgrain/options.hpp"
+#include "field/octree_graph.hpp"
+#include "field/stages.hpp"
+#include "grid/grid_level.hpp"
+
+namespace crossgrain {
+
+/// Solves one level for the nested iteration, and reports each sweep to the monitor, which may end the solve.
+template <int D>
+class LevelSolver {
+ public:
+  using Frames = std::vector<StoredQuaternion>;
+
+  /// All arguments but `connectivity` and `place` must outlive the solver. Sweeps are counted from
+  /// `place.sweep`.
+  LevelSolver(const GridLevel& level, const Solid& solid, std::shared_ptr<const Connectivity> connectivity,
+              const SolveOptions& options, const Monitor& monitor, const Progress& place)
+      : level_(level),
+        solid_(solid),
+        options_(options.solver),
+        monitor_(monitor),
+        progress_(place),
+        connectivity_(std::move(connectivity)) {}
+
+  /// Relaxes if `relaxation_sweeps` is positive, under a penalty that grows, then sweeps on the manifold
+  /// until the energy settles.
+  SettledFrames solved(Frames frames, int relaxation_sweeps) {
+    if (relaxation_sweeps == 0) return settled(graph(), std::move(frames), settling(), after_sweep());
+    const RelaxationPlan plan{relaxation_sweeps, options_.symmetrisation, options_.over_relaxation};
+    Frames start = relaxed_by(plan, frames);
+    return lower_settled(graph(), std::move(start), std::move(frames), settling(), after_sweep());
+  }
+
+  /// Relaxes under a penalty for which singular lines have a core of the size of a cell of `core_size`, in
+  /// model units, or of their own cells where those are larger.
+  Frames relaxed_with_cores(Frames frames, int sweeps, double core_size) {
+    const std::vector<float> shares = penalty_shares(core_size);
+    RelaxationPlan plan{sweeps, options_.symmetrisation, options_.over_relaxation};
+    plan.grows = false;
+    plan.penalty_shares = shares;
+    return relaxed_by(plan, std::move(frames));
+  }
+
+  /// Settles `relaxed`, and, if that ends above the energy of `original`, that instead.
+  SettledFrames settled_below(Frames relaxed, Frames original) {
+    return lower_settled(graph(), std::move(relaxed), std::move(original), settling(), after_sweep());
+  }
+
+  int sweeps() const { return progress_.sweep; }
+
+ private:
+  /// A core of radius r balances smoothness, of weight h in cells of size h, against a penalty of weight h^3
+  /// / r^2 in them.
+  std::vector<float> penalty_shares(double core_size) const {
+    std::vector<float> shares(level_.size());
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      const double ratio = level_.tree.cell_size(static_cast<CellIndex>(i)) / core_size;
+      shares[i] = static_cast<float>(std::min(1.0, ratio * ratio));
+    }
+    return shares;
+  }
+
+  Frames relaxed_by(const RelaxationPlan& plan, Frames frames) {
+    return options_.relaxation_degree == Degree::kThree
+               ? relaxed_in(relaxed_graph3_, plan, std::move(frames))
+               : relaxed_in(relaxed_graph4_, plan, std::move(frames));
+  }
+
+  template <int R>
+  Frames relaxed_in(FieldGraph<R>& relaxed_graph, const RelaxationPlan& plan, Frames frames) {
+    if constexpr (R == D) {
+      if (!options_.shift_relaxed_forms) return relaxed(graph(), std::move(frames), plan, after_sweep());
+    }
+    if (!relaxed_graph.connectivity) {
+      const Shift shift = options_.shift_relaxed_forms ? Shift::kSpectral : Shift::kNone;
+      relaxed_graph = {connectivity_, boundary_forms<R>(level_, solid_, options_.boundary_weight, shift)};
+    }
+    return relaxed(relaxed_graph, std::move(frames), plan, after_sweep());
+  }
+
+  FieldGraph<D>& graph() {
+    if (!graph_.connectivity)
+      graph_ = {connectivity_, boundary_forms<D>(level_, solid_, options_.boundary_weight, Shift::kNone)};
+    return graph_;
+  }
+
+  SettlingPlan settling() const {
+    const double volume = parallel_sum(level_.size(), [&](std::size_t i) {
+      const double size = level_.tree.cell_size(static_cast<CellIndex>(i));
+      return size * size * size;
+    });
+    return settling_plan(options_, connectivity_->adjacency, volume, longest_side(solid_.surface.box));
+  }
+
+  SweepMonitor after_sweep() {
+    return [this](double energy) {
+      ++progress_.sweep;
+      progress_.energy = energy;
+      monitor_.check_stop();
+      monitor_.report(progress_);
+    };
+  }
+
+  const GridLevel& level_;
+  const Solid& solid_;
+  const SolverOptions& options_;
+  const Monitor& monitor_;
+  Progress progress_;
+  std::shared_ptr<const Connectivity> connectivity_;
+  FieldGraph<D> graph_;  ///< made when it is first needed, like those of relaxed problems
+  FieldGraph<3> relaxed_graph3_;
+  FieldGraph<4> relaxed_graph4_;
+};
+
+}  // namespace crossgrain
