@@ -54,12 +54,18 @@ std::vector<SolveReport::Coarser::Difference> differences_of(const SingularityGr
   return differences;
 }
 
+bool have_as_many(const SolveReport::Singularity& a, const SolveReport::Singularity& b) {
+  return a.arcs == b.arcs && a.nodes == b.nodes && a.boundary_ends == b.boundary_ends;
+}
+
 }  // namespace
 
 void CoarserGraphs::add(const CoarserLevel& level, std::span<const std::vector<Vector3>> creases) {
-  one_before_ =
-      std::exchange(last_, Kept{level.depth, singularity_graph(singular_grid_edges(
-                                                 level.tree, level.frames, level.open_faces, creases))});
+  const SingularEdges singular = singular_grid_edges(level.tree, level.frames, level.open_faces, creases);
+  SingularityOptions shorter;
+  shorter.end_cells = shorter.merge_cells;
+  one_before_ = std::exchange(last_, Kept{level.depth, singularity_graph(singular),
+                                          summary_of(singularity_graph(singular, shorter))});
   if (!one_before_ ||
       !differences_of(last_->graph, one_before_->graph, level.tree.root().cell_size(one_before_->depth))
            .empty())
@@ -70,7 +76,8 @@ std::optional<SolveReport::Coarser> CoarserGraphs::before(int depth, const Singu
                                                           double resolution, double cell_size) const {
   const std::optional<Kept>& kept = last_ && last_->depth < depth ? last_ : one_before_;
   if (!kept) return std::nullopt;
-  const SolveReport::Singularity counts = summary_of(kept->graph);
+  SolveReport::Singularity counts = summary_of(kept->graph);
+  if (have_as_many(kept->less_merged, summary_of(graph))) counts = kept->less_merged;
   SolveReport::Coarser coarser;
   coarser.resolution = resolution / 2;
   coarser.arcs = counts.arcs;

@@ -18,7 +18,8 @@ class CoarserGraphs {
   /// `creases` as in SingularEdges.
   void add(const CoarserLevel& level, std::span<const std::vector<Vector3>> creases);
 
-  /// What the level before one of this depth has in its place; none if there is no such level. `resolution`
+  /// What the level before one of this depth has in its place, with as many lines if either way of merging
+  /// gives as many; none if there is no such level. `resolution`
   /// is that of the level, `cell_size` the size of its finest cells.
   std::optional<SolveReport::Coarser> before(int depth, const SingularityGraph& graph, double resolution,
                                              double cell_size) const;
@@ -27,6 +28,10 @@ class CoarserGraphs {
   struct Kept {
     int depth;
     SingularityGraph graph;
+
+    /// With arcs from nodes to the surface merged up to SingularityOptions::merge_cells only. An arc that is
+    /// just long enough for the finer level is too short for this one's `end_cells`, as on a sphere.
+    SolveReport::Singularity less_merged;
   };
   std::optional<Kept> last_, one_before_;
   std::vector<int> changed_at_;  ///< depths of levels with other lines than the one before, coarsest first

@@ -53,6 +53,16 @@ TEST(LevelComparison, TellsWhichLevelLastChangedTheLines) {
   EXPECT_EQ(report_at(make_box({1, 1, 1}), 32).coarser->last_change, 4);
 }
 
+TEST(LevelComparison, CountsShortLinesToTheSurfaceThatOnlyTheCoarserCellsWouldMerge) {
+  SolveOptions options;
+  options.resolution = 96;
+  const SolveReport report = solve(make_sphere(1, 5), options).report();
+  ASSERT_TRUE(report.coarser);
+  EXPECT_EQ(report.singularity.arcs, 20u);  // twelve between eight nodes, and one from each to the surface
+  EXPECT_EQ(report.coarser->arcs, 20u);
+  EXPECT_EQ(report.answer.verdict, Verdict::kMeshable);
+}
+
 TEST(LevelComparison, NeedsTwoLevels) {
   EXPECT_FALSE(report_at(make_box({1, 1, 1}), 4).coarser);
 }
