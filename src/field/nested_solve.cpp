@@ -88,7 +88,8 @@ class NestedSolver {
         frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
     coarsest_depth_ = std::max(0, finest_depth - levels_above_finest());
     level_count_ = number_of(finest_depth);
-    SolveForecast forecast(options_, finest_depth, current_memory_bytes(), may_be_stopped());
+    SolveForecast forecast(options_, finest_depth, current_memory_bytes(), may_be_stopped(),
+                           {static_cast<double>(initial_.relaxed_cells), initial_.relaxation_sweeps});
     report(Phase::kGrid, coarsest_depth_, 0);
     RefinedLevel made = uniform_level(solid_, root, coarsest_depth_, monitor_);
     for (int depth = coarsest_depth_;; ++depth) {

@@ -37,8 +37,9 @@ constexpr double kWritingPerCell = 1.6;
 
 double level_cost(const LevelWork& level) {
   const LevelCounts& counts = level.counts;
-  return counts.cells * (kGridPerCell + kSweepPerCell * level.sweeps) + kGridPerPiece * counts.pieces +
-         kFormPerCell * counts.several_normals;
+  const double made =
+      counts.cells * kGridPerCell + kGridPerPiece * counts.pieces + kFormPerCell * counts.several_normals;
+  return level.times_made * made + counts.cells * kSweepPerCell * level.sweeps;
 }
 
 double cost_of_result(const LevelCounts& counts) {
@@ -48,10 +49,11 @@ double cost_of_result(const LevelCounts& counts) {
 }  // namespace
 
 SolveForecast::SolveForecast(const SolveOptions& options, int finest_depth, std::size_t memory_before_bytes,
-                             bool keeps_levels)
+                             bool keeps_levels, const RelaxedLevels& relaxed)
     : finest_depth_(finest_depth),
       memory_before_(static_cast<double>(memory_before_bytes)),
       keeps_levels_(keeps_levels),
+      relaxed_(relaxed),
       memory_limit_(allowed_memory_bytes(options.max_memory_bytes)) {}
 
 double SolveForecast::peak_memory(const LevelCounts& counts) const {
@@ -64,6 +66,11 @@ bool SolveForecast::fits(const LevelCounts& counts) const {
   return peak_memory(counts) <= static_cast<double>(memory_limit_);
 }
 
+LevelWork SolveForecast::usual_work(const LevelCounts& counts) const {
+  const int settling = counts.cells < kLargeCells ? kUsualSweeps : kSweepsOfLarge;
+  return {counts, settling + (counts.cells <= relaxed_.most_cells ? relaxed_.sweeps : 0), times_made(counts)};
+}
+
 std::optional<Expectation> SolveForecast::forecast_from(int depth, const LevelGrowth& growth, int sweeps,
                                                         double level_seconds, double seconds_so_far,
                                                         double finest_resolution) {
@@ -71,14 +78,13 @@ std::optional<Expectation> SolveForecast::forecast_from(int depth, const LevelGr
   const int levels_to_come = finest_depth_ - depth;
   const bool last_chance = levels_to_come == 1 || !fits(growth.after(2));
   if (told_ || levels_to_come > kLevelsAhead || (now.cells < kFewestCellsToTell && !last_chance)) return {};
-  const double seconds_per_cost = level_seconds / level_cost({now, sweeps});
+  const double seconds_per_cost = level_seconds / level_cost({now, sweeps, times_made(now)});
   LevelCounts finest = now;
   double seconds = seconds_so_far;
   int solved = 0;
   for (int k = 1; k <= levels_to_come && fits(growth.after(k)); ++k) {
     finest = growth.after(k);
-    seconds +=
-        seconds_per_cost * level_cost({finest, finest.cells < kLargeCells ? kUsualSweeps : kSweepsOfLarge});
+    seconds += seconds_per_cost * level_cost(usual_work(finest));
     solved = k;
   }
   seconds += seconds_per_cost * cost_of_result(finest);

@@ -15,6 +15,13 @@ namespace crossgrain {
 struct LevelWork {
   LevelCounts counts;
   int sweeps = 0;
+  int times_made = 1;  ///< grid and forms
+};
+
+/// Levels of at most so many cells that are relaxed after the decision, and made once more (InitialField).
+struct RelaxedLevels {
+  double most_cells = 0;
+  int sweeps = 0;
 };
 
 /// Forecast for one solve.
@@ -23,7 +30,7 @@ class SolveForecast {
   /// `memory_before_bytes` is what the process uses before the first level; `keeps_levels`: each finished
   /// level is kept while the next one is built (Monitor::allow_stops).
   SolveForecast(const SolveOptions& options, int finest_depth, std::size_t memory_before_bytes,
-                bool keeps_levels = false);
+                bool keeps_levels = false, const RelaxedLevels& relaxed = {});
 
   /// Peak memory of the process in bytes if a level of such counts is the finest.
   double peak_memory(const LevelCounts& counts) const;
@@ -40,9 +47,13 @@ class SolveForecast {
                                            double finest_resolution);
 
  private:
+  int times_made(const LevelCounts& counts) const { return counts.cells <= relaxed_.most_cells ? 2 : 1; }
+  LevelWork usual_work(const LevelCounts& counts) const;
+
   int finest_depth_;
   double memory_before_;
   bool keeps_levels_;
+  RelaxedLevels relaxed_;
   std::size_t memory_limit_;
   bool told_ = false;
 };
