@@ -176,7 +176,7 @@ struct SolverOptions {
   bool shift_relaxed_forms = false;
 
   /// Largest number of manifold sweeps on each level.
-  int most_sweeps = 40;
+  int most_sweeps = 60;
 
   /// Sweeps end when one lowers the energy by less than this fraction.
   double sweep_tolerance = 1e-4;
