@@ -75,6 +75,10 @@ inline constexpr MemoryLine kSharpTurns{.structure = "sharp turns", .per_cell = 
 inline constexpr MemoryLine kKeptLevel{
     .structure = "the level before", .per_cell = 10, .per_piece = 2, .held = kAlways};
 
+/// Only on levels that are relaxed after the decision, so not in `kAll`: the frames before the relaxation.
+inline constexpr MemoryLine kUnrelaxedFrames{
+    .structure = "frames before the relaxation", .per_cell = 16, .held = kFromSettling};
+
 inline constexpr std::array kAll{
     kTree,         kPieceBegin,    kPieces,    kWinding,      kFaceNeighbours, kParents,
     kFaceWeights,  kOpenFaces,     kAdjacency, kSweepOrder,   kFormSlots,      kPlaneForms,

@@ -58,7 +58,8 @@ SolveForecast::SolveForecast(const SolveOptions& options, int finest_depth, std:
 
 double SolveForecast::peak_memory(const LevelCounts& counts) const {
   const double kept = keeps_levels_ ? memory_lines::kKeptLevel.bytes(counts) : 0;
-  return memory_before_ + kMemoryOfOther + kept + peak_memory_bytes(counts);
+  const double unrelaxed = is_relaxed(counts) ? memory_lines::kUnrelaxedFrames.bytes(counts) : 0;
+  return memory_before_ + kMemoryOfOther + kept + unrelaxed + peak_memory_bytes(counts);
 }
 
 bool SolveForecast::fits(const LevelCounts& counts) const {
@@ -68,7 +69,7 @@ bool SolveForecast::fits(const LevelCounts& counts) const {
 
 LevelWork SolveForecast::usual_work(const LevelCounts& counts) const {
   const int settling = counts.cells < kLargeCells ? kUsualSweeps : kSweepsOfLarge;
-  return {counts, settling + (counts.cells <= relaxed_.most_cells ? relaxed_.sweeps : 0), times_made(counts)};
+  return {counts, settling + (is_relaxed(counts) ? relaxed_.sweeps : 0), times_made(counts)};
 }
 
 std::optional<Expectation> SolveForecast::forecast_from(int depth, const LevelGrowth& growth, int sweeps,

@@ -47,7 +47,8 @@ class SolveForecast {
                                            double finest_resolution);
 
  private:
-  int times_made(const LevelCounts& counts) const { return counts.cells <= relaxed_.most_cells ? 2 : 1; }
+  bool is_relaxed(const LevelCounts& counts) const { return counts.cells <= relaxed_.most_cells; }
+  int times_made(const LevelCounts& counts) const { return is_relaxed(counts) ? 2 : 1; }
   LevelWork usual_work(const LevelCounts& counts) const;
 
   int finest_depth_;
