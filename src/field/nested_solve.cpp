@@ -38,7 +38,7 @@ Frames sampled(const InitialField& initial, const GridLevel& level) {
   return frames;
 }
 
-/// Marks the leaves above `depth` in which lines of the field lie, or beside which.
+/// Returns the marks of leaves larger than those of `depth` in which lines of the field lie, or beside which.
 Marks moved_line_marks(const GridLevel& level, const Adjacency& adjacency, const Frames& frames, int depth,
                        double threshold) {
   Marks marks(level.size(), false);
@@ -215,7 +215,7 @@ class NestedSolver {
     return start;
   }
 
-  /// All but the frames and the marks ends with this function, to make room.
+  /// Relaxes, and marks the leaves to refine once more. All else ends with this function, to make room.
   std::pair<RelaxedStart, Marks> relaxed_and_marked(int depth, const RefinedLevel& made) {
     const auto connectivity = std::make_shared<const Connectivity>(connect(made.neighbours));
     grid_watch_.stop();

@@ -18,9 +18,9 @@ class CoarserGraphs {
   /// `creases` as in SingularEdges.
   void add(const CoarserLevel& level, std::span<const std::vector<Vector3>> creases);
 
-  /// What the level before one of this depth has in its place, with as many lines if either way of merging
-  /// gives as many; none if there is no such level. `resolution`
-  /// is that of the level, `cell_size` the size of its finest cells.
+  /// What the level before one of this depth has in its place; none if there is no such level. Its arcs from
+  /// nodes to the surface are merged in the way that gives as many lines as `graph` has, if one of both does.
+  /// `resolution` is that of the level, `cell_size` the size of its finest cells.
   std::optional<SolveReport::Coarser> before(int depth, const SingularityGraph& graph, double resolution,
                                              double cell_size) const;
 
