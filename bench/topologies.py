@@ -3,7 +3,7 @@
 """Counts the different singular graphs of a part over resolutions, and over rotations at 128 cells (docs/notes/solver.md).
 
     topologies.py PROGRAM MODEL...           one row for each model: classes of equal graphs, energies, processor seconds
-    topologies.py PROGRAM --list MODEL...    and one for each solve
+    topologies.py PROGRAM --list MODEL...    and one for each solve, with the arcs that differ from the largest class
 
 Graphs are equal if their arcs can be paired: the same index, closed or not, and ends within two cells of the coarser
 result. Before, nodes within a cell of each other are merged. Rotations are made of triangles with numpy and of CAD files
@@ -53,6 +53,10 @@ class Graph:
 
     def differences(self, other):
         """How many arcs of each have no partner in the other."""
+        return tuple(map(len, self.unpaired(other)))
+
+    def unpaired(self, other):
+        """The numbers of the arcs of each that have no partner in the other."""
         reach = REACH_CELLS * max(self.cell, other.cell)
         allowed = np.zeros((len(self.ends), len(other.ends)), bool)
         for i, (a, kind) in enumerate(zip(self.ends, self.kinds)):
@@ -65,8 +69,14 @@ class Graph:
                 apart = min(np.linalg.norm(a - b, axis=1).max(), np.linalg.norm(a - b[::-1], axis=1).max())
                 allowed[i, j] = apart <= reach
         rows, columns = linear_sum_assignment(~allowed)
-        paired = int(allowed[rows, columns].sum())
-        return len(self.ends) - paired, len(other.ends) - paired
+        paired = allowed[rows, columns]
+        return (sorted(set(range(len(self.ends))) - set(rows[paired])),
+                sorted(set(range(len(other.ends))) - set(columns[paired])))
+
+    def arc_text(self, arc):
+        ends = " to ".join("(" + ", ".join(f"{x:.1f}" for x in end) + ")" for end in self.ends[arc])
+        index, kind, closed = self.kinds[arc]
+        return f"{kind} {index} {'closed' if closed else ends}, length {self.lengths[arc]:.1f}"
 
 
 def merged_nodes(nodes, reach):
@@ -179,6 +189,9 @@ def row(program, model, listed):
             energy = report["energy"]
             print(f"    {label}: arcs {len(graph.ends)}, not paired {graph.differences(centre)}, energy {energy['total']:.4f}, "
                   f"verdict {report['verdict']}, walls {report['walls'].get('thin_share', 0)}, {seconds:.2f} s", flush=True)
+            for side, owner, arcs in zip(("here", "there"), (graph, centre), graph.unpaired(centre)):
+                for arc in arcs:
+                    print(f"        only {side}: {owner.arc_text(arc)}", flush=True)
 
 
 def letters(numbers):
