@@ -5,14 +5,17 @@
 #include <atomic>
 #include <cassert>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <utility>
 #ifdef CROSSGRAIN_STD_THREADS
+#include <condition_variable>
 #include <thread>
 #else
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
 #endif
 
 namespace crossgrain {
@@ -90,6 +93,44 @@ class FirstFailure {
   std::exception_ptr failure_;
 };
 
+using TaskBody = std::function<void(std::size_t)>;
+
+/// Which tasks of parallel_for_in_order may begin.
+class TasksInOrder {
+ public:
+  explicit TasksInOrder(std::span<const std::vector<std::uint32_t>> beside)
+      : beside_(beside), waits_for_(std::make_unique<std::atomic<std::uint32_t>[]>(beside.size())) {
+    for (std::size_t task = 0; task < beside.size(); ++task) {
+      const auto lower = std::count_if(beside[task].begin(), beside[task].end(),
+                                       [&](std::uint32_t other) { return other < task; });
+      waits_for_[task].store(static_cast<std::uint32_t>(lower), std::memory_order_relaxed);
+    }
+  }
+
+  std::size_t count() const { return beside_.size(); }
+
+  /// Calls begin(task) for each task that waits for none.
+  template <class Begin>
+  void begin_first(const Begin& begin) const {
+    for (std::size_t task = 0; task < count(); ++task) {
+      const auto& beside = beside_[task];
+      if (std::none_of(beside.begin(), beside.end(), [&](std::uint32_t other) { return other < task; }))
+        begin(task);
+    }
+  }
+
+  /// Calls begin(other) for each task that waited for this one alone.
+  template <class Begin>
+  void end(std::size_t task, const Begin& begin) {
+    for (const std::uint32_t other : beside_[task])
+      if (other > task && waits_for_[other].fetch_sub(1, std::memory_order_acq_rel) == 1) begin(other);
+  }
+
+ private:
+  std::span<const std::vector<std::uint32_t>> beside_;
+  std::unique_ptr<std::atomic<std::uint32_t>[]> waits_for_;  ///< number of lower tasks that have not ended
+};
+
 #ifdef CROSSGRAIN_STD_THREADS
 
 int most_threads() {
@@ -115,6 +156,32 @@ void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
     threads.emplace_back(work);
   work();
   for (std::thread& thread : threads) thread.join();
+  failure.rethrow();
+}
+
+void run_tasks(TasksInOrder& tasks, const TaskBody& body) {
+  FirstFailure failure;
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::vector<std::size_t> ready;
+  std::size_t left = tasks.count();
+  tasks.begin_first([&](std::size_t task) { ready.push_back(task); });
+  const auto work = [&](std::size_t, std::size_t) {
+    for (;;) {
+      std::unique_lock lock(mutex);
+      changed.wait(lock, [&] { return left == 0 || !ready.empty(); });
+      if (ready.empty()) return;
+      const std::size_t task = ready.back();
+      ready.pop_back();
+      lock.unlock();
+      failure.run([&] { body(task); });
+      lock.lock();
+      --left;
+      tasks.end(task, [&](std::size_t other) { ready.push_back(other); });
+      changed.notify_all();
+    }
+  };
+  run_chunks(static_cast<std::size_t>(most_threads()), 1, work);
   failure.rethrow();
 }
 
@@ -144,6 +211,24 @@ void run_chunks(std::size_t count, std::size_t grain, const ChunkBody& body) {
       tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
         failure.run([&] { body(chunk * grain, std::min((chunk + 1) * grain, count)); });
       });
+    });
+  });
+  failure.rethrow();
+}
+
+void run_tasks(TasksInOrder& tasks, const TaskBody& body) {
+  FirstFailure failure;
+  run_within_limit([&] {
+    tbb::this_task_arena::isolate([&] {
+      tbb::task_group group;
+      const std::function<void(std::size_t)> begin = [&](std::size_t task) {
+        group.run([&, task] {
+          failure.run([&] { body(task); });
+          tasks.end(task, begin);
+        });
+      };
+      tasks.begin_first(begin);
+      group.wait();
     });
   });
   failure.rethrow();
@@ -215,6 +300,16 @@ void parallel_for_chunks(std::size_t count, std::size_t grain, const ChunkBody& 
   run_chunks(count, grain, [&body, watching](std::size_t begin, std::size_t end) {
     watching->check();
     body(begin, end);
+  });
+}
+
+void parallel_for_in_order(std::span<const std::vector<std::uint32_t>> beside, const TaskBody& body) {
+  TasksInOrder tasks(beside);
+  const WatchedLoops* const watching = t_watching;
+  if (watching == nullptr) return run_tasks(tasks, body);
+  run_tasks(tasks, [&body, watching](std::size_t task) {
+    watching->check();
+    body(task);
   });
 }
 

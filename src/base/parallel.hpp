@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "crossgrain/monitor.hpp"
@@ -21,6 +22,12 @@ inline constexpr std::size_t kParallelGrain = 256;
 /// number of threads. The first exception thrown by a body is rethrown here.
 void parallel_for_chunks(std::size_t count, std::size_t grain,
                          const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+/// Runs body(task) for the tasks 0, 1, ... of `beside`, each once all lower ones in beside[task] have ended.
+/// So tasks that are beside each other run one after the other in ascending order, others at any time.
+/// `beside` is symmetric. The first exception thrown by a body is rethrown here.
+void parallel_for_in_order(std::span<const std::vector<std::uint32_t>> beside,
+                           const std::function<void(std::size_t task)>& body);
 
 /// Runs two tasks, on two threads if there are two, each with loops of its own, which query the same monitor
 /// as those of this thread. Returns, or throws what one of them threw, once both have ended; after a failure

@@ -55,26 +55,26 @@ struct VisitedCells {
 };
 
 /// Calls visit(CellsInLanes<W>, block) for the visited cells in the order, compiled for this processor, W
-/// being the number of lanes of type Number. Blocks of a phase are visited from several threads.
+/// being the number of lanes of type Number. Blocks are visited from several threads: one with blocks beside
+/// it as soon as those of lower phases are done, others phase by phase.
 template <class Number, class Visit>
 void visit_in_lanes(const SweepOrder& order, const Visit& visit, const VisitedCells& visited = {}) {
+  const auto visit_block = [&](std::size_t block) {
+    if (!visited.blocks.empty() && !visited.blocks[block]) return;
+    std::vector<std::uint32_t> chosen;
+    run_in_lanes([&]<int Doubles>() {
+      constexpr int W = Doubles * static_cast<int>(sizeof(double) / sizeof(Number));
+      for (std::size_t r = order.block_begin[block]; r < order.block_begin[block + 1]; ++r) {
+        const std::span<const std::uint32_t> run = visited.choose(order.run(r), chosen);
+        for (std::size_t i = 0; i < run.size(); i += W) visit(CellsInLanes<W>(run, i), block);
+      }
+    });
+  };
+  if (!order.blocks_beside.empty()) return parallel_for_in_order(order.blocks_beside, visit_block);
   for (std::size_t phase = 0; phase < order.phase_count(); ++phase) {
     const std::size_t first = order.phase_begin[phase];
     parallel_for(
-        order.phase_begin[phase + 1] - first,
-        [&](std::size_t k) {
-          const std::size_t block = first + k;
-          if (!visited.blocks.empty() && !visited.blocks[block]) return;
-          std::vector<std::uint32_t> chosen;
-          run_in_lanes([&]<int Doubles>() {
-            constexpr int W = Doubles * static_cast<int>(sizeof(double) / sizeof(Number));
-            for (std::size_t r = order.block_begin[block]; r < order.block_begin[block + 1]; ++r) {
-              const std::span<const std::uint32_t> run = visited.choose(order.run(r), chosen);
-              for (std::size_t i = 0; i < run.size(); i += W) visit(CellsInLanes<W>(run, i), block);
-            }
-          });
-        },
-        1);
+        order.phase_begin[phase + 1] - first, [&](std::size_t k) { visit_block(first + k); }, 1);
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // In which order a sweep visits cells, and which of them at the same time.
 //
-//   phases   one after the other
+//   phases   one after the other, as far as their blocks are beside each other
 //     blocks   at the same time: no cell of one neighbours a cell of another
 //       runs     one after the other
 //         cells    in any order, or side by side in lanes: no two are neighbours

@@ -316,5 +316,59 @@ TEST(SideBySide, BothTasksRunAndQueryTheMonitorOfTheThread) {
   }
 }
 
+/// Tasks each beside some of the twenty before and after it.
+std::vector<std::vector<std::uint32_t>> tasks_beside_tasks(std::uint32_t count) {
+  std::vector<std::vector<std::uint32_t>> beside(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t j = i + 1; j < std::min(i + 20, count); ++j) {
+      if ((i * 7 + j * 13) % 5 > 1) continue;
+      beside[i].push_back(j);
+      beside[j].push_back(i);
+    }
+  }
+  return beside;
+}
+
+TEST(TasksInOrder, BeginOnceAllLowerOnesBesideThemHaveEnded) {
+  const auto beside = tasks_beside_tasks(2000);
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    std::vector<std::atomic<int>> ended(beside.size());
+    std::atomic<int> too_early = 0, twice = 0;
+    parallel_for_in_order(beside, [&](std::size_t task) {
+      for (const std::uint32_t other : beside[task]) too_early += (ended[other] == 1) != (other < task);
+      twice += ended[task]++;
+    });
+    EXPECT_EQ(too_early, 0) << threads << " threads";
+    EXPECT_EQ(twice, 0);
+    for (const auto& end : ended) ASSERT_EQ(end, 1);
+  }
+}
+
+TEST(TasksInOrder, OfNoneCallNothing) {
+  parallel_for_in_order({}, [](std::size_t) { FAIL(); });
+}
+
+TEST(TasksInOrder, LetAnExceptionThroughAndBeginNoMore) {
+  const auto beside = tasks_beside_tasks(100000);
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    std::atomic<std::size_t> begun = 0;
+    EXPECT_THROW(parallel_for_in_order(beside,
+                                       [&](std::size_t) {
+                                         if (++begun == 100) throw std::runtime_error("a failure");
+                                       }),
+                 std::runtime_error);
+    EXPECT_LT(begun, 1000u);
+  }
+}
+
+TEST(TasksInOrder, EndOnceTheMonitorSaysSo) {
+  Monitor monitor;
+  monitor.cancel();
+  const WatchedLoops watched(monitor, Stops::kHeeded);
+  EXPECT_THROW(parallel_for_in_order(tasks_beside_tasks(100), [](std::size_t) { FAIL(); }), Error);
+}
+
 }  // namespace
 }  // namespace crossgrain
