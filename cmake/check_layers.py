@@ -17,7 +17,7 @@ from pathlib import Path
 
 # From the lowest up, as in CMakeLists.txt.
 LAYERS = ["base", "harmonics", "constraint", "surface", "tets", "grid", "field", "singularity", "sampling", "measure", "solve",
-          "display", "files", "io", "page", "picture"]
+          "display", "files", "io", "page", "picture", "distributed"]
 
 # Layers below another in the list that it stands beside, not above.
 BESIDE = {"picture": ["io", "page"]}

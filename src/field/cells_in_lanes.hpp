@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -54,12 +55,16 @@ struct VisitedCells {
   }
 };
 
+using AfterPhase = std::function<void(std::size_t phase)>;
+
 /// Calls visit(CellsInLanes<W>, block) for the visited cells in the order, compiled for this processor, W
 /// being the number of lanes of type Number. Blocks are visited from several threads: one with blocks beside
-/// it as soon as those of lower phases are done, others phase by phase.
+/// it as soon as those of lower phases are done, others phase by phase. So do all if `after_phase` is given,
+/// which is called with the number of each phase at its end.
 template <class Number, class Visit>
-void visit_in_lanes(const SweepOrder& order, const Visit& visit, const VisitedCells& visited = {}) {
-  const auto visit_block = [&](std::size_t block) {
+void visit_in_lanes(const SweepOrder& order, const Visit& visit, const VisitedCells& visited = {},
+                    const AfterPhase& after_phase = {}) {
+  const std::function<void(std::size_t)> visit_block = [&](std::size_t block) {  // compiled once
     if (!visited.blocks.empty() && !visited.blocks[block]) return;
     std::vector<std::uint32_t> chosen;
     run_in_lanes([&]<int Doubles>() {
@@ -70,11 +75,13 @@ void visit_in_lanes(const SweepOrder& order, const Visit& visit, const VisitedCe
       }
     });
   };
-  if (!order.blocks_beside.empty()) return parallel_for_in_order(order.blocks_beside, visit_block);
+  if (!order.blocks_beside.empty() && !after_phase)
+    return parallel_for_in_order(order.blocks_beside, visit_block);
   for (std::size_t phase = 0; phase < order.phase_count(); ++phase) {
     const std::size_t first = order.phase_begin[phase];
     parallel_for(
         order.phase_begin[phase + 1] - first, [&](std::size_t k) { visit_block(first + k); }, 1);
+    if (after_phase) after_phase(phase);
   }
 }
 
@@ -82,11 +89,12 @@ void visit_in_lanes(const SweepOrder& order, const Visit& visit, const VisitedCe
 /// cell, in the cells' order, so the sums are bitwise identical for any number of threads and lanes.
 template <class Number, class Visit>
 std::vector<double> block_sums_in_lanes(const SweepOrder& order, const Visit& visit,
-                                        const VisitedCells& visited = {}) {
+                                        const VisitedCells& visited = {},
+                                        const AfterPhase& after_phase = {}) {
   std::vector<double> sums(order.block_count(), 0.0);
   visit_in_lanes<Number>(
       order, [&]<int W>(const CellsInLanes<W>& cells, std::size_t block) { visit(cells, sums[block]); },
-      visited);
+      visited, after_phase);
   return sums;
 }
 

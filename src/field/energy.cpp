@@ -130,29 +130,34 @@ BoundaryValues boundary_values(const GridLevel& level, const Solid& solid, CellI
 /// Sums of both over all leaves, each divided by the size of its leaf.
 BoundaryValues boundary_sums(const GridLevel& level, const Solid& solid,
                              std::span<const StoredQuaternion> frames) {
-  const std::size_t grain = level.leaves_per_task();
-  std::vector<BoundaryValues> sums((frames.size() + grain - 1) / grain);
+  const Share share = level.share();
+  // Chunks of all processes are those of one.
+  const std::size_t grain = share.is_whole() ? level.leaves_per_task() : kParallelGrain;
+  std::vector<BoundaryValues> sums((share.size() + grain - 1) / grain);
   const auto add = [](BoundaryValues& sum, const BoundaryValues& term, double factor) {
     sum.of_frame += factor * term.of_frame;
     sum.least += factor * term.least;
   };
-  parallel_for_chunks(frames.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (auto leaf = static_cast<CellIndex>(begin); leaf < end; ++leaf) {
+  parallel_for_chunks(share.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (auto leaf = static_cast<CellIndex>(share.begin + begin); leaf < share.begin + end; ++leaf) {
       if (level.is_constrained(leaf))
         add(sums[begin / grain], boundary_values(level, solid, leaf, from_stored(frames[leaf])),
             1 / level.tree.cell_size(leaf));
     }
   });
-  BoundaryValues total;
-  for (const BoundaryValues& sum : sums) add(total, sum, 1);
-  return total;
+  std::vector<double> of_frame, least;
+  for (const BoundaryValues& sum : sums) {
+    of_frame.push_back(sum.of_frame);
+    least.push_back(sum.least);
+  }
+  return {sum_of_all(share, of_frame), sum_of_all(share, least)};
 }
 
-double smoothness_energy(const Adjacency& adjacency, const FieldState<4>& state) {
-  return smoothness_energy(adjacency, state.coefficients);
+double smoothness_of(const Adjacency& adjacency, const Share& share, const FieldState<4>& state) {
+  return smoothness_energy(adjacency, share, state.coefficients);
 }
-double smoothness_energy(const Adjacency& adjacency, const FieldState<3>& state) {
-  return parallel_sum(adjacency.size(),
+double smoothness_of(const Adjacency& adjacency, const Share& share, const FieldState<3>& state) {
+  return parallel_sum(share,
                       [&](std::size_t i) {
                         const Coefficients<3> h = from_stored<3>(state.coefficients[i]);
                         double sum = 0;
@@ -170,7 +175,8 @@ double smoothness_energy(const Adjacency& adjacency, const FieldState<3>& state)
 
 template <int D>
 double graph_energy(const FieldGraph<D>& graph, const FieldState<D>& state) {
-  return smoothness_energy(graph.adjacency(), state) + parallel_sum(graph.size(), [&](std::size_t i) {
+  const Share share = graph.share();
+  return smoothness_of(graph.adjacency(), share, state) + parallel_sum(share, [&](std::size_t i) {
            return graph.forms.empty(i) ? 0
                                        : form_value(graph.forms, i, from_stored<D>(state.coefficients[i]));
          });
@@ -181,7 +187,7 @@ LevelEnergy level_energy(const GridLevel& level, const Solid& solid, const Adjac
                          SharpTurns sharp_turns) {
   LevelEnergy energy;
   EnergyParts& parts = energy.parts;
-  energy.neighbours = compare_neighbours(level.tree, adjacency, frames, sharp_turns);
+  energy.neighbours = compare_neighbours(level, adjacency, frames, sharp_turns);
   parts.smoothness = energy.neighbours.smoothness;
   const BoundaryValues boundary = boundary_sums(level, solid, frames);
   parts.unavoidable = boundary_weight * boundary.least;

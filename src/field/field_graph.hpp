@@ -7,13 +7,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/vector3.hpp"
 #include "constraint/quadratic_form.hpp"
 #include "field/adjacency.hpp"
+#include "field/sweep_halo.hpp"
 #include "field/sweep_order.hpp"
+#include "grid/share.hpp"
 
 namespace crossgrain {
 
@@ -108,8 +111,12 @@ extern template class CellForms<4>;
 
 /// Neighbours of the cells, and the order in which cells are visited.
 struct Connectivity {
-  Adjacency adjacency;
+  Adjacency adjacency;  ///< ghosts have no neighbours
   SweepOrder order;
+  SweepHalo halo = {};             ///< empty if this process has all cells
+  std::optional<Share> part = {};  ///< of the cells; none: all
+
+  Share share() const { return part ? *part : whole_share(adjacency.size()); }
 };
 
 /// The graph of one sweep. Graphs of both degrees over the same cells share their connectivity.
@@ -120,6 +127,8 @@ struct FieldGraph {
 
   const Adjacency& adjacency() const { return connectivity->adjacency; }
   const SweepOrder& order() const { return connectivity->order; }
+  const SweepHalo& halo() const { return connectivity->halo; }
+  Share share() const { return connectivity->share(); }
   std::size_t size() const { return adjacency().size(); }
 };
 

@@ -14,11 +14,8 @@
 namespace crossgrain {
 namespace {
 
-/// Levels of at least this many cells are swept block by block; smaller ones stay in the cache anyway.
-constexpr std::size_t kBlockedCells = 200000;
-
 /// Cells per block: their frames, coefficients and neighbour lists fit into a core's own cache.
-constexpr std::size_t kBlockCells = 4096;
+constexpr std::size_t kBlockCells = kShareUnit;
 
 /// Parts of a step of FaceWeight that diagonal weights are counted in. Whole numbers make both leaves of an
 /// edge compute the same weight, and all weights inside the solid identical.
@@ -133,9 +130,15 @@ Connectivity connectivity_of(const GridLevel& level, std::span<const FaceNeighbo
   std::vector<std::uint8_t> colours(level.size());
   parallel_for(level.size(),
                [&](std::size_t i) { colours[i] = parity_colour(level.tree[static_cast<CellIndex>(i)]); });
+  const Share share = level.share();
   Adjacency adjacency(level.size(), stencil.units(), [&](std::size_t i, Adjacency::RowInUnits& row) {
-    stencil.row_of(static_cast<CellIndex>(i), row);
+    if (share.owns(i)) stencil.row_of(static_cast<CellIndex>(i), row);
   });
+  if (!share.is_whole()) {
+    SweepOrder own_order(adjacency, colours, share, level.ghosts);
+    SweepHalo halo(adjacency, share, level.ghosts, own_order.of_all.phase_of_block);
+    return {std::move(adjacency), std::move(own_order), std::move(halo), share};
+  }
   SweepOrder order = level.size() < kBlockedCells ? SweepOrder(colouring_of(colours))
                                                   : SweepOrder(adjacency, colours, kBlockCells);
   return {std::move(adjacency), std::move(order)};

@@ -9,6 +9,10 @@
 
 namespace crossgrain {
 
+/// Levels of at least this many cells are swept block by block; smaller ones stay in the cache anyway. Only
+/// those can be shared.
+inline constexpr std::size_t kBlockedCells = 200000;
+
 /// Returns the adjacency of a level and the order of its sweeps: by parity colours, on large levels block by
 /// block.
 ///

@@ -96,11 +96,11 @@ class LevelSolver {
   }
 
   SettlingPlan settling() const {
-    const double volume = parallel_sum(level_.size(), [&](std::size_t i) {
+    const double volume = parallel_sum(level_.share(), [&](std::size_t i) {
       const double size = level_.tree.cell_size(static_cast<CellIndex>(i));
       return size * size * size;
     });
-    return settling_plan(options_, connectivity_->adjacency, volume, longest_side(solid_.surface.box));
+    return settling_plan(options_, *connectivity_, volume, longest_side(solid_.surface.box));
   }
 
   SweepMonitor after_sweep() {

@@ -155,14 +155,18 @@ void wake_around(const Adjacency& adjacency, const CellsInLanes<W>& cells, std::
 template <int D, class Number>
 std::vector<double> manifold_sweep_over(const FieldGraph<D>& graph, FieldState<D>& state,
                                         double over_relaxation, const RestingCells& resting) {
-  return block_sums_in_lanes<Number>(graph.order(),
-                                     [&]<int W>(const CellsInLanes<W>& cells, double& sum) {
-                                       const auto fell =
-                                           update_cells<Number>(graph, state, cells, over_relaxation, sum);
-                                       if (!resting.awake.empty())
-                                         wake_around(graph.adjacency(), cells, fell, resting);
-                                     },
-                                     {resting.awake_blocks, resting.awake});
+  AfterPhase after_phase;
+  if (!graph.halo().empty())
+    after_phase = [&](std::size_t phase) {
+      graph.halo().after_phase(phase, std::span(state.coefficients), resting.awake);
+    };
+  return block_sums_in_lanes<Number>(
+      graph.order(),
+      [&]<int W>(const CellsInLanes<W>& cells, double& sum) {
+        const auto fell = update_cells<Number>(graph, state, cells, over_relaxation, sum);
+        if (!resting.awake.empty()) wake_around(graph.adjacency(), cells, fell, resting);
+      },
+      {resting.awake_blocks, resting.awake}, after_phase);
 }
 
 template <int D>

@@ -51,16 +51,22 @@ double edge_sum_in_lanes(const Adjacency::Row& row, const std::vector<StoredCoef
   return sum;
 }
 
-/// Calls visit(cell, its edge_sum_in_lanes) for all cells, from several threads.
+/// Calls visit(cell, its edge_sum_in_lanes) for all own cells, from several threads. Returns the sum over
+/// those of all processes.
 template <class Visit>
-void for_each_edge_sum(const Adjacency& adjacency, const std::vector<StoredCoefficients<4>>& coefficients,
-                       const Visit& visit) {
-  parallel_for_chunks(adjacency.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
+double for_each_edge_sum(const Adjacency& adjacency, const Share& share,
+                         const std::vector<StoredCoefficients<4>>& coefficients, const Visit& visit) {
+  std::vector<double> partial((share.size() + kParallelGrain - 1) / kParallelGrain, 0.0);
+  parallel_for_chunks(share.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
     run_in_lanes([&]<int Doubles>() {
-      for (std::size_t i = begin; i < end; ++i)
-        visit(i, edge_sum_in_lanes<Doubles>(adjacency[i], coefficients, i));
+      for (std::size_t i = share.begin + begin; i < share.begin + end; ++i) {
+        const double sum = edge_sum_in_lanes<Doubles>(adjacency[i], coefficients, i);
+        visit(i, sum);
+        partial[begin / kParallelGrain] += sum;
+      }
     });
   });
+  return sum_of_all(share, partial);
 }
 
 /// Returns whether the frame of a neighbour differs sharply from the cell's; `edge_sum` is the cell's.
@@ -78,28 +84,25 @@ bool has_sharp_turn(const Adjacency::Row& row, const std::vector<StoredCoefficie
 
 }  // namespace
 
-double smoothness_energy(const Adjacency& adjacency, const std::vector<StoredCoefficients<4>>& coefficients) {
-  std::vector<double> partial((adjacency.size() + kParallelGrain - 1) / kParallelGrain, 0.0);
-  for_each_edge_sum(adjacency, coefficients,
-                    [&](std::size_t i, double sum) { partial[i / kParallelGrain] += sum; });
-  return std::accumulate(partial.begin(), partial.end(), 0.0) / 4;
+double smoothness_energy(const Adjacency& adjacency, const Share& share,
+                         const std::vector<StoredCoefficients<4>>& coefficients) {
+  return for_each_edge_sum(adjacency, share, coefficients, [](std::size_t, double) {}) / 4;
 }
 
-NeighbourComparison compare_neighbours(const Octree& tree, const Adjacency& adjacency,
+NeighbourComparison compare_neighbours(const GridLevel& level, const Adjacency& adjacency,
                                        std::span<const StoredQuaternion> frames, SharpTurns sharp_turns) {
   const std::vector<StoredCoefficients<4>> coefficients = coefficients_of<4>(frames);
   NeighbourComparison result;
   result.energy_density = sized_vector<float>(frames.size());
   const bool looks_for_turns = sharp_turns == SharpTurns::kLookedFor;
   if (looks_for_turns) result.turns_sharply.resize(frames.size());
-  std::vector<double> partial((frames.size() + kParallelGrain - 1) / kParallelGrain, 0.0);
-  for_each_edge_sum(adjacency, coefficients, [&](std::size_t i, double sum) {
-    const double size = tree.cell_size(static_cast<CellIndex>(i));
-    result.energy_density[i] = static_cast<float>(sum / (4 * size * size * size));
-    if (looks_for_turns) result.turns_sharply[i] = has_sharp_turn(adjacency[i], coefficients, i, sum);
-    partial[i / kParallelGrain] += sum;
-  });
-  result.smoothness = std::accumulate(partial.begin(), partial.end(), 0.0) / 4;
+  const double total =
+      for_each_edge_sum(adjacency, level.share(), coefficients, [&](std::size_t i, double sum) {
+        const double size = level.tree.cell_size(static_cast<CellIndex>(i));
+        result.energy_density[i] = static_cast<float>(sum / (4 * size * size * size));
+        if (looks_for_turns) result.turns_sharply[i] = has_sharp_turn(adjacency[i], coefficients, i, sum);
+      });
+  result.smoothness = total / 4;
   return result;
 }
 

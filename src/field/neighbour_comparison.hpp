@@ -8,12 +8,13 @@
 
 #include "field/adjacency.hpp"
 #include "field/field_state.hpp"
-#include "grid/octree.hpp"
+#include "grid/grid_level.hpp"
 
 namespace crossgrain {
 
 /// Returns 1/2 sum over neighbouring pairs of w |h_i - h_j|^2.
-double smoothness_energy(const Adjacency& adjacency, const std::vector<StoredCoefficients<4>>& coefficients);
+double smoothness_energy(const Adjacency& adjacency, const Share& share,
+                         const std::vector<StoredCoefficients<4>>& coefficients);
 
 struct NeighbourComparison {
   double smoothness = 0;  ///< smoothness_energy
@@ -30,12 +31,13 @@ struct NeighbourComparison {
 /// Whether sharp turns are computed; only a finished field needs them, to find singular arcs.
 enum class SharpTurns : bool { kLeftOut, kLookedFor };
 
-/// Compares frames across all edges. `adjacency` is that of the leaves of `tree`; each leaf has one frame.
-NeighbourComparison compare_neighbours(const Octree& tree, const Adjacency& adjacency,
+/// Compares frames across all edges. `adjacency` is that of the leaves of `level`; each leaf has one frame.
+/// Lists have zeros for ghosts.
+NeighbourComparison compare_neighbours(const GridLevel& level, const Adjacency& adjacency,
                                        std::span<const StoredQuaternion> frames, SharpTurns sharp_turns);
 
 /// Returns 1 for leaves that may own a singular edge (singularity/singular_edges.hpp): those with a sharp
-/// turn, and their neighbours. They are few, along singular arcs.
+/// turn, and their neighbours. They are few, along singular arcs. Ghosts have what their owners found.
 std::vector<std::uint8_t> near_sharp_turns(const Adjacency& adjacency,
                                            const std::vector<std::uint8_t>& turns_sharply);
 

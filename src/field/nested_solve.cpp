@@ -23,8 +23,9 @@ namespace {
 
 using Frames = std::vector<StoredQuaternion>;
 
-/// Returns for each leaf the frame of its parent.
+/// Returns for each leaf the frame of its parent; without parents, frames are those of the leaves already.
 Frames inherited(const Frames& frames, const std::vector<CellIndex>& parent) {
+  if (parent.empty()) return frames;
   auto result = sized_vector<StoredQuaternion>(parent.size());
   parallel_for(parent.size(), [&](std::size_t i) { result[i] = frames[parent[i]]; });
   return result;
@@ -42,8 +43,7 @@ Frames sampled(const InitialField& initial, const GridLevel& level) {
 Marks moved_line_marks(const GridLevel& level, const Adjacency& adjacency, const Frames& frames, int depth,
                        double threshold) {
   Marks marks(level.size(), false);
-  const NeighbourComparison comparison =
-      compare_neighbours(level.tree, adjacency, frames, SharpTurns::kLeftOut);
+  const NeighbourComparison comparison = compare_neighbours(level, adjacency, frames, SharpTurns::kLeftOut);
   mark_energy_density(level, comparison.energy_density, threshold, marks);
   for (CellIndex i = 0; i < level.size(); ++i)
     if (level.tree[i].depth() == depth) marks[i] = false;
@@ -55,12 +55,14 @@ template <int D>
 class NestedSolver {
  public:
   NestedSolver(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-               const InitialField& initial, const PlaceInRun& place, const VisitLevel& visit_level)
+               const InitialField& initial, const PlaceInRun& place, const VisitLevel& visit_level,
+               LevelSharing* sharing)
       : solid_(solid),
         options_(options),
         monitor_(monitor),
         initial_(initial),
         visit_level_(visit_level),
+        sharing_(sharing),
         is_decision_(place.is_decision),
         seconds_so_far_(place.seconds_before) {}
 
@@ -70,6 +72,7 @@ class NestedSolver {
     try {
       solve_levels();
       result_.frames = std::move(candidates_.front().frames);
+      if (sharing_ != nullptr) sharing_->gather(result_, solid_);
     } catch (const Error& error) {
       const bool is_stop = error.kind() == ErrorKind::kInterrupted && !monitor_.cancelled();
       if (!is_stop || !may_be_stopped() || !can_stand_alone(coarser_)) throw;
@@ -94,16 +97,17 @@ class NestedSolver {
     RefinedLevel made = uniform_level(solid_, root, coarsest_depth_, monitor_);
     for (int depth = coarsest_depth_;; ++depth) {
       result_.level = std::move(made.level);
-      if (result_.level.size() == 0)
+      const std::uint64_t leaves = result_.level.share().of_all;
+      if (leaves == 0)
         throw Error(ErrorKind::kInput,
                     "the parts of the surface are too small for the cells; raise the resolution");
       result_.levels_left_out = finest_depth - depth;
       const LevelGrowth growth(result_.level, solid_, options_.refinement);
       const bool finest = depth == finest_depth || !next_fits(forecast, growth);
       if (finest) level_count_ = number_of(depth);
-      report(Phase::kGrid, depth, result_.level.size());
+      report(Phase::kGrid, depth, leaves);
       RelaxedStart relaxed;
-      if (initial_.relaxation_sweeps > 0 && result_.level.size() <= initial_.relaxed_cells)
+      if (initial_.relaxation_sweeps > 0 && leaves <= initial_.relaxed_cells)
         relaxed = relaxed_and_refined(depth, made);
       // No level follows the finest one: its neighbours end here.
       Connectivity connectivity =
@@ -118,7 +122,8 @@ class NestedSolver {
   /// 1-based number of the level; 1 is the coarsest. 0 if levels have no numbers.
   int number_of(int depth) const { return is_decision_ ? 0 : depth - coarsest_depth_ + 1; }
 
-  bool may_be_stopped() const { return monitor_.may_be_stopped() && !is_decision_; }
+  bool may_be_stopped() const { return monitor_.may_be_stopped() && !is_decision_ && sharing_ == nullptr; }
+  bool is_shared() const { return !result_.level.share().is_whole(); }
 
   void report(Phase phase, int depth, std::size_t cells) const {
     monitor_.report({is_decision_ ? Phase::kSolve : phase, depth, cells, 0,
@@ -156,8 +161,9 @@ class NestedSolver {
   /// Returns whether the next level fits into memory. Throws Error(kLimit) if too many levels would be left
   /// out.
   bool next_fits(const SolveForecast& forecast, const LevelGrowth& growth) {
-    const LevelCounts next = growth.after(1);
-    if (forecast.fits(next)) return true;
+    const LevelCounts next = counts_here(growth.after(1));
+    const bool fits_here = forecast.fits(next);
+    if (sharing_ == nullptr ? fits_here : sharing_->all(fits_here)) return true;
     result_.memory_needed = static_cast<std::size_t>(forecast.peak_memory(next));
     if (result_.levels_left_out > kMostLevelsLeftOut) {
       throw Error(
@@ -169,6 +175,14 @@ class NestedSolver {
           Remedy::kUseLessMemory);
     }
     return false;
+  }
+
+  /// Returns what this process has of a level.
+  LevelCounts counts_here(LevelCounts counts) const {
+    if (sharing_ == nullptr || !sharing_->is_shared(static_cast<std::uint64_t>(counts.cells))) return counts;
+    for (double* count : {&counts.cells, &counts.surface_cells, &counts.several_normals, &counts.pieces})
+      *count /= sharing_->processes();
+    return counts;
   }
 
   void predict(SolveForecast& forecast, const LevelGrowth& growth) {
@@ -197,7 +211,8 @@ class NestedSolver {
 
   /// Frames of a level from which its manifold sweeps start.
   struct RelaxedStart {
-    Frames frames;    ///< empty: the level is not relaxed before
+    bool is_made = false;  ///< false: the level is not relaxed before
+    Frames frames;
     Frames original;  ///< from which they were relaxed
     int sweeps = 0;
   };
@@ -206,13 +221,29 @@ class NestedSolver {
   /// more where singular lines have moved into larger cells: there they would move on for hundreds of sweeps.
   RelaxedStart relaxed_and_refined(int depth, RefinedLevel& made) {
     auto [start, marks] = relaxed_and_marked(depth, made);
-    if (std::find(marks.begin(), marks.end(), true) == marks.end()) return start;
+    const bool none_marked = std::find(marks.begin(), marks.end(), true) == marks.end();
+    if (sharing_ == nullptr ? none_marked : sharing_->all(none_marked)) return start;
+    if (is_shared()) sharing_->complete(result_.level, made.neighbours, {}, depth, marks);
     RefinedLevel again = refined(result_.level, made.neighbours, solid_, std::move(marks), monitor_);
-    start.frames = inherited(start.frames, again.parent);
-    start.original = inherited(start.original, again.parent);
+    std::vector<Frames> frames{inherited(start.frames, again.parent),
+                               inherited(start.original, again.parent)};
+    share_out(again, frames);
+    start.frames = std::move(frames[0]);
+    start.original = std::move(frames[1]);
     result_.level = std::move(again.level);
     made = std::move(again);
     return start;
+  }
+
+  /// Shares out a level that was refined from that in `result_`, with frames of its leaves, if it is to be
+  /// shared.
+  void share_out(RefinedLevel& made, std::vector<Frames>& frames) {
+    if (sharing_ == nullptr || is_decision_) return;
+    const bool was_shared = !made.level.share().is_whole();
+    if (!was_shared && !sharing_->is_shared(made.level.size())) return;
+    LevelSharing::Level level = sharing_->shared_out({std::move(made), std::move(frames)}, solid_);
+    made = std::move(level.made);
+    frames = std::move(level.frames);
   }
 
   /// Relaxes, and marks the leaves to refine once more. All else ends with this function, to make room.
@@ -223,6 +254,7 @@ class NestedSolver {
     start_candidates(depth, made.parent);
     LevelSolver<D> solver(result_.level, solid_, connectivity, options_, monitor_, place_of(depth, 0));
     RelaxedStart start;
+    start.is_made = true;
     start.original = std::move(candidates_.front().frames);
     start.frames = solver.relaxed_with_cores(start.original, initial_.relaxation_sweeps, initial_.core_size);
     start.sweeps = solver.sweeps();
@@ -236,24 +268,40 @@ class NestedSolver {
   }
 
   Progress place_of(int depth, int sweeps) const {
-    return {Phase::kSolve, depth, result_.level.size(), sweeps, 0, number_of(depth), level_count_};
+    return {Phase::kSolve,    depth,       static_cast<std::size_t>(result_.level.share().of_all), sweeps, 0,
+            number_of(depth), level_count_};
   }
 
   /// `parent` as in RefinedLevel.
   void solve_level(int depth, Connectivity connectivity, std::vector<CellIndex> parent, RelaxedStart relaxed,
                    bool finest) {
     const GridLevel& level = result_.level;
+    const auto leaves = static_cast<std::size_t>(level.share().of_all);
     const Progress place = place_of(depth, relaxed.sweeps);
     const Swept swept = settle(std::move(connectivity), std::move(parent), std::move(relaxed), place);
-    keep_best(swept.adjacency, finest || level.size() > options_.solver.start_cells, finest);
+    keep_best(swept, finest || leaves > options_.solver.start_cells, finest);
     report_energy(place, swept.sweeps);
-    if (!finest && visit_level_)
-      visit_level_({depth, level.tree, candidates_[best_].frames, result_.open_faces});
+    if (!finest && visit_level_) visit(depth);
     solve_watch_.stop();
-    result_.levels.push_back({depth, level.examined_leaves, level.size(), swept.sweeps,
-                              result_.energy.total(), level_watch_.restart()});
+    result_.levels.push_back(
+        {depth, level.examined_leaves, leaves, swept.sweeps, result_.energy.total(), level_watch_.restart()});
     seconds_so_far_ += result_.levels.back().seconds;
     grid_watch_.start();
+  }
+
+  void visit(int depth) {
+    if (!is_shared()) {
+      if (sharing_ == nullptr || sharing_->is_first())
+        visit_level_({depth, result_.level.tree, candidates_[best_].frames, result_.open_faces});
+      return;
+    }
+    SolvedField seen;
+    seen.level.tree = result_.level.tree;
+    seen.level.part = result_.level.part;
+    seen.frames = candidates_[best_].frames;
+    seen.open_faces = result_.open_faces;
+    sharing_->gather(seen, solid_);
+    if (sharing_->is_first()) visit_level_({depth, seen.level.tree, seen.frames, seen.open_faces});
   }
 
   /// Makes the first frames of every candidate. `parent` as in RefinedLevel.
@@ -279,6 +327,7 @@ class NestedSolver {
   /// What is left of a level's solver once all candidates have settled.
   struct Swept {
     Adjacency adjacency;
+    SweepHalo halo;
     int sweeps;
   };
 
@@ -289,7 +338,7 @@ class NestedSolver {
     grid_watch_.stop();
 
     solve_watch_.start();
-    if (!relaxed.frames.empty()) {
+    if (relaxed.is_made) {
       candidates_.front() = solver.settled_below(std::move(relaxed.frames), std::move(relaxed.original));
     } else {
       start_candidates(place.depth, std::exchange(parent, {}));
@@ -298,7 +347,8 @@ class NestedSolver {
         candidate = solver.solved(std::move(candidate.frames), relaxation_sweeps(c, place.depth));
       }
     }
-    return {std::move(shared->adjacency), solver.sweeps()};  // all else ends here, to make room
+    return {std::move(shared->adjacency), std::move(shared->halo),
+            solver.sweeps()};  // all else ends here, to make room
   }
 
   int relaxation_sweeps(std::size_t start, int depth) const {
@@ -310,12 +360,12 @@ class NestedSolver {
   }
 
   /// Finds the candidate of lowest energy; with `end_race`, drops the others.
-  void keep_best(const Adjacency& adjacency, bool end_race, bool finest) {
+  void keep_best(const Swept& swept, bool end_race, bool finest) {
     best_ = 0;
     const SharpTurns sharp_turns = finest ? SharpTurns::kLookedFor : SharpTurns::kLeftOut;
     std::vector<std::uint8_t> turns_sharply;
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
-      LevelEnergy energy = level_energy(result_.level, solid_, adjacency, candidates_[c].frames,
+      LevelEnergy energy = level_energy(result_.level, solid_, swept.adjacency, candidates_[c].frames,
                                         options_.solver.boundary_weight, sharp_turns);
       if (c == 0 || energy.parts.total() + energy.parts.unavoidable <
                         result_.energy.total() + result_.energy.unavoidable) {
@@ -326,7 +376,10 @@ class NestedSolver {
         best_ = c;
       }
     }
-    if (finest) result_.near_sharp_turn = near_sharp_turns(adjacency, turns_sharply);
+    if (finest) {
+      if (!swept.halo.empty()) swept.halo.refresh(std::span(turns_sharply));
+      result_.near_sharp_turn = near_sharp_turns(swept.adjacency, turns_sharply);
+    }
     if (end_race) {
       if (best_ > 0) candidates_[0] = std::move(candidates_[std::exchange(best_, 0)]);
       candidates_.resize(1);
@@ -337,10 +390,12 @@ class NestedSolver {
   RefinedLevel refine(std::vector<FaceNeighbours> neighbours, int depth, int finest_depth) {
     is_uniform_ = is_uniform_ && 8 * result_.level.size() <= options_.solver.relaxed_cells;
     // With several candidates no single field says where to refine.
+    std::vector<ReachedPlace> elsewhere;
     Marks marks = is_uniform_ || candidates_.size() > 1
                       ? Marks(result_.level.size(), true)
                       : refinement_marks(result_.level, neighbours, solid_, result_.energy_density,
-                                         finest_depth, options_.refinement);
+                                         finest_depth, options_.refinement, &elsewhere);
+    if (is_shared()) sharing_->complete(result_.level, neighbours, elsewhere, finest_depth, marks);
     SolvedField next;
     next.levels = result_.levels;
     next.expected = result_.expected;
@@ -352,7 +407,18 @@ class NestedSolver {
     result_ = std::move(next);
     report(Phase::kGrid, depth + 1, 0);
     const GridLevel& level = may_be_stopped() ? coarser_.level : ending;
-    return refined(level, neighbours, solid_, std::move(marks), monitor_);
+    RefinedLevel made = refined(level, neighbours, solid_, std::move(marks), monitor_);
+    ending = {};
+    if (candidates_.size() == 1 && sharing_ != nullptr && !is_decision_) share_out_with_candidate(made);
+    return made;
+  }
+
+  void share_out_with_candidate(RefinedLevel& made) {
+    Frames& frames = candidates_.front().frames;
+    if (made.level.share().is_whole() && !sharing_->is_shared(made.level.size())) return;
+    std::vector<Frames> carried{inherited(std::exchange(frames, {}), made.parent)};
+    share_out(made, carried);
+    frames = std::move(carried.front());
   }
 
   /// Keeps the solved level, which is the result if the solve is stopped before the next level is finished.
@@ -368,6 +434,7 @@ class NestedSolver {
   const Monitor& monitor_;
   const InitialField& initial_;
   const VisitLevel& visit_level_;
+  LevelSharing* const sharing_;  ///< null: this process solves alone
   const bool is_decision_;
   SolvedField result_;   ///< the level being built or solved
   SolvedField coarser_;  ///< the finished level before it, if the solve may be stopped
@@ -386,11 +453,11 @@ class NestedSolver {
 }  // namespace
 
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-                         const InitialField& initial, const PlaceInRun& place,
-                         const VisitLevel& visit_level) {
+                         const InitialField& initial, const PlaceInRun& place, const VisitLevel& visit_level,
+                         LevelSharing* sharing) {
   return options.degree == Degree::kThree
-             ? NestedSolver<3>(solid, options, monitor, initial, place, visit_level).run()
-             : NestedSolver<4>(solid, options, monitor, initial, place, visit_level).run();
+             ? NestedSolver<3>(solid, options, monitor, initial, place, visit_level, sharing).run()
+             : NestedSolver<4>(solid, options, monitor, initial, place, visit_level, sharing).run();
 }
 
 }  // namespace crossgrain

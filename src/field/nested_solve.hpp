@@ -2,6 +2,7 @@
 // Nested iteration: the field is found on a coarse octree and refined level by level.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "field/energy.hpp"
 #include "field/octree_graph.hpp"
 #include "grid/grid_level.hpp"
+#include "grid/refinement.hpp"
 
 namespace crossgrain {
 
@@ -86,12 +88,50 @@ struct CoarserLevel {
 /// Is called with each such level, coarsest first.
 using VisitLevel = std::function<void(const CoarserLevel& level)>;
 
+/// How processes share the levels of a solve. All of them call each function together.
+class LevelSharing {
+ public:
+  LevelSharing() = default;
+  LevelSharing(const LevelSharing&) = delete;
+  LevelSharing& operator=(const LevelSharing&) = delete;
+  virtual ~LevelSharing() = default;
+
+  /// A level, and frames of its leaves.
+  struct Level {
+    RefinedLevel made;
+    std::vector<std::vector<StoredQuaternion>> frames;
+  };
+
+  virtual bool is_first() const = 0;
+  virtual int processes() const = 0;
+
+  /// Returns whether it is so in all processes.
+  virtual bool all(bool here) = 0;
+
+  /// Returns whether levels of so many leaves are shared.
+  virtual bool is_shared(std::uint64_t leaves) const = 0;
+
+  /// Shares a level out anew, in equal parts. It is whole in every process, or refined from a shared one. The
+  /// result has ghosts, neighbours and guides, and no parents.
+  virtual Level shared_out(Level level, const Solid& solid) = 0;
+
+  /// Adds the marks of other processes, those of places in their leaves, and those that balance requires,
+  /// except on leaves at `finest_depth`.
+  virtual void complete(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
+                        std::span<const ReachedPlace> elsewhere, int finest_depth, Marks& marks) = 0;
+
+  /// Moves the own leaves of all processes to the first; others have none afterwards. Lists that are empty
+  /// stay so.
+  virtual void gather(SolvedField& field, const Solid& solid) = 0;
+};
+
 /// Solves level by level. Throws Error(kLimit) if the grid cannot be built or memory allows only much coarser
 /// cells, Error(kInput) if the solid has no cell, Error(kInterrupted) once the monitor is cancelled. If
 /// stopped, it returns the last finished level, bitwise identical to a solve that memory limits to that
-/// level.
+/// level. With `sharing`, several processes solve together; the result in the first is that of one process
+/// alone to the bit, others have no leaves, and levels are visited in the first only.
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
                          const InitialField& initial = {}, const PlaceInRun& place = {},
-                         const VisitLevel& visit_level = {});
+                         const VisitLevel& visit_level = {}, LevelSharing* sharing = nullptr);
 
 }  // namespace crossgrain

@@ -24,6 +24,7 @@ std::vector<StoredQuaternion> relaxed(const FieldGraph<D>& graph, std::vector<St
     after_sweep(std::numeric_limits<double>::quiet_NaN());
   }
   project_to_frames(state);
+  if (!graph.halo().empty()) graph.halo().refresh(std::span(state.frames));
   return std::move(state.frames);
 }
 
@@ -40,13 +41,16 @@ class BlocksAwake {
   /// Empty if all blocks are awake.
   std::span<const std::uint8_t> awake() const { return awake_; }
 
-  /// `allowance` is the decrease of the energy below which a sweep is the last.
+  /// `decreases` are those of the blocks of all processes; `allowance` is the decrease of the energy below
+  /// which a sweep is the last.
   void update(const std::vector<double>& decreases, double allowance) {
     const double share = allowance / static_cast<double>(decreases.size());
+    const bool is_whole = order_.of_all.places.empty();
     for (std::size_t block = 0; block < awake_.size(); ++block) {
-      const auto& beside = order_.blocks_beside[block];
+      const auto& beside = is_whole ? order_.blocks_beside[block] : order_.of_all.blocks_beside[block];
+      const std::size_t place = is_whole ? block : order_.of_all.places[block];
       awake_[block] =
-          decreases[block] > share || std::any_of(beside.begin(), beside.end(), [&](std::uint32_t other) {
+          decreases[place] > share || std::any_of(beside.begin(), beside.end(), [&](std::uint32_t other) {
             return decreases[other] > kWakesNeighbours * share;
           });
     }
@@ -59,16 +63,34 @@ class BlocksAwake {
   std::vector<std::uint8_t> awake_;
 };
 
+/// Returns the decreases of the blocks of all processes, phase by phase.
+std::vector<double> decreases_of_all(const Share& share, const SweepOrder& order, std::vector<double> mine) {
+  if (share.is_whole()) return mine;
+  struct Decrease {
+    std::size_t place;
+    double amount;
+  };
+  std::vector<Decrease> placed;
+  for (std::size_t block = 0; block < mine.size(); ++block)
+    placed.push_back({order.of_all.places[block], mine[block]});
+  std::vector<double> all(order.of_all.block_count());
+  for (const auto& [place, amount] : gathered_values<Decrease>(*share.exchange, placed)) all[place] = amount;
+  return all;
+}
+
 }  // namespace
 
 template <int D>
 SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> frames,
                       const SettlingPlan& plan, const SweepMonitor& after_sweep) {
   FieldState<D> state = state_of<D>(std::move(frames));
+  const Share share = graph.share();
   SettledFrames result;
   result.energy = graph_energy(graph, state);
   BlocksAwake blocks(graph.order());
-  std::vector<std::uint8_t> awake(plan.resting_share > 0 ? state.size() : 0, 1);
+  std::vector<std::uint8_t> awake(plan.resting_share > 0 ? state.size() : 0, 0);
+  // Ghosts are awake only until their owners have heard of it.
+  if (!awake.empty()) std::fill(awake.begin() + share.begin, awake.begin() + share.end, 1);
   // If all frames agree, rounding of the forms makes the energy slightly negative.
   const auto allowance = [&] {
     return plan.fraction * std::max(plan.least_energy, result.energy) + plan.noise;
@@ -79,9 +101,10 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
   for (int sweep = 0; sweep < sweeps_allowed() && !result.settled; ++sweep) {
     const double over_relaxation =
         sweep < plan.most_sweeps ? plan.over_relaxation : plan.calm_over_relaxation;
-    const double least_decrease = plan.resting_share * allowance() / static_cast<double>(state.size());
-    const std::vector<double> decreases =
-        manifold_sweep_over(graph, state, over_relaxation, {blocks.awake(), awake, least_decrease});
+    const double least_decrease = plan.resting_share * allowance() / static_cast<double>(share.of_all);
+    const std::vector<double> decreases = decreases_of_all(
+        share, graph.order(),
+        manifold_sweep_over(graph, state, over_relaxation, {blocks.awake(), awake, least_decrease}));
     const double decrease = std::accumulate(decreases.begin(), decreases.end(), 0.0);
     result.energy -= decrease;
     after_sweep(result.energy);
@@ -91,12 +114,14 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
       result.energy = graph_energy(graph, state);
     blocks.update(decreases, allowance());
   }
+  if (!graph.halo().empty()) graph.halo().refresh(std::span(state.frames));
   result.frames = std::move(state.frames);
   return result;
 }
 
 template <class Options>
-SettlingPlan settling_plan(const Options& options, const Adjacency& adjacency, double volume, double side) {
+SettlingPlan settling_plan(const Options& options, const Connectivity& connectivity, double volume,
+                           double side) {
   const CalmFieldOptions& calm = options.calm_fields;
   const auto energy_of_turn = [&](double angle_deg) {
     const double turn = angle_deg * std::numbers::pi / 180;
@@ -105,7 +130,7 @@ SettlingPlan settling_plan(const Options& options, const Adjacency& adjacency, d
   return {options.most_sweeps,
           options.over_relaxation,
           options.sweep_tolerance,
-          rounding_noise(adjacency),
+          rounding_noise(connectivity.adjacency, connectivity.share()),
           options.resting_share,
           energy_of_turn(calm.least_turn_deg),
           energy_of_turn(calm.calm_turn_deg),
@@ -113,12 +138,12 @@ SettlingPlan settling_plan(const Options& options, const Adjacency& adjacency, d
           calm.over_relaxation};
 }
 
-template SettlingPlan settling_plan(const SolverOptions&, const Adjacency&, double, double);
-template SettlingPlan settling_plan(const OntoOptions&, const Adjacency&, double, double);
+template SettlingPlan settling_plan(const SolverOptions&, const Connectivity&, double, double);
+template SettlingPlan settling_plan(const OntoOptions&, const Connectivity&, double, double);
 
-double rounding_noise(const Adjacency& adjacency) {
+double rounding_noise(const Adjacency& adjacency, const Share& share) {
   constexpr double kSquaredTurn = 1e-12;
-  return kSquaredTurn * parallel_sum(adjacency.size(), [&](std::size_t i) {
+  return kSquaredTurn * parallel_sum(share, [&](std::size_t i) {
            double sum = 0;
            for (const Adjacency::Neighbour& neighbour : adjacency[i]) sum += std::abs(neighbour.weight);
            return sum;

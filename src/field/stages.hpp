@@ -48,7 +48,8 @@ struct SettlingPlan {
 
 /// Returns a plan of SolverOptions or OntoOptions for a graph in a part of this volume and longest side.
 template <class Options>
-SettlingPlan settling_plan(const Options& options, const Adjacency& adjacency, double volume, double side);
+SettlingPlan settling_plan(const Options& options, const Connectivity& connectivity, double volume,
+                           double side);
 
 struct SettledFrames {
   std::vector<StoredQuaternion> frames;
@@ -80,7 +81,7 @@ SettledFrames lower_settled(const FieldGraph<D>& graph, std::vector<StoredQuater
 
 /// Energy due to rounding of frames to single precision: a squared rotation of 1e-12 across every edge.
 /// Smaller decreases are meaningless.
-double rounding_noise(const Adjacency& adjacency);
+double rounding_noise(const Adjacency& adjacency, const Share& share);
 
 extern template std::vector<StoredQuaternion> relaxed<3>(const FieldGraph<3>&, std::vector<StoredQuaternion>,
                                                          const RelaxationPlan&, const SweepMonitor&);

@@ -14,6 +14,8 @@
 #include <span>
 #include <vector>
 
+#include "grid/share.hpp"
+
 namespace crossgrain {
 
 class Adjacency;
@@ -28,6 +30,16 @@ struct SweepOrder {
   /// Per block the others that contain a neighbour of one of its cells. Empty if all blocks have one run.
   std::vector<std::vector<std::uint32_t>> blocks_beside;
 
+  /// Blocks of all processes on a level that is shared. Those of this process are the blocks of this order.
+  struct OfAll {
+    std::vector<std::size_t> phase_of_block;  ///< in the order of the leaves
+    std::vector<std::uint32_t> places;        ///< of each block of this order among all, phase by phase
+    std::vector<std::vector<std::uint32_t>> blocks_beside;  ///< of each block of this order: places among all
+
+    std::size_t block_count() const { return phase_of_block.size(); }
+  };
+  OfAll of_all;  ///< empty if this process has the whole level
+
   SweepOrder() = default;
 
   /// One phase per colour, cut into blocks of one run.
@@ -39,11 +51,24 @@ struct SweepOrder {
   SweepOrder(const Adjacency& adjacency, std::span<const std::uint8_t> colour_of_cell,
              std::size_t block_size);
 
+  /// The same for the own leaves of a share, in blocks of kShareUnit, each in the phase that it has if one
+  /// process has the whole level. All processes call it together. Precondition: `adjacency` has the rows of
+  /// own leaves.
+  SweepOrder(const Adjacency& adjacency, std::span<const std::uint8_t> colour_of_cell, const Share& share,
+             const Ghosts& ghosts);
+
   std::size_t block_count() const { return block_begin.empty() ? 0 : block_begin.size() - 1; }
   std::size_t phase_count() const { return phase_begin.empty() ? 0 : phase_begin.size() - 1; }
   std::span<const std::uint32_t> run(std::size_t r) const {
     return {cells.data() + run_begin[r], cells.data() + run_begin[r + 1]};
   }
+
+ private:
+  using Blocks = std::vector<std::uint32_t>;
+
+  /// Places the blocks of successive cells from `first_cell` on phase by phase. Returns the place of each.
+  Blocks place_blocks(const std::vector<Blocks>& phases, std::size_t first_cell, std::size_t end_cell,
+                      std::span<const std::uint8_t> colour_of_cell, std::size_t block_size);
 };
 
 }  // namespace crossgrain

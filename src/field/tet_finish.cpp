@@ -148,7 +148,7 @@ class Finish {
         options_(options),
         guides_(guides),
         after_sweep_(after_sweep),
-        plan_(settling_plan(options, connectivity_->adjacency, extent.volume, extent.side)),
+        plan_(settling_plan(options, *connectivity_, extent.volume, extent.side)),
         graph_(graph_of<D>(connectivity_, holds, options, guides)) {}
 
   SettledFrames of(Frames start) {

@@ -37,7 +37,7 @@ struct RefinedRun {
   std::vector<SurfacePiece> pieces;
   std::vector<std::int8_t> centre_winding;
   std::vector<CellIndex> parent;
-  std::size_t split = 0;
+  std::size_t split = 0;  ///< own leaves
 };
 
 std::int8_t in_byte(int winding) {
@@ -60,7 +60,7 @@ Winding winding_at(const Solid& solid, const Vector3& point) {
 class Refiner {
  public:
   Refiner(const GridLevel& level, const Solid& solid, const Monitor& monitor)
-      : level_(level), solid_(solid), monitor_(monitor) {}
+      : level_(level), owned_(level.share()), solid_(solid), monitor_(monitor) {}
 
   RefinedRun refine(CellIndex begin, CellIndex end, const std::vector<bool>& marked) const {
     RefinedRun run;
@@ -78,7 +78,7 @@ class Refiner {
 
  private:
   void split(CellIndex i, RefinedRun& run) const {
-    ++run.split;
+    run.split += owned_.owns(i);
     const std::array<Winding, 8> windings = windings_of_children(i);
     const std::vector<std::uint8_t> octants = octants_of_pieces(i);
     for (int octant = 0; octant < 8; ++octant) {
@@ -174,6 +174,7 @@ class Refiner {
   }
 
   const GridLevel& level_;
+  const Share owned_;
   const Solid& solid_;
   const Monitor& monitor_;
 };
@@ -280,7 +281,20 @@ RefinedLevel refined(const GridLevel& level, std::span<const FaceNeighbours> nei
   std::vector<RefinedRun> runs(begins.size() - 1);
   parallel_for(
       runs.size(), [&](std::size_t r) { runs[r] = refiner.refine(begins[r], begins[r + 1], marked); }, 1);
-  RefinedLevel finer = joined(level.tree.root(), std::move(runs), level.examined_leaves);
+  const Share share = level.share();
+  // Of processes that share a level, the first counts the leaves before.
+  const bool counts_leaves = share.is_whole() || share.exchange->rank() == 0;
+  RefinedLevel finer =
+      joined(level.tree.root(), std::move(runs), counts_leaves ? level.examined_leaves : 0);
+  if (!share.is_whole()) {
+    const auto index_of_first = [&](CellIndex parent) {
+      const auto first = std::lower_bound(finer.parent.begin(), finer.parent.end(), parent);
+      return static_cast<CellIndex>(first - finer.parent.begin());
+    };
+    finer.level.part =
+        Share{index_of_first(share.begin), index_of_first(share.end), 0, 0, share.exchange};
+    return finer;
+  }
   finer.neighbours = face_neighbours({level.tree, neighbours, marked}, finer.level.tree, finer.parent);
   if (solid.guides != nullptr) finer.level.guides = LeafGuides(finer.level.tree, *solid.guides);
   return finer;

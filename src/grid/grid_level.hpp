@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "grid/face_neighbours.hpp"
 #include "grid/leaf_guides.hpp"
 #include "grid/octree.hpp"
+#include "grid/share.hpp"
 #include "surface/bvh.hpp"
 #include "surface/guides.hpp"
 #include "surface/surface.hpp"
@@ -40,10 +42,15 @@ struct GridLevel {
   /// Winding number of the surface at the centre of leaf i, an integer; 0 or 1 if the surface is not closed.
   std::vector<std::int8_t> centre_winding;
 
-  /// Number of leaves of the complete octree, including those outside.
+  /// Number of leaves of the complete octree, including those outside; of all processes.
   std::size_t examined_leaves = 0;
 
+  /// Which of the leaves this process owns; none: it has the whole level.
+  std::optional<Share> part;
+  Ghosts ghosts;
+
   std::size_t size() const { return tree.size(); }
+  Share share() const { return part ? *part : whole_share(size()); }
   std::span<const SurfacePiece> pieces_of(CellIndex i) const {
     return {pieces.data() + piece_begin[i], pieces.data() + piece_begin[i + 1]};
   }
@@ -101,7 +108,9 @@ GridFrame frame_around(const Box& box, double cell_size);
 /// cancelled.
 RefinedLevel uniform_level(const Solid& solid, const RootCube& root, int depth, const Monitor& monitor = {});
 
-/// Returns `level` with the marked leaves, and those that balance requires, split into eight.
+/// Returns `level` with the marked leaves, and those that balance requires, split into eight. If it is shared,
+/// marks are those of all processes, and the result is to be shared out: it has descendants of ghosts, no
+/// neighbours and guides, and its share has no numbers.
 RefinedLevel refined(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid,
                      std::vector<bool> marked, const Monitor& monitor = {});
 

@@ -30,7 +30,8 @@ struct Passage {
 /// Follows segments from leaf to leaf.
 class SegmentWalker {
  public:
-  explicit SegmentWalker(const Octree& tree) : tree_(tree), finder_(tree), finest_(tree.root().size) {
+  SegmentWalker(const Octree& tree, double finest)
+      : tree_(tree), finder_(tree), finest_(finest > 0 ? finest : tree.root().size) {
     for (CellIndex i = 0; i < tree.size(); ++i) finest_ = std::min(finest_, tree.cell_size(i));
   }
 
@@ -198,9 +199,9 @@ Vector3 LeafGuide::unit_direction() const {
   return normalised(Vector3{direction[0], direction[1], direction[2]});
 }
 
-LeafGuides::LeafGuides(const Octree& tree, const Guides& guides) {
+LeafGuides::LeafGuides(const Octree& tree, const Guides& guides, double finest) {
   if (tree.size() == 0 || guides.empty()) return;
-  const SegmentWalker walker(tree);
+  const SegmentWalker walker(tree, finest);
   std::vector<CellIndex> corners;
   for (const Vector3& corner : guides.corners) corners.push_back(walker.leaf_at(corner));
   std::sort(corners.begin(), corners.end());

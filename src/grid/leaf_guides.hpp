@@ -27,8 +27,9 @@ class LeafGuides {
  public:
   LeafGuides() = default;
 
-  /// Distributes guides among leaves. Parts outside all leaves are ignored.
-  LeafGuides(const Octree& tree, const Guides& guides);
+  /// Distributes guides among leaves. Parts outside all leaves are ignored. `finest` is the size of the
+  /// finest leaves, which may belong to other processes; 0: of those of `tree`.
+  LeafGuides(const Octree& tree, const Guides& guides, double finest = 0);
 
   /// Returns the guides of a leaf: creases, then segments, faces and points, each in the given order.
   std::span<const LeafGuide> of(CellIndex leaf) const {

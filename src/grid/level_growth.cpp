@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/vector3.hpp"
 #include "grid/cell_constraints.hpp"
@@ -55,6 +56,11 @@ LevelGrowth::LevelGrowth(const GridLevel& level, const Solid& solid, const Refin
   // The finest cells of a level are those that hold surface.
   int deepest = 0;
   for (const CellAddress leaf : level.tree.leaves()) deepest = std::max(deepest, leaf.depth());
+  const Share share = level.share();
+  if (!share.is_whole()) {
+    const std::vector<int> depths = gathered_value(*share.exchange, deepest);
+    deepest = *std::max_element(depths.begin(), depths.end());
+  }
   const double cell_size = level.tree.root().cell_size(deepest);
   flat_surface_cells_ /= cell_size * cell_size;
   if (solid.guides != nullptr) {
@@ -66,30 +72,58 @@ LevelGrowth::LevelGrowth(const GridLevel& level, const Solid& solid, const Refin
 
   if (solid.guides != nullptr) count_guides(level, solid);
 
-  const auto step = std::max<std::size_t>(1, static_cast<std::size_t>(now_.surface_cells) / kSampleSize);
-  std::size_t met = 0;
-  for (CellIndex i = 0; i < level.size(); ++i) {
-    if (level.holds_surface(i) && met++ % step == 0) look_around(level, solid, i);
-  }
+  sample_surface(level, solid);
   if (!columns_.empty())
     now_.several_normals = now_.surface_cells * static_cast<double>(several_normals_in_sample_) /
                            static_cast<double>(columns_.size());
 }
 
 void LevelGrowth::count(const GridLevel& level) {
-  now_.cells = static_cast<double>(level.size());
-  now_.pieces = static_cast<double>(level.pieces.size());
-  for (CellIndex i = 0; i < level.size(); ++i) now_.surface_cells += level.holds_surface(i);
+  const Share share = level.share();
+  double pieces = 0;
+  for (CellIndex i = share.begin; i < share.end; ++i) {
+    now_.surface_cells += level.holds_surface(i);
+    pieces += static_cast<double>(level.pieces_of(i).size());
+  }
+  now_.cells = static_cast<double>(share.of_all);
+  now_.pieces = sum_of_all(share, {&pieces, 1});
+  now_.surface_cells = sum_of_all(share, {&now_.surface_cells, 1});
+}
+
+/// Looks around at every so many leaves with surface, counted over all processes.
+void LevelGrowth::sample_surface(const GridLevel& level, const Solid& solid) {
+  const Share share = level.share();
+  const auto step = std::max<std::size_t>(1, static_cast<std::size_t>(now_.surface_cells) / kSampleSize);
+  std::size_t met = 0;
+  if (!share.is_whole()) {
+    std::size_t own = 0;
+    for (CellIndex i = share.begin; i < share.end; ++i) own += level.holds_surface(i);
+    const std::vector<std::size_t> counts = gathered_value(*share.exchange, own);
+    met = std::accumulate(counts.begin(), counts.begin() + share.exchange->rank(), std::size_t{0});
+  }
+  for (CellIndex i = share.begin; i < share.end; ++i) {
+    if (level.holds_surface(i) && met++ % step == 0) look_around(level, solid, i);
+  }
+  if (share.is_whole()) return;
+  columns_ = gathered_values<Column>(*share.exchange, columns_);
+  const std::vector<std::size_t> several = gathered_value(*share.exchange, several_normals_in_sample_);
+  several_normals_in_sample_ = std::accumulate(several.begin(), several.end(), std::size_t{0});
 }
 
 void LevelGrowth::count_guides(const GridLevel& level, const Solid& solid) {
+  const Share share = level.share();
   CellIndex before = kNoCell;
   double finest = level.tree.root().size;
   for (const LeafGuide& guide : level.guides.all()) {
-    if (guide.leaf == before || level.holds_surface(guide.leaf)) continue;
+    if (guide.leaf == before || level.holds_surface(guide.leaf) || !share.owns(guide.leaf)) continue;
     before = guide.leaf;
     ++guided_cells_;
     finest = std::min(finest, level.tree.cell_size(guide.leaf));
+  }
+  if (!share.is_whole()) {
+    guided_cells_ = sum_of_all(share, {&guided_cells_, 1});
+    const std::vector<double> sizes = gathered_value(*share.exchange, finest);
+    finest = *std::min_element(sizes.begin(), sizes.end());
   }
   for (const GuidePoint& point : solid.guides->points)
     guided_by_points_ += point.reach_cells > 1 ? kCellsOfWidePoint : kCellsOfPoint;

@@ -40,6 +40,7 @@ class LevelGrowth {
   };
 
   void count(const GridLevel& level);
+  void sample_surface(const GridLevel& level, const Solid& solid);
   void count_guides(const GridLevel& level, const Solid& solid);
   double guided_after(int levels) const;
   void look_around(const GridLevel& level, const Solid& solid, CellIndex leaf);

@@ -2,6 +2,7 @@
 #include "grid/refinement.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "constraint/classification.hpp"
@@ -32,27 +33,44 @@ void mark_spectral_conflict(const GridLevel& level, std::span<const FaceNeighbou
   }
 }
 
-void mark_thin_walls(const GridLevel& level, const Solid& solid, double thickness_cells, Marks& marks) {
-  std::vector<std::vector<CellIndex>> thin((level.size() + kParallelGrain - 1) / kParallelGrain);
+std::vector<ReachedPlace> mark_thin_walls(const GridLevel& level, const Solid& solid, double thickness_cells,
+                                          Marks& marks) {
+  struct Found {
+    std::vector<CellIndex> here;
+    std::vector<ReachedPlace> elsewhere;
+  };
+  std::vector<Found> thin((level.size() + kParallelGrain - 1) / kParallelGrain);
+  const Share share = level.share();
+  const bool is_shared = !share.is_whole();
   parallel_for_chunks(level.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
-    std::vector<CellIndex>& found = thin[begin / kParallelGrain];
+    Found& found = thin[begin / kParallelGrain];
     for (auto i = static_cast<CellIndex>(begin); i < end; ++i) {
       const double size = level.tree.cell_size(i);
       const auto ray = inward_ray(level, solid, i, thickness_cells * size);
       if (!ray || ray->thickness >= thickness_cells * size) continue;
-      found.push_back(i);
+      found.here.push_back(i);
       // Steps of half a cell miss at most a corner of a cell.
       for (double t = size / 2; t < ray->thickness; t += size / 2) {
         const auto address = level.tree.root().locate(ray->origin + t * ray->direction);
         const CellIndex j = address ? level.tree.find_containing(*address) : kNoCell;
         // Finer cells are marked by rays of their own.
-        if (j != kNoCell && level.tree[j].depth() <= level.tree[i].depth()) found.push_back(j);
+        if (j != kNoCell && level.tree[j].depth() <= level.tree[i].depth()) found.here.push_back(j);
+        if (is_shared && address && (j == kNoCell || !share.owns(j)))
+          found.elsewhere.push_back({*address, level.tree[i].depth()});
       }
     }
   });
-  for (const auto& found : thin) {
-    for (const CellIndex i : found) marks[i] = true;
+  std::vector<ReachedPlace> elsewhere;
+  for (const Found& found : thin) {
+    for (const CellIndex i : found.here) marks[i] = true;
+    elsewhere.insert(elsewhere.end(), found.elsewhere.begin(), found.elsewhere.end());
   }
+  return elsewhere;
+}
+
+void mark_reached(const GridLevel& level, const ReachedPlace& reached, Marks& marks) {
+  const CellIndex leaf = level.tree.find_containing(reached.place);
+  if (leaf != kNoCell && level.tree[leaf].depth() <= reached.depth) marks[leaf] = true;
 }
 
 void mark_energy_density(const GridLevel& level, std::span<const float> energy_density, double threshold,
@@ -65,11 +83,14 @@ void mark_energy_density(const GridLevel& level, std::span<const float> energy_d
 
 Marks refinement_marks(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid,
                        std::span<const float> energy_density, int finest_depth,
-                       const RefinementOptions& options) {
+                       const RefinementOptions& options, std::vector<ReachedPlace>* elsewhere) {
   Marks marks(level.size(), false);
   if (options.by_surface) mark_surface(level, marks);
   if (options.by_spectral_conflict) mark_spectral_conflict(level, neighbours, solid, marks);
-  if (options.by_thickness) mark_thin_walls(level, solid, options.thickness_cells, marks);
+  if (options.by_thickness) {
+    std::vector<ReachedPlace> places = mark_thin_walls(level, solid, options.thickness_cells, marks);
+    if (elsewhere != nullptr) *elsewhere = std::move(places);
+  }
   if (options.by_energy_density && !energy_density.empty()) {
     mark_energy_density(level, energy_density, options.energy_density_threshold, marks);
   }

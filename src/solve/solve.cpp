@@ -32,6 +32,7 @@
 #include "solve/kept_forms.hpp"
 #include "solve/level_comparison.hpp"
 #include "solve/prepared_model.hpp"
+#include "solve/shared_solve.hpp"
 #include "solve/solve_checks.hpp"
 
 namespace crossgrain {
@@ -168,8 +169,10 @@ void describe_surface(const Sampler& sampler, FieldData& data) {
   data.report.answer = answer_of(data.report);
 }
 
+/// Null in processes that help the first one.
 std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptions& options,
-                                      const Monitor& monitor, InitialField initial) {
+                                      const Monitor& monitor, InitialField initial,
+                                      LevelSharing* sharing = nullptr) {
   check_options(options);
   check_constraints(options.constraints);
   Stopwatch watch;
@@ -183,8 +186,10 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const std::unique_ptr<const DecidedField> decided =
       initial.frame_at ? nullptr : DecidedField::solved(model.solid(), options, monitor);
   if (decided) initial = decided->initial_field(options.solver);
-  SolvedField solved = nested_solve(model.solid(), options, monitor, initial, {watch.restart()},
-                                    [&](const CoarserLevel& level) { coarser.add(level, creases); });
+  SolvedField solved = nested_solve(
+      model.solid(), options, monitor, initial, {watch.restart()},
+      [&](const CoarserLevel& level) { coarser.add(level, creases); }, sharing);
+  if (sharing != nullptr && !sharing->is_first()) return nullptr;
   check_interior(solved.level, model.mended());
   if (decided) {
     solved.grid_seconds += decided->seconds() - decided->field().solve_seconds;
@@ -221,15 +226,40 @@ FrameField solve(const TriangleMesh& mesh, const SolveOptions& options, const Mo
   return FrameField(solve_with(mesh, options, monitor, {}));
 }
 
+namespace {
+
+/// The field as a start of another solve. `sampler` is of `data`; both must outlive it.
+InitialField start_from(const Sampler& sampler) {
+  return {[&sampler](const Vector3& point) { return sampler.at(point).frame; }};
+}
+
+FrameField continued(const FieldData& earlier, std::shared_ptr<FieldData> result) {
+  if (auto warning =
+          other_model_warning(earlier.report.model.bounding_box, result->report.model.bounding_box))
+    result->report.warnings.push_back(std::move(*warning));
+  return FrameField(std::move(result));
+}
+
+}  // namespace
+
 FrameField solve_from(const FrameField& earlier, const TriangleMesh& mesh, const SolveOptions& options,
                       const Monitor& monitor) {
   const FieldData& data = earlier.data();
   const Sampler sampler(data.tree, data.frames, data.open_faces);
-  const auto frame_at = [&](const Vector3& point) { return sampler.at(point).frame; };
-  const std::shared_ptr<FieldData> result = solve_with(mesh, options, monitor, {frame_at});
-  if (auto warning = other_model_warning(data.report.model.bounding_box, result->report.model.bounding_box))
-    result->report.warnings.push_back(std::move(*warning));
-  return FrameField(result);
+  return continued(data, solve_with(mesh, options, monitor, start_from(sampler)));
+}
+
+std::optional<FrameField> solve_together(LevelSharing& sharing, const FrameField* earlier,
+                                         const TriangleMesh& mesh, const SolveOptions& options,
+                                         const Monitor& monitor) {
+  if (earlier == nullptr) {
+    auto result = solve_with(mesh, options, monitor, {}, &sharing);
+    return result ? std::optional(FrameField(std::move(result))) : std::nullopt;
+  }
+  const FieldData& data = earlier->data();
+  const Sampler sampler(data.tree, data.frames, data.open_faces);
+  auto result = solve_with(mesh, options, monitor, start_from(sampler), &sharing);
+  return result ? std::optional(continued(data, std::move(result))) : std::nullopt;
 }
 
 }  // namespace crossgrain

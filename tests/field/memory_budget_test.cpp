@@ -88,7 +88,7 @@ TEST_F(MemoryBudget, HasALineForWhatCellsHaveEach) {
   expect_exact(memory_lines::kCoefficients, bytes_of(state.coefficients));
   const Connectivity connectivity = connectivity_of(level_, connect_leaves(level_, part_.solid()), 0.2);
   const NeighbourComparison comparison =
-      compare_neighbours(level_.tree, connectivity.adjacency, state.frames, SharpTurns::kLookedFor);
+      compare_neighbours(level_, connectivity.adjacency, state.frames, SharpTurns::kLookedFor);
   expect_exact(memory_lines::kEnergyDensity, bytes_of(comparison.energy_density));
   expect_exact(memory_lines::kSharpTurns, bytes_of(comparison.turns_sharply));
 }

@@ -28,7 +28,7 @@ struct Solved {
   }
 
   std::vector<std::uint8_t> near_sharp_turns_of(const std::vector<StoredQuaternion>& frames) const {
-    const auto comparison = compare_neighbours(field.level.tree, adjacency, frames, SharpTurns::kLookedFor);
+    const auto comparison = compare_neighbours(field.level, adjacency, frames, SharpTurns::kLookedFor);
     return near_sharp_turns(adjacency, comparison.turns_sharply);
   }
 

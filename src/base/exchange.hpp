@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the processes that solve one field together need of each other. All of them call the same functions in
+// the same order. src/distributed has one on MPI, tests have one on threads; a process that is alone needs
+// none.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace crossgrain {
+
+using Bytes = std::vector<std::byte>;
+
+/// Appends the values to a message.
+template <class T>
+void append_to(Bytes& message, std::span<const T> values) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  if (values.empty()) return;
+  const std::size_t before = message.size();
+  message.resize(before + values.size_bytes());
+  std::memcpy(message.data() + before, values.data(), values.size_bytes());
+}
+
+/// Takes values from a message in the order in which they were appended.
+class MessageReader {
+ public:
+  explicit MessageReader(std::span<const std::byte> message) : left_(message) {}
+
+  /// Precondition: so many values are left.
+  template <class T>
+  std::vector<T> take(std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::vector<T> values(count);
+    if (count > 0) std::memcpy(values.data(), left_.data(), count * sizeof(T));
+    left_ = left_.subspan(count * sizeof(T));
+    return values;
+  }
+  template <class T>
+  T take() {
+    return take<T>(1).front();
+  }
+  bool empty() const { return left_.empty(); }
+  std::size_t size() const { return left_.size(); }
+
+ private:
+  std::span<const std::byte> left_;
+};
+
+class Exchange {
+ public:
+  Exchange() = default;
+  Exchange(const Exchange&) = delete;
+  Exchange& operator=(const Exchange&) = delete;
+  virtual ~Exchange() = default;
+
+  /// Number of this process, from 0, and of all of them.
+  virtual int rank() const = 0;
+  virtual int ranks() const = 0;
+
+  /// Returns what each rank passed, by rank.
+  virtual std::vector<Bytes> gathered(std::span<const std::byte> mine) = 0;
+
+  /// Sends to[r] to rank r, and returns what each rank sent to this one.
+  virtual std::vector<Bytes> delivered(std::vector<Bytes> to) = 0;
+
+  /// A message of known size to or from a rank.
+  struct Sent {
+    int rank;
+    std::span<const std::byte> bytes;
+  };
+  struct Received {
+    int rank;
+    std::span<std::byte> bytes;
+  };
+
+  /// Sends and receives; returns once all has come and may be overwritten. There is at most one message from
+  /// a rank to another, and both give the same size for it. Ranks without messages may leave out the call.
+  virtual void swap(std::span<const Sent> sent, std::span<const Received> received) = 0;
+};
+
+/// Returns the values that all ranks passed, those of rank 0 first.
+template <class T>
+std::vector<T> gathered_values(Exchange& exchange, std::span<const T> mine) {
+  std::vector<T> all;
+  for (const Bytes& part : exchange.gathered(std::as_bytes(mine))) {
+    const std::vector<T> values = MessageReader(part).take<T>(part.size() / sizeof(T));
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  return all;
+}
+template <class T>
+std::vector<T> gathered_value(Exchange& exchange, const T& mine) {
+  return gathered_values<T>(exchange, std::span<const T>(&mine, 1));
+}
+
+inline bool any(Exchange& exchange, bool mine) {
+  const std::vector<char> all = gathered_value<char>(exchange, mine ? 1 : 0);
+  return std::find(all.begin(), all.end(), 1) != all.end();
+}
+
+/// Returns the terms of all ranks added to zero one after the other, those of rank 0 first: the same to the
+/// bit for any shares.
+inline double running_sum(Exchange& exchange, std::span<const double> terms) {
+  double sum = 0;
+  const auto before = std::as_writable_bytes(std::span(&sum, 1));
+  const Exchange::Received received{exchange.rank() - 1, before};
+  if (exchange.rank() > 0) exchange.swap({}, {&received, 1});
+  for (const double term : terms) sum += term;
+  const Exchange::Sent sent{exchange.rank() + 1, std::as_bytes(std::span(&sum, 1))};
+  if (exchange.rank() + 1 < exchange.ranks()) exchange.swap({&sent, 1}, {});
+  return gathered_value(exchange, sum).back();
+}
+
+}  // namespace crossgrain

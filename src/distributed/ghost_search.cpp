@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "distributed/ghost_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "grid/leaf_finder.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Leaves whose ancestor so many levels up has only own leaves around it need no look at their own
+/// surroundings.
+constexpr int kAncestorLevels = 3;
+
+constexpr std::uint64_t code_of(CellAddress cell) {
+  return cell.packed() >> 5;
+}
+std::uint64_t last_code_of(CellAddress cell) {
+  return code_of(cell) + (std::uint64_t{1} << 3 * (kMaxDepth - cell.depth())) - 1;
+}
+
+/// Calls visit(cell) for the up to 26 cells of the same size around a cell, and for itself.
+template <class Visit>
+void for_each_around(CellAddress cell, const Visit& visit) {
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z)
+        if (const auto beside = moved(cell, {x, y, z})) visit(*beside);
+    }
+  }
+}
+
+bool touch(CellAddress a, CellAddress b) {
+  const GridPoint low_a = a.corner(), low_b = b.corner();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::max(low_a[axis], low_b[axis]) > std::min(low_a[axis] + a.width(), low_b[axis] + b.width()))
+      return false;
+  }
+  return true;
+}
+
+void insert(std::vector<int>& ranks, int rank) {
+  const auto at = std::lower_bound(ranks.begin(), ranks.end(), rank);
+  if (at == ranks.end() || *at != rank) ranks.insert(at, rank);
+}
+
+/// Returns the holders of the first layer: those in whose shares lie cells of its size around a leaf.
+GhostHolders first_layer(const Octree& own, const ShareBounds& bounds, int rank) {
+  GhostHolders holders(own.size());
+  parallel_for_chunks(own.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
+    std::optional<CellAddress> inner;  // an ancestor with own leaves around it only
+    for (std::size_t i = begin; i < end; ++i) {
+      const CellAddress leaf = own[static_cast<CellIndex>(i)];
+      if (inner && inner->contains(leaf)) continue;
+      const auto insert_around = [&](CellAddress cell, std::vector<int>& ranks) {
+        for_each_around(cell, [&](CellAddress beside) {
+          for (const int owner : bounds.owners(beside))
+            if (owner != rank) insert(ranks, owner);
+        });
+      };
+      const CellAddress ancestor = leaf.ancestor_at(std::max(0, leaf.depth() - kAncestorLevels));
+      std::vector<int> around_ancestor;
+      insert_around(ancestor, around_ancestor);
+      if (around_ancestor.empty())
+        inner = ancestor;
+      else
+        insert_around(leaf, holders[i]);
+    }
+  });
+  return holders;
+}
+
+/// A leaf of another process, with its owner and the other processes that have it in the first layer.
+struct FirstGhost {
+  CellAddress address;
+  std::vector<int> ranks;
+};
+
+std::vector<FirstGhost> first_ghosts(const Octree& own, const GhostHolders& holders, Exchange& exchange) {
+  std::vector<Bytes> to(static_cast<std::size_t>(exchange.ranks()));
+  for (std::size_t i = 0; i < holders.size(); ++i) {
+    for (const int rank : holders[i]) {
+      Bytes& message = to[static_cast<std::size_t>(rank)];
+      const CellAddress address = own[static_cast<CellIndex>(i)];
+      const std::uint64_t count = holders[i].size();
+      append_to(message, std::span(&address, 1));
+      append_to(message, std::span(&count, 1));
+      append_to(message, std::span<const int>(holders[i]));
+    }
+  }
+  std::vector<FirstGhost> ghosts;
+  const std::vector<Bytes> from = exchange.delivered(std::move(to));
+  for (int rank = 0; rank < exchange.ranks(); ++rank) {
+    for (MessageReader reader(from[static_cast<std::size_t>(rank)]); !reader.empty();) {
+      FirstGhost ghost{reader.take<CellAddress>(), {}};
+      ghost.ranks = reader.take<int>(reader.take<std::uint64_t>());
+      insert(ghost.ranks, rank);
+      ghosts.push_back(std::move(ghost));
+    }
+  }
+  return ghosts;
+}
+
+}  // namespace
+
+ShareBounds::ShareBounds(Exchange& exchange, const CellAddress* first) {
+  constexpr std::uint64_t kNone = ~std::uint64_t{0};
+  const auto begins = gathered_value<std::uint64_t>(exchange, first == nullptr ? kNone : code_of(*first));
+  for (std::size_t rank = 0; rank < begins.size(); ++rank) {
+    if (begins[rank] == kNone) continue;
+    begins_.push_back(begins[rank]);
+    ranks_.push_back(static_cast<int>(rank));
+  }
+}
+
+std::size_t ShareBounds::index(std::uint64_t code) const {
+  const auto after = std::upper_bound(begins_.begin(), begins_.end(), code) - begins_.begin();
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - 1));
+}
+
+int ShareBounds::owner(CellAddress smallest) const {
+  return ranks_.empty() ? 0 : ranks_[index(code_of(smallest))];
+}
+
+std::span<const int> ShareBounds::owners(CellAddress cell) const {
+  if (ranks_.empty()) return {};
+  const std::size_t first = index(code_of(cell)), last = index(last_code_of(cell));
+  return std::span(ranks_).subspan(first, last - first + 1);
+}
+
+GhostHolders ghost_holders(const Octree& own, const ShareBounds& bounds, Exchange& exchange) {
+  const int rank = exchange.rank();
+  GhostHolders holders = first_layer(own, bounds, rank);
+  const std::vector<FirstGhost> ghosts = first_ghosts(own, holders, exchange);
+  GhostHolders both = holders;
+  if (own.size() == 0) return both;
+  const LeafFinder finder(own);
+  // A leaf of the second layer touches one that is of that process, or that it has as a ghost.
+  const auto hand_on = [&](CellAddress middle, const std::vector<int>& ranks) {
+    for_each_around(middle, [&](CellAddress beside) {
+      const auto [first, last] = finder.over(beside);
+      for (CellIndex leaf = first; leaf < last; ++leaf) {
+        if (!touch(own[leaf], middle)) continue;
+        for (const int other : ranks)
+          if (other != rank) insert(both[leaf], other);
+      }
+    });
+  };
+  for (CellIndex leaf = 0; leaf < own.size(); ++leaf)
+    if (!holders[leaf].empty()) hand_on(own[leaf], holders[leaf]);
+  for (const FirstGhost& ghost : ghosts) hand_on(ghost.address, ghost.ranks);
+  return both;
+}
+
+}  // namespace crossgrain

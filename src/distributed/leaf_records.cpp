@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "distributed/leaf_records.hpp"
+
+namespace crossgrain {
+namespace {
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+template <class T>
+void pack(Bytes& message, const std::vector<T>& values) {
+  const std::uint64_t count = values.size();
+  append_to(message, std::span(&count, 1));
+  append_to(message, std::span<const T>(values));
+}
+
+template <class T>
+void unpack(MessageReader& reader, std::vector<T>& values) {
+  values = reader.take<T>(reader.take<std::uint64_t>());
+}
+
+}  // namespace
+
+void append(LeafRecords& to, const GridLevel& level, std::span<const std::vector<StoredQuaternion>> frames,
+            CellIndex leaf) {
+  to.addresses.push_back(level.tree[leaf]);
+  to.centre_winding.push_back(level.centre_winding[leaf]);
+  const auto pieces = level.pieces_of(leaf);
+  to.piece_counts.push_back(static_cast<std::uint32_t>(pieces.size()));
+  to.pieces.insert(to.pieces.end(), pieces.begin(), pieces.end());
+  for (std::size_t f = 0; f < frames.size(); ++f) to.frames[f].push_back(frames[f][leaf]);
+}
+
+void append(LeafRecords& to, const LeafRecords& from) {
+  append(to.numbers, from.numbers);
+  append(to.addresses, from.addresses);
+  append(to.centre_winding, from.centre_winding);
+  append(to.piece_counts, from.piece_counts);
+  append(to.pieces, from.pieces);
+  for (std::size_t f = 0; f < from.frames.size(); ++f) append(to.frames[f], from.frames[f]);
+}
+
+Bytes packed(const LeafRecords& records) {
+  Bytes message;
+  message.reserve(records.size() *
+                      (sizeof(CellAddress) + sizeof(StoredQuaternion) * records.frames.size() + 8) +
+                  records.pieces.size() * sizeof(SurfacePiece));
+  pack(message, records.numbers);
+  pack(message, records.addresses);
+  pack(message, records.centre_winding);
+  pack(message, records.piece_counts);
+  pack(message, records.pieces);
+  for (const auto& field : records.frames) pack(message, field);
+  return message;
+}
+
+LeafRecords unpacked(std::span<const std::byte> message, std::size_t fields) {
+  LeafRecords records;
+  records.frames.resize(fields);
+  if (message.empty()) return records;
+  MessageReader reader(message);
+  unpack(reader, records.numbers);
+  unpack(reader, records.addresses);
+  unpack(reader, records.centre_winding);
+  unpack(reader, records.piece_counts);
+  unpack(reader, records.pieces);
+  for (auto& field : records.frames) unpack(reader, field);
+  return records;
+}
+
+}  // namespace crossgrain

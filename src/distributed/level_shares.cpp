@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "distributed/level_shares.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "crossgrain/error.hpp"
+#include "field/leaf_stencil.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Makes a level of own leaves and of ghosts, both in the order of their numbers.
+LevelSharing::Level joined(const RootCube& root, LeafRecords own, const LeafRecords& ghosts,
+                           std::uint64_t before) {
+  const auto below = static_cast<std::size_t>(
+      std::lower_bound(ghosts.numbers.begin(), ghosts.numbers.end(), before) - ghosts.numbers.begin());
+  const std::size_t size = own.size() + ghosts.size();
+  if (size >= kNoCell || own.pieces.size() + ghosts.pieces.size() >= kNoCell)
+    throw Error(ErrorKind::kLimit, "a share of the grid needs more than 4 billion cells",
+                Remedy::kLowerResolution);
+  const auto in_order = [&]<class T>(std::vector<T>& middle, const std::vector<T>& around,
+                                     std::size_t first) {
+    std::vector<T> all = sized_vector<T>(middle.size() + around.size());
+    const auto split = around.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto at = std::copy(around.begin(), split, all.begin());
+    std::copy(split, around.end(), std::copy(middle.begin(), middle.end(), at));
+    middle = std::vector<T>();
+    return all;
+  };
+  LevelSharing::Level level;
+  GridLevel& grid = level.made.level;
+  const std::uint64_t pieces_below =
+      std::accumulate(ghosts.piece_counts.begin(),
+                      ghosts.piece_counts.begin() + static_cast<std::ptrdiff_t>(below), std::uint64_t{0});
+  const std::vector<std::uint32_t> counts = in_order(own.piece_counts, ghosts.piece_counts, below);
+  grid.piece_begin.assign(size + 1, 0);
+  std::partial_sum(counts.begin(), counts.end(), grid.piece_begin.begin() + 1);
+  grid.pieces = in_order(own.pieces, ghosts.pieces, pieces_below);
+  grid.centre_winding = in_order(own.centre_winding, ghosts.centre_winding, below);
+  const auto begin = static_cast<CellIndex>(below);
+  const auto end = static_cast<CellIndex>(below + own.size());
+  grid.part = Share{begin, end, before, 0, nullptr};
+  grid.tree = Octree(root, in_order(own.addresses, ghosts.addresses, below));
+  grid.ghosts.numbers = ghosts.numbers;
+  for (std::size_t f = 0; f < own.frames.size(); ++f)
+    level.frames.push_back(in_order(own.frames[f], ghosts.frames[f], below));
+  return level;
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> equal_cuts(std::uint64_t leaves, int ranks) {
+  std::vector<std::uint64_t> cuts{0};
+  const std::uint64_t units = (leaves + kShareUnit - 1) / kShareUnit;
+  for (int rank = 1; rank < ranks; ++rank)
+    cuts.push_back(std::min(
+        leaves, units * static_cast<std::uint64_t>(rank) / static_cast<std::uint64_t>(ranks) * kShareUnit));
+  cuts.push_back(leaves);
+  return cuts;
+}
+
+bool LevelShares::is_shared(std::uint64_t leaves) const {
+  return exchange_.ranks() > 1 && leaves >= kBlockedCells;
+}
+
+LevelSharing::Level LevelShares::shared_out(Level level, const Solid& solid) {
+  const GridLevel& before = level.made.level;
+  const bool was_whole = before.share().is_whole();
+  const RootCube root = before.tree.root();
+  const auto sum = [&](std::uint64_t mine) {
+    const auto all = gathered_value(exchange_, mine);
+    return std::accumulate(all.begin(), all.end(), std::uint64_t{0});
+  };
+  const std::uint64_t leaves = was_whole ? before.size() : sum(before.share().size());
+  const std::size_t examined = was_whole ? before.examined_leaves : sum(before.examined_leaves);
+  const std::vector<std::uint64_t> cuts = cuts_(leaves, exchange_.ranks());
+  const auto rank = static_cast<std::size_t>(exchange_.rank());
+  LeafRecords own = moved_to_owners(level, cuts);
+  level = {};
+  bounds_ = ShareBounds(exchange_, own.size() > 0 ? &own.addresses.front() : nullptr);
+  const LeafRecords ghosts = found_ghosts(own, root, cuts[rank]);
+
+  Level result = joined(root, std::move(own), ghosts, cuts[rank]);
+  RefinedLevel& made = result.made;
+  made.level.part->of_all = leaves;
+  made.level.part->exchange = &exchange_;
+  made.level.examined_leaves = examined;
+  const Share share = made.level.share();
+  for (CellIndex leaf = 0; leaf < made.level.size(); ++leaf)
+    if (!share.owns(leaf)) made.level.ghosts.owners.push_back(bounds_.owner(made.level.tree[leaf]));
+  ghosts_of_.assign(ranks(), {});
+  for (CellIndex leaf = 0; leaf < made.level.size(); ++leaf) {
+    if (share.owns(leaf)) continue;
+    const int owner = made.level.ghosts.owners[Ghosts::index(share, leaf)];
+    ghosts_of_[static_cast<std::size_t>(owner)].push_back(leaf);
+  }
+  for (auto& held : held_by_)
+    for (CellIndex& leaf : held) leaf += share.begin;
+  made.neighbours = face_neighbours(made.level.tree);
+  if (solid.guides != nullptr) {
+    int deepest = 0;
+    for (const CellAddress leaf : made.level.tree.leaves()) deepest = std::max(deepest, leaf.depth());
+    const std::vector<int> depths = gathered_value(exchange_, deepest);
+    const double finest = root.cell_size(*std::max_element(depths.begin(), depths.end()));
+    made.level.guides = LeafGuides(made.level.tree, *solid.guides, finest);
+  }
+  return result;
+}
+
+/// Returns the leaves of this process after the cuts. Only leaves that change their owner are sent.
+LeafRecords LevelShares::moved_to_owners(const Level& level, std::span<const std::uint64_t> cuts) {
+  const GridLevel& grid = level.made.level;
+  const Share share = grid.share();
+  const auto rank = static_cast<std::size_t>(exchange_.rank());
+  const std::size_t fields = level.frames.size();
+  std::uint64_t before = 0;
+  if (!share.is_whole()) {
+    const auto sizes = gathered_value<std::uint64_t>(exchange_, share.size());
+    before = std::accumulate(sizes.begin(), sizes.begin() + exchange_.rank(), std::uint64_t{0});
+  }
+  const auto records_between = [&](std::uint64_t first, std::uint64_t last) {
+    LeafRecords records;
+    records.frames.resize(fields);
+    const std::uint64_t begin = std::max(first, before), end = std::min(last, before + share.size());
+    for (std::uint64_t number = begin; number < end; ++number)
+      append(records, grid, level.frames, static_cast<CellIndex>(share.begin + (number - before)));
+    return records;
+  };
+  if (share.is_whole()) return records_between(cuts[rank], cuts[rank + 1]);
+  std::vector<Bytes> to(ranks());
+  for (std::size_t r = 0; r < ranks(); ++r) {
+    const LeafRecords records = r == rank ? LeafRecords{} : records_between(cuts[r], cuts[r + 1]);
+    if (records.size() > 0) to[r] = packed(records);
+  }
+  std::vector<Bytes> from = exchange_.delivered(std::move(to));
+  LeafRecords own;
+  own.frames.resize(fields);
+  for (std::size_t r = 0; r < ranks(); ++r) {
+    append(own, r == rank ? records_between(cuts[rank], cuts[rank + 1]) : unpacked(from[r], fields));
+    from[r] = Bytes();
+  }
+  return own;
+}
+
+/// Returns the ghosts around own leaves, and remembers which processes have own leaves as ghosts.
+LeafRecords LevelShares::found_ghosts(const LeafRecords& own, const RootCube& root, std::uint64_t before) {
+  const GhostHolders holders = ghost_holders(Octree(root, own.addresses), bounds_, exchange_);
+  held_by_.assign(ranks(), {});
+  std::vector<LeafRecords> sent(ranks());
+  for (LeafRecords& records : sent) records.frames.resize(own.frames.size());
+  std::size_t piece = 0;
+  for (std::size_t leaf = 0; leaf < own.size(); ++leaf) {
+    for (const int holder : holders[leaf]) {
+      LeafRecords& records = sent[static_cast<std::size_t>(holder)];
+      held_by_[static_cast<std::size_t>(holder)].push_back(static_cast<CellIndex>(leaf));
+      records.numbers.push_back(before + leaf);
+      records.addresses.push_back(own.addresses[leaf]);
+      records.centre_winding.push_back(own.centre_winding[leaf]);
+      records.piece_counts.push_back(own.piece_counts[leaf]);
+      const auto first = own.pieces.begin() + static_cast<std::ptrdiff_t>(piece);
+      records.pieces.insert(records.pieces.end(), first, first + own.piece_counts[leaf]);
+      for (std::size_t f = 0; f < own.frames.size(); ++f) records.frames[f].push_back(own.frames[f][leaf]);
+    }
+    piece += own.piece_counts[leaf];
+  }
+  std::vector<Bytes> to(ranks());
+  for (std::size_t r = 0; r < ranks(); ++r)
+    if (sent[r].size() > 0) to[r] = packed(sent[r]);
+  LeafRecords ghosts;
+  ghosts.frames.resize(own.frames.size());
+  for (const Bytes& message : exchange_.delivered(std::move(to)))
+    append(ghosts, unpacked(message, own.frames.size()));
+  return ghosts;
+}
+
+void LevelShares::complete(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
+                           std::span<const ReachedPlace> elsewhere, int finest_depth, Marks& marks) {
+  std::vector<Bytes> to(ranks());
+  for (const ReachedPlace& reached : elsewhere)
+    append_to(to[static_cast<std::size_t>(bounds_.owner(reached.place))], std::span(&reached, 1));
+  for (const Bytes& message : exchange_.delivered(std::move(to))) {
+    for (MessageReader reader(message); !reader.empty();)
+      mark_reached(level, reader.take<ReachedPlace>(), marks);
+  }
+  // What is known here of a ghost may be less than its owner knows.
+  const Share share = level.share();
+  for (CellIndex leaf = 0; leaf < level.size(); ++leaf)
+    if (!share.owns(leaf) || level.tree[leaf].depth() >= finest_depth) marks[leaf] = false;
+  do {
+    balance_marks(level.tree, neighbours, marks);
+  } while (agree_on_marks(marks));
+}
+
+/// Marks own leaves that are marked as ghosts elsewhere, then ghosts as their owners have them. Returns
+/// whether any mark of any process has been added.
+bool LevelShares::agree_on_marks(Marks& marks) {
+  bool has_added = false;
+  const auto add_from = [&](const std::vector<std::vector<CellIndex>>& tellers,
+                            const std::vector<std::vector<CellIndex>>& told) {
+    std::vector<Bytes> to(ranks());
+    for (std::size_t r = 0; r < ranks(); ++r)
+      for (const CellIndex leaf : tellers[r]) to[r].push_back(static_cast<std::byte>(marks[leaf] ? 1 : 0));
+    const std::vector<Bytes> from = exchange_.delivered(std::move(to));
+    for (std::size_t r = 0; r < ranks(); ++r) {
+      for (std::size_t k = 0; k < told[r].size(); ++k) {
+        if (from[r][k] == std::byte{0} || marks[told[r][k]]) continue;
+        marks[told[r][k]] = true;
+        has_added = true;
+      }
+    }
+  };
+  add_from(ghosts_of_, held_by_);
+  add_from(held_by_, ghosts_of_);
+  return any(exchange_, has_added);
+}
+
+void LevelShares::gather(SolvedField& field, const Solid& solid) {
+  GridLevel& level = field.level;
+  const Share share = level.share();
+  const RootCube root = level.tree.root();
+  if (share.is_whole()) {
+    if (is_first()) return;
+    field.level = {};
+    field.level.tree = Octree(root, {});
+    return;
+  }
+  const auto on_first = [&]<class T>(std::vector<T> values) {
+    std::vector<Bytes> to(ranks());
+    append_to(to.front(), std::span<const T>(values));
+    values = std::vector<T>();
+    std::vector<Bytes> from = exchange_.delivered(std::move(to));
+    for (Bytes& part : from) {
+      const std::vector<T> more = MessageReader(part).take<T>(part.size() / sizeof(T));
+      part = Bytes();
+      values.insert(values.end(), more.begin(), more.end());
+    }
+    return values;
+  };
+  const auto own = [&]<class T>(const std::vector<T>& values) {
+    if (values.empty()) return values;
+    return std::vector<T>(values.begin() + share.begin, values.begin() + share.end);
+  };
+  const auto gather_own = [&]<class T>(std::vector<T>& values) { values = on_first(own(values)); };
+  const bool has_surface = !level.piece_begin.empty();
+  if (has_surface) {
+    std::vector<std::uint32_t> counts(share.size());
+    for (CellIndex i = share.begin; i < share.end; ++i)
+      counts[i - share.begin] = static_cast<std::uint32_t>(level.pieces_of(i).size());
+    level.pieces = on_first(std::vector<SurfacePiece>(level.pieces.begin() + level.piece_begin[share.begin],
+                                                      level.pieces.begin() + level.piece_begin[share.end]));
+    counts = on_first(std::move(counts));
+    level.piece_begin.assign(counts.size() + 1, 0);
+    std::partial_sum(counts.begin(), counts.end(), level.piece_begin.begin() + 1);
+  }
+  gather_own(level.centre_winding);
+  gather_own(field.frames);
+  gather_own(field.open_faces);
+  gather_own(field.energy_density);
+  gather_own(field.near_sharp_turn);
+  level.tree = Octree(root, on_first(own(level.tree.leaves())));
+  level.ghosts = {};
+  level.part.reset();
+  level.guides = {};
+  if (has_surface && solid.guides != nullptr && is_first())
+    level.guides = LeafGuides(level.tree, *solid.guides);
+}
+
+}  // namespace crossgrain

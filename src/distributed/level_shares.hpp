@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shares the levels of a solve out among processes.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "base/exchange.hpp"
+#include "distributed/ghost_search.hpp"
+#include "distributed/leaf_records.hpp"
+#include "field/nested_solve.hpp"
+
+namespace crossgrain {
+
+/// Returns where shares begin and end: ranks + 1 numbers of leaves, ascending from 0, the last being
+/// `leaves`, the others multiples of kShareUnit.
+using Cuts = std::function<std::vector<std::uint64_t>(std::uint64_t leaves, int ranks)>;
+
+/// Shares of one size, as far as the unit allows.
+std::vector<std::uint64_t> equal_cuts(std::uint64_t leaves, int ranks);
+
+/// The shares follow the order of addresses. Only levels that are swept in blocks are shared; smaller ones
+/// are solved by every process.
+class LevelShares : public LevelSharing {
+ public:
+  explicit LevelShares(Exchange& exchange, Cuts cuts = equal_cuts)
+      : exchange_(exchange), cuts_(std::move(cuts)), bounds_(exchange, nullptr) {}
+
+  bool is_first() const override { return exchange_.rank() == 0; }
+  int processes() const override { return exchange_.ranks(); }
+  bool all(bool here) override { return !any(exchange_, !here); }
+  bool is_shared(std::uint64_t leaves) const override;
+  Level shared_out(Level level, const Solid& solid) override;
+  void complete(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
+                std::span<const ReachedPlace> elsewhere, int finest_depth, Marks& marks) override;
+  void gather(SolvedField& field, const Solid& solid) override;
+
+ private:
+  std::size_t ranks() const { return static_cast<std::size_t>(exchange_.ranks()); }
+  LeafRecords moved_to_owners(const Level& level, std::span<const std::uint64_t> cuts);
+  LeafRecords found_ghosts(const LeafRecords& own, const RootCube& root, std::uint64_t before);
+  bool agree_on_marks(Marks& marks);
+
+  Exchange& exchange_;
+  const Cuts cuts_;
+
+  // Of the level that was shared out last.
+  ShareBounds bounds_;
+  std::vector<std::vector<CellIndex>>
+      held_by_;  ///< for each rank the own leaves that it has as ghosts, ascending
+  std::vector<std::vector<CellIndex>>
+      ghosts_of_;  ///< for each rank its leaves that are ghosts here, ascending
+};
+
+}  // namespace crossgrain

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which leaves of a level this process owns.
+//
+//   leaves in this process     | ghosts below |     own     | ghosts above |
+//                              0            begin          end           size
+//
+// The leaves of all processes together, each counted by its owner, are the level. They are numbered in the
+// order of their addresses; own leaves have successive numbers. Ghosts are leaves of other processes, in two
+// layers around the own ones: all that touch one of those, and all that touch one of these. They have surface
+// and winding numbers, and frames and coefficients that their owners send.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "base/exchange.hpp"
+#include "base/parallel.hpp"
+
+namespace crossgrain {
+
+/// Own leaves are cut at multiples of so many: no block of a sweep and no chunk of a sum belongs to two
+/// processes.
+inline constexpr std::size_t kShareUnit = 4096;
+
+struct Share {
+  std::uint32_t begin = 0, end = 0;
+  std::uint64_t before = 0;      ///< number of the first own leaf; a multiple of kShareUnit
+  std::uint64_t of_all = 0;      ///< leaves of the level
+  Exchange* exchange = nullptr;  ///< null: this process has the whole level
+
+  bool is_whole() const { return exchange == nullptr; }
+  std::size_t size() const { return end - begin; }
+  bool owns(std::size_t leaf) const { return leaf >= begin && leaf < end; }
+};
+
+/// The share of a process that has all of so many leaves.
+inline Share whole_share(std::size_t leaves) {
+  return {0, static_cast<std::uint32_t>(leaves), 0, leaves, nullptr};
+}
+
+/// Numbers and owners of the ghosts, those below first.
+struct Ghosts {
+  std::vector<std::uint64_t> numbers;
+  std::vector<int> owners;  ///< ranks
+
+  /// Index of the ghost that is this leaf. Precondition: it is not an own one.
+  static std::size_t index(const Share& share, std::size_t leaf) {
+    return leaf < share.begin ? leaf : leaf - share.size();
+  }
+  /// Returns the number of any leaf.
+  std::uint64_t number(const Share& share, std::size_t leaf) const {
+    return share.owns(leaf) ? share.before + (leaf - share.begin) : numbers[index(share, leaf)];
+  }
+};
+
+/// Adds the terms of all ranks in order, those of this one being terms[0], terms[1], ...
+inline double sum_of_all(const Share& share, std::span<const double> terms) {
+  return share.is_whole() ? std::accumulate(terms.begin(), terms.end(), 0.0)
+                          : running_sum(*share.exchange, terms);
+}
+
+/// Returns the sum of term(leaf) over the leaves of the level, bitwise identical for any shares and threads.
+template <class Term>
+double parallel_sum(const Share& share, const Term& term) {
+  std::vector<double> partial((share.size() + kParallelGrain - 1) / kParallelGrain, 0.0);
+  parallel_for_chunks(share.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i) sum += term(share.begin + i);
+    partial[begin / kParallelGrain] = sum;
+  });
+  return sum_of_all(share, partial);
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "distributed/level_shares.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "crossgrain/frame_field.hpp"
+#include "distributed/random_cuts.hpp"
+#include "distributed/thread_exchange.hpp"
+#include "field/field_data.hpp"
+#include "solve/shared_solve.hpp"
+#include "support/shapes.hpp"
+
+namespace crossgrain {
+namespace {
+
+using testing::random_cuts;
+using testing::run_ranks;
+
+FrameField solved_by(int ranks, const Cuts& cuts, const TriangleMesh& mesh, SolveOptions options) {
+  options.threads = 1;
+  std::optional<FrameField> result;
+  run_ranks(ranks, [&](Exchange& exchange) {
+    LevelShares shares(exchange, cuts);
+    std::optional<FrameField> field = solve_together(shares, nullptr, mesh, options, {});
+    EXPECT_EQ(field.has_value(), exchange.rank() == 0);
+    if (field) result = std::move(field);
+  });
+  return *result;
+}
+
+void expect_same(const FrameField& together, const FrameField& alone) {
+  const FieldData &a = together.data(), &b = alone.data();
+  ASSERT_EQ(a.tree.leaves(), b.tree.leaves());
+  EXPECT_EQ(a.open_faces, b.open_faces);
+  const auto same = [](const StoredQuaternion& p, const StoredQuaternion& q) {
+    return p.w == q.w && p.x == q.x && p.y == q.y && p.z == q.z;
+  };
+  EXPECT_TRUE(std::equal(a.frames.begin(), a.frames.end(), b.frames.begin(), b.frames.end(), same));
+  EXPECT_EQ(a.energy_density, b.energy_density);
+  EXPECT_EQ(a.alignment_deg, b.alignment_deg);
+  ASSERT_EQ(a.report.levels.size(), b.report.levels.size());
+  for (std::size_t k = 0; k < a.report.levels.size(); ++k) {
+    const LevelStatistics &one = a.report.levels[k], &other = b.report.levels[k];
+    EXPECT_EQ(one.active_cells, other.active_cells) << k;
+    EXPECT_EQ(one.cells, other.cells) << k;
+    EXPECT_EQ(one.sweeps, other.sweeps) << k;
+    EXPECT_EQ(one.energy, other.energy) << k;
+  }
+  EXPECT_EQ(a.report.walls.tied_cells, b.report.walls.tied_cells);
+  EXPECT_EQ(a.report.energy.unavoidable, b.report.energy.unavoidable);
+}
+
+SolveOptions at(int resolution, Degree degree = Degree::kFour) {
+  SolveOptions options;
+  options.resolution = resolution;
+  options.degree = degree;
+  return options;
+}
+
+TEST(LevelShares, OfOneSizeGiveTheFieldOfOneProcess) {
+  const TriangleMesh mesh = make_bracket(24);
+  const FrameField alone = solve(mesh, at(320));
+  for (const int ranks : {1, 2, 3}) expect_same(solved_by(ranks, equal_cuts, mesh, at(320)), alone);
+}
+
+TEST(LevelShares, OfAnySizeGiveTheFieldOfOneProcess) {
+  const TriangleMesh mesh = make_torus(0.6, 0.25, 96, 48);
+  const FrameField alone = solve(mesh, at(240, Degree::kThree));
+  for (const int ranks : {2, 5, 8})
+    expect_same(solved_by(ranks, random_cuts, mesh, at(240, Degree::kThree)), alone);
+}
+
+}  // namespace
+}  // namespace crossgrain
