@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "arguments.hpp"
+#include "crossgrain/frame_field.hpp"
+#include "crossgrain/solve.hpp"
 
 namespace crossgrain::app {
+
+/// Computes the field on the grid, from an earlier one unless that is null.
+using SolveOnGrid =
+    std::function<std::optional<FrameField>(const FrameField* earlier, const TriangleMesh& mesh,
+                                            const SolveOptions& options, const Monitor& monitor)>;
 
 // Each runs a command with its arguments and throws Error on failure.
 
 /// Solves and writes the field; prints a summary on standard output, progress on standard error. Returns the
-/// exit code: that of an interruption if a stop left the field unfinished.
-int run_solve(const SolveArguments& arguments);
+/// exit code: that of an interruption if a stop left the field unfinished. `together`, unless empty, solves
+/// with other processes; it returns a field, and cannot be stopped at a finished level.
+int run_solve(const SolveArguments& arguments, const SolveOnGrid& together = {});
+
+/// Reads the same inputs as run_solve in another process, and solves with it. Writes and prints nothing.
+void help_solve(const SolveArguments& arguments, const SolveOnGrid& together);
 
 /// Writes the frames at points; prints the number of points outside on standard error.
 void run_sample(const SampleArguments& arguments);

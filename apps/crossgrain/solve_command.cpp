@@ -101,15 +101,21 @@ void check_same_unit(const SolveArguments& arguments, const TriangleMesh& surfac
                                   Remedy::kMatchUnits});
 }
 
-FrameField solve_model(const SolveArguments& arguments, const SolveOptions& options, const TriangleMesh& mesh,
-                       const Monitor& monitor) {
+std::optional<FrameField> solve_alone(const FrameField* earlier, const TriangleMesh& mesh,
+                                      const SolveOptions& options, const Monitor& monitor) {
+  return earlier == nullptr ? solve(mesh, options, monitor) : solve_from(*earlier, mesh, options, monitor);
+}
+
+std::optional<FrameField> solve_model(const SolveArguments& arguments, const SolveOptions& options,
+                                      const TriangleMesh& mesh, const Monitor& monitor,
+                                      const SolveOnGrid& on_grid) {
   return naming(arguments.model, [&] {
-    if (arguments.from.empty()) return solve(mesh, options, monitor);
+    if (arguments.from.empty()) return on_grid(nullptr, mesh, options, monitor);
     const FrameField earlier = [&] {
       const ReadLimits limits(monitor, options.max_memory_bytes);
       return read_field(arguments.from);
     }();
-    return solve_from(earlier, mesh, options, monitor);
+    return on_grid(&earlier, mesh, options, monitor);
   });
 }
 
@@ -192,8 +198,8 @@ Inputs read_inputs(const SolveArguments& arguments, const Monitor& monitor, cons
 /// to `warn` before the solve.
 SolveReport solve_and_write(const SolveArguments& arguments,
                             const std::shared_ptr<FolderReservation>& reservation, Clock::time_point start,
-                            const Monitor& monitor, const Warn& warn,
-                            const std::function<void()>& leave_line) {
+                            const Monitor& monitor, const Warn& warn, const std::function<void()>& leave_line,
+                            const SolveOnGrid& on_grid) {
   monitor.report({Phase::kRead, 0, 0, 0, 0});
   const auto [options, domain, mesh] = read_inputs(arguments, monitor, warn);
   const double read_seconds = seconds_since(start);
@@ -202,7 +208,7 @@ SolveReport solve_and_write(const SolveArguments& arguments,
     leave_line();
     print_message(arguments.output + ": the field of " + *replaced + " will be replaced");
   }
-  const FrameField field = solve_model(arguments, options, mesh, monitor);
+  const FrameField field = solve_model(arguments, options, mesh, monitor, on_grid).value();
   std::optional<TetFrameField> tet_field;
   if (domain) tet_field = carried(arguments, options, field, *domain, monitor, leave_line);
 
@@ -231,7 +237,14 @@ SolveReport solve_and_write(const SolveArguments& arguments,
 
 }  // namespace
 
-int run_solve(const SolveArguments& arguments) {
+void help_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
+  const ThreadLimit thread_limit(arguments.options.threads);
+  const Monitor monitor;
+  const auto [options, domain, mesh] = read_inputs(arguments, monitor, [](const Warning&) {});
+  solve_model(arguments, options, mesh, monitor, together);
+}
+
+int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
   const auto start = Clock::now();
   const ThreadLimit thread_limit(arguments.options.threads);
   const auto reservation = reserve_output_folder(arguments);
@@ -257,13 +270,15 @@ int run_solve(const SolveArguments& arguments) {
       lines.show(progress);
     };
     Monitor monitor(show, expect);
-    monitor.allow_stops();
+    if (!together) monitor.allow_stops();
     const Interruption interruption(monitor, lines.is_moving());
     const auto warn = [&](const Warning& warning) {
       lines.end_line();
       print_warning(warning, arguments.model);
     };
-    report = solve_and_write(arguments, reservation, start, monitor, warn, [&lines] { lines.leave_line(); });
+    report = solve_and_write(
+        arguments, reservation, start, monitor, warn, [&lines] { lines.leave_line(); },
+        together ? together : SolveOnGrid(solve_alone));
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)

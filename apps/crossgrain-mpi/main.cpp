@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// `crossgrain solve` by several processes. Process 0 writes and prints, others help it.
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arguments.hpp"
+#include "commands.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/processes.hpp"
+#include "crossgrain/version.hpp"
+#include "messages.hpp"
+#include "output.hpp"
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace crossgrain::app {
+namespace {
+
+/// How long a process that fails waits for the others to fail alike, before it ends them.
+constexpr double kSecondsForOthers = 2;
+
+struct Failure {
+  int exit_code = 0;
+  std::string line;
+};
+
+/// Another process has failed and tells of it.
+struct FailedElsewhere {
+  int exit_code;
+};
+
+Failure failure_of(const std::exception_ptr& exception, const std::string& model) {
+  try {
+    std::rethrow_exception(exception);
+  } catch (const Error& error) {
+    return {exit_code_of(error.kind()), line_of(error.message(), Command::kSolve)};
+  } catch (const std::bad_alloc&) {
+    return {exit_code_of(ErrorKind::kLimit),
+            model + ": " + line_of({"", "", "out of memory", Remedy::kUseLessMemory}, Command::kSolve)};
+  } catch (const std::exception& error) {
+    const Unexpected unexpected = unexpected_of(error);
+    return {unexpected.exit_code, model + ": " + unexpected.text};
+  } catch (...) {
+    return {kInternalError, model + ": unexpected; please report this"};
+  }
+}
+
+/// Brings the processes to the solve together, or none of them.
+class Team {
+ public:
+  explicit Team(Processes& processes) : processes_(processes) {}
+
+  /// Solves once all processes are ready. Throws FailedElsewhere if one is not.
+  std::optional<FrameField> solve(const FrameField* earlier, const TriangleMesh& mesh,
+                                  const SolveOptions& options, const Monitor& monitor) {
+    phase_ = Phase::kReady;
+    if (const auto failure = first_failure({})) throw FailedElsewhere{failure->exit_code};
+    phase_ = Phase::kSolves;
+    std::optional<FrameField> field = processes_.solve(earlier, mesh, options, monitor);
+    phase_ = Phase::kSolved;
+    return field;
+  }
+
+  /// Tells of a failure of this process, once for all processes, and returns the exit code of all.
+  int fail(const Failure& mine) {
+    switch (phase_) {
+      case Phase::kPrepares:
+        return first_failure(mine)->exit_code;
+      case Phase::kReady:
+      case Phase::kSolved:
+        break;
+      case Phase::kSolves:
+        // The same error in all of them, or in this one alone.
+        if (processes_.all_arrive(kSecondsForOthers)) break;
+        print_message(of_rank(mine.line, processes_.rank()));
+        processes_.abort(mine.exit_code);
+    }
+    if (processes_.rank() == 0) print_message(mine.line);
+    return mine.exit_code;
+  }
+
+ private:
+  enum class Phase { kPrepares, kReady, kSolves, kSolved };
+
+  static std::string of_rank(const std::string& line, int rank) {
+    return rank == 0 ? line : "process " + std::to_string(rank) + ": " + line;
+  }
+
+  /// Returns the failure of the lowest process that has failed; process 0 prints its line.
+  std::optional<Failure> first_failure(const Failure& mine) {
+    const std::vector<std::string> codes = processes_.gathered(std::to_string(mine.exit_code));
+    const std::vector<std::string> lines = processes_.gathered(mine.line);
+    for (std::size_t rank = 0; rank < codes.size(); ++rank) {
+      if (codes[rank] == "0") continue;
+      if (processes_.rank() == 0) print_message(of_rank(lines[rank], static_cast<int>(rank)));
+      return Failure{std::stoi(codes[rank]), lines[rank]};
+    }
+    return std::nullopt;
+  }
+
+  Processes& processes_;
+  Phase phase_ = Phase::kPrepares;
+};
+
+/// Throws unless all processes run the same program.
+void check_versions(Processes& processes) {
+  const std::vector<std::string> versions =
+      processes.gathered(std::string(kVersion) + ", built " __DATE__ " " __TIME__);
+  for (std::size_t rank = 1; rank < versions.size(); ++rank) {
+    if (versions[rank] != versions[0])
+      throw Error(ErrorKind::kUsage, "process " + std::to_string(rank) + " runs version " + versions[rank] +
+                                         ", process 0 runs " + versions[0] + "; install one on all hosts");
+  }
+}
+
+SolveArguments solve_arguments(const Arguments& arguments) {
+  if (const auto* solve = std::get_if<SolveArguments>(&arguments)) return *solve;
+  throw Error(ErrorKind::kUsage,
+              "only 'solve' is for several processes; use 'crossgrain' for other commands");
+}
+
+int run(Processes& processes, int argc, char** argv) {
+  Team team(processes);
+  std::string model;
+  try {
+    check_versions(processes);
+    const Arguments parsed = parse_arguments(argc, argv);
+    if (const auto* finished = std::get_if<Finished>(&parsed)) return finished->exit_code;
+    const SolveArguments arguments = solve_arguments(parsed);
+    model = arguments.model;
+    const SolveOnGrid together = [&team](const FrameField* earlier, const TriangleMesh& mesh,
+                                         const SolveOptions& options, const Monitor& monitor) {
+      return team.solve(earlier, mesh, options, monitor);
+    };
+    if (processes.rank() == 0) return run_solve(arguments, together);
+    help_solve(arguments, together);
+    return 0;
+  } catch (const FailedElsewhere& failed) {
+    return failed.exit_code;
+  } catch (...) {
+    return team.fail(failure_of(std::current_exception(), model));
+  }
+}
+
+}  // namespace
+}  // namespace crossgrain::app
+
+int main(int argc, char** argv) {
+#ifdef M_MMAP_THRESHOLD
+  mallopt(M_MMAP_THRESHOLD, 128 * 1024);  // as in crossgrain
+#endif
+  std::signal(SIGXFSZ, SIG_IGN);
+  crossgrain::Processes processes(argc, argv);
+  // Help and results are those of process 0.
+  if (processes.rank() > 0 && std::freopen("/dev/null", "w", stdout) == nullptr) return 1;
+  return crossgrain::app::run(processes, argc, argv);
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// A solve by several processes, on one machine or on many, through MPI. In the library crossgrain::processes,
+// which is built where MPI is installed.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "crossgrain/frame_field.hpp"
+#include "crossgrain/solve.hpp"
+
+namespace crossgrain {
+
+/// The processes that `mpirun` or a batch system has started together. One object per process, from which MPI
+/// lives. All functions are called by all processes together, by the thread that made the object, unless said
+/// otherwise.
+class Processes {
+ public:
+  /// Initialises MPI.
+  Processes(int& argc, char**& argv);
+
+  /// Finalises MPI, which waits for the other processes.
+  ~Processes();
+  Processes(const Processes&) = delete;
+  Processes& operator=(const Processes&) = delete;
+
+  /// Number of this process, from 0, and of all of them. Any process may ask.
+  int rank() const;
+  int count() const;
+
+  /// Returns in process 0 what `solve` returns, or `solve_from` if there is an earlier field, to the bit;
+  /// nothing in the others. Levels of 200,000 cells or more are shared: each process has its part of the
+  /// cells, but the whole surface, and process 0 in the end the whole field. Throws like `solve`; some
+  /// processes may throw and others wait for them, so whoever catches an error calls `all_arrive`, then
+  /// `abort`.
+  std::optional<FrameField> solve(const FrameField* earlier, const TriangleMesh& mesh,
+                                  const SolveOptions& options = {}, const Monitor& monitor = {});
+
+  /// Returns what each process passed.
+  std::vector<std::string> gathered(const std::string& mine);
+
+  /// Returns whether all processes call this within so many seconds.
+  bool all_arrive(double seconds);
+
+  /// Ends all processes with this exit code. Any process may call it.
+  [[noreturn]] void abort(int exit_code);
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace crossgrain

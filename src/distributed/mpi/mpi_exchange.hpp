@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// An exchange on MPI. Only this folder includes its header.
+#pragma once
+
+#include <mpi.h>
+
+#include <span>
+#include <vector>
+
+#include "base/exchange.hpp"
+
+namespace crossgrain {
+
+/// Refers to a communicator. All calls are made by the thread that has initialised MPI.
+class MpiExchange : public Exchange {
+ public:
+  explicit MpiExchange(MPI_Comm communicator);
+
+  int rank() const override { return rank_; }
+  int ranks() const override { return ranks_; }
+  std::vector<Bytes> gathered(std::span<const std::byte> mine) override;
+  std::vector<Bytes> delivered(std::vector<Bytes> to) override;
+  void swap(std::span<const Sent> sent, std::span<const Received> received) override;
+
+ private:
+  MPI_Comm communicator_;
+  int rank_ = 0, ranks_ = 1;
+};
+
+}  // namespace crossgrain
