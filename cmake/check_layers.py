@@ -6,7 +6,7 @@ Usage: check_layers.py [ROOT]
 
   src/LAYER/            includes itself, the layers before it, and public headers
   include/crossgrain/   includes public headers and the standard library
-  apps/ examples/       include public headers and what stands in their own folder
+  apps/ examples/       include public headers and what stands in their own folder, or in that of a program they share
 
 OpenCASCADE (*.hxx) stands in src/io/cad/program/ only, which is built as a program apart; only that folder includes its headers.
 """
@@ -26,6 +26,9 @@ BESIDE = {"picture": ["io", "page"]}
 CAD_PROGRAM = "io/cad/program/"
 
 OUTER_FOLDERS = ["apps", "examples"]
+
+# Programs that share the commands of another.
+SHARES = {"crossgrain-mpi": "crossgrain"}
 SUFFIXES = {".hpp", ".cpp", ".h", ".cc", ".in"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD_HEADER = re.compile(r"^[a-z0-9_]+$")
@@ -79,7 +82,9 @@ def fault_in_outer_folder(path, root, quote, included):
     if included.startswith("crossgrain/"):
         return None
     # Its own folder, or the folder of the program that it belongs to.
-    if quote == '"' and any((folder / included).is_file() for folder in path.parents if root in (folder, *folder.parents)):
+    own = [folder for folder in path.parents if root in (folder, *folder.parents)]
+    shared = [folder.with_name(SHARES[folder.name]) for folder in own if folder.name in SHARES]
+    if quote == '"' and any((folder / included).is_file() for folder in own + shared):
         return None
     if included.split("/")[0] in LAYERS or quote == '"':
         return "outside src/ only public headers (crossgrain/*.hpp) may be included"

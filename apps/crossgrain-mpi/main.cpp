@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `crossgrain solve` by several processes. Process 0 writes and prints, others help it.
+#include <fmt/format.h>
+
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -70,6 +72,8 @@ class Team {
     return field;
   }
 
+  bool has_solved() const { return phase_ == Phase::kSolved; }
+
   /// Tells of a failure of this process, once for all processes, and returns the exit code of all.
   int fail(const Failure& mine) {
     switch (phase_) {
@@ -122,6 +126,18 @@ void check_versions(Processes& processes) {
   }
 }
 
+/// Prints a table of the work of all processes.
+void print_work(const std::vector<Processes::Work>& work) {
+  print_result("process      cells   ghosts  processor s  of it in MPI  s in MPI  MB sent  GB of memory\n");
+  for (std::size_t rank = 0; rank < work.size(); ++rank) {
+    const Processes::Work& w = work[rank];
+    print_result(fmt::format("{:7} {:10} {:8} {:12.2f} {:13.2f} {:9.2f} {:8.1f} {:13.3f}\n", rank, w.cells,
+                             w.ghosts, w.processor_seconds, w.processor_seconds_in_mpi, w.seconds_in_mpi,
+                             static_cast<double>(w.bytes_sent) / 1e6,
+                             static_cast<double>(w.peak_memory_bytes) / 1e9));
+  }
+}
+
 SolveArguments solve_arguments(const Arguments& arguments) {
   if (const auto* solve = std::get_if<SolveArguments>(&arguments)) return *solve;
   throw Error(ErrorKind::kUsage,
@@ -141,9 +157,22 @@ int run(Processes& processes, int argc, char** argv) {
                                          const SolveOptions& options, const Monitor& monitor) {
       return team.solve(earlier, mesh, options, monitor);
     };
-    if (processes.rank() == 0) return run_solve(arguments, together);
-    help_solve(arguments, together);
-    return 0;
+    if (processes.rank() > 0) {
+      help_solve(arguments, together);
+      if (arguments.verbose) processes.work();
+      return 0;
+    }
+    // Also after a failure, since the others wait for it.
+    const auto work = [&] { return arguments.verbose ? processes.work() : std::vector<Processes::Work>{}; };
+    int exit_code = 0;
+    try {
+      exit_code = run_solve(arguments, together);
+    } catch (...) {
+      if (team.has_solved()) work();
+      throw;
+    }
+    if (arguments.verbose) print_work(work());
+    return exit_code;
   } catch (const FailedElsewhere& failed) {
     return failed.exit_code;
   } catch (...) {

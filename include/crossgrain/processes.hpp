@@ -3,6 +3,7 @@
 // which is built where MPI is installed.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,6 +41,19 @@ class Processes {
 
   /// Returns what each process passed.
   std::vector<std::string> gathered(const std::string& mine);
+
+  /// What the solves of one process have taken.
+  struct Work {
+    double processor_seconds = 0;  ///< of the whole process, calls of MPI included
+    double seconds_in_mpi = 0;     ///< waiting included
+    double processor_seconds_in_mpi = 0;
+    std::uint64_t calls_of_mpi = 0, bytes_sent = 0;
+    std::uint64_t cells = 0, ghosts = 0;  ///< of the finest level
+    std::uint64_t peak_memory_bytes = 0;  ///< of the whole process
+  };
+
+  /// Returns the work of each process.
+  std::vector<Work> work();
 
   /// Returns whether all processes call this within so many seconds.
   bool all_arrive(double seconds);

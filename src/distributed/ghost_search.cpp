@@ -48,8 +48,19 @@ void insert(std::vector<int>& ranks, int rank) {
   if (at == ranks.end() || *at != rank) ranks.insert(at, rank);
 }
 
-/// Returns the holders of the first layer: those in whose shares lie cells of its size around a leaf.
-GhostHolders first_layer(const Octree& own, const ShareBounds& bounds, int rank) {
+/// Returns whether a cell touches a leaf.
+bool touches_any(CellAddress cell, const Octree& tree, const LeafFinder& finder) {
+  bool found = false;
+  for_each_around(cell, [&](CellAddress beside) {
+    const auto [first, last] = finder.over(beside);
+    for (CellIndex leaf = first; leaf < last && !found; ++leaf) found = touch(tree[leaf], cell);
+  });
+  return found;
+}
+
+/// Returns for each leaf those in whose shares lie cells of its size around it: the holders of the first
+/// layer, and others whose leaves do not touch it.
+GhostHolders possible_holders(const Octree& own, const ShareBounds& bounds, int rank) {
   GhostHolders holders(own.size());
   parallel_for_chunks(own.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
     std::optional<CellAddress> inner;  // an ancestor with own leaves around it only
@@ -71,6 +82,33 @@ GhostHolders first_layer(const Octree& own, const ShareBounds& bounds, int rank)
         insert_around(leaf, holders[i]);
     }
   });
+  return holders;
+}
+
+/// Returns the holders of the first layer.
+GhostHolders first_layer(const Octree& own, const LeafFinder& finder, const ShareBounds& bounds,
+                         Exchange& exchange) {
+  GhostHolders holders = possible_holders(own, bounds, exchange.rank());
+  const auto ranks = static_cast<std::size_t>(exchange.ranks());
+  std::vector<Bytes> to(ranks);
+  for (std::size_t i = 0; i < holders.size(); ++i) {
+    for (const int rank : holders[i])
+      append_to(to[static_cast<std::size_t>(rank)], std::span(&own.leaves()[i], 1));
+  }
+  std::vector<Bytes> answers(ranks);
+  const std::vector<Bytes> from = exchange.delivered(std::move(to));
+  for (std::size_t rank = 0; rank < ranks; ++rank) {
+    for (MessageReader reader(from[rank]); !reader.empty();)
+      answers[rank].push_back(
+          static_cast<std::byte>(touches_any(reader.take<CellAddress>(), own, finder) ? 1 : 0));
+  }
+  answers = exchange.delivered(std::move(answers));
+  std::vector<std::size_t> next(ranks);
+  for (std::vector<int>& ranks_of_leaf : holders)
+    std::erase_if(ranks_of_leaf, [&](int rank) {
+      const auto r = static_cast<std::size_t>(rank);
+      return answers[r][next[r]++] == std::byte{0};
+    });
   return holders;
 }
 
@@ -134,11 +172,11 @@ std::span<const int> ShareBounds::owners(CellAddress cell) const {
 
 GhostHolders ghost_holders(const Octree& own, const ShareBounds& bounds, Exchange& exchange) {
   const int rank = exchange.rank();
-  GhostHolders holders = first_layer(own, bounds, rank);
+  const LeafFinder finder(own);
+  const GhostHolders holders = first_layer(own, finder, bounds, exchange);
   const std::vector<FirstGhost> ghosts = first_ghosts(own, holders, exchange);
   GhostHolders both = holders;
   if (own.size() == 0) return both;
-  const LeafFinder finder(own);
   // A leaf of the second layer touches one that is of that process, or that it has as a ghost.
   const auto hand_on = [&](CellAddress middle, const std::vector<int>& ranks) {
     for_each_around(middle, [&](CellAddress beside) {

@@ -34,8 +34,8 @@ class ShareBounds {
 /// For each own leaf the other ranks that have it as a ghost, ascending; empty for most leaves.
 using GhostHolders = std::vector<std::vector<int>>;
 
-/// Returns them for own leaves, which are all leaves of `own`: at least two layers, each of all leaves that touch the
-/// layer before in a face, an edge or a corner. All processes call it together.
+/// Returns them for own leaves, which are all leaves of `own`: at least two layers, each of all leaves that
+/// touch the layer before in a face, an edge or a corner. All processes call it together.
 GhostHolders ghost_holders(const Octree& own, const ShareBounds& bounds, Exchange& exchange);
 
 }  // namespace crossgrain

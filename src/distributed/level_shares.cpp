@@ -90,6 +90,7 @@ LevelSharing::Level LevelShares::shared_out(Level level, const Solid& solid) {
   made.level.part->exchange = &exchange_;
   made.level.examined_leaves = examined;
   const Share share = made.level.share();
+  sizes_ = {share.size(), ghosts.size()};
   for (CellIndex leaf = 0; leaf < made.level.size(); ++leaf)
     if (!share.owns(leaf)) made.level.ghosts.owners.push_back(bounds_.owner(made.level.tree[leaf]));
   ghosts_of_.assign(ranks(), {});

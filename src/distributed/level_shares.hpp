@@ -37,6 +37,12 @@ class LevelShares : public LevelSharing {
                 std::span<const ReachedPlace> elsewhere, int finest_depth, Marks& marks) override;
   void gather(SolvedField& field, const Solid& solid) override;
 
+  /// Leaves of this process on the level that was shared out last.
+  struct Sizes {
+    std::uint64_t own = 0, ghosts = 0;
+  };
+  const Sizes& last_share() const { return sizes_; }
+
  private:
   std::size_t ranks() const { return static_cast<std::size_t>(exchange_.ranks()); }
   LeafRecords moved_to_owners(const Level& level, std::span<const std::uint64_t> cuts);
@@ -47,6 +53,7 @@ class LevelShares : public LevelSharing {
   const Cuts cuts_;
 
   // Of the level that was shared out last.
+  Sizes sizes_;
   ShareBounds bounds_;
   std::vector<std::vector<CellIndex>>
       held_by_;  ///< for each rank the own leaves that it has as ghosts, ascending

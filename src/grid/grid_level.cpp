@@ -284,15 +284,13 @@ RefinedLevel refined(const GridLevel& level, std::span<const FaceNeighbours> nei
   const Share share = level.share();
   // Of processes that share a level, the first counts the leaves before.
   const bool counts_leaves = share.is_whole() || share.exchange->rank() == 0;
-  RefinedLevel finer =
-      joined(level.tree.root(), std::move(runs), counts_leaves ? level.examined_leaves : 0);
+  RefinedLevel finer = joined(level.tree.root(), std::move(runs), counts_leaves ? level.examined_leaves : 0);
   if (!share.is_whole()) {
     const auto index_of_first = [&](CellIndex parent) {
       const auto first = std::lower_bound(finer.parent.begin(), finer.parent.end(), parent);
       return static_cast<CellIndex>(first - finer.parent.begin());
     };
-    finer.level.part =
-        Share{index_of_first(share.begin), index_of_first(share.end), 0, 0, share.exchange};
+    finer.level.part = Share{index_of_first(share.begin), index_of_first(share.end), 0, 0, share.exchange};
     return finer;
   }
   finer.neighbours = face_neighbours({level.tree, neighbours, marked}, finer.level.tree, finer.parent);

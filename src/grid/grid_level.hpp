@@ -108,9 +108,9 @@ GridFrame frame_around(const Box& box, double cell_size);
 /// cancelled.
 RefinedLevel uniform_level(const Solid& solid, const RootCube& root, int depth, const Monitor& monitor = {});
 
-/// Returns `level` with the marked leaves, and those that balance requires, split into eight. If it is shared,
-/// marks are those of all processes, and the result is to be shared out: it has descendants of ghosts, no
-/// neighbours and guides, and its share has no numbers.
+/// Returns `level` with the marked leaves, and those that balance requires, split into eight. If it is
+/// shared, marks are those of all processes, and the result is to be shared out: it has descendants of
+/// ghosts, no neighbours and guides, and its share has no numbers.
 RefinedLevel refined(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid,
                      std::vector<bool> marked, const Monitor& monitor = {});
 

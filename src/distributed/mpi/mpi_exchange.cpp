@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "distributed/mpi/mpi_exchange.hpp"
 
+#include <time.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 
 namespace crossgrain {
@@ -19,6 +22,31 @@ void for_each_part(std::span<Byte> bytes, const Visit& visit) {
   for (std::size_t begin = 0; begin < bytes.size(); begin += kLongestPart)
     visit(bytes.data() + begin, static_cast<int>(std::min(kLongestPart, bytes.size() - begin)));
 }
+
+/// Adds the time of its life to a cost.
+class CallTimer {
+ public:
+  explicit CallTimer(MpiExchange::Cost& cost)
+      : cost_(cost), begin_(std::chrono::steady_clock::now()), processor_begin_(processor_seconds()) {}
+  CallTimer(const CallTimer&) = delete;
+  CallTimer& operator=(const CallTimer&) = delete;
+  ~CallTimer() {
+    ++cost_.calls;
+    cost_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    cost_.processor_seconds += processor_seconds() - processor_begin_;
+  }
+
+ private:
+  static double processor_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+
+  MpiExchange::Cost& cost_;
+  const std::chrono::steady_clock::time_point begin_;
+  const double processor_begin_;
+};
 
 /// Messages under way.
 class Requests {
@@ -50,6 +78,8 @@ MpiExchange::MpiExchange(MPI_Comm communicator) : communicator_(communicator) {
 }
 
 std::vector<Bytes> MpiExchange::gathered(std::span<const std::byte> mine) {
+  const CallTimer timer(cost_);
+  cost_.bytes_sent += mine.size() * static_cast<std::size_t>(ranks_ - 1);
   const auto ranks = static_cast<std::size_t>(ranks_);
   const std::uint64_t size = mine.size();
   std::vector<std::uint64_t> sizes(ranks);
@@ -78,6 +108,7 @@ std::vector<Bytes> MpiExchange::gathered(std::span<const std::byte> mine) {
 }
 
 std::vector<Bytes> MpiExchange::delivered(std::vector<Bytes> to) {
+  const CallTimer timer(cost_);
   const auto ranks = static_cast<std::size_t>(ranks_);
   std::vector<std::uint64_t> sent(ranks), received(ranks);
   for (std::size_t r = 0; r < ranks; ++r) sent[r] = to[r].size();
@@ -90,7 +121,9 @@ std::vector<Bytes> MpiExchange::delivered(std::vector<Bytes> to) {
     requests.receive(static_cast<int>(r), from[r]);
   }
   for (std::size_t r = 0; r < ranks; ++r) {
-    if (static_cast<int>(r) != rank_) requests.send(static_cast<int>(r), to[r]);
+    if (static_cast<int>(r) == rank_) continue;
+    requests.send(static_cast<int>(r), to[r]);
+    cost_.bytes_sent += to[r].size();
   }
   from[static_cast<std::size_t>(rank_)] = std::move(to[static_cast<std::size_t>(rank_)]);
   requests.wait();
@@ -98,6 +131,8 @@ std::vector<Bytes> MpiExchange::delivered(std::vector<Bytes> to) {
 }
 
 void MpiExchange::swap(std::span<const Sent> sent, std::span<const Received> received) {
+  const CallTimer timer(cost_);
+  for (const Sent& message : sent) cost_.bytes_sent += message.bytes.size();
   Requests requests(communicator_);
   for (const Received& message : received) requests.receive(message.rank, message.bytes);
   for (const Sent& message : sent) requests.send(message.rank, message.bytes);

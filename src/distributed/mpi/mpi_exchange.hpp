@@ -4,6 +4,7 @@
 
 #include <mpi.h>
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,9 +23,17 @@ class MpiExchange : public Exchange {
   std::vector<Bytes> delivered(std::vector<Bytes> to) override;
   void swap(std::span<const Sent> sent, std::span<const Received> received) override;
 
+  /// What calls have taken so far. Waiting for other processes takes processor time too.
+  struct Cost {
+    double seconds = 0, processor_seconds = 0;
+    std::uint64_t calls = 0, bytes_sent = 0;
+  };
+  const Cost& cost() const { return cost_; }
+
  private:
   MPI_Comm communicator_;
   int rank_ = 0, ranks_ = 1;
+  Cost cost_;
 };
 
 }  // namespace crossgrain

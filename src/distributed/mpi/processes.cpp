@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crossgrain/processes.hpp"
 
+#include <sys/resource.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <thread>
@@ -30,6 +32,7 @@ class Processes::State {
 
  public:
   MpiExchange exchange;
+  LevelShares::Sizes finest;
 };
 
 Processes::Processes(int& argc, char**& argv) : state_(std::make_unique<State>(argc, argv)) {}
@@ -47,7 +50,28 @@ int Processes::count() const {
 std::optional<FrameField> Processes::solve(const FrameField* earlier, const TriangleMesh& mesh,
                                            const SolveOptions& options, const Monitor& monitor) {
   LevelShares shares(state_->exchange);
-  return solve_together(shares, earlier, mesh, options, monitor);
+  std::optional<FrameField> field = solve_together(shares, earlier, mesh, options, monitor);
+  state_->finest = shares.last_share();
+  return field;
+}
+
+std::vector<Processes::Work> Processes::work() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  const MpiExchange::Cost cost = state_->exchange.cost();
+  Work mine;
+  mine.processor_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  mine.seconds_in_mpi = cost.seconds;
+  mine.processor_seconds_in_mpi = cost.processor_seconds;
+  mine.calls_of_mpi = cost.calls;
+  mine.bytes_sent = cost.bytes_sent;
+  mine.cells = state_->finest.own;
+  mine.ghosts = state_->finest.ghosts;
+  mine.peak_memory_bytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  return gathered_value(state_->exchange, mine);
 }
 
 std::vector<std::string> Processes::gathered(const std::string& mine) {
