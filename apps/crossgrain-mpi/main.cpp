@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <new>
 #include <optional>
 #include <string>
@@ -35,7 +36,7 @@ struct Failure {
   std::string line;
 };
 
-/// Another process has failed and tells of it.
+/// Another process has failed before the solve, and process 0 has told of it.
 struct FailedElsewhere {
   int exit_code;
 };
@@ -56,7 +57,7 @@ Failure failure_of(const std::exception_ptr& exception, const std::string& model
   }
 }
 
-/// Brings the processes to the solve together, or none of them.
+/// Brings the processes to the solve together, and to one exit code.
 class Team {
  public:
   explicit Team(Processes& processes) : processes_(processes) {}
@@ -64,55 +65,45 @@ class Team {
   /// Solves once all processes are ready. Throws FailedElsewhere if one is not.
   std::optional<FrameField> solve(const FrameField* earlier, const TriangleMesh& mesh,
                                   const SolveOptions& options, const Monitor& monitor) {
-    phase_ = Phase::kReady;
     if (const auto failure = first_failure({})) throw FailedElsewhere{failure->exit_code};
-    phase_ = Phase::kSolves;
-    std::optional<FrameField> field = processes_.solve(earlier, mesh, options, monitor);
-    phase_ = Phase::kSolved;
-    return field;
+    has_begun_ = true;
+    return processes_.solve(earlier, mesh, options, monitor);
   }
 
-  bool has_solved() const { return phase_ == Phase::kSolved; }
-
-  /// Tells of a failure of this process, once for all processes, and returns the exit code of all.
-  int fail(const Failure& mine) {
-    switch (phase_) {
-      case Phase::kPrepares:
-        return first_failure(mine)->exit_code;
-      case Phase::kReady:
-      case Phase::kSolved:
-        break;
-      case Phase::kSolves:
-        // The same error in all of them, or in this one alone.
-        if (processes_.all_arrive(kSecondsForOthers)) break;
-        print_message(of_rank(mine.line, processes_.rank()));
-        processes_.abort(mine.exit_code);
+  /// Ends the work of this process, with a failure or without one. Returns the exit code of all.
+  int end(const Failure& mine) {
+    // Whoever has not failed waits for the others; they may wait in the middle of a solve for one that has.
+    if (has_begun_ && !processes_.all_arrive(mine.exit_code == 0 ? kAnySeconds : kSecondsForOthers)) {
+      print_message(of_rank(mine.line, processes_.rank()));
+      processes_.abort(mine.exit_code);
     }
-    if (processes_.rank() == 0) print_message(mine.line);
-    return mine.exit_code;
+    const auto failure = first_failure(mine);
+    return failure ? failure->exit_code : 0;
   }
 
  private:
-  enum class Phase { kPrepares, kReady, kSolves, kSolved };
+  static constexpr double kAnySeconds = std::numeric_limits<double>::infinity();
 
   static std::string of_rank(const std::string& line, int rank) {
     return rank == 0 ? line : "process " + std::to_string(rank) + ": " + line;
   }
 
-  /// Returns the failure of the lowest process that has failed; process 0 prints its line.
+  /// Returns the failure of the lowest process that has failed; process 0 prints its line, unless it is
+  /// empty.
   std::optional<Failure> first_failure(const Failure& mine) {
     const std::vector<std::string> codes = processes_.gathered(std::to_string(mine.exit_code));
     const std::vector<std::string> lines = processes_.gathered(mine.line);
     for (std::size_t rank = 0; rank < codes.size(); ++rank) {
       if (codes[rank] == "0") continue;
-      if (processes_.rank() == 0) print_message(of_rank(lines[rank], static_cast<int>(rank)));
+      if (processes_.rank() == 0 && !lines[rank].empty())
+        print_message(of_rank(lines[rank], static_cast<int>(rank)));
       return Failure{std::stoi(codes[rank]), lines[rank]};
     }
     return std::nullopt;
   }
 
   Processes& processes_;
-  Phase phase_ = Phase::kPrepares;
+  bool has_begun_ = false;
 };
 
 /// Throws unless all processes run the same program.
@@ -144,40 +135,44 @@ SolveArguments solve_arguments(const Arguments& arguments) {
               "only 'solve' is for several processes; use 'crossgrain' for other commands");
 }
 
+/// Returns the exit code of this process's work, apart from failures.
+int solve(Team& team, Processes& processes, const SolveArguments& arguments) {
+  const SolveOnGrid together = [&team](const FrameField* earlier, const TriangleMesh& mesh,
+                                       const SolveOptions& options, const Monitor& monitor) {
+    return team.solve(earlier, mesh, options, monitor);
+  };
+  if (processes.rank() == 0) return run_solve(arguments, together);
+  help_solve(arguments, together);
+  return 0;
+}
+
 int run(Processes& processes, int argc, char** argv) {
   Team team(processes);
   std::string model;
+  bool tells_work = false;
+  Failure failure;
   try {
     check_versions(processes);
     const Arguments parsed = parse_arguments(argc, argv);
     if (const auto* finished = std::get_if<Finished>(&parsed)) return finished->exit_code;
     const SolveArguments arguments = solve_arguments(parsed);
     model = arguments.model;
-    const SolveOnGrid together = [&team](const FrameField* earlier, const TriangleMesh& mesh,
-                                         const SolveOptions& options, const Monitor& monitor) {
-      return team.solve(earlier, mesh, options, monitor);
-    };
-    if (processes.rank() > 0) {
-      help_solve(arguments, together);
-      if (arguments.verbose) processes.work();
-      return 0;
-    }
-    // Also after a failure, since the others wait for it.
-    const auto work = [&] { return arguments.verbose ? processes.work() : std::vector<Processes::Work>{}; };
-    int exit_code = 0;
-    try {
-      exit_code = run_solve(arguments, together);
-    } catch (...) {
-      if (team.has_solved()) work();
-      throw;
-    }
-    if (arguments.verbose) print_work(work());
-    return exit_code;
+    tells_work = arguments.verbose;
+    failure.exit_code = solve(team, processes, arguments);
   } catch (const FailedElsewhere& failed) {
     return failed.exit_code;
+  } catch (const OtherProcessFailed&) {
+    // That process tells of it.
   } catch (...) {
-    return team.fail(failure_of(std::current_exception(), model));
+    failure = failure_of(std::current_exception(), model);
+    tells_work = false;
   }
+  const int exit_code = team.end(failure);
+  if (tells_work && exit_code == 0) {
+    const std::vector<Processes::Work> work = processes.work();
+    if (processes.rank() == 0) print_work(work);
+  }
+  return exit_code;
 }
 
 }  // namespace

@@ -14,6 +14,9 @@
 
 namespace crossgrain {
 
+/// Thrown in a process that waits for another one, which has failed.
+struct OtherProcessFailed {};
+
 /// The processes that `mpirun` or a batch system has started together. One object per process, from which MPI
 /// lives. All functions are called by all processes together, by the thread that made the object, unless said
 /// otherwise.

@@ -4,7 +4,6 @@
 // none.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <span>
@@ -15,14 +14,13 @@ namespace crossgrain {
 
 using Bytes = std::vector<std::byte>;
 
+void append_bytes(Bytes& message, std::span<const std::byte> bytes);
+
 /// Appends the values to a message.
 template <class T>
 void append_to(Bytes& message, std::span<const T> values) {
   static_assert(std::is_trivially_copyable_v<T>);
-  if (values.empty()) return;
-  const std::size_t before = message.size();
-  message.resize(before + values.size_bytes());
-  std::memcpy(message.data() + before, values.data(), values.size_bytes());
+  append_bytes(message, std::as_bytes(values));
 }
 
 /// Takes values from a message in the order in which they were appended.
@@ -97,22 +95,10 @@ std::vector<T> gathered_value(Exchange& exchange, const T& mine) {
   return gathered_values<T>(exchange, std::span<const T>(&mine, 1));
 }
 
-inline bool any(Exchange& exchange, bool mine) {
-  const std::vector<char> all = gathered_value<char>(exchange, mine ? 1 : 0);
-  return std::find(all.begin(), all.end(), 1) != all.end();
-}
+bool any(Exchange& exchange, bool mine);
 
 /// Returns the terms of all ranks added to zero one after the other, those of rank 0 first: the same to the
 /// bit for any shares.
-inline double running_sum(Exchange& exchange, std::span<const double> terms) {
-  double sum = 0;
-  const auto before = std::as_writable_bytes(std::span(&sum, 1));
-  const Exchange::Received received{exchange.rank() - 1, before};
-  if (exchange.rank() > 0) exchange.swap({}, {&received, 1});
-  for (const double term : terms) sum += term;
-  const Exchange::Sent sent{exchange.rank() + 1, std::as_bytes(std::span(&sum, 1))};
-  if (exchange.rank() + 1 < exchange.ranks()) exchange.swap({&sent, 1}, {});
-  return gathered_value(exchange, sum).back();
-}
+double running_sum(Exchange& exchange, std::span<const double> terms);
 
 }  // namespace crossgrain

@@ -24,13 +24,17 @@ void unpack(MessageReader& reader, std::vector<T>& values) {
 }  // namespace
 
 void append(LeafRecords& to, const GridLevel& level, std::span<const std::vector<StoredQuaternion>> frames,
-            CellIndex leaf) {
-  to.addresses.push_back(level.tree[leaf]);
-  to.centre_winding.push_back(level.centre_winding[leaf]);
-  const auto pieces = level.pieces_of(leaf);
-  to.piece_counts.push_back(static_cast<std::uint32_t>(pieces.size()));
-  to.pieces.insert(to.pieces.end(), pieces.begin(), pieces.end());
-  for (std::size_t f = 0; f < frames.size(); ++f) to.frames[f].push_back(frames[f][leaf]);
+            CellIndex begin, CellIndex end) {
+  const auto append_range = [](auto& values, const auto& from, std::size_t first, std::size_t last) {
+    values.insert(values.end(), from.begin() + static_cast<std::ptrdiff_t>(first),
+                  from.begin() + static_cast<std::ptrdiff_t>(last));
+  };
+  append_range(to.addresses, level.tree.leaves(), begin, end);
+  append_range(to.centre_winding, level.centre_winding, begin, end);
+  for (CellIndex leaf = begin; leaf < end; ++leaf)
+    to.piece_counts.push_back(level.piece_begin[leaf + 1] - level.piece_begin[leaf]);
+  append_range(to.pieces, level.pieces, level.piece_begin[begin], level.piece_begin[end]);
+  for (std::size_t f = 0; f < frames.size(); ++f) append_range(to.frames[f], frames[f], begin, end);
 }
 
 void append(LeafRecords& to, const LeafRecords& from) {

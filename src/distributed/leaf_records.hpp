@@ -24,9 +24,9 @@ struct LeafRecords {
   std::size_t size() const { return addresses.size(); }
 };
 
-/// Appends leaf `leaf` of a level and of fields on it. `to.frames` has as many fields.
+/// Appends leaves [begin, end) of a level and of fields on it. `to.frames` has as many fields.
 void append(LeafRecords& to, const GridLevel& level, std::span<const std::vector<StoredQuaternion>> frames,
-            CellIndex leaf);
+            CellIndex begin, CellIndex end);
 
 /// Appends all of `from`, which has as many fields.
 void append(LeafRecords& to, const LeafRecords& from);

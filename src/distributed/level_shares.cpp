@@ -9,9 +9,13 @@
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "field/leaf_stencil.hpp"
+#include "grid/leaf_finder.hpp"
 
 namespace crossgrain {
 namespace {
+
+/// What the first process says in place of a start.
+constexpr std::byte kNothing{0}, kFailure{1};
 
 /// Makes a level of own leaves and of ghosts, both in the order of their numbers.
 LevelSharing::Level joined(const RootCube& root, LeafRecords own, const LeafRecords& ghosts,
@@ -51,6 +55,33 @@ LevelSharing::Level joined(const RootCube& root, LeafRecords own, const LeafReco
   return level;
 }
 
+/// Leaves that a process has kept: [begin, end) before, and after that `after` on.
+struct KeptLeaves {
+  CellIndex begin = 0, end = 0, after = 0;
+};
+
+/// Returns the neighbours of all leaves. Those of kept leaves are known, if they are kept too.
+std::vector<FaceNeighbours> neighbours_after(const Octree& tree, std::span<const FaceNeighbours> before,
+                                             const KeptLeaves& kept) {
+  const LeafFinder finder(tree);
+  auto result = sized_vector<FaceNeighbours>(tree.size());
+  parallel_for(tree.size(), [&](std::size_t k) {
+    const auto leaf = static_cast<CellIndex>(k);
+    const bool is_kept = leaf >= kept.after && leaf - kept.after < kept.end - kept.begin;
+    for (int face = 0; face < kFaceCount; ++face) {
+      const CellIndex known = is_kept ? before[kept.begin + (leaf - kept.after)][face] : kept.end;
+      if (is_kept && known == kNoCell) {
+        result[leaf][face] = kNoCell;
+      } else if (known >= kept.begin && known < kept.end) {
+        result[leaf][face] = kept.after + (known - kept.begin);
+      } else {
+        result[leaf][face] = finder.neighbour(leaf, face);
+      }
+    }
+  });
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::uint64_t> equal_cuts(std::uint64_t leaves, int ranks) {
@@ -67,19 +98,56 @@ bool LevelShares::is_shared(std::uint64_t leaves) const {
   return exchange_.ranks() > 1 && leaves >= kBlockedCells;
 }
 
+std::optional<LevelStart> LevelShares::started(std::optional<LevelStart> start) {
+  Bytes message;
+  if (start) {
+    const LevelStart& s = *start;
+    append_to(message, std::span<const int>(std::array{s.depth, s.coarsest_depth, s.relaxation_sweeps}));
+    append_to(message, std::span(&s.relaxed_cells, 1));
+    append_to(message, std::span(&s.core_size, 1));
+    append_to(message, std::span<const LevelStatistics>(s.levels));
+  } else if (is_first()) {
+    message.push_back(kNothing);
+  }
+  const Bytes told = exchange_.gathered(message).front();
+  if (told.size() == 1) {
+    if (told.front() == kFailure) throw OtherProcessFailed();
+    return std::nullopt;
+  }
+  MessageReader reader(told);
+  LevelStart result;
+  result.depth = reader.take<int>();
+  result.coarsest_depth = reader.take<int>();
+  result.relaxation_sweeps = reader.take<int>();
+  result.relaxed_cells = reader.take<std::size_t>();
+  result.core_size = reader.take<double>();
+  result.levels = reader.take<LevelStatistics>(reader.size() / sizeof(LevelStatistics));
+  return result;
+}
+
+void LevelShares::start_failed() {
+  exchange_.gathered(std::span(&kFailure, 1));
+}
+
 LevelSharing::Level LevelShares::shared_out(Level level, const Solid& solid) {
-  const GridLevel& before = level.made.level;
-  const bool was_whole = before.share().is_whole();
-  const RootCube root = before.tree.root();
-  const auto sum = [&](std::uint64_t mine) {
-    const auto all = gathered_value(exchange_, mine);
-    return std::accumulate(all.begin(), all.end(), std::uint64_t{0});
-  };
-  const std::uint64_t leaves = was_whole ? before.size() : sum(before.share().size());
-  const std::size_t examined = was_whole ? before.examined_leaves : sum(before.examined_leaves);
+  const RootCube root = level.made.level.tree.root();
+  const auto sizes = gathered_value<std::uint64_t>(exchange_, level.made.level.share().size());
+  const auto examined = gathered_value<std::uint64_t>(exchange_, level.made.level.examined_leaves);
+  const std::uint64_t leaves = std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0});
+  const std::uint64_t before =
+      std::accumulate(sizes.begin(), sizes.begin() + exchange_.rank(), std::uint64_t{0});
   const std::vector<std::uint64_t> cuts = cuts_(leaves, exchange_.ranks());
   const auto rank = static_cast<std::size_t>(exchange_.rank());
-  LeafRecords own = moved_to_owners(level, cuts);
+  LeafRecords own = moved_to_owners(level, {before, before + sizes[rank]}, cuts);
+  const std::vector<FaceNeighbours> neighbours_before = std::move(level.made.neighbours);
+  KeptLeaves kept;
+  if (const std::uint64_t first = std::max(before, cuts[rank]),
+      last = std::min(before + sizes[rank], cuts[rank + 1]);
+      first < last && !neighbours_before.empty()) {
+    kept.begin = static_cast<CellIndex>(level.made.level.share().begin + (first - before));
+    kept.end = static_cast<CellIndex>(kept.begin + (last - first));
+    kept.after = static_cast<CellIndex>(first - cuts[rank]);
+  }
   level = {};
   bounds_ = ShareBounds(exchange_, own.size() > 0 ? &own.addresses.front() : nullptr);
   const LeafRecords ghosts = found_ghosts(own, root, cuts[rank]);
@@ -88,7 +156,7 @@ LevelSharing::Level LevelShares::shared_out(Level level, const Solid& solid) {
   RefinedLevel& made = result.made;
   made.level.part->of_all = leaves;
   made.level.part->exchange = &exchange_;
-  made.level.examined_leaves = examined;
+  made.level.examined_leaves = std::accumulate(examined.begin(), examined.end(), std::uint64_t{0});
   const Share share = made.level.share();
   sizes_ = {share.size(), ghosts.size()};
   for (CellIndex leaf = 0; leaf < made.level.size(); ++leaf)
@@ -101,7 +169,8 @@ LevelSharing::Level LevelShares::shared_out(Level level, const Solid& solid) {
   }
   for (auto& held : held_by_)
     for (CellIndex& leaf : held) leaf += share.begin;
-  made.neighbours = face_neighbours(made.level.tree);
+  kept.after += share.begin;
+  made.neighbours = neighbours_after(made.level.tree, neighbours_before, kept);
   if (solid.guides != nullptr) {
     int deepest = 0;
     for (const CellAddress leaf : made.level.tree.leaves()) deepest = std::max(deepest, leaf.depth());
@@ -112,39 +181,39 @@ LevelSharing::Level LevelShares::shared_out(Level level, const Solid& solid) {
   return result;
 }
 
-/// Returns the leaves of this process after the cuts. Only leaves that change their owner are sent.
-LeafRecords LevelShares::moved_to_owners(const Level& level, std::span<const std::uint64_t> cuts) {
+/// Returns the leaves of this process after the cuts. Only leaves that change their owner are sent. `own` are
+/// the numbers of its leaves before.
+LeafRecords LevelShares::moved_to_owners(const Level& level, const Range& own,
+                                         std::span<const std::uint64_t> cuts) {
   const GridLevel& grid = level.made.level;
   const Share share = grid.share();
   const auto rank = static_cast<std::size_t>(exchange_.rank());
   const std::size_t fields = level.frames.size();
-  std::uint64_t before = 0;
-  if (!share.is_whole()) {
-    const auto sizes = gathered_value<std::uint64_t>(exchange_, share.size());
-    before = std::accumulate(sizes.begin(), sizes.begin() + exchange_.rank(), std::uint64_t{0});
-  }
-  const auto records_between = [&](std::uint64_t first, std::uint64_t last) {
-    LeafRecords records;
-    records.frames.resize(fields);
-    const std::uint64_t begin = std::max(first, before), end = std::min(last, before + share.size());
-    for (std::uint64_t number = begin; number < end; ++number)
-      append(records, grid, level.frames, static_cast<CellIndex>(share.begin + (number - before)));
-    return records;
+  const auto append_between = [&](std::uint64_t first, std::uint64_t last, LeafRecords& records) {
+    const std::uint64_t begin = std::max(first, own.begin), end = std::min(last, own.end);
+    if (begin >= end) return;
+    const auto leaf = static_cast<CellIndex>(share.begin + (begin - own.begin));
+    append(records, grid, level.frames, leaf, static_cast<CellIndex>(leaf + (end - begin)));
   };
-  if (share.is_whole()) return records_between(cuts[rank], cuts[rank + 1]);
   std::vector<Bytes> to(ranks());
   for (std::size_t r = 0; r < ranks(); ++r) {
-    const LeafRecords records = r == rank ? LeafRecords{} : records_between(cuts[r], cuts[r + 1]);
+    LeafRecords records;
+    records.frames.resize(fields);
+    if (r != rank) append_between(cuts[r], cuts[r + 1], records);
     if (records.size() > 0) to[r] = packed(records);
   }
   std::vector<Bytes> from = exchange_.delivered(std::move(to));
-  LeafRecords own;
-  own.frames.resize(fields);
+  LeafRecords result;
+  result.frames.resize(fields);
   for (std::size_t r = 0; r < ranks(); ++r) {
-    append(own, r == rank ? records_between(cuts[rank], cuts[rank + 1]) : unpacked(from[r], fields));
+    if (r == rank) {
+      append_between(cuts[rank], cuts[rank + 1], result);
+    } else {
+      append(result, unpacked(from[r], fields));
+    }
     from[r] = Bytes();
   }
-  return own;
+  return result;
 }
 
 /// Returns the ghosts around own leaves, and remembers which processes have own leaves as ghosts.
@@ -223,12 +292,7 @@ void LevelShares::gather(SolvedField& field, const Solid& solid) {
   GridLevel& level = field.level;
   const Share share = level.share();
   const RootCube root = level.tree.root();
-  if (share.is_whole()) {
-    if (is_first()) return;
-    field.level = {};
-    field.level.tree = Octree(root, {});
-    return;
-  }
+  if (share.is_whole()) return;  // no level has been shared
   const auto on_first = [&]<class T>(std::vector<T> values) {
     std::vector<Bytes> to(ranks());
     append_to(to.front(), std::span<const T>(values));

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/exchange.hpp"
+#include "crossgrain/processes.hpp"
 #include "distributed/ghost_search.hpp"
 #include "distributed/leaf_records.hpp"
 #include "field/nested_solve.hpp"
@@ -32,6 +34,8 @@ class LevelShares : public LevelSharing {
   int processes() const override { return exchange_.ranks(); }
   bool all(bool here) override { return !any(exchange_, !here); }
   bool is_shared(std::uint64_t leaves) const override;
+  std::optional<LevelStart> started(std::optional<LevelStart> start) override;
+  void start_failed() override;
   Level shared_out(Level level, const Solid& solid) override;
   void complete(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
                 std::span<const ReachedPlace> elsewhere, int finest_depth, Marks& marks) override;
@@ -44,8 +48,13 @@ class LevelShares : public LevelSharing {
   const Sizes& last_share() const { return sizes_; }
 
  private:
+  /// Numbers of leaves, from the first to before the last.
+  struct Range {
+    std::uint64_t begin, end;
+  };
+
   std::size_t ranks() const { return static_cast<std::size_t>(exchange_.ranks()); }
-  LeafRecords moved_to_owners(const Level& level, std::span<const std::uint64_t> cuts);
+  LeafRecords moved_to_owners(const Level& level, const Range& own, std::span<const std::uint64_t> cuts);
   LeafRecords found_ghosts(const LeafRecords& own, const RootCube& root, std::uint64_t before);
   bool agree_on_marks(Marks& marks);
 

@@ -70,9 +70,12 @@ class NestedSolver {
     level_watch_.start();
     grid_watch_.start();
     try {
-      solve_levels();
-      result_.frames = std::move(candidates_.front().frames);
-      if (sharing_ != nullptr) sharing_->gather(result_, solid_);
+      if (has_help()) {
+        solve_with_others();
+      } else {
+        solve_levels();
+        result_.frames = std::move(candidates_.front().frames);
+      }
     } catch (const Error& error) {
       const bool is_stop = error.kind() == ErrorKind::kInterrupted && !monitor_.cancelled();
       if (!is_stop || !may_be_stopped() || !can_stand_alone(coarser_)) throw;
@@ -85,17 +88,66 @@ class NestedSolver {
   }
 
  private:
+  /// A level to solve, with the frames of candidates_.
+  struct Start {
+    int depth;
+    RefinedLevel made;
+  };
+
+  /// The first process solves alone until a level is shared; the others begin with that one.
+  void solve_with_others() {
+    if (sharing_->is_first()) {
+      try {
+        solve_levels();
+      } catch (...) {
+        if (!has_started_) sharing_->start_failed();
+        throw;
+      }
+      if (!has_started_) sharing_->started({});
+    } else if (const auto start = sharing_->started({})) {
+      solve_levels_from(begun_by_others(*start));
+    } else {
+      return;
+    }
+    result_.frames = std::move(candidates_.front().frames);
+    sharing_->gather(result_, solid_);
+  }
+
+  Start begun_by_others(const LevelStart& start) {
+    initial_.relaxation_sweeps = start.relaxation_sweeps;
+    initial_.relaxed_cells = start.relaxed_cells;
+    initial_.core_size = start.core_size;
+    coarsest_depth_ = start.coarsest_depth;
+    is_uniform_ = false;
+    result_.levels = start.levels;
+    candidates_.resize(1);
+    RefinedLevel made;
+    made.level.tree = Octree(frame().root, {});
+    std::vector<Frames> frames(1);
+    share_out(made, frames);
+    candidates_.front().frames = std::move(frames.front());
+    return {start.depth, std::move(made)};
+  }
+
+  GridFrame frame() const {
+    return frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
+  }
+
   void solve_levels() {
     monitor_.check_stop();
-    const auto [root, finest_depth] =
-        frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
+    const auto [root, finest_depth] = frame();
     coarsest_depth_ = std::max(0, finest_depth - levels_above_finest());
+    report(Phase::kGrid, coarsest_depth_, 0);
+    solve_levels_from({coarsest_depth_, uniform_level(solid_, root, coarsest_depth_, monitor_)});
+  }
+
+  void solve_levels_from(Start start) {
+    const int finest_depth = frame().finest_depth;
     level_count_ = number_of(finest_depth);
     SolveForecast forecast(options_, finest_depth, current_memory_bytes(), may_be_stopped(),
                            {static_cast<double>(initial_.relaxed_cells), initial_.relaxation_sweeps});
-    report(Phase::kGrid, coarsest_depth_, 0);
-    RefinedLevel made = uniform_level(solid_, root, coarsest_depth_, monitor_);
-    for (int depth = coarsest_depth_;; ++depth) {
+    RefinedLevel made = std::move(start.made);
+    for (int depth = start.depth;; ++depth) {
       result_.level = std::move(made.level);
       const std::uint64_t leaves = result_.level.share().of_all;
       if (leaves == 0)
@@ -122,7 +174,8 @@ class NestedSolver {
   /// 1-based number of the level; 1 is the coarsest. 0 if levels have no numbers.
   int number_of(int depth) const { return is_decision_ ? 0 : depth - coarsest_depth_ + 1; }
 
-  bool may_be_stopped() const { return monitor_.may_be_stopped() && !is_decision_ && sharing_ == nullptr; }
+  bool has_help() const { return sharing_ != nullptr && !is_decision_; }
+  bool may_be_stopped() const { return monitor_.may_be_stopped() && !is_decision_ && !has_help(); }
   bool is_shared() const { return !result_.level.share().is_whole(); }
 
   void report(Phase phase, int depth, std::size_t cells) const {
@@ -163,7 +216,7 @@ class NestedSolver {
   bool next_fits(const SolveForecast& forecast, const LevelGrowth& growth) {
     const LevelCounts next = counts_here(growth.after(1));
     const bool fits_here = forecast.fits(next);
-    if (sharing_ == nullptr ? fits_here : sharing_->all(fits_here)) return true;
+    if (is_shared() ? sharing_->all(fits_here) : fits_here) return true;
     result_.memory_needed = static_cast<std::size_t>(forecast.peak_memory(next));
     if (result_.levels_left_out > kMostLevelsLeftOut) {
       throw Error(
@@ -222,12 +275,12 @@ class NestedSolver {
   RelaxedStart relaxed_and_refined(int depth, RefinedLevel& made) {
     auto [start, marks] = relaxed_and_marked(depth, made);
     const bool none_marked = std::find(marks.begin(), marks.end(), true) == marks.end();
-    if (sharing_ == nullptr ? none_marked : sharing_->all(none_marked)) return start;
+    if (is_shared() ? sharing_->all(none_marked) : none_marked) return start;
     if (is_shared()) sharing_->complete(result_.level, made.neighbours, {}, depth, marks);
     RefinedLevel again = refined(result_.level, made.neighbours, solid_, std::move(marks), monitor_);
     std::vector<Frames> frames{inherited(start.frames, again.parent),
                                inherited(start.original, again.parent)};
-    share_out(again, frames);
+    if (is_shared()) share_out(again, frames);
     start.frames = std::move(frames[0]);
     start.original = std::move(frames[1]);
     result_.level = std::move(again.level);
@@ -235,12 +288,8 @@ class NestedSolver {
     return start;
   }
 
-  /// Shares out a level that was refined from that in `result_`, with frames of its leaves, if it is to be
-  /// shared.
+  /// Shares a level out, with frames of its leaves.
   void share_out(RefinedLevel& made, std::vector<Frames>& frames) {
-    if (sharing_ == nullptr || is_decision_) return;
-    const bool was_shared = !made.level.share().is_whole();
-    if (!was_shared && !sharing_->is_shared(made.level.size())) return;
     LevelSharing::Level level = sharing_->shared_out({std::move(made), std::move(frames)}, solid_);
     made = std::move(level.made);
     frames = std::move(level.frames);
@@ -290,11 +339,8 @@ class NestedSolver {
   }
 
   void visit(int depth) {
-    if (!is_shared()) {
-      if (sharing_ == nullptr || sharing_->is_first())
-        visit_level_({depth, result_.level.tree, candidates_[best_].frames, result_.open_faces});
-      return;
-    }
+    if (!is_shared())
+      return visit_level_({depth, result_.level.tree, candidates_[best_].frames, result_.open_faces});
     SolvedField seen;
     seen.level.tree = result_.level.tree;
     seen.level.part = result_.level.part;
@@ -408,14 +454,20 @@ class NestedSolver {
     report(Phase::kGrid, depth + 1, 0);
     const GridLevel& level = may_be_stopped() ? coarser_.level : ending;
     RefinedLevel made = refined(level, neighbours, solid_, std::move(marks), monitor_);
-    ending = {};
-    if (candidates_.size() == 1 && sharing_ != nullptr && !is_decision_) share_out_with_candidate(made);
+    if (has_help() && (!made.level.share().is_whole() || sharing_->is_shared(made.level.size()))) {
+      ending = {};
+      share_out_refined(made, depth + 1);
+    }
     return made;
   }
 
-  void share_out_with_candidate(RefinedLevel& made) {
+  /// Shares out a refined level with the frames of the only candidate.
+  void share_out_refined(RefinedLevel& made, int depth) {
+    if (!has_started_ && sharing_->is_first())
+      sharing_->started(LevelStart{depth, coarsest_depth_, initial_.relaxation_sweeps, initial_.relaxed_cells,
+                                   initial_.core_size, result_.levels});
+    has_started_ = true;
     Frames& frames = candidates_.front().frames;
-    if (made.level.share().is_whole() && !sharing_->is_shared(made.level.size())) return;
     std::vector<Frames> carried{inherited(std::exchange(frames, {}), made.parent)};
     share_out(made, carried);
     frames = std::move(carried.front());
@@ -432,12 +484,13 @@ class NestedSolver {
   const Solid& solid_;
   const SolveOptions& options_;
   const Monitor& monitor_;
-  const InitialField& initial_;
+  InitialField initial_;
   const VisitLevel& visit_level_;
   LevelSharing* const sharing_;  ///< null: this process solves alone
   const bool is_decision_;
-  SolvedField result_;   ///< the level being built or solved
-  SolvedField coarser_;  ///< the finished level before it, if the solve may be stopped
+  bool has_started_ = false;  ///< the others have begun
+  SolvedField result_;        ///< the level being built or solved
+  SolvedField coarser_;       ///< the finished level before it, if the solve may be stopped
 
   /// Fields of the starts that are still compared. If the solve may be stopped, a single one moves its frames
   /// to coarser_ between levels.

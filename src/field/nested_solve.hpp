@@ -88,7 +88,18 @@ struct CoarserLevel {
 /// Is called with each such level, coarsest first.
 using VisitLevel = std::function<void(const CoarserLevel& level)>;
 
-/// How processes share the levels of a solve. All of them call each function together.
+/// What a level begins with besides its leaves and their frames.
+struct LevelStart {
+  int depth = 0;
+  int coarsest_depth = 0;
+  int relaxation_sweeps = 0;  ///< as in InitialField
+  std::size_t relaxed_cells = 0;
+  double core_size = 0;
+  std::vector<LevelStatistics> levels;  ///< those before
+};
+
+/// How processes share the levels of a solve. The first process solves the small ones alone; then it shares
+/// out the next one, and from there on all of them call each function together.
 class LevelSharing {
  public:
   LevelSharing() = default;
@@ -111,8 +122,15 @@ class LevelSharing {
   /// Returns whether levels of so many leaves are shared.
   virtual bool is_shared(std::uint64_t leaves) const = 0;
 
-  /// Shares a level out anew, in equal parts. It is whole in every process, or refined from a shared one. The
-  /// result has ghosts, neighbours and guides, and no parents.
+  /// Passes the start of the first shared level from the first process, where it is given, to the others,
+  /// which wait for it; nothing if no level is shared.
+  virtual std::optional<LevelStart> started(std::optional<LevelStart> start) = 0;
+
+  /// Ends the wait of the others, which throw OtherProcessFailed.
+  virtual void start_failed() = 0;
+
+  /// Shares a level out anew. It has been refined from a shared one, or the first process has all of it and
+  /// the others a tree without leaves. The result has ghosts, neighbours and guides, and no parents.
   virtual Level shared_out(Level level, const Solid& solid) = 0;
 
   /// Adds the marks of other processes, those of places in their leaves, and those that balance requires,

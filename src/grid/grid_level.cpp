@@ -285,6 +285,7 @@ RefinedLevel refined(const GridLevel& level, std::span<const FaceNeighbours> nei
   // Of processes that share a level, the first counts the leaves before.
   const bool counts_leaves = share.is_whole() || share.exchange->rank() == 0;
   RefinedLevel finer = joined(level.tree.root(), std::move(runs), counts_leaves ? level.examined_leaves : 0);
+  finer.neighbours = face_neighbours({level.tree, neighbours, marked}, finer.level.tree, finer.parent);
   if (!share.is_whole()) {
     const auto index_of_first = [&](CellIndex parent) {
       const auto first = std::lower_bound(finer.parent.begin(), finer.parent.end(), parent);
@@ -293,7 +294,6 @@ RefinedLevel refined(const GridLevel& level, std::span<const FaceNeighbours> nei
     finer.level.part = Share{index_of_first(share.begin), index_of_first(share.end), 0, 0, share.exchange};
     return finer;
   }
-  finer.neighbours = face_neighbours({level.tree, neighbours, marked}, finer.level.tree, finer.parent);
   if (solid.guides != nullptr) finer.level.guides = LeafGuides(finer.level.tree, *solid.guides);
   return finer;
 }

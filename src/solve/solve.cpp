@@ -184,7 +184,9 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const std::vector<std::vector<Vector3>> creases = model.crease_lines();
   CoarserGraphs coarser;
   const std::unique_ptr<const DecidedField> decided =
-      initial.frame_at ? nullptr : DecidedField::solved(model.solid(), options, monitor);
+      initial.frame_at || (sharing != nullptr && !sharing->is_first())
+          ? nullptr
+          : DecidedField::solved(model.solid(), options, monitor);
   if (decided) initial = decided->initial_field(options.solver);
   SolvedField solved = nested_solve(
       model.solid(), options, monitor, initial, {watch.restart()},

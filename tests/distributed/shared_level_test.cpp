@@ -33,6 +33,14 @@ RefinedLevel level_of(const TestSolid& part, int resolution) {
   return made;
 }
 
+/// The level in the first process, and nothing in the others, as a solve shares it out.
+RefinedLevel in_the_first(const Exchange& exchange, const RefinedLevel& level) {
+  if (exchange.rank() == 0) return level;
+  RefinedLevel none;
+  none.level.tree = Octree(level.level.tree.root(), {});
+  return none;
+}
+
 /// Neighbours by number, with weights, in the order of a row.
 std::vector<std::pair<std::uint64_t, float>> row_of(const Adjacency& adjacency, const GridLevel& level,
                                                     CellIndex leaf) {
@@ -52,7 +60,7 @@ class SharedLevel : public ::testing::TestWithParam<int> {
         connectivity_of(whole.level, whole.neighbours, connections, share_of_diagonals);
     run_ranks(GetParam(), [&](Exchange& exchange) {
       LevelShares shares(exchange, random_cuts);
-      const LevelSharing::Level shared = shares.shared_out({whole, {}}, part.solid());
+      const LevelSharing::Level shared = shares.shared_out({in_the_first(exchange, whole), {}}, part.solid());
       const GridLevel& level = shared.made.level;
       const Share share = level.share();
       const LeafConnections found = connect_leaves(level, shared.made.neighbours, part.solid());
@@ -81,7 +89,7 @@ class SharedLevel : public ::testing::TestWithParam<int> {
                       refinement_marks(whole.level, whole.neighbours, part.solid(), {}, deepest, {}));
     run_ranks(GetParam(), [&](Exchange& exchange) {
       LevelShares shares(exchange, random_cuts);
-      LevelSharing::Level shared = shares.shared_out({start, {}}, part.solid());
+      LevelSharing::Level shared = shares.shared_out({in_the_first(exchange, start), {}}, part.solid());
       for (int round = 0; round < 2; ++round) {
         RefinedLevel& made = shared.made;
         std::vector<ReachedPlace> elsewhere;
