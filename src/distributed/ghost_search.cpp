@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -12,9 +11,9 @@
 namespace crossgrain {
 namespace {
 
-/// Leaves whose ancestor so many levels up has only own leaves around it need no look at their own
+/// Leaves with an ancestor so many levels up that has only own leaves around it need no look at their
 /// surroundings.
-constexpr int kAncestorLevels = 3;
+constexpr std::array kAncestorLevels{4, 2, 1};
 
 constexpr std::uint64_t code_of(CellAddress cell) {
   return cell.packed() >> 5;
@@ -62,24 +61,28 @@ bool touches_any(CellAddress cell, const Octree& tree, const LeafFinder& finder)
 /// layer, and others whose leaves do not touch it.
 GhostHolders possible_holders(const Octree& own, const ShareBounds& bounds, int rank) {
   GhostHolders holders(own.size());
+  const auto insert_around = [&](CellAddress cell, std::vector<int>& ranks) {
+    for_each_around(cell, [&](CellAddress beside) {
+      for (const int owner : bounds.owners(beside))
+        if (owner != rank) insert(ranks, owner);
+    });
+  };
   parallel_for_chunks(own.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
-    std::optional<CellAddress> inner;  // an ancestor with own leaves around it only
+    // For each number of levels up the last ancestor, and whether it has own leaves around it only.
+    std::array<std::pair<CellAddress, bool>, kAncestorLevels.size()> last{};
     for (std::size_t i = begin; i < end; ++i) {
       const CellAddress leaf = own[static_cast<CellIndex>(i)];
-      if (inner && inner->contains(leaf)) continue;
-      const auto insert_around = [&](CellAddress cell, std::vector<int>& ranks) {
-        for_each_around(cell, [&](CellAddress beside) {
-          for (const int owner : bounds.owners(beside))
-            if (owner != rank) insert(ranks, owner);
-        });
-      };
-      const CellAddress ancestor = leaf.ancestor_at(std::max(0, leaf.depth() - kAncestorLevels));
-      std::vector<int> around_ancestor;
-      insert_around(ancestor, around_ancestor);
-      if (around_ancestor.empty())
-        inner = ancestor;
-      else
-        insert_around(leaf, holders[i]);
+      bool is_inner = false;
+      for (std::size_t k = 0; k < kAncestorLevels.size() && !is_inner; ++k) {
+        const CellAddress ancestor = leaf.ancestor_at(std::max(0, leaf.depth() - kAncestorLevels[k]));
+        if (ancestor != last[k].first) {
+          std::vector<int> ranks;
+          insert_around(ancestor, ranks);
+          last[k] = {ancestor, ranks.empty()};
+        }
+        is_inner = last[k].second;
+      }
+      if (!is_inner) insert_around(leaf, holders[i]);
     }
   });
   return holders;
