@@ -64,10 +64,11 @@ class Team {
 
   /// Solves once all processes are ready. Throws FailedElsewhere if one is not.
   std::optional<FrameField> solve(const FrameField* earlier, const TriangleMesh& mesh,
-                                  const SolveOptions& options, const Monitor& monitor) {
+                                  const SolveOptions& options, const Monitor& monitor,
+                                  const CheckpointFolders& checkpoint) {
     if (const auto failure = first_failure({})) throw FailedElsewhere{failure->exit_code};
     has_begun_ = true;
-    return processes_.solve(earlier, mesh, options, monitor);
+    return processes_.solve(earlier, mesh, options, monitor, checkpoint);
   }
 
   /// Ends the work of this process, with a failure or without one. Returns the exit code of all.
@@ -129,17 +130,12 @@ void print_work(const std::vector<Processes::Work>& work) {
   }
 }
 
-SolveArguments solve_arguments(const Arguments& arguments) {
-  if (const auto* solve = std::get_if<SolveArguments>(&arguments)) return *solve;
-  throw Error(ErrorKind::kUsage,
-              "only 'solve' is for several processes; use 'crossgrain' for other commands");
-}
-
 /// Returns the exit code of this process's work, apart from failures.
 int solve(Team& team, Processes& processes, const SolveArguments& arguments) {
-  const SolveOnGrid together = [&team](const FrameField* earlier, const TriangleMesh& mesh,
-                                       const SolveOptions& options, const Monitor& monitor) {
-    return team.solve(earlier, mesh, options, monitor);
+  const CheckpointFolders checkpoint{arguments.checkpoint, arguments.restart};
+  const SolveOnGrid together = [&team, &checkpoint](const FrameField* earlier, const TriangleMesh& mesh,
+                                                    const SolveOptions& options, const Monitor& monitor) {
+    return team.solve(earlier, mesh, options, monitor, checkpoint);
   };
   if (processes.rank() == 0) return run_solve(arguments, together);
   help_solve(arguments, together);
@@ -153,9 +149,9 @@ int run(Processes& processes, int argc, char** argv) {
   Failure failure;
   try {
     check_versions(processes);
-    const Arguments parsed = parse_arguments(argc, argv);
+    const Arguments parsed = parse_arguments_of_processes(argc, argv);
     if (const auto* finished = std::get_if<Finished>(&parsed)) return finished->exit_code;
-    const SolveArguments arguments = solve_arguments(parsed);
+    const auto& arguments = std::get<SolveArguments>(parsed);
     model = arguments.model;
     tells_work = arguments.verbose;
     failure.exit_code = solve(team, processes, arguments);

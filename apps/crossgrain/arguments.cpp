@@ -24,6 +24,10 @@ constexpr const char* kFooter =
     "its field; 130 interrupted: the first Ctrl-C writes the last finished level of a\n"
     "solve, a second one discards it.";
 
+constexpr const char* kFooterOfProcesses =
+    "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 output cannot be written;\n"
+    "5 a stated limit is exceeded; 130 interrupted. Other commands: crossgrain.";
+
 [[noreturn]] void refuse(const std::string& message, const CLI::App* command) {
   std::string line = message.substr(0, message.find_last_not_of('\n') + 1);
   std::replace(line.begin(), line.end(), '\n', ' ');
@@ -178,6 +182,40 @@ Arguments parse_arguments(int argc, char** argv) {
   }
   std::cerr << app.help();
   return Finished{exit_code_of(ErrorKind::kUsage)};
+}
+
+Arguments parse_arguments_of_processes(int argc, char** argv) {
+  CLI::App app(
+      "Volumetric octahedral frame fields, by several processes: mpirun -n 4 crossgrain-mpi solve MODEL",
+      "crossgrain-mpi");
+  app.set_version_flag("--version", std::string("crossgrain-mpi ") + kVersion);
+  app.footer(kFooterOfProcesses);
+  app.require_subcommand(1);
+  SolveArguments solve;
+  CLI::App* command = add_solve(app, solve);
+  command
+      ->add_option(
+          "--checkpoint", solve.checkpoint,
+          "Keep in this folder what is needed to go on after a break, whenever a shared level begins")
+      ->type_name("DIR");
+  command
+      ->add_option("--restart", solve.restart,
+                   "Go on from the folder of --checkpoint, on any number of processes; give the same model "
+                   "and options")
+      ->type_name("DIR");
+  try {
+    app.parse(reversed_words(argc, argv));
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      app.exit(error);
+      return Finished{0};
+    }
+    std::string line = error.what();
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    throw Error(ErrorKind::kUsage, line + "; try 'crossgrain-mpi solve --help'");
+  }
+  check_arguments(solve, command);
+  return solve;
 }
 
 }  // namespace crossgrain::app

@@ -21,6 +21,8 @@ struct SolveArguments {
   std::string from;              ///< folder of an earlier field; empty for none
   std::string onto;              ///< tet mesh for the field; empty for none
   std::string constraints;       ///< file of constraints; empty for none
+  std::string checkpoint;        ///< folder for going on after a break; empty for none
+  std::string restart;           ///< folder to go on from; empty for none
   SolveOptions options;
   TetTagOptions tags;
   OutputOptions output_options;
@@ -107,5 +109,8 @@ using Arguments = std::variant<Finished, SolveArguments, SampleArguments, Spectr
 /// Returns the parsed arguments. Prints help and version on standard output. Throws Error(kUsage) for an
 /// invalid command line.
 Arguments parse_arguments(int argc, char** argv);
+
+/// The same for `crossgrain-mpi`, which only solves.
+Arguments parse_arguments_of_processes(int argc, char** argv);
 
 }  // namespace crossgrain::app

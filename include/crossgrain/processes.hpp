@@ -17,6 +17,13 @@ namespace crossgrain {
 /// Thrown in a process that waits for another one, which has failed.
 struct OtherProcessFailed {};
 
+/// Folders for going on after a break; empty for none.
+struct CheckpointFolders {
+  std::string keep;    ///< takes what is needed to go on, whenever a shared level begins
+  std::string resume;  ///< an earlier solve of the same model with the same options left this; on any number
+                       ///< of processes
+};
+
 /// The processes that `mpirun` or a batch system has started together. One object per process, from which MPI
 /// lives. All functions are called by all processes together, by the thread that made the object, unless said
 /// otherwise.
@@ -40,7 +47,8 @@ class Processes {
   /// processes may throw and others wait for them, so whoever catches an error calls `all_arrive`, then
   /// `abort`.
   std::optional<FrameField> solve(const FrameField* earlier, const TriangleMesh& mesh,
-                                  const SolveOptions& options = {}, const Monitor& monitor = {});
+                                  const SolveOptions& options = {}, const Monitor& monitor = {},
+                                  const CheckpointFolders& checkpoint = {});
 
   /// Returns what each process passed.
   std::vector<std::string> gathered(const std::string& mine);

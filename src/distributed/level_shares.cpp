@@ -98,6 +98,23 @@ bool LevelShares::is_shared(std::uint64_t leaves) const {
   return exchange_.ranks() > 1 && leaves >= kBlockedCells;
 }
 
+std::optional<LevelStart> LevelShares::resumed(std::uint64_t identity, const VisitLevel& visit) {
+  if (checkpoint_ == nullptr) return std::nullopt;
+  auto start = checkpoint_->last_start(identity);
+  is_resuming_ = start.has_value();
+  if (start && is_first()) checkpoint_->visit_solved(visit);
+  return start;
+}
+
+void LevelShares::keep(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
+                       std::span<const StoredQuaternion> frames) {
+  if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_start(start, identity, level, frames);
+}
+
+void LevelShares::keep_solved(const CoarserLevel& level) {
+  if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_solved(level);
+}
+
 std::optional<LevelStart> LevelShares::started(std::optional<LevelStart> start) {
   Bytes message;
   if (start) {
@@ -105,6 +122,7 @@ std::optional<LevelStart> LevelShares::started(std::optional<LevelStart> start) 
     append_to(message, std::span<const int>(std::array{s.depth, s.coarsest_depth, s.relaxation_sweeps}));
     append_to(message, std::span(&s.relaxed_cells, 1));
     append_to(message, std::span(&s.core_size, 1));
+    append_to(message, std::span(&s.expected, 1));
     append_to(message, std::span<const LevelStatistics>(s.levels));
   } else if (is_first()) {
     message.push_back(kNothing);
@@ -121,6 +139,7 @@ std::optional<LevelStart> LevelShares::started(std::optional<LevelStart> start) 
   result.relaxation_sweeps = reader.take<int>();
   result.relaxed_cells = reader.take<std::size_t>();
   result.core_size = reader.take<double>();
+  result.expected = reader.take<std::optional<Expectation>>();
   result.levels = reader.take<LevelStatistics>(reader.size() / sizeof(LevelStatistics));
   return result;
 }
@@ -133,12 +152,15 @@ LevelSharing::Level LevelShares::shared_out(Level level, const Solid& solid) {
   const RootCube root = level.made.level.tree.root();
   const auto sizes = gathered_value<std::uint64_t>(exchange_, level.made.level.share().size());
   const auto examined = gathered_value<std::uint64_t>(exchange_, level.made.level.examined_leaves);
-  const std::uint64_t leaves = std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0});
+  const bool is_resuming = std::exchange(is_resuming_, false);
+  const std::uint64_t leaves =
+      is_resuming ? checkpoint_->leaves() : std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0});
   const std::uint64_t before =
       std::accumulate(sizes.begin(), sizes.begin() + exchange_.rank(), std::uint64_t{0});
   const std::vector<std::uint64_t> cuts = cuts_(leaves, exchange_.ranks());
   const auto rank = static_cast<std::size_t>(exchange_.rank());
-  LeafRecords own = moved_to_owners(level, {before, before + sizes[rank]}, cuts);
+  LeafRecords own = is_resuming ? checkpoint_->leaves_between(cuts[rank], cuts[rank + 1])
+                                : moved_to_owners(level, {before, before + sizes[rank]}, cuts);
   const std::vector<FaceNeighbours> neighbours_before = std::move(level.made.neighbours);
   KeptLeaves kept;
   if (const std::uint64_t first = std::max(before, cuts[rank]),
@@ -156,7 +178,9 @@ LevelSharing::Level LevelShares::shared_out(Level level, const Solid& solid) {
   RefinedLevel& made = result.made;
   made.level.part->of_all = leaves;
   made.level.part->exchange = &exchange_;
-  made.level.examined_leaves = std::accumulate(examined.begin(), examined.end(), std::uint64_t{0});
+  made.level.examined_leaves = is_resuming
+                                   ? checkpoint_->examined_leaves()
+                                   : std::accumulate(examined.begin(), examined.end(), std::uint64_t{0});
   const Share share = made.level.share();
   sizes_ = {share.size(), ghosts.size()};
   for (CellIndex leaf = 0; leaf < made.level.size(); ++leaf)

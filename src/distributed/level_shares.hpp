@@ -11,6 +11,7 @@
 #include "base/exchange.hpp"
 #include "crossgrain/processes.hpp"
 #include "distributed/ghost_search.hpp"
+#include "distributed/kept_solve.hpp"
 #include "distributed/leaf_records.hpp"
 #include "field/nested_solve.hpp"
 
@@ -27,13 +28,18 @@ std::vector<std::uint64_t> equal_cuts(std::uint64_t leaves, int ranks);
 /// are solved by every process.
 class LevelShares : public LevelSharing {
  public:
-  explicit LevelShares(Exchange& exchange, Cuts cuts = equal_cuts)
-      : exchange_(exchange), cuts_(std::move(cuts)), bounds_(exchange, nullptr) {}
+  /// `checkpoint` may be null.
+  explicit LevelShares(Exchange& exchange, Cuts cuts = equal_cuts, KeptSolve* checkpoint = nullptr)
+      : exchange_(exchange), cuts_(std::move(cuts)), checkpoint_(checkpoint), bounds_(exchange, nullptr) {}
 
   bool is_first() const override { return exchange_.rank() == 0; }
   int processes() const override { return exchange_.ranks(); }
   bool all(bool here) override { return !any(exchange_, !here); }
   bool is_shared(std::uint64_t leaves) const override;
+  std::optional<LevelStart> resumed(std::uint64_t identity, const VisitLevel& visit) override;
+  void keep(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
+            std::span<const StoredQuaternion> frames) override;
+  void keep_solved(const CoarserLevel& level) override;
   std::optional<LevelStart> started(std::optional<LevelStart> start) override;
   void start_failed() override;
   Level shared_out(Level level, const Solid& solid) override;
@@ -60,6 +66,8 @@ class LevelShares : public LevelSharing {
 
   Exchange& exchange_;
   const Cuts cuts_;
+  KeptSolve* const checkpoint_;
+  bool is_resuming_ = false;  ///< the next level to share out is in the checkpoint
 
   // Of the level that was shared out last.
   Sizes sizes_;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -48,6 +49,23 @@ Marks moved_line_marks(const GridLevel& level, const Adjacency& adjacency, const
   for (CellIndex i = 0; i < level.size(); ++i)
     if (level.tree[i].depth() == depth) marks[i] = false;
   return marks;
+}
+
+/// Returns a number that solves of other models, sizes, degrees or seeds hardly share.
+std::uint64_t identity_of(const Solid& solid, const SolveOptions& options) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  const auto add = [&hash](double value) {
+    hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3;
+    hash ^= hash >> 29;
+  };
+  for (std::size_t t = 0; t < solid.surface.size(); ++t) {
+    for (const Vector3& corner : solid.surface.corners(static_cast<std::uint32_t>(t)))
+      for (const double x : corner) add(x);
+  }
+  add(finest_cell_size(solid.surface.box, options));
+  add(static_cast<double>(options.degree));
+  add(static_cast<double>(options.seed));
+  return hash;
 }
 
 /// The nested iteration, level by level, with the frames of all starts that are still candidates.
@@ -96,7 +114,10 @@ class NestedSolver {
 
   /// The first process solves alone until a level is shared; the others begin with that one.
   void solve_with_others() {
-    if (sharing_->is_first()) {
+    if (const auto earlier = sharing_->resumed(identity_of(solid_, options_), visit_level_)) {
+      has_started_ = true;
+      solve_levels_from(begun_from(*earlier));
+    } else if (sharing_->is_first()) {
       try {
         solve_levels();
       } catch (...) {
@@ -105,7 +126,7 @@ class NestedSolver {
       }
       if (!has_started_) sharing_->started({});
     } else if (const auto start = sharing_->started({})) {
-      solve_levels_from(begun_by_others(*start));
+      solve_levels_from(begun_from(*start));
     } else {
       return;
     }
@@ -113,19 +134,21 @@ class NestedSolver {
     sharing_->gather(result_, solid_);
   }
 
-  Start begun_by_others(const LevelStart& start) {
+  Start begun_from(const LevelStart& start) {
     initial_.relaxation_sweeps = start.relaxation_sweeps;
     initial_.relaxed_cells = start.relaxed_cells;
     initial_.core_size = start.core_size;
     coarsest_depth_ = start.coarsest_depth;
     is_uniform_ = false;
     result_.levels = start.levels;
+    result_.expected = start.expected;
     candidates_.resize(1);
     RefinedLevel made;
     made.level.tree = Octree(frame().root, {});
     std::vector<Frames> frames(1);
     share_out(made, frames);
     candidates_.front().frames = std::move(frames.front());
+    sharing_->keep(start, identity_of(solid_, options_), made.level, candidates_.front().frames);
     return {start.depth, std::move(made)};
   }
 
@@ -339,15 +362,19 @@ class NestedSolver {
   }
 
   void visit(int depth) {
+    const auto visit_and_keep = [&](const CoarserLevel& level) {
+      visit_level_(level);
+      if (has_help()) sharing_->keep_solved(level);
+    };
     if (!is_shared())
-      return visit_level_({depth, result_.level.tree, candidates_[best_].frames, result_.open_faces});
+      return visit_and_keep({depth, result_.level.tree, candidates_[best_].frames, result_.open_faces});
     SolvedField seen;
     seen.level.tree = result_.level.tree;
     seen.level.part = result_.level.part;
     seen.frames = candidates_[best_].frames;
     seen.open_faces = result_.open_faces;
     sharing_->gather(seen, solid_);
-    if (sharing_->is_first()) visit_level_({depth, seen.level.tree, seen.frames, seen.open_faces});
+    if (sharing_->is_first()) visit_and_keep({depth, seen.level.tree, seen.frames, seen.open_faces});
   }
 
   /// Makes the first frames of every candidate. `parent` as in RefinedLevel.
@@ -463,14 +490,19 @@ class NestedSolver {
 
   /// Shares out a refined level with the frames of the only candidate.
   void share_out_refined(RefinedLevel& made, int depth) {
-    if (!has_started_ && sharing_->is_first())
-      sharing_->started(LevelStart{depth, coarsest_depth_, initial_.relaxation_sweeps, initial_.relaxed_cells,
-                                   initial_.core_size, result_.levels});
-    has_started_ = true;
+    const LevelStart start{depth,
+                           coarsest_depth_,
+                           initial_.relaxation_sweeps,
+                           initial_.relaxed_cells,
+                           initial_.core_size,
+                           result_.levels,
+                           result_.expected};
+    if (!std::exchange(has_started_, true) && sharing_->is_first()) sharing_->started(start);
     Frames& frames = candidates_.front().frames;
     std::vector<Frames> carried{inherited(std::exchange(frames, {}), made.parent)};
     share_out(made, carried);
     frames = std::move(carried.front());
+    sharing_->keep(start, identity_of(solid_, options_), made.level, frames);
   }
 
   /// Keeps the solved level, which is the result if the solve is stopped before the next level is finished.

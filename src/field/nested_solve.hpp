@@ -96,6 +96,7 @@ struct LevelStart {
   std::size_t relaxed_cells = 0;
   double core_size = 0;
   std::vector<LevelStatistics> levels;  ///< those before
+  std::optional<Expectation> expected;
 };
 
 /// How processes share the levels of a solve. The first process solves the small ones alone; then it shares
@@ -121,6 +122,17 @@ class LevelSharing {
 
   /// Returns whether levels of so many leaves are shared.
   virtual bool is_shared(std::uint64_t leaves) const = 0;
+
+  /// Returns the start from which an earlier solve of the same `identity` goes on; none if this one begins
+  /// anew. Then the first level is shared out from a tree without leaves in all processes. `visit`, in the
+  /// first process, is called with the levels solved before.
+  virtual std::optional<LevelStart> resumed(std::uint64_t identity, const VisitLevel& visit) = 0;
+
+  /// Keeps the start of a level, and in the first process a solved level, for a solve that goes on after a
+  /// break.
+  virtual void keep(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
+                    std::span<const StoredQuaternion> frames) = 0;
+  virtual void keep_solved(const CoarserLevel& level) = 0;
 
   /// Passes the start of the first shared level from the first process, where it is given, to the others,
   /// which wait for it; nothing if no level is shared.

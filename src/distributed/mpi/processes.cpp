@@ -9,6 +9,7 @@
 
 #include "distributed/level_shares.hpp"
 #include "distributed/mpi/mpi_exchange.hpp"
+#include "distributed/mpi/mpi_files.hpp"
 #include "solve/shared_solve.hpp"
 
 namespace crossgrain {
@@ -48,8 +49,11 @@ int Processes::count() const {
 }
 
 std::optional<FrameField> Processes::solve(const FrameField* earlier, const TriangleMesh& mesh,
-                                           const SolveOptions& options, const Monitor& monitor) {
-  LevelShares shares(state_->exchange);
+                                           const SolveOptions& options, const Monitor& monitor,
+                                           const CheckpointFolders& folders) {
+  MpiFiles files(MPI_COMM_WORLD);
+  KeptSolve checkpoint(state_->exchange, files, folders.keep, folders.resume);
+  LevelShares shares(state_->exchange, equal_cuts, &checkpoint);
   std::optional<FrameField> field = solve_together(shares, earlier, mesh, options, monitor);
   state_->finest = shares.last_share();
   return field;

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "distributed/kept_solve.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <system_error>
+#include <utility>
+
+#include "crossgrain/error.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr std::array<char, 24> kStartMagic{"crossgrain start 1\n"};
+constexpr std::array<char, 24> kSolvedMagic{"crossgrain solved 1\n"};
+constexpr const char* kStartName = "start-";
+constexpr const char* kSolvedName = "solved-";
+constexpr const char* kUnfinished = ".part";
+
+std::filesystem::path path_of(const std::string& folder, const char* name, int depth) {
+  return std::filesystem::path(folder) / (name + std::to_string(depth));
+}
+
+[[noreturn]] void refuse(const std::string& path, std::string text) {
+  throw Error(ErrorKind::kInput, {path, "", std::move(text)});
+}
+
+/// Reads `count` values at an offset.
+template <class T>
+std::vector<T> read_at(const std::string& path, std::uint64_t offset, std::uint64_t count) {
+  std::vector<T> values(count);
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(offset));
+  file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
+  if (!file) refuse(path, "cannot be read; the checkpoint is damaged, begin without --restart");
+  return values;
+}
+
+/// The depths of the files of a name in a folder, ascending.
+std::vector<int> depths_of(const std::string& folder, const std::string& name) {
+  std::vector<int> depths;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string file = entry.path().filename().string();
+    if (!file.starts_with(name)) continue;
+    const std::string digits = file.substr(name.size());
+    const bool is_depth =
+        !digits.empty() && digits.size() <= 2 &&
+        std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (is_depth) depths.push_back(std::stoi(digits));
+  }
+  if (error) refuse(folder, error.message() + "; name the folder of --checkpoint");
+  std::sort(depths.begin(), depths.end());
+  return depths;
+}
+
+void throw_unwritable(const std::string& path, int error) {
+  throw Error(
+      ErrorKind::kOutput,
+      {path, "", std::string(std::strerror(error)) + "; the checkpoint before it is kept", Remedy::kNone});
+}
+
+/// Writes all parts. Returns 0 or an errno.
+int written(const std::string& path, std::span<const SharedFiles::Part> parts) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file < 0) return errno;
+  int error = 0;
+  for (const auto& [offset, bytes] : parts) {
+    for (std::size_t done = 0; done < bytes.size() && error == 0;) {
+      const ssize_t now =
+          ::pwrite(file, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+      if (now > 0) done += static_cast<std::size_t>(now);
+      if (now < 0 && errno != EINTR) error = errno;
+    }
+  }
+  if (error == 0 && ::fsync(file) != 0) error = errno;
+  if (::close(file) != 0 && error == 0) error = errno;
+  return error;
+}
+
+/// Makes an empty file. Returns 0 or an errno.
+int made_empty(const std::string& path) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return errno;
+  return ::close(file) == 0 ? 0 : errno;
+}
+
+template <class T>
+SharedFiles::Part part_at(std::uint64_t offset, std::span<const T> values) {
+  return {offset, std::as_bytes(values)};
+}
+
+struct SolvedHeader {
+  std::array<char, 24> magic;
+  std::uint64_t leaves;
+  RootCube root;
+};
+
+}  // namespace
+
+bool LocalFiles::write(const std::string& path, std::span<const Part> parts) {
+  return written(path, parts) == 0;
+}
+
+/// Where the lists of a start begin.
+struct KeptSolve::Offsets {
+  std::uint64_t levels, addresses, windings, piece_ends, pieces, frames, end;
+
+  explicit Offsets(const Header& header) {
+    levels = sizeof(Header);
+    addresses = levels + header.levels * sizeof(LevelStatistics);
+    windings = addresses + header.leaves * sizeof(CellAddress);
+    piece_ends = windings + header.leaves;
+    pieces = piece_ends + header.leaves * sizeof(std::uint64_t);
+    frames = pieces + header.pieces * sizeof(SurfacePiece);
+    end = frames + header.leaves * sizeof(StoredQuaternion);
+  }
+};
+
+void KeptSolve::keep_solved(const CoarserLevel& level) const {
+  const std::string path = path_of(keep_, kSolvedName, level.depth).string(), unfinished = path + kUnfinished;
+  const SolvedHeader header{kSolvedMagic, level.tree.size(), level.tree.root()};
+  const std::uint64_t frames = sizeof header + level.tree.size() * sizeof(CellAddress);
+  const std::uint64_t faces = frames + level.tree.size() * sizeof(StoredQuaternion);
+  const std::array parts{part_at(0, std::span(&header, 1)),
+                         part_at(sizeof header, std::span<const CellAddress>(level.tree.leaves())),
+                         part_at(frames, level.frames), part_at(faces, level.open_faces)};
+  std::error_code error;
+  std::filesystem::create_directories(keep_, error);
+  if (error) throw_unwritable(keep_, error.value());
+  int failure = made_empty(unfinished);
+  if (failure == 0) failure = written(unfinished, parts);
+  if (failure == 0 && std::rename(unfinished.c_str(), path.c_str()) != 0) failure = errno;
+  if (failure == 0) return;
+  std::filesystem::remove(unfinished, error);
+  throw_unwritable(path, failure);
+}
+
+void KeptSolve::keep_start(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
+                           std::span<const StoredQuaternion> frames) {
+  const std::string path = path_of(keep_, kStartName, start.depth).string(), unfinished = path + kUnfinished;
+  if (path == found_path_) return;  // it is there
+  const Share share = level.share();
+  const std::uint64_t own_pieces = level.piece_begin[share.end] - level.piece_begin[share.begin];
+  const auto pieces = gathered_value(exchange_, own_pieces);
+  const std::uint64_t pieces_before =
+      std::accumulate(pieces.begin(), pieces.begin() + exchange_.rank(), std::uint64_t{0});
+  Header header{};
+  header.magic = kStartMagic;
+  header.identity = identity;
+  header.leaves = share.of_all;
+  header.pieces = std::accumulate(pieces.begin(), pieces.end(), std::uint64_t{0});
+  header.levels = start.levels.size();
+  header.examined_leaves = level.examined_leaves;
+  header.numbers = {start.depth, start.coarsest_depth, start.relaxation_sweeps, start.expected.has_value()};
+  header.relaxed_cells = start.relaxed_cells;
+  header.core_size = start.core_size;
+  if (start.expected) header.expected = *start.expected;
+  header.root = level.tree.root();
+  const Offsets offsets(header);
+
+  const bool is_first = exchange_.rank() == 0;
+  std::error_code error;
+  if (is_first) std::filesystem::create_directories(keep_, error);
+  const bool is_made = !is_first || made_empty(unfinished) == 0;
+  if (any(exchange_, !is_made)) throw_unwritable(unfinished, EIO);
+  std::vector<std::uint64_t> piece_ends;
+  for (CellIndex leaf = share.begin; leaf < share.end; ++leaf)
+    piece_ends.push_back(pieces_before + level.piece_begin[leaf + 1] - level.piece_begin[share.begin]);
+  const auto own = [&]<class T>(std::uint64_t offset, const std::vector<T>& values) {
+    return part_at(offset + share.before * sizeof(T),
+                   std::span<const T>(values).subspan(share.begin, share.size()));
+  };
+  std::vector<SharedFiles::Part> parts{
+      own(offsets.addresses, level.tree.leaves()), own(offsets.windings, level.centre_winding),
+      part_at(offsets.piece_ends + share.before * sizeof(std::uint64_t),
+              std::span<const std::uint64_t>(piece_ends)),
+      part_at(
+          offsets.pieces + pieces_before * sizeof(SurfacePiece),
+          std::span<const SurfacePiece>(level.pieces).subspan(level.piece_begin[share.begin], own_pieces)),
+      part_at(offsets.frames + share.before * sizeof(StoredQuaternion),
+              frames.subspan(share.begin, share.size()))};
+  if (is_first) {
+    parts.push_back(part_at(0, std::span<const Header>(&header, 1)));
+    parts.push_back(part_at(offsets.levels, std::span<const LevelStatistics>(start.levels)));
+  }
+  const bool is_written = files_.write(unfinished, parts);
+  if (any(exchange_, !is_written)) {
+    if (is_first) std::filesystem::remove(unfinished, error);
+    throw_unwritable(path, is_written ? EIO : ENOSPC);
+  }
+  const bool is_named = !is_first || std::rename(unfinished.c_str(), path.c_str()) == 0;
+  if (any(exchange_, !is_named)) throw_unwritable(path, EIO);
+  if (is_first && !kept_path_.empty() && kept_path_ != path) std::filesystem::remove(kept_path_, error);
+  kept_path_ = path;
+}
+
+std::optional<LevelStart> KeptSolve::last_start(std::uint64_t identity) {
+  if (resume_.empty()) return std::nullopt;
+  const std::vector<int> depths = depths_of(resume_, kStartName);
+  if (depths.empty()) return std::nullopt;
+  found_path_ = path_of(resume_, kStartName, depths.back()).string();
+  std::error_code error;
+  const std::uint64_t size = std::filesystem::file_size(found_path_, error);
+  if (error || size < sizeof(Header)) refuse(found_path_, "is cut short; begin without --restart");
+  found_ = read_at<Header>(found_path_, 0, 1).front();
+  if (found_.magic != kStartMagic) refuse(found_path_, "is no checkpoint of this version");
+  if (found_.identity != identity)
+    refuse(found_path_, "belongs to a solve of another model or with other options; give the same ones");
+  const Offsets offsets(found_);
+  if (size != offsets.end) refuse(found_path_, "is cut short; begin without --restart");
+  LevelStart start;
+  start.depth = found_.numbers[0];
+  start.coarsest_depth = found_.numbers[1];
+  start.relaxation_sweeps = found_.numbers[2];
+  if (found_.numbers[3] != 0) start.expected = found_.expected;
+  start.relaxed_cells = found_.relaxed_cells;
+  start.core_size = found_.core_size;
+  start.levels = read_at<LevelStatistics>(found_path_, offsets.levels, found_.levels);
+  return start;
+}
+
+LeafRecords KeptSolve::leaves_between(std::uint64_t begin, std::uint64_t end) const {
+  LeafRecords records;
+  records.frames.resize(1);
+  if (begin == end) return records;
+  const Offsets offsets(found_);
+  const std::uint64_t count = end - begin;
+  records.addresses =
+      read_at<CellAddress>(found_path_, offsets.addresses + begin * sizeof(CellAddress), count);
+  records.centre_winding = read_at<std::int8_t>(found_path_, offsets.windings + begin, count);
+  const std::uint64_t ends = offsets.piece_ends + begin * sizeof(std::uint64_t);
+  std::uint64_t before = 0;
+  if (begin > 0) before = read_at<std::uint64_t>(found_path_, ends - sizeof(std::uint64_t), 1).front();
+  const auto piece_ends = read_at<std::uint64_t>(found_path_, ends, count);
+  records.pieces = read_at<SurfacePiece>(found_path_, offsets.pieces + before * sizeof(SurfacePiece),
+                                         piece_ends.back() - before);
+  for (const std::uint64_t piece_end : piece_ends)
+    records.piece_counts.push_back(static_cast<std::uint32_t>(piece_end - std::exchange(before, piece_end)));
+  records.frames[0] =
+      read_at<StoredQuaternion>(found_path_, offsets.frames + begin * sizeof(StoredQuaternion), count);
+  return records;
+}
+
+void KeptSolve::visit_solved(const VisitLevel& visit) const {
+  for (const int depth : depths_of(resume_, kSolvedName)) {
+    if (depth >= found_.numbers[0]) continue;
+    const std::string path = path_of(resume_, kSolvedName, depth).string();
+    const SolvedHeader header = read_at<SolvedHeader>(path, 0, 1).front();
+    if (header.magic != kSolvedMagic) refuse(path, "is no checkpoint of this version");
+    const Octree tree(header.root, read_at<CellAddress>(path, sizeof header, header.leaves));
+    const std::uint64_t frames = sizeof header + header.leaves * sizeof(CellAddress);
+    const auto solved = read_at<StoredQuaternion>(path, frames, header.leaves);
+    const auto faces =
+        read_at<std::uint8_t>(path, frames + header.leaves * sizeof(StoredQuaternion), header.leaves);
+    visit({depth, tree, solved, faces});
+    std::error_code error;
+    if (keeps() && !std::filesystem::equivalent(keep_, resume_, error))
+      keep_solved({depth, tree, solved, faces});
+  }
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a solve by several processes keeps on disk to go on from after a break, on any number of processes.
+//
+//   solved-DEPTH   a solved level: its leaves, frames and open faces; written by the first process
+//   start-DEPTH    the leaves of the level to solve next, and its first frames; written by all
+//
+// Files come under their names when they are complete. A start replaces the one before it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/exchange.hpp"
+#include "distributed/leaf_records.hpp"
+#include "field/nested_solve.hpp"
+
+namespace crossgrain {
+
+/// Files that all processes write together.
+class SharedFiles {
+ public:
+  SharedFiles() = default;
+  SharedFiles(const SharedFiles&) = delete;
+  SharedFiles& operator=(const SharedFiles&) = delete;
+  virtual ~SharedFiles() = default;
+
+  struct Part {
+    std::uint64_t offset;
+    std::span<const std::byte> bytes;
+  };
+
+  /// Writes the parts of this process. Returns whether all are on disk. The file exists already, empty.
+  virtual bool write(const std::string& path, std::span<const Part> parts) = 0;
+};
+
+/// Each process writes by itself, as on a local disk.
+class LocalFiles : public SharedFiles {
+ public:
+  bool write(const std::string& path, std::span<const Part> parts) override;
+};
+
+class KeptSolve {
+ public:
+  /// `keep`: the folder to write to, `resume`: that to go on from; either may be empty.
+  KeptSolve(Exchange& exchange, SharedFiles& files, std::string keep, std::string resume)
+      : exchange_(exchange), files_(files), keep_(std::move(keep)), resume_(std::move(resume)) {}
+
+  bool keeps() const { return !keep_.empty(); }
+
+  /// Writes a solved level. Called by the first process. Throws Error(kOutput).
+  void keep_solved(const CoarserLevel& level) const;
+
+  /// Writes the start of a level. All processes call it together. Throws Error(kOutput) in all of them.
+  void keep_start(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
+                  std::span<const StoredQuaternion> frames);
+
+  /// Returns the last start in the folder to go on from; none if that has none yet. All processes call it
+  /// together. Throws Error(kInput) if it belongs to another solve, or cannot be read.
+  std::optional<LevelStart> last_start(std::uint64_t identity);
+
+  /// Of the start that was found last: the number of leaves of the level and of the complete octree.
+  std::uint64_t leaves() const { return found_.leaves; }
+  std::size_t examined_leaves() const { return found_.examined_leaves; }
+
+  /// Reads leaves [begin, end) of that start.
+  LeafRecords leaves_between(std::uint64_t begin, std::uint64_t end) const;
+
+  /// Calls `visit` for the solved levels above that start, coarsest first, and keeps them if levels are kept
+  /// in another folder. Called by the first process.
+  void visit_solved(const VisitLevel& visit) const;
+
+ private:
+  struct Header {
+    std::array<char, 24> magic;
+    std::uint64_t identity, leaves, pieces, levels, examined_leaves;
+    std::array<int, 4> numbers;  ///< depth, coarsest depth, relaxation sweeps, whether something is expected
+    std::uint64_t relaxed_cells;
+    double core_size;
+    Expectation expected;
+    RootCube root;
+  };
+  struct Offsets;
+
+  Exchange& exchange_;
+  SharedFiles& files_;
+  const std::string keep_, resume_;
+  std::string found_path_;
+  Header found_{};
+  std::string kept_path_;  ///< of the last start
+};
+
+}  // namespace crossgrain
