@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <new>
@@ -107,14 +109,27 @@ class Team {
   bool has_begun_ = false;
 };
 
+/// Returns a number that other builds of the program hardly share.
+std::string build_number() {
+  std::ifstream file("/proc/self/exe", std::ios::binary);
+  std::uint64_t hash = 0xcbf29ce484222325;
+  std::vector<char> bytes(std::size_t{1} << 20);
+  do {
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    for (std::streamsize i = 0; i < file.gcount(); ++i)
+      hash = (hash ^ static_cast<unsigned char>(bytes[static_cast<std::size_t>(i)])) * 0x100000001b3;
+  } while (file);
+  return fmt::format("{} (build {:x})", kVersion, hash);
+}
+
 /// Throws unless all processes run the same program.
 void check_versions(Processes& processes) {
-  const std::vector<std::string> versions =
-      processes.gathered(std::string(kVersion) + ", built " __DATE__ " " __TIME__);
+  const std::vector<std::string> versions = processes.gathered(build_number());
   for (std::size_t rank = 1; rank < versions.size(); ++rank) {
     if (versions[rank] != versions[0])
-      throw Error(ErrorKind::kUsage, "process " + std::to_string(rank) + " runs version " + versions[rank] +
-                                         ", process 0 runs " + versions[0] + "; install one on all hosts");
+      throw Error(ErrorKind::kUsage, "process " + std::to_string(rank) + " runs " + versions[rank] +
+                                         ", process 0 runs " + versions[0] +
+                                         "; install one version on all hosts");
   }
 }
 

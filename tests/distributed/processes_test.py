@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: Apache-2.0
+"""crossgrain-mpi as its users see it: results, checkpoints and faults, beside `crossgrain`.
+
+CROSSGRAIN_MPI_PROGRAM names the program, CROSSGRAIN_PROGRAM the one for a process alone; CROSSGRAIN_MPIRUN starts it.
+"""
+
+import json
+import os
+import random
+import shutil
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "command"))
+import numpy as np
+from program import CommandTest, run
+
+MPI_PROGRAM = os.environ["CROSSGRAIN_MPI_PROGRAM"]
+MPIRUN = os.environ.get("CROSSGRAIN_MPIRUN", "mpirun")
+MODELS = Path(__file__).parents[2] / "models"
+BRACKET = MODELS / "bracket.stl"
+
+# What differs from run to run: times, forecasts made from them, the name of the solve.
+OF_THE_RUN = ("seconds", "expected", "solve", "threads", "peak_memory_bytes")
+
+# The superuser may run OpenMPI only if these say so.
+ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+START = [MPIRUN, "-q", "--oversubscribe", "--bind-to", "none"]
+
+
+def same_in_all_runs(value):
+    """A report without OF_THE_RUN."""
+    if isinstance(value, dict):
+        return {key: same_in_all_runs(item) for key, item in value.items() if key not in OF_THE_RUN}
+    return [same_in_all_runs(item) for item in value] if isinstance(value, list) else value
+
+
+def stl_of(triangles):
+    records = np.zeros(len(triangles), np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")]))
+    records["corners"] = triangles
+    return bytes(80) + np.uint32(len(records)).tobytes() + records.tobytes()
+
+
+def sphere(across, open_above=2.0):
+    """Triangles of a unit sphere, without those above a height."""
+    u = np.linspace(0, np.pi, across // 2 + 1)
+    v = np.linspace(0, 2 * np.pi, across + 1)
+    points = np.stack([np.outer(np.sin(u), np.cos(v)), np.outer(np.sin(u), np.sin(v)), np.outer(np.cos(u), np.ones_like(v))], -1)
+    points[0], points[-1], points[:, -1] = (0, 0, 1), (0, 0, -1), points[:, 0]
+    a, b, c, d = points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]
+    triangles = np.concatenate([np.stack([a, b, c], 2).reshape(-1, 3, 3), np.stack([a, c, d], 2).reshape(-1, 3, 3)])
+    areas = np.linalg.norm(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]), axis=1)
+    return triangles[(areas > 1e-9) & (triangles[:, :, 2].max(axis=1) < open_above)]
+
+
+def box(size):
+    corners = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)]) * np.array(size)
+    faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    return np.array([[corners[f[0]], corners[f[i]], corners[f[i + 1]]] for f in faces for i in (1, 2)])
+
+
+def why_none_start():
+    """Empty if mpirun can start processes here."""
+    try:
+        started = subprocess.run([*START, "-n", "2", "true"], capture_output=True, text=True, timeout=60, check=False, env=ENVIRONMENT)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        return str(error)
+    return "" if started.returncode == 0 else started.stderr
+
+
+NONE_START = why_none_start()
+
+
+@unittest.skipIf(NONE_START, f"mpirun cannot start processes: {NONE_START}")
+class ProcessesTest(CommandTest):
+    def together(self, processes, *arguments, **options):
+        command = [*START, "-n", str(processes), MPI_PROGRAM, *map(str, arguments)]
+        return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False, cwd=self.folder, env=ENVIRONMENT, **options)
+
+    def solved_alone(self, model, *options):
+        result = self.run_here("solve", model, "-o", "alone", "--quiet", "--no-report", *options)
+        self.assert_succeeds(result)
+        return result
+
+    def assert_same_as_alone(self, folder):
+        """Cells, frames and all other numbers, but for times."""
+        here, alone = self.folder / folder, self.folder / "alone"
+        reports = [same_in_all_runs(json.loads((path / "report.json").read_text())) for path in (here, alone)]
+        self.assertEqual(*reports)
+        for name in ("singularities.vtu", "surface.vtu", "field.vtu"):
+            self.assertEqual(*[(path / name).read_bytes().split(b"</UnstructuredGrid>")[-1] for path in (here, alone)], name)
+
+    def assert_same_on(self, numbers, model, *options):
+        alone = self.solved_alone(model, *options)
+        for processes in numbers:
+            result = self.together(processes, "solve", model, "-o", "together", "--quiet", "--no-report", "--threads", 1, "--force", *options)
+            self.assertEqual((result.returncode, result.stderr), (0, alone.stderr))
+            self.assert_same_as_alone("together")
+
+    def assert_ends(self, result, code, *words):
+        """Exit code and one line."""
+        self.assertEqual(result.returncode, code, result.stderr)
+        lines = [line for line in result.stderr.splitlines() if line.startswith("crossgrain: ")]
+        self.assertEqual(len(lines), 1, result.stderr)
+        for word in words:
+            self.assertIn(word, lines[0])
+
+
+class Fields(ProcessesTest):
+    def test_of_a_part_with_creases_are_the_same_on_any_number_of_processes(self):
+        self.assert_same_on((2, 5), BRACKET, "--resolution", 320)
+
+    def test_of_degree_3_inside_a_curved_surface_are_the_same(self):
+        self.assert_same_on((3,), self.write("sphere.stl", stl_of(sphere(96))), "--resolution", 128, "--degree", 3)
+
+    def test_inside_an_open_surface_are_the_same(self):
+        self.assert_same_on((2,), self.write("open.stl", stl_of(sphere(64, 0.8))), "--resolution", 128)
+
+    def test_in_a_thin_wall_are_the_same(self):
+        self.assert_same_on((2,), self.write("wall.stl", stl_of(box((4, 3, 0.02)))), "--resolution", 640)
+
+    def test_too_small_to_share_are_the_same(self):
+        self.assert_same_on((3,), BRACKET, "--resolution", 64)
+
+    def test_under_constraints_are_the_same(self):
+        self.write("axes.json", json.dumps({"schema": 1, "points": [{"at": [30, 10, 10], "axis": [1, 2, 3]}], "polylines": [
+            {"points": [[20, 10, 5], [60, 20, 20], [100, 60, 10]], "axis": "tangent", "weight": 3}]}))
+        self.assert_same_on((3,), BRACKET, "--resolution", 320, "--constraints", "axes.json")
+
+
+class Breaks(ProcessesTest):
+    OPTIONS = ("--resolution", 512, "--quiet", "--no-report", "--threads", 1)
+
+    def test_at_any_moment_lose_nothing_on_another_number_of_processes(self):
+        self.solved_alone(BRACKET, "--resolution", 512)
+        moments = random.Random(7)
+        for processes, afterwards in ((2, 3), (3, 1)):
+            command = [*START, "-n", str(processes), MPI_PROGRAM, "solve", str(BRACKET), "-o", "broken", *map(str, self.OPTIONS), "--checkpoint", "kept"]
+            shutil.rmtree(self.folder / "kept", ignore_errors=True)
+            job = subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(moments.uniform(1, 4))
+            ranks = subprocess.run(["pgrep", "-P", str(job.pid)], capture_output=True, text=True, check=False).stdout.split()
+            if ranks:
+                subprocess.run(["kill", "-9", moments.choice(ranks)], check=False)
+            job.wait(60)
+            restart = ("--restart", "kept") if (self.folder / "kept").is_dir() else ()
+            result = self.together(afterwards, "solve", BRACKET, "-o", "together", "--force", *self.OPTIONS, *restart)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assert_same_as_alone("together")
+
+    def test_are_healed_only_by_the_same_model_and_options(self):
+        made = self.together(2, "solve", BRACKET, "-o", "first", "--resolution", 320, "--quiet", "--no-report", "--checkpoint", "kept")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        other = self.together(2, "solve", MODELS / "wedge.stl", "-o", "second", "--quiet", "--restart", "kept")
+        self.assert_ends(other, 3, "another model")
+        start = next((self.folder / "kept").glob("start-*"))
+        os.truncate(start, start.stat().st_size - 1)
+        cut = self.together(2, "solve", BRACKET, "-o", "second", "--resolution", 320, "--quiet", "--restart", "kept")
+        self.assert_ends(cut, 3, start.name, "cut short")
+        start.unlink()
+        anew = self.together(2, "solve", BRACKET, "-o", "second", "--resolution", 320, "--quiet", "--no-report", "--restart", "kept")
+        self.assertEqual(anew.returncode, 0, anew.stderr)
+        missing = self.together(2, "solve", BRACKET, "-o", "third", "--quiet", "--resolution", 320, "--restart", "nowhere")
+        self.assert_ends(missing, 3, "nowhere")
+        self.assertFalse((self.folder / "third").exists())
+
+
+class Faults(ProcessesTest):
+    def of_two(self, first, second, program=MPI_PROGRAM):
+        """The job of a process with some arguments and another with others."""
+        command = [*START, "-n", "1", MPI_PROGRAM, *map(str, first), ":", "-n", "1", program, *map(str, second)]
+        return subprocess.run(command, capture_output=True, text=True, timeout=60, check=False, cwd=self.folder, env=ENVIRONMENT)
+
+    def test_of_an_input_that_one_process_cannot_read_are_told_once(self):
+        self.assert_ends(self.of_two(("solve", BRACKET, "-o", "out"), ("solve", "missing.stl", "-o", "out")), 3, "process 1", "missing.stl")
+        self.assertEqual(self.names(), [])
+
+    def test_of_the_model_are_told_once(self):
+        self.assert_ends(self.together(3, "solve", "missing.stl", "-o", "out"), 3, "missing.stl")
+
+    def test_of_usage_are_told_once(self):
+        self.assert_ends(self.together(2), 2, "crossgrain-mpi solve --help")
+        self.assert_ends(self.together(2, "solve", BRACKET, "--resolution", "many"), 2, "--resolution")
+
+    def test_of_versions_that_differ_are_told(self):
+        other = shutil.copy(MPI_PROGRAM, self.folder / "other")
+        with open(other, "ab") as file:
+            file.write(b"another build")
+        self.assert_ends(self.of_two(("solve", BRACKET), ("solve", BRACKET), other), 2, "process 1", "install one version")
+
+    def test_of_output_are_told_once(self):
+        (self.folder / "full").write_bytes(b"")
+        self.assert_ends(self.together(2, "solve", BRACKET, "--resolution", 320, "--quiet", "-o", "full"), 4, "full")
+
+    def test_of_memory_are_told_once(self):
+        self.assert_ends(self.together(2, "solve", BRACKET, "--resolution", 4096, "--quiet", "-o", "out", "--max-memory", "20MB"), 5, "--max-memory")
+
+
+class Help(ProcessesTest):
+    def test_and_version_are_printed_once(self):
+        self.assertEqual(self.together(3, "--version").stdout.count("crossgrain-mpi"), 1)
+        self.assertEqual(self.together(2, "solve", "--help").stdout.count("--restart DIR"), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
