@@ -62,7 +62,7 @@ std::vector<int> depths_of(const std::string& folder, const std::string& name) {
   return depths;
 }
 
-void throw_unwritable(const std::string& path, int error) {
+[[noreturn]] void throw_unwritable(const std::string& path, int error) {
   throw Error(
       ErrorKind::kOutput,
       {path, "", std::string(std::strerror(error)) + "; the checkpoint before it is kept", Remedy::kNone});
@@ -94,7 +94,7 @@ int made_empty(const std::string& path) {
 }
 
 template <class T>
-SharedFiles::Part part_at(std::uint64_t offset, std::span<const T> values) {
+SharedFiles::Part part_at(std::uint64_t offset, std::span<T> values) {
   return {offset, std::as_bytes(values)};
 }
 
@@ -144,20 +144,13 @@ void KeptSolve::keep_solved(const CoarserLevel& level) const {
   throw_unwritable(path, failure);
 }
 
-void KeptSolve::keep_start(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
-                           std::span<const StoredQuaternion> frames) {
-  const std::string path = path_of(keep_, kStartName, start.depth).string(), unfinished = path + kUnfinished;
-  if (path == found_path_) return;  // it is there
-  const Share share = level.share();
-  const std::uint64_t own_pieces = level.piece_begin[share.end] - level.piece_begin[share.begin];
-  const auto pieces = gathered_value(exchange_, own_pieces);
-  const std::uint64_t pieces_before =
-      std::accumulate(pieces.begin(), pieces.begin() + exchange_.rank(), std::uint64_t{0});
+KeptSolve::Header KeptSolve::header_of(const LevelStart& start, std::uint64_t identity,
+                                       const GridLevel& level, std::uint64_t pieces) {
   Header header{};
   header.magic = kStartMagic;
   header.identity = identity;
-  header.leaves = share.of_all;
-  header.pieces = std::accumulate(pieces.begin(), pieces.end(), std::uint64_t{0});
+  header.leaves = level.share().of_all;
+  header.pieces = pieces;
   header.levels = start.levels.size();
   header.examined_leaves = level.examined_leaves;
   header.numbers = {start.depth, start.coarsest_depth, start.relaxation_sweeps, start.expected.has_value()};
@@ -165,42 +158,64 @@ void KeptSolve::keep_start(const LevelStart& start, std::uint64_t identity, cons
   header.core_size = start.core_size;
   if (start.expected) header.expected = *start.expected;
   header.root = level.tree.root();
-  const Offsets offsets(header);
+  return header;
+}
 
-  const bool is_first = exchange_.rank() == 0;
-  std::error_code error;
-  if (is_first) std::filesystem::create_directories(keep_, error);
-  const bool is_made = !is_first || made_empty(unfinished) == 0;
-  if (any(exchange_, !is_made)) throw_unwritable(unfinished, EIO);
+void KeptSolve::keep_start(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
+                           std::span<const StoredQuaternion> frames) {
+  const std::string path = path_of(keep_, kStartName, start.depth).string();
+  if (path == found_path_) return;  // it is there
+  const Share share = level.share();
+  const std::uint64_t own_pieces = level.piece_begin[share.end] - level.piece_begin[share.begin];
+  const auto pieces = gathered_value(exchange_, own_pieces);
+  const std::uint64_t pieces_before =
+      std::accumulate(pieces.begin(), pieces.begin() + exchange_.rank(), std::uint64_t{0});
+  const Header header =
+      header_of(start, identity, level, std::accumulate(pieces.begin(), pieces.end(), std::uint64_t{0}));
+  const Offsets offsets(header);
   std::vector<std::uint64_t> piece_ends;
   for (CellIndex leaf = share.begin; leaf < share.end; ++leaf)
     piece_ends.push_back(pieces_before + level.piece_begin[leaf + 1] - level.piece_begin[share.begin]);
-  const auto own = [&]<class T>(std::uint64_t offset, const std::vector<T>& values) {
-    return part_at(offset + share.before * sizeof(T),
-                   std::span<const T>(values).subspan(share.begin, share.size()));
+  const auto own = [&]<class T>(std::uint64_t offset, std::span<const T> values) {
+    return part_at(offset + share.before * sizeof(T), values.subspan(share.begin, share.size()));
   };
   std::vector<SharedFiles::Part> parts{
-      own(offsets.addresses, level.tree.leaves()), own(offsets.windings, level.centre_winding),
+      own(offsets.addresses, std::span(level.tree.leaves())),
+      own(offsets.windings, std::span(level.centre_winding)), own(offsets.frames, frames),
       part_at(offsets.piece_ends + share.before * sizeof(std::uint64_t),
               std::span<const std::uint64_t>(piece_ends)),
-      part_at(
-          offsets.pieces + pieces_before * sizeof(SurfacePiece),
-          std::span<const SurfacePiece>(level.pieces).subspan(level.piece_begin[share.begin], own_pieces)),
-      part_at(offsets.frames + share.before * sizeof(StoredQuaternion),
-              frames.subspan(share.begin, share.size()))};
-  if (is_first) {
+      part_at(offsets.pieces + pieces_before * sizeof(SurfacePiece),
+              std::span(level.pieces).subspan(level.piece_begin[share.begin], own_pieces))};
+  if (exchange_.rank() == 0) {
     parts.push_back(part_at(0, std::span<const Header>(&header, 1)));
-    parts.push_back(part_at(offsets.levels, std::span<const LevelStatistics>(start.levels)));
+    parts.push_back(part_at(offsets.levels, std::span(start.levels)));
   }
+  write_together(path, parts);
+  if (exchange_.rank() != 0) return;
+  for (const int depth : depths_of(keep_, kStartName)) {
+    std::error_code error;
+    if (depth != start.depth) std::filesystem::remove(path_of(keep_, kStartName, depth), error);
+  }
+}
+
+/// Writes a file that comes under its name when it is complete. Throws Error(kOutput) in all processes.
+void KeptSolve::write_together(const std::string& path, std::span<const SharedFiles::Part> parts) {
+  const std::string unfinished = path + kUnfinished;
+  const bool is_first = exchange_.rank() == 0;
+  std::error_code error;
+  int failure = 0;
+  if (is_first) {
+    std::filesystem::create_directories(keep_, error);
+    failure = made_empty(unfinished);
+  }
+  if (any(exchange_, failure != 0)) throw_unwritable(unfinished, failure != 0 ? failure : EIO);
   const bool is_written = files_.write(unfinished, parts);
   if (any(exchange_, !is_written)) {
     if (is_first) std::filesystem::remove(unfinished, error);
-    throw_unwritable(path, is_written ? EIO : ENOSPC);
+    throw_unwritable(path, ENOSPC);
   }
-  const bool is_named = !is_first || std::rename(unfinished.c_str(), path.c_str()) == 0;
-  if (any(exchange_, !is_named)) throw_unwritable(path, EIO);
-  if (is_first && !kept_path_.empty() && kept_path_ != path) std::filesystem::remove(kept_path_, error);
-  kept_path_ = path;
+  if (is_first && std::rename(unfinished.c_str(), path.c_str()) != 0) failure = errno;
+  if (any(exchange_, failure != 0)) throw_unwritable(path, failure != 0 ? failure : EIO);
 }
 
 std::optional<LevelStart> KeptSolve::last_start(std::uint64_t identity) {

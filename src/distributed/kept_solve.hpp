@@ -4,7 +4,7 @@
 //   solved-DEPTH   a solved level: its leaves, frames and open faces; written by the first process
 //   start-DEPTH    the leaves of the level to solve next, and its first frames; written by all
 //
-// Files come under their names when they are complete. A start replaces the one before it.
+// Files come under their names when they are complete. A start replaces those before it.
 #pragma once
 
 #include <array>
@@ -85,12 +85,15 @@ class KeptSolve {
   };
   struct Offsets;
 
+  static Header header_of(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
+                          std::uint64_t pieces);
+  void write_together(const std::string& path, std::span<const SharedFiles::Part> parts);
+
   Exchange& exchange_;
   SharedFiles& files_;
   const std::string keep_, resume_;
   std::string found_path_;
   Header found_{};
-  std::string kept_path_;  ///< of the last start
 };
 
 }  // namespace crossgrain

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -49,23 +48,6 @@ Marks moved_line_marks(const GridLevel& level, const Adjacency& adjacency, const
   for (CellIndex i = 0; i < level.size(); ++i)
     if (level.tree[i].depth() == depth) marks[i] = false;
   return marks;
-}
-
-/// Returns a number that solves of other models, sizes, degrees or seeds hardly share.
-std::uint64_t identity_of(const Solid& solid, const SolveOptions& options) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  const auto add = [&hash](double value) {
-    hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3;
-    hash ^= hash >> 29;
-  };
-  for (std::size_t t = 0; t < solid.surface.size(); ++t) {
-    for (const Vector3& corner : solid.surface.corners(static_cast<std::uint32_t>(t)))
-      for (const double x : corner) add(x);
-  }
-  add(finest_cell_size(solid.surface.box, options));
-  add(static_cast<double>(options.degree));
-  add(static_cast<double>(options.seed));
-  return hash;
 }
 
 /// The nested iteration, level by level, with the frames of all starts that are still candidates.

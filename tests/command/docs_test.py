@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every command of README.md and docs/ runs as it is printed, page by page in a folder of its own.
 
-CROSSGRAIN_CAD_FILES is the program that makes the STEP file; without it pages that name one are skipped.
+CROSSGRAIN_CAD_FILES is the program that makes the STEP file, CROSSGRAIN_MPI_PROGRAM crossgrain-mpi; without them pages that
+need one are skipped.
 """
 
 import os
@@ -20,11 +21,13 @@ from documented import ROOT, blocks_of, pages, spans_of
 from program import PROGRAM, TIME_LIMIT, CommandTest, medit_text, run, tet_box
 
 CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
+MPI_PROGRAM = os.environ.get("CROSSGRAIN_MPI_PROGRAM", "")
 
 # Lines that are not run, by how they begin.
 NOT_RUN = {
     "./try.sh": "builds the program and needs the packages of the system",
     "cmake": "builds or installs",
+    "export OMPI_": "is in the environment of the tests",
     "bench/": "measures for minutes, with meshes of other authors",
     "tests/fuzz/": "runs for minutes, and needs clang",
     "build/fuzz/": "needs a fuzz target and an input that breaks it",
@@ -61,12 +64,15 @@ class Page(CommandTest):
             place.symlink_to(Path(PROGRAM).resolve())
         (self.folder / "models").symlink_to(ROOT / "models")
         (self.folder / "docs" / "figures").mkdir(parents=True)
+        if MPI_PROGRAM:
+            (places[0].parent / "crossgrain-mpi").symlink_to(MPI_PROGRAM)
         if CAD_FILES:
             self.make_step()
         self.write("part.mesh", medit_text(*tet_box((8, 6, 4), (40.0, 30.0, 10.0))))
         self.write("points.txt", "30 20 6\n")
         self.write("seeds.txt", "30 20 6\n")
-        self.environment = {**os.environ, "PATH": f"{places[0].parent}:{os.environ['PATH']}", "BROWSER": "true"}
+        root_may = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        self.environment = {**os.environ, **root_may, "PATH": f"{places[0].parent}:{os.environ['PATH']}", "BROWSER": "true"}
         self.assignments = ""
 
     def make_step(self):
@@ -130,6 +136,8 @@ class Page(CommandTest):
 
 def page_test(path):
     def test(self):
+        if not MPI_PROGRAM and "mpirun" in path.read_text(encoding="utf-8"):
+            self.skipTest("Crossgrain was built without MPI, and the page starts several processes")
         if not CAD_FILES and "part.step" in path.read_text(encoding="utf-8"):
             self.skipTest("Crossgrain was built without OpenCASCADE, and the page takes a STEP file")
         self.assertGreater(self.run_page(path), 0)

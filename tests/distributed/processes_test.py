@@ -2,6 +2,7 @@
 """crossgrain-mpi as its users see it: results, checkpoints and faults, beside `crossgrain`.
 
 CROSSGRAIN_MPI_PROGRAM names the program, CROSSGRAIN_PROGRAM the one for a process alone; CROSSGRAIN_MPIRUN starts it.
+CROSSGRAIN_BREAKS is how many solves are broken off, 2 unless it says otherwise, CROSSGRAIN_SEED when.
 """
 
 import json
@@ -136,8 +137,8 @@ class Breaks(ProcessesTest):
 
     def test_at_any_moment_lose_nothing_on_another_number_of_processes(self):
         self.solved_alone(BRACKET, "--resolution", 512)
-        moments = random.Random(7)
-        for processes, afterwards in ((2, 3), (3, 1)):
+        moments = random.Random(int(os.environ.get("CROSSGRAIN_SEED", "7")))
+        for processes, afterwards in [(2, 3), (3, 1)] * (int(os.environ.get("CROSSGRAIN_BREAKS", "2")) // 2):
             command = [*START, "-n", str(processes), MPI_PROGRAM, "solve", str(BRACKET), "-o", "broken", *map(str, self.OPTIONS), "--checkpoint", "kept"]
             shutil.rmtree(self.folder / "kept", ignore_errors=True)
             job = subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
