@@ -147,7 +147,8 @@ void print_work(const std::vector<Processes::Work>& work) {
 
 /// Returns the exit code of this process's work, apart from failures.
 int solve(Team& team, Processes& processes, const SolveArguments& arguments) {
-  const CheckpointFolders checkpoint{arguments.checkpoint, arguments.restart};
+  const CheckpointFolders checkpoint{arguments.checkpoint, 60 * arguments.checkpoint_minutes,
+                                     arguments.restart};
   const SolveOnGrid together = [&team, &checkpoint](const FrameField* earlier, const TriangleMesh& mesh,
                                                     const SolveOptions& options, const Monitor& monitor) {
     return team.solve(earlier, mesh, options, monitor, checkpoint);

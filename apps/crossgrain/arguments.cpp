@@ -199,6 +199,11 @@ Arguments parse_arguments_of_processes(int argc, char** argv) {
           "Keep in this folder what is needed to go on after a break, whenever a shared level begins")
       ->type_name("DIR");
   command
+      ->add_option("--checkpoint-minutes", solve.checkpoint_minutes,
+                   "And so often within a level (default 10)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command
       ->add_option("--restart", solve.restart,
                    "Go on from the folder of --checkpoint, on any number of processes; give the same model "
                    "and options")

@@ -22,7 +22,8 @@ struct SolveArguments {
   std::string onto;              ///< tet mesh for the field; empty for none
   std::string constraints;       ///< file of constraints; empty for none
   std::string checkpoint;        ///< folder for going on after a break; empty for none
-  std::string restart;           ///< folder to go on from; empty for none
+  double checkpoint_minutes = 10;
+  std::string restart;  ///< folder to go on from; empty for none
   SolveOptions options;
   TetTagOptions tags;
   OutputOptions output_options;

@@ -19,9 +19,12 @@ struct OtherProcessFailed {};
 
 /// Folders for going on after a break; empty for none.
 struct CheckpointFolders {
-  std::string keep;    ///< takes what is needed to go on, whenever a shared level begins
-  std::string resume;  ///< an earlier solve of the same model with the same options left this; on any number
-                       ///< of processes
+  /// Takes what is needed to go on: whenever a shared level begins, and every so many seconds within it.
+  std::string keep;
+  double keep_seconds = 600;
+
+  /// Left by an earlier solve of the same model with the same options, on any number of processes.
+  std::string resume;
 };
 
 /// The processes that `mpirun` or a batch system has started together. One object per process, from which MPI

@@ -23,6 +23,8 @@ constexpr std::array<char, 24> kStartMagic{"crossgrain start 1\n"};
 constexpr std::array<char, 24> kSolvedMagic{"crossgrain solved 1\n"};
 constexpr const char* kStartName = "start-";
 constexpr const char* kSolvedName = "solved-";
+constexpr std::array<char, 24> kSweepsMagic{"crossgrain sweeps 1\n"};
+constexpr const char* kSweepsName = "sweeps-";
 constexpr const char* kUnfinished = ".part";
 
 std::filesystem::path path_of(const std::string& folder, const char* name, int depth) {
@@ -196,6 +198,72 @@ void KeptSolve::keep_start(const LevelStart& start, std::uint64_t identity, cons
     std::error_code error;
     if (depth != start.depth) std::filesystem::remove(path_of(keep_, kStartName, depth), error);
   }
+  for (const int depth : depths_of(keep_, kSweepsName)) {
+    std::error_code error;
+    std::filesystem::remove(path_of(keep_, kSweepsName, depth), error);
+  }
+}
+
+struct KeptSolve::SweepHeader {
+  std::array<char, 24> magic;
+  std::uint64_t identity, leaves, blocks;
+  std::int64_t sweeps;
+  double energy;
+};
+
+std::uint64_t KeptSolve::end_of_lists(const SweepHeader& header, std::span<const LeafValues> lists) {
+  std::uint64_t end = sizeof header + header.blocks * sizeof(double);
+  for (const LeafValues& list : lists) end += header.leaves * list.size;
+  return end;
+}
+
+void KeptSolve::enter(int depth, std::uint64_t identity, const Share& share) {
+  depth_ = depth;
+  identity_ = identity;
+  share_ = share;
+  last_kept_ = std::chrono::steady_clock::now();
+}
+
+bool KeptSolve::is_due() {
+  if (!keeps()) return false;
+  const auto since = std::chrono::duration<double>(std::chrono::steady_clock::now() - last_kept_);
+  return gathered_value<char>(exchange_, since.count() >= seconds_ ? 1 : 0).front() != 0;
+}
+
+void KeptSolve::keep(const SweepsSoFar& sweeps, std::span<const LeafValues> lists) {
+  const SweepHeader header{kSweepsMagic,  identity_,    share_.of_all, sweeps.decreases.size(),
+                           sweeps.sweeps, sweeps.energy};
+  std::vector<SharedFiles::Part> parts;
+  if (exchange_.rank() == 0) {
+    parts.push_back(part_at(0, std::span<const SweepHeader>(&header, 1)));
+    parts.push_back(part_at(sizeof header, std::span(sweeps.decreases)));
+  }
+  for (std::size_t k = 0; k < lists.size(); ++k) {
+    const auto& [bytes, size] = lists[k];
+    parts.push_back({end_of_lists(header, lists.first(k)) + share_.before * size,
+                     bytes.subspan(share_.begin * size, share_.size() * size)});
+  }
+  write_together(path_of(keep_, kSweepsName, depth_).string(), parts);
+  last_kept_ = std::chrono::steady_clock::now();
+}
+
+std::optional<SweepsSoFar> KeptSolve::resumed(std::span<const LeafValues> lists) {
+  if (found_path_.empty() || found_.numbers[0] != depth_) return std::nullopt;
+  const std::string path = path_of(resume_, kSweepsName, depth_).string();
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return std::nullopt;
+  const SweepHeader header = read_at<SweepHeader>(path, 0, 1).front();
+  if (header.magic != kSweepsMagic || header.identity != identity_ || header.leaves != share_.of_all ||
+      std::filesystem::file_size(path, error) != end_of_lists(header, lists))
+    refuse(path, "is cut short or of another solve; remove it, and the level begins anew");
+  for (std::size_t k = 0; k < lists.size(); ++k) {
+    const auto& [bytes, size] = lists[k];
+    const auto values = read_at<std::byte>(path, end_of_lists(header, lists.first(k)) + share_.before * size,
+                                           share_.size() * size);
+    std::copy(values.begin(), values.end(), bytes.begin() + static_cast<std::ptrdiff_t>(share_.begin * size));
+  }
+  return SweepsSoFar{static_cast<int>(header.sweeps), header.energy,
+                     read_at<double>(path, sizeof header, header.blocks)};
 }
 
 /// Writes a file that comes under its name when it is complete. Throws Error(kOutput) in all processes.

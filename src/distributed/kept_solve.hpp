@@ -3,11 +3,13 @@
 //
 //   solved-DEPTH   a solved level: its leaves, frames and open faces; written by the first process
 //   start-DEPTH    the leaves of the level to solve next, and its first frames; written by all
+//   sweeps-DEPTH   frames, coefficients and cells awake after some of its sweeps; written by all
 //
-// Files come under their names when they are complete. A start replaces those before it.
+// Files come under their names when they are complete. A start replaces starts and sweeps before it.
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -43,11 +45,16 @@ class LocalFiles : public SharedFiles {
   bool write(const std::string& path, std::span<const Part> parts) override;
 };
 
-class KeptSolve {
+class KeptSolve : public SweepKeeper {
  public:
-  /// `keep`: the folder to write to, `resume`: that to go on from; either may be empty.
-  KeptSolve(Exchange& exchange, SharedFiles& files, std::string keep, std::string resume)
-      : exchange_(exchange), files_(files), keep_(std::move(keep)), resume_(std::move(resume)) {}
+  /// `keep`: the folder to write to, `resume`: that to go on from; either may be empty. Sweeps are kept every
+  /// so many seconds.
+  KeptSolve(Exchange& exchange, SharedFiles& files, std::string keep, std::string resume, double seconds)
+      : exchange_(exchange),
+        files_(files),
+        keep_(std::move(keep)),
+        resume_(std::move(resume)),
+        seconds_(seconds) {}
 
   bool keeps() const { return !keep_.empty(); }
 
@@ -69,6 +76,13 @@ class KeptSolve {
   /// Reads leaves [begin, end) of that start.
   LeafRecords leaves_between(std::uint64_t begin, std::uint64_t end) const;
 
+  /// Begins the sweeps of a level.
+  void enter(int depth, std::uint64_t identity, const Share& share);
+
+  bool is_due() override;
+  void keep(const SweepsSoFar& sweeps, std::span<const LeafValues> lists) override;
+  std::optional<SweepsSoFar> resumed(std::span<const LeafValues> lists) override;
+
   /// Calls `visit` for the solved levels above that start, coarsest first, and keeps them if levels are kept
   /// in another folder. Called by the first process.
   void visit_solved(const VisitLevel& visit) const;
@@ -89,9 +103,20 @@ class KeptSolve {
                           std::uint64_t pieces);
   void write_together(const std::string& path, std::span<const SharedFiles::Part> parts);
 
+  struct SweepHeader;
+  static std::uint64_t end_of_lists(const SweepHeader& header, std::span<const LeafValues> lists);
+
   Exchange& exchange_;
   SharedFiles& files_;
   const std::string keep_, resume_;
+  const double seconds_;
+
+  // Of the level that is swept.
+  int depth_ = 0;
+  std::uint64_t identity_ = 0;
+  Share share_;
+  std::chrono::steady_clock::time_point last_kept_;
+
   std::string found_path_;
   Header found_{};
 };

@@ -115,6 +115,12 @@ void LevelShares::keep_solved(const CoarserLevel& level) {
   if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_solved(level);
 }
 
+SweepKeeper* LevelShares::keeper_of(int depth, std::uint64_t identity, const Share& share) {
+  if (checkpoint_ == nullptr) return nullptr;
+  checkpoint_->enter(depth, identity, share);
+  return checkpoint_;
+}
+
 std::optional<LevelStart> LevelShares::started(std::optional<LevelStart> start) {
   Bytes message;
   if (start) {

@@ -40,6 +40,7 @@ class LevelShares : public LevelSharing {
   void keep(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
             std::span<const StoredQuaternion> frames) override;
   void keep_solved(const CoarserLevel& level) override;
+  SweepKeeper* keeper_of(int depth, std::uint64_t identity, const Share& share) override;
   std::optional<LevelStart> started(std::optional<LevelStart> start) override;
   void start_failed() override;
   Level shared_out(Level level, const Solid& solid) override;

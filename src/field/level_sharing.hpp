@@ -12,6 +12,7 @@
 #include "crossgrain/options.hpp"
 #include "crossgrain/statistics.hpp"
 #include "field/field_state.hpp"
+#include "field/sweep_keeper.hpp"
 #include "grid/grid_level.hpp"
 #include "grid/refinement.hpp"
 
@@ -75,6 +76,9 @@ class LevelSharing {
   virtual void keep(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
                     std::span<const StoredQuaternion> frames) = 0;
   virtual void keep_solved(const CoarserLevel& level) = 0;
+
+  /// Returns what keeps the sweeps of a level; null if nothing does.
+  virtual SweepKeeper* keeper_of(int depth, std::uint64_t identity, const Share& share) = 0;
 
   /// Passes the start of the first shared level from the first process, where it is given, to the others,
   /// which wait for it; nothing if no level is shared.

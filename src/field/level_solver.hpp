@@ -34,9 +34,13 @@ class LevelSolver {
         connectivity_(std::move(connectivity)) {}
 
   /// Relaxes if `relaxation_sweeps` is positive, under a penalty that grows, then sweeps on the manifold
-  /// until the energy settles.
-  SettledFrames solved(Frames frames, int relaxation_sweeps) {
-    if (relaxation_sweeps == 0) return settled(graph(), std::move(frames), settling(), after_sweep());
+  /// until the energy settles; `keeper`, which may be null, keeps the sweeps where nothing is relaxed.
+  SettledFrames solved(Frames frames, int relaxation_sweeps, SweepKeeper* keeper) {
+    if (relaxation_sweeps == 0) {
+      SettlingPlan plan = settling();
+      plan.keeper = keeper;
+      return settled(graph(), std::move(frames), plan, after_sweep());
+    }
     const RelaxationPlan plan{relaxation_sweeps, options_.symmetrisation, options_.over_relaxation};
     Frames start = relaxed_by(plan, frames);
     return lower_settled(graph(), std::move(start), std::move(frames), settling(), after_sweep());

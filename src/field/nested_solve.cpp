@@ -397,9 +397,12 @@ class NestedSolver {
       candidates_.front() = solver.settled_below(std::move(relaxed.frames), std::move(relaxed.original));
     } else {
       start_candidates(place.depth, std::exchange(parent, {}));
+      SweepKeeper* const keeper =
+          is_shared() ? sharing_->keeper_of(place.depth, identity_of(solid_, options_), result_.level.share())
+                      : nullptr;
       for (std::size_t c = 0; c < candidates_.size(); ++c) {
         SettledFrames& candidate = candidates_[c];
-        candidate = solver.solved(std::move(candidate.frames), relaxation_sweeps(c, place.depth));
+        candidate = solver.solved(std::move(candidate.frames), relaxation_sweeps(c, place.depth), keeper);
       }
     }
     return {std::move(shared->adjacency), std::move(shared->halo),

@@ -2,6 +2,7 @@
 #include "field/stages.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -78,6 +79,11 @@ std::vector<double> decreases_of_all(const Share& share, const SweepOrder& order
   return all;
 }
 
+template <class T>
+LeafValues values_of(std::vector<T>& values) {
+  return {std::as_writable_bytes(std::span(values)), sizeof(T)};
+}
+
 }  // namespace
 
 template <int D>
@@ -98,7 +104,17 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
   const auto sweeps_allowed = [&] {
     return plan.most_sweeps + (result.energy < plan.calm_energy ? plan.more_sweeps : 0);
   };
-  for (int sweep = 0; sweep < sweeps_allowed() && !result.settled; ++sweep) {
+  int sweep = 0;
+  const std::array lists{values_of(state.frames), values_of(state.coefficients), values_of(awake)};
+  if (plan.keeper != nullptr) {
+    if (const auto before = plan.keeper->resumed(lists)) {
+      sweep = before->sweeps;
+      result.energy = before->energy;
+      blocks.update(before->decreases, allowance());
+      graph.halo().refresh(std::span(state.coefficients));
+    }
+  }
+  for (; sweep < sweeps_allowed() && !result.settled; ++sweep) {
     const double over_relaxation =
         sweep < plan.most_sweeps ? plan.over_relaxation : plan.calm_over_relaxation;
     const double least_decrease = plan.resting_share * allowance() / static_cast<double>(share.of_all);
@@ -113,6 +129,8 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
     if (D == 3 && (result.settled || sweep + 1 >= sweeps_allowed()))
       result.energy = graph_energy(graph, state);
     blocks.update(decreases, allowance());
+    if (plan.keeper != nullptr && !result.settled && plan.keeper->is_due())
+      plan.keeper->keep({sweep + 1, result.energy, decreases}, lists);
   }
   if (!graph.halo().empty()) graph.halo().refresh(std::span(state.frames));
   result.frames = std::move(state.frames);
@@ -135,7 +153,8 @@ SettlingPlan settling_plan(const Options& options, const Connectivity& connectiv
           energy_of_turn(calm.least_turn_deg),
           energy_of_turn(calm.calm_turn_deg),
           calm.more_sweeps,
-          calm.over_relaxation};
+          calm.over_relaxation,
+          nullptr};
 }
 
 template SettlingPlan settling_plan(const SolverOptions&, const Connectivity&, double, double);

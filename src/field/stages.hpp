@@ -11,6 +11,7 @@
 #include "field/energy.hpp"
 #include "field/field_graph.hpp"
 #include "field/field_state.hpp"
+#include "field/sweep_keeper.hpp"
 
 namespace crossgrain {
 
@@ -44,6 +45,8 @@ struct SettlingPlan {
   double calm_energy = 0;
   int more_sweeps = 0;
   double calm_over_relaxation = 1;
+
+  SweepKeeper* keeper = nullptr;  ///< null: nothing is kept
 };
 
 /// Returns a plan of SolverOptions or OntoOptions for a graph in a part of this volume and longest side.

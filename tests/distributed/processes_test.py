@@ -139,7 +139,8 @@ class Breaks(ProcessesTest):
         self.solved_alone(BRACKET, "--resolution", 512)
         moments = random.Random(int(os.environ.get("CROSSGRAIN_SEED", "7")))
         for processes, afterwards in [(2, 3), (3, 1)] * (int(os.environ.get("CROSSGRAIN_BREAKS", "2")) // 2):
-            command = [*START, "-n", str(processes), MPI_PROGRAM, "solve", str(BRACKET), "-o", "broken", *map(str, self.OPTIONS), "--checkpoint", "kept"]
+            command = [*START, "-n", str(processes), MPI_PROGRAM, "solve", str(BRACKET), "-o", "broken", *map(str, self.OPTIONS),
+                       "--checkpoint", "kept", "--checkpoint-minutes", "0"]
             shutil.rmtree(self.folder / "kept", ignore_errors=True)
             job = subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             time.sleep(moments.uniform(1, 4))

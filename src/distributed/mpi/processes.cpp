@@ -52,7 +52,7 @@ std::optional<FrameField> Processes::solve(const FrameField* earlier, const Tria
                                            const SolveOptions& options, const Monitor& monitor,
                                            const CheckpointFolders& folders) {
   MpiFiles files(MPI_COMM_WORLD);
-  KeptSolve checkpoint(state_->exchange, files, folders.keep, folders.resume);
+  KeptSolve checkpoint(state_->exchange, files, folders.keep, folders.resume, folders.keep_seconds);
   LevelShares shares(state_->exchange, equal_cuts, &checkpoint);
   std::optional<FrameField> field = solve_together(shares, earlier, mesh, options, monitor);
   state_->finest = shares.last_share();
