@@ -9,7 +9,7 @@ A run on P processes with N cells takes, in processor seconds outside calls of M
     first process    start + (shared / P + alone) N + gather N if P > 1
     each other one   other + shared N / P
 
-The constants are fitted to the runs at the two smallest resolutions on 1, 2 and 4 processes; others are predicted.
+The constants are fitted to all runs but those at the largest resolution, which are predicted.
 """
 
 import os
@@ -48,7 +48,7 @@ def main():
     runs = {(r, p): measured(program, model, r, p) for r in resolutions for p in PROCESSES}
     matrix, seconds = [], []
     for (resolution, processes), (cells, first, others) in runs.items():
-        if resolution in sorted(resolutions)[:2]:
+        if resolution < max(resolutions):
             matrix += equations(cells, processes)[: 2 if processes > 1 else 1]
             seconds += [first, others][: 2 if processes > 1 else 1]
     start, other, shared, alone, gather = constants = nnls(np.array(matrix), np.array(seconds))[0]

@@ -39,7 +39,9 @@ class LevelSolver {
     if (relaxation_sweeps == 0) {
       SettlingPlan plan = settling();
       plan.keeper = keeper;
-      return settled(graph(), std::move(frames), plan, after_sweep());
+      SettledFrames result = settled(graph(), std::move(frames), plan, after_sweep());
+      progress_.sweep += result.sweeps_before;
+      return result;
     }
     const RelaxationPlan plan{relaxation_sweeps, options_.symmetrisation, options_.over_relaxation};
     Frames start = relaxed_by(plan, frames);

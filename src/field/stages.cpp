@@ -108,7 +108,7 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
   const std::array lists{values_of(state.frames), values_of(state.coefficients), values_of(awake)};
   if (plan.keeper != nullptr) {
     if (const auto before = plan.keeper->resumed(lists)) {
-      sweep = before->sweeps;
+      sweep = result.sweeps_before = before->sweeps;
       result.energy = before->energy;
       blocks.update(before->decreases, allowance());
       graph.halo().refresh(std::span(state.coefficients));

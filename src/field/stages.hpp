@@ -56,8 +56,9 @@ SettlingPlan settling_plan(const Options& options, const Connectivity& connectiv
 
 struct SettledFrames {
   std::vector<StoredQuaternion> frames;
-  double energy = 0;     ///< in the field's own degree
-  bool settled = false;  ///< false: the sweeps ran out
+  double energy = 0;      ///< in the field's own degree
+  bool settled = false;   ///< false: the sweeps ran out
+  int sweeps_before = 0;  ///< made by an earlier solve, from which this one went on
 };
 
 /// Runs the relaxation sweeps of a plan. Returns the frames nearest to the resulting coefficients.

@@ -112,7 +112,7 @@ class ProcessesTest(CommandTest):
 
 class Fields(ProcessesTest):
     def test_of_a_part_with_creases_are_the_same_on_any_number_of_processes(self):
-        self.assert_same_on((2, 5), BRACKET, "--resolution", 320)
+        self.assert_same_on((5,), BRACKET, "--resolution", 320)
 
     def test_of_degree_3_inside_a_curved_surface_are_the_same(self):
         self.assert_same_on((3,), self.write("sphere.stl", stl_of(sphere(96))), "--resolution", 128, "--degree", 3)
@@ -133,17 +133,17 @@ class Fields(ProcessesTest):
 
 
 class Breaks(ProcessesTest):
-    OPTIONS = ("--resolution", 512, "--quiet", "--no-report", "--threads", 1)
+    OPTIONS = ("--resolution", 400, "--quiet", "--no-report", "--threads", 1)
 
     def test_at_any_moment_lose_nothing_on_another_number_of_processes(self):
-        self.solved_alone(BRACKET, "--resolution", 512)
+        self.solved_alone(BRACKET, "--resolution", 400)
         moments = random.Random(int(os.environ.get("CROSSGRAIN_SEED", "7")))
         for processes, afterwards in [(2, 3), (3, 1)] * (int(os.environ.get("CROSSGRAIN_BREAKS", "2")) // 2):
             command = [*START, "-n", str(processes), MPI_PROGRAM, "solve", str(BRACKET), "-o", "broken", *map(str, self.OPTIONS),
                        "--checkpoint", "kept", "--checkpoint-minutes", "0"]
             shutil.rmtree(self.folder / "kept", ignore_errors=True)
             job = subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            time.sleep(moments.uniform(1, 4))
+            time.sleep(moments.uniform(1, 6))
             ranks = subprocess.run(["pgrep", "-P", str(job.pid)], capture_output=True, text=True, check=False).stdout.split()
             if ranks:
                 subprocess.run(["kill", "-9", moments.choice(ranks)], check=False)
