@@ -197,6 +197,6 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   crossgrain::Processes processes(argc, argv);
   // Help and results are those of process 0.
-  if (processes.rank() > 0 && std::freopen("/dev/null", "w", stdout) == nullptr) return 1;
+  if (processes.rank() > 0 && std::freopen("/dev/null", "w", stdout) == nullptr) processes.abort(1);
   return crossgrain::app::run(processes, argc, argv);
 }

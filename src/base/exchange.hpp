@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstring>
 #include <span>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -28,10 +29,12 @@ class MessageReader {
  public:
   explicit MessageReader(std::span<const std::byte> message) : left_(message) {}
 
-  /// Precondition: so many values are left.
+  /// Throws std::logic_error if fewer values are left, since then processes have not called the same
+  /// functions.
   template <class T>
   std::vector<T> take(std::size_t count) {
     static_assert(std::is_trivially_copyable_v<T>);
+    if (count * sizeof(T) > left_.size()) throw std::logic_error("a message is shorter than expected");
     std::vector<T> values(count);
     if (count > 0) std::memcpy(values.data(), left_.data(), count * sizeof(T));
     left_ = left_.subspan(count * sizeof(T));

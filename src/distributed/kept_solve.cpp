@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
@@ -102,7 +103,7 @@ SharedFiles::Part part_at(std::uint64_t offset, std::span<T> values) {
 
 struct SolvedHeader {
   std::array<char, 24> magic;
-  std::uint64_t leaves;
+  std::uint64_t identity, leaves;
   RootCube root;
 };
 
@@ -127,9 +128,9 @@ struct KeptSolve::Offsets {
   }
 };
 
-void KeptSolve::keep_solved(const CoarserLevel& level) const {
+void KeptSolve::keep_solved(const CoarserLevel& level, std::uint64_t identity) const {
   const std::string path = path_of(keep_, kSolvedName, level.depth).string(), unfinished = path + kUnfinished;
-  const SolvedHeader header{kSolvedMagic, level.tree.size(), level.tree.root()};
+  const SolvedHeader header{kSolvedMagic, identity, level.tree.size(), level.tree.root()};
   const std::uint64_t frames = sizeof header + level.tree.size() * sizeof(CellAddress);
   const std::uint64_t faces = frames + level.tree.size() * sizeof(StoredQuaternion);
   const std::array parts{part_at(0, std::span(&header, 1)),
@@ -155,7 +156,9 @@ KeptSolve::Header KeptSolve::header_of(const LevelStart& start, std::uint64_t id
   header.pieces = pieces;
   header.levels = start.levels.size();
   header.examined_leaves = level.examined_leaves;
-  header.numbers = {start.depth, start.coarsest_depth, start.relaxation_sweeps, start.expected.has_value()};
+  header.numbers = {
+      start.depth,      start.coarsest_depth, start.relaxation_sweeps, start.expected.has_value(),
+      start.is_uniform, start.has_field};
   header.relaxed_cells = start.relaxed_cells;
   header.core_size = start.core_size;
   if (start.expected) header.expected = *start.expected;
@@ -166,7 +169,7 @@ KeptSolve::Header KeptSolve::header_of(const LevelStart& start, std::uint64_t id
 void KeptSolve::keep_start(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
                            std::span<const StoredQuaternion> frames) {
   const std::string path = path_of(keep_, kStartName, start.depth).string();
-  if (path == found_path_) return;  // it is there
+  if (is_one_folder_ && start.depth == found_.numbers[0]) return;  // it is there
   const Share share = level.share();
   const std::uint64_t own_pieces = level.piece_begin[share.end] - level.piece_begin[share.begin];
   const auto pieces = gathered_value(exchange_, own_pieces);
@@ -251,7 +254,9 @@ std::optional<SweepsSoFar> KeptSolve::resumed(std::span<const LeafValues> lists)
   if (found_path_.empty() || found_.numbers[0] != depth_) return std::nullopt;
   const std::string path = path_of(resume_, kSweepsName, depth_).string();
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) return std::nullopt;
+  // The first process says whether there are any.
+  const char exists = std::filesystem::exists(path, error) ? 1 : 0;
+  if (gathered_value(exchange_, exists).front() == 0) return std::nullopt;
   const SweepHeader header = read_at<SweepHeader>(path, 0, 1).front();
   if (header.magic != kSweepsMagic || header.identity != identity_ || header.leaves != share_.of_all ||
       std::filesystem::file_size(path, error) != end_of_lists(header, lists))
@@ -280,34 +285,72 @@ void KeptSolve::write_together(const std::string& path, std::span<const SharedFi
   const bool is_written = files_.write(unfinished, parts);
   if (any(exchange_, !is_written)) {
     if (is_first) std::filesystem::remove(unfinished, error);
-    throw_unwritable(path, ENOSPC);
+    throw Error(ErrorKind::kOutput,
+                {path, "",
+                 "cannot be written by all processes, as on a full disk; the checkpoint before it is "
+                 "kept",
+                 Remedy::kNone});
   }
-  if (is_first && std::rename(unfinished.c_str(), path.c_str()) != 0) failure = errno;
+  if (is_first && std::rename(unfinished.c_str(), path.c_str()) != 0) {
+    failure = errno;
+    std::filesystem::remove(unfinished, error);
+  }
   if (any(exchange_, failure != 0)) throw_unwritable(path, failure != 0 ? failure : EIO);
 }
 
-std::optional<LevelStart> KeptSolve::last_start(std::uint64_t identity) {
-  if (resume_.empty()) return std::nullopt;
-  const std::vector<int> depths = depths_of(resume_, kStartName);
-  if (depths.empty()) return std::nullopt;
-  found_path_ = path_of(resume_, kStartName, depths.back()).string();
+/// Sets found_ and found_path_.
+std::optional<LevelStart> KeptSolve::read_start(const std::string& path, std::uint64_t identity) {
+  found_path_ = path;
   std::error_code error;
-  const std::uint64_t size = std::filesystem::file_size(found_path_, error);
-  if (error || size < sizeof(Header)) refuse(found_path_, "is cut short; begin without --restart");
-  found_ = read_at<Header>(found_path_, 0, 1).front();
-  if (found_.magic != kStartMagic) refuse(found_path_, "is no checkpoint of this version");
+  const std::uint64_t size = std::filesystem::file_size(path, error);
+  if (error || size < sizeof(Header)) refuse(path, "is cut short; begin without --restart");
+  found_ = read_at<Header>(path, 0, 1).front();
+  if (found_.magic != kStartMagic) refuse(path, "is no checkpoint of this version");
   if (found_.identity != identity)
-    refuse(found_path_, "belongs to a solve of another model or with other options; give the same ones");
+    refuse(path, "belongs to a solve of another model, cell size, degree or seed; give the same ones");
   const Offsets offsets(found_);
-  if (size != offsets.end) refuse(found_path_, "is cut short; begin without --restart");
+  if (size != offsets.end) refuse(path, "is cut short; begin without --restart");
   LevelStart start;
   start.depth = found_.numbers[0];
   start.coarsest_depth = found_.numbers[1];
   start.relaxation_sweeps = found_.numbers[2];
   if (found_.numbers[3] != 0) start.expected = found_.expected;
+  start.is_uniform = found_.numbers[4] != 0;
+  start.has_field = found_.numbers[5] != 0;
   start.relaxed_cells = found_.relaxed_cells;
   start.core_size = found_.core_size;
-  start.levels = read_at<LevelStatistics>(found_path_, offsets.levels, found_.levels);
+  start.levels = read_at<LevelStatistics>(path, offsets.levels, found_.levels);
+  return start;
+}
+
+std::optional<LevelStart> KeptSolve::last_start(std::uint64_t identity) {
+  if (resume_.empty()) return std::nullopt;
+  // File systems of several hosts may differ for a while: the first process says which file it is.
+  int depth = -1;
+  std::exception_ptr failure;
+  if (exchange_.rank() == 0) {
+    try {
+      const std::vector<int> depths = depths_of(resume_, kStartName);
+      if (!depths.empty()) depth = depths.back();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    std::error_code error;
+    is_one_folder_ = std::filesystem::equivalent(keep_, resume_, error);
+  }
+  depth = gathered_value(exchange_, depth).front();
+  is_one_folder_ = gathered_value<char>(exchange_, is_one_folder_ ? 1 : 0).front() != 0;
+  std::optional<LevelStart> start;
+  if (!failure && depth >= 0) {
+    try {
+      start = read_start(path_of(resume_, kStartName, depth).string(), identity);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  }
+  const bool fails = any(exchange_, failure != nullptr);
+  if (failure) std::rethrow_exception(failure);
+  if (fails) refuse(resume_, "cannot be read by all processes");
   return start;
 }
 
@@ -334,20 +377,20 @@ LeafRecords KeptSolve::leaves_between(std::uint64_t begin, std::uint64_t end) co
 }
 
 void KeptSolve::visit_solved(const VisitLevel& visit) const {
-  for (const int depth : depths_of(resume_, kSolvedName)) {
-    if (depth >= found_.numbers[0]) continue;
+  for (int depth = found_.numbers[1]; depth < found_.numbers[0]; ++depth) {
     const std::string path = path_of(resume_, kSolvedName, depth).string();
     const SolvedHeader header = read_at<SolvedHeader>(path, 0, 1).front();
-    if (header.magic != kSolvedMagic) refuse(path, "is no checkpoint of this version");
+    const std::uint64_t of_leaf = sizeof(CellAddress) + sizeof(StoredQuaternion) + 1;
+    if (header.magic != kSolvedMagic || header.identity != found_.identity ||
+        std::filesystem::file_size(path) != sizeof header + header.leaves * of_leaf)
+      refuse(path, "is cut short or of another solve; begin without --restart");
     const Octree tree(header.root, read_at<CellAddress>(path, sizeof header, header.leaves));
     const std::uint64_t frames = sizeof header + header.leaves * sizeof(CellAddress);
     const auto solved = read_at<StoredQuaternion>(path, frames, header.leaves);
     const auto faces =
         read_at<std::uint8_t>(path, frames + header.leaves * sizeof(StoredQuaternion), header.leaves);
     visit({depth, tree, solved, faces});
-    std::error_code error;
-    if (keeps() && !std::filesystem::equivalent(keep_, resume_, error))
-      keep_solved({depth, tree, solved, faces});
+    if (keeps() && !is_one_folder_) keep_solved({depth, tree, solved, faces}, header.identity);
   }
 }
 

@@ -59,7 +59,7 @@ class KeptSolve : public SweepKeeper {
   bool keeps() const { return !keep_.empty(); }
 
   /// Writes a solved level. Called by the first process. Throws Error(kOutput).
-  void keep_solved(const CoarserLevel& level) const;
+  void keep_solved(const CoarserLevel& level, std::uint64_t identity) const;
 
   /// Writes the start of a level. All processes call it together. Throws Error(kOutput) in all of them.
   void keep_start(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
@@ -91,7 +91,8 @@ class KeptSolve : public SweepKeeper {
   struct Header {
     std::array<char, 24> magic;
     std::uint64_t identity, leaves, pieces, levels, examined_leaves;
-    std::array<int, 4> numbers;  ///< depth, coarsest depth, relaxation sweeps, whether something is expected
+    std::array<int, 6> numbers;  ///< depth, coarsest depth, relaxation sweeps, whether something is expected,
+                                 ///< is_uniform, has_field
     std::uint64_t relaxed_cells;
     double core_size;
     Expectation expected;
@@ -104,6 +105,7 @@ class KeptSolve : public SweepKeeper {
   void write_together(const std::string& path, std::span<const SharedFiles::Part> parts);
 
   struct SweepHeader;
+  std::optional<LevelStart> read_start(const std::string& path, std::uint64_t identity);
   static std::uint64_t end_of_lists(const SweepHeader& header, std::span<const LeafValues> lists);
 
   Exchange& exchange_;
@@ -118,6 +120,7 @@ class KeptSolve : public SweepKeeper {
   std::chrono::steady_clock::time_point last_kept_;
 
   std::string found_path_;
+  bool is_one_folder_ = false;  ///< that to keep in is that to go on from
   Header found_{};
 };
 

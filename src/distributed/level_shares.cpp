@@ -111,8 +111,8 @@ void LevelShares::keep(const LevelStart& start, std::uint64_t identity, const Gr
   if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_start(start, identity, level, frames);
 }
 
-void LevelShares::keep_solved(const CoarserLevel& level) {
-  if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_solved(level);
+void LevelShares::keep_solved(const CoarserLevel& level, std::uint64_t identity) {
+  if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_solved(level, identity);
 }
 
 SweepKeeper* LevelShares::keeper_of(int depth, std::uint64_t identity, const Share& share) {
@@ -125,7 +125,9 @@ std::optional<LevelStart> LevelShares::started(std::optional<LevelStart> start) 
   Bytes message;
   if (start) {
     const LevelStart& s = *start;
-    append_to(message, std::span<const int>(std::array{s.depth, s.coarsest_depth, s.relaxation_sweeps}));
+    append_to(message,
+              std::span<const int>(std::array{s.depth, s.coarsest_depth, static_cast<int>(s.is_uniform),
+                                              static_cast<int>(s.has_field), s.relaxation_sweeps}));
     append_to(message, std::span(&s.relaxed_cells, 1));
     append_to(message, std::span(&s.core_size, 1));
     append_to(message, std::span(&s.expected, 1));
@@ -142,6 +144,8 @@ std::optional<LevelStart> LevelShares::started(std::optional<LevelStart> start) 
   LevelStart result;
   result.depth = reader.take<int>();
   result.coarsest_depth = reader.take<int>();
+  result.is_uniform = reader.take<int>() != 0;
+  result.has_field = reader.take<int>() != 0;
   result.relaxation_sweeps = reader.take<int>();
   result.relaxed_cells = reader.take<std::size_t>();
   result.core_size = reader.take<double>();

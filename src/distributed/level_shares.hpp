@@ -39,7 +39,7 @@ class LevelShares : public LevelSharing {
   std::optional<LevelStart> resumed(std::uint64_t identity, const VisitLevel& visit) override;
   void keep(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
             std::span<const StoredQuaternion> frames) override;
-  void keep_solved(const CoarserLevel& level) override;
+  void keep_solved(const CoarserLevel& level, std::uint64_t identity) override;
   SweepKeeper* keeper_of(int depth, std::uint64_t identity, const Share& share) override;
   std::optional<LevelStart> started(std::optional<LevelStart> start) override;
   void start_failed() override;

@@ -9,6 +9,7 @@
 #include "constraint/normal_form.hpp"
 #include "constraint/parallel_normals.hpp"
 #include "constraint/spectral_shift.hpp"
+#include "field/leaf_stencil.hpp"
 #include "grid/cell_constraints.hpp"
 #include "harmonics/frame.hpp"
 
@@ -131,8 +132,8 @@ BoundaryValues boundary_values(const GridLevel& level, const Solid& solid, CellI
 BoundaryValues boundary_sums(const GridLevel& level, const Solid& solid,
                              std::span<const StoredQuaternion> frames) {
   const Share share = level.share();
-  // Chunks of all processes are those of one.
-  const std::size_t grain = share.is_whole() ? level.leaves_per_task() : kParallelGrain;
+  // A level that can be shared has the same chunks in one process and in several.
+  const std::size_t grain = share.of_all < kBlockedCells ? level.leaves_per_task() : kParallelGrain;
   std::vector<BoundaryValues> sums((share.size() + grain - 1) / grain);
   const auto add = [](BoundaryValues& sum, const BoundaryValues& term, double factor) {
     sum.of_frame += factor * term.of_frame;

@@ -35,6 +35,8 @@ using VisitLevel = std::function<void(const CoarserLevel& level)>;
 struct LevelStart {
   int depth = 0;
   int coarsest_depth = 0;
+  bool is_uniform = false;    ///< all levels so far have cells of one size each, and are small
+  bool has_field = false;     ///< the solve has begun with a field, InitialField::frame_at
   int relaxation_sweeps = 0;  ///< as in InitialField
   std::size_t relaxed_cells = 0;
   double core_size = 0;
@@ -75,7 +77,7 @@ class LevelSharing {
   /// break.
   virtual void keep(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
                     std::span<const StoredQuaternion> frames) = 0;
-  virtual void keep_solved(const CoarserLevel& level) = 0;
+  virtual void keep_solved(const CoarserLevel& level, std::uint64_t identity) = 0;
 
   /// Returns what keeps the sweeps of a level; null if nothing does.
   virtual SweepKeeper* keeper_of(int depth, std::uint64_t identity, const Share& share) = 0;

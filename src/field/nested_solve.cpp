@@ -64,6 +64,7 @@ class NestedSolver {
         visit_level_(visit_level),
         sharing_(sharing),
         is_decision_(place.is_decision),
+        has_field_(initial.frame_at != nullptr),
         seconds_so_far_(place.seconds_before) {}
 
   SolvedField run() {
@@ -121,7 +122,8 @@ class NestedSolver {
     initial_.relaxed_cells = start.relaxed_cells;
     initial_.core_size = start.core_size;
     coarsest_depth_ = start.coarsest_depth;
-    is_uniform_ = false;
+    is_uniform_ = start.is_uniform;
+    has_field_ = start.has_field;
     result_.levels = start.levels;
     result_.expected = start.expected;
     candidates_.resize(1);
@@ -219,8 +221,10 @@ class NestedSolver {
   /// Returns whether the next level fits into memory. Throws Error(kLimit) if too many levels would be left
   /// out.
   bool next_fits(const SolveForecast& forecast, const LevelGrowth& growth) {
-    const LevelCounts next = counts_here(growth.after(1));
-    const bool fits_here = forecast.fits(next);
+    const LevelCounts whole = growth.after(1), next = counts_here(whole);
+    // In the end one process has all cells and pieces of surface, and numbers them.
+    const bool can_be_whole = std::max(whole.cells, whole.pieces) < kNoCell;
+    const bool fits_here = forecast.fits(next) && (can_be_whole || !has_help());
     if (is_shared() ? sharing_->all(fits_here) : fits_here) return true;
     result_.memory_needed = static_cast<std::size_t>(forecast.peak_memory(next));
     if (result_.levels_left_out > kMostLevelsLeftOut) {
@@ -238,8 +242,11 @@ class NestedSolver {
   /// Returns what this process has of a level.
   LevelCounts counts_here(LevelCounts counts) const {
     if (sharing_ == nullptr || !sharing_->is_shared(static_cast<std::uint64_t>(counts.cells))) return counts;
+    // The first process has the whole field in the end, which takes two fifths of what solving it does.
+    constexpr double kWholeField = 0.4;
+    const double share = std::max(1.0 / sharing_->processes(), sharing_->is_first() ? kWholeField : 0);
     for (double* count : {&counts.cells, &counts.surface_cells, &counts.several_normals, &counts.pieces})
-      *count /= sharing_->processes();
+      *count *= share;
     return counts;
   }
 
@@ -247,7 +254,8 @@ class NestedSolver {
     const LevelStatistics& level = result_.levels.back();
     // A surface that encloses nothing is refused in the end, so there is nothing to expect.
     const auto& winding = result_.level.centre_winding;
-    if (std::none_of(winding.begin(), winding.end(), [](int w) { return w > 0; })) return;
+    const bool none_here = std::none_of(winding.begin(), winding.end(), [](int w) { return w > 0; });
+    if (is_shared() ? sharing_->all(none_here) : none_here) return;
     const std::optional<Expectation> expected = forecast.forecast_from(
         level.depth, growth, level.sweeps, level.seconds, seconds_so_far_, finest_resolution());
     if (!expected) return;
@@ -346,7 +354,7 @@ class NestedSolver {
   void visit(int depth) {
     const auto visit_and_keep = [&](const CoarserLevel& level) {
       visit_level_(level);
-      if (has_help()) sharing_->keep_solved(level);
+      if (has_help()) sharing_->keep_solved(level, identity_of(solid_, options_));
     };
     if (!is_shared())
       return visit_and_keep({depth, result_.level.tree, candidates_[best_].frames, result_.open_faces});
@@ -359,11 +367,17 @@ class NestedSolver {
     if (sharing_->is_first()) visit_and_keep({depth, seen.level.tree, seen.frames, seen.open_faces});
   }
 
+  bool begins_with_field(const GridLevel& level, int depth) const {
+    return initial_.frame_at &&
+           (depth == coarsest_depth_ || level.tree.root().cell_size(depth) >= initial_.last_cell_size);
+  }
+
   /// Makes the first frames of every candidate. `parent` as in RefinedLevel.
   void start_candidates(int depth, const std::vector<CellIndex>& parent) {
+    // A shared level has been shared out with its frames.
+    if (is_shared()) return;
     const bool coarsest = depth == coarsest_depth_;
-    const double cell_size = result_.level.tree.root().cell_size(depth);
-    if (initial_.frame_at && (coarsest || cell_size >= initial_.last_cell_size)) {
+    if (begins_with_field(result_.level, depth)) {
       candidates_.resize(1);
       candidates_[0].frames = sampled(initial_, result_.level);
     } else if (coarsest) {
@@ -411,7 +425,7 @@ class NestedSolver {
 
   int relaxation_sweeps(std::size_t start, int depth) const {
     const SolverOptions& options = options_.solver;
-    if (initial_.frame_at) return 0;
+    if (has_field_) return 0;
     if (depth == coarsest_depth_)
       return static_cast<int>(options.start_relaxation / std::pow(3.0, static_cast<double>(start)));
     return is_uniform_ ? options.level_relaxation : 0;
@@ -446,7 +460,7 @@ class NestedSolver {
 
   /// Returns the next level and makes `result_` ready for it. `neighbours` are those of the solved level.
   RefinedLevel refine(std::vector<FaceNeighbours> neighbours, int depth, int finest_depth) {
-    is_uniform_ = is_uniform_ && 8 * result_.level.size() <= options_.solver.relaxed_cells;
+    is_uniform_ = is_uniform_ && 8 * result_.level.share().of_all <= options_.solver.relaxed_cells;
     // With several candidates no single field says where to refine.
     std::vector<ReachedPlace> elsewhere;
     Marks marks = is_uniform_ || candidates_.size() > 1
@@ -466,7 +480,8 @@ class NestedSolver {
     report(Phase::kGrid, depth + 1, 0);
     const GridLevel& level = may_be_stopped() ? coarser_.level : ending;
     RefinedLevel made = refined(level, neighbours, solid_, std::move(marks), monitor_);
-    if (has_help() && (!made.level.share().is_whole() || sharing_->is_shared(made.level.size()))) {
+    const bool is_to_share = candidates_.size() == 1 && has_help() && sharing_->is_shared(made.level.size());
+    if (is_to_share || !made.level.share().is_whole()) {
       ending = {};
       share_out_refined(made, depth + 1);
     }
@@ -477,6 +492,8 @@ class NestedSolver {
   void share_out_refined(RefinedLevel& made, int depth) {
     const LevelStart start{depth,
                            coarsest_depth_,
+                           is_uniform_,
+                           has_field_,
                            initial_.relaxation_sweeps,
                            initial_.relaxed_cells,
                            initial_.core_size,
@@ -484,7 +501,9 @@ class NestedSolver {
                            result_.expected};
     if (!std::exchange(has_started_, true) && sharing_->is_first()) sharing_->started(start);
     Frames& frames = candidates_.front().frames;
-    std::vector<Frames> carried{inherited(std::exchange(frames, {}), made.parent)};
+    std::vector<Frames> carried{begins_with_field(made.level, depth)
+                                    ? sampled(initial_, made.level)
+                                    : inherited(std::exchange(frames, {}), made.parent)};
     share_out(made, carried);
     frames = std::move(carried.front());
     sharing_->keep(start, identity_of(solid_, options_), made.level, frames);
@@ -506,6 +525,7 @@ class NestedSolver {
   LevelSharing* const sharing_;  ///< null: this process solves alone
   const bool is_decision_;
   bool has_started_ = false;  ///< the others have begun
+  bool has_field_;            ///< the solve has begun with a field
   SolvedField result_;        ///< the level being built or solved
   SolvedField coarser_;       ///< the finished level before it, if the solve may be stopped
 

@@ -2,7 +2,6 @@
 #include "field/stages.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -105,7 +104,8 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
     return plan.most_sweeps + (result.energy < plan.calm_energy ? plan.more_sweeps : 0);
   };
   int sweep = 0;
-  const std::array lists{values_of(state.frames), values_of(state.coefficients), values_of(awake)};
+  std::vector<LeafValues> lists{values_of(state.frames), values_of(state.coefficients)};
+  if (plan.resting_share > 0) lists.push_back(values_of(awake));
   if (plan.keeper != nullptr) {
     if (const auto before = plan.keeper->resumed(lists)) {
       sweep = result.sweeps_before = before->sweeps;

@@ -9,8 +9,11 @@ bool MpiFiles::write(const std::string& path, std::span<const Part> parts) {
   constexpr std::size_t kLongestPart = std::size_t{1} << 30;  // MPI counts in int
   MPI_File file;
   // Errors of files are returned by default, unlike those of messages.
-  if (MPI_File_open(communicator_, path.c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file) != MPI_SUCCESS)
-    return false;
+  int is_open =
+      MPI_File_open(communicator_, path.c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file) == MPI_SUCCESS;
+  // Closing is for all or for none.
+  MPI_Allreduce(MPI_IN_PLACE, &is_open, 1, MPI_INT, MPI_MIN, communicator_);
+  if (!is_open) return false;
   bool is_written = true;
   for (const auto& [offset, bytes] : parts) {
     for (std::size_t done = 0; done < bytes.size() && is_written; done += kLongestPart) {
