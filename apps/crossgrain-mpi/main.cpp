@@ -76,7 +76,7 @@ class Team {
   /// Ends the work of this process, with a failure or without one. Returns the exit code of all.
   int end(const Failure& mine) {
     // Whoever has not failed waits for the others; they may wait in the middle of a solve for one that has.
-    if (has_begun_ && !processes_.all_arrive(mine.exit_code == 0 ? kAnySeconds : kSecondsForOthers)) {
+    if (has_begun_ && !processes_.all_arrive(seconds_to_wait(mine.exit_code))) {
       print_message(of_rank(mine.line, processes_.rank()));
       processes_.abort(mine.exit_code);
     }
@@ -85,7 +85,11 @@ class Team {
   }
 
  private:
-  static constexpr double kAnySeconds = std::numeric_limits<double>::infinity();
+  static double seconds_to_wait(int exit_code) {
+    if (exit_code == 0) return std::numeric_limits<double>::infinity();
+    // A second after it has passed on a signal, mpirun kills all processes.
+    return exit_code == exit_code_of(ErrorKind::kInterrupted) ? 0 : kSecondsForOthers;
+  }
 
   static std::string of_rank(const std::string& line, int rank) {
     return rank == 0 ? line : "process " + std::to_string(rank) + ": " + line;
@@ -196,7 +200,10 @@ int main(int argc, char** argv) {
 #endif
   std::signal(SIGXFSZ, SIG_IGN);
   crossgrain::Processes processes(argc, argv);
-  // Help and results are those of process 0.
+  // Help, results and the answer to Ctrl-C are those of process 0. The others go on until it ends them, so
+  // that it does not wait for them.
+  if (processes.rank() > 0)
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_IGN);
   if (processes.rank() > 0 && std::freopen("/dev/null", "w", stdout) == nullptr) processes.abort(1);
   return crossgrain::app::run(processes, argc, argv);
 }

@@ -9,6 +9,7 @@ import json
 import os
 import random
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -199,6 +200,22 @@ class Faults(ProcessesTest):
 
     def test_of_memory_are_told_once(self):
         self.assert_ends(self.together(2, "solve", BRACKET, "--resolution", 4096, "--quiet", "-o", "out", "--max-memory", "20MB"), 5, "--max-memory")
+
+
+class Interruptions(ProcessesTest):
+    def test_end_the_solve_with_one_line_and_leave_nothing(self):
+        for name in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(name.name):
+                command = [*START, "-n", "2", MPI_PROGRAM, "solve", str(BRACKET), "--resolution", "768", "-o", "out", "--quiet", "--threads", "1"]
+                job = subprocess.Popen(command, cwd=self.folder, env=ENVIRONMENT, stderr=subprocess.PIPE, text=True)
+                self.addCleanup(job.stderr.close)
+                time.sleep(4)
+                job.send_signal(name)
+                _, errors = job.communicate(timeout=60)
+                self.assertEqual([line for line in errors.splitlines() if line.startswith("crossgrain")], ["crossgrain: interrupted"])
+                # The code is that of mpirun, which the signal ends.
+                self.assertNotEqual(job.returncode, 0)
+                self.assertEqual(self.names(), [])
 
 
 class Help(ProcessesTest):
