@@ -49,6 +49,9 @@ enum class Remedy : int {
   kGiveModel,  ///< not a field
   kTraceStreamlines,
   kContinueSolve,  ///< `solve_from` the field
+  kSolveAnew,      ///< without CheckpointFolders::resume
+  kGiveCheckpoint,
+  kGiveSameModel,  ///< and the same options, as for the checkpoint
   kUseWrittenMesh,
 
   // The model.
@@ -75,6 +78,7 @@ enum class Remedy : int {
   kNameOutput,
   kChooseWritablePlace,
   kFreeSpace,
+  kMoveCheckpoint,  ///< or free some space
   kMakeFolder,
   kCheckOutputDisk,
   kClearPlace,

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "distributed/kept_solve.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
 #include <system_error>
 #include <utility>
@@ -32,75 +27,6 @@ std::filesystem::path path_of(const std::string& folder, const char* name, int d
   return std::filesystem::path(folder) / (name + std::to_string(depth));
 }
 
-[[noreturn]] void refuse(const std::string& path, std::string text) {
-  throw Error(ErrorKind::kInput, {path, "", std::move(text)});
-}
-
-/// Reads `count` values at an offset.
-template <class T>
-std::vector<T> read_at(const std::string& path, std::uint64_t offset, std::uint64_t count) {
-  std::vector<T> values(count);
-  std::ifstream file(path, std::ios::binary);
-  file.seekg(static_cast<std::streamoff>(offset));
-  file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
-  if (!file) refuse(path, "cannot be read; the checkpoint is damaged, begin without --restart");
-  return values;
-}
-
-/// The depths of the files of a name in a folder, ascending.
-std::vector<int> depths_of(const std::string& folder, const std::string& name) {
-  std::vector<int> depths;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string file = entry.path().filename().string();
-    if (!file.starts_with(name)) continue;
-    const std::string digits = file.substr(name.size());
-    const bool is_depth =
-        !digits.empty() && digits.size() <= 2 &&
-        std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
-    if (is_depth) depths.push_back(std::stoi(digits));
-  }
-  if (error) refuse(folder, error.message() + "; name the folder of --checkpoint");
-  std::sort(depths.begin(), depths.end());
-  return depths;
-}
-
-[[noreturn]] void throw_unwritable(const std::string& path, int error) {
-  throw Error(
-      ErrorKind::kOutput,
-      {path, "", std::string(std::strerror(error)) + "; the checkpoint before it is kept", Remedy::kNone});
-}
-
-/// Writes all parts. Returns 0 or an errno.
-int written(const std::string& path, std::span<const SharedFiles::Part> parts) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (file < 0) return errno;
-  int error = 0;
-  for (const auto& [offset, bytes] : parts) {
-    for (std::size_t done = 0; done < bytes.size() && error == 0;) {
-      const ssize_t now =
-          ::pwrite(file, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
-      if (now > 0) done += static_cast<std::size_t>(now);
-      if (now < 0 && errno != EINTR) error = errno;
-    }
-  }
-  if (error == 0 && ::fsync(file) != 0) error = errno;
-  if (::close(file) != 0 && error == 0) error = errno;
-  return error;
-}
-
-/// Makes an empty file. Returns 0 or an errno.
-int made_empty(const std::string& path) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return errno;
-  return ::close(file) == 0 ? 0 : errno;
-}
-
-template <class T>
-SharedFiles::Part part_at(std::uint64_t offset, std::span<T> values) {
-  return {offset, std::as_bytes(values)};
-}
-
 struct SolvedHeader {
   std::array<char, 24> magic;
   std::uint64_t identity, leaves;
@@ -108,10 +34,6 @@ struct SolvedHeader {
 };
 
 }  // namespace
-
-bool LocalFiles::write(const std::string& path, std::span<const Part> parts) {
-  return written(path, parts) == 0;
-}
 
 /// Where the lists of a start begin.
 struct KeptSolve::Offsets {
@@ -128,9 +50,9 @@ struct KeptSolve::Offsets {
   }
 };
 
-void KeptSolve::keep_solved(const CoarserLevel& level, std::uint64_t identity) const {
+void KeptSolve::keep_solved(const CoarserLevel& level) const {
   const std::string path = path_of(keep_, kSolvedName, level.depth).string(), unfinished = path + kUnfinished;
-  const SolvedHeader header{kSolvedMagic, identity, level.tree.size(), level.tree.root()};
+  const SolvedHeader header{kSolvedMagic, identity_, level.tree.size(), level.tree.root()};
   const std::uint64_t frames = sizeof header + level.tree.size() * sizeof(CellAddress);
   const std::uint64_t faces = frames + level.tree.size() * sizeof(StoredQuaternion);
   const std::array parts{part_at(0, std::span(&header, 1)),
@@ -138,20 +60,20 @@ void KeptSolve::keep_solved(const CoarserLevel& level, std::uint64_t identity) c
                          part_at(frames, level.frames), part_at(faces, level.open_faces)};
   std::error_code error;
   std::filesystem::create_directories(keep_, error);
-  if (error) throw_unwritable(keep_, error.value());
+  if (error) fail_to_keep(keep_, error.value());
   int failure = made_empty(unfinished);
   if (failure == 0) failure = written(unfinished, parts);
   if (failure == 0 && std::rename(unfinished.c_str(), path.c_str()) != 0) failure = errno;
   if (failure == 0) return;
   std::filesystem::remove(unfinished, error);
-  throw_unwritable(path, failure);
+  fail_to_keep(path, failure);
 }
 
-KeptSolve::Header KeptSolve::header_of(const LevelStart& start, std::uint64_t identity,
-                                       const GridLevel& level, std::uint64_t pieces) {
+KeptSolve::Header KeptSolve::header_of(const LevelStart& start, const GridLevel& level,
+                                       std::uint64_t pieces) const {
   Header header{};
   header.magic = kStartMagic;
-  header.identity = identity;
+  header.identity = identity_;
   header.leaves = level.share().of_all;
   header.pieces = pieces;
   header.levels = start.levels.size();
@@ -166,7 +88,7 @@ KeptSolve::Header KeptSolve::header_of(const LevelStart& start, std::uint64_t id
   return header;
 }
 
-void KeptSolve::keep_start(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
+void KeptSolve::keep_start(const LevelStart& start, const GridLevel& level,
                            std::span<const StoredQuaternion> frames) {
   const std::string path = path_of(keep_, kStartName, start.depth).string();
   if (is_one_folder_ && start.depth == found_.numbers[0]) return;  // it is there
@@ -176,7 +98,7 @@ void KeptSolve::keep_start(const LevelStart& start, std::uint64_t identity, cons
   const std::uint64_t pieces_before =
       std::accumulate(pieces.begin(), pieces.begin() + exchange_.rank(), std::uint64_t{0});
   const Header header =
-      header_of(start, identity, level, std::accumulate(pieces.begin(), pieces.end(), std::uint64_t{0}));
+      header_of(start, level, std::accumulate(pieces.begin(), pieces.end(), std::uint64_t{0}));
   const Offsets offsets(header);
   std::vector<std::uint64_t> piece_ends;
   for (CellIndex leaf = share.begin; leaf < share.end; ++leaf)
@@ -197,11 +119,11 @@ void KeptSolve::keep_start(const LevelStart& start, std::uint64_t identity, cons
   }
   write_together(path, parts);
   if (exchange_.rank() != 0) return;
-  for (const int depth : depths_of(keep_, kStartName)) {
+  for (const int depth : numbers_of_files(keep_, kStartName)) {
     std::error_code error;
     if (depth != start.depth) std::filesystem::remove(path_of(keep_, kStartName, depth), error);
   }
-  for (const int depth : depths_of(keep_, kSweepsName)) {
+  for (const int depth : numbers_of_files(keep_, kSweepsName)) {
     std::error_code error;
     std::filesystem::remove(path_of(keep_, kSweepsName, depth), error);
   }
@@ -220,9 +142,8 @@ std::uint64_t KeptSolve::end_of_lists(const SweepHeader& header, std::span<const
   return end;
 }
 
-void KeptSolve::enter(int depth, std::uint64_t identity, const Share& share) {
+void KeptSolve::enter(int depth, const Share& share) {
   depth_ = depth;
-  identity_ = identity;
   share_ = share;
   last_kept_ = std::chrono::steady_clock::now();
 }
@@ -260,12 +181,11 @@ std::optional<SweepsSoFar> KeptSolve::resumed(std::span<const LeafValues> lists)
   const SweepHeader header = read_at<SweepHeader>(path, 0, 1).front();
   if (header.magic != kSweepsMagic || header.identity != identity_ || header.leaves != share_.of_all ||
       std::filesystem::file_size(path, error) != end_of_lists(header, lists))
-    refuse(path, "is cut short or of another solve; remove it, and the level begins anew");
+    refuse_checkpoint(path, "is cut short or of another solve");
   for (std::size_t k = 0; k < lists.size(); ++k) {
     const auto& [bytes, size] = lists[k];
-    const auto values = read_at<std::byte>(path, end_of_lists(header, lists.first(k)) + share_.before * size,
-                                           share_.size() * size);
-    std::copy(values.begin(), values.end(), bytes.begin() + static_cast<std::ptrdiff_t>(share_.begin * size));
+    read_bytes(path, end_of_lists(header, lists.first(k)) + share_.before * size,
+               bytes.subspan(share_.begin * size, share_.size() * size));
   }
   return SweepsSoFar{static_cast<int>(header.sweeps), header.energy,
                      read_at<double>(path, sizeof header, header.blocks)};
@@ -281,35 +201,33 @@ void KeptSolve::write_together(const std::string& path, std::span<const SharedFi
     std::filesystem::create_directories(keep_, error);
     failure = made_empty(unfinished);
   }
-  if (any(exchange_, failure != 0)) throw_unwritable(unfinished, failure != 0 ? failure : EIO);
+  if (any(exchange_, failure != 0)) fail_to_keep(unfinished, failure != 0 ? failure : EIO);
   const bool is_written = files_.write(unfinished, parts);
   if (any(exchange_, !is_written)) {
     if (is_first) std::filesystem::remove(unfinished, error);
     throw Error(ErrorKind::kOutput,
-                {path, "",
-                 "cannot be written by all processes, as on a full disk; the checkpoint before it is "
-                 "kept",
-                 Remedy::kNone});
+                {path, "", "cannot be written by all processes", Remedy::kMoveCheckpoint});
   }
   if (is_first && std::rename(unfinished.c_str(), path.c_str()) != 0) {
     failure = errno;
     std::filesystem::remove(unfinished, error);
   }
-  if (any(exchange_, failure != 0)) throw_unwritable(path, failure != 0 ? failure : EIO);
+  if (any(exchange_, failure != 0)) fail_to_keep(path, failure != 0 ? failure : EIO);
 }
 
 /// Sets found_ and found_path_.
-std::optional<LevelStart> KeptSolve::read_start(const std::string& path, std::uint64_t identity) {
+std::optional<LevelStart> KeptSolve::read_start(const std::string& path) {
   found_path_ = path;
   std::error_code error;
   const std::uint64_t size = std::filesystem::file_size(path, error);
-  if (error || size < sizeof(Header)) refuse(path, "is cut short; begin without --restart");
+  if (error || size < sizeof(Header)) refuse_checkpoint(path, "is cut short");
   found_ = read_at<Header>(path, 0, 1).front();
-  if (found_.magic != kStartMagic) refuse(path, "is no checkpoint of this version");
-  if (found_.identity != identity)
-    refuse(path, "belongs to a solve of another model, cell size, degree or seed; give the same ones");
+  if (found_.magic != kStartMagic) refuse_checkpoint(path, "is no checkpoint of this version");
+  if (found_.identity != identity_)
+    refuse_checkpoint(path, "belongs to a solve of another model or with other options",
+                      Remedy::kGiveSameModel);
   const Offsets offsets(found_);
-  if (size != offsets.end) refuse(path, "is cut short; begin without --restart");
+  if (size != offsets.end) refuse_checkpoint(path, "is cut short");
   LevelStart start;
   start.depth = found_.numbers[0];
   start.coarsest_depth = found_.numbers[1];
@@ -323,14 +241,15 @@ std::optional<LevelStart> KeptSolve::read_start(const std::string& path, std::ui
   return start;
 }
 
-std::optional<LevelStart> KeptSolve::last_start(std::uint64_t identity) {
+std::optional<LevelStart> KeptSolve::begin(std::uint64_t identity) {
+  identity_ = identity;
   if (resume_.empty()) return std::nullopt;
   // File systems of several hosts may differ for a while: the first process says which file it is.
   int depth = -1;
   std::exception_ptr failure;
   if (exchange_.rank() == 0) {
     try {
-      const std::vector<int> depths = depths_of(resume_, kStartName);
+      const std::vector<int> depths = numbers_of_files(resume_, kStartName);
       if (!depths.empty()) depth = depths.back();
     } catch (...) {
       failure = std::current_exception();
@@ -343,14 +262,14 @@ std::optional<LevelStart> KeptSolve::last_start(std::uint64_t identity) {
   std::optional<LevelStart> start;
   if (!failure && depth >= 0) {
     try {
-      start = read_start(path_of(resume_, kStartName, depth).string(), identity);
+      start = read_start(path_of(resume_, kStartName, depth).string());
     } catch (...) {
       failure = std::current_exception();
     }
   }
   const bool fails = any(exchange_, failure != nullptr);
   if (failure) std::rethrow_exception(failure);
-  if (fails) refuse(resume_, "cannot be read by all processes");
+  if (fails) refuse_checkpoint(resume_, "cannot be read by all processes", Remedy::kGiveCheckpoint);
   return start;
 }
 
@@ -383,14 +302,14 @@ void KeptSolve::visit_solved(const VisitLevel& visit) const {
     const std::uint64_t of_leaf = sizeof(CellAddress) + sizeof(StoredQuaternion) + 1;
     if (header.magic != kSolvedMagic || header.identity != found_.identity ||
         std::filesystem::file_size(path) != sizeof header + header.leaves * of_leaf)
-      refuse(path, "is cut short or of another solve; begin without --restart");
+      refuse_checkpoint(path, "is cut short or of another solve");
     const Octree tree(header.root, read_at<CellAddress>(path, sizeof header, header.leaves));
     const std::uint64_t frames = sizeof header + header.leaves * sizeof(CellAddress);
     const auto solved = read_at<StoredQuaternion>(path, frames, header.leaves);
     const auto faces =
         read_at<std::uint8_t>(path, frames + header.leaves * sizeof(StoredQuaternion), header.leaves);
     visit({depth, tree, solved, faces});
-    if (keeps() && !is_one_folder_) keep_solved({depth, tree, solved, faces}, header.identity);
+    if (keeps() && !is_one_folder_) keep_solved({depth, tree, solved, faces});
   }
 }
 

@@ -17,33 +17,11 @@
 #include <vector>
 
 #include "base/exchange.hpp"
+#include "distributed/checkpoint_files.hpp"
 #include "distributed/leaf_records.hpp"
 #include "field/nested_solve.hpp"
 
 namespace crossgrain {
-
-/// Files that all processes write together.
-class SharedFiles {
- public:
-  SharedFiles() = default;
-  SharedFiles(const SharedFiles&) = delete;
-  SharedFiles& operator=(const SharedFiles&) = delete;
-  virtual ~SharedFiles() = default;
-
-  struct Part {
-    std::uint64_t offset;
-    std::span<const std::byte> bytes;
-  };
-
-  /// Writes the parts of this process. Returns whether all are on disk. The file exists already, empty.
-  virtual bool write(const std::string& path, std::span<const Part> parts) = 0;
-};
-
-/// Each process writes by itself, as on a local disk.
-class LocalFiles : public SharedFiles {
- public:
-  bool write(const std::string& path, std::span<const Part> parts) override;
-};
 
 class KeptSolve : public SweepKeeper {
  public:
@@ -59,15 +37,15 @@ class KeptSolve : public SweepKeeper {
   bool keeps() const { return !keep_.empty(); }
 
   /// Writes a solved level. Called by the first process. Throws Error(kOutput).
-  void keep_solved(const CoarserLevel& level, std::uint64_t identity) const;
+  void keep_solved(const CoarserLevel& level) const;
 
   /// Writes the start of a level. All processes call it together. Throws Error(kOutput) in all of them.
-  void keep_start(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
-                  std::span<const StoredQuaternion> frames);
+  void keep_start(const LevelStart& start, const GridLevel& level, std::span<const StoredQuaternion> frames);
 
-  /// Returns the last start in the folder to go on from; none if that has none yet. All processes call it
-  /// together. Throws Error(kInput) if it belongs to another solve, or cannot be read.
-  std::optional<LevelStart> last_start(std::uint64_t identity);
+  /// Begins a solve. Returns the last start in the folder to go on from; none if that has none yet. All
+  /// processes call it together, before all else. Throws Error(kInput) if it belongs to another solve, or
+  /// cannot be read.
+  std::optional<LevelStart> begin(std::uint64_t identity);
 
   /// Of the start that was found last: the number of leaves of the level and of the complete octree.
   std::uint64_t leaves() const { return found_.leaves; }
@@ -77,7 +55,7 @@ class KeptSolve : public SweepKeeper {
   LeafRecords leaves_between(std::uint64_t begin, std::uint64_t end) const;
 
   /// Begins the sweeps of a level.
-  void enter(int depth, std::uint64_t identity, const Share& share);
+  void enter(int depth, const Share& share);
 
   bool is_due() override;
   void keep(const SweepsSoFar& sweeps, std::span<const LeafValues> lists) override;
@@ -100,12 +78,11 @@ class KeptSolve : public SweepKeeper {
   };
   struct Offsets;
 
-  static Header header_of(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
-                          std::uint64_t pieces);
+  Header header_of(const LevelStart& start, const GridLevel& level, std::uint64_t pieces) const;
   void write_together(const std::string& path, std::span<const SharedFiles::Part> parts);
 
   struct SweepHeader;
-  std::optional<LevelStart> read_start(const std::string& path, std::uint64_t identity);
+  std::optional<LevelStart> read_start(const std::string& path);
   static std::uint64_t end_of_lists(const SweepHeader& header, std::span<const LeafValues> lists);
 
   Exchange& exchange_;
@@ -113,9 +90,10 @@ class KeptSolve : public SweepKeeper {
   const std::string keep_, resume_;
   const double seconds_;
 
+  std::uint64_t identity_ = 0;
+
   // Of the level that is swept.
   int depth_ = 0;
-  std::uint64_t identity_ = 0;
   Share share_;
   std::chrono::steady_clock::time_point last_kept_;
 

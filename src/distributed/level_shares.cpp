@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -94,30 +95,30 @@ std::vector<std::uint64_t> equal_cuts(std::uint64_t leaves, int ranks) {
   return cuts;
 }
 
-bool LevelShares::is_shared(std::uint64_t leaves) const {
-  return exchange_.ranks() > 1 && leaves >= kBlockedCells;
+std::uint64_t LevelShares::fewest_leaves() const {
+  return exchange_.ranks() > 1 ? kBlockedCells : std::numeric_limits<std::uint64_t>::max();
 }
 
 std::optional<LevelStart> LevelShares::resumed(std::uint64_t identity, const VisitLevel& visit) {
   if (checkpoint_ == nullptr) return std::nullopt;
-  auto start = checkpoint_->last_start(identity);
+  auto start = checkpoint_->begin(identity);
   is_resuming_ = start.has_value();
   if (start && is_first()) checkpoint_->visit_solved(visit);
   return start;
 }
 
-void LevelShares::keep(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
+void LevelShares::keep(const LevelStart& start, const GridLevel& level,
                        std::span<const StoredQuaternion> frames) {
-  if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_start(start, identity, level, frames);
+  if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_start(start, level, frames);
 }
 
-void LevelShares::keep_solved(const CoarserLevel& level, std::uint64_t identity) {
-  if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_solved(level, identity);
+void LevelShares::keep_solved(const CoarserLevel& level) {
+  if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_solved(level);
 }
 
-SweepKeeper* LevelShares::keeper_of(int depth, std::uint64_t identity, const Share& share) {
+SweepKeeper* LevelShares::keeper_of(int depth, const Share& share) {
   if (checkpoint_ == nullptr) return nullptr;
-  checkpoint_->enter(depth, identity, share);
+  checkpoint_->enter(depth, share);
   return checkpoint_;
 }
 

@@ -35,12 +35,12 @@ class LevelShares : public LevelSharing {
   bool is_first() const override { return exchange_.rank() == 0; }
   int processes() const override { return exchange_.ranks(); }
   bool all(bool here) override { return !any(exchange_, !here); }
-  bool is_shared(std::uint64_t leaves) const override;
+  std::uint64_t fewest_leaves() const override;
   std::optional<LevelStart> resumed(std::uint64_t identity, const VisitLevel& visit) override;
-  void keep(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
+  void keep(const LevelStart& start, const GridLevel& level,
             std::span<const StoredQuaternion> frames) override;
-  void keep_solved(const CoarserLevel& level, std::uint64_t identity) override;
-  SweepKeeper* keeper_of(int depth, std::uint64_t identity, const Share& share) override;
+  void keep_solved(const CoarserLevel& level) override;
+  SweepKeeper* keeper_of(int depth, const Share& share) override;
   std::optional<LevelStart> started(std::optional<LevelStart> start) override;
   void start_failed() override;
   Level shared_out(Level level, const Solid& solid) override;

@@ -65,22 +65,22 @@ class LevelSharing {
   /// Returns whether it is so in all processes.
   virtual bool all(bool here) = 0;
 
-  /// Returns whether levels of so many leaves are shared.
-  virtual bool is_shared(std::uint64_t leaves) const = 0;
+  /// Levels of so many leaves or more are shared.
+  virtual std::uint64_t fewest_leaves() const = 0;
 
-  /// Returns the start from which an earlier solve of the same `identity` goes on; none if this one begins
-  /// anew. Then the first level is shared out from a tree without leaves in all processes. `visit`, in the
-  /// first process, is called with the levels solved before.
+  /// Begins a solve. Returns the start from which an earlier one of the same `identity` goes on; none if this
+  /// one begins anew. If there is one, the first level is shared out from a tree without leaves in all
+  /// processes. `visit`, in the first process, is called with the levels solved before.
   virtual std::optional<LevelStart> resumed(std::uint64_t identity, const VisitLevel& visit) = 0;
 
   /// Keeps the start of a level, and in the first process a solved level, for a solve that goes on after a
   /// break.
-  virtual void keep(const LevelStart& start, std::uint64_t identity, const GridLevel& level,
+  virtual void keep(const LevelStart& start, const GridLevel& level,
                     std::span<const StoredQuaternion> frames) = 0;
-  virtual void keep_solved(const CoarserLevel& level, std::uint64_t identity) = 0;
+  virtual void keep_solved(const CoarserLevel& level) = 0;
 
   /// Returns what keeps the sweeps of a level; null if nothing does.
-  virtual SweepKeeper* keeper_of(int depth, std::uint64_t identity, const Share& share) = 0;
+  virtual SweepKeeper* keeper_of(int depth, const Share& share) = 0;
 
   /// Passes the start of the first shared level from the first process, where it is given, to the others,
   /// which wait for it; nothing if no level is shared.
@@ -103,7 +103,7 @@ class LevelSharing {
   virtual void gather(SolvedField& field, const Solid& solid) = 0;
 };
 
-/// Returns a number that solves of other models, sizes, degrees or seeds hardly share.
+/// Returns a number that solves of another surface, other guides or other options hardly share.
 std::uint64_t identity_of(const Solid& solid, const SolveOptions& options);
 
 }  // namespace crossgrain

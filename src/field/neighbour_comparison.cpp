@@ -118,4 +118,14 @@ std::vector<std::uint8_t> near_sharp_turns(const Adjacency& adjacency,
   return near;
 }
 
+Marks moved_line_marks(const GridLevel& level, const Adjacency& adjacency,
+                       std::span<const StoredQuaternion> frames, int depth, double threshold) {
+  Marks marks(level.size(), false);
+  const NeighbourComparison comparison = compare_neighbours(level, adjacency, frames, SharpTurns::kLeftOut);
+  mark_energy_density(level, comparison.energy_density, threshold, marks);
+  for (CellIndex i = 0; i < level.size(); ++i)
+    if (level.tree[i].depth() == depth) marks[i] = false;
+  return marks;
+}
+
 }  // namespace crossgrain

@@ -9,6 +9,7 @@
 #include "field/adjacency.hpp"
 #include "field/field_state.hpp"
 #include "grid/grid_level.hpp"
+#include "grid/refinement.hpp"
 
 namespace crossgrain {
 
@@ -40,5 +41,10 @@ NeighbourComparison compare_neighbours(const GridLevel& level, const Adjacency& 
 /// turn, and their neighbours. They are few, along singular arcs. Ghosts have what their owners found.
 std::vector<std::uint8_t> near_sharp_turns(const Adjacency& adjacency,
                                            const std::vector<std::uint8_t>& turns_sharply);
+
+/// Returns the marks of leaves larger than those of `depth` in which lines of the field lie, or beside which:
+/// those whose energy density times the squared cell size is above `threshold`.
+Marks moved_line_marks(const GridLevel& level, const Adjacency& adjacency,
+                       std::span<const StoredQuaternion> frames, int depth, double threshold);
 
 }  // namespace crossgrain

@@ -13,6 +13,7 @@
 #include "base/stopwatch.hpp"
 #include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
+#include "field/candidates.hpp"
 #include "field/leaf_stencil.hpp"
 #include "field/level_solver.hpp"
 #include "field/solve_forecast.hpp"
@@ -23,31 +24,12 @@ namespace {
 
 using Frames = std::vector<StoredQuaternion>;
 
-/// Returns for each leaf the frame of its parent; without parents, frames are those of the leaves already.
-Frames inherited(const Frames& frames, const std::vector<CellIndex>& parent) {
-  if (parent.empty()) return frames;
-  auto result = sized_vector<StoredQuaternion>(parent.size());
-  parallel_for(parent.size(), [&](std::size_t i) { result[i] = frames[parent[i]]; });
-  return result;
-}
-
 Frames sampled(const InitialField& initial, const GridLevel& level) {
   Frames frames(level.size());
   parallel_for(level.size(), [&](std::size_t i) {
     frames[i] = to_stored(initial.frame_at(level.tree.centre(static_cast<CellIndex>(i))));
   });
   return frames;
-}
-
-/// Returns the marks of leaves larger than those of `depth` in which lines of the field lie, or beside which.
-Marks moved_line_marks(const GridLevel& level, const Adjacency& adjacency, const Frames& frames, int depth,
-                       double threshold) {
-  Marks marks(level.size(), false);
-  const NeighbourComparison comparison = compare_neighbours(level, adjacency, frames, SharpTurns::kLeftOut);
-  mark_energy_density(level, comparison.energy_density, threshold, marks);
-  for (CellIndex i = 0; i < level.size(); ++i)
-    if (level.tree[i].depth() == depth) marks[i] = false;
-  return marks;
 }
 
 /// The nested iteration, level by level, with the frames of all starts that are still candidates.
@@ -79,7 +61,7 @@ class NestedSolver {
       }
     } catch (const Error& error) {
       const bool is_stop = error.kind() == ErrorKind::kInterrupted && !monitor_.cancelled();
-      if (!is_stop || !may_be_stopped() || !can_stand_alone(coarser_)) throw;
+      if (!is_stop || !may_be_stopped() || !has_inside(coarser_)) throw;
       result_ = std::move(coarser_);
       result_.stopped = true;
     }
@@ -126,13 +108,12 @@ class NestedSolver {
     has_field_ = start.has_field;
     result_.levels = start.levels;
     result_.expected = start.expected;
-    candidates_.resize(1);
     RefinedLevel made;
     made.level.tree = Octree(frame().root, {});
     std::vector<Frames> frames(1);
     share_out(made, frames);
-    candidates_.front().frames = std::move(frames.front());
-    sharing_->keep(start, identity_of(solid_, options_), made.level, candidates_.front().frames);
+    candidates_.begin_with(std::move(frames.front()));
+    sharing_->keep(start, made.level, candidates_.front().frames);
     return {start.depth, std::move(made)};
   }
 
@@ -152,7 +133,8 @@ class NestedSolver {
     const int finest_depth = frame().finest_depth;
     level_count_ = number_of(finest_depth);
     SolveForecast forecast(options_, finest_depth, current_memory_bytes(), may_be_stopped(),
-                           {static_cast<double>(initial_.relaxed_cells), initial_.relaxation_sweeps});
+                           {static_cast<double>(initial_.relaxed_cells), initial_.relaxation_sweeps},
+                           sharers());
     RefinedLevel made = std::move(start.made);
     for (int depth = start.depth;; ++depth) {
       result_.level = std::move(made.level);
@@ -165,7 +147,7 @@ class NestedSolver {
       const bool finest = depth == finest_depth || !next_fits(forecast, growth);
       if (finest) level_count_ = number_of(depth);
       report(Phase::kGrid, depth, leaves);
-      RelaxedStart relaxed;
+      std::optional<RelaxedStart> relaxed;
       if (initial_.relaxation_sweeps > 0 && leaves <= initial_.relaxed_cells)
         relaxed = relaxed_and_refined(depth, made);
       // No level follows the finest one: its neighbours end here.
@@ -185,6 +167,9 @@ class NestedSolver {
   bool may_be_stopped() const { return monitor_.may_be_stopped() && !is_decision_ && !has_help(); }
   bool is_shared() const { return !result_.level.share().is_whole(); }
 
+  /// Whether it is so in all processes that share the level.
+  bool is_so_in_all(bool here) const { return is_shared() ? sharing_->all(here) : here; }
+
   void report(Phase phase, int depth, std::size_t cells) const {
     monitor_.report({is_decision_ ? Phase::kSolve : phase, depth, cells, 0,
                      std::numeric_limits<double>::quiet_NaN(), number_of(depth), level_count_});
@@ -197,8 +182,8 @@ class NestedSolver {
     monitor_.report(place);
   }
 
-  /// Returns whether a finished level was kept and has an inside; very coarse ones may have none.
-  static bool can_stand_alone(const SolvedField& field) {
+  /// Returns whether a level, if it was kept, has an inside; very coarse ones may have none.
+  static bool has_inside(const SolvedField& field) {
     const auto& winding = field.level.centre_winding;
     return std::any_of(winding.begin(), winding.end(), [](int w) { return w > 0; });
   }
@@ -218,14 +203,16 @@ class NestedSolver {
     return longest_side(box) / finest_cell_size(box, options_);
   }
 
+  Sharers sharers() const {
+    if (!has_help()) return {};
+    return {sharing_->processes(), sharing_->is_first(), static_cast<double>(sharing_->fewest_leaves())};
+  }
+
   /// Returns whether the next level fits into memory. Throws Error(kLimit) if too many levels would be left
   /// out.
   bool next_fits(const SolveForecast& forecast, const LevelGrowth& growth) {
-    const LevelCounts whole = growth.after(1), next = counts_here(whole);
-    // In the end one process has all cells and pieces of surface, and numbers them.
-    const bool can_be_whole = std::max(whole.cells, whole.pieces) < kNoCell;
-    const bool fits_here = forecast.fits(next) && (can_be_whole || !has_help());
-    if (is_shared() ? sharing_->all(fits_here) : fits_here) return true;
+    const LevelCounts next = growth.after(1);
+    if (is_so_in_all(forecast.fits(next))) return true;
     result_.memory_needed = static_cast<std::size_t>(forecast.peak_memory(next));
     if (result_.levels_left_out > kMostLevelsLeftOut) {
       throw Error(
@@ -239,23 +226,10 @@ class NestedSolver {
     return false;
   }
 
-  /// Returns what this process has of a level.
-  LevelCounts counts_here(LevelCounts counts) const {
-    if (sharing_ == nullptr || !sharing_->is_shared(static_cast<std::uint64_t>(counts.cells))) return counts;
-    // The first process has the whole field in the end, which takes two fifths of what solving it does.
-    constexpr double kWholeField = 0.4;
-    const double share = std::max(1.0 / sharing_->processes(), sharing_->is_first() ? kWholeField : 0);
-    for (double* count : {&counts.cells, &counts.surface_cells, &counts.several_normals, &counts.pieces})
-      *count *= share;
-    return counts;
-  }
-
   void predict(SolveForecast& forecast, const LevelGrowth& growth) {
     const LevelStatistics& level = result_.levels.back();
     // A surface that encloses nothing is refused in the end, so there is nothing to expect.
-    const auto& winding = result_.level.centre_winding;
-    const bool none_here = std::none_of(winding.begin(), winding.end(), [](int w) { return w > 0; });
-    if (is_shared() ? sharing_->all(none_here) : none_here) return;
+    if (is_so_in_all(!has_inside(result_))) return;
     const std::optional<Expectation> expected = forecast.forecast_from(
         level.depth, growth, level.sweeps, level.seconds, seconds_so_far_, finest_resolution());
     if (!expected) return;
@@ -277,7 +251,6 @@ class NestedSolver {
 
   /// Frames of a level from which its manifold sweeps start.
   struct RelaxedStart {
-    bool is_made = false;  ///< false: the level is not relaxed before
     Frames frames;
     Frames original;  ///< from which they were relaxed
     int sweeps = 0;
@@ -287,8 +260,7 @@ class NestedSolver {
   /// more where singular lines have moved into larger cells: there they would move on for hundreds of sweeps.
   RelaxedStart relaxed_and_refined(int depth, RefinedLevel& made) {
     auto [start, marks] = relaxed_and_marked(depth, made);
-    const bool none_marked = std::find(marks.begin(), marks.end(), true) == marks.end();
-    if (is_shared() ? sharing_->all(none_marked) : none_marked) return start;
+    if (is_so_in_all(std::find(marks.begin(), marks.end(), true) == marks.end())) return start;
     if (is_shared()) sharing_->complete(result_.level, made.neighbours, {}, depth, marks);
     RefinedLevel again = refined(result_.level, made.neighbours, solid_, std::move(marks), monitor_);
     std::vector<Frames> frames{inherited(start.frames, again.parent),
@@ -316,7 +288,6 @@ class NestedSolver {
     start_candidates(depth, made.parent);
     LevelSolver<D> solver(result_.level, solid_, connectivity, options_, monitor_, place_of(depth, 0));
     RelaxedStart start;
-    start.is_made = true;
     start.original = std::move(candidates_.front().frames);
     start.frames = solver.relaxed_with_cores(start.original, initial_.relaxation_sweeps, initial_.core_size);
     start.sweeps = solver.sweeps();
@@ -335,11 +306,11 @@ class NestedSolver {
   }
 
   /// `parent` as in RefinedLevel.
-  void solve_level(int depth, Connectivity connectivity, std::vector<CellIndex> parent, RelaxedStart relaxed,
-                   bool finest) {
+  void solve_level(int depth, Connectivity connectivity, std::vector<CellIndex> parent,
+                   std::optional<RelaxedStart> relaxed, bool finest) {
     const GridLevel& level = result_.level;
     const auto leaves = static_cast<std::size_t>(level.share().of_all);
-    const Progress place = place_of(depth, relaxed.sweeps);
+    const Progress place = place_of(depth, relaxed ? relaxed->sweeps : 0);
     const Swept swept = settle(std::move(connectivity), std::move(parent), std::move(relaxed), place);
     keep_best(swept, finest || leaves > options_.solver.start_cells, finest);
     report_energy(place, swept.sweeps);
@@ -354,14 +325,14 @@ class NestedSolver {
   void visit(int depth) {
     const auto visit_and_keep = [&](const CoarserLevel& level) {
       visit_level_(level);
-      if (has_help()) sharing_->keep_solved(level, identity_of(solid_, options_));
+      if (has_help()) sharing_->keep_solved(level);
     };
     if (!is_shared())
-      return visit_and_keep({depth, result_.level.tree, candidates_[best_].frames, result_.open_faces});
+      return visit_and_keep({depth, result_.level.tree, candidates_.best_frames(), result_.open_faces});
     SolvedField seen;
     seen.level.tree = result_.level.tree;
     seen.level.part = result_.level.part;
-    seen.frames = candidates_[best_].frames;
+    seen.frames = candidates_.best_frames();
     seen.open_faces = result_.open_faces;
     sharing_->gather(seen, solid_);
     if (sharing_->is_first()) visit_and_keep({depth, seen.level.tree, seen.frames, seen.open_faces});
@@ -376,21 +347,12 @@ class NestedSolver {
   void start_candidates(int depth, const std::vector<CellIndex>& parent) {
     // A shared level has been shared out with its frames.
     if (is_shared()) return;
-    const bool coarsest = depth == coarsest_depth_;
-    if (begins_with_field(result_.level, depth)) {
-      candidates_.resize(1);
-      candidates_[0].frames = sampled(initial_, result_.level);
-    } else if (coarsest) {
-      candidates_.resize(static_cast<std::size_t>(std::max(1, options_.solver.starts)));
-      for (std::size_t start = 0; start < candidates_.size(); ++start) {
-        // Seeds are spread, so that start k of one seed is not start k - 1 of the next.
-        const std::uint64_t seed = options_.seed * 0x9e3779b97f4a7c15 + start;
-        candidates_[start].frames = random_frames(result_.level.size(), seed);
-      }
-    } else {
-      for (SettledFrames& candidate : candidates_)
-        candidate.frames = inherited(candidate.frames.empty() ? coarser_.frames : candidate.frames, parent);
-    }
+    if (begins_with_field(result_.level, depth))
+      candidates_.begin_with(sampled(initial_, result_.level));
+    else if (depth == coarsest_depth_)
+      candidates_.begin_at_random(result_.level.size(), options_.solver.starts, options_.seed);
+    else
+      candidates_.inherit(parent, coarser_.frames);
   }
 
   /// What is left of a level's solver once all candidates have settled.
@@ -400,20 +362,19 @@ class NestedSolver {
     int sweeps;
   };
 
-  Swept settle(Connectivity connectivity, std::vector<CellIndex> parent, RelaxedStart relaxed,
+  Swept settle(Connectivity connectivity, std::vector<CellIndex> parent, std::optional<RelaxedStart> relaxed,
                const Progress& place) {
     const auto shared = std::make_shared<Connectivity>(std::move(connectivity));
     LevelSolver<D> solver(result_.level, solid_, shared, options_, monitor_, place);
     grid_watch_.stop();
 
     solve_watch_.start();
-    if (relaxed.is_made) {
-      candidates_.front() = solver.settled_below(std::move(relaxed.frames), std::move(relaxed.original));
+    if (relaxed) {
+      candidates_.front() = solver.settled_below(std::move(relaxed->frames), std::move(relaxed->original));
     } else {
       start_candidates(place.depth, std::exchange(parent, {}));
       SweepKeeper* const keeper =
-          is_shared() ? sharing_->keeper_of(place.depth, identity_of(solid_, options_), result_.level.share())
-                      : nullptr;
+          is_shared() ? sharing_->keeper_of(place.depth, result_.level.share()) : nullptr;
       for (std::size_t c = 0; c < candidates_.size(); ++c) {
         SettledFrames& candidate = candidates_[c];
         candidate = solver.solved(std::move(candidate.frames), relaxation_sweeps(c, place.depth), keeper);
@@ -431,31 +392,17 @@ class NestedSolver {
     return is_uniform_ ? options.level_relaxation : 0;
   }
 
-  /// Finds the candidate of lowest energy; with `end_race`, drops the others.
   void keep_best(const Swept& swept, bool end_race, bool finest) {
-    best_ = 0;
     const SharpTurns sharp_turns = finest ? SharpTurns::kLookedFor : SharpTurns::kLeftOut;
-    std::vector<std::uint8_t> turns_sharply;
-    for (std::size_t c = 0; c < candidates_.size(); ++c) {
-      LevelEnergy energy = level_energy(result_.level, solid_, swept.adjacency, candidates_[c].frames,
-                                        options_.solver.boundary_weight, sharp_turns);
-      if (c == 0 || energy.parts.total() + energy.parts.unavoidable <
-                        result_.energy.total() + result_.energy.unavoidable) {
-        result_.energy = energy.parts;
-        result_.energy_density = std::move(energy.neighbours.energy_density);
-        turns_sharply = std::move(energy.neighbours.turns_sharply);
-        result_.settled = candidates_[c].settled;
-        best_ = c;
-      }
-    }
-    if (finest) {
-      if (!swept.halo.empty()) swept.halo.refresh(std::span(turns_sharply));
-      result_.near_sharp_turn = near_sharp_turns(swept.adjacency, turns_sharply);
-    }
-    if (end_race) {
-      if (best_ > 0) candidates_[0] = std::move(candidates_[std::exchange(best_, 0)]);
-      candidates_.resize(1);
-    }
+    Candidates::Best best = candidates_.find_best(result_.level, solid_, swept.adjacency,
+                                                  options_.solver.boundary_weight, sharp_turns, end_race);
+    NeighbourComparison& neighbours = best.energy.neighbours;
+    result_.energy = best.energy.parts;
+    result_.energy_density = std::move(neighbours.energy_density);
+    result_.settled = best.settled;
+    if (!finest) return;
+    if (!swept.halo.empty()) swept.halo.refresh(std::span(neighbours.turns_sharply));
+    result_.near_sharp_turn = near_sharp_turns(swept.adjacency, neighbours.turns_sharply);
   }
 
   /// Returns the next level and makes `result_` ready for it. `neighbours` are those of the solved level.
@@ -480,7 +427,8 @@ class NestedSolver {
     report(Phase::kGrid, depth + 1, 0);
     const GridLevel& level = may_be_stopped() ? coarser_.level : ending;
     RefinedLevel made = refined(level, neighbours, solid_, std::move(marks), monitor_);
-    const bool is_to_share = candidates_.size() == 1 && has_help() && sharing_->is_shared(made.level.size());
+    const bool is_to_share =
+        candidates_.size() == 1 && has_help() && made.level.size() >= sharing_->fewest_leaves();
     if (is_to_share || !made.level.share().is_whole()) {
       ending = {};
       share_out_refined(made, depth + 1);
@@ -506,14 +454,14 @@ class NestedSolver {
                                     : inherited(std::exchange(frames, {}), made.parent)};
     share_out(made, carried);
     frames = std::move(carried.front());
-    sharing_->keep(start, identity_of(solid_, options_), made.level, frames);
+    sharing_->keep(start, made.level, frames);
   }
 
   /// Keeps the solved level, which is the result if the solve is stopped before the next level is finished.
   void keep_solved() {
     coarser_ = std::move(result_);
     // Several candidates all need their frames for the next level; that happens on small levels only.
-    Frames& frames = candidates_[best_].frames;
+    Frames& frames = candidates_.best_frames();
     coarser_.frames = candidates_.size() == 1 ? std::move(frames) : frames;
   }
 
@@ -531,8 +479,7 @@ class NestedSolver {
 
   /// Fields of the starts that are still compared. If the solve may be stopped, a single one moves its frames
   /// to coarser_ between levels.
-  std::vector<SettledFrames> candidates_;
-  std::size_t best_ = 0;  ///< the candidate of lowest energy on the last level
+  Candidates candidates_;
   int coarsest_depth_ = 0;
   int level_count_ = 0;  ///< as far as known
   Stopwatch grid_watch_, solve_watch_, level_watch_;

@@ -35,6 +35,9 @@ constexpr double kAnalysisPerCell = 0.7;
 constexpr double kAnalysisPerSurfaceCell = 2;
 constexpr double kWritingPerCell = 1.6;
 
+/// Memory that the whole field takes once it is solved and analysed, beside that of solving it.
+constexpr double kWholeField = 0.4;
+
 double level_cost(const LevelWork& level) {
   const LevelCounts& counts = level.counts;
   const double made =
@@ -49,16 +52,28 @@ double cost_of_result(const LevelCounts& counts) {
 }  // namespace
 
 SolveForecast::SolveForecast(const SolveOptions& options, int finest_depth, std::size_t memory_before_bytes,
-                             bool keeps_levels, const RelaxedLevels& relaxed)
+                             bool keeps_levels, const RelaxedLevels& relaxed, const Sharers& sharers)
     : finest_depth_(finest_depth),
       memory_before_(static_cast<double>(memory_before_bytes)),
       keeps_levels_(keeps_levels),
       relaxed_(relaxed),
+      sharers_(sharers),
       memory_limit_(allowed_memory_bytes(options.max_memory_bytes)) {}
 
-double SolveForecast::peak_memory(const LevelCounts& counts) const {
+double SolveForecast::share_of_work(const LevelCounts& counts) const {
+  return counts.cells < sharers_.fewest_cells ? 1 : 1.0 / sharers_.processes;
+}
+
+double SolveForecast::share_of_memory(const LevelCounts& counts) const {
+  return std::max(share_of_work(counts), sharers_.is_first ? kWholeField : 0);
+}
+
+double SolveForecast::peak_memory(const LevelCounts& whole) const {
+  LevelCounts counts = whole;
+  for (double* count : {&counts.cells, &counts.surface_cells, &counts.several_normals, &counts.pieces})
+    *count *= share_of_memory(whole);
   const double kept = keeps_levels_ ? memory_lines::kKeptLevel.bytes(counts) : 0;
-  const double unrelaxed = is_relaxed(counts) ? memory_lines::kUnrelaxedFrames.bytes(counts) : 0;
+  const double unrelaxed = is_relaxed(whole) ? memory_lines::kUnrelaxedFrames.bytes(counts) : 0;
   return memory_before_ + kMemoryOfOther + kept + unrelaxed + peak_memory_bytes(counts);
 }
 
@@ -79,13 +94,14 @@ std::optional<Expectation> SolveForecast::forecast_from(int depth, const LevelGr
   const int levels_to_come = finest_depth_ - depth;
   const bool last_chance = levels_to_come == 1 || !fits(growth.after(2));
   if (told_ || levels_to_come > kLevelsAhead || (now.cells < kFewestCellsToTell && !last_chance)) return {};
-  const double seconds_per_cost = level_seconds / level_cost({now, sweeps, times_made(now)});
+  const double seconds_per_cost =
+      level_seconds / (share_of_work(now) * level_cost({now, sweeps, times_made(now)}));
   LevelCounts finest = now;
   double seconds = seconds_so_far;
   int solved = 0;
   for (int k = 1; k <= levels_to_come && fits(growth.after(k)); ++k) {
     finest = growth.after(k);
-    seconds += seconds_per_cost * level_cost(usual_work(finest));
+    seconds += seconds_per_cost * share_of_work(finest) * level_cost(usual_work(finest));
     solved = k;
   }
   seconds += seconds_per_cost * cost_of_result(finest);

@@ -24,15 +24,23 @@ struct RelaxedLevels {
   int sweeps = 0;
 };
 
+/// The processes that share levels of at least so many cells.
+struct Sharers {
+  int processes = 1;
+  bool is_first = true;  ///< this process has the whole field in the end
+  double fewest_cells = 0;
+};
+
 /// Forecast for one solve.
 class SolveForecast {
  public:
   /// `memory_before_bytes` is what the process uses before the first level; `keeps_levels`: each finished
   /// level is kept while the next one is built (Monitor::allow_stops).
   SolveForecast(const SolveOptions& options, int finest_depth, std::size_t memory_before_bytes,
-                bool keeps_levels = false, const RelaxedLevels& relaxed = {});
+                bool keeps_levels = false, const RelaxedLevels& relaxed = {}, const Sharers& sharers = {});
 
-  /// Peak memory of the process in bytes if a level of such counts is the finest.
+  /// Peak memory of this process in bytes if a level of such counts, in all processes together, is the
+  /// finest.
   double peak_memory(const LevelCounts& counts) const;
 
   /// Returns whether such a level fits into memory and its cells into the range of indices.
@@ -51,10 +59,15 @@ class SolveForecast {
   int times_made(const LevelCounts& counts) const { return is_relaxed(counts) ? 2 : 1; }
   LevelWork usual_work(const LevelCounts& counts) const;
 
+  /// Share of a level that this process has while it is solved, and whose memory it takes.
+  double share_of_work(const LevelCounts& counts) const;
+  double share_of_memory(const LevelCounts& counts) const;
+
   int finest_depth_;
   double memory_before_;
   bool keeps_levels_;
   RelaxedLevels relaxed_;
+  Sharers sharers_;
   std::size_t memory_limit_;
   bool told_ = false;
 };

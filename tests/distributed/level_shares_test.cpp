@@ -9,6 +9,7 @@
 #include <string>
 
 #include "crossgrain/frame_field.hpp"
+#include "distributed/local_files.hpp"
 #include "distributed/random_cuts.hpp"
 #include "distributed/thread_exchange.hpp"
 #include "field/field_data.hpp"
@@ -18,6 +19,7 @@
 namespace crossgrain {
 namespace {
 
+using testing::LocalFiles;
 using testing::random_cuts;
 using testing::run_ranks;
 

@@ -159,15 +159,17 @@ class Breaks(ProcessesTest):
         self.assertEqual(made.returncode, 0, made.stderr)
         other = self.together(2, "solve", MODELS / "wedge.stl", "-o", "second", "--quiet", "--restart", "kept")
         self.assert_ends(other, 3, "another model")
+        creased = self.together(2, "solve", BRACKET, "-o", "second", "--resolution", 320, "--crease-angle", 100, "--quiet", "--restart", "kept")
+        self.assert_ends(creased, 3, "other options", "give the same")
         start = next((self.folder / "kept").glob("start-*"))
         os.truncate(start, start.stat().st_size - 1)
         cut = self.together(2, "solve", BRACKET, "-o", "second", "--resolution", 320, "--quiet", "--restart", "kept")
-        self.assert_ends(cut, 3, start.name, "cut short")
+        self.assert_ends(cut, 3, start.name, "cut short", "without --restart")
         start.unlink()
         anew = self.together(2, "solve", BRACKET, "-o", "second", "--resolution", 320, "--quiet", "--no-report", "--restart", "kept")
         self.assertEqual(anew.returncode, 0, anew.stderr)
         missing = self.together(2, "solve", BRACKET, "-o", "third", "--quiet", "--resolution", 320, "--restart", "nowhere")
-        self.assert_ends(missing, 3, "nowhere")
+        self.assert_ends(missing, 3, "nowhere", "--checkpoint")
         self.assertFalse((self.folder / "third").exists())
 
 
@@ -185,7 +187,7 @@ class Faults(ProcessesTest):
         self.assert_ends(self.together(3, "solve", "missing.stl", "-o", "out"), 3, "missing.stl")
 
     def test_of_usage_are_told_once(self):
-        self.assert_ends(self.together(2), 2, "crossgrain-mpi solve --help")
+        self.assert_ends(self.together(2), 2, "crossgrain-mpi --help")
         self.assert_ends(self.together(2, "solve", BRACKET, "--resolution", "many"), 2, "--resolution")
 
     def test_of_versions_that_differ_are_told(self):

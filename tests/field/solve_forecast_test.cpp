@@ -99,5 +99,18 @@ TEST(SolveForecast, RefusesWhereOnlyMuchCoarserCellsWouldFit) {
   }
 }
 
+TEST(SolveForecast, CountsForEachProcessItsShareOfALevelAndForTheFirstTheWholeField) {
+  const SolveOptions options = options_of(1000);
+  const auto memory = [&](const Sharers& sharers, double cells) {
+    const SolveForecast forecast(options, 10, 0, false, {}, sharers);
+    return forecast.peak_memory({cells, cells, cells, cells}) - forecast.peak_memory({});
+  };
+  const double alone = memory({}, 8e6);
+  EXPECT_NEAR(memory({8, false, 200000}, 8e6) / alone, 1.0 / 8, 1e-9);
+  EXPECT_NEAR(memory({2, true, 200000}, 8e6) / alone, 1.0 / 2, 1e-9);
+  EXPECT_GT(memory({8, true, 200000}, 8e6) / alone, 0.3);
+  EXPECT_EQ(memory({8, false, 200000}, 1e5), memory({}, 1e5));
+}
+
 }  // namespace
 }  // namespace crossgrain

@@ -3,7 +3,7 @@
 
 #include <mpi.h>
 
-#include "distributed/kept_solve.hpp"
+#include "distributed/checkpoint_files.hpp"
 
 namespace crossgrain {
 
