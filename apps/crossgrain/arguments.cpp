@@ -28,10 +28,17 @@ constexpr const char* kFooterOfProcesses =
     "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 output cannot be written;\n"
     "5 a stated limit is exceeded; 130 interrupted. Other commands: crossgrain.";
 
+/// The program of a command, or itself.
+const CLI::App& program_of(const CLI::App& command) {
+  return command.get_parent() != nullptr ? *command.get_parent() : command;
+}
+
 [[noreturn]] void refuse(const std::string& message, const CLI::App* command) {
   std::string line = message.substr(0, message.find_last_not_of('\n') + 1);
   std::replace(line.begin(), line.end(), '\n', ' ');
-  const std::string name = command ? "crossgrain " + command->get_name() : "crossgrain";
+  std::string name = "crossgrain";
+  if (command != nullptr) name = program_of(*command).get_name();
+  if (command != nullptr && command->get_parent() != nullptr) name += " " + command->get_name();
   throw Error(ErrorKind::kUsage, line + "; try '" + name + " --help'");
 }
 
@@ -106,6 +113,22 @@ std::vector<std::string> reversed_words(int argc, char** argv) {
   return words;
 }
 
+/// Returns whether help or the version was asked for, and has been printed.
+bool parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(reversed_words(argc, argv));
+    return false;
+  } catch (const CLI::ParseError& error) {
+    // CLI11 reports help and version as errors too.
+    if (error.get_exit_code() != 0) {
+      const std::vector<CLI::App*> given = app.get_subcommands();
+      refuse(error.what(), given.empty() ? &app : given.front());
+    }
+    app.exit(error);
+    return true;
+  }
+}
+
 /// Returns the command of this name. If there is none, the error names the one that was probably meant.
 const CLI::App* command_of(const CLI::App& app, const std::string& name) {
   std::vector<std::string> names;
@@ -141,16 +164,7 @@ Arguments parse_arguments(int argc, char** argv) {
   CLI::App* help_command = app.add_subcommand("help", "Prints the help of a command");
   help_command->add_option("COMMAND", explained, "The command (default: the program itself)");
   if (argc > 1 && argv[1][0] != '-') command_of(app, argv[1]);
-  try {
-    app.parse(reversed_words(argc, argv));
-  } catch (const CLI::ParseError& error) {
-    // CLI11 reports help and version as errors too.
-    if (error.get_exit_code() == 0) {
-      app.exit(error);
-      return Finished{0};
-    }
-    refuse(error.what(), app.get_subcommands().empty() ? nullptr : app.get_subcommands().front());
-  }
+  if (parse(app, argc, argv)) return Finished{0};
   if (*solve_command) {
     check_arguments(solve, solve_command);
     return solve;
@@ -208,17 +222,7 @@ Arguments parse_arguments_of_processes(int argc, char** argv) {
                    "Go on from the folder of --checkpoint, on any number of processes; give the same model "
                    "and options")
       ->type_name("DIR");
-  try {
-    app.parse(reversed_words(argc, argv));
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-      app.exit(error);
-      return Finished{0};
-    }
-    std::string line = error.what();
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    throw Error(ErrorKind::kUsage, line + "; try 'crossgrain-mpi solve --help'");
-  }
+  if (parse(app, argc, argv)) return Finished{0};
   check_arguments(solve, command);
   return solve;
 }
