@@ -27,6 +27,7 @@ MPI_PROGRAM = os.environ.get("CROSSGRAIN_MPI_PROGRAM", "")
 NOT_RUN = {
     "./try.sh": "builds the program and needs the packages of the system",
     "cmake": "builds or installs",
+    "PATH=": "names the programs, which the tests have at hand",
     "export OMPI_": "is in the environment of the tests",
     "bench/": "measures for minutes, with meshes of other authors",
     "tests/fuzz/": "runs for minutes, and needs clang",

@@ -28,6 +28,10 @@ if(PROGRAM)
   endif()
 endif()
 
+if(MPI AND NOT EXISTS "${prefix}/bin/crossgrain-mpi")
+  message(FATAL_ERROR "the program for several processes was not installed below ${prefix}/bin")
+endif()
+
 # The program that reads CAD files is found from wherever the consumer was built, and says of what it cannot read.
 if(CAD)
   file(WRITE "${WORK_DIR}/damaged.brep" "DBRep_DrawableShape\n\nCASCADE Topology V1\nnonsense\n*\n+1 0\n")
