@@ -48,6 +48,11 @@ class FrameField {
   /// Number of active cells.
   std::size_t size() const;
 
+  /// Whether this is the part of one process of a field that several have solved together
+  /// (crossgrain/processes.hpp): then size() and all properties of cells are of this part, the report and the
+  /// singular graph are in process 0, and sampling throws Error(kUsage).
+  bool is_part() const;
+
   /// Cell `index`. Errors: kUsage unless index < size().
   Cell cell(std::size_t index) const;
 

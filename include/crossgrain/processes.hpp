@@ -44,14 +44,17 @@ class Processes {
   int rank() const;
   int count() const;
 
-  /// Returns in process 0 what `solve` returns, or `solve_from` if there is an earlier field, to the bit;
-  /// nothing in the others. Levels of 200,000 cells or more are shared: each process has its part of the
-  /// cells, but the whole surface, and process 0 in the end the whole field. Throws like `solve`; some
-  /// processes may throw and others wait for them, so whoever catches an error calls `all_arrive`, then
-  /// `abort`.
+  /// Solves like `solve`, or `solve_from` if there is an earlier field, to the same bits. Levels of 200,000
+  /// cells or more are shared: each process has a part of the cells, but the whole surface. If the last level
+  /// was shared, each gets its part of the field (FrameField::is_part); otherwise process 0 gets the whole,
+  /// and the others nothing. Throws like `solve`; some processes may throw and others wait for them, so
+  /// whoever catches an error calls `all_arrive`, then `abort`.
   std::optional<FrameField> solve(const FrameField* earlier, const TriangleMesh& mesh,
                                   const SolveOptions& options = {}, const Monitor& monitor = {},
                                   const CheckpointFolders& checkpoint = {});
+
+  /// Returns the whole field in process 0, and nothing in the others. Takes what `solve` has returned.
+  std::optional<FrameField> whole(std::optional<FrameField> field);
 
   /// Returns what each process passed.
   std::vector<std::string> gathered(const std::string& mine);

@@ -9,6 +9,7 @@
 #include <span>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace crossgrain {
@@ -96,6 +97,21 @@ std::vector<T> gathered_values(Exchange& exchange, std::span<const T> mine) {
 template <class T>
 std::vector<T> gathered_value(Exchange& exchange, const T& mine) {
   return gathered_values<T>(exchange, std::span<const T>(&mine, 1));
+}
+
+/// Moves the values of all ranks to the first, in the order of the ranks; others have none afterwards.
+template <class T>
+std::vector<T> moved_to_first(Exchange& exchange, std::vector<T> values) {
+  std::vector<Bytes> to(static_cast<std::size_t>(exchange.ranks()));
+  append_to(to.front(), std::span<const T>(values));
+  values = std::vector<T>();
+  std::vector<Bytes> from = exchange.delivered(std::move(to));
+  for (Bytes& part : from) {
+    const std::vector<T> more = MessageReader(part).take<T>(part.size() / sizeof(T));
+    part = Bytes();
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  return values;
 }
 
 bool any(Exchange& exchange, bool mine);

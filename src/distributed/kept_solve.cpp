@@ -16,9 +16,9 @@ namespace crossgrain {
 namespace {
 
 constexpr std::array<char, 24> kStartMagic{"crossgrain start 1\n"};
-constexpr std::array<char, 24> kSolvedMagic{"crossgrain solved 1\n"};
+constexpr std::array<char, 24> kSeenMagic{"crossgrain seen 1\n"};
 constexpr const char* kStartName = "start-";
-constexpr const char* kSolvedName = "solved-";
+constexpr const char* kSeenName = "seen-";
 constexpr std::array<char, 24> kSweepsMagic{"crossgrain sweeps 1\n"};
 constexpr const char* kSweepsName = "sweeps-";
 constexpr const char* kUnfinished = ".part";
@@ -27,10 +27,9 @@ std::filesystem::path path_of(const std::string& folder, const char* name, int d
   return std::filesystem::path(folder) / (name + std::to_string(depth));
 }
 
-struct SolvedHeader {
+struct SeenHeader {
   std::array<char, 24> magic;
-  std::uint64_t identity, leaves;
-  RootCube root;
+  std::uint64_t identity, bytes;
 };
 
 }  // namespace
@@ -50,14 +49,10 @@ struct KeptSolve::Offsets {
   }
 };
 
-void KeptSolve::keep_solved(const CoarserLevel& level) const {
-  const std::string path = path_of(keep_, kSolvedName, level.depth).string(), unfinished = path + kUnfinished;
-  const SolvedHeader header{kSolvedMagic, identity_, level.tree.size(), level.tree.root()};
-  const std::uint64_t frames = sizeof header + level.tree.size() * sizeof(CellAddress);
-  const std::uint64_t faces = frames + level.tree.size() * sizeof(StoredQuaternion);
-  const std::array parts{part_at(0, std::span(&header, 1)),
-                         part_at(sizeof header, std::span<const CellAddress>(level.tree.leaves())),
-                         part_at(frames, level.frames), part_at(faces, level.open_faces)};
+void KeptSolve::keep_seen(int depth, const Bytes& seen) const {
+  const std::string path = path_of(keep_, kSeenName, depth).string(), unfinished = path + kUnfinished;
+  const SeenHeader header{kSeenMagic, identity_, seen.size()};
+  const std::array parts{part_at(0, std::span(&header, 1)), part_at(sizeof header, std::span(seen))};
   std::error_code error;
   std::filesystem::create_directories(keep_, error);
   if (error) fail_to_keep(keep_, error.value());
@@ -295,21 +290,16 @@ LeafRecords KeptSolve::leaves_between(std::uint64_t begin, std::uint64_t end) co
   return records;
 }
 
-void KeptSolve::visit_solved(const VisitLevel& visit) const {
+void KeptSolve::revisit(LevelVisitor& visitor) const {
   for (int depth = found_.numbers[1]; depth < found_.numbers[0]; ++depth) {
-    const std::string path = path_of(resume_, kSolvedName, depth).string();
-    const SolvedHeader header = read_at<SolvedHeader>(path, 0, 1).front();
-    const std::uint64_t of_leaf = sizeof(CellAddress) + sizeof(StoredQuaternion) + 1;
-    if (header.magic != kSolvedMagic || header.identity != found_.identity ||
-        std::filesystem::file_size(path) != sizeof header + header.leaves * of_leaf)
+    const std::string path = path_of(resume_, kSeenName, depth).string();
+    const SeenHeader header = read_at<SeenHeader>(path, 0, 1).front();
+    if (header.magic != kSeenMagic || header.identity != found_.identity ||
+        std::filesystem::file_size(path) != sizeof header + header.bytes)
       refuse_checkpoint(path, "is cut short or of another solve");
-    const Octree tree(header.root, read_at<CellAddress>(path, sizeof header, header.leaves));
-    const std::uint64_t frames = sizeof header + header.leaves * sizeof(CellAddress);
-    const auto solved = read_at<StoredQuaternion>(path, frames, header.leaves);
-    const auto faces =
-        read_at<std::uint8_t>(path, frames + header.leaves * sizeof(StoredQuaternion), header.leaves);
-    visit({depth, tree, solved, faces});
-    if (keeps() && !is_one_folder_) keep_solved({depth, tree, solved, faces});
+    const auto seen = read_at<std::byte>(path, sizeof header, header.bytes);
+    visitor.revisit(depth, seen);
+    if (keeps() && !is_one_folder_) keep_seen(depth, seen);
   }
 }
 

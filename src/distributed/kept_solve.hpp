@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a solve by several processes keeps on disk to go on from after a break, on any number of processes.
 //
-//   solved-DEPTH   a solved level: its leaves, frames and open faces; written by the first process
+//   seen-DEPTH     what a LevelVisitor has seen of a solved level; written by the first process
 //   start-DEPTH    the leaves of the level to solve next, and its first frames; written by all
 //   sweeps-DEPTH   frames, coefficients and cells awake after some of its sweeps; written by all
 //
@@ -36,8 +36,8 @@ class KeptSolve : public SweepKeeper {
 
   bool keeps() const { return !keep_.empty(); }
 
-  /// Writes a solved level. Called by the first process. Throws Error(kOutput).
-  void keep_solved(const CoarserLevel& level) const;
+  /// Writes what was seen of a solved level. Called by the first process. Throws Error(kOutput).
+  void keep_seen(int depth, const Bytes& seen) const;
 
   /// Writes the start of a level. All processes call it together. Throws Error(kOutput) in all of them.
   void keep_start(const LevelStart& start, const GridLevel& level, std::span<const StoredQuaternion> frames);
@@ -61,9 +61,9 @@ class KeptSolve : public SweepKeeper {
   void keep(const SweepsSoFar& sweeps, std::span<const LeafValues> lists) override;
   std::optional<SweepsSoFar> resumed(std::span<const LeafValues> lists) override;
 
-  /// Calls `visit` for the solved levels above that start, coarsest first, and keeps them if levels are kept
-  /// in another folder. Called by the first process.
-  void visit_solved(const VisitLevel& visit) const;
+  /// Revisits the solved levels above that start, coarsest first, and keeps what was seen of them if levels
+  /// are kept in another folder. Called by the first process.
+  void revisit(LevelVisitor& visitor) const;
 
  private:
   struct Header {

@@ -99,11 +99,11 @@ std::uint64_t LevelShares::fewest_leaves() const {
   return exchange_.ranks() > 1 ? kBlockedCells : std::numeric_limits<std::uint64_t>::max();
 }
 
-std::optional<LevelStart> LevelShares::resumed(std::uint64_t identity, const VisitLevel& visit) {
+std::optional<LevelStart> LevelShares::resumed(std::uint64_t identity, LevelVisitor& visitor) {
   if (checkpoint_ == nullptr) return std::nullopt;
   auto start = checkpoint_->begin(identity);
   is_resuming_ = start.has_value();
-  if (start && is_first()) checkpoint_->visit_solved(visit);
+  if (start && is_first()) checkpoint_->revisit(visitor);
   return start;
 }
 
@@ -112,8 +112,8 @@ void LevelShares::keep(const LevelStart& start, const GridLevel& level,
   if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_start(start, level, frames);
 }
 
-void LevelShares::keep_solved(const CoarserLevel& level) {
-  if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_solved(level);
+void LevelShares::keep_seen(int depth, const Bytes& seen) {
+  if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_seen(depth, seen);
 }
 
 SweepKeeper* LevelShares::keeper_of(int depth, const Share& share) {
@@ -323,50 +323,19 @@ bool LevelShares::agree_on_marks(Marks& marks) {
   return any(exchange_, has_added);
 }
 
-void LevelShares::gather(SolvedField& field, const Solid& solid) {
-  GridLevel& level = field.level;
-  const Share share = level.share();
-  const RootCube root = level.tree.root();
-  if (share.is_whole()) return;  // no level has been shared
-  const auto on_first = [&]<class T>(std::vector<T> values) {
-    std::vector<Bytes> to(ranks());
-    append_to(to.front(), std::span<const T>(values));
-    values = std::vector<T>();
-    std::vector<Bytes> from = exchange_.delivered(std::move(to));
-    for (Bytes& part : from) {
-      const std::vector<T> more = MessageReader(part).take<T>(part.size() / sizeof(T));
-      part = Bytes();
-      values.insert(values.end(), more.begin(), more.end());
+void LevelShares::update_ghosts(std::span<std::byte> values, std::size_t size) {
+  const auto value = [&](CellIndex leaf) { return values.subspan(leaf * size, size); };
+  std::vector<Bytes> to(ranks());
+  for (std::size_t r = 0; r < ranks(); ++r)
+    for (const CellIndex leaf : held_by_[r]) append_to<std::byte>(to[r], value(leaf));
+  const std::vector<Bytes> from = exchange_.delivered(std::move(to));
+  for (std::size_t r = 0; r < ranks(); ++r) {
+    const std::byte* next = from[r].data();
+    for (const CellIndex ghost : ghosts_of_[r]) {
+      std::copy_n(next, size, value(ghost).begin());
+      next += size;
     }
-    return values;
-  };
-  const auto own = [&]<class T>(const std::vector<T>& values) {
-    if (values.empty()) return values;
-    return std::vector<T>(values.begin() + share.begin, values.begin() + share.end);
-  };
-  const auto gather_own = [&]<class T>(std::vector<T>& values) { values = on_first(own(values)); };
-  const bool has_surface = !level.piece_begin.empty();
-  if (has_surface) {
-    std::vector<std::uint32_t> counts(share.size());
-    for (CellIndex i = share.begin; i < share.end; ++i)
-      counts[i - share.begin] = static_cast<std::uint32_t>(level.pieces_of(i).size());
-    level.pieces = on_first(std::vector<SurfacePiece>(level.pieces.begin() + level.piece_begin[share.begin],
-                                                      level.pieces.begin() + level.piece_begin[share.end]));
-    counts = on_first(std::move(counts));
-    level.piece_begin.assign(counts.size() + 1, 0);
-    std::partial_sum(counts.begin(), counts.end(), level.piece_begin.begin() + 1);
   }
-  gather_own(level.centre_winding);
-  gather_own(field.frames);
-  gather_own(field.open_faces);
-  gather_own(field.energy_density);
-  gather_own(field.near_sharp_turn);
-  level.tree = Octree(root, on_first(own(level.tree.leaves())));
-  level.ghosts = {};
-  level.part.reset();
-  level.guides = {};
-  if (has_surface && solid.guides != nullptr && is_first())
-    level.guides = LeafGuides(level.tree, *solid.guides);
 }
 
 }  // namespace crossgrain

@@ -36,17 +36,16 @@ class LevelShares : public LevelSharing {
   int processes() const override { return exchange_.ranks(); }
   bool all(bool here) override { return !any(exchange_, !here); }
   std::uint64_t fewest_leaves() const override;
-  std::optional<LevelStart> resumed(std::uint64_t identity, const VisitLevel& visit) override;
+  std::optional<LevelStart> resumed(std::uint64_t identity, LevelVisitor& visitor) override;
   void keep(const LevelStart& start, const GridLevel& level,
             std::span<const StoredQuaternion> frames) override;
-  void keep_solved(const CoarserLevel& level) override;
+  void keep_seen(int depth, const Bytes& seen) override;
   SweepKeeper* keeper_of(int depth, const Share& share) override;
   std::optional<LevelStart> started(std::optional<LevelStart> start) override;
   void start_failed() override;
   Level shared_out(Level level, const Solid& solid) override;
   void complete(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
                 std::span<const ReachedPlace> elsewhere, int finest_depth, Marks& marks) override;
-  void gather(SolvedField& field, const Solid& solid) override;
 
   /// Leaves of this process on the level that was shared out last.
   struct Sizes {
@@ -60,6 +59,7 @@ class LevelShares : public LevelSharing {
     std::uint64_t begin, end;
   };
 
+  void update_ghosts(std::span<std::byte> values, std::size_t size) override;
   std::size_t ranks() const { return static_cast<std::size_t>(exchange_.ranks()); }
   LeafRecords moved_to_owners(const Level& level, const Range& own, std::span<const std::uint64_t> cuts);
   LeafRecords found_ghosts(const LeafRecords& own, const RootCube& root, std::uint64_t before);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/quaternion.hpp"
@@ -13,10 +14,12 @@
 #include "field/kept_forms.hpp"
 #include "field/solved_surface.hpp"
 #include "grid/octree.hpp"
+#include "grid/share.hpp"
 
 namespace crossgrain {
 
-/// All vectors have one entry per leaf of `tree`.
+/// All vectors have one entry per leaf of `tree`. Of a field that processes share, each has its own leaves,
+/// and the first the report and the singularities of the whole.
 struct FieldData {
   Degree degree = Degree::kFour;
   Octree tree;
@@ -37,6 +40,18 @@ struct FieldData {
 
   /// Null in a field that was read; computed on demand.
   std::shared_ptr<const SingularityGraph> singularities;
+
+  /// Which leaves of the field these are, if processes share it.
+  std::optional<Share> part;
+
+  Share share() const { return part ? *part : whole_share(tree.size()); }
 };
+
+/// Removes the leaves that the process does not own, and their values.
+void leave_own_leaves(FieldData& data);
+
+/// Moves the leaves of all processes that share a field to the first, which has the whole field then; others
+/// have none. All call it together.
+void move_to_first(FieldData& data);
 
 }  // namespace crossgrain

@@ -3,12 +3,13 @@
 // going on after a break.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "base/exchange.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/statistics.hpp"
 #include "field/field_state.hpp"
@@ -18,18 +19,29 @@
 
 namespace crossgrain {
 
-struct SolvedField;
-
 /// A level that has been solved and that a finer one follows.
 struct CoarserLevel {
   int depth;
   const Octree& tree;
+  const std::optional<Share>& part;  ///< as in GridLevel
   std::span<const StoredQuaternion> frames;
   std::span<const std::uint8_t> open_faces;  ///< as in LeafConnections
 };
 
-/// Is called with each such level, coarsest first.
-using VisitLevel = std::function<void(const CoarserLevel& level)>;
+/// Looks at each such level, coarsest first.
+class LevelVisitor {
+ public:
+  LevelVisitor() = default;
+  LevelVisitor(const LevelVisitor&) = delete;
+  LevelVisitor& operator=(const LevelVisitor&) = delete;
+  virtual ~LevelVisitor() = default;
+
+  /// Called by all processes that have a share of the level. Returns what `revisit` needs, in the first one.
+  virtual Bytes visit(const CoarserLevel& level) = 0;
+
+  /// Called in place of `visit` for a level that has been visited in an earlier solve.
+  virtual void revisit(int depth, const Bytes& seen) = 0;
+};
 
 /// What a level begins with besides its leaves and their frames.
 struct LevelStart {
@@ -70,14 +82,14 @@ class LevelSharing {
 
   /// Begins a solve. Returns the start from which an earlier one of the same `identity` goes on; none if this
   /// one begins anew. If there is one, the first level is shared out from a tree without leaves in all
-  /// processes. `visit`, in the first process, is called with the levels solved before.
-  virtual std::optional<LevelStart> resumed(std::uint64_t identity, const VisitLevel& visit) = 0;
+  /// processes. `visitor`, in the first process, revisits the levels solved before.
+  virtual std::optional<LevelStart> resumed(std::uint64_t identity, LevelVisitor& visitor) = 0;
 
-  /// Keeps the start of a level, and in the first process a solved level, for a solve that goes on after a
-  /// break.
+  /// Keeps the start of a level, and in the first process what was seen of a solved one, for a solve that
+  /// goes on after a break.
   virtual void keep(const LevelStart& start, const GridLevel& level,
                     std::span<const StoredQuaternion> frames) = 0;
-  virtual void keep_solved(const CoarserLevel& level) = 0;
+  virtual void keep_seen(int depth, const Bytes& seen) = 0;
 
   /// Returns what keeps the sweeps of a level; null if nothing does.
   virtual SweepKeeper* keeper_of(int depth, const Share& share) = 0;
@@ -98,9 +110,15 @@ class LevelSharing {
   virtual void complete(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
                         std::span<const ReachedPlace> elsewhere, int finest_depth, Marks& marks) = 0;
 
-  /// Moves the own leaves of all processes to the first; others have none afterwards. Lists that are empty
-  /// stay so.
-  virtual void gather(SolvedField& field, const Solid& solid) = 0;
+  /// Copies the values of own leaves to the processes that have them as ghosts. `values` has an entry for
+  /// each leaf of the level that was shared out last.
+  template <class T>
+  void update_ghosts(std::span<T> values) {
+    update_ghosts(std::as_writable_bytes(values), sizeof(T));
+  }
+
+ private:
+  virtual void update_ghosts(std::span<std::byte> values, std::size_t size) = 0;
 };
 
 /// Returns a number that solves of another surface, other guides or other options hardly share.

@@ -37,13 +37,13 @@ template <int D>
 class NestedSolver {
  public:
   NestedSolver(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-               const InitialField& initial, const PlaceInRun& place, const VisitLevel& visit_level,
+               const InitialField& initial, const PlaceInRun& place, LevelVisitor* visitor,
                LevelSharing* sharing)
       : solid_(solid),
         options_(options),
         monitor_(monitor),
         initial_(initial),
-        visit_level_(visit_level),
+        visitor_(visitor),
         sharing_(sharing),
         is_decision_(place.is_decision),
         has_field_(initial.frame_at != nullptr),
@@ -79,7 +79,7 @@ class NestedSolver {
 
   /// The first process solves alone until a level is shared; the others begin with that one.
   void solve_with_others() {
-    if (const auto earlier = sharing_->resumed(identity_of(solid_, options_), visit_level_)) {
+    if (const auto earlier = sharing_->resumed(identity_of(solid_, options_), *visitor_)) {
       has_started_ = true;
       solve_levels_from(begun_from(*earlier));
     } else if (sharing_->is_first()) {
@@ -96,7 +96,9 @@ class NestedSolver {
       return;
     }
     result_.frames = std::move(candidates_.front().frames);
-    sharing_->gather(result_, solid_);
+    if (!is_shared()) return;
+    sharing_->update_ghosts(std::span(result_.frames));
+    sharing_->update_ghosts(std::span(result_.open_faces));
   }
 
   Start begun_from(const LevelStart& start) {
@@ -314,7 +316,7 @@ class NestedSolver {
     const Swept swept = settle(std::move(connectivity), std::move(parent), std::move(relaxed), place);
     keep_best(swept, finest || leaves > options_.solver.start_cells, finest);
     report_energy(place, swept.sweeps);
-    if (!finest && visit_level_) visit(depth);
+    if (!finest && visitor_ != nullptr) visit(depth);
     solve_watch_.stop();
     result_.levels.push_back(
         {depth, level.examined_leaves, leaves, swept.sweeps, result_.energy.total(), level_watch_.restart()});
@@ -323,19 +325,14 @@ class NestedSolver {
   }
 
   void visit(int depth) {
-    const auto visit_and_keep = [&](const CoarserLevel& level) {
-      visit_level_(level);
-      if (has_help()) sharing_->keep_solved(level);
-    };
-    if (!is_shared())
-      return visit_and_keep({depth, result_.level.tree, candidates_.best_frames(), result_.open_faces});
-    SolvedField seen;
-    seen.level.tree = result_.level.tree;
-    seen.level.part = result_.level.part;
-    seen.frames = candidates_.best_frames();
-    seen.open_faces = result_.open_faces;
-    sharing_->gather(seen, solid_);
-    if (sharing_->is_first()) visit_and_keep({depth, seen.level.tree, seen.frames, seen.open_faces});
+    const GridLevel& level = result_.level;
+    Frames& frames = candidates_.best_frames();
+    if (is_shared()) {
+      sharing_->update_ghosts(std::span(frames));
+      sharing_->update_ghosts(std::span(result_.open_faces));
+    }
+    const Bytes seen = visitor_->visit({depth, level.tree, level.part, frames, result_.open_faces});
+    if (has_help() && sharing_->is_first()) sharing_->keep_seen(depth, seen);
   }
 
   bool begins_with_field(const GridLevel& level, int depth) const {
@@ -469,7 +466,7 @@ class NestedSolver {
   const SolveOptions& options_;
   const Monitor& monitor_;
   InitialField initial_;
-  const VisitLevel& visit_level_;
+  LevelVisitor* const visitor_;  ///< may be null
   LevelSharing* const sharing_;  ///< null: this process solves alone
   const bool is_decision_;
   bool has_started_ = false;  ///< the others have begun
@@ -490,11 +487,11 @@ class NestedSolver {
 }  // namespace
 
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
-                         const InitialField& initial, const PlaceInRun& place, const VisitLevel& visit_level,
+                         const InitialField& initial, const PlaceInRun& place, LevelVisitor* visitor,
                          LevelSharing* sharing) {
   return options.degree == Degree::kThree
-             ? NestedSolver<3>(solid, options, monitor, initial, place, visit_level, sharing).run()
-             : NestedSolver<4>(solid, options, monitor, initial, place, visit_level, sharing).run();
+             ? NestedSolver<3>(solid, options, monitor, initial, place, visitor, sharing).run()
+             : NestedSolver<4>(solid, options, monitor, initial, place, visitor, sharing).run();
 }
 
 }  // namespace crossgrain

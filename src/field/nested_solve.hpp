@@ -81,10 +81,11 @@ struct PlaceInRun {
 /// Solves level by level. Throws Error(kLimit) if the grid cannot be built or memory allows only much coarser
 /// cells, Error(kInput) if the solid has no cell, Error(kInterrupted) once the monitor is cancelled. If
 /// stopped, it returns the last finished level, bitwise identical to a solve that memory limits to that
-/// level. With `sharing`, several processes solve together; the result in the first is that of one process
-/// alone to the bit, others have no leaves, and levels are visited in the first only.
+/// level. With `sharing`, several processes solve together, to the same bits. If a level was shared, each has
+/// its part of the result, GridLevel::part, with frames and open faces of ghosts; otherwise the first has the
+/// whole and others have no leaves. Levels that the first has alone are visited there only.
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
                          const InitialField& initial = {}, const PlaceInRun& place = {},
-                         const VisitLevel& visit_level = {}, LevelSharing* sharing = nullptr);
+                         LevelVisitor* visitor = nullptr, LevelSharing* sharing = nullptr);
 
 }  // namespace crossgrain

@@ -11,10 +11,12 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/exchange.hpp"
@@ -56,6 +58,35 @@ struct Ghosts {
     return share.owns(leaf) ? share.before + (leaf - share.begin) : numbers[index(share, leaf)];
   }
 };
+
+/// Returns the values of own leaves.
+template <class T>
+std::vector<T> own_values(const Share& share, const std::vector<T>& values) {
+  return {values.begin() + share.begin, values.begin() + share.end};
+}
+
+/// Returns the largest of the values that the ranks pass.
+template <class T>
+T largest_of_all(const Share& share, const T& mine) {
+  if (share.is_whole()) return mine;
+  const std::vector<T> all = gathered_value(*share.exchange, mine);
+  return *std::max_element(all.begin(), all.end());
+}
+
+/// Adds up the numbers that the ranks pass, those with one index each.
+template <std::unsigned_integral T>
+void add_up(const Share& share, std::span<T> numbers) {
+  if (share.is_whole()) return;
+  const std::vector<T> all = gathered_values<T>(*share.exchange, numbers);
+  std::fill(numbers.begin(), numbers.end(), T{0});
+  for (std::size_t k = 0; k < all.size(); ++k) numbers[k % numbers.size()] += all[k];
+}
+
+/// Returns the values of all ranks, those of rank 0 first; only there.
+template <class T>
+std::vector<T> on_first(const Share& share, std::vector<T> values) {
+  return share.is_whole() ? values : moved_to_first(*share.exchange, std::move(values));
+}
 
 /// Adds the terms of all ranks in order, those of this one being terms[0], terms[1], ...
 inline double sum_of_all(const Share& share, std::span<const double> terms) {

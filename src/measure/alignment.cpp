@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <span>
 
 #include "base/parallel.hpp"
 #include "constraint/classification.hpp"
@@ -35,9 +37,10 @@ CellConstraint as_written(ConstraintClass constraint_class) {
   return CellConstraint::kConflicted;
 }
 
-SolveReport::Spectrum spectrum_of(const std::vector<CellConstraint>& constraints) {
+SolveReport::Spectrum spectrum_of(const Share& share, std::span<const CellConstraint> constraints) {
   std::array<std::size_t, kCellConstraintCount> counts{};
   for (const CellConstraint constraint : constraints) ++counts[static_cast<std::size_t>(constraint)];
+  add_up(share, std::span<std::size_t>(counts));
   const auto of = [&](CellConstraint constraint) { return counts[static_cast<std::size_t>(constraint)]; };
   SolveReport::Spectrum spectrum;
   spectrum.plane = of(CellConstraint::kPlane);
@@ -141,12 +144,17 @@ AlignmentMeasurement measure_alignment(const GridLevel& level, const Solid& soli
   result.leaf_mean_deg.resize(level.size());
   result.leaf_constraints.resize(level.size(), CellConstraint::kNoSurface);
   std::vector<float> angles(level.pieces.size());
-  parallel_for_chunks(level.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
-    RunOfLeaves run(level, solid, field, static_cast<CellIndex>(begin), static_cast<CellIndex>(end));
+  const Share share = level.share();
+  parallel_for_chunks(share.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
+    RunOfLeaves run(level, solid, field, static_cast<CellIndex>(share.begin + begin),
+                    static_cast<CellIndex>(share.begin + end));
     run.measure(angles, result);
   });
-  result.spectrum = spectrum_of(result.leaf_constraints);
-  result.alignment_deg = angle_statistics(level.pieces, angles);
+  result.spectrum = spectrum_of(share, std::span(result.leaf_constraints).subspan(share.begin, share.size()));
+  const std::size_t first = level.piece_begin[share.begin], last = level.piece_begin[share.end];
+  result.alignment_deg = angle_statistics(
+      std::span(level.pieces).subspan(first, last - first), std::span(angles).subspan(first, last - first),
+      std::accumulate(solid.surface.areas.begin(), solid.surface.areas.end(), 0.0), share);
   return result;
 }
 

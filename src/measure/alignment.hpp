@@ -29,7 +29,8 @@ struct AlignmentMeasurement {
 };
 
 /// Measures the alignment of `field`, on `level.tree`, interpolated as by Sampler. Bitwise identical for any
-/// number of threads. Takes four bytes per piece besides the result.
+/// number of threads and processes, each of which has the statistics of all and the values of its own leaves.
+/// Takes four bytes per piece besides the result.
 AlignmentMeasurement measure_alignment(const GridLevel& level, const Solid& solid, const LeafField& field);
 
 /// The angle between a unit vector and the nearest of a frame's six half-axes, from 0 to 54.74 degrees.

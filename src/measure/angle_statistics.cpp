@@ -14,84 +14,74 @@
 namespace crossgrain {
 namespace {
 
-/// Number of pieces per task: many more than there are bins.
-constexpr std::size_t kPieceGrain = std::size_t{1} << 16;
-
 constexpr double kShareAbove = 0.05;
 
-/// Sums over the pieces of one task, or over all.
-struct AngleSums {
-  double included_area = 0, excluded_area = 0, weighted = 0;
-  float largest = 0;
+/// Areas are counted in this share of the total.
+constexpr double kAreaUnit = 0x1p-50;
 
-  void add(const AngleSums& other) {
-    included_area += other.included_area;
-    excluded_area += other.excluded_area;
-    weighted += other.weighted;
-    largest = std::max(largest, other.largest);
+/// Number of tasks that a sum over pieces is split into.
+constexpr std::size_t kTasks = 64;
+
+/// Pieces with their areas and angles, of which some are excluded.
+class WeightedPieces {
+ public:
+  WeightedPieces(std::span<const SurfacePiece> pieces, std::span<const float> angles, double total_area)
+      : pieces_(pieces), angles_(angles), units_(total_area > 0 ? 1 / (kAreaUnit * total_area) : 0) {}
+
+  std::size_t size() const { return pieces_.size(); }
+  bool is_included(std::size_t k) const { return angles_[k] != kExcludedAngle; }
+  float angle(std::size_t k) const { return angles_[k]; }
+
+  /// In units; positive for any area.
+  std::uint64_t area(std::size_t k) const {
+    return pieces_[k].area > 0 ? std::max<std::uint64_t>(1, rounded(scaled(k))) : 0;
   }
+  std::uint64_t weighted_angle(std::size_t k) const {
+    return rounded(scaled(k) * static_cast<double>(angles_[k]));
+  }
+
+ private:
+  static std::uint64_t rounded(double number) { return static_cast<std::uint64_t>(std::llround(number)); }
+  double scaled(std::size_t k) const { return static_cast<double>(pieces_[k].area) * units_; }
+
+  std::span<const SurfacePiece> pieces_;
+  std::span<const float> angles_;
+  double units_;
 };
 
-/// The sum, in order, of part(begin, end) over fixed ranges of pieces.
-template <class Sum, class Part>
-Sum summed_over_runs(std::size_t count, const Part& part) {
-  std::vector<Sum> runs((count + kPieceGrain - 1) / kPieceGrain);
-  parallel_for_chunks(count, kPieceGrain, [&](std::size_t begin, std::size_t end) {
-    runs[begin / kPieceGrain] = part(begin, end);
+/// Returns counts, which add(piece, counts) adds to for every piece of all processes.
+template <std::size_t N, class Add>
+std::array<std::uint64_t, N> counted_over(const WeightedPieces& pieces, const Share& share, const Add& add) {
+  const std::size_t grain = std::max<std::size_t>(1, (pieces.size() + kTasks - 1) / kTasks);
+  std::vector<std::array<std::uint64_t, N>> tasks((pieces.size() + grain - 1) / grain);
+  parallel_for_chunks(pieces.size(), grain, [&](std::size_t begin, std::size_t end) {
+    auto& counts = tasks[begin / grain];
+    for (std::size_t k = begin; k < end; ++k) add(k, counts);
   });
-  Sum sum{};
-  for (const Sum& run : runs) sum.add(run);
+  std::array<std::uint64_t, N> sum{};
+  for (const auto& counts : tasks)
+    for (std::size_t n = 0; n < N; ++n) sum[n] += counts[n];
+  add_up(share, std::span<std::uint64_t>(sum));
   return sum;
 }
 
-AngleSums sums_of(std::span<const SurfacePiece> pieces, std::span<const float> angles) {
-  return summed_over_runs<AngleSums>(pieces.size(), [&](std::size_t begin, std::size_t end) {
-    AngleSums sums;
-    for (std::size_t k = begin; k < end; ++k) {
-      if (angles[k] == kExcludedAngle) {
-        sums.excluded_area += pieces[k].area;
-        continue;
-      }
-      sums.included_area += pieces[k].area;
-      sums.weighted += static_cast<double>(pieces[k].area) * angles[k];
-      sums.largest = std::max(sums.largest, angles[k]);
-    }
-    return sums;
-  });
-}
-
-/// Area by kBinBits of the bits of an angle.
-struct AreaBins {
-  static constexpr int kBinBits = 11;
-
-  std::array<double, 1 << kBinBits> areas{};
-
-  void add(const AreaBins& other) {
-    for (std::size_t bin = 0; bin < areas.size(); ++bin) areas[bin] += other.areas[bin];
-  }
-};
-
-/// The largest angle such that the pieces of that angle or more have more area than `area_above`. Numbers
-/// that are not negative are ordered as their bits: three rounds of bins, each within the bin found before,
-/// determine one angle. Sorting would take longer, and in one thread.
-float angle_below_area(std::span<const SurfacePiece> pieces, std::span<const float> angles,
-                       double area_above) {
-  constexpr int kBits = AreaBins::kBinBits;
+/// Returns the largest angle such that the pieces of that angle or more have more area than `area_above`, in
+/// units. Numbers that are not negative are ordered as their bits: three rounds of bins, each within the bin
+/// found before, determine one angle. Sorting would take longer, and in one process.
+float angle_below_area(const WeightedPieces& pieces, const Share& share, std::uint64_t area_above) {
+  constexpr int kBits = 11;
+  constexpr std::size_t kBins = 1 << kBits;
   std::uint64_t found = 0;  // the leading bits of the angle
-  double above = 0;
+  std::uint64_t above = 0;
   for (int shift = 2 * kBits; shift >= 0; shift -= kBits) {
-    const AreaBins bins = summed_over_runs<AreaBins>(pieces.size(), [&](std::size_t begin, std::size_t end) {
-      AreaBins run;
-      for (std::size_t k = begin; k < end; ++k) {
-        if (angles[k] == kExcludedAngle) continue;
-        const std::uint64_t leading = std::uint64_t{std::bit_cast<std::uint32_t>(angles[k])} >> shift;
-        if (leading >> kBits == found) run.areas[leading % run.areas.size()] += pieces[k].area;
-      }
-      return run;
+    const auto areas = counted_over<kBins>(pieces, share, [&](std::size_t k, auto& counts) {
+      if (!pieces.is_included(k)) return;
+      const std::uint64_t leading = std::uint64_t{std::bit_cast<std::uint32_t>(pieces.angle(k))} >> shift;
+      if (leading >> kBits == found) counts[leading % kBins] += pieces.area(k);
     });
-    std::size_t lowest = 0, bin = bins.areas.size() - 1;
-    while (!(bins.areas[lowest] > 0)) ++lowest;
-    while (bin > lowest && !(above + bins.areas[bin] > area_above)) above += bins.areas[bin--];
+    std::size_t lowest = 0, bin = kBins - 1;
+    while (areas[lowest] == 0) ++lowest;
+    while (bin > lowest && above + areas[bin] <= area_above) above += areas[bin--];
     found = found << kBits | bin;
   }
   return std::bit_cast<float>(static_cast<std::uint32_t>(found));
@@ -125,15 +115,23 @@ SolveReport::AngleSummary summary_of(std::vector<WeightedAngle> angles) {
   return {weighted / weight, angles[k].angle_deg, angles.back().angle_deg};
 }
 
-SolveReport::Alignment angle_statistics(std::span<const SurfacePiece> pieces, std::span<const float> angles) {
-  const AngleSums sums = sums_of(pieces, angles);
+SolveReport::Alignment angle_statistics(std::span<const SurfacePiece> pieces, std::span<const float> angles,
+                                        double total_area, const Share& share) {
+  const WeightedPieces weighted(pieces, angles, total_area);
+  const auto [included, excluded, angle_sum] =
+      counted_over<3>(weighted, share, [&](std::size_t k, auto& counts) {
+        counts[weighted.is_included(k) ? 0 : 1] += weighted.area(k);
+        if (weighted.is_included(k)) counts[2] += weighted.weighted_angle(k);
+      });
   SolveReport::Alignment alignment;
-  if (sums.excluded_area > 0)
-    alignment.excluded_share = sums.excluded_area / (sums.excluded_area + sums.included_area);
-  if (!(sums.included_area > 0)) return alignment;
-  alignment.mean = sums.weighted / sums.included_area;
-  alignment.max = sums.largest;
-  alignment.p95 = angle_below_area(pieces, angles, kShareAbove * sums.included_area);
+  if (excluded > 0)
+    alignment.excluded_share = static_cast<double>(excluded) / static_cast<double>(excluded + included);
+  if (included == 0) return alignment;
+  alignment.mean = static_cast<double>(angle_sum) / static_cast<double>(included);
+  const float largest = angles.empty() ? 0 : *std::max_element(angles.begin(), angles.end());
+  alignment.max = largest_of_all(share, largest);
+  alignment.p95 = angle_below_area(weighted, share,
+                                   static_cast<std::uint64_t>(kShareAbove * static_cast<double>(included)));
   return alignment;
 }
 

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <map>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
@@ -31,15 +34,25 @@ std::string in_words(const Vector3& place) {
   return fmt::format("{:.6g} {:.6g} {:.6g}", place[0], place[1], place[2]);
 }
 
-/// Collects the axes that constraints prescribe inside the cells, and counts those outside.
+/// Returns whether an active leaf holds a place.
+using IsInside = std::function<bool(const Vector3& place)>;
+
+/// Collects the axes that constraints prescribe inside the cells, and counts those outside. Asks about the
+/// same places in the same order whatever the answers.
 class Collector {
  public:
-  Collector(const Solid& solid, const GridLevel& level, double step)
-      : solid_(solid), level_(level), step_(step) {}
+  Collector(const Solid& solid, const GridLevel& level, double step, IsInside is_inside)
+      : solid_(solid), level_(level), step_(step), is_inside_(std::move(is_inside)) {}
+
+  void add(const Constraints& constraints) {
+    for (const Constraints::Point& point : constraints.points) add(point);
+    for (const Constraints::Stress& stress : constraints.stresses) add(stress);
+    for (const Constraints::Polyline& polyline : constraints.polylines) add(polyline);
+  }
 
   void add(const Constraints::Point& point) {
     ++asked_.counts.points.count;
-    if (!is_inside(point.at)) {
+    if (!is_inside_(point.at)) {
       note_outside(point.at);
       ++asked_.counts.points.outside;
       return;
@@ -51,7 +64,7 @@ class Collector {
     ++asked_.counts.stresses.count;
     const StressAxes axes = stress_axes(stress.tensor);
     asked_.counts.isotropic_stresses += axes.say_nothing();
-    if (!is_inside(stress.at)) {
+    if (!is_inside_(stress.at)) {
       note_outside(stress.at);
       ++asked_.counts.stresses.outside;
       return;
@@ -84,24 +97,22 @@ class Collector {
     std::map<std::int32_t, std::vector<std::vector<Vector3>>> axes_of;
     for (const Constraints::Face& face : faces)
       axes_of[face.face].push_back(face.axes.empty() ? std::vector<Vector3>{} : directions_of(face.axes));
-    for (CellIndex i = 0; i < level_.size(); ++i) {
+    std::vector<double> areas;
+    const Share share = level_.share();
+    for (CellIndex i = share.begin; i < share.end; ++i) {
       for (const SurfacePiece& piece : level_.pieces_of(i)) {
         const auto found = axes_of.find(solid_.surface.mesh.faces[piece.triangle]);
         if (found == axes_of.end()) continue;
-        asked_.counts.faces.area += piece.area;
+        areas.push_back(piece.area);
         for (const std::vector<Vector3>& axes : found->second) add_piece(i, piece, axes);
       }
     }
+    asked_.counts.faces.area = sum_of_all(share, areas);
   }
 
   RequestedAxes result() && { return std::move(asked_); }
 
  private:
-  bool is_inside(const Vector3& place) const {
-    const auto address = level_.tree.root().locate(place);
-    return address && level_.tree.find_containing(*address) != kNoCell;
-  }
-
   void note_outside(const Vector3& place) {
     if (!asked_.first_outside) asked_.first_outside = place;
   }
@@ -121,7 +132,7 @@ class Collector {
     for (int part = 0; part < parts; ++part) {
       const double t = near.from + (part + 0.5) / parts * (near.to - near.from);
       const Vector3 place = ends[0] + t * along;
-      if (!is_inside(place)) {
+      if (!is_inside_(place)) {
         note_outside(place);
         all_inside = false;
         continue;
@@ -136,24 +147,37 @@ class Collector {
     const Box box = level_.tree.root().box(level_.tree[leaf]);
     const Vector3 place = clip_triangle(solid_.surface.corners(piece.triangle), box).centroid;
     if (axes.empty())
-      asked_.faces.push_back({place, solid_.surface.normal_at(piece.triangle, place), piece.area});
-    for (const Vector3& axis : axes) asked_.faces.push_back({place, axis, piece.area});
+      asked_.faces.push_back({place, solid_.surface.normal_at(piece.triangle, place), piece.area, leaf});
+    for (const Vector3& axis : axes) asked_.faces.push_back({place, axis, piece.area, leaf});
   }
 
   const Solid& solid_;
   const GridLevel& level_;
   double step_;
+  IsInside is_inside_;
   RequestedAxes asked_;
 };
 
-SolveReport::AngleSummary angles_of(const std::vector<AskedAxis>& asked, const Sampler& sampler) {
+SolveReport::AngleSummary angles_of(const std::vector<AskedAxis>& asked, const PlaceSampler& sampler) {
   if (asked.empty()) return {};
+  std::vector<Vector3> places;
+  for (const AskedAxis& axis : asked) places.push_back(axis.place);
+  const std::vector<Quaternion> frames = sampler.frames_at(places);
   std::vector<WeightedAngle> angles(asked.size());
   parallel_for(asked.size(), [&](std::size_t k) {
-    const Quaternion frame = sampler.at(asked[k].place).frame;
-    angles[k] = {angle_to_nearest_axis_deg(frame, asked[k].direction), asked[k].weight};
+    angles[k] = {angle_to_nearest_axis_deg(frames[k], asked[k].direction), asked[k].weight};
   });
   return summary_of(std::move(angles));
+}
+
+/// `asked` are in own leaves. Returns the angles of all processes, in the first.
+SolveReport::AngleSummary angles_on_faces(const std::vector<AskedAxis>& asked, const PlaceSampler& sampler) {
+  std::vector<WeightedAngle> angles(asked.size());
+  parallel_for(asked.size(), [&](std::size_t k) {
+    const auto& [place, direction, weight, leaf] = asked[k];
+    angles[k] = {angle_to_nearest_axis_deg(sampler.in_leaf(leaf, place), direction), weight};
+  });
+  return summary_of(on_first(sampler.share(), std::move(angles)));
 }
 
 }  // namespace
@@ -177,19 +201,26 @@ void check_places(const Constraints& constraints, const Box& model) {
 
 RequestedAxes requested_axes(const Constraints& constraints, const Solid& solid, const GridLevel& level,
                              double step) {
-  Collector collector(solid, level, step);
-  for (const Constraints::Point& point : constraints.points) collector.add(point);
-  for (const Constraints::Stress& stress : constraints.stresses) collector.add(stress);
-  for (const Constraints::Polyline& polyline : constraints.polylines) collector.add(polyline);
+  // Processes that share the level answer for all places together.
+  std::vector<Vector3> places;
+  Collector asker(solid, level, step, [&](const Vector3& place) {
+    places.push_back(place);
+    return false;
+  });
+  asker.add(constraints);
+  const std::vector<std::uint8_t> inside = are_inside(places, level.tree, level.share());
+  Collector collector(solid, level, step,
+                      [next = inside.begin()](const Vector3&) mutable { return *next++ != 0; });
+  collector.add(constraints);
   collector.add_faces(constraints.faces);
   return std::move(collector).result();
 }
 
-SolveReport::Constraints constraint_report(const RequestedAxes& asked, const Sampler& sampler) {
+SolveReport::Constraints constraint_report(const RequestedAxes& asked, const PlaceSampler& sampler) {
   SolveReport::Constraints report = asked.counts;
   report.points.angle_deg = angles_of(asked.points, sampler);
   report.polylines.angle_deg = angles_of(asked.polylines, sampler);
-  report.faces.angle_deg = angles_of(asked.faces, sampler);
+  report.faces.angle_deg = angles_on_faces(asked.faces, sampler);
   report.stresses.angle_deg = angles_of(asked.stresses, sampler);
   return report;
 }

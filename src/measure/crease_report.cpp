@@ -91,7 +91,7 @@ CreaseNetwork::CreaseNetwork(const Surface& surface, const TriangleMesh& inner, 
   knives = knife_edges(surface, uses, angles, inside_out);
 }
 
-SolveReport::Creases crease_report(const CreaseNetwork& creases, const Sampler& sampler, double step) {
+SolveReport::Creases crease_report(const CreaseNetwork& creases, const PlaceSampler& sampler, double step) {
   SolveReport::Creases report;
   report.curves = creases.curves.size();
   report.corners = creases.corners.size();
@@ -106,15 +106,12 @@ SolveReport::Creases crease_report(const CreaseNetwork& creases, const Sampler& 
     report.length += length_of(curve);
     add_places(curve, step, places);
   }
+  std::vector<Vector3> positions;
+  for (const Place& place : places) positions.push_back(place.position);
+  const std::vector<Quaternion> frames = sampler.frames_at(positions);
   std::vector<WeightedAngle> angles_deg(places.size());
-  parallel_for_chunks(places.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
-    std::vector<Vector3> points;
-    for (std::size_t k = begin; k < end; ++k) points.push_back(places[k].position);
-    std::vector<Sampler::Result> sampled(points.size());
-    sampler.at(points, sampled);
-    for (std::size_t k = begin; k < end; ++k)
-      angles_deg[k] = {angle_to_nearest_axis_deg(sampled[k - begin].frame, places[k].tangent),
-                       places[k].length};
+  parallel_for(places.size(), [&](std::size_t k) {
+    angles_deg[k] = {angle_to_nearest_axis_deg(frames[k], places[k].tangent), places[k].length};
   });
   report.tangent_deg = summary_of(std::move(angles_deg));
   return report;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "crossgrain/report.hpp"
-#include "sampling/sampling.hpp"
+#include "sampling/places.hpp"
 #include "surface/creases.hpp"
 
 namespace crossgrain {
@@ -26,7 +26,7 @@ struct CreaseNetwork {
 
 /// The section `creases` of the report, with angles at the middles of pieces of curves no longer than `step`,
 /// model units.
-SolveReport::Creases crease_report(const CreaseNetwork& creases, const Sampler& sampler, double step);
+SolveReport::Creases crease_report(const CreaseNetwork& creases, const PlaceSampler& sampler, double step);
 
 /// Warnings about places where no frame fits all faces.
 std::vector<Warning> crease_warnings(const CreaseNetwork& creases);

@@ -47,24 +47,27 @@ void add_places(const std::array<Vector3, 3>& corners, const std::array<Vector3,
 
 }  // namespace
 
-std::optional<SolveReport::Interfaces> interface_report(const TriangleMesh& inner, const Sampler& sampler,
-                                                        double step) {
+std::optional<SolveReport::Interfaces> interface_report(const TriangleMesh& inner,
+                                                        const PlaceSampler& sampler, double step) {
   if (inner.triangles.empty()) return std::nullopt;
   std::vector<Place> places;
   for (std::size_t t = 0; t < inner.triangles.size(); ++t) {
     add_places(corners_of(inner.triangles[t], inner.vertices), inner.corner_normals[t], step, kMostHalvings,
                places);
   }
+  std::vector<Vector3> positions;
+  for (const Place& place : places) positions.push_back(place.position);
+  const std::vector<Quaternion> frames = sampler.frames_at(positions);
   std::vector<float> angles_deg(places.size());
   std::vector<SurfacePiece> pieces(places.size());
   parallel_for(places.size(), [&](std::size_t k) {
     const auto& [position, normal, area] = places[k];
-    angles_deg[k] = static_cast<float>(angle_to_nearest_axis_deg(sampler.at(position).frame, normal));
+    angles_deg[k] = static_cast<float>(angle_to_nearest_axis_deg(frames[k], normal));
     pieces[k] = {0, static_cast<float>(area)};
   });
   SolveReport::Interfaces report;
   for (const Place& place : places) report.area += place.area;
-  const SolveReport::Alignment alignment = angle_statistics(pieces, angles_deg);
+  const SolveReport::Alignment alignment = angle_statistics(pieces, angles_deg, report.area);
   report.mean = alignment.mean.value_or(0);
   report.p95 = alignment.p95.value_or(0);
   report.max = alignment.max.value_or(0);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -182,32 +183,60 @@ class RegionFinder {
   const GridLevel& level_;
 };
 
+/// Leaves in several solids.
+struct Contested {
+  std::size_t count = 0;
+  Vector3 first{};  ///< centre of the first of them
+};
+
+/// `contested` is 1 for such own leaves. Returns those of all processes.
+Contested contested_leaves(const std::vector<std::uint8_t>& contested, const GridLevel& level) {
+  const Share share = level.share();
+  Contested here;
+  here.count = static_cast<std::size_t>(std::count(contested.begin(), contested.end(), 1));
+  const auto first = std::find(contested.begin(), contested.end(), 1);
+  if (here.count > 0)
+    here.first = level.tree.centre(static_cast<CellIndex>(share.begin + (first - contested.begin())));
+  if (share.is_whole()) return here;
+  Contested all;
+  for (const Contested& part : gathered_value(*share.exchange, here)) {
+    if (all.count == 0) all.first = part.first;
+    all.count += part.count;
+  }
+  return all;
+}
+
 }  // namespace
 
 CellRegions find_regions(const TriangleMesh& mesh, const Surface& outer, const GridLevel& level) {
   CellRegions result;
   if (!has_several_solids(mesh)) return result;
   const RegionFinder finder(mesh, outer, level);
-  std::vector<std::uint8_t> contested(level.size());
+  const Share share = level.share();
+  std::vector<std::uint8_t> contested(share.size());
   result.of_leaf.resize(level.size());
-  std::vector<std::uint32_t> body(level.size());
-  parallel_for(level.size(), [&](std::size_t i) {
-    const Claim claim = finder.claim(static_cast<CellIndex>(i));
+  std::vector<std::uint32_t> body(share.size());
+  parallel_for(share.size(), [&](std::size_t i) {
+    const auto leaf = static_cast<CellIndex>(share.begin + i);
+    const Claim claim = finder.claim(leaf);
     body[i] = claim.body;
     contested[i] = claim.contested;
-    result.of_leaf[i] = finder.bodies()[claim.body]->number;
+    result.of_leaf[leaf] = finder.bodies()[claim.body]->number;
   });
-  for (const auto& solid : finder.bodies()) result.regions.push_back({solid->number, 0, solid->volume});
-  for (const std::uint32_t b : body) ++result.regions[b].cells;
+  std::vector<std::size_t> cells(finder.bodies().size());
+  for (const std::uint32_t b : body) ++cells[b];
+  add_up(share, std::span(cells));
+  for (std::size_t b = 0; b < cells.size(); ++b)
+    result.regions.push_back({finder.bodies()[b]->number, cells[b], finder.bodies()[b]->volume});
 
-  const auto first = std::find(contested.begin(), contested.end(), 1);
-  if (first != contested.end()) {
-    const auto [x, y, z] = level.tree.centre(static_cast<CellIndex>(first - contested.begin()));
+  const Contested overlap = contested_leaves(contested, level);
+  if (overlap.count > 0) {
+    const auto [x, y, z] = overlap.first;
     result.warnings.emplace_back(
         WarningKind::kOverlappingSolids,
         fmt::format("solids overlap: cells in more than one: {}, the first around {:.6g} {:.6g} {:.6g}; "
                     "they count for the smallest of them, and the surfaces of all constrain frames there",
-                    std::count(contested.begin(), contested.end(), 1), x, y, z),
+                    overlap.count, x, y, z),
         Remedy::kSeparateSolids);
   } else if (const RegionFinder::Contacts contacts = finder.contacts(); contacts.triangles > 0) {
     const auto& [x, y, z] = contacts.place;

@@ -22,7 +22,8 @@ struct CellRegions {
 /// The solid of each leaf: the one that holds its centre, and of several the one with the smallest volume,
 /// since a part enclosed by another is often drawn into it. A leaf with its centre outside belongs to the
 /// solid with most of the surface in it. `mesh` is the model, `outer` the common boundary of its solids,
-/// `level` the grid inside it. The same for any number of threads; free for a single solid.
+/// `level` the grid inside it. The same for any number of threads and processes, each of which has the
+/// numbers of its own leaves; free for a single solid.
 CellRegions find_regions(const TriangleMesh& mesh, const Surface& outer, const GridLevel& level);
 
 }  // namespace crossgrain

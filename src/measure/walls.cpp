@@ -6,6 +6,7 @@
 #include <cmath>
 #include <compare>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,8 +21,8 @@ namespace {
 /// Cosine of the largest angle between the two sides of a wall, as in holds_two_sheets.
 constexpr double kOpposite = 0.5;
 
-/// Number of leaves per task.
-constexpr std::size_t kLeafGrain = 4096;
+/// Number of leaves per task: none belongs to two processes.
+constexpr std::size_t kLeafGrain = kShareUnit;
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
@@ -42,17 +43,11 @@ struct ThinWall {
   auto operator<=>(const ThinWall&) const = default;
 };
 
-/// Sums over a range of leaves, or over all.
+/// Sums over the surface in some leaves.
 struct WallSums {
   double area = 0;
   std::size_t two_sheet_cells = 0;
   std::vector<ThinWall> thin_walls;
-
-  void add(const WallSums& other) {
-    area += other.area;
-    two_sheet_cells += other.two_sheet_cells;
-    thin_walls.insert(thin_walls.end(), other.thin_walls.begin(), other.thin_walls.end());
-  }
 };
 
 /// The least of the numbers that all threads tell it.
@@ -83,13 +78,29 @@ void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double th
   sums.two_sheet_cells += holds_two_sheets(level, solid, i);
 }
 
-double smallest_cell_size(const Octree& tree) {
+/// Adds up the sums of all runs of leaves, of all processes. Only the first has all thin walls.
+WallSums total_of(const std::vector<WallSums>& runs, const Share& share) {
+  WallSums total;
+  std::vector<double> areas;
+  for (const WallSums& run : runs) {
+    areas.push_back(run.area);
+    total.two_sheet_cells += run.two_sheet_cells;
+    total.thin_walls.insert(total.thin_walls.end(), run.thin_walls.begin(), run.thin_walls.end());
+  }
+  total.area = sum_of_all(share, areas);
+  add_up(share, std::span(&total.two_sheet_cells, 1));
+  total.thin_walls = on_first(share, std::move(total.thin_walls));
+  return total;
+}
+
+double smallest_cell_size(const Octree& tree, const Share& share) {
   std::vector<int> deepest((tree.size() + kLeafGrain - 1) / kLeafGrain);
   parallel_for_chunks(tree.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<CellIndex>(begin); i < end; ++i)
       deepest[begin / kLeafGrain] = std::max(deepest[begin / kLeafGrain], tree[i].depth());
   });
-  return tree.root().cell_size(deepest.empty() ? 0 : *std::max_element(deepest.begin(), deepest.end()));
+  const int deepest_here = deepest.empty() ? 0 : *std::max_element(deepest.begin(), deepest.end());
+  return tree.root().cell_size(largest_of_all(share, deepest_here));
 }
 
 /// Returns the area at walls of less than this thickness. `walls` are sorted.
@@ -122,16 +133,17 @@ int resolution_for(double thickness, double wanted, double longest_side) {
 SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid,
                                  const RefinementOptions& options) {
   const AnswerOptions answer;
-  const double finest = smallest_cell_size(level.tree);
+  const Share share = level.share();
+  const double finest = smallest_cell_size(level.tree, share);
   const double thin = std::max(options.thickness_cells, answer.wall_cells) * finest;
-  SharedLeast thinnest;
-  std::vector<WallSums> runs((level.size() + kLeafGrain - 1) / kLeafGrain);
-  parallel_for_chunks(level.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
-    for (auto i = static_cast<CellIndex>(begin); i < end; ++i)
-      add_leaf(level, solid, i, thin, thinnest, runs[begin / kLeafGrain]);
+  SharedLeast least;
+  std::vector<WallSums> runs((share.size() + kLeafGrain - 1) / kLeafGrain);
+  parallel_for_chunks(share.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      add_leaf(level, solid, static_cast<CellIndex>(share.begin + i), thin, least, runs[begin / kLeafGrain]);
   });
-  WallSums sums;
-  for (const WallSums& run : runs) sums.add(run);
+  WallSums sums = total_of(runs, share);
+  const double thinnest = -largest_of_all(share, -least.get());
   std::sort(sums.thin_walls.begin(), sums.thin_walls.end());
   SolveReport::Walls report;
   report.cells_wanted = options.thickness_cells;
@@ -140,7 +152,7 @@ SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid,
     report.thin_share = area_below(options.thickness_cells * finest, sums.thin_walls) / sums.area;
     report.unresolved_share = area_below(answer.wall_cells * finest, sums.thin_walls) / sums.area;
   }
-  if (std::isfinite(thinnest.get())) report.thinnest_cells = thinnest.get() / finest;
+  if (std::isfinite(thinnest)) report.thinnest_cells = thinnest / finest;
   if (report.unresolved_share > answer.thin_share)
     report.deciding_cells = thickness_of_all_but(answer.thin_share * sums.area, sums.thin_walls) / finest;
   if (report.thin_share > options.unresolved_share) {

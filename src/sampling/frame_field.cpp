@@ -47,6 +47,16 @@ FrameField::Sample sample_of(const Sampler::Result& result, double singular_dist
 
 }  // namespace
 
+namespace {
+
+/// Throws unless a process has the whole field.
+void check_whole(const FieldData& data) {
+  if (data.part)
+    throw Error(ErrorKind::kUsage, "this is the part of one process; sample and analyse the whole field");
+}
+
+}  // namespace
+
 /// Data computed on first use.
 struct FrameField::Lazy {
   std::once_flag sampling_once, singularities_once;
@@ -78,6 +88,10 @@ FrameField::FrameField(std::shared_ptr<const FieldData> data)
 
 std::size_t FrameField::size() const {
   return data_->tree.size();
+}
+
+bool FrameField::is_part() const {
+  return data_->part.has_value();
 }
 
 FrameField::Cell FrameField::cell(std::size_t index) const {
@@ -131,6 +145,7 @@ std::span<const std::int32_t> FrameField::regions() const {
 }
 
 const FrameField::Lazy& FrameField::ready_to_sample() const {
+  check_whole(*data_);
   std::call_once(lazy_->sampling_once, [&] {
     lazy_->sampler.emplace(data_->tree, data_->frames, data_->open_faces);
     // With lines beside creases, which do turn frames, and without a surface that may take long to read.
@@ -192,6 +207,7 @@ const SingularityGraph& FrameField::singularities() const {
 }
 
 SingularityGraph FrameField::singularities(const SingularityOptions& options) const {
+  check_whole(*data_);
   const std::shared_ptr<const SolvedSurface> surface = data_->surface.get();
   std::span<const std::vector<Vector3>> creases;
   if (surface) creases = surface->creases;

@@ -6,8 +6,6 @@
 #include <limits>
 
 namespace crossgrain {
-namespace {
-
 double squared_distance(const Vector3& point, const Box& box) {
   double sum = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -16,6 +14,8 @@ double squared_distance(const Vector3& point, const Box& box) {
   }
   return sum;
 }
+
+namespace {
 
 class NearestLeafSearch {
  public:

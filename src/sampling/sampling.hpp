@@ -46,6 +46,9 @@ class Sampler {
   /// The frame at a point with finite coordinates. The field must have a leaf.
   Result at(const Vector3& point) const;
 
+  /// The frame of a leaf, as at a point outside to which it is the nearest.
+  Quaternion frame_of(CellIndex leaf) const { return from_stored(field_.frames[leaf]); }
+
   /// The frame at a point of the closed box of leaf `leaf`, from the leaves joined to that one.
   Quaternion in_leaf(CellIndex leaf, const Vector3& point) const;
 

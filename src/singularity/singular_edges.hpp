@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/quaternion.hpp"
 #include "grid/octree.hpp"
+#include "grid/share.hpp"
 #include "singularity/frame_turn.hpp"
 #include "singularity/singular_edge.hpp"
 
@@ -43,10 +45,11 @@ struct GridEdge {
 ///
 /// `frames` and `open_faces` (as in LeafConnections) have one entry per leaf. So has `owners`, if given:
 /// leaves with 0 own no singular edge and are skipped; see near_sharp_turns in
-/// field/neighbour_comparison.hpp.
+/// field/neighbour_comparison.hpp. Of a shared level, given its `part`, all processes get the edges of all.
 std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                      std::span<const std::uint8_t> open_faces,
-                                     std::span<const std::uint8_t> owners = {});
+                                     std::span<const std::uint8_t> owners = {},
+                                     const std::optional<Share>& part = {});
 
 /// The singular edges by their end points, sorted. Points with just one edge, or with an odd number of odd
 /// ones, are on the boundary: neither occurs at a vertex surrounded by joined leaves. A line of the grid ends
@@ -58,6 +61,7 @@ SingularEdges by_end_points(const std::vector<GridEdge>& edges, const RootCube& 
 SingularEdges singular_grid_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                   std::span<const std::uint8_t> open_faces,
                                   std::span<const std::vector<Vector3>> creases = {},
-                                  std::span<const std::uint8_t> owners = {});
+                                  std::span<const std::uint8_t> owners = {},
+                                  const std::optional<Share>& part = {});
 
 }  // namespace crossgrain

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <iterator>
 #include <optional>
-#include <tuple>
+#include <utility>
 
 #include "base/disjoint_sets.hpp"
 
@@ -33,6 +35,9 @@ class LeavesNear {
     std::sort(leaves_.begin(), leaves_.end());
     leaves_.erase(std::unique(leaves_.begin(), leaves_.end()), leaves_.end());
   }
+
+  /// The leaves, ascending.
+  const std::vector<CellIndex>& leaves() const { return leaves_; }
 
   /// Whether a way through open faces, within the box, leads from a leaf at one end to one at the other.
   bool join(const SingularEdges::Point& a, const SingularEdges::Point& b,
@@ -76,11 +81,15 @@ class LeavesNear {
   std::vector<CellIndex> leaves_;
 };
 
-}  // namespace
+/// Two ends of lines and how far apart they are, in cells.
+struct PairOfEnds {
+  double cells;
+  std::uint32_t a, b;
+  auto operator<=>(const PairOfEnds&) const = default;
+};
 
-std::vector<std::array<std::uint32_t, 2>> touching_ends(const SingularEdges& singular, const Octree& tree,
-                                                        std::span<const std::uint8_t> open_faces,
-                                                        double reach_cells) {
+/// Returns the pairs of ends at most `reach_cells` apart.
+std::vector<PairOfEnds> near_pairs(const SingularEdges& singular, double reach_cells) {
   std::vector<std::uint32_t> degrees(singular.points.size(), 0), ends;
   for (const SingularEdge& edge : singular.edges)
     for (const std::uint32_t end : edge.ends) ++degrees[end];
@@ -94,21 +103,67 @@ std::vector<std::array<std::uint32_t, 2>> touching_ends(const SingularEdges& sin
   std::sort(ends.begin(), ends.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::pair(place(a)[0], a) < std::pair(place(b)[0], b);
   });
-  std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> found;
+  std::vector<PairOfEnds> pairs;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     for (std::size_t j = i + 1; j < ends.size(); ++j) {
       const auto [a, b] = std::minmax(ends[i], ends[j]);
       if (place(ends[j])[0] - place(ends[i])[0] > reach_cells * largest) break;
       const SingularEdges::Point &from = singular.points[a], &to = singular.points[b];
       const double cells = 2 * norm(to.place - from.place) / (from.cell_size + to.cell_size);
-      if (cells <= reach_cells && LeavesNear(tree, from, to).join(from, to, open_faces))
-        found.emplace_back(cells, a, b);
+      if (cells <= reach_cells) pairs.push_back({cells, a, b});
     }
   }
-  std::sort(found.begin(), found.end());
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (const auto& [cells, a, b] : found) pairs.push_back({a, b});
   return pairs;
+}
+
+/// A leaf and its open faces.
+struct OpenLeaf {
+  CellAddress address;
+  std::uint8_t open_faces;
+};
+
+/// Returns the leaves of all processes around the pairs, in the order of their addresses.
+std::vector<OpenLeaf> leaves_around(std::span<const PairOfEnds> pairs, const SingularEdges& singular,
+                                    const Octree& tree, std::span<const std::uint8_t> open_faces,
+                                    const Share& share) {
+  std::vector<CellIndex> own;
+  for (const PairOfEnds& pair : pairs) {
+    const LeavesNear near(tree, singular.points[pair.a], singular.points[pair.b]);
+    std::copy_if(near.leaves().begin(), near.leaves().end(), std::back_inserter(own),
+                 [&](CellIndex leaf) { return share.owns(leaf); });
+  }
+  std::sort(own.begin(), own.end());
+  own.erase(std::unique(own.begin(), own.end()), own.end());
+  std::vector<OpenLeaf> leaves;
+  for (const CellIndex leaf : own) leaves.push_back({tree[leaf], open_faces[leaf]});
+  return gathered_values<OpenLeaf>(*share.exchange, leaves);
+}
+
+}  // namespace
+
+std::vector<std::array<std::uint32_t, 2>> touching_ends(const SingularEdges& singular, const Octree& tree,
+                                                        std::span<const std::uint8_t> open_faces,
+                                                        double reach_cells, const Share& share) {
+  std::vector<PairOfEnds> pairs = near_pairs(singular, reach_cells);
+  if (!share.is_whole()) {
+    const auto leaves = leaves_around(pairs, singular, tree, open_faces, share);
+    std::vector<CellAddress> addresses;
+    std::vector<std::uint8_t> faces;
+    for (const OpenLeaf& leaf : leaves) {
+      addresses.push_back(leaf.address);
+      faces.push_back(leaf.open_faces);
+    }
+    return touching_ends(singular, Octree(tree.root(), std::move(addresses)), faces, reach_cells,
+                         whole_share(leaves.size()));
+  }
+  std::erase_if(pairs, [&](const PairOfEnds& pair) {
+    const SingularEdges::Point &a = singular.points[pair.a], &b = singular.points[pair.b];
+    return !LeavesNear(tree, a, b).join(a, b, open_faces);
+  });
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<std::array<std::uint32_t, 2>> result;
+  for (const PairOfEnds& pair : pairs) result.push_back({pair.a, pair.b});
+  return result;
 }
 
 }  // namespace crossgrain

@@ -7,15 +7,17 @@
 #include <vector>
 
 #include "grid/octree.hpp"
+#include "grid/share.hpp"
 #include "singularity/singular_edge.hpp"
 
 namespace crossgrain {
 
 /// Pairs of ends of lines on a grid, at most `reach_cells` apart, between which joined leaves lead: one line
 /// may continue from one to the other along the surface. Not so across a gap in the solid. Nearest pairs
-/// first, then by index. `singular` as from by_end_points, `open_faces` as in LeafConnections.
+/// first, then by index. `singular` as from by_end_points, the same in all processes that share the tree;
+/// `open_faces` as in LeafConnections.
 std::vector<std::array<std::uint32_t, 2>> touching_ends(const SingularEdges& singular, const Octree& tree,
                                                         std::span<const std::uint8_t> open_faces,
-                                                        double reach_cells);
+                                                        double reach_cells, const Share& share);
 
 }  // namespace crossgrain

@@ -2,7 +2,9 @@
 #include "solve/level_comparison.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -58,18 +60,52 @@ bool have_as_many(const SolveReport::Singularity& a, const SolveReport::Singular
   return a.arcs == b.arcs && a.nodes == b.nodes && a.boundary_ends == b.boundary_ends;
 }
 
+template <class T>
+void append_list(Bytes& message, const std::vector<T>& values) {
+  const std::uint64_t size = values.size();
+  append_to<std::uint64_t>(message, {&size, 1});
+  append_to<T>(message, values);
+}
+
+template <class T>
+std::vector<T> list_from(MessageReader& reader) {
+  return reader.take<T>(reader.take<std::uint64_t>());
+}
+
 }  // namespace
 
-void CoarserGraphs::add(const CoarserLevel& level, std::span<const std::vector<Vector3>> creases) {
-  const SingularEdges singular = singular_grid_edges(level.tree, level.frames, level.open_faces, creases);
+Bytes CoarserGraphs::visit(const CoarserLevel& level) {
+  const SingularEdges singular =
+      singular_grid_edges(level.tree, level.frames, level.open_faces, creases_, {}, level.part);
+  if (level.part && level.part->exchange->rank() != 0) return {};
+  const double cell_size = level.tree.root().cell_size(level.depth);
+  add(level.depth, cell_size, singular);
+  Bytes seen;
+  append_to<double>(seen, {&cell_size, 1});
+  append_list(seen, singular.points);
+  append_list(seen, singular.edges);
+  append_list(seen, singular.surface_edges);
+  return seen;
+}
+
+void CoarserGraphs::revisit(int depth, const Bytes& seen) {
+  MessageReader reader(seen);
+  const auto cell_size = reader.take<double>();
+  SingularEdges singular;
+  singular.points = list_from<SingularEdges::Point>(reader);
+  singular.edges = list_from<SingularEdge>(reader);
+  singular.surface_edges = list_from<std::array<std::uint32_t, 2>>(reader);
+  singular.creases = creases_;
+  add(depth, cell_size, singular);
+}
+
+void CoarserGraphs::add(int depth, double cell_size, const SingularEdges& singular) {
   SingularityOptions shorter;
   shorter.end_cells = shorter.merge_cells;
-  one_before_ = std::exchange(last_, Kept{level.depth, singularity_graph(singular),
+  one_before_ = std::exchange(last_, Kept{depth, cell_size, singularity_graph(singular),
                                           summary_of(singularity_graph(singular, shorter))});
-  if (!one_before_ ||
-      !differences_of(last_->graph, one_before_->graph, level.tree.root().cell_size(one_before_->depth))
-           .empty())
-    changed_at_.push_back(level.depth);
+  if (!one_before_ || !differences_of(last_->graph, one_before_->graph, one_before_->cell_size).empty())
+    changed_at_.push_back(depth);
 }
 
 std::optional<SolveReport::Coarser> CoarserGraphs::before(int depth, const SingularityGraph& graph,

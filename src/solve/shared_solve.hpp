@@ -9,10 +9,14 @@
 
 namespace crossgrain {
 
-/// Returns in the first process what `solve` returns, or `solve_from` if there is an earlier field, to the
-/// bit; nothing in the others. All call it with the same arguments. Throws like those, in any process.
+/// Solves like `solve`, or `solve_from` if there is an earlier field, to the same bits. If the last level was
+/// shared, each process gets its part of the field; otherwise the first gets the whole, and the others
+/// nothing. All call it with the same arguments. Throws like those, in any process.
 std::optional<FrameField> solve_together(LevelSharing& sharing, const FrameField* earlier,
                                          const TriangleMesh& mesh, const SolveOptions& options,
                                          const Monitor& monitor);
+
+/// Returns the whole of such a field in the first process, and nothing in the others.
+std::optional<FrameField> whole_on_first(std::optional<FrameField> field);
 
 }  // namespace crossgrain

@@ -25,6 +25,7 @@
 #include "measure/interface_report.hpp"
 #include "measure/regions.hpp"
 #include "measure/walls.hpp"
+#include "sampling/places.hpp"
 #include "sampling/sampling.hpp"
 #include "singularity/singular_edges.hpp"
 #include "singularity/singularity_graph.hpp"
@@ -43,7 +44,7 @@ constexpr std::size_t kTurnsPerPlace = 10;
 
 /// Returns the largest deviation from symmetry of the coefficients, rounded to single precision as in files.
 template <int D>
-double largest_deviation(std::span<const StoredQuaternion> frames) {
+double largest_deviation(const Share& share, std::span<const StoredQuaternion> frames) {
   std::vector<double> largest((frames.size() + kParallelGrain - 1) / kParallelGrain);
   parallel_for_chunks(frames.size(), kParallelGrain, [&](std::size_t begin, std::size_t end) {
     run_in_lanes([&]<int W>() {
@@ -58,12 +59,14 @@ double largest_deviation(std::span<const StoredQuaternion> frames) {
         largest[begin / kParallelGrain] = std::max(largest[begin / kParallelGrain], most[lane]);
     });
   });
-  return largest.empty() ? 0 : *std::max_element(largest.begin(), largest.end());
+  const double most = largest.empty() ? 0 : *std::max_element(largest.begin(), largest.end());
+  return largest_of_all(share, most);
 }
 
 SolveReport report_of(const Solid& solid, const SolvedField& field, const AlignmentMeasurement& alignment,
                       const SolveOptions& options) {
   SolveReport report;
+  const Share share = field.level.share();
   report.degree = static_cast<int>(options.degree);
   const double resolution_requested =
       longest_side(solid.surface.box) / finest_cell_size(solid.surface.box, options);
@@ -79,8 +82,8 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
   report.energy.boundary = field.energy.boundary;
   report.energy.unavoidable = field.energy.unavoidable;
   report.energy.total = field.energy.total();
-  report.energy.deviation_max = options.degree == Degree::kThree ? largest_deviation<3>(field.frames)
-                                                                 : largest_deviation<4>(field.frames);
+  report.energy.deviation_max = options.degree == Degree::kThree ? largest_deviation<3>(share, field.frames)
+                                                                 : largest_deviation<4>(share, field.frames);
   report.alignment_deg = alignment.alignment_deg;
   report.spectrum = alignment.spectrum;
   report.walls = measure_walls(field.level, solid, options.refinement);
@@ -109,14 +112,15 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh,
       measure_alignment(solved.level, model.solid(), {solved.level.tree, solved.frames, solved.open_faces});
   data.alignment_deg = std::move(alignment.leaf_mean_deg);
   data.constraints = std::move(alignment.leaf_constraints);
-  if (options.kept_forms.most > 0)
+  if (options.kept_forms.most > 0 && !solved.level.part)
     data.kept_forms =
         kept_forms(solved.level, model.solid(), options.degree, data.constraints, options.kept_forms);
   data.report = report_of(model.solid(), solved, alignment, options);
   data.report.model = model.description();
   data.report.input = model.findings();
-  data.singularities = std::make_shared<const SingularityGraph>(singularity_graph(singular_grid_edges(
-      solved.level.tree, solved.frames, solved.open_faces, creases, solved.near_sharp_turn)));
+  data.singularities = std::make_shared<const SingularityGraph>(
+      singularity_graph(singular_grid_edges(solved.level.tree, solved.frames, solved.open_faces, creases,
+                                            solved.near_sharp_turn, solved.level.part)));
   data.report.singularity = summary_of(*data.singularities);
   data.report.coarser = coarser.before(solved.levels.back().depth, *data.singularities,
                                        data.report.resolution, cell_size_of(data.report));
@@ -150,7 +154,7 @@ Sampler::Turns turns_for(const PreparedModel& model, const RequestedAxes& asked,
 
 /// Reports how well the interpolated field meets the constraints besides the surface.
 void describe_guides(const PreparedModel& model, const RequestedAxes& asked, const SolveOptions& options,
-                     const Sampler& sampler, FieldData& data) {
+                     const PlaceSampler& sampler, FieldData& data) {
   const double finest = finest_cell_size(model.surface().box, options);
   data.report.creases = crease_report(model.creases(), sampler, finest);
   data.report.interfaces = interface_report(model.inner_faces(), sampler, finest);
@@ -163,13 +167,13 @@ void describe_guides(const PreparedModel& model, const RequestedAxes& asked, con
 }
 
 /// Sets what the field makes of the creases and corners of the surface, and with that the answer.
-void describe_surface(const Sampler& sampler, FieldData& data) {
+void describe_surface(const PlaceSampler& sampler, FieldData& data) {
   add_grid_surface(*data.surface.get(), sampler, cell_size_of(data.report), *data.singularities, {},
                    data.report.singularity);
   data.report.answer = answer_of(data.report);
 }
 
-/// Null in processes that help the first one.
+/// Null in processes that have no part of the field.
 std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptions& options,
                                       const Monitor& monitor, InitialField initial,
                                       LevelSharing* sharing = nullptr) {
@@ -182,16 +186,16 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   check_surface_memory(mesh, options);
   PreparedModel model(mesh, options);
   const std::vector<std::vector<Vector3>> creases = model.crease_lines();
-  CoarserGraphs coarser;
+  CoarserGraphs coarser(creases);
   const std::unique_ptr<const DecidedField> decided =
       initial.frame_at || (sharing != nullptr && !sharing->is_first())
           ? nullptr
           : DecidedField::solved(model.solid(), options, monitor);
   if (decided) initial = decided->initial_field(options.solver);
-  SolvedField solved = nested_solve(
-      model.solid(), options, monitor, initial, {watch.restart()},
-      [&](const CoarserLevel& level) { coarser.add(level, creases); }, sharing);
-  if (sharing != nullptr && !sharing->is_first()) return nullptr;
+  SolvedField solved =
+      nested_solve(model.solid(), options, monitor, initial, {watch.restart()}, &coarser, sharing);
+  const bool is_first = sharing == nullptr || sharing->is_first();
+  if (!is_first && !solved.level.part) return nullptr;
   check_interior(solved.level, model.mended());
   if (decided) {
     solved.grid_seconds += decided->seconds() - decided->field().solve_seconds;
@@ -201,8 +205,9 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   // The field is complete, so a stop has no effect from here on.
   const WatchedLoops watched_to_the_end(monitor, Stops::kIgnored);
   const int level = static_cast<int>(solved.levels.size());
-  monitor.report({Phase::kAnalysis, 0, solved.level.size(), 0, std::numeric_limits<double>::quiet_NaN(),
-                  level, level + (solved.stopped ? solved.levels_left_out : 0)});
+  monitor.report({Phase::kAnalysis, 0, static_cast<std::size_t>(solved.level.share().of_all), 0,
+                  std::numeric_limits<double>::quiet_NaN(), level,
+                  level + (solved.stopped ? solved.levels_left_out : 0)});
   monitor.check();
   auto data = std::make_shared<FieldData>();
   data->degree = options.degree;
@@ -213,12 +218,15 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const RequestedAxes asked = requested_axes(options.constraints, model.solid(), solved.level,
                                              finest_cell_size(model.surface().box, options));
   data->tree = std::move(solved.level.tree);
+  data->part = solved.level.part;
   data->frames = std::move(solved.frames);
   data->open_faces = std::move(solved.open_faces);
   const Sampler sampler(data->tree, data->frames, data->open_faces, turns_for(model, asked, data->tree));
-  describe_guides(model, asked, options, sampler, *data);
+  const PlaceSampler places(sampler, data->tree, data->share(), solved.level.ghosts);
+  describe_guides(model, asked, options, places, *data);
   data->surface = std::move(model).solved_surface();
-  describe_surface(sampler, *data);
+  describe_surface(places, *data);
+  leave_own_leaves(*data);
   return data;
 }
 
@@ -262,6 +270,15 @@ std::optional<FrameField> solve_together(LevelSharing& sharing, const FrameField
   const Sampler sampler(data.tree, data.frames, data.open_faces);
   auto result = solve_with(mesh, options, monitor, start_from(sampler), &sharing);
   return result ? std::optional(continued(data, std::move(result))) : std::nullopt;
+}
+
+std::optional<FrameField> whole_on_first(std::optional<FrameField> field) {
+  if (!field || !field->is_part()) return field;
+  auto data = std::make_shared<FieldData>(field->data());
+  field.reset();
+  const bool is_first = data->part->exchange->rank() == 0;
+  move_to_first(*data);
+  return is_first ? std::optional(FrameField(std::move(data))) : std::nullopt;
 }
 
 }  // namespace crossgrain

@@ -218,8 +218,10 @@ void check_size(const Surface& surface, const SolveOptions& options) {
 }
 
 void check_interior(const GridLevel& finest, const MendedSurface& mended) {
-  if (std::any_of(finest.centre_winding.begin(), finest.centre_winding.end(), [](int w) { return w > 0; }))
-    return;
+  const Share share = finest.share();
+  const auto& winding = finest.centre_winding;
+  const bool has_inside = std::any_of(winding.begin(), winding.end(), [](int w) { return w > 0; });
+  if (share.is_whole() ? has_inside : any(*share.exchange, has_inside)) return;
   const Surface& surface = mended.surface;
   if (!mended.closed) {
     const Finding* hole = find(mended.findings, FindingKind::kHole);

@@ -26,7 +26,7 @@ void check_surface_memory(const TriangleMesh& mesh, const SolveOptions& options)
 void check_size(const Surface& surface, const SolveOptions& options);
 
 /// Throws Error(kInput) if no cell has its centre inside and a finer grid would not help: the surface is open
-/// or flat.
+/// or flat. In all processes that share the level.
 void check_interior(const GridLevel& finest, const MendedSurface& mended);
 
 /// Returns warnings about details of the surface that the finest cells do not resolve.

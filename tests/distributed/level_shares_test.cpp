@@ -35,7 +35,7 @@ FrameField solved_by(int ranks, const Cuts& cuts, const TriangleMesh& mesh, Solv
     LocalFiles files;
     KeptSolve checkpoint(exchange, files, folders.keep, folders.resume, 0);
     LevelShares shares(exchange, cuts, &checkpoint);
-    std::optional<FrameField> field = solve_together(shares, nullptr, mesh, options, {});
+    std::optional<FrameField> field = whole_on_first(solve_together(shares, nullptr, mesh, options, {}));
     EXPECT_EQ(field.has_value(), exchange.rank() == 0);
     if (field) result = std::move(field);
   });
