@@ -70,7 +70,7 @@ class Team {
                                   const CheckpointFolders& checkpoint) {
     if (const auto failure = first_failure({})) throw FailedElsewhere{failure->exit_code};
     has_begun_ = true;
-    return processes_.whole(processes_.solve(earlier, mesh, options, monitor, checkpoint));
+    return processes_.solve(earlier, mesh, options, monitor, checkpoint);
   }
 
   /// Ends the work of this process, with a failure or without one. Returns the exit code of all.

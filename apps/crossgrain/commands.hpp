@@ -19,10 +19,11 @@ using SolveOnGrid =
 
 /// Solves and writes the field; prints a summary on standard output, progress on standard error. Returns the
 /// exit code: that of an interruption if a stop left the field unfinished. `together`, unless empty, solves
-/// with other processes; it returns a field, and cannot be stopped at a finished level.
+/// with other processes; it returns a field, whole or in parts, and cannot be stopped at a finished level.
 int run_solve(const SolveArguments& arguments, const SolveOnGrid& together = {});
 
-/// Reads the same inputs as run_solve in another process, and solves with it. Writes and prints nothing.
+/// Reads the same inputs as run_solve in another process, solves with it, and writes its part of the field.
+/// Prints nothing.
 void help_solve(const SolveArguments& arguments, const SolveOnGrid& together);
 
 /// Writes the frames at points; prints the number of points outside on standard error.

@@ -14,6 +14,7 @@
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/field_parts.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/page.hpp"
 #include "crossgrain/read_limits.hpp"
@@ -194,6 +195,27 @@ Inputs read_inputs(const SolveArguments& arguments, const Monitor& monitor, cons
   return inputs;
 }
 
+/// What of a field this process writes, once it is solved. All that solve it call this together.
+struct ToWrite {
+  std::optional<FrameField> cells;  ///< the whole field or a part; none: this process has none
+  std::optional<FrameField> shown;  ///< a field for the page, in the first process
+};
+
+ToWrite gathered_to_write(FrameField field, const SolveArguments& arguments, bool has_tets) {
+  /// Far more cells than the page shows.
+  constexpr std::size_t kMostForPage = 1000000;
+  // Only the first process carries a field onto tets, or clips it.
+  if (has_tets || arguments.output_options.clip) {
+    ToWrite result{whole_of_parts(std::move(field)), {}};
+    result.shown = result.cells;
+    return result;
+  }
+  if (!field.is_part()) return {field, field};
+  ToWrite result{field, {}};
+  if (arguments.page) result.shown = thinned_from_parts(field, kMostForPage);
+  return result;
+}
+
 /// Solves, transfers the field to the tets if there are any, and writes all files. Warnings from reading go
 /// to `warn` before the solve.
 SolveReport solve_and_write(const SolveArguments& arguments,
@@ -208,7 +230,9 @@ SolveReport solve_and_write(const SolveArguments& arguments,
     leave_line();
     print_message(arguments.output + ": the field of " + *replaced + " will be replaced");
   }
-  const FrameField field = solve_model(arguments, options, mesh, monitor, on_grid).value();
+  const ToWrite to_write = gathered_to_write(solve_model(arguments, options, mesh, monitor, on_grid).value(),
+                                             arguments, domain.has_value());
+  const FrameField& field = to_write.cells.value();
   std::optional<TetFrameField> tet_field;
   if (domain) tet_field = carried(arguments, options, field, *domain, monitor, leave_line);
 
@@ -219,7 +243,8 @@ SolveReport solve_and_write(const SolveArguments& arguments,
   // it would be lost.
   if (output_options.foreign_files == ForeignFiles::kRefuse)
     output_options.foreign_files = ForeignFiles::kKeep;
-  if (arguments.page) output_options.companions.push_back(tet_field ? page_of(*tet_field) : page_of(field));
+  if (arguments.page)
+    output_options.companions.push_back(tet_field ? page_of(*tet_field) : page_of(to_write.shown.value()));
   SolveReport report = tet_field ? tet_field->report() : field.report();
   report.model.path = arguments.model;
   report.seconds.read = read_seconds;
@@ -241,7 +266,13 @@ void help_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
   const ThreadLimit thread_limit(arguments.options.threads);
   const Monitor monitor;
   const auto [options, domain, mesh] = read_inputs(arguments, monitor, [](const Warning&) {});
-  solve_model(arguments, options, mesh, monitor, together);
+  const std::optional<FrameField> field = solve_model(arguments, options, mesh, monitor, together);
+  if (!field) return;
+  const ToWrite to_write = gathered_to_write(*field, arguments, domain.has_value());
+  OutputOptions output_options = arguments.output_options;
+  output_options.formats.clear();
+  if (to_write.cells)
+    write_field(*to_write.cells, field->report(), arguments.output, monitor, output_options);
 }
 
 int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {

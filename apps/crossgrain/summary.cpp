@@ -109,6 +109,8 @@ std::string tets_energy_row(const SolveReport::Onto& onto) {
 std::string files_row(const SolveReport& report, const SolveArguments& arguments) {
   std::vector<std::string> names = result_files(arguments.output_options, report.onto.has_value());
   if (arguments.page) names.insert(names.begin(), kPageFile);
+  for (std::string& name : names)
+    if (name == kCellsFile && is_in_pieces(arguments.output)) name = kPiecesFile;
   return row("result", fmt::format("{}: {}", arguments.output, fmt::join(names, ", ")));
 }
 

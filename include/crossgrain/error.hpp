@@ -45,4 +45,7 @@ class Error : public std::runtime_error {
   Message message_;
 };
 
+/// Thrown in a process that waits for another one, which has failed (crossgrain/processes.hpp).
+struct OtherProcessFailed {};
+
 }  // namespace crossgrain

@@ -117,6 +117,14 @@ struct OutputFormat {
 /// Returns all formats; those that are always written come first.
 std::vector<OutputFormat> output_formats();
 
+/// Name of the file with the cells in the folder of a field; of a field that several processes have written
+/// (crossgrain/field_parts.hpp), that of the list of their files.
+inline constexpr const char* kCellsFile = "field.vtu";
+inline constexpr const char* kPiecesFile = "field.pvtu";
+
+/// Returns whether the field in a folder is in the files of several processes.
+bool is_in_pieces(const std::filesystem::path& folder);
+
 /// Name of the page in the folder of a field (crossgrain/page.hpp).
 inline constexpr const char* kPageFile = "report.html";
 
@@ -188,6 +196,11 @@ struct OutputOptions {
 SolveReport write_field(const FrameField& field, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 
+/// Writes a part of a field (FrameField::is_part): all processes call it together, each writes a file
+/// FOLDER/field_N.vtu with its cells, and process 0 all else, with FOLDER/field.pvtu in place of field.vtu,
+/// which ParaView opens. Process 0 gets the report. Error(kUsage) with a box. If it fails in one process, the
+/// others throw OtherProcessFailed or wait for the failed one.
+///
 /// Writes a field with a report of the caller's, for example with the path of the model and the time of
 /// reading added.
 SolveReport write_field(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
@@ -202,9 +215,9 @@ SolveReport write_field(const TetFrameField& field, SolveReport report, const st
 SolveReport write_field(const TetFrameField& field, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 
-/// Reads the field on the grid from a folder that `write_field` has written, bit for bit. A field that was
-/// written in part or with merged cells becomes a field of those cells; everything else is outside. Throws
-/// Error(kInput).
+/// Reads the field on the grid from a folder that `write_field` has written, bit for bit, also from pieces. A
+/// field that was written in part or with merged cells becomes a field of those cells; everything else is
+/// outside. Throws Error(kInput).
 FrameField read_field(const std::filesystem::path& folder);
 
 /// Reads the field on tets from a folder that `write_field` has written; none if the folder has no tets.

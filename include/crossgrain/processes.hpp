@@ -9,13 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/error.hpp"
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/solve.hpp"
 
 namespace crossgrain {
-
-/// Thrown in a process that waits for another one, which has failed.
-struct OtherProcessFailed {};
 
 /// Folders for going on after a break; empty for none.
 struct CheckpointFolders {
@@ -52,9 +50,6 @@ class Processes {
   std::optional<FrameField> solve(const FrameField* earlier, const TriangleMesh& mesh,
                                   const SolveOptions& options = {}, const Monitor& monitor = {},
                                   const CheckpointFolders& checkpoint = {});
-
-  /// Returns the whole field in process 0, and nothing in the others. Takes what `solve` has returned.
-  std::optional<FrameField> whole(std::optional<FrameField> field);
 
   /// Returns what each process passed.
   std::vector<std::string> gathered(const std::string& mine);

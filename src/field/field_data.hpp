@@ -50,6 +50,13 @@ struct FieldData {
 /// Removes the leaves that the process does not own, and their values.
 void leave_own_leaves(FieldData& data);
 
+/// Moves leaves between processes that share a field, so that those in one cell of a depth are in one
+/// process, the first of those that have some. All call it together, after leave_own_leaves.
+void unite_cells(FieldData& data, int depth);
+
+/// Numbers the leaves of all processes anew, after those of some have changed. All call it together.
+void renumber(FieldData& data);
+
 /// Moves the leaves of all processes that share a field to the first, which has the whole field then; others
 /// have none. All call it together.
 void move_to_first(FieldData& data);

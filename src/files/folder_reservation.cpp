@@ -191,9 +191,18 @@ void FolderReservation::check_names(const std::vector<std::string>& names) const
   }
 }
 
+void FolderReservation::require_staging() {
+  if (!staging_.is_open() && !make_staging()) refuse_busy();
+}
+
+fs::path FolderReservation::staging_place() {
+  require_staging();
+  return (is_beside_ ? path_.parent_path() : path_) / staging_entry().name;
+}
+
 std::unique_ptr<OutputFile> FolderReservation::create(const std::string& name) {
   check_names({name});
-  if (!staging_.is_open() && !make_staging()) refuse_busy();
+  require_staging();
   return std::make_unique<OutputFile>(staging_.number(), name, shown_of(name));
 }
 

@@ -36,6 +36,9 @@ class FolderReservation {
   /// Throws Error(kOutput) if a file of such a name cannot be put into the folder.
   void check_names(const std::vector<std::string>& names) const;
 
+  /// Returns the absolute path of the folder of files that are not published, and makes it if there is none.
+  std::filesystem::path staging_place();
+
   /// Creates a file, which appears in the folder when it is published.
   std::unique_ptr<OutputFile> create(const std::string& name);
 
@@ -54,6 +57,7 @@ class FolderReservation {
   void clear_leftovers();
   void clear_leftover(const FolderEntry& entry);
   bool make_staging();
+  void require_staging();
   bool stage_inside();
   bool publish_new();
   void publish_over(const std::vector<std::string>& names, const std::vector<std::string>& outdated);

@@ -12,6 +12,11 @@ OutputFile& OutputFolder::create(const std::string& name) {
   return *files_.back();
 }
 
+void OutputFolder::expect(const std::string& name) {
+  reservation_->check_names({name});
+  names_.push_back(name);
+}
+
 OutputFolder::~OutputFolder() {
   files_.clear();
   reservation_->discard(names_);

@@ -25,11 +25,20 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
+  /// The folder as it was given, and the place where its new files are until `commit`.
+  const std::string& name() const { return reservation_->name(); }
+  std::filesystem::path place() { return reservation_->staging_place(); }
+
   /// Creates a file in the folder. The folder owns it.
   OutputFile& create(const std::string& name);
 
+  /// Makes a file that another process writes to `place` a file of the folder. Throws Error(kOutput) if it
+  /// cannot have this name.
+  void expect(const std::string& name);
+
   /// Sets OutputFile::solve of the files created from now on.
   void set_solve(std::string solve) { solve_ = std::move(solve); }
+  const std::string& solve() const { return solve_; }
 
   /// Removes an earlier file or link of this name at `commit`. Anything else of this name stays.
   void remove_at_commit(const std::string& name) { outdated_.push_back(name); }

@@ -16,7 +16,4 @@ std::optional<FrameField> solve_together(LevelSharing& sharing, const FrameField
                                          const TriangleMesh& mesh, const SolveOptions& options,
                                          const Monitor& monitor);
 
-/// Returns the whole of such a field in the first process, and nothing in the others.
-std::optional<FrameField> whole_on_first(std::optional<FrameField> field);
-
 }  // namespace crossgrain

@@ -272,13 +272,4 @@ std::optional<FrameField> solve_together(LevelSharing& sharing, const FrameField
   return result ? std::optional(continued(data, std::move(result))) : std::nullopt;
 }
 
-std::optional<FrameField> whole_on_first(std::optional<FrameField> field) {
-  if (!field || !field->is_part()) return field;
-  auto data = std::make_shared<FieldData>(field->data());
-  field.reset();
-  const bool is_first = data->part->exchange->rank() == 0;
-  move_to_first(*data);
-  return is_first ? std::optional(FrameField(std::move(data))) : std::nullopt;
-}
-
 }  // namespace crossgrain

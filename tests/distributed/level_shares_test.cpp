@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "crossgrain/field_parts.hpp"
 #include "crossgrain/frame_field.hpp"
 #include "distributed/local_files.hpp"
 #include "distributed/random_cuts.hpp"
@@ -35,7 +36,8 @@ FrameField solved_by(int ranks, const Cuts& cuts, const TriangleMesh& mesh, Solv
     LocalFiles files;
     KeptSolve checkpoint(exchange, files, folders.keep, folders.resume, 0);
     LevelShares shares(exchange, cuts, &checkpoint);
-    std::optional<FrameField> field = whole_on_first(solve_together(shares, nullptr, mesh, options, {}));
+    std::optional<FrameField> field = solve_together(shares, nullptr, mesh, options, {});
+    if (field) field = whole_of_parts(*std::move(field));
     EXPECT_EQ(field.has_value(), exchange.rank() == 0);
     if (field) result = std::move(field);
   });

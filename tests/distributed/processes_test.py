@@ -5,6 +5,7 @@ CROSSGRAIN_MPI_PROGRAM names the program, CROSSGRAIN_PROGRAM the one for a proce
 CROSSGRAIN_BREAKS is how many solves are broken off, 2 unless it says otherwise, CROSSGRAIN_SEED when.
 """
 
+import importlib
 import json
 import os
 import random
@@ -14,10 +15,12 @@ import subprocess
 import sys
 import time
 import unittest
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "command"))
 import numpy as np
+from field_reader import read_arrays
 from program import CommandTest, run
 
 MPI_PROGRAM = os.environ["CROSSGRAIN_MPI_PROGRAM"]
@@ -25,8 +28,8 @@ MPIRUN = os.environ.get("CROSSGRAIN_MPIRUN", "mpirun")
 MODELS = Path(__file__).parents[2] / "models"
 BRACKET = MODELS / "bracket.stl"
 
-# What differs from run to run: times, forecasts made from them, the name of the solve.
-OF_THE_RUN = ("seconds", "expected", "solve", "threads", "peak_memory_bytes")
+# What differs from run to run: times, and forecasts made from them. The name of the solve is a sum of all cells.
+OF_THE_RUN = ("seconds", "expected", "threads", "peak_memory_bytes")
 
 # The superuser may run OpenMPI only if these say so.
 ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
@@ -38,6 +41,20 @@ def same_in_all_runs(value):
     if isinstance(value, dict):
         return {key: same_in_all_runs(item) for key, item in value.items() if key not in OF_THE_RUN}
     return [same_in_all_runs(item) for item in value] if isinstance(value, list) else value
+
+
+def cells_in(folder):
+    """{name: values} of field.vtu, or of all pieces; corners in place of points and indices."""
+    files = [folder / piece.get("Source") for piece in ElementTree.parse(folder / "field.pvtu").iter("Piece")] if (
+        folder / "field.pvtu").exists() else [folder / "field.vtu"]
+    parts = []
+    for file in files:
+        arrays = read_arrays(file)
+        arrays["corners"] = arrays.pop("Points")[arrays.pop("connectivity")]
+        del arrays["offsets"]
+        parts.append(arrays)
+    of_whole = ("crossgrain_schema", "degree", "root_cube", "output_level")
+    return {name: values if name in of_whole else np.concatenate([part[name] for part in parts]) for name, values in parts[0].items()}
 
 
 def stl_of(triangles):
@@ -62,6 +79,13 @@ def box(size):
     corners = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)]) * np.array(size)
     faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
     return np.array([[corners[f[0]], corners[f[i]], corners[f[i + 1]]] for f in faces for i in (1, 2)])
+
+
+def import_or_skip(test, name):
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        return test.skipTest(f"{name} is not installed")
 
 
 def why_none_start():
@@ -92,8 +116,12 @@ class ProcessesTest(CommandTest):
         here, alone = self.folder / folder, self.folder / "alone"
         reports = [same_in_all_runs(json.loads((path / "report.json").read_text())) for path in (here, alone)]
         self.assertEqual(*reports)
-        for name in ("singularities.vtu", "surface.vtu", "field.vtu"):
+        for name in ("singularities.vtu", "surface.vtu"):
             self.assertEqual(*[(path / name).read_bytes().split(b"</UnstructuredGrid>")[-1] for path in (here, alone)], name)
+        cells, expected = cells_in(here), cells_in(alone)
+        self.assertEqual(cells.keys(), expected.keys())
+        for name, values in expected.items():
+            np.testing.assert_array_equal(cells[name], values, name)
 
     def assert_same_on(self, numbers, model, *options):
         alone = self.solved_alone(model, *options)
@@ -131,6 +159,85 @@ class Fields(ProcessesTest):
         self.write("axes.json", json.dumps({"schema": 1, "points": [{"at": [30, 10, 10], "axis": [1, 2, 3]}], "polylines": [
             {"points": [[20, 10, 5], [60, 20, 20], [100, 60, 10]], "axis": "tangent", "weight": 3}]}))
         self.assert_same_on((3,), BRACKET, "--resolution", 320, "--constraints", "axes.json")
+
+
+class Pieces(ProcessesTest):
+    OPTIONS = ("--resolution", 210, "--quiet", "--no-report", "--threads", 1)
+
+    def solved_in_pieces(self, *options):
+        result = self.together(3, "solve", BRACKET, "-o", "together", *self.OPTIONS, *options)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def names_in_result(self):
+        return sorted(path.name for path in (self.folder / "together").iterdir())
+
+    def test_are_read_by_every_command_as_one_field(self):
+        self.solved_alone(BRACKET, "--resolution", 210)
+        self.solved_in_pieces()
+        self.write("points.txt", "10 10 3\n100 40 7\n60 20 4\n-5 0 0\n")
+        for field in ("alone", "together"):
+            self.assert_succeeds(self.run_here("sample", field, "points.txt", "-o", f"{field}.txt"))
+            self.assert_succeeds(self.run_here("render", field, "-o", f"{field}.png"))
+            self.assert_succeeds(self.run_here("solve", BRACKET, "--from", field, "--resolution", 100, "-o", f"{field}-again", "--no-report", "--quiet"))
+        self.assertEqual(*[self.run_here("check", field).stdout for field in ("alone", "together")])
+        for name in ("{}.txt", "{}.png", "{}-again/field.vtu"):
+            self.assertEqual(*[(self.folder / name.format(field)).read_bytes() for field in ("alone", "together")])
+
+    def test_are_opened_by_vtk(self):
+        vtk = import_or_skip(self, "vtkmodules.vtkIOXML")
+        self.solved_in_pieces()
+        reader = vtk.vtkXMLPUnstructuredGridReader()
+        reader.SetFileName(str(self.folder / "together" / "field.pvtu"))
+        reader.Update()
+        cells = cells_in(self.folder / "together")
+        grid = reader.GetOutput()
+        self.assertEqual(grid.GetNumberOfCells(), len(cells["level"]))
+        for name in ("axis_u", "level", "energy_density"):
+            values = grid.GetCellData().GetArray(name)
+            np.testing.assert_array_equal(np.array([values.GetTuple(i) for i in range(0, len(cells[name]), 997)]).squeeze(), cells[name][::997])
+
+    def test_hold_merged_cells_as_one_process_merges_them(self):
+        self.solved_alone(BRACKET, "--resolution", 210, "--output-level", 5)
+        self.solved_in_pieces("--output-level", 5)
+        self.assert_same_as_alone("together")
+
+    def test_are_gathered_for_a_clip(self):
+        options = ("--resolution", 210, "--clip", "20,0,0,60,30,20")
+        self.solved_alone(BRACKET, *options)
+        self.solved_in_pieces(*options[2:])
+        self.assertIn("field.vtu", self.names_in_result())
+        self.assert_same_as_alone("together")
+
+    def test_replace_and_are_replaced(self):
+        self.solved_in_pieces()
+        pieces = ["field.pvtu", "field_0.vtu", "field_1.vtu", "field_2.vtu", "report.json", "singularities.vtu", "surface.vtu"]
+        self.assertEqual(self.names_in_result(), pieces)
+        self.assertEqual(self.together(2, "solve", BRACKET, "-o", "together", *self.OPTIONS).returncode, 0)
+        self.assertEqual(self.names_in_result(), [name for name in pieces if name != "field_2.vtu"])
+        self.assert_succeeds(self.run_here("solve", BRACKET, "-o", "together", *self.OPTIONS))
+        self.assertEqual(self.names_in_result(), ["field.vtu", *pieces[-3:]])
+        self.solved_in_pieces()
+        self.assertEqual(self.names_in_result(), pieces)
+
+    def test_that_are_missing_or_of_another_solve_are_named(self):
+        self.solved_in_pieces()
+        piece = self.folder / "together" / "field_1.vtu"
+        content = piece.read_bytes()
+        self.assert_succeeds(self.run_here("solve", BRACKET, "-o", "other", "--resolution", 50, "--quiet"))
+        shutil.copy(self.folder / "other" / "field.vtu", piece)
+        self.assert_ends(self.run_here("check", "together"), 3, "field_1.vtu", "another solve")
+        piece.write_bytes(content[:len(content) // 2])
+        self.assert_ends(self.run_here("check", "together"), 3, "field_1.vtu", "cut short")
+        piece.unlink()
+        self.assert_ends(self.run_here("check", "together"), 3, "field_1.vtu")
+
+    def test_that_cannot_be_written_are_told_once_and_keep_the_earlier_result(self):
+        self.assert_succeeds(self.run_here("solve", BRACKET, "-o", "together", "--resolution", 50, "--quiet", "--no-report"))
+        before = (self.folder / "together" / "field.vtu").read_bytes()
+        (self.folder / "together" / "field_1.vtu").mkdir()
+        self.assert_ends(self.together(3, "solve", BRACKET, "-o", "together", *self.OPTIONS, "--force"), 4, "field_1.vtu", "is a folder")
+        self.assertEqual((self.folder / "together" / "field.vtu").read_bytes(), before)
+        self.assertEqual(self.names_in_result(), ["field.vtu", "field_1.vtu", "report.json", "singularities.vtu", "surface.vtu"])
 
 
 class Breaks(ProcessesTest):

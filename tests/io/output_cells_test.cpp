@@ -74,7 +74,7 @@ TEST_P(OutputCellsAtLevel, MakeAFieldThatReadsBackToTheBit) {
                               .clip = meeting_box(data.tree, {0.3, -1, 0.1}, {0.6, 2, 0.4})};
   write_field(field_of(data), folder.path(), {}, options);
   const FieldData expected = output_cells(data, options);
-  const FieldData read = read_field_arrays(folder.path() / "field.vtu");
+  const FieldData read = read_field_arrays({folder.path() / "field.vtu"});
   EXPECT_EQ(read.tree.leaves(), expected.tree.leaves());
   EXPECT_EQ(read.open_faces, expected.open_faces);
   EXPECT_EQ(read.on_boundary, expected.on_boundary);

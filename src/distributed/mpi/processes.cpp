@@ -59,10 +59,6 @@ std::optional<FrameField> Processes::solve(const FrameField* earlier, const Tria
   return field;
 }
 
-std::optional<FrameField> Processes::whole(std::optional<FrameField> field) {
-  return whole_on_first(std::move(field));
-}
-
 std::vector<Processes::Work> Processes::work() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
@@ -21,6 +22,11 @@ constexpr double kUnitTolerance = 1e-5;
 /// cube around a surface is far within, since its coordinates are below 1e100 (surface/surface.hpp).
 constexpr double kLargestLength = 1e102;
 
+[[noreturn]] void refuse_damaged(const std::string& file) {
+  throw Error(ErrorKind::kInput, {file, "", "its arrays do not form a field", Remedy::kCopyOrSolveAgain});
+}
+
+/// Reads the arrays of one file.
 class FieldArraysReader {
  public:
   explicit FieldArraysReader(const std::filesystem::path& path) : file_(path) {}
@@ -43,7 +49,7 @@ class FieldArraysReader {
     if (file_.find(VtuSection::kCellData, kConstraint)) data.constraints = constraints();
     if (file_.find(VtuSection::kCellData, kRegion))
       data.regions = values<std::int32_t>(VtuSection::kCellData, kRegion);
-    check(data);
+    check_sizes(data);
     return data;
   }
 
@@ -107,8 +113,7 @@ class FieldArraysReader {
     return constraints;
   }
 
-  /// Checks what later code relies on; without it, that code would read out of range.
-  void check(const FieldData& data) const {
+  void check_sizes(const FieldData& data) const {
     const std::size_t count = data.tree.size();
     for (const std::size_t size : {data.frames.size(), data.open_faces.size(), data.on_boundary.size(),
                                    data.energy_density.size(), data.alignment_deg.size()}) {
@@ -116,32 +121,71 @@ class FieldArraysReader {
     }
     if (!data.constraints.empty() && data.constraints.size() != count) fail_damaged();
     if (!data.regions.empty() && data.regions.size() != count) fail_damaged();
-    if (!is_balanced(data.tree)) fail_damaged();
-    std::atomic<bool> sound = true;
-    parallel_for(count, [&](std::size_t i) {
-      if (data.open_faces[i] >> kFaceCount != 0) sound = false;
-      for (int face = 0; face < kFaceCount; ++face) {
-        const bool open = data.open_faces[i] >> face & 1;
-        if (open && data.tree.neighbour(static_cast<CellIndex>(i), face) == kNoCell) sound = false;
-      }
-    });
-    if (!sound) fail_damaged();
   }
 
   [[noreturn]] void fail(const std::string& text, Remedy remedy) const {
     throw Error(ErrorKind::kInput, {file_.name(), "", text, remedy});
   }
-  [[noreturn]] void fail_damaged() const {
-    fail("its arrays do not form a field", Remedy::kCopyOrSolveAgain);
-  }
+  [[noreturn]] void fail_damaged() const { refuse_damaged(file_.name()); }
 
   VtuFile file_;
 };
 
+/// Returns whether one field may have the leaves of both, those of `first` before those of `next`.
+bool may_follow(const FieldData& first, const FieldData& next) {
+  const RootCube &a = first.tree.root(), &b = next.tree.root();
+  const CellAddress last = first.tree.leaves().back();
+  return first.degree == next.degree && a.origin == b.origin && a.size == b.size && last < next.tree[0] &&
+         !last.contains(next.tree[0]) && first.constraints.empty() == next.constraints.empty() &&
+         first.regions.empty() == next.regions.empty();
+}
+
+template <class T>
+void append(std::vector<T>& to, std::vector<T>&& more) {
+  to.insert(to.end(), more.begin(), more.end());
+  more = std::vector<T>();
+}
+
+void append(FieldData& to, FieldData more) {
+  std::vector<CellAddress> leaves = to.tree.leaves();
+  append(leaves, std::vector(more.tree.leaves()));
+  to.tree = Octree(more.tree.root(), std::move(leaves));
+  append(to.frames, std::move(more.frames));
+  append(to.open_faces, std::move(more.open_faces));
+  append(to.on_boundary, std::move(more.on_boundary));
+  append(to.energy_density, std::move(more.energy_density));
+  append(to.alignment_deg, std::move(more.alignment_deg));
+  append(to.constraints, std::move(more.constraints));
+  append(to.regions, std::move(more.regions));
+}
+
+/// Returns what later code relies on; without it, that code would read out of range.
+bool is_sound(const FieldData& data) {
+  if (!is_balanced(data.tree)) return false;
+  std::atomic<bool> sound = true;
+  parallel_for(data.tree.size(), [&](std::size_t i) {
+    if (data.open_faces[i] >> kFaceCount != 0) sound = false;
+    for (int face = 0; face < kFaceCount; ++face) {
+      const bool open = data.open_faces[i] >> face & 1;
+      if (open && data.tree.neighbour(static_cast<CellIndex>(i), face) == kNoCell) sound = false;
+    }
+  });
+  return sound;
+}
+
 }  // namespace
 
-FieldData read_field_arrays(const std::filesystem::path& path) {
-  return FieldArraysReader(path).read();
+FieldData read_field_arrays(const std::vector<std::filesystem::path>& files) {
+  FieldData data = FieldArraysReader(files.front()).read();
+  for (std::size_t k = 1; k < files.size(); ++k) {
+    FieldData next = FieldArraysReader(files[k]).read();
+    if (!may_follow(data, next)) refuse_damaged(files[k].string());
+    if (data.tree.size() + next.tree.size() >= kNoCell)
+      throw Error(ErrorKind::kLimit, {files[k].string(), "", "the field has more than 4 billion cells"});
+    append(data, std::move(next));
+  }
+  if (!is_sound(data)) refuse_damaged(files.front().string());
+  return data;
 }
 
 }  // namespace crossgrain

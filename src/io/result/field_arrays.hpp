@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "field/field_data.hpp"
 
@@ -34,8 +35,8 @@ inline constexpr const char* kClipBox = "clip_box";  ///< 6 x Float64: low and h
 inline constexpr std::uint32_t kSchemaNumber = 1;
 }  // namespace field_arrays
 
-/// Returns what write_field has written, bitwise identical, without the report. Throws Error(kInput) for any
-/// other file, and if the arrays form no octree or no frames.
-FieldData read_field_arrays(const std::filesystem::path& path);
+/// Returns what write_field has written, bitwise identical, without the report: all of it from field.vtu, or
+/// the pieces in their order. Throws Error(kInput) for any other files and for damaged ones.
+FieldData read_field_arrays(const std::vector<std::filesystem::path>& files);
 
 }  // namespace crossgrain

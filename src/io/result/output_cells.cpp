@@ -260,4 +260,13 @@ FieldData output_cells(const FieldData& field, const OutputOptions& options, con
   return part;
 }
 
+FieldData merged_part(const FieldData& part, const OutputOptions& options, const Monitor& monitor) {
+  FieldData united = part;
+  unite_cells(united, options.level.value());
+  FieldData merged = output_cells(united, options, monitor);
+  merged.part = united.part;
+  renumber(merged);
+  return merged;
+}
+
 }  // namespace crossgrain

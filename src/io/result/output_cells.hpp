@@ -24,4 +24,8 @@ bool ask_for_all(const OutputOptions& options, const Octree& tree);
 /// Uses 35 bytes per output cell, temporarily half as much again. Throws Error(kInterrupted).
 FieldData output_cells(const FieldData& field, const OutputOptions& options, const Monitor& monitor = {});
 
+/// Returns the merged cells of this process, of a field that processes share; `options` have a level, and no
+/// box. Cells that several processes have leaves of are given to one of them. All call it together.
+FieldData merged_part(const FieldData& part, const OutputOptions& options, const Monitor& monitor);
+
 }  // namespace crossgrain

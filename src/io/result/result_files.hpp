@@ -6,7 +6,6 @@
 
 namespace crossgrain {
 
-inline constexpr const char* kFieldFile = "field.vtu";
 inline constexpr const char* kSurfaceFile = "surface.vtu";
 inline constexpr const char* kReportFile = "report.json";
 

@@ -20,6 +20,7 @@
 #include "files/checksum.hpp"
 #include "files/file_mark.hpp"
 #include "files/folder_reservation.hpp"
+#include "io/result/field_pieces.hpp"
 #include "io/result/result_files.hpp"
 
 namespace crossgrain {
@@ -27,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Bytes of a part that is summed up by itself, so that several processors can.
+/// Bytes of a part that is summed up by itself.
 constexpr std::size_t kPartBytes = 1 << 18;
 
 constexpr int kLooks = 3;
@@ -44,16 +45,18 @@ class ContentSum {
  public:
   template <class T>
   void add(const std::vector<T>& values) {
-    const std::string_view bytes = bytes_of(values.data(), values.size());
-    std::vector<std::uint64_t> parts((bytes.size() + kPartBytes - 1) / kPartBytes);
-    const auto sum_part = [&](std::size_t part) {
-      Checksum sum;
-      sum.add(bytes.substr(part * kPartBytes, kPartBytes));
-      parts[part] = sum.value();
-    };
-    parallel_for(parts.size(), sum_part, 1);
     add_value(values.size());
-    sum_.add(bytes_of(parts.data(), parts.size()));
+    add_sums(sums_of_parts(values, std::max<std::size_t>(1, kPartBytes / sizeof(T))));
+  }
+
+  /// Adds values of the leaves of all processes, in the first.
+  template <class T>
+  void add(const std::vector<T>& values, const Share& share) {
+    std::uint64_t size = values.size();
+    add_up(share, std::span(&size, 1));
+    add_value(size);
+    // A number of leaves at which shares are cut.
+    add_sums(on_first(share, sums_of_parts(values, kShareUnit)));
   }
 
   template <class T>
@@ -66,6 +69,22 @@ class ContentSum {
   std::string text() const { return fmt::format("{:016x}", sum_.value()); }
 
  private:
+  /// Sums of so many values each, so that several processors and processes can.
+  template <class T>
+  static std::vector<std::uint64_t> sums_of_parts(const std::vector<T>& values, std::size_t count) {
+    std::vector<std::uint64_t> sums((values.size() + count - 1) / count);
+    const auto sum_part = [&](std::size_t part) {
+      const std::size_t first = part * count;
+      Checksum sum;
+      sum.add(bytes_of(values.data() + first, std::min(count, values.size() - first)));
+      sums[part] = sum.value();
+    };
+    parallel_for(sums.size(), sum_part, 1);
+    return sums;
+  }
+
+  void add_sums(const std::vector<std::uint64_t>& sums) { sum_.add(bytes_of(sums.data(), sums.size())); }
+
   Checksum sum_;
 };
 
@@ -73,14 +92,15 @@ void add_field(const FieldData& data, ContentSum& sum) {
   sum.add_value(data.degree);
   const RootCube& root = data.tree.root();
   for (const double x : {root.origin[0], root.origin[1], root.origin[2], root.size}) sum.add_value(x);
-  sum.add(data.tree.leaves());
-  sum.add(data.frames);
-  sum.add(data.open_faces);
-  sum.add(data.on_boundary);
-  sum.add(data.energy_density);
-  sum.add(data.alignment_deg);
-  sum.add(data.constraints);
-  sum.add(data.regions);
+  const Share share = data.share();
+  sum.add(data.tree.leaves(), share);
+  sum.add(data.frames, share);
+  sum.add(data.open_faces, share);
+  sum.add(data.on_boundary, share);
+  sum.add(data.energy_density, share);
+  sum.add(data.alignment_deg, share);
+  sum.add(data.constraints, share);
+  sum.add(data.regions, share);
 }
 
 void add_surface(const SolvedSurface& surface, ContentSum& sum) {
@@ -112,6 +132,8 @@ void add_options(const OutputOptions& options, ContentSum& sum) {
 std::string named_solve(const fs::path& folder) {
   complete_folder(folder);
   std::vector<std::string> names = all_result_files();
+  const std::vector<std::string> pieces = listed_pieces(folder);
+  names.insert(names.end(), pieces.begin(), pieces.end());
   // The report is what the others are compared with.
   std::stable_partition(names.begin(), names.end(), [](const auto& name) { return name == kReportFile; });
   std::optional<std::string> solve;

@@ -12,7 +12,8 @@
 namespace crossgrain {
 
 /// Returns SolveReport::solve of a result: a checksum of all that its files are made of, the same for any
-/// number of threads. `tets` is null for a field on a grid.
+/// number of threads and processes. Processes that share the field call it together; the first has the
+/// result. `tets` is null for a field on a grid.
 std::string solve_id(const FieldData& data, const OutputOptions& options, const TetOutput* tets = nullptr);
 
 /// Returns whether a text is one that `solve_id` may return.

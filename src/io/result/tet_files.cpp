@@ -60,7 +60,7 @@ std::vector<OutputFormat> output_formats() {
 std::vector<std::string> result_files(const OutputOptions& options, bool on_tets) {
   std::vector<std::string> names;
   for (const CompanionFile& file : options.companions) names.push_back(file.name);
-  names.insert(names.end(), {kFieldFile, kSingularityFile, kSurfaceFile});
+  names.insert(names.end(), {kCellsFile, kSingularityFile, kSurfaceFile});
   for (const TetFile& file : kFiles)
     if (on_tets && is_asked_for(file, options.formats)) names.push_back(file.name);
   names.push_back(kReportFile);
@@ -68,7 +68,7 @@ std::vector<std::string> result_files(const OutputOptions& options, bool on_tets
 }
 
 std::vector<std::string> all_result_files() {
-  std::vector<std::string> names{kPageFile,        kStreamlinesFile, kFieldFile,
+  std::vector<std::string> names{kPageFile,        kStreamlinesFile, kCellsFile, kPiecesFile,
                                  kSingularityFile, kSurfaceFile,     kReportFile};
   for (const TetFile& file : kFiles) names.push_back(file.name);
   return names;
