@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures crossgrain-mpi, and compares a cost model with it (docs/several-machines.md).
 
-    several_machines.py PROGRAM MODEL [RESOLUTION...]     by default 512 640 768 1160
+    several_machines.py PROGRAM MODEL [RESOLUTION...]     by default 512 640 768 1230
 
 A run on P processes with N cells takes, in processor seconds outside calls of MPI,
 
-    first process    start + (shared / P + alone) N + gather N if P > 1
+    first process    start + (shared / P + alone) N
     each other one   other + shared N / P
 
 The constants are fitted to all runs but those at the largest resolution, which are predicted.
@@ -38,22 +38,21 @@ def measured(program, model, resolution, processes):
 
 
 def equations(cells, processes):
-    """Rows of coefficients of (start, other, shared, alone, gather) for the first process and for the others."""
-    return [[1, 0, cells / processes, cells, cells * (processes > 1)], [0, 1, cells / processes, 0, 0]]
+    """Rows of coefficients of (start, other, shared, alone) for the first process and for the others."""
+    return [[1, 0, cells / processes, cells], [0, 1, cells / processes, 0]]
 
 
 def main():
     program, model = sys.argv[1:3]
-    resolutions = list(map(int, sys.argv[3:])) or [512, 640, 768, 1160]
+    resolutions = list(map(int, sys.argv[3:])) or [512, 640, 768, 1230]
     runs = {(r, p): measured(program, model, r, p) for r in resolutions for p in PROCESSES}
     matrix, seconds = [], []
     for (resolution, processes), (cells, first, others) in runs.items():
         if resolution < max(resolutions):
             matrix += equations(cells, processes)[: 2 if processes > 1 else 1]
             seconds += [first, others][: 2 if processes > 1 else 1]
-    start, other, shared, alone, gather = constants = nnls(np.array(matrix), np.array(seconds))[0]
-    print(f"start {start:.2f} s, other {other:.2f} s; microseconds a cell: shared {shared * 1e6:.2f}, alone {alone * 1e6:.2f}, "
-          f"gather {gather * 1e6:.2f}\n")
+    start, other, shared, alone = constants = nnls(np.array(matrix), np.array(seconds))[0]
+    print(f"start {start:.2f} s, other {other:.2f} s; microseconds a cell: shared {shared * 1e6:.2f}, alone {alone * 1e6:.2f}\n")
     print("| cells | processes | first: measured | model | others: measured | model | all together, beside one process |\n|---|---|---|---|---|---|---|")
     for (resolution, processes), (cells, first, others) in runs.items():
         model_first, model_others = np.array(equations(cells, processes)) @ constants
@@ -62,7 +61,7 @@ def main():
     billion = 1e9
     one = start + (shared + alone) * billion
     for processes in (4, 64):
-        whole = start + (shared / processes + alone + gather) * billion
+        whole = start + (shared / processes + alone) * billion
         print(f"\na billion cells on {processes} processes: {whole:.0f} s, efficiency {one / processes / whole:.2f}", end="")
     print()
 

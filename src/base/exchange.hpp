@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -52,6 +53,27 @@ class MessageReader {
   std::span<const std::byte> left_;
 };
 
+/// Messages that go and come while a process does other work.
+class Mailbox {
+ public:
+  Mailbox() = default;
+  Mailbox(const Mailbox&) = delete;
+  Mailbox& operator=(const Mailbox&) = delete;
+
+  /// Gives up what is under way, unless `finish` has been called.
+  virtual ~Mailbox() = default;
+
+  /// Sends a message, and returns at once. `number` tells it from others to this rank.
+  virtual void send(int rank, int number, Bytes message) = 0;
+
+  /// Returns which of the expected messages have come since the last call. May wait for one if `may_wait`;
+  /// then some must be left.
+  virtual std::vector<std::size_t> arrived(bool may_wait) = 0;
+
+  /// Waits until all messages have been sent. All expected ones must have arrived.
+  virtual void finish() = 0;
+};
+
 class Exchange {
  public:
   Exchange() = default;
@@ -82,6 +104,17 @@ class Exchange {
   /// Sends and receives; returns once all has come and may be overwritten. There is at most one message from
   /// a rank to another, and both give the same size for it. Ranks without messages may leave out the call.
   virtual void swap(std::span<const Sent> sent, std::span<const Received> received) = 0;
+
+  /// A message of known size and number that a rank will send.
+  struct Expected {
+    int rank;
+    int number;
+    std::span<std::byte> bytes;
+  };
+
+  /// Returns a box for these messages, and for those that this process sends, with the same numbers as the
+  /// others expect. Only one is in use at a time, and only the thread that uses the exchange uses it.
+  virtual std::unique_ptr<Mailbox> mailbox(std::span<const Expected> expected) = 0;
 };
 
 /// Returns the values that all ranks passed, those of rank 0 first.

@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <condition_variable>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <mutex>
-#include <utility>
-#ifdef CROSSGRAIN_STD_THREADS
-#include <condition_variable>
+#include <optional>
+#include <queue>
 #include <thread>
-#else
+#include <utility>
+#ifndef CROSSGRAIN_STD_THREADS
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/task_arena.h>
@@ -83,6 +85,8 @@ class FirstFailure {
     }
   }
 
+  bool has_failed() const { return has_failed_.load(std::memory_order_relaxed); }
+
   void rethrow() const {
     if (failure_) std::rethrow_exception(failure_);
   }
@@ -98,12 +102,14 @@ using TaskBody = std::function<void(std::size_t)>;
 /// Which tasks of parallel_for_in_order may begin.
 class TasksInOrder {
  public:
-  explicit TasksInOrder(std::span<const std::vector<std::uint32_t>> beside)
+  explicit TasksInOrder(std::span<const std::vector<std::uint32_t>> beside,
+                        const OutsideOfTasks* outside = nullptr)
       : beside_(beside), waits_for_(std::make_unique<std::atomic<std::uint32_t>[]>(beside.size())) {
     for (std::size_t task = 0; task < beside.size(); ++task) {
       const auto lower = std::count_if(beside[task].begin(), beside[task].end(),
                                        [&](std::uint32_t other) { return other < task; });
-      waits_for_[task].store(static_cast<std::uint32_t>(lower), std::memory_order_relaxed);
+      const std::uint32_t events = outside != nullptr ? outside->events_before(task) : 0;
+      waits_for_[task].store(static_cast<std::uint32_t>(lower) + events, std::memory_order_relaxed);
     }
   }
 
@@ -112,23 +118,87 @@ class TasksInOrder {
   /// Calls begin(task) for each task that waits for none.
   template <class Begin>
   void begin_first(const Begin& begin) const {
-    for (std::size_t task = 0; task < count(); ++task) {
-      const auto& beside = beside_[task];
-      if (std::none_of(beside.begin(), beside.end(), [&](std::uint32_t other) { return other < task; }))
-        begin(task);
-    }
+    std::vector<std::size_t> first;  // before any of them ends and makes others begin
+    for (std::size_t task = 0; task < count(); ++task)
+      if (waits_for_[task].load(std::memory_order_relaxed) == 0) first.push_back(task);
+    for (const std::size_t task : first) begin(task);
+  }
+
+  /// Tells that an event of a task has occurred. Returns whether it may begin now.
+  bool has_less_to_wait_for(std::size_t task) {
+    return waits_for_[task].fetch_sub(1, std::memory_order_acq_rel) == 1;
   }
 
   /// Calls begin(other) for each task that waited for this one alone.
   template <class Begin>
   void end(std::size_t task, const Begin& begin) {
     for (const std::uint32_t other : beside_[task])
-      if (other > task && waits_for_[other].fetch_sub(1, std::memory_order_acq_rel) == 1) begin(other);
+      if (other > task && has_less_to_wait_for(other)) begin(other);
   }
 
  private:
   std::span<const std::vector<std::uint32_t>> beside_;
-  std::unique_ptr<std::atomic<std::uint32_t>[]> waits_for_;  ///< number of lower tasks that have not ended
+  std::unique_ptr<std::atomic<std::uint32_t>[]> waits_for_;  ///< number of lower tasks and events to come
+};
+
+/// Tasks that may begin, for several threads.
+class ReadyTasks {
+ public:
+  explicit ReadyTasks(std::size_t tasks) : left_(tasks) {}
+
+  void add(std::size_t task) {
+    const std::lock_guard lock(mutex_);
+    ready_.push(task);
+    changed_.notify_one();
+  }
+
+  /// Returns whether none may begin or is running.
+  bool are_none() {
+    const std::lock_guard lock(mutex_);
+    return ready_.empty() && running_ == 0;
+  }
+
+  /// Returns the lowest; none if there is none now.
+  std::optional<std::size_t> take() {
+    const std::lock_guard lock(mutex_);
+    return taken();
+  }
+
+  /// Waits for one. None once all have ended.
+  std::optional<std::size_t> wait() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return left_ == 0 || !ready_.empty(); });
+    return left_ == 0 ? std::nullopt : taken();
+  }
+
+  void end_one() {
+    const std::lock_guard lock(mutex_);
+    --running_;
+    if (left_ > 0 && --left_ == 0) changed_.notify_all();
+  }
+  void end_all() {
+    const std::lock_guard lock(mutex_);
+    left_ = 0;
+    changed_.notify_all();
+  }
+  bool have_ended() {
+    const std::lock_guard lock(mutex_);
+    return left_ == 0;
+  }
+
+ private:
+  std::optional<std::size_t> taken() {
+    if (ready_.empty()) return std::nullopt;
+    const std::size_t task = ready_.top();
+    ready_.pop();
+    ++running_;
+    return task;
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready_;
+  std::size_t left_, running_ = 0;
 };
 
 #ifdef CROSSGRAIN_STD_THREADS
@@ -185,6 +255,21 @@ void run_tasks(TasksInOrder& tasks, const TaskBody& body) {
   failure.rethrow();
 }
 
+/// Runs `lead` on this thread, and `help` on the others that the limit allows.
+void run_helped(const std::function<void()>& lead, const std::function<void()>& help) {
+  std::vector<std::thread> threads;
+  for (int i = 1; i < most_threads(); ++i)
+    threads.emplace_back([&] {
+      const ThreadLimit this_thread_only(1);
+      help();
+    });
+  {
+    const ThreadLimit this_thread_only(1);
+    lead();
+  }
+  for (std::thread& thread : threads) thread.join();
+}
+
 void run_both(const std::function<void()>& first, const std::function<void()>& second) {
   run_chunks(2, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t task = begin; task < end; ++task) (task == 0 ? first : second)();
@@ -232,6 +317,18 @@ void run_tasks(TasksInOrder& tasks, const TaskBody& body) {
     });
   });
   failure.rethrow();
+}
+
+/// Runs `lead` on this thread, and `help` on the others that the limit allows.
+void run_helped(const std::function<void()>& lead, const std::function<void()>& help) {
+  run_within_limit([&] {
+    tbb::this_task_arena::isolate([&] {
+      tbb::task_group group;
+      for (int i = 1; i < most_threads(); ++i) group.run(help);
+      lead();
+      group.wait();
+    });
+  });
 }
 
 /// Not isolated: the thread that ends first helps with the loops of the other.
@@ -311,6 +408,50 @@ void parallel_for_in_order(std::span<const std::vector<std::uint32_t>> beside, c
     watching->check();
     body(task);
   });
+}
+
+void parallel_for_in_order(std::span<const std::vector<std::uint32_t>> beside, const TaskBody& body,
+                           OutsideOfTasks& outside) {
+  TasksInOrder tasks(beside, &outside);
+  ReadyTasks ready(tasks.count());
+  FirstFailure failure;
+  const auto begin = [&](std::size_t task) { ready.add(task); };
+  tasks.begin_first(begin);
+  const WatchedLoops* const watching = t_watching;
+  const auto run = [&](std::size_t task) {
+    failure.run([&] {
+      if (watching != nullptr) watching->check();
+      body(task);
+      outside.ended(task);
+      tasks.end(task, begin);
+    });
+    ready.end_one();
+    // What would make others begin may never come now.
+    if (failure.has_failed()) ready.end_all();
+  };
+  const auto hear = [&] {
+    for (const std::uint32_t task : outside.occurred(ready.are_none()))
+      if (tasks.has_less_to_wait_for(task)) begin(task);
+  };
+  run_helped(
+      [&] {
+        while (!ready.have_ended()) {
+          failure.run([&] {
+            if (watching != nullptr) watching->check();
+            hear();
+          });
+          if (failure.has_failed())
+            ready.end_all();
+          else if (const auto task = ready.take())
+            run(*task);
+          else
+            std::this_thread::yield();
+        }
+      },
+      [&] {
+        while (const auto task = ready.wait()) run(*task);
+      });
+  failure.rethrow();
 }
 
 }  // namespace crossgrain

@@ -29,6 +29,30 @@ void parallel_for_chunks(std::size_t count, std::size_t grain,
 void parallel_for_in_order(std::span<const std::vector<std::uint32_t>> beside,
                            const std::function<void(std::size_t task)>& body);
 
+/// What tasks wait for besides each other, and whom their ends are told: tasks of other processes.
+class OutsideOfTasks {
+ public:
+  OutsideOfTasks() = default;
+  OutsideOfTasks(const OutsideOfTasks&) = delete;
+  OutsideOfTasks& operator=(const OutsideOfTasks&) = delete;
+  virtual ~OutsideOfTasks() = default;
+
+  /// Number of events that a task waits for.
+  virtual std::uint32_t events_before(std::size_t task) const = 0;
+
+  /// Returns the tasks of which an event has occurred since the last call, each as often as that is so.
+  /// Called by the thread that runs the loop, between tasks. May wait for an event if `is_idle`: all tasks
+  /// that have not ended wait for one.
+  virtual std::vector<std::uint32_t> occurred(bool is_idle) = 0;
+
+  /// Called when a task has ended, by any thread.
+  virtual void ended(std::size_t task) = 0;
+};
+
+/// Likewise, with tasks that also wait for events outside. Lower tasks begin first where several may.
+void parallel_for_in_order(std::span<const std::vector<std::uint32_t>> beside,
+                           const std::function<void(std::size_t task)>& body, OutsideOfTasks& outside);
+
 /// Runs two tasks, on two threads if there are two, each with loops of its own, which query the same monitor
 /// as those of this thread. Returns, or throws what one of them threw, once both have ended; after a failure
 /// the other may be left out.

@@ -15,6 +15,7 @@
 #include "base/lanes.hpp"
 #include "base/parallel.hpp"
 #include "field/field_state.hpp"
+#include "field/sweep_messages.hpp"
 #include "field/sweep_order.hpp"
 
 namespace crossgrain {
@@ -55,15 +56,13 @@ struct VisitedCells {
   }
 };
 
-using AfterPhase = std::function<void(std::size_t phase)>;
-
 /// Calls visit(CellsInLanes<W>, block) for the visited cells in the order, compiled for this processor, W
 /// being the number of lanes of type Number. Blocks are visited from several threads: one with blocks beside
-/// it as soon as those of lower phases are done, others phase by phase. So do all if `after_phase` is given,
-/// which is called with the number of each phase at its end.
+/// it as soon as those of lower phases are done, also those of other processes, given the messages between
+/// them; others phase by phase.
 template <class Number, class Visit>
 void visit_in_lanes(const SweepOrder& order, const Visit& visit, const VisitedCells& visited = {},
-                    const AfterPhase& after_phase = {}) {
+                    SweepMessages* messages = nullptr) {
   const std::function<void(std::size_t)> visit_block = [&](std::size_t block) {  // compiled once
     if (!visited.blocks.empty() && !visited.blocks[block]) return;
     std::vector<std::uint32_t> chosen;
@@ -75,13 +74,15 @@ void visit_in_lanes(const SweepOrder& order, const Visit& visit, const VisitedCe
       }
     });
   };
-  if (!order.blocks_beside.empty() && !after_phase)
-    return parallel_for_in_order(order.blocks_beside, visit_block);
+  if (messages != nullptr) {
+    parallel_for_in_order(order.blocks_beside, visit_block, *messages);
+    return messages->finish();
+  }
+  if (!order.blocks_beside.empty()) return parallel_for_in_order(order.blocks_beside, visit_block);
   for (std::size_t phase = 0; phase < order.phase_count(); ++phase) {
     const std::size_t first = order.phase_begin[phase];
     parallel_for(
         order.phase_begin[phase + 1] - first, [&](std::size_t k) { visit_block(first + k); }, 1);
-    if (after_phase) after_phase(phase);
   }
 }
 
@@ -89,12 +90,11 @@ void visit_in_lanes(const SweepOrder& order, const Visit& visit, const VisitedCe
 /// cell, in the cells' order, so the sums are bitwise identical for any number of threads and lanes.
 template <class Number, class Visit>
 std::vector<double> block_sums_in_lanes(const SweepOrder& order, const Visit& visit,
-                                        const VisitedCells& visited = {},
-                                        const AfterPhase& after_phase = {}) {
+                                        const VisitedCells& visited = {}, SweepMessages* messages = nullptr) {
   std::vector<double> sums(order.block_count(), 0.0);
   visit_in_lanes<Number>(
       order, [&]<int W>(const CellsInLanes<W>& cells, std::size_t block) { visit(cells, sums[block]); },
-      visited, after_phase);
+      visited, messages);
   return sums;
 }
 

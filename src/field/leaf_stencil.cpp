@@ -136,7 +136,7 @@ Connectivity connectivity_of(const GridLevel& level, std::span<const FaceNeighbo
   });
   if (!share.is_whole()) {
     SweepOrder own_order(adjacency, colours, share, level.ghosts);
-    SweepHalo halo(adjacency, share, level.ghosts, own_order.of_all.phase_of_block);
+    SweepHalo halo(adjacency, share, level.ghosts, own_order);
     return {std::move(adjacency), std::move(own_order), std::move(halo), share};
   }
   SweepOrder order = level.size() < kBlockedCells ? SweepOrder(colouring_of(colours))

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "base/parallel.hpp"
 #include "field/local_energy.hpp"
@@ -155,18 +156,16 @@ void wake_around(const Adjacency& adjacency, const CellsInLanes<W>& cells, std::
 template <int D, class Number>
 std::vector<double> manifold_sweep_over(const FieldGraph<D>& graph, FieldState<D>& state,
                                         double over_relaxation, const RestingCells& resting) {
-  AfterPhase after_phase;
+  std::optional<SweepMessages> messages;
   if (!graph.halo().empty())
-    after_phase = [&](std::size_t phase) {
-      graph.halo().after_phase(phase, std::span(state.coefficients), resting.awake);
-    };
+    messages.emplace(graph.halo(), graph.order(), std::span(state.coefficients), resting.awake);
   return block_sums_in_lanes<Number>(
       graph.order(),
       [&]<int W>(const CellsInLanes<W>& cells, double& sum) {
         const auto fell = update_cells<Number>(graph, state, cells, over_relaxation, sum);
         if (!resting.awake.empty()) wake_around(graph.adjacency(), cells, fell, resting);
       },
-      {resting.awake_blocks, resting.awake}, after_phase);
+      {resting.awake_blocks, resting.awake}, messages ? &*messages : nullptr);
 }
 
 template <int D>

@@ -120,17 +120,15 @@ void relax_cells(const FieldGraph<D>& graph, FieldState<D>& state, const CellsIn
 template <int D>
 void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double symmetrisation,
                       double over_relaxation, std::span<const float> penalty_shares) {
-  AfterPhase after_phase;
+  std::optional<SweepMessages> messages;
   if (!graph.halo().empty())
-    after_phase = [&](std::size_t phase) {
-      graph.halo().after_phase(phase, std::span(state.coefficients), {});
-    };
+    messages.emplace(graph.halo(), graph.order(), std::span(state.coefficients), std::span<std::uint8_t>());
   visit_in_lanes<float>(
       graph.order(),
       [&]<int W>(const CellsInLanes<W>& cells, std::size_t) {
         relax_cells(graph, state, cells, symmetrisation, over_relaxation, penalty_shares);
       },
-      {}, after_phase);
+      {}, messages ? &*messages : nullptr);
 }
 
 template <int D>

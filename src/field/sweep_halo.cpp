@@ -8,73 +8,74 @@
 namespace crossgrain {
 namespace {
 
-void sort_and_unite(std::vector<std::uint32_t>& leaves) {
-  std::sort(leaves.begin(), leaves.end());
-  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+void sort_and_unite(std::vector<std::uint32_t>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+/// Returns the block of the order that has the leaves [k kShareUnit, (k + 1) kShareUnit) of a share, for all
+/// k.
+std::vector<std::uint32_t> blocks_in_sequence(const SweepOrder& order, const Share& share) {
+  std::vector<std::uint32_t> blocks(order.block_count());
+  for (std::uint32_t block = 0; block < blocks.size(); ++block) {
+    const std::uint32_t leaf = order.cells[order.run_begin[order.block_begin[block]]];
+    blocks[(leaf - share.begin) / kShareUnit] = block;
+  }
+  return blocks;
 }
 
 }  // namespace
 
 SweepHalo::SweepHalo(const Adjacency& adjacency, const Share& share, const Ghosts& ghosts,
-                     std::span<const std::size_t> phase_of_block)
+                     const SweepOrder& order)
     : exchange_(share.exchange) {
   const auto phase_of = [&](std::uint32_t leaf) {
-    return phase_of_block[ghosts.number(share, leaf) / kShareUnit];
+    return static_cast<int>(order.of_all.phase_of_block[ghosts.number(share, leaf) / kShareUnit]);
   };
-  const auto last_phase = std::max_element(phase_of_block.begin(), phase_of_block.end());
-  std::vector<std::map<int, Part>> phases(last_phase == phase_of_block.end() ? 0 : *last_phase + 1);
+  const std::vector<std::uint32_t> blocks = blocks_in_sequence(order, share);
+  std::map<std::pair<int, int>, Part> parts;  // by phase and rank
   for (std::uint32_t leaf = share.begin; leaf < share.end; ++leaf) {
+    const std::uint32_t block = blocks[(leaf - share.begin) / kShareUnit];
     for (const auto& [ghost, weight] : adjacency[leaf]) {
       if (share.owns(ghost)) continue;
       const int rank = ghosts.owners[Ghosts::index(share, ghost)];
-      Part& mine = phases[phase_of(leaf)][rank];
+      const int phase = phase_of(leaf), phase_of_ghost = phase_of(ghost);
+      Part& mine = parts[{phase, rank}];
       mine.own.push_back(leaf);
       mine.wakes.push_back(ghost);
-      Part& theirs = phases[phase_of(ghost)][rank];
+      mine.senders.push_back(block);
+      Part& theirs = parts[{phase_of_ghost, rank}];
       theirs.ghosts.push_back(ghost);
       theirs.may_be_woken.push_back(leaf);
+      if (phase_of_ghost < phase) theirs.waiters.push_back(block);
     }
   }
   // Leaves of both sides are in the order of their numbers.
-  phases_.resize(phases.size());
-  for (std::size_t phase = 0; phase < phases.size(); ++phase) {
-    for (auto& [rank, found] : phases[phase]) {
-      found.rank = rank;
-      for (auto* leaves : {&found.own, &found.ghosts, &found.wakes, &found.may_be_woken})
-        sort_and_unite(*leaves);
-      phases_[phase].push_back(std::move(found));
+  for (auto& [phase_and_rank, part] : parts) {
+    std::tie(part.phase, part.rank) = phase_and_rank;
+    for (auto* numbers :
+         {&part.own, &part.ghosts, &part.wakes, &part.may_be_woken, &part.senders, &part.waiters}) {
+      sort_and_unite(*numbers);
+      numbers->shrink_to_fit();
     }
+    parts_.push_back(std::move(part));
   }
 }
 
-void SweepHalo::swap(const Parts& parts, std::span<std::byte> values, std::size_t size,
-                     std::span<std::uint8_t> awake) const {
+void SweepHalo::refresh(std::span<std::byte> values, std::size_t size) const {
   const auto value = [&](std::uint32_t leaf) { return values.subspan(leaf * size, size); };
-  std::vector<Bytes> to(parts.size()), from(parts.size());
-  std::vector<Exchange::Sent> sent;
-  std::vector<Exchange::Received> received;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const Part& part = parts[k];
-    to[k].reserve(part.own.size() * size + (awake.empty() ? 0 : part.wakes.size()));
-    for (const std::uint32_t leaf : part.own) append_to<std::byte>(to[k], value(leaf));
-    if (!awake.empty()) {
-      for (const std::uint32_t ghost : part.wakes)
-        to[k].push_back(static_cast<std::byte>(std::exchange(awake[ghost], std::uint8_t{0})));
-    }
-    from[k].resize(part.ghosts.size() * size + (awake.empty() ? 0 : part.may_be_woken.size()));
-    if (!to[k].empty()) sent.push_back({part.rank, to[k]});
-    if (!from[k].empty()) received.push_back({part.rank, from[k]});
-  }
-  if (!sent.empty() || !received.empty()) exchange_->swap(sent, received);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const Part& part = parts[k];
-    const std::byte* next = from[k].data();
+  std::vector<Bytes> to(static_cast<std::size_t>(exchange_->ranks()));
+  for (const Part& part : parts_)
+    for (const std::uint32_t leaf : part.own)
+      append_to<std::byte>(to[static_cast<std::size_t>(part.rank)], value(leaf));
+  const std::vector<Bytes> from = exchange_->delivered(std::move(to));
+  std::vector<std::size_t> taken(from.size());
+  for (const Part& part : parts_) {
+    const auto rank = static_cast<std::size_t>(part.rank);
     for (const std::uint32_t ghost : part.ghosts) {
-      std::copy_n(next, size, value(ghost).begin());
-      next += size;
+      std::copy_n(from[rank].begin() + static_cast<std::ptrdiff_t>(taken[rank]), size, value(ghost).begin());
+      taken[rank] += size;
     }
-    if (awake.empty()) continue;
-    for (const std::uint32_t leaf : part.may_be_woken) awake[leaf] |= static_cast<std::uint8_t>(*next++);
   }
 }
 

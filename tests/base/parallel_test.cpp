@@ -10,6 +10,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -360,6 +361,76 @@ TEST(TasksInOrder, LetAnExceptionThroughAndBeginNoMore) {
                                        }),
                  std::runtime_error);
     EXPECT_LT(begun, 1000u);
+  }
+}
+
+/// Every third task waits for two events, which occur one after the other once the loop has asked for long
+/// enough, in descending order of tasks: the last thing that a loop would expect.
+class LateEvents : public OutsideOfTasks {
+ public:
+  explicit LateEvents(std::size_t tasks) : told_(tasks) {
+    for (std::uint32_t task = 0; task < tasks; task += 3) coming_.insert(coming_.end(), {task, task});
+  }
+
+  std::uint32_t events_before(std::size_t task) const override { return task % 3 == 0 ? 2 : 0; }
+  std::vector<std::uint32_t> occurred(bool is_idle) override {
+    EXPECT_EQ(std::this_thread::get_id(), thread_);
+    if (coming_.empty() || (!is_idle && ++asked_ % 4 != 0)) return {};
+    const std::uint32_t task = coming_.back();
+    coming_.pop_back();
+    ++heard_[task];
+    return {task};
+  }
+  void ended(std::size_t task) override { ++told_[task]; }
+
+  bool may_run(std::size_t task) const {
+    return task % 3 != 0 || heard_.at(static_cast<std::uint32_t>(task)) == 2;
+  }
+  const std::vector<std::atomic<int>>& told() const { return told_; }
+
+ private:
+  const std::thread::id thread_ = std::this_thread::get_id();
+  std::vector<std::uint32_t> coming_;
+  std::map<std::uint32_t, int> heard_;
+  std::vector<std::atomic<int>> told_;
+  int asked_ = 0;
+};
+
+TEST(TasksInOrder, AlsoWaitForEventsOutside) {
+  const auto beside = tasks_beside_tasks(600);
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    LateEvents events(beside.size());
+    std::vector<std::atomic<int>> ended(beside.size());
+    std::atomic<int> too_early = 0;
+    parallel_for_in_order(
+        beside,
+        [&](std::size_t task) {
+          too_early += threads == 1 && !events.may_run(task);
+          for (const std::uint32_t other : beside[task]) too_early += (ended[other] == 1) != (other < task);
+          ++ended[task];
+        },
+        events);
+    EXPECT_EQ(too_early, 0) << threads << " threads";
+    for (const auto& end : ended) ASSERT_EQ(end, 1);
+    for (const auto& told : events.told()) ASSERT_EQ(told, 1);
+  }
+}
+
+TEST(TasksInOrder, ThatWaitForEventsEndOnceOneFails) {
+  const auto beside = tasks_beside_tasks(1000);
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    LateEvents events(beside.size());
+    std::atomic<std::size_t> begun = 0;
+    EXPECT_THROW(parallel_for_in_order(
+                     beside,
+                     [&](std::size_t) {
+                       if (++begun == 100) throw std::runtime_error("a failure");
+                     },
+                     events),
+                 std::runtime_error);
+    EXPECT_LT(begun, 200u);
   }
 }
 

@@ -4,14 +4,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <exception>
 #include <functional>
+#include <map>
+#include <memory>
 #include <mutex>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -45,6 +51,24 @@ class Mail {
     return message;
   }
 
+  /// Puts a message into a box of its own for each number.
+  void send_numbered(int from, int to, int number, Bytes message) {
+    const std::lock_guard lock(mutex_);
+    numbered_[{from, to, number}].push_back(std::move(message));
+  }
+
+  /// Returns the message with a number, if it has come.
+  std::optional<Bytes> taken(int from, int to, int number) {
+    const std::lock_guard lock(mutex_);
+    if (is_closed_) throw OtherRankFailed();
+    const auto found = numbered_.find({from, to, number});
+    if (found == numbered_.end()) return std::nullopt;
+    Bytes message = std::move(found->second.front());
+    found->second.pop_front();
+    if (found->second.empty()) numbered_.erase(found);
+    return message;
+  }
+
   /// Ends all waits, since a rank has failed.
   void close() {
     const std::lock_guard lock(mutex_);
@@ -59,7 +83,41 @@ class Mail {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<std::deque<Bytes>> boxes_;
+  std::map<std::tuple<int, int, int>, std::deque<Bytes>> numbered_;  ///< by sender, receiver and number
   bool is_closed_ = false;
+};
+
+class ThreadMailbox : public Mailbox {
+ public:
+  ThreadMailbox(Mail& mail, int rank, std::span<const Exchange::Expected> expected)
+      : mail_(mail), rank_(rank), expected_(expected.begin(), expected.end()), has_come_(expected.size()) {}
+
+  void send(int rank, int number, Bytes message) override {
+    mail_.send_numbered(rank_, rank, number, std::move(message));
+  }
+
+  std::vector<std::size_t> arrived(bool) override {
+    std::vector<std::size_t> messages;
+    for (std::size_t k = 0; k < expected_.size(); ++k) {
+      if (has_come_[k]) continue;
+      const auto& [rank, number, bytes] = expected_[k];
+      const std::optional<Bytes> message = mail_.taken(rank, rank_, number);
+      if (!message) continue;
+      if (message->size() != bytes.size()) throw std::logic_error("a message has another size than expected");
+      std::copy(message->begin(), message->end(), bytes.begin());
+      has_come_[k] = true;
+      messages.push_back(k);
+    }
+    return messages;
+  }
+
+  void finish() override {}
+
+ private:
+  Mail& mail_;
+  const int rank_;
+  const std::vector<Exchange::Expected> expected_;
+  std::vector<bool> has_come_;
 };
 
 class ThreadExchange : public Exchange {
@@ -91,6 +149,10 @@ class ThreadExchange : public Exchange {
                                std::to_string(message.rank) + ", not " + std::to_string(bytes.size()));
       std::copy(bytes.begin(), bytes.end(), message.bytes.begin());
     }
+  }
+
+  std::unique_ptr<Mailbox> mailbox(std::span<const Expected> expected) override {
+    return std::make_unique<ThreadMailbox>(mail_, rank_, expected);
   }
 
  private:

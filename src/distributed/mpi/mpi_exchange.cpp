@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <deque>
+#include <utility>
 
 namespace crossgrain {
 namespace {
@@ -13,8 +15,8 @@ namespace {
 /// MPI counts in int, so long messages go in parts.
 constexpr std::size_t kLongestPart = std::size_t{1} << 30;
 
-/// Tags of messages: they are matched in the order in which they are sent, so one is enough.
-constexpr int kTag = 0;
+/// Tag of messages that are matched in the order in which they are sent. Those of a mailbox have others.
+constexpr int kTag = 0, kFirstMailboxTag = 1;
 
 /// Calls visit(first byte, number of bytes) for the parts of a message.
 template <class Byte, class Visit>
@@ -70,7 +72,81 @@ class Requests {
   std::vector<MPI_Request> requests_;
 };
 
+class MpiMailbox : public Mailbox {
+ public:
+  MpiMailbox(MPI_Comm communicator, std::span<const Exchange::Expected> expected, MpiExchange::Cost& cost)
+      : communicator_(communicator), cost_(cost) {
+    const CallTimer timer(cost_);
+    for (std::size_t message = 0; message < expected.size(); ++message) {
+      parts_left_.push_back(0);
+      for_each_part(expected[message].bytes, [&](std::byte* first, int count) {
+        MPI_Irecv(first, count, MPI_BYTE, expected[message].rank, kFirstMailboxTag + expected[message].number,
+                  communicator_, &receives_.emplace_back());
+        message_of_.push_back(message);
+        ++parts_left_.back();
+      });
+    }
+    indices_.resize(receives_.size());
+  }
+
+  ~MpiMailbox() override {
+    if (is_finished_) return;
+    for (MPI_Request& request : receives_) {
+      if (request == MPI_REQUEST_NULL) continue;
+      MPI_Cancel(&request);
+      MPI_Wait(&request, MPI_STATUS_IGNORE);
+    }
+    for (MPI_Request& request : sends_) MPI_Request_free(&request);
+    // MPI may still read what it sends, so that memory is never given back.
+    static_cast<void>(new std::deque<Bytes>(std::move(sent_)));
+  }
+
+  void send(int rank, int number, Bytes message) override {
+    const CallTimer timer(cost_);
+    cost_.bytes_sent += message.size();
+    sent_.push_back(std::move(message));
+    for_each_part(std::span<const std::byte>(sent_.back()), [&](const std::byte* first, int count) {
+      MPI_Isend(first, count, MPI_BYTE, rank, kFirstMailboxTag + number, communicator_,
+                &sends_.emplace_back());
+    });
+  }
+
+  std::vector<std::size_t> arrived(bool may_wait) override {
+    const CallTimer timer(cost_);
+    int count = 0;
+    (may_wait ? MPI_Waitsome : MPI_Testsome)(static_cast<int>(receives_.size()), receives_.data(), &count,
+                                             indices_.data(), MPI_STATUSES_IGNORE);
+    std::vector<std::size_t> messages;
+    for (int k = 0; k < count; ++k) {  // count is MPI_UNDEFINED, which is negative, if all have come
+      const std::size_t message =
+          message_of_[static_cast<std::size_t>(indices_[static_cast<std::size_t>(k)])];
+      if (--parts_left_[message] == 0) messages.push_back(message);
+    }
+    return messages;
+  }
+
+  void finish() override {
+    const CallTimer timer(cost_);
+    MPI_Waitall(static_cast<int>(sends_.size()), sends_.data(), MPI_STATUSES_IGNORE);
+    is_finished_ = true;
+  }
+
+ private:
+  MPI_Comm communicator_;
+  MpiExchange::Cost& cost_;
+  std::vector<MPI_Request> receives_, sends_;
+  std::vector<std::size_t> message_of_;  ///< of each receive
+  std::vector<int> parts_left_;          ///< of each message
+  std::vector<int> indices_;
+  std::deque<Bytes> sent_;
+  bool is_finished_ = false;
+};
+
 }  // namespace
+
+std::unique_ptr<Mailbox> MpiExchange::mailbox(std::span<const Expected> expected) {
+  return std::make_unique<MpiMailbox>(communicator_, expected, cost_);
+}
 
 MpiExchange::MpiExchange(MPI_Comm communicator) : communicator_(communicator) {
   MPI_Comm_rank(communicator, &rank_);

@@ -5,6 +5,7 @@
 #include <mpi.h>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,7 @@ class MpiExchange : public Exchange {
   std::vector<Bytes> gathered(std::span<const std::byte> mine) override;
   std::vector<Bytes> delivered(std::vector<Bytes> to) override;
   void swap(std::span<const Sent> sent, std::span<const Received> received) override;
+  std::unique_ptr<Mailbox> mailbox(std::span<const Expected> expected) override;
 
   /// What calls have taken so far. Waiting for other processes takes processor time too.
   struct Cost {
