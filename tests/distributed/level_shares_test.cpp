@@ -7,13 +7,17 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "crossgrain/field_parts.hpp"
 #include "crossgrain/frame_field.hpp"
+#include "crossgrain/io.hpp"
 #include "distributed/local_files.hpp"
 #include "distributed/random_cuts.hpp"
 #include "distributed/thread_exchange.hpp"
 #include "field/field_data.hpp"
+#include "io/result/output_cells.hpp"
 #include "solve/shared_solve.hpp"
 #include "support/shapes.hpp"
 
@@ -30,7 +34,7 @@ struct Folders {
 
 FrameField solved_by(int ranks, const Cuts& cuts, const TriangleMesh& mesh, SolveOptions options,
                      const Folders& folders = {}) {
-  options.threads = 1;
+  options.threads = 2;
   std::optional<FrameField> result;
   run_ranks(ranks, [&](Exchange& exchange) {
     LocalFiles files;
@@ -44,6 +48,14 @@ FrameField solved_by(int ranks, const Cuts& cuts, const TriangleMesh& mesh, Solv
   return *result;
 }
 
+SolveReport without_times(SolveReport report) {
+  report.seconds = {};
+  report.expected.reset();
+  report.peak_memory_bytes = 0;
+  for (LevelStatistics& level : report.levels) level.seconds = 0;
+  return report;
+}
+
 void expect_same(const FrameField& together, const FrameField& alone) {
   const FieldData &a = together.data(), &b = alone.data();
   ASSERT_EQ(a.tree.leaves(), b.tree.leaves());
@@ -54,6 +66,10 @@ void expect_same(const FrameField& together, const FrameField& alone) {
   EXPECT_TRUE(std::equal(a.frames.begin(), a.frames.end(), b.frames.begin(), b.frames.end(), same));
   EXPECT_EQ(a.energy_density, b.energy_density);
   EXPECT_EQ(a.alignment_deg, b.alignment_deg);
+  EXPECT_EQ(a.constraints, b.constraints);
+  EXPECT_EQ(a.regions, b.regions);
+  EXPECT_EQ(a.on_boundary, b.on_boundary);
+  EXPECT_EQ(report_json(without_times(a.report)), report_json(without_times(b.report)));
   ASSERT_EQ(a.report.levels.size(), b.report.levels.size());
   for (std::size_t k = 0; k < a.report.levels.size(); ++k) {
     const LevelStatistics &one = a.report.levels[k], &other = b.report.levels[k];
@@ -84,6 +100,70 @@ TEST(LevelShares, OfAnySizeGiveTheFieldOfOneProcess) {
   const FrameField alone = solve(mesh, at(240, Degree::kThree));
   for (const int ranks : {3, 8})
     expect_same(solved_by(ranks, random_cuts, mesh, at(240, Degree::kThree)), alone);
+}
+
+/// Two boxes with a gap between them, a third through both, and a wall thinner than a cell; each triangle has
+/// a face number.
+TriangleMesh overlapping_solids() {
+  TriangleMesh model;
+  const std::vector<std::pair<Vector3, Vector3>> boxes{{{1, 1, 1}, {0, 0, 0}},
+                                                       {{1, 1, 1}, {1.2, 0, 0}},
+                                                       {{1.4, 0.2, 0.3}, {0.6, 0.1, 0.02}},
+                                                       {{2, 1, 0.002}, {0.6, 0, 0.7}}};
+  for (const auto& [size, centre] : boxes) {
+    model = join_meshes(model, translate_mesh(make_box(size), centre));
+    model.solids.resize(model.triangles.size(), static_cast<std::int32_t>(model.solids.size()));
+  }
+  for (std::size_t t = 0; t < model.triangles.size(); ++t)
+    model.faces.push_back(static_cast<std::int32_t>(t / 2));
+  return model;
+}
+
+TEST(LevelShares, OfSeveralSolidsUnderConstraintsGiveTheFieldOfOneProcess) {
+  const TriangleMesh mesh = overlapping_solids();
+  SolveOptions options = at(200);
+  options.constraints.points.push_back({{0.1, 0.1, 0.1}, {{1, 1, 0}}});
+  options.constraints.points.push_back({{5, 5, 5}, {{1, 1, 0}}});
+  options.constraints.polylines.push_back({{{-1, 0.1, 0.1}, {3, 0.2, 0.2}}});
+  options.constraints.faces.push_back({2, {{1, 1, 1}}});
+  const FrameField alone = solve(mesh, options);
+  ASSERT_GE(alone.size(), 200000u);  // levels are shared
+  EXPECT_GT(alone.report().regions.size(), 3u);
+  EXPECT_GT(alone.report().walls.unresolved_share, 0);
+  EXPECT_FALSE(alone.report().warnings.empty());
+  expect_same(solved_by(5, random_cuts, mesh, options), alone);
+}
+
+TEST(FieldParts, MergeToTheCellsOfTheWholeField) {
+  const TriangleMesh mesh = make_bracket(24);
+  const FrameField alone = solve(mesh, at(320));
+  const std::vector<std::size_t> most{30000, 1000, 1};
+  std::vector<FrameField> thinned;
+  run_ranks(5, [&](Exchange& exchange) {
+    LevelShares shares(exchange, random_cuts);
+    SolveOptions options = at(320);
+    options.threads = 1;
+    const std::optional<FrameField> part = solve_together(shares, nullptr, mesh, options, {});
+    ASSERT_TRUE(part && part->is_part());
+    EXPECT_THROW(part->sample({0, 0, 0}), Error);
+    for (const std::size_t cells : most) {
+      std::optional<FrameField> here = thinned_from_parts(*part, cells);
+      EXPECT_EQ(here.has_value(), exchange.rank() == 0);
+      if (here) thinned.push_back(*here);
+    }
+  });
+  ASSERT_EQ(thinned.size(), most.size());
+  for (std::size_t k = 0; k < most.size(); ++k) {
+    EXPECT_LE(thinned[k].size(), most[k]);
+    const std::vector<int> levels = thinned[k].levels();
+    OutputOptions options;
+    options.level = *std::max_element(levels.begin(), levels.end());
+    const FieldData expected = output_cells(alone.data(), options), &found = thinned[k].data();
+    ASSERT_EQ(found.tree.leaves(), expected.tree.leaves());
+    EXPECT_EQ(found.energy_density, expected.energy_density);
+    EXPECT_EQ(found.open_faces, expected.open_faces);
+    EXPECT_EQ(found.constraints, expected.constraints);
+  }
 }
 
 TEST(KeptSolve, GoesOnWithOtherSharesToTheSameField) {
