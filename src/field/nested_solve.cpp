@@ -207,7 +207,7 @@ class NestedSolver {
 
   Sharers sharers() const {
     if (!has_help()) return {};
-    return {sharing_->processes(), sharing_->is_first(), static_cast<double>(sharing_->fewest_leaves())};
+    return {sharing_->processes(), static_cast<double>(sharing_->fewest_leaves())};
   }
 
   /// Returns whether the next level fits into memory. Throws Error(kLimit) if too many levels would be left

@@ -35,8 +35,8 @@ constexpr double kAnalysisPerCell = 0.7;
 constexpr double kAnalysisPerSurfaceCell = 2;
 constexpr double kWritingPerCell = 1.6;
 
-/// Memory that the whole field takes once it is solved and analysed, beside that of solving it.
-constexpr double kWholeField = 0.4;
+/// Ghosts of a share, by the square root of its cells (docs/several-machines.md).
+constexpr double kGhostsOfShare = 42;
 
 double level_cost(const LevelWork& level) {
   const LevelCounts& counts = level.counts;
@@ -60,25 +60,23 @@ SolveForecast::SolveForecast(const SolveOptions& options, int finest_depth, std:
       sharers_(sharers),
       memory_limit_(allowed_memory_bytes(options.max_memory_bytes)) {}
 
-double SolveForecast::share_of_work(const LevelCounts& counts) const {
-  return counts.cells < sharers_.fewest_cells ? 1 : 1.0 / sharers_.processes;
-}
-
-double SolveForecast::share_of_memory(const LevelCounts& counts) const {
-  return std::max(share_of_work(counts), sharers_.is_first ? kWholeField : 0);
+double SolveForecast::share_of(const LevelCounts& counts) const {
+  if (sharers_.processes == 1 || counts.cells < sharers_.fewest_cells) return 1;
+  const double own = counts.cells / sharers_.processes;
+  return std::min(1.0, (own + kGhostsOfShare * std::sqrt(own)) / counts.cells);
 }
 
 double SolveForecast::peak_memory(const LevelCounts& whole) const {
   LevelCounts counts = whole;
   for (double* count : {&counts.cells, &counts.surface_cells, &counts.several_normals, &counts.pieces})
-    *count *= share_of_memory(whole);
+    *count *= share_of(whole);
   const double kept = keeps_levels_ ? memory_lines::kKeptLevel.bytes(counts) : 0;
   const double unrelaxed = is_relaxed(whole) ? memory_lines::kUnrelaxedFrames.bytes(counts) : 0;
   return memory_before_ + kMemoryOfOther + kept + unrelaxed + peak_memory_bytes(counts);
 }
 
 bool SolveForecast::fits(const LevelCounts& counts) const {
-  if (std::max(counts.cells, counts.pieces) >= kNoCell) return false;
+  if (share_of(counts) * std::max(counts.cells, counts.pieces) >= kNoCell) return false;
   return peak_memory(counts) <= static_cast<double>(memory_limit_);
 }
 
@@ -95,16 +93,16 @@ std::optional<Expectation> SolveForecast::forecast_from(int depth, const LevelGr
   const bool last_chance = levels_to_come == 1 || !fits(growth.after(2));
   if (told_ || levels_to_come > kLevelsAhead || (now.cells < kFewestCellsToTell && !last_chance)) return {};
   const double seconds_per_cost =
-      level_seconds / (share_of_work(now) * level_cost({now, sweeps, times_made(now)}));
+      level_seconds / (share_of(now) * level_cost({now, sweeps, times_made(now)}));
   LevelCounts finest = now;
   double seconds = seconds_so_far;
   int solved = 0;
   for (int k = 1; k <= levels_to_come && fits(growth.after(k)); ++k) {
     finest = growth.after(k);
-    seconds += seconds_per_cost * share_of_work(finest) * level_cost(usual_work(finest));
+    seconds += seconds_per_cost * share_of(finest) * level_cost(usual_work(finest));
     solved = k;
   }
-  seconds += seconds_per_cost * cost_of_result(finest);
+  seconds += seconds_per_cost * share_of(finest) * cost_of_result(finest);
   if (solved == 0 || finest.cells < kFewestCellsToForetell) return {};
   told_ = true;
   return Expectation{depth,

@@ -27,7 +27,6 @@ struct RelaxedLevels {
 /// The processes that share levels of at least so many cells.
 struct Sharers {
   int processes = 1;
-  bool is_first = true;  ///< this process has the whole field in the end
   double fewest_cells = 0;
 };
 
@@ -59,9 +58,8 @@ class SolveForecast {
   int times_made(const LevelCounts& counts) const { return is_relaxed(counts) ? 2 : 1; }
   LevelWork usual_work(const LevelCounts& counts) const;
 
-  /// Share of a level that this process has while it is solved, and whose memory it takes.
-  double share_of_work(const LevelCounts& counts) const;
-  double share_of_memory(const LevelCounts& counts) const;
+  /// Share of a level that a process has, with ghosts.
+  double share_of(const LevelCounts& counts) const;
 
   int finest_depth_;
   double memory_before_;

@@ -99,17 +99,26 @@ TEST(SolveForecast, RefusesWhereOnlyMuchCoarserCellsWouldFit) {
   }
 }
 
-TEST(SolveForecast, CountsForEachProcessItsShareOfALevelAndForTheFirstTheWholeField) {
+TEST(SolveForecast, CountsForEachProcessItsShareOfALevelWithGhosts) {
   const SolveOptions options = options_of(1000);
   const auto memory = [&](const Sharers& sharers, double cells) {
     const SolveForecast forecast(options, 10, 0, false, {}, sharers);
     return forecast.peak_memory({cells, cells, cells, cells}) - forecast.peak_memory({});
   };
   const double alone = memory({}, 8e6);
-  EXPECT_NEAR(memory({8, false, 200000}, 8e6) / alone, 1.0 / 8, 1e-9);
-  EXPECT_NEAR(memory({2, true, 200000}, 8e6) / alone, 1.0 / 2, 1e-9);
-  EXPECT_GT(memory({8, true, 200000}, 8e6) / alone, 0.3);
-  EXPECT_EQ(memory({8, false, 200000}, 1e5), memory({}, 1e5));
+  EXPECT_NEAR(memory({2, 200000}, 8e6) / alone, 0.51, 0.01);
+  EXPECT_NEAR(memory({8, 200000}, 8e6) / alone, 0.13, 0.01);
+  EXPECT_EQ(memory({8, 200000}, 1e5), memory({}, 1e5));
+}
+
+TEST(SolveForecast, AllowsMoreThanFourBillionCellsToManyProcesses) {
+  SolveOptions options = options_of(100000);
+  options.max_memory_bytes = std::size_t{1} << 50;
+  const auto fits = [&](int processes) {
+    return SolveForecast(options, 17, 0, false, {}, {processes, 200000}).fits({1e10, 1e9, 1e8, 1e9});
+  };
+  EXPECT_FALSE(fits(2));
+  EXPECT_TRUE(fits(8));
 }
 
 }  // namespace
