@@ -6,8 +6,8 @@
 
 A process of a run on P processes with N cells takes, in processor seconds outside calls of MPI,
 
-    start + shared N / P + ghost G + first F + alone N      the first
-    other + shared N / P + ghost G                          each other one
+    start + shared N / P + ghost G + first F      the first
+    other + shared N / P + ghost G                each other one
 
 with G = spread sqrt(N / P) ghosts, none if P = 1, and F cells of the first level that is shared, which the first process makes. The constants
 are fitted to all runs but those at the largest resolution, which are predicted.
@@ -43,11 +43,11 @@ def measured(program, model, resolution, processes):
 
 
 def equations(cells, first_shared, processes, spread):
-    """Rows of coefficients of (start, other, shared, ghost, first, alone) for the first process and for the others."""
+    """Rows of coefficients of (start, other, shared, ghost, first) for the first process and for the others."""
     ghosts = spread * np.sqrt(cells / processes) if processes > 1 else 0
     # A process that is alone makes the first shared level as all others.
     made_alone = first_shared if processes > 1 else 0
-    return [[1, 0, cells / processes, ghosts, made_alone, cells], [0, 1, cells / processes, ghosts, 0, 0]]
+    return [[1, 0, cells / processes, ghosts, made_alone], [0, 1, cells / processes, ghosts, 0]]
 
 
 def main():
@@ -63,9 +63,9 @@ def main():
     # Each row counts by its relative error.
     weights = 1 / np.array(seconds)
     constants = nnls(np.array(matrix) * weights[:, None], np.array(seconds) * weights)[0]
-    start, other, shared, ghost, made, alone = constants
+    start, other, shared, ghost, made = constants
     print(f"start {start:.2f} s, other {other:.2f} s; microseconds: {shared * 1e6:.2f} a cell, {ghost * 1e6:.2f} a ghost, {made * 1e6:.2f} a cell of the "
-          f"first shared level, {alone * 1e6:.3f} a cell in the first alone; {spread:.0f} sqrt(cells) ghosts\n")
+          f"first shared level; {spread:.0f} sqrt(cells) ghosts\n")
     print("| cells | processes | ghosts | first: measured | model | others: measured | model | all together, beside one process |\n"
           "|---|---|---|---|---|---|---|---|")
     for (resolution, processes), (cells, first_shared, ghosts, first, others) in runs.items():

@@ -139,13 +139,17 @@ void check_versions(Processes& processes) {
 
 /// Prints a table of the work of all processes.
 void print_work(const std::vector<Processes::Work>& work) {
-  print_result("process      cells   ghosts  processor s  of it in MPI  s in MPI  MB sent  GB of memory\n");
+  print_result(
+      "process      cells   ghosts  processor s  of it in MPI  s in MPI  of it in sweeps  messages a sweep  "
+      "MB a sweep"
+      "  MB sent  GB of memory\n");
   for (std::size_t rank = 0; rank < work.size(); ++rank) {
     const Processes::Work& w = work[rank];
-    print_result(fmt::format("{:7} {:10} {:8} {:12.2f} {:13.2f} {:9.2f} {:8.1f} {:13.3f}\n", rank, w.cells,
-                             w.ghosts, w.processor_seconds, w.processor_seconds_in_mpi, w.seconds_in_mpi,
-                             static_cast<double>(w.bytes_sent) / 1e6,
-                             static_cast<double>(w.peak_memory_bytes) / 1e9));
+    print_result(fmt::format(
+        "{:7} {:10} {:8} {:12.2f} {:13.2f} {:9.2f} {:16.2f} {:17} {:11.2f} {:8.1f} {:13.3f}\n", rank, w.cells,
+        w.ghosts, w.processor_seconds, w.processor_seconds_in_mpi, w.seconds_in_mpi,
+        w.seconds_waiting_in_sweeps, w.messages_of_sweep, static_cast<double>(w.bytes_of_sweep) / 1e6,
+        static_cast<double>(w.bytes_sent) / 1e6, static_cast<double>(w.peak_memory_bytes) / 1e9));
   }
 }
 

@@ -59,9 +59,11 @@ class Processes {
     double processor_seconds = 0;  ///< of the whole process, calls of MPI included
     double seconds_in_mpi = 0;     ///< waiting included
     double processor_seconds_in_mpi = 0;
+    double seconds_waiting_in_sweeps = 0;  ///< part of seconds_in_mpi
     std::uint64_t calls_of_mpi = 0, bytes_sent = 0;
-    std::uint64_t cells = 0, ghosts = 0;  ///< of the finest level
-    std::uint64_t peak_memory_bytes = 0;  ///< of the whole process
+    std::uint64_t messages_of_sweep = 0, bytes_of_sweep = 0;  ///< sent in the last sweep of the finest level
+    std::uint64_t cells = 0, ghosts = 0;                      ///< of the finest level
+    std::uint64_t peak_memory_bytes = 0;                      ///< of the whole process
   };
 
   /// Returns the work of each process.

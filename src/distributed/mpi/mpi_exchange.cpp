@@ -28,13 +28,18 @@ void for_each_part(std::span<Byte> bytes, const Visit& visit) {
 /// Adds the time of its life to a cost.
 class CallTimer {
  public:
-  explicit CallTimer(MpiExchange::Cost& cost)
-      : cost_(cost), begin_(std::chrono::steady_clock::now()), processor_begin_(processor_seconds()) {}
+  explicit CallTimer(MpiExchange::Cost& cost, bool is_of_mailbox = false)
+      : cost_(cost),
+        is_of_mailbox_(is_of_mailbox),
+        begin_(std::chrono::steady_clock::now()),
+        processor_begin_(processor_seconds()) {}
   CallTimer(const CallTimer&) = delete;
   CallTimer& operator=(const CallTimer&) = delete;
   ~CallTimer() {
     ++cost_.calls;
-    cost_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin_;
+    cost_.seconds += seconds.count();
+    if (is_of_mailbox_) cost_.seconds_in_mailboxes += seconds.count();
     cost_.processor_seconds += processor_seconds() - processor_begin_;
   }
 
@@ -46,6 +51,7 @@ class CallTimer {
   }
 
   MpiExchange::Cost& cost_;
+  const bool is_of_mailbox_;
   const std::chrono::steady_clock::time_point begin_;
   const double processor_begin_;
 };
@@ -76,7 +82,8 @@ class MpiMailbox : public Mailbox {
  public:
   MpiMailbox(MPI_Comm communicator, std::span<const Exchange::Expected> expected, MpiExchange::Cost& cost)
       : communicator_(communicator), cost_(cost) {
-    const CallTimer timer(cost_);
+    const CallTimer timer(cost_, /*is_of_mailbox=*/true);
+    cost_.messages_of_last_mailbox = cost_.bytes_of_last_mailbox = 0;
     for (std::size_t message = 0; message < expected.size(); ++message) {
       parts_left_.push_back(0);
       for_each_part(expected[message].bytes, [&](std::byte* first, int count) {
@@ -102,8 +109,10 @@ class MpiMailbox : public Mailbox {
   }
 
   void send(int rank, int number, Bytes message) override {
-    const CallTimer timer(cost_);
+    const CallTimer timer(cost_, /*is_of_mailbox=*/true);
     cost_.bytes_sent += message.size();
+    cost_.bytes_of_last_mailbox += message.size();
+    ++cost_.messages_of_last_mailbox;
     sent_.push_back(std::move(message));
     for_each_part(std::span<const std::byte>(sent_.back()), [&](const std::byte* first, int count) {
       MPI_Isend(first, count, MPI_BYTE, rank, kFirstMailboxTag + number, communicator_,
@@ -112,7 +121,7 @@ class MpiMailbox : public Mailbox {
   }
 
   std::vector<std::size_t> arrived(bool may_wait) override {
-    const CallTimer timer(cost_);
+    const CallTimer timer(cost_, /*is_of_mailbox=*/true);
     int count = 0;
     (may_wait ? MPI_Waitsome : MPI_Testsome)(static_cast<int>(receives_.size()), receives_.data(), &count,
                                              indices_.data(), MPI_STATUSES_IGNORE);
@@ -126,7 +135,7 @@ class MpiMailbox : public Mailbox {
   }
 
   void finish() override {
-    const CallTimer timer(cost_);
+    const CallTimer timer(cost_, /*is_of_mailbox=*/true);
     MPI_Waitall(static_cast<int>(sends_.size()), sends_.data(), MPI_STATUSES_IGNORE);
     is_finished_ = true;
   }

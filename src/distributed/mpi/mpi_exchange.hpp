@@ -28,7 +28,9 @@ class MpiExchange : public Exchange {
   /// What calls have taken so far. Waiting for other processes takes processor time too.
   struct Cost {
     double seconds = 0, processor_seconds = 0;
+    double seconds_in_mailboxes = 0;  ///< part of `seconds`
     std::uint64_t calls = 0, bytes_sent = 0;
+    std::uint64_t messages_of_last_mailbox = 0, bytes_of_last_mailbox = 0;  ///< sent
   };
   const Cost& cost() const { return cost_; }
 

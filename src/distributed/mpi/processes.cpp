@@ -70,6 +70,9 @@ std::vector<Processes::Work> Processes::work() {
   mine.processor_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   mine.seconds_in_mpi = cost.seconds;
   mine.processor_seconds_in_mpi = cost.processor_seconds;
+  mine.seconds_waiting_in_sweeps = cost.seconds_in_mailboxes;
+  mine.messages_of_sweep = cost.messages_of_last_mailbox;
+  mine.bytes_of_sweep = cost.bytes_of_last_mailbox;
   mine.calls_of_mpi = cost.calls;
   mine.bytes_sent = cost.bytes_sent;
   mine.cells = state_->finest.own;
