@@ -236,6 +236,9 @@ class Pieces(ProcessesTest):
         before = (self.folder / "together" / "field.vtu").read_bytes()
         (self.folder / "together" / "field_1.vtu").mkdir()
         self.assert_ends(self.together(3, "solve", BRACKET, "-o", "together", *self.OPTIONS, "--force"), 4, "field_1.vtu", "is a folder")
+        (self.folder / "together" / "field_1.vtu").rmdir()
+        (self.folder / "together" / "field_1.vtu").write_text("mine")
+        self.assert_ends(self.together(3, "solve", BRACKET, "-o", "together", *self.OPTIONS), 4, "field_1.vtu", "did not write")
         self.assertEqual((self.folder / "together" / "field.vtu").read_bytes(), before)
         self.assertEqual(self.names_in_result(), ["field.vtu", "field_1.vtu", "report.json", "singularities.vtu", "surface.vtu"])
 

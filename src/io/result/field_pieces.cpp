@@ -106,6 +106,16 @@ std::optional<Order> passed_on(Exchange& exchange, const std::optional<Order>& m
   return order;
 }
 
+/// Makes a piece a file of the folder. Throws Error(kOutput) if that would replace a file of somebody else.
+void expect(const std::string& piece, const OutputOptions& options, OutputFolder& output) {
+  const fs::path path = fs::path(output.name()) / piece;
+  if (options.foreign_files != ForeignFiles::kReplace && may_exist(path) && !has_mark(path))
+    throw Error(ErrorKind::kOutput,
+                {output.name(), "", fmt::format("holds '{}', which Crossgrain did not write", piece),
+                 Remedy::kChooseFolder});
+  output.expect(piece);
+}
+
 void write_own_piece(const FieldData& part, const OutputOptions& options, const Order& order,
                      const Monitor& monitor) {
   const std::string name = piece_name(part.part->exchange->rank());
@@ -174,8 +184,12 @@ void write_pieces(const FieldData& part, const OutputOptions& options, OutputFol
   std::exception_ptr failure;
   try {
     if (output != nullptr)
-      for (const std::string& piece : pieces) output->expect(piece);
+      for (const std::string& piece : pieces) expect(piece, options, *output);
     if (part.tree.size() > 0) write_own_piece(part, options, *order, monitor);
+  } catch (const Error& error) {
+    // Who interrupts does not wait for others to write their pieces.
+    if (error.kind() == ErrorKind::kInterrupted) throw;
+    failure = std::current_exception();
   } catch (...) {
     failure = std::current_exception();
   }

@@ -26,7 +26,8 @@ std::vector<std::string> pieces_in(const std::filesystem::path& folder);
 
 /// Writes the cells of a part to a piece, and in the first process the list. All processes that share the
 /// field call it together: the first with its folder, the others with null. Throws in every process if one
-/// fails: that one its own error, the others OtherProcessFailed.
+/// fails: that one its own error, the others OtherProcessFailed. Only Error(kInterrupted) is thrown at once,
+/// and the others wait.
 void write_pieces(const FieldData& part, const OutputOptions& options, OutputFolder* output,
                   const Monitor& monitor);
 
