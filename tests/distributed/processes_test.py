@@ -123,11 +123,12 @@ class ProcessesTest(CommandTest):
         for name, values in expected.items():
             np.testing.assert_array_equal(cells[name], values, name)
 
-    def assert_same_on(self, numbers, model, *options):
+    def assert_same_on(self, numbers, model, *options, is_shared=True):
         alone = self.solved_alone(model, *options)
         for processes in numbers:
             result = self.together(processes, "solve", model, "-o", "together", "--quiet", "--no-report", "--threads", 1, "--force", *options)
             self.assertEqual((result.returncode, result.stderr), (0, alone.stderr))
+            self.assertEqual((self.folder / "together" / "field.pvtu").exists(), is_shared)
             self.assert_same_as_alone("together")
 
     def assert_ends(self, result, code, *words):
@@ -141,24 +142,24 @@ class ProcessesTest(CommandTest):
 
 class Fields(ProcessesTest):
     def test_of_a_part_with_creases_are_the_same_on_any_number_of_processes(self):
-        self.assert_same_on((5,), BRACKET, "--resolution", 320)
+        self.assert_same_on((5,), BRACKET, "--resolution", 210)
 
     def test_of_degree_3_inside_a_curved_surface_are_the_same(self):
-        self.assert_same_on((3,), self.write("sphere.stl", stl_of(sphere(96))), "--resolution", 128, "--degree", 3)
+        self.assert_same_on((3,), self.write("sphere.stl", stl_of(sphere(96))), "--resolution", 150, "--degree", 3)
 
     def test_inside_an_open_surface_are_the_same(self):
-        self.assert_same_on((2,), self.write("open.stl", stl_of(sphere(64, 0.8))), "--resolution", 128)
+        self.assert_same_on((2,), self.write("open.stl", stl_of(sphere(64, 0.8))), "--resolution", 150)
 
     def test_in_a_thin_wall_are_the_same(self):
-        self.assert_same_on((2,), self.write("wall.stl", stl_of(box((4, 3, 0.02)))), "--resolution", 640)
+        self.assert_same_on((2,), self.write("wall.stl", stl_of(box((4, 3, 0.02)))), "--resolution", 420)
 
     def test_too_small_to_share_are_the_same(self):
-        self.assert_same_on((3,), BRACKET, "--resolution", 64)
+        self.assert_same_on((3,), BRACKET, "--resolution", 64, is_shared=False)
 
     def test_under_constraints_are_the_same(self):
         self.write("axes.json", json.dumps({"schema": 1, "points": [{"at": [30, 10, 10], "axis": [1, 2, 3]}], "polylines": [
             {"points": [[20, 10, 5], [60, 20, 20], [100, 60, 10]], "axis": "tangent", "weight": 3}]}))
-        self.assert_same_on((3,), BRACKET, "--resolution", 320, "--constraints", "axes.json")
+        self.assert_same_on((3,), BRACKET, "--resolution", 210, "--constraints", "axes.json")
 
 
 class Pieces(ProcessesTest):
@@ -265,20 +266,20 @@ class Breaks(ProcessesTest):
             self.assert_same_as_alone("together")
 
     def test_are_healed_only_by_the_same_model_and_options(self):
-        made = self.together(2, "solve", BRACKET, "-o", "first", "--resolution", 320, "--quiet", "--no-report", "--checkpoint", "kept")
+        made = self.together(2, "solve", BRACKET, "-o", "first", "--resolution", 210, "--quiet", "--no-report", "--checkpoint", "kept")
         self.assertEqual(made.returncode, 0, made.stderr)
         other = self.together(2, "solve", MODELS / "wedge.stl", "-o", "second", "--quiet", "--restart", "kept")
         self.assert_ends(other, 3, "another model")
-        creased = self.together(2, "solve", BRACKET, "-o", "second", "--resolution", 320, "--crease-angle", 100, "--quiet", "--restart", "kept")
+        creased = self.together(2, "solve", BRACKET, "-o", "second", "--resolution", 210, "--crease-angle", 100, "--quiet", "--restart", "kept")
         self.assert_ends(creased, 3, "other options", "give the same")
         start = next((self.folder / "kept").glob("start-*"))
         os.truncate(start, start.stat().st_size - 1)
-        cut = self.together(2, "solve", BRACKET, "-o", "second", "--resolution", 320, "--quiet", "--restart", "kept")
+        cut = self.together(2, "solve", BRACKET, "-o", "second", "--resolution", 210, "--quiet", "--restart", "kept")
         self.assert_ends(cut, 3, start.name, "cut short", "without --restart")
         start.unlink()
-        anew = self.together(2, "solve", BRACKET, "-o", "second", "--resolution", 320, "--quiet", "--no-report", "--restart", "kept")
+        anew = self.together(2, "solve", BRACKET, "-o", "second", "--resolution", 210, "--quiet", "--no-report", "--restart", "kept")
         self.assertEqual(anew.returncode, 0, anew.stderr)
-        missing = self.together(2, "solve", BRACKET, "-o", "third", "--quiet", "--resolution", 320, "--restart", "nowhere")
+        missing = self.together(2, "solve", BRACKET, "-o", "third", "--quiet", "--resolution", 210, "--restart", "nowhere")
         self.assert_ends(missing, 3, "nowhere", "--checkpoint")
         self.assertFalse((self.folder / "third").exists())
 
