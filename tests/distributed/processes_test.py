@@ -144,6 +144,10 @@ class Fields(ProcessesTest):
     def test_of_a_part_with_creases_are_the_same_on_any_number_of_processes(self):
         self.assert_same_on((5,), BRACKET, "--resolution", 210)
 
+    def test_are_the_same_on_so_many_processes_that_some_have_no_cells(self):
+        # 55 blocks of 4096 cells: the first process has none.
+        self.assert_same_on((60,), self.write("box.stl", stl_of(box((1, 1, 1)))), "--resolution", 145)
+
     def test_of_degree_3_inside_a_curved_surface_are_the_same(self):
         self.assert_same_on((3,), self.write("sphere.stl", stl_of(sphere(96))), "--resolution", 150, "--degree", 3)
 

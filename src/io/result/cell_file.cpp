@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "harmonics/deviation.hpp"
 #include "harmonics/frame.hpp"
 #include "io/result/field_arrays.hpp"
+#include "io/result/leaf_corners.hpp"
 #include "io/vtu/vtu_arrays.hpp"
 
 namespace crossgrain {
@@ -44,8 +46,10 @@ VtuArray constraint_array(const std::vector<CellConstraint>& constraints) {
                                  });
 }
 
-/// Adds the cell data of docs/design.md section 10.
-void add_cell_data(const FieldData& data, std::vector<VtuArray>& arrays) {
+}  // namespace
+
+std::vector<VtuArray> cell_data_arrays(const FieldData& data) {
+  std::vector<VtuArray> arrays;
   add_axes(
       VtuSection::kCellData, data.frames.size(),
       [&data](std::size_t i) { return from_stored(data.frames[i]); }, arrays);
@@ -65,7 +69,10 @@ void add_cell_data(const FieldData& data, std::vector<VtuArray>& arrays) {
   if (!data.constraints.empty()) arrays.push_back(constraint_array(data.constraints));
   if (!data.regions.empty())
     arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kRegion, data.regions));
+  return arrays;
 }
+
+namespace {
 
 template <class Index>
 void add_cells(const LeafCorners& corners, std::size_t cells, std::vector<VtuArray>& arrays) {
@@ -126,20 +133,14 @@ void add_extent(const OutputOptions& options, std::vector<VtuArray>& arrays) {
 
 }  // namespace
 
-std::vector<VtuArray> cell_arrays(const FieldData& data, const OutputOptions& options,
-                                  const LeafCorners& corners) {
-  std::vector<VtuArray> arrays;
-  add_field_data(data, arrays);
-  add_extent(options, arrays);
-  add_cell_data(data, arrays);
-  add_grid(corners, data.tree.size(), arrays);
-  return arrays;
-}
-
 void write_cell_file(const FieldData& data, const OutputOptions& options, OutputFile& file,
                      const Monitor& monitor) {
   const LeafCorners corners(data.tree);
-  std::vector<VtuArray> arrays = cell_arrays(data, options, corners);
+  std::vector<VtuArray> arrays;
+  add_field_data(data, arrays);
+  add_extent(options, arrays);
+  for (VtuArray& array : cell_data_arrays(data)) arrays.push_back(std::move(array));
+  add_grid(corners, data.tree.size(), arrays);
   watch(arrays, monitor);
   write_vtu(file, corners.size(), data.tree.size(), arrays);
   file.finish();

@@ -8,18 +8,17 @@
 #include "crossgrain/monitor.hpp"
 #include "field/field_data.hpp"
 #include "files/output_file.hpp"
-#include "io/result/leaf_corners.hpp"
 #include "io/vtu/vtu_writer.hpp"
 
 namespace crossgrain {
 
-/// Returns all arrays of the file. A few of them define the field; they are field data, or are derived from
-/// nothing else, and only they are read (field_arrays.hpp). What ParaView shows (axes, coefficients, ...) is
-/// derived from them. `options` say which part of the field the data are. All must outlive the arrays.
-std::vector<VtuArray> cell_arrays(const FieldData& data, const OutputOptions& options,
-                                  const LeafCorners& corners);
+/// Returns the cell data of the file. `data` must outlive them.
+std::vector<VtuArray> cell_data_arrays(const FieldData& data);
 
-/// Writes and finishes the file. Throws Error(kOutput) and Error(kInterrupted).
+/// Writes and finishes the file. A few arrays define the field; they are field data, or derived from nothing
+/// else, and only they are read (field_arrays.hpp). What ParaView shows (axes, coefficients, ...) is derived
+/// from them. `options` say which part of the field the data are. Throws Error(kOutput) and
+/// Error(kInterrupted).
 void write_cell_file(const FieldData& data, const OutputOptions& options, OutputFile& file,
                      const Monitor& monitor);
 

@@ -42,23 +42,29 @@ bool is_piece_name(std::string_view name) {
   return failure == std::errc() && end == name.data() + name.size() && name == std::to_string(rank);
 }
 
-/// Returns the text of the list. `arrays` are those of one of the pieces.
-std::string list_of(const std::vector<std::string>& pieces, const std::vector<VtuArray>& arrays,
+/// Returns what the list says of the cell data of a piece.
+std::string declared(const std::vector<VtuArray>& arrays) {
+  std::string text;
+  for (const VtuArray& array : arrays)
+    text += fmt::format("      <PDataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"/>\n",
+                        vtu_name_of(array.type), array.name, array.components);
+  return text;
+}
+
+/// Returns the text of the list; `cell_data` as from `declared`.
+std::string list_of(const std::vector<std::string>& pieces, const std::string& cell_data,
                     const std::string& solve) {
   std::string text = fmt::format("<?xml version=\"1.0\"?>\n{}\n{}{} -->\n", kXmlMark, kXmlSolve, solve);
   text +=
       "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
-      "  <PUnstructuredGrid GhostLevel=\"0\">\n";
-  for (const VtuSection section : {VtuSection::kPointData, VtuSection::kCellData, VtuSection::kPoints}) {
-    text += fmt::format("    <P{}>\n", name_of(section));
-    for (const VtuArray& array : arrays) {
-      if (array.section != section) continue;
-      text += fmt::format("      <PDataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"/>\n",
-                          vtu_name_of(array.type), array.name, array.components);
-    }
-    text += fmt::format("    </P{}>\n", name_of(section));
-  }
+      "  <PUnstructuredGrid GhostLevel=\"0\">\n"
+      "    <PCellData>\n" +
+      cell_data +
+      "    </PCellData>\n"
+      "    <PPoints>\n"
+      "      <PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n"
+      "    </PPoints>\n";
   for (const std::string& piece : pieces) text += fmt::format("    <Piece Source=\"{}\"/>\n", piece);
   return text + "  </PUnstructuredGrid>\n</VTKFile>\n";
 }
@@ -177,10 +183,17 @@ void write_pieces(const FieldData& part, const OutputOptions& options, OutputFol
   if (output != nullptr) mine = Order{output->place().string(), output->name(), output->solve()};
   const std::optional<Order> order = passed_on(exchange, mine);
   if (!order) throw OtherProcessFailed();
-  const auto cells = gathered_value<std::uint64_t>(exchange, part.tree.size());
+  // A process without cells writes no piece, and may lack arrays.
+  const std::string own = part.tree.size() > 0 ? declared(cell_data_arrays(part)) : "";
+  const std::vector<Bytes> of_all = exchange.gathered(std::as_bytes(std::span(own)));
   std::vector<std::string> pieces;
-  for (std::size_t rank = 0; rank < cells.size(); ++rank)
-    if (cells[rank] > 0) pieces.push_back(piece_name(static_cast<int>(rank)));
+  std::string cell_data;
+  for (std::size_t rank = 0; rank < of_all.size(); ++rank) {
+    if (of_all[rank].empty()) continue;
+    pieces.push_back(piece_name(static_cast<int>(rank)));
+    const std::vector<char> text = MessageReader(of_all[rank]).take<char>(of_all[rank].size());
+    cell_data.assign(text.begin(), text.end());
+  }
   std::exception_ptr failure;
   try {
     if (output != nullptr)
@@ -197,9 +210,7 @@ void write_pieces(const FieldData& part, const OutputOptions& options, OutputFol
   if (failure) std::rethrow_exception(failure);
   if (has_failed) throw OtherProcessFailed();
   if (output == nullptr) return;
-  // Any part, also one without leaves, has the arrays of all.
-  const LeafCorners corners(part.tree);
-  output->create(kPiecesFile).write(list_of(pieces, cell_arrays(part, options, corners), order->solve));
+  output->create(kPiecesFile).write(list_of(pieces, cell_data, order->solve));
 }
 
 void cancel_pieces(const FieldData& part) {
