@@ -202,18 +202,13 @@ struct ToWrite {
 };
 
 ToWrite gathered_to_write(FrameField field, const SolveArguments& arguments, bool has_tets) {
-  /// Far more cells than the page shows.
-  constexpr std::size_t kMostForPage = 1000000;
   // Only the first process carries a field onto tets, or clips it.
-  if (has_tets || arguments.output_options.clip) {
-    ToWrite result{whole_of_parts(std::move(field)), {}};
-    result.shown = result.cells;
-    return result;
+  const bool is_gathered = has_tets || arguments.output_options.clip;
+  if (!field.is_part() || is_gathered) {
+    const std::optional<FrameField> whole = whole_of_parts(std::move(field));
+    return {whole, whole};
   }
-  if (!field.is_part()) return {field, field};
-  ToWrite result{field, {}};
-  if (arguments.page) result.shown = thinned_from_parts(field, kMostForPage);
-  return result;
+  return {field, arguments.page ? thinned_from_parts(field, kMostCellsOfPage) : std::nullopt};
 }
 
 /// Solves, transfers the field to the tets if there are any, and writes all files. Warnings from reading go
