@@ -135,11 +135,7 @@ void check_start(const SolveArguments& arguments) {
 }
 
 ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& options) {
-  ReadOptions result;
-  result.resolution = options.resolution;
-  result.cell_size = options.cell_size;
-  result.crease_angle_deg = options.creases.least_deg;
-  result.max_memory_bytes = options.max_memory_bytes;
+  ReadOptions result = read_options_for(options);
   result.read_seconds = arguments.read_seconds;
   result.glue = arguments.glue;
   return result;

@@ -21,6 +21,11 @@ if(NOT output STREQUAL "crossgrain ${VERSION}\n")
   message(FATAL_ERROR "the consumer printed '${output}', not the version that was installed, ${VERSION}")
 endif()
 
+execute_process(COMMAND "${WORK_DIR}/build/consumer_in_c" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+if(NOT output STREQUAL "crossgrain ${VERSION}\n")
+  message(FATAL_ERROR "the consumer in C printed '${output}', not the version that was installed, ${VERSION}")
+endif()
+
 if(PROGRAM)
   file(GLOB program "${prefix}/bin/crossgrain")
   if(NOT program)
@@ -35,9 +40,11 @@ endif()
 # The program that reads CAD files is found from wherever the consumer was built, and says of what it cannot read.
 if(CAD)
   file(WRITE "${WORK_DIR}/damaged.brep" "DBRep_DrawableShape\n\nCASCADE Topology V1\nnonsense\n*\n+1 0\n")
-  execute_process(COMMAND "${WORK_DIR}/build/consumer" "${WORK_DIR}/damaged.brep" OUTPUT_VARIABLE output
-                  COMMAND_ERROR_IS_FATAL ANY)
-  if(NOT output MATCHES "damaged, or not a BREP file")
-    message(FATAL_ERROR "the consumer did not find the program that reads CAD files: ${output}")
-  endif()
+  foreach(consumer consumer consumer_in_c)
+    execute_process(COMMAND "${WORK_DIR}/build/${consumer}" "${WORK_DIR}/damaged.brep" OUTPUT_VARIABLE output
+                    COMMAND_ERROR_IS_FATAL ANY)
+    if(NOT output MATCHES "damaged, or not a BREP file")
+      message(FATAL_ERROR "${consumer} did not find the program that reads CAD files: ${output}")
+    endif()
+  endforeach()
 endif()
