@@ -20,6 +20,23 @@ def _is_watched() -> bool:
     return sys.stderr.isatty() or "ipykernel" in sys.modules
 
 
+def _tqdm() -> Any:
+    """The bar that suits where it is shown; None where tqdm is not installed."""
+    try:
+        import tqdm
+    except ImportError:
+        return None
+    if "ipykernel" in sys.modules:
+        try:
+            # What draws the bar of notebooks.
+            import ipywidgets  # noqa: F401
+            from tqdm.notebook import tqdm as notebook_bar
+            return notebook_bar
+        except ImportError:
+            pass
+    return tqdm.tqdm
+
+
 class _Bar:
     """Levels done, of those expected; beside them what the solve is at."""
 
@@ -48,10 +65,7 @@ def listener(progress: ProgressOption) -> Iterator[Optional[Callable[[Progress],
         return
     bar = None
     if progress or (progress is None and _is_watched()):
-        try:
-            from tqdm.auto import tqdm
-        except ImportError:
-            tqdm = None
+        tqdm = _tqdm()
         bar = tqdm and _Bar(tqdm)
     try:
         yield bar
