@@ -63,14 +63,19 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
       ->check(fault_of_box)
       ->type_name("XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX");
   std::string formats = "Formats to write the field on tets in, besides onto.frames and onto.vtu:";
-  for (const OutputFormat& format : output_formats())
-    if (!format.is_always_written) formats += " " + format.name + " (" + format.description + "),";
+  std::string names;
+  for (const OutputFormat& format : output_formats()) {
+    if (format.is_always_written) continue;
+    formats += " " + format.name + " (" + format.description + "),";
+    names += format.name + "|";
+  }
+  names.back() = ',';
   command
       .add_option_function<std::string>(
           "--write", [&options](const std::string& text) { options.formats = parts_of(text); },
           formats.substr(0, formats.size() - 1) + "; docs/formats.md")
       ->check(fault_of_formats)
-      ->type_name("A,B,...");
+      ->type_name(names + "...");
 }
 
 void add_tets_options(CLI::App& command, SolveArguments& arguments) {
@@ -349,9 +354,9 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
   add_parsed(
       *command, "--view", parse_view, [&options](const PictureOptions::View& view) { options.view = view; },
       "is not a view: iso, front, back, left, right, top, bottom, or azimuth and elevation such as -55,28",
-      "Viewpoint: iso, front, back, left, right, top, bottom, or degrees about z from x and degrees above "
-      "the xy plane (default: iso, or towards the cut)")
-      ->type_name("NAME|A,E");
+      "Viewpoint by name, or degrees about z from x and degrees above the xy plane (default: iso, or towards "
+      "the cut)")
+      ->type_name("iso|front|back|left|right|top|bottom|A,E");
   add_choice(*command, "--up", options.up_axis, std::map<std::string, int>{{"x", 0}, {"y", 1}, {"z", 2}},
              "The axis of the model that points up (default z)", "x|y|z");
   add_parsed(
