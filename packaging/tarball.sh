@@ -56,6 +56,9 @@ write_documents() {
   local package
   mkdir -p "$tree/licences"
   cp "$root/LICENSE" "$root/NOTICE" "$tree/"
+  cp "$folder/packages/crossgrain/copyright" "$tree/licences/crossgrain"
+  # The texts that files of Debian refer to.
+  cp -L /usr/share/common-licenses/{Apache-2.0,GPL-3,LGPL-2.1,MPL-2.0} "$tree/licences/"
   {
     echo "Crossgrain $version: run bin/crossgrain; its folder may be moved. Needs Linux on $machine with glibc $glibc or later."
     echo
@@ -82,7 +85,7 @@ copy_libraries
 set_run_paths
 glibc="$(least_glibc)"
 write_documents
-tar --create --directory "$stage" --owner=0 --group=0 --sort=name --use-compress-program='zstd -q -19 -T0' --file "$folder/$name.tar.zst" "$name"
+tar --create --directory "$stage" --owner=0 --group=0 --sort=name --use-compress-program='zstd -q -12 -T0' --file "$folder/$name.tar.zst" "$name"
 rm -rf "$stage"
 echo "$folder/$name.tar.zst"
 echo "needs glibc $glibc or later" >&2
