@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs the Debian packages in a clean Debian 12 without a compiler, solves and draws; then installs a compiler, and
-# builds the installed examples through CMake and one through pkg-config.
+# Installs the Debian packages in a clean Debian 12 without a compiler, solves and draws, also by
+# several processes; then installs a compiler, and builds the installed examples through CMake and one through pkg-config.
 # Usage: deb_test.sh SOURCE_DIR WORK_DIR DEBS CAD_FILES
 set -euo pipefail
 
@@ -31,6 +31,12 @@ if [ -n "$python" ]; then
   install_in "$chroot" "$python"
   in_chroot "$chroot" python3 -c 'import crossgrain; print("Python module", crossgrain.__version__)'
 fi
+
+echo "== several processes"
+install_in "$chroot" $(packages crossgrain-mpi)
+in_chroot "$chroot" env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 \
+  mpirun -n 2 crossgrain-mpi solve /work/bracket.stl -o /work/by_two.frames --resolution 48 --quiet
+in_chroot "$chroot" crossgrain check /work/by_two.frames >/dev/null
 
 echo "== examples with a compiler"
 start="$EPOCHREALTIME"
