@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Files for pkg-config: crossgrain-core.pc and so on, one a component, and crossgrain.pc for all but `processes`.
+# Files for pkg-config: crossgrain-core.pc and so on, one a component, and crossgrain.pc for all but `processes`
+# and `c`.
 
 # What pkg-config calls the libraries that components link; what begins with - or / is for the linker.
 set(pkg_config_of_TBB::tbb tbb)
@@ -52,7 +53,7 @@ libdir=\${prefix}/${CMAKE_INSTALL_LIBDIR}
 includedir=\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}
 
 Name: ${name}
-Description: ${PC_DESCRIPTION}; compile with -std=c++20
+Description: ${PC_DESCRIPTION}
 Version: ${PROJECT_VERSION}
 ${fields}Cflags: -I\${includedir}
 ")
@@ -60,12 +61,13 @@ ${fields}Cflags: -I\${includedir}
           COMPONENT ${PC_COMPONENT})
 endfunction()
 
-set(description_of_core "Volumetric frame fields: meshes in, fields out")
-set(description_of_files "Files of Crossgrain as bytes")
-set(description_of_io "Reading models, writing fields of Crossgrain")
-set(description_of_page "Pages that show fields of Crossgrain in a browser")
-set(description_of_picture "Pictures of fields of Crossgrain")
-set(description_of_processes "Crossgrain by several processes, through MPI")
+set(description_of_core "Volumetric frame fields: meshes in, fields out (C++20)")
+set(description_of_files "Files of Crossgrain as bytes (C++20)")
+set(description_of_io "Reading models, writing fields of Crossgrain (C++20)")
+set(description_of_page "Pages that show fields of Crossgrain in a browser (C++20)")
+set(description_of_picture "Pictures of fields of Crossgrain (C++20)")
+set(description_of_processes "Crossgrain by several processes, through MPI (C++20)")
+set(description_of_c "C interface of Crossgrain")
 
 foreach(component IN LISTS built_components)
   get_property(needed GLOBAL PROPERTY CROSSGRAIN_COMPONENTS_OF_${component})
@@ -78,5 +80,5 @@ foreach(component IN LISTS built_components)
                         DESCRIPTION "${description_of_${component}}" REQUIRES ${needed} LINKS ${links} LIBRARIES ${libraries})
 endforeach()
 list(TRANSFORM built_components PREPEND "crossgrain-" OUTPUT_VARIABLE all)
-list(REMOVE_ITEM all crossgrain-processes)
-crossgrain_pkg_config(crossgrain COMPONENT ${development_of_core} DESCRIPTION "Volumetric octahedral frame fields" REQUIRES ${all})
+list(REMOVE_ITEM all crossgrain-processes crossgrain-c)
+crossgrain_pkg_config(crossgrain COMPONENT ${development_of_core} DESCRIPTION "Volumetric octahedral frame fields (C++20)" REQUIRES ${all})

@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 FOLDERS = ["include", "src", "apps", "examples", "bench", "tests", "models", "docs", "cmake", "viewer"]
-CPP_SUFFIXES = {".hpp", ".cpp"}
+CPP_SUFFIXES = {".hpp", ".cpp", ".h", ".c"}
 LICENSED_SUFFIXES = CPP_SUFFIXES | {".py", ".sh", ".cmake", ".in", ".ts", ".mjs", ".css"}
 OTHERS_FOLDER = "node_modules"
 LICENSE_LINE = "SPDX-License-Identifier: Apache-2.0"

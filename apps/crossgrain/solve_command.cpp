@@ -135,11 +135,7 @@ void check_start(const SolveArguments& arguments) {
 }
 
 ReadOptions read_options(const SolveArguments& arguments, const SolveOptions& options) {
-  ReadOptions result;
-  result.resolution = options.resolution;
-  result.cell_size = options.cell_size;
-  result.crease_angle_deg = options.creases.least_deg;
-  result.max_memory_bytes = options.max_memory_bytes;
+  ReadOptions result = read_options_for(options);
   result.read_seconds = arguments.read_seconds;
   result.glue = arguments.glue;
   return result;
@@ -202,18 +198,13 @@ struct ToWrite {
 };
 
 ToWrite gathered_to_write(FrameField field, const SolveArguments& arguments, bool has_tets) {
-  /// Far more cells than the page shows.
-  constexpr std::size_t kMostForPage = 1000000;
   // Only the first process carries a field onto tets, or clips it.
-  if (has_tets || arguments.output_options.clip) {
-    ToWrite result{whole_of_parts(std::move(field)), {}};
-    result.shown = result.cells;
-    return result;
+  const bool is_gathered = has_tets || arguments.output_options.clip;
+  if (!field.is_part() || is_gathered) {
+    const std::optional<FrameField> whole = whole_of_parts(std::move(field));
+    return {whole, whole};
   }
-  if (!field.is_part()) return {field, field};
-  ToWrite result{field, {}};
-  if (arguments.page) result.shown = thinned_from_parts(field, kMostForPage);
-  return result;
+  return {field, arguments.page ? thinned_from_parts(field, kMostCellsOfPage) : std::nullopt};
 }
 
 /// Solves, transfers the field to the tets if there are any, and writes all files. Warnings from reading go

@@ -68,6 +68,10 @@ struct ReadOptions {
   std::filesystem::path cad_program = {};
 };
 
+/// Returns how to read the surface for a solve with these options: triangles of a CAD file that suit its
+/// cells, its angle of creases, its limit of memory.
+ReadOptions read_options_for(const SolveOptions& options);
+
 /// Reads a surface. The extension, in either case, names the format: STL (ASCII or binary), OBJ, PLY (ASCII
 /// or binary) or OFF; STEP (.step, .stp), IGES (.iges, .igs) or OpenCASCADE's BREP (.brep, .brp). Vertices
 /// with equal coordinates are merged and unused vertices dropped, so that neighbouring triangles share

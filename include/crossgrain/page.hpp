@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 
 #include "crossgrain/frame_field.hpp"
@@ -11,13 +12,17 @@
 
 namespace crossgrain {
 
+/// Largest number of cells that a page shows, enough for every cell of a part at the default resolution.
+/// Those of a field with more are merged (OutputOptions::level).
+inline constexpr std::size_t kMostCellsOfPage = 200000;
+
 /// Makes a solve keep the constraint forms that the page shows for a cell (SolveOptions::kept_forms). Without
 /// them, and for fields read from files, the page leaves that panel empty.
 void keep_forms_for_page(SolveOptions& options);
 
 /// The page that shows a field in a browser (docs/page.md), as a file for `write_field` to write with its own
-/// (OutputOptions::companions): the surface, singular arcs, frames and energies of at most 200,000 cells, and
-/// streamlines, which are traced when the file is written. Independent of the number of threads.
+/// (OutputOptions::companions): the surface, singular arcs, frames and energies of at most kMostCellsOfPage
+/// cells, and streamlines, which are traced when the file is written. Independent of the number of threads.
 CompanionFile page_of(const FrameField& field);
 
 /// Likewise of a field on tets: its boundary, singular arcs, and the frames and energies of at most 300,000

@@ -27,6 +27,11 @@ struct SpectrumReport {
   double constant;             ///< c; zero in degree 3
 };
 
+/// Returns the coefficients of frames in real orthonormal spherical harmonics, in the order m = -degree ...
+/// degree: 7 (degree 3) or 9 (degree 4) numbers for each, of unit length. The 24 triples of axes of a frame
+/// have the same coefficients; in degree 3 up to sign.
+std::vector<double> coefficients_of(std::span<const Frame> frames, Degree degree);
+
 /// Returns the form of a sum of weighted normals. Throws Error(kUsage) for an empty list, a zero or
 /// non-finite normal, or a weight that is not positive and finite.
 SpectrumReport spectrum_of_normals(std::span<const WeightedNormal> normals, Degree degree);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -15,6 +16,17 @@
 namespace crossgrain {
 
 struct TetField;
+
+/// How the axes of the frames of two neighbouring tets go on in each other.
+struct FaceMatching {
+  std::array<std::uint32_t, 3> vertices;  ///< of their common face, ascending
+  std::array<std::uint32_t, 2> tets;
+
+  /// Axis k of the frame of tets[0] goes on in that of tets[1] as its axis |axes[k]|, counted from 1, with
+  /// the sign of axes[k]: the naming of axes that brings the two frames nearest. From the second tet to the
+  /// first, the inverse.
+  std::array<std::int8_t, 3> axes;
+};
 
 /// A frame field on the vertices and tets of a mesh, with the field on the grid from which it started.
 /// Immutable and cheap to copy; all members are safe to call from any number of threads.
@@ -44,6 +56,9 @@ class TetFrameField {
   /// axes to those of the frame.
   std::vector<std::array<double, 4>> vertex_quaternions() const;
   std::vector<std::array<double, 4>> tet_quaternions() const;
+
+  /// The matching across each face between two tets, ascending by its vertices; those of domain().mesh().
+  std::vector<FaceMatching> matchings() const;
 
   /// The singular graph of the frames of tets, along edges of the mesh.
   const SingularityGraph& singularities() const;

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/interface.hpp"
+
 namespace crossgrain {
 
 using Bytes = std::vector<std::byte>;
@@ -53,16 +55,10 @@ class MessageReader {
   std::span<const std::byte> left_;
 };
 
-/// Messages that go and come while a process does other work.
-class Mailbox {
+/// Messages that go and come while a process does other work. Destroyed without `finish`, it gives up what is
+/// under way.
+class Mailbox : public Interface {
  public:
-  Mailbox() = default;
-  Mailbox(const Mailbox&) = delete;
-  Mailbox& operator=(const Mailbox&) = delete;
-
-  /// Gives up what is under way, unless `finish` has been called.
-  virtual ~Mailbox() = default;
-
   /// Sends a message, and returns at once. `number` tells it from others to this rank.
   virtual void send(int rank, int number, Bytes message) = 0;
 
@@ -74,13 +70,8 @@ class Mailbox {
   virtual void finish() = 0;
 };
 
-class Exchange {
+class Exchange : public Interface {
  public:
-  Exchange() = default;
-  Exchange(const Exchange&) = delete;
-  Exchange& operator=(const Exchange&) = delete;
-  virtual ~Exchange() = default;
-
   /// Number of this process, from 0, and of all of them.
   virtual int rank() const = 0;
   virtual int ranks() const = 0;

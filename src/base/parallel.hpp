@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/interface.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/thread_limit.hpp"
 
@@ -30,13 +31,8 @@ void parallel_for_in_order(std::span<const std::vector<std::uint32_t>> beside,
                            const std::function<void(std::size_t task)>& body);
 
 /// What tasks wait for besides each other, and whom their ends are told: tasks of other processes.
-class OutsideOfTasks {
+class OutsideOfTasks : public Interface {
  public:
-  OutsideOfTasks() = default;
-  OutsideOfTasks(const OutsideOfTasks&) = delete;
-  OutsideOfTasks& operator=(const OutsideOfTasks&) = delete;
-  virtual ~OutsideOfTasks() = default;
-
   /// Number of events that a task waits for.
   virtual std::uint32_t events_before(std::size_t task) const = 0;
 

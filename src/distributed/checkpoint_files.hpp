@@ -8,18 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "base/interface.hpp"
 #include "crossgrain/message.hpp"
 
 namespace crossgrain {
 
 /// Files that all processes write together.
-class SharedFiles {
+class SharedFiles : public Interface {
  public:
-  SharedFiles() = default;
-  SharedFiles(const SharedFiles&) = delete;
-  SharedFiles& operator=(const SharedFiles&) = delete;
-  virtual ~SharedFiles() = default;
-
   struct Part {
     std::uint64_t offset;
     std::span<const std::byte> bytes;

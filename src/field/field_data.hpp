@@ -41,6 +41,13 @@ struct FieldData {
   /// Null in a field that was read; computed on demand.
   std::shared_ptr<const SingularityGraph> singularities;
 
+  /// Set if leaves below a level of the octree have been merged into their ancestors (output_cells).
+  struct Merged {
+    std::uint64_t from;  ///< leaves before, of all processes
+    int level;
+  };
+  std::optional<Merged> merged;
+
   /// Which leaves of the field these are, if processes share it.
   std::optional<Share> part;
 

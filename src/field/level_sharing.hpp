@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/exchange.hpp"
+#include "base/interface.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/statistics.hpp"
 #include "field/field_state.hpp"
@@ -29,13 +30,8 @@ struct CoarserLevel {
 };
 
 /// Looks at each such level, coarsest first.
-class LevelVisitor {
+class LevelVisitor : public Interface {
  public:
-  LevelVisitor() = default;
-  LevelVisitor(const LevelVisitor&) = delete;
-  LevelVisitor& operator=(const LevelVisitor&) = delete;
-  virtual ~LevelVisitor() = default;
-
   /// Called by all processes that have a share of the level. Returns what `revisit` needs, in the first one.
   virtual Bytes visit(const CoarserLevel& level) = 0;
 
@@ -58,13 +54,8 @@ struct LevelStart {
 
 /// How processes share the levels of a solve. The first process solves the small ones alone; then it shares
 /// out the next one, and from there on all of them call each function together.
-class LevelSharing {
+class LevelSharing : public Interface {
  public:
-  LevelSharing() = default;
-  LevelSharing(const LevelSharing&) = delete;
-  LevelSharing& operator=(const LevelSharing&) = delete;
-  virtual ~LevelSharing() = default;
-
   /// A level, and frames of its leaves.
   struct Level {
     RefinedLevel made;

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "base/interface.hpp"
+
 namespace crossgrain {
 
 /// A list with one value for each leaf of this process, ghosts included.
@@ -23,13 +25,8 @@ struct SweepsSoFar {
 };
 
 /// All processes call each function together.
-class SweepKeeper {
+class SweepKeeper : public Interface {
  public:
-  SweepKeeper() = default;
-  SweepKeeper(const SweepKeeper&) = delete;
-  SweepKeeper& operator=(const SweepKeeper&) = delete;
-  virtual ~SweepKeeper() = default;
-
   /// Returns whether the state is to be kept now.
   virtual bool is_due() = 0;
   virtual void keep(const SweepsSoFar& sweeps, std::span<const LeafValues> lists) = 0;

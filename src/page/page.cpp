@@ -98,7 +98,7 @@ void write_alone(const CompanionFile& page, const SolveReport& report, const std
 }  // namespace
 
 void keep_forms_for_page(SolveOptions& options) {
-  options.kept_forms = {kMostForms, kMostShownCells, kDeepestShown};
+  options.kept_forms = {kMostForms, kMostCellsOfPage, kDeepestShown};
 }
 
 CompanionFile page_of(const FrameField& field) {

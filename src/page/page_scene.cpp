@@ -36,8 +36,7 @@ void add_creases(const SolvedSurface& surface, const Vector3& origin, SceneWrite
 }
 
 /// Adds the cells of `shown`, with corners in units of the smallest of them.
-void add_cells(const FieldData& shown, std::size_t total, std::optional<int> merged_to, const Vector3& origin,
-               SceneWriter& scene) {
+void add_cells(const FieldData& shown, const Vector3& origin, SceneWriter& scene) {
   const auto& leaves = shown.tree.leaves();
   int deepest = 0;
   for (const CellAddress leaf : leaves) deepest = std::max(deepest, leaf.depth());
@@ -59,8 +58,8 @@ void add_cells(const FieldData& shown, std::size_t total, std::optional<int> mer
   classes.resize(leaves.size(), CellConstraint::kNoSurface);
   cells.classes = column<std::uint8_t>(classes, [](CellConstraint c) { return c; });
   cells.regions = shown.regions;
-  cells.write(total, origin, scene);
-  if (merged_to) scene.header["cells"]["merged_to"] = root.cell_size(*merged_to);
+  cells.write(shown.merged ? shown.merged->from : leaves.size(), origin, scene);
+  if (shown.merged) scene.header["cells"]["merged_to"] = root.cell_size(shown.merged->level);
 }
 
 void add_forms(const KeptForms& forms, const FieldData& shown, SceneWriter& scene) {
@@ -119,19 +118,14 @@ std::size_t widest_cut(const FieldData& field, const Box& box) {
 }
 
 /// The field on the grid with at most so many cells.
-struct Reduced {
-  FrameField field;
-  std::optional<int> merged_to;
-};
-
-Reduced reduced(const FrameField& field, std::size_t most, const Monitor& monitor) {
+FrameField reduced(const FrameField& field, std::size_t most, const Monitor& monitor) {
   const FieldData& data = field.data();
   OutputOptions merged;
   merged.level = merged_depth(data.tree, most, kDeepestShown);
-  if (ask_for_all(merged, data.tree)) return {field, std::nullopt};
+  if (ask_for_all(merged, data.tree)) return field;
   FieldData fewer = output_cells(data, merged, monitor);
   fewer.surface = data.surface;
-  return {FrameField(std::make_shared<const FieldData>(std::move(fewer))), merged.level};
+  return FrameField(std::make_shared<const FieldData>(std::move(fewer)));
 }
 
 /// What is in every scene. The axis of the first cut is in the header.
@@ -151,17 +145,17 @@ class PageScene {
 
   std::string of_grid(const FrameField& field) {
     const ShownField whole(field);
-    Reduced shown = reduced(field, kMostShownCells, monitor_);
+    FrameField shown = reduced(field, kMostCellsOfPage, monitor_);
     if (auto fewer = clustered_surface(whole.surface(), origin_, kMostTriangles)) {
       add_outside(whole, *fewer);
       // Numbers at the corners of cells are those of the surface that is shown; lines end at the whole one.
-      FieldData data = shown.field.data();
+      FieldData data = shown.data();
       data.surface = SurfaceSource(*std::move(fewer), field.data().surface.searchable());
-      shown.field = FrameField(std::make_shared<const FieldData>(std::move(data)));
+      shown = FrameField(std::make_shared<const FieldData>(std::move(data)));
     } else {
       add_outside(whole, whole.surface());
     }
-    add_beside_lines(shown.field, [&] { add_grid(field, shown); });
+    add_beside_lines(shown, [&] { add_grid(field, shown); });
     return scene_.bytes();
   }
 
@@ -183,7 +177,7 @@ class PageScene {
     const ShownField shown(field);
     const DrawnSurface drawn = add_outside(shown, shown.surface());
     add_boundary_numbers(shown, drawn, scene_);
-    if (!add_tets(shown, origin_, kMostShownTets, kMostShownCells, monitor_, scene_)) return;
+    if (!add_tets(shown, origin_, kMostShownTets, kMostCellsOfPage, monitor_, scene_)) return;
     const ShownField grid(field.grid());
     add_surface(grid.surface(), grid.surface(), origin_, "grid_", kMostGridTriangles, scene_);
     add_singularities(grid, origin_, "grid_", scene_);
@@ -201,11 +195,10 @@ class PageScene {
     lines->write(scene_);
   }
 
-  void add_grid(const FrameField& field, const Reduced& shown) {
-    const FieldData& data = shown.field.data();
-    add_cells(data, field.size(), shown.merged_to, origin_, scene_);
-    add_corner_numbers(ShownField(shown.field), scene_);
-    add_forms(field.data().kept_forms, data, scene_);
+  void add_grid(const FrameField& field, const FrameField& shown) {
+    add_cells(shown.data(), origin_, scene_);
+    add_corner_numbers(ShownField(shown), scene_);
+    add_forms(field.data().kept_forms, shown.data(), scene_);
   }
 
   Box box_;

@@ -6,19 +6,17 @@
 
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/monitor.hpp"
+#include "crossgrain/page.hpp"
 #include "crossgrain/tet_frame_field.hpp"
 
 namespace crossgrain {
-
-/// Largest number of cells shown: enough for every cell of a part at the default resolution.
-inline constexpr std::size_t kMostShownCells = 200000;
 
 /// Largest depth of cells shown: their corners count up to 2^16 along an axis.
 inline constexpr int kDeepestShown = 16;
 
 /// The scene of a page: a field reduced to what a browser can draw at once, in the layout of
-/// viewer/README.md: the surface and its creases, singular arcs, at most kMostShownCells cells, forms of some
-/// of them, streamlines. The same bytes for any number of threads. Throws Error(kInterrupted).
+/// viewer/README.md: the surface and its creases, singular arcs, at most kMostCellsOfPage cells, forms of
+/// some of them, streamlines. The same bytes for any number of threads. Throws Error(kInterrupted).
 std::string page_scene(const FrameField& field, const Monitor& monitor = {});
 
 /// Likewise of a field on tets, with the grid from which it started beside it.

@@ -36,6 +36,18 @@ Quaternion to_quaternion(const CubeRotation& a) {
                                static_cast<double>(a.z)});
 }
 
+std::array<std::int8_t, 3> signed_axes(const CubeRotation& a) {
+  std::array<std::int8_t, 3> result{};
+  const auto turned = axes_of(to_quaternion(a));
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double entry = turned[k][static_cast<std::size_t>(axis)];
+      if (std::abs(entry) > 0.5) result[k] = static_cast<std::int8_t>(entry > 0 ? axis + 1 : -(axis + 1));
+    }
+  }
+  return result;
+}
+
 CubeRotation nearest_cube_rotation(const Quaternion& q) {
   // The nearest unit quaternion has the largest scalar product with q. With one, two or four non-zero
   // entries, the best has them where those of q are largest, and with the signs of q.

@@ -2,6 +2,7 @@
 // Matchings: the rotation of the cube that names the axes of one frame in agreement with a neighbour's.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -31,6 +32,9 @@ CubeRotation inverse(const CubeRotation& a);
 
 /// The unit quaternion of the rotation.
 Quaternion to_quaternion(const CubeRotation& a);
+
+/// Where the axes go: axis k becomes axis |entry k|, counted from 1, with the sign of the entry.
+std::array<std::int8_t, 3> signed_axes(const CubeRotation& a);
 
 /// The cube rotation at the smallest angle from `q`, which need not be of unit norm. If several are equally
 /// near, it is one of them.

@@ -68,6 +68,18 @@ std::vector<std::array<double, 4>> TetFrameField::tet_quaternions() const {
   return numbers_of(field_->tet_frames);
 }
 
+std::vector<FaceMatching> TetFrameField::matchings() const {
+  const TetSolid& solid = domain_.data().solid;
+  const std::vector<CubeRotation> rotations = tet_matchings(solid, field_->tet_frames);
+  std::vector<FaceMatching> result;
+  result.reserve(rotations.size());
+  for (std::size_t f = 0; f < rotations.size(); ++f) {
+    const auto& [vertices, tets] = solid.inner_faces[f];
+    if (tets[1] != kNoTet) result.push_back({vertices, tets, signed_axes(rotations[f])});
+  }
+  return result;
+}
+
 const SingularityGraph& TetFrameField::singularities() const {
   std::call_once(lines_->once, [&] {
     if (!lines_->graph)

@@ -21,6 +21,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1] / "command"))
 import numpy as np
 from field_reader import read_arrays
+from page_reader import Page
 from program import CommandTest, run
 
 MPI_PROGRAM = os.environ["CROSSGRAIN_MPI_PROGRAM"]
@@ -205,6 +206,16 @@ class Pieces(ProcessesTest):
         self.solved_alone(BRACKET, "--resolution", 210, "--output-level", 5)
         self.solved_in_pieces("--output-level", 5)
         self.assert_same_as_alone("together")
+
+    def test_are_shown_on_a_page_with_merged_cells(self):
+        result = self.together(2, "solve", BRACKET, "-o", "together", "--resolution", 210, "--quiet", "--threads", 1)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        page = Page(self.folder / "together" / "report.html")
+        shown = page.header["cells"]
+        self.assertEqual(shown["total"], page.report["levels"][-1]["active_cells"])
+        self.assertLessEqual(shown["shown"], 200000)
+        self.assertLess(shown["shown"], shown["total"])
+        self.assertIsNotNone(shown["merged_to"])
 
     def test_are_gathered_for_a_clip(self):
         options = ("--resolution", 210, "--clip", "20,0,0,60,30,20")

@@ -256,6 +256,8 @@ FieldData output_cells(const FieldData& field, const OutputOptions& options, con
     }
   });
   part.tree = Octree(field.tree.root(), std::move(cells.addresses));
+  part.merged = field.merged;
+  if (options.level) part.merged = {field.merged ? field.merged->from : field.tree.size(), *options.level};
   if (options.clip) shut_towards_missing(part);
   return part;
 }
@@ -264,6 +266,7 @@ FieldData merged_part(const FieldData& part, const OutputOptions& options, const
   FieldData united = part;
   unite_cells(united, options.level.value());
   FieldData merged = output_cells(united, options, monitor);
+  merged.merged->from = united.share().of_all;
   merged.part = united.part;
   renumber(merged);
   return merged;

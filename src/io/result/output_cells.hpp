@@ -13,8 +13,8 @@ void check_output_options(const OutputOptions& options);
 /// Returns whether the options select all leaves of a tree unchanged.
 bool ask_for_all(const OutputOptions& options, const Octree& tree);
 
-/// Returns the cells that `options` select as a separate field with the report of the whole. Its tree has no
-/// leaf if no cell meets the box.
+/// Returns the cells that `options` select as a separate field with the report of the whole, and
+/// FieldData::merged if they have a level. Its tree has no leaf if no cell meets the box.
 ///
 /// A cell that replaces smaller leaves gets the frame nearest to the volume-weighted mean of their degree-4
 /// coefficients; the volume-weighted mean of their energy densities; of the leaves with surface, the mean

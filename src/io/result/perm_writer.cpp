@@ -9,7 +9,6 @@
 // counted from 1.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -18,19 +17,6 @@
 #include "singularity/tet_matchings.hpp"
 
 namespace crossgrain {
-namespace {
-
-/// Returns the axis that e_k becomes under a cube rotation, with its sign.
-int goes_to(const Vector3& turned) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const double entry = turned[static_cast<std::size_t>(axis)];
-    if (std::abs(entry) > 0.5) return entry > 0 ? axis + 1 : -(axis + 1);
-  }
-  return 0;
-}
-
-}  // namespace
-
 void write_perm(OutputFile& file, const TetOutput& output, const Monitor& monitor) {
   const std::vector<CubeRotation> matchings = tet_matchings(output.solid, output.field.tet_frames);
   std::vector<std::size_t> turning;
@@ -39,12 +25,12 @@ void write_perm(OutputFile& file, const TetOutput& output, const Monitor& monito
   file.write(fmt::format("PERM 1\n{} {} 3\n", output.solid.mesh.tets.size(), turning.size()));
   const auto put = [&](std::size_t i, char* out) {
     const auto& [from, to] = output.solid.inner_faces[turning[i]].tets;
-    const auto axes = axes_of(to_quaternion(matchings[turning[i]]));
+    const auto axes = signed_axes(matchings[turning[i]]);
     out = put_integer(out, from, ' ');
     out = put_integer(out, to, ' ');
-    out = put_integer(out, goes_to(axes[0]), ' ');
-    out = put_integer(out, goes_to(axes[1]), ' ');
-    return put_integer(out, goes_to(axes[2]), '\n');
+    out = put_integer(out, axes[0], ' ');
+    out = put_integer(out, axes[1], ' ');
+    return put_integer(out, axes[2], '\n');
   };
   write_text_lines(file, turning.size(), 5 * kIntegerBytes, put, monitor);
   file.finish();

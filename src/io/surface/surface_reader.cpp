@@ -106,6 +106,15 @@ bool is_cad_file(const std::filesystem::path& path) {
   return format != nullptr && format->is_cad;
 }
 
+ReadOptions read_options_for(const SolveOptions& options) {
+  ReadOptions result;
+  result.resolution = options.resolution;
+  result.cell_size = options.cell_size;
+  result.crease_angle_deg = options.creases.least_deg;
+  result.max_memory_bytes = options.max_memory_bytes;
+  return result;
+}
+
 TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& options,
                           const Monitor& monitor) {
   const ReadLimits limits(monitor, options.max_memory_bytes);

@@ -1,0 +1,793 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * The C interface of Crossgrain, for other languages: opaque handles, plain arrays, one error struct. It
+ * offers what the C++ library offers, except solves by several processes; the headers beside this one
+ * describe each computation and each option at length. In the library crossgrain-c, which exports the
+ * functions of this header and nothing else.
+ *
+ * Conventions:
+ *
+ * - Functions that can fail return a status, CROSSGRAIN_OK or the kind of error, and take a place for the
+ * error as their last argument, which may be NULL. On failure nothing else is written, unless a function says
+ * so.
+ * - Handles are made by functions that take `crossgrain_... **out` and released by the `_free` of their type,
+ * which accepts NULL. Handles are independent: an object may be released while another one that was made from
+ * it lives.
+ * - Arrays are contiguous; points and directions are three doubles each, in model units, frames nine (the
+ * three unit axes, one after the other). Arrays passed in are copied. Pointers that a function returns belong
+ * to the handle and live as long as it does, unless the function says otherwise.
+ * - Text is UTF-8 and ends with a zero byte. Text that is returned through `char **` is released by
+ *   crossgrain_text_free.
+ * - Structs are allocated by the library only. Later versions may add members at their end.
+ *
+ * Concurrency: any number of threads may call functions at once, also with the same handle as long as none of
+ * them changes it: options, meshes, tets, constraints and the error are changed by functions that take them
+ * without const. Fields, tracers and graphs never change. crossgrain_monitor_cancel and
+ * crossgrain_monitor_stop may be called at any time by any thread and from a signal handler.
+ */
+#ifndef CROSSGRAIN_C_H
+#define CROSSGRAIN_C_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define CROSSGRAIN_API __attribute__((visibility("default")))
+#else
+#define CROSSGRAIN_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** \defgroup c_version Version
+ * @{ */
+
+/** Version of this interface. It increases if a function or a member goes or changes its meaning. */
+#define CROSSGRAIN_C_VERSION 1
+
+/** Returns the CROSSGRAIN_C_VERSION of the library that is loaded. */
+CROSSGRAIN_API int crossgrain_c_version(void);
+
+/** Returns the version of the library, such as "0.1.0". */
+CROSSGRAIN_API const char* crossgrain_version(void);
+
+/** @} */
+/** \defgroup c_errors Errors
+ * @{ */
+
+/** What went wrong. */
+typedef enum crossgrain_status {
+  CROSSGRAIN_OK = 0,
+  CROSSGRAIN_USAGE = 1,       /**< an invalid argument or option */
+  CROSSGRAIN_INPUT = 2,       /**< a file, mesh or field that cannot be used */
+  CROSSGRAIN_OUTPUT = 3,      /**< a result that cannot be written */
+  CROSSGRAIN_LIMIT = 4,       /**< a stated limit or the memory is exceeded */
+  CROSSGRAIN_INTERRUPTED = 5, /**< stopped or cancelled through a monitor */
+  CROSSGRAIN_INTERNAL = 6     /**< a fault of the library; please report it */
+} crossgrain_status;
+
+/** Why a function failed. All texts are there; those that do not apply are empty. */
+typedef struct crossgrain_error {
+  crossgrain_status status;
+  const char* sentence;    /**< one line: the file, the place in it, what is wrong and what to do */
+  const char* file;        /**< the file that it is about */
+  const char* place;       /**< in the file or the object: "line 12", "vertex 7 (counted from 0)" */
+  const char* text;        /**< what is wrong */
+  const char* remedy;      /**< what to do about it, in words */
+  const char* remedy_name; /**< the same as a name for scripts that does not change: "raise_resolution" */
+} crossgrain_error;
+
+CROSSGRAIN_API void crossgrain_error_free(crossgrain_error* error);
+
+/** Releases a text that was returned through `char **`. */
+CROSSGRAIN_API void crossgrain_text_free(char* text);
+
+/** @} */
+/** \defgroup c_handles Handles
+ * @{ */
+
+/** Options of one kind. */
+typedef struct crossgrain_options crossgrain_options;
+/** Progress out of a computation, cancelling into it. */
+typedef struct crossgrain_monitor crossgrain_monitor;
+/** Directions to follow besides the surface. */
+typedef struct crossgrain_constraints crossgrain_constraints;
+/** A surface of triangles. */
+typedef struct crossgrain_mesh crossgrain_mesh;
+/** A tet mesh as given. */
+typedef struct crossgrain_tets crossgrain_tets;
+/** A tet mesh prepared for a field. */
+typedef struct crossgrain_domain crossgrain_domain;
+/** A field on the cells of an octree. */
+typedef struct crossgrain_field crossgrain_field;
+/** A field on the vertices and tets of a mesh. */
+typedef struct crossgrain_tet_field crossgrain_tet_field;
+/** How frames of neighbouring tets go on in each other. */
+typedef struct crossgrain_matchings crossgrain_matchings;
+/** The singular graph of a field. */
+typedef struct crossgrain_graph crossgrain_graph;
+/** Whether hexahedra can follow a field. */
+typedef struct crossgrain_answer crossgrain_answer;
+/** Traces streamlines of a field. */
+typedef struct crossgrain_tracer crossgrain_tracer;
+/** Streamlines. */
+typedef struct crossgrain_lines crossgrain_lines;
+/** The form of a set of normals. */
+typedef struct crossgrain_spectrum crossgrain_spectrum;
+/** Rows of numbers whose count was not known before. */
+typedef struct crossgrain_numbers crossgrain_numbers;
+
+CROSSGRAIN_API void crossgrain_options_free(crossgrain_options* options);
+CROSSGRAIN_API void crossgrain_monitor_free(crossgrain_monitor* monitor);
+CROSSGRAIN_API void crossgrain_constraints_free(crossgrain_constraints* constraints);
+CROSSGRAIN_API void crossgrain_mesh_free(crossgrain_mesh* mesh);
+CROSSGRAIN_API void crossgrain_tets_free(crossgrain_tets* tets);
+CROSSGRAIN_API void crossgrain_domain_free(crossgrain_domain* domain);
+CROSSGRAIN_API void crossgrain_field_free(crossgrain_field* field);
+CROSSGRAIN_API void crossgrain_tet_field_free(crossgrain_tet_field* field);
+CROSSGRAIN_API void crossgrain_matchings_free(crossgrain_matchings* matchings);
+CROSSGRAIN_API void crossgrain_graph_free(crossgrain_graph* graph);
+CROSSGRAIN_API void crossgrain_answer_free(crossgrain_answer* answer);
+CROSSGRAIN_API void crossgrain_tracer_free(crossgrain_tracer* tracer);
+CROSSGRAIN_API void crossgrain_lines_free(crossgrain_lines* lines);
+CROSSGRAIN_API void crossgrain_spectrum_free(crossgrain_spectrum* spectrum);
+CROSSGRAIN_API void crossgrain_numbers_free(crossgrain_numbers* numbers);
+
+/** Number of rows, numbers in each, and all of them row by row. */
+CROSSGRAIN_API size_t crossgrain_numbers_rows(const crossgrain_numbers* numbers);
+CROSSGRAIN_API size_t crossgrain_numbers_columns(const crossgrain_numbers* numbers);
+CROSSGRAIN_API const double* crossgrain_numbers_data(const crossgrain_numbers* numbers);
+
+/** @} */
+/** \defgroup c_options Options
+ * Options have the names of the members in C++, with a dot before those of an inner struct: "resolution",
+ * "solver.boundary_weight". include/crossgrain/options.hpp and the other headers document each.
+ * @{ */
+
+/** Which struct of options. */
+typedef enum crossgrain_options_kind {
+  CROSSGRAIN_SOLVE_OPTIONS = 0,       /**< SolveOptions */
+  CROSSGRAIN_READ_OPTIONS = 1,        /**< ReadOptions */
+  CROSSGRAIN_TAG_OPTIONS = 2,         /**< TetTagOptions */
+  CROSSGRAIN_OUTPUT_OPTIONS = 3,      /**< OutputOptions, and "page": whether report.html is written too */
+  CROSSGRAIN_SINGULARITY_OPTIONS = 4, /**< SingularityOptions */
+  CROSSGRAIN_ANSWER_OPTIONS = 5,      /**< AnswerOptions */
+  CROSSGRAIN_STREAMLINE_OPTIONS = 6,  /**< StreamlineOptions */
+  CROSSGRAIN_PICTURE_OPTIONS = 7      /**< PictureOptions */
+} crossgrain_options_kind;
+
+/** What an option takes. */
+typedef enum crossgrain_option_type {
+  CROSSGRAIN_FLAG = 0,    /**< an integer, 0 or 1 */
+  CROSSGRAIN_INTEGER = 1, /**< an integer */
+  CROSSGRAIN_NUMBER = 2,  /**< a double or an integer */
+  CROSSGRAIN_NUMBERS = 3, /**< several doubles; none resets an option that may be absent */
+  CROSSGRAIN_TEXT = 4     /**< a name, a path, or names separated by commas */
+} crossgrain_option_type;
+
+/** Makes options with all defaults. */
+CROSSGRAIN_API crossgrain_status crossgrain_options_new(crossgrain_options_kind kind,
+                                                        crossgrain_options** out, crossgrain_error** error);
+
+/** The options of a kind: how many, and the name and type of each. NULL and CROSSGRAIN_FLAG beyond the last.
+ */
+CROSSGRAIN_API size_t crossgrain_options_count(crossgrain_options_kind kind);
+CROSSGRAIN_API const char* crossgrain_options_name(crossgrain_options_kind kind, size_t index);
+CROSSGRAIN_API crossgrain_option_type crossgrain_options_type(crossgrain_options_kind kind, size_t index);
+
+/** Sets an option. CROSSGRAIN_USAGE for a name that is unknown, naming the nearest one, and for a value of
+ * another type or that its member cannot hold. Ranges are checked where the options are used. */
+CROSSGRAIN_API crossgrain_status crossgrain_options_set_integer(crossgrain_options* options, const char* name,
+                                                                int64_t value, crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_options_set_number(crossgrain_options* options, const char* name,
+                                                               double value, crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_options_set_numbers(crossgrain_options* options, const char* name,
+                                                                const double* values, size_t count,
+                                                                crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_options_set_text(crossgrain_options* options, const char* name,
+                                                             const char* value, crossgrain_error** error);
+
+/** The value of an option that takes numbers (flags and integers too; none if it is absent), and of one that
+ * takes text. */
+CROSSGRAIN_API crossgrain_status crossgrain_options_get_numbers(const crossgrain_options* options,
+                                                                const char* name, crossgrain_numbers** out,
+                                                                crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_options_get_text(const crossgrain_options* options,
+                                                             const char* name, char** out,
+                                                             crossgrain_error** error);
+
+/** Copies constraints into options of a solve (SolveOptions::constraints). */
+CROSSGRAIN_API crossgrain_status crossgrain_options_set_constraints(crossgrain_options* options,
+                                                                    const crossgrain_constraints* constraints,
+                                                                    crossgrain_error** error);
+
+/** Makes a solve keep the forms that the page shows (keep_forms_for_page). */
+CROSSGRAIN_API crossgrain_status crossgrain_options_keep_forms_for_page(crossgrain_options* options,
+                                                                        crossgrain_error** error);
+
+/** The options for reading a surface that will be solved with options of a solve. */
+CROSSGRAIN_API crossgrain_status crossgrain_options_for_reading(const crossgrain_options* solve,
+                                                                crossgrain_options** out,
+                                                                crossgrain_error** error);
+
+/** @} */
+/** \defgroup c_monitor Progress and cancelling
+ * @{ */
+
+/** What a computation is at. */
+typedef enum crossgrain_phase {
+  CROSSGRAIN_READING = 0,
+  CROSSGRAIN_GRID = 1,     /**< builds the octree cells of a level */
+  CROSSGRAIN_SOLVING = 2,  /**< finds the frames of a level */
+  CROSSGRAIN_ANALYSIS = 3, /**< measures the solved field and finds its singular lines */
+  CROSSGRAIN_ON_TETS = 4,  /**< finishes the field on a tet mesh */
+  CROSSGRAIN_WRITING = 5
+} crossgrain_phase;
+
+typedef struct crossgrain_progress {
+  crossgrain_phase phase;
+  int depth;     /**< octree depth of the level, 0 if there is none */
+  int level;     /**< number of the level from 1, the coarsest; 0 if there is none */
+  int levels;    /**< expected number of levels */
+  int sweep;     /**< sweeps done on that level */
+  size_t cells;  /**< active cells of that level; vertices on tets */
+  double energy; /**< energy after that sweep; NaN if not known */
+} crossgrain_progress;
+
+/** Forecast for a whole solve, once, before its expensive levels; none for small ones. */
+typedef struct crossgrain_expectation {
+  double resolution;        /**< finest cells along the longest side at the end */
+  double seconds;           /**< wall time of the whole run */
+  double after_seconds;     /**< wall time until the forecast */
+  size_t cells;             /**< active cells of the finest level */
+  size_t peak_memory_bytes; /**< of the whole process */
+} crossgrain_expectation;
+
+/** Listeners are called on the thread that called the computation. One that returns other than 0 cancels it.
+ */
+typedef int (*crossgrain_on_progress)(const crossgrain_progress* progress, void* state);
+typedef int (*crossgrain_on_expectation)(const crossgrain_expectation* expectation, void* state);
+
+/** Makes a monitor. Each listener may be NULL. Computations take a monitor that may be NULL too. */
+CROSSGRAIN_API crossgrain_status crossgrain_monitor_new(crossgrain_on_progress on_progress,
+                                                        crossgrain_on_expectation on_expectation, void* state,
+                                                        crossgrain_monitor** out, crossgrain_error** error);
+
+/** Ends computations with this monitor soon, with CROSSGRAIN_INTERRUPTED. */
+CROSSGRAIN_API void crossgrain_monitor_cancel(crossgrain_monitor* monitor);
+
+/** Asks a solve for which stops are allowed to return the field of its last finished level (Monitor::stop).
+ */
+CROSSGRAIN_API void crossgrain_monitor_stop(crossgrain_monitor* monitor);
+
+/** Allows stops; to be called before the solve. */
+CROSSGRAIN_API void crossgrain_monitor_allow_stops(crossgrain_monitor* monitor);
+
+/** @} */
+/** \defgroup c_meshes Models
+ * @{ */
+
+/** Makes a surface: `vertices` holds 3 vertex_count numbers, `triangles` 3 triangle_count indices. Checked by
+ * a solve. */
+CROSSGRAIN_API crossgrain_status crossgrain_mesh_new(const double* vertices, size_t vertex_count,
+                                                     const uint32_t* triangles, size_t triangle_count,
+                                                     crossgrain_mesh** out, crossgrain_error** error);
+
+/** Reads a surface or a CAD file; `options` of kind CROSSGRAIN_READ_OPTIONS, or NULL. */
+CROSSGRAIN_API crossgrain_status crossgrain_mesh_read(const char* path, const crossgrain_options* options,
+                                                      crossgrain_monitor* monitor, crossgrain_mesh** out,
+                                                      crossgrain_error** error);
+
+/** Sets what belongs to each triangle (TriangleMesh): numbers of faces and of solids, and nine numbers for
+ * the normals at its corners. `count` is the number of triangles, or 0 for none. */
+CROSSGRAIN_API crossgrain_status crossgrain_mesh_set_faces(crossgrain_mesh* mesh, const int32_t* faces,
+                                                           size_t count, crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_mesh_set_solids(crossgrain_mesh* mesh, const int32_t* solids,
+                                                            size_t count, crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_mesh_set_corner_normals(crossgrain_mesh* mesh,
+                                                                    const double* normals, size_t count,
+                                                                    crossgrain_error** error);
+
+/** Adds a sharp edge: points and unit tangents, `count` of each. */
+CROSSGRAIN_API crossgrain_status crossgrain_mesh_add_crease(crossgrain_mesh* mesh, const double* points,
+                                                            const double* tangents, size_t count, int32_t tag,
+                                                            int is_tagged, crossgrain_error** error);
+
+/** Adds triangles inside the solid whose normal frames should follow. */
+CROSSGRAIN_API crossgrain_status crossgrain_mesh_add_inner_faces(crossgrain_mesh* mesh,
+                                                                 const uint32_t* triangles, size_t count,
+                                                                 crossgrain_error** error);
+
+/** The arrays of a surface. Those that belong to triangles are NULL where the mesh has none. */
+CROSSGRAIN_API size_t crossgrain_mesh_vertex_count(const crossgrain_mesh* mesh);
+CROSSGRAIN_API size_t crossgrain_mesh_triangle_count(const crossgrain_mesh* mesh);
+CROSSGRAIN_API const double* crossgrain_mesh_vertices(const crossgrain_mesh* mesh);
+CROSSGRAIN_API const uint32_t* crossgrain_mesh_triangles(const crossgrain_mesh* mesh);
+CROSSGRAIN_API const int32_t* crossgrain_mesh_faces(const crossgrain_mesh* mesh);
+CROSSGRAIN_API const int32_t* crossgrain_mesh_solids(const crossgrain_mesh* mesh);
+CROSSGRAIN_API const double* crossgrain_mesh_corner_normals(const crossgrain_mesh* mesh);
+CROSSGRAIN_API const char* crossgrain_mesh_unit(const crossgrain_mesh* mesh);
+
+/** The creases of a surface: how many, and one of them; NULL beyond the last. */
+typedef struct crossgrain_crease {
+  size_t point_count;
+  const double* points;
+  const double* tangents; /**< unit vectors, one per point */
+  int32_t tag;
+  int is_tagged;
+} crossgrain_crease;
+CROSSGRAIN_API size_t crossgrain_mesh_crease_count(const crossgrain_mesh* mesh);
+CROSSGRAIN_API const crossgrain_crease* crossgrain_mesh_crease(const crossgrain_mesh* mesh, size_t index);
+
+/** What reading found, one line each; NULL beyond the last. */
+CROSSGRAIN_API const char* crossgrain_mesh_warning(const crossgrain_mesh* mesh, size_t index);
+
+/** Makes a tet mesh: `tets` holds 4 tet_count indices, `regions` one number per tet or is NULL. */
+CROSSGRAIN_API crossgrain_status crossgrain_tets_new(const double* vertices, size_t vertex_count,
+                                                     const uint32_t* tets, size_t tet_count,
+                                                     const int32_t* regions, crossgrain_tets** out,
+                                                     crossgrain_error** error);
+
+/** Reads a tet mesh. `max_memory_bytes` limits the memory of the process, 0 for nine tenths of the machine's.
+ */
+CROSSGRAIN_API crossgrain_status crossgrain_tets_read(const char* path, size_t max_memory_bytes,
+                                                      crossgrain_monitor* monitor, crossgrain_tets** out,
+                                                      crossgrain_error** error);
+
+/** Adds features: 2 or 3 indices each, and a tag each or NULL for 0. Edges that are not stated to be features
+ * may be any curve of the meshed model (TetMesh::Edge): on the surface they count only where that is sharp.
+ */
+CROSSGRAIN_API crossgrain_status crossgrain_tets_add_feature_edges(crossgrain_tets* tets,
+                                                                   const uint32_t* edges, const int32_t* tags,
+                                                                   size_t count, int are_stated,
+                                                                   crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_tets_add_feature_faces(crossgrain_tets* tets,
+                                                                   const uint32_t* faces, const int32_t* tags,
+                                                                   size_t count, crossgrain_error** error);
+
+/** Prepares a tet mesh for a field (TetDomain): tets that are inverted are reoriented, those without volume
+ * left out. `options` of kind CROSSGRAIN_TAG_OPTIONS, or NULL. */
+CROSSGRAIN_API crossgrain_status crossgrain_domain_new(const crossgrain_tets* tets,
+                                                       const crossgrain_options* options,
+                                                       crossgrain_monitor* monitor, crossgrain_domain** out,
+                                                       crossgrain_error** error);
+
+/** All vertices, and the tets that have frames. Regions are NULL if there are none. */
+CROSSGRAIN_API size_t crossgrain_domain_vertex_count(const crossgrain_domain* domain);
+CROSSGRAIN_API size_t crossgrain_domain_tet_count(const crossgrain_domain* domain);
+CROSSGRAIN_API const double* crossgrain_domain_vertices(const crossgrain_domain* domain);
+CROSSGRAIN_API const uint32_t* crossgrain_domain_tets(const crossgrain_domain* domain);
+CROSSGRAIN_API const int32_t* crossgrain_domain_regions(const crossgrain_domain* domain);
+CROSSGRAIN_API double crossgrain_domain_typical_edge_length(const crossgrain_domain* domain);
+
+/** What was repaired or is unusual, one line each; NULL beyond the last. */
+CROSSGRAIN_API const char* crossgrain_domain_warning(const crossgrain_domain* domain, size_t index);
+
+/** The boundary as a surface that points outward. */
+CROSSGRAIN_API crossgrain_status crossgrain_domain_boundary(const crossgrain_domain* domain,
+                                                            crossgrain_mesh** out, crossgrain_error** error);
+
+/** Whether the extension of a file is one of a tet mesh, or of a CAD file. */
+CROSSGRAIN_API int crossgrain_is_tet_file(const char* path);
+CROSSGRAIN_API int crossgrain_is_cad_file(const char* path);
+
+/** @} */
+/** \defgroup c_constraints Constraints
+ * Axes are three numbers each; their number is one, or three for a frame. No axes: the direction of each
+ * segment, or the normal of the face. Checked by a solve.
+ * @{ */
+
+CROSSGRAIN_API crossgrain_status crossgrain_constraints_new(crossgrain_constraints** out,
+                                                            crossgrain_error** error);
+
+/** Reads and checks the constraints in a JSON file. */
+CROSSGRAIN_API crossgrain_status crossgrain_constraints_read(const char* path, crossgrain_constraints** out,
+                                                             crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_constraints_add_point(crossgrain_constraints* constraints,
+                                                                  const double at[3], const double* axes,
+                                                                  size_t axis_count, double weight,
+                                                                  crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_constraints_add_polyline(crossgrain_constraints* constraints,
+                                                                     const double* points, size_t point_count,
+                                                                     const double* axes, size_t axis_count,
+                                                                     double weight, crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_constraints_add_face(crossgrain_constraints* constraints,
+                                                                 int32_t face, const double* axes,
+                                                                 size_t axis_count, double weight,
+                                                                 crossgrain_error** error);
+
+/** `tensor` holds xx, yy, zz, yz, xz, xy. */
+CROSSGRAIN_API crossgrain_status crossgrain_constraints_add_stress(crossgrain_constraints* constraints,
+                                                                   const double at[3], const double tensor[6],
+                                                                   double weight, crossgrain_error** error);
+
+/** @} */
+/** \defgroup c_fields Fields on a grid
+ * @{ */
+
+/** Solves for the frame field inside a surface, from `earlier` if that is not NULL (solve, solve_from).
+ * `options` of kind CROSSGRAIN_SOLVE_OPTIONS, or NULL. */
+CROSSGRAIN_API crossgrain_status crossgrain_solve(const crossgrain_mesh* mesh,
+                                                  const crossgrain_field* earlier,
+                                                  const crossgrain_options* options,
+                                                  crossgrain_monitor* monitor, crossgrain_field** out,
+                                                  crossgrain_error** error);
+
+/** Reads the field on the grid from a folder. */
+CROSSGRAIN_API crossgrain_status crossgrain_field_read(const char* folder, size_t max_memory_bytes,
+                                                       crossgrain_monitor* monitor, crossgrain_field** out,
+                                                       crossgrain_error** error);
+
+/** Number of active cells. */
+CROSSGRAIN_API size_t crossgrain_field_size(const crossgrain_field* field);
+
+/** Degree of the harmonics, 3 or 4. */
+CROSSGRAIN_API int crossgrain_field_degree(const crossgrain_field* field);
+
+/** Writes a property of all cells to an array of the caller's: 3 numbers per cell for centres, 1 for sizes
+ * and levels, 9 for frames. */
+CROSSGRAIN_API crossgrain_status crossgrain_field_centres(const crossgrain_field* field, double* centres,
+                                                          crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_field_sizes(const crossgrain_field* field, double* sizes,
+                                                        crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_field_levels(const crossgrain_field* field, int32_t* levels,
+                                                         crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_field_frames(const crossgrain_field* field, double* frames,
+                                                         crossgrain_error** error);
+
+/** Class of the constraints in a cell (CellConstraint). */
+typedef enum crossgrain_cell_constraint {
+  CROSSGRAIN_NO_SURFACE = 0, /**< the cell holds no surface */
+  CROSSGRAIN_PLANE = 1,      /**< one axis */
+  CROSSGRAIN_AXIS = 2,       /**< one axis, as a compromise between normals */
+  CROSSGRAIN_FRAME = 3,      /**< all three axes */
+  CROSSGRAIN_FREE = 4,       /**< nothing: all directions are alike */
+  CROSSGRAIN_CONFLICTED = 5  /**< no frame meets them */
+} crossgrain_cell_constraint;
+
+/** Properties of all cells as they are stored: 4 numbers (w, x, y, z) per cell for quaternions, 1 for all
+ * others. NULL where the field has none. */
+CROSSGRAIN_API const float* crossgrain_field_quaternions(const crossgrain_field* field);
+CROSSGRAIN_API const uint8_t* crossgrain_field_on_boundary(const crossgrain_field* field);
+CROSSGRAIN_API const float* crossgrain_field_energy_density(const crossgrain_field* field);
+CROSSGRAIN_API const float* crossgrain_field_alignment_deg(const crossgrain_field* field);
+CROSSGRAIN_API const uint8_t* crossgrain_field_constraint_classes(const crossgrain_field* field);
+CROSSGRAIN_API const int32_t* crossgrain_field_regions(const crossgrain_field* field);
+
+/** Writes the coefficients of `count` frames, 9 numbers each, in real orthonormal spherical harmonics of a
+ * degree (7 numbers for 3, 9 for 4), in the order m = -degree ... degree, of unit length. The axes of a frame
+ * may have any of their 24 orders and signs; in degree 3 the sign of the coefficients depends on them. */
+CROSSGRAIN_API crossgrain_status crossgrain_coefficients_of_frames(const double* frames, size_t count,
+                                                                   int degree, double* coefficients,
+                                                                   crossgrain_error** error);
+
+/** Samples the field at points (FrameField::sample). Each of the four arrays may be NULL: `frames` takes 9
+ * numbers per point, the others one each: whether the point is in an active cell, the disagreement of the
+ * cells around it, the distance to the nearest arc. `threads` is the number of threads, 0 for all processors;
+ * results do not depend on it. After a failure the arrays may be written in part. */
+CROSSGRAIN_API crossgrain_status crossgrain_field_sample(const crossgrain_field* field, const double* points,
+                                                         size_t count, int threads, double* frames,
+                                                         uint8_t* in_active_cell, double* deviation,
+                                                         double* singular_distance,
+                                                         crossgrain_monitor* monitor,
+                                                         crossgrain_error** error);
+
+/** The singular graph; with `options` of kind CROSSGRAIN_SINGULARITY_OPTIONS, or NULL. */
+CROSSGRAIN_API crossgrain_status crossgrain_field_singularities(const crossgrain_field* field,
+                                                                const crossgrain_options* options,
+                                                                crossgrain_graph** out,
+                                                                crossgrain_error** error);
+
+/** The report as the text of report.json (docs/report.md). */
+CROSSGRAIN_API crossgrain_status crossgrain_field_report(const crossgrain_field* field, char** json,
+                                                         crossgrain_error** error);
+
+/** Whether a hexahedral mesh can follow the field; with `options` of kind CROSSGRAIN_ANSWER_OPTIONS, or NULL.
+ */
+CROSSGRAIN_API crossgrain_status crossgrain_field_answer(const crossgrain_field* field,
+                                                         const crossgrain_options* options,
+                                                         crossgrain_answer** out, crossgrain_error** error);
+
+/** Writes the field to a folder (write_field). `options` of kind CROSSGRAIN_OUTPUT_OPTIONS, or NULL. `model`
+ * is the path of the model for the report, and `read_seconds` the time that reading it took; NULL and 0 if
+ * there is none. Returns the report as written through `json` unless that is NULL. */
+CROSSGRAIN_API crossgrain_status crossgrain_field_write(const crossgrain_field* field, const char* folder,
+                                                        const crossgrain_options* options, const char* model,
+                                                        double read_seconds, crossgrain_monitor* monitor,
+                                                        char** json, crossgrain_error** error);
+
+/** Writes the page that shows the field as one HTML file. */
+CROSSGRAIN_API crossgrain_status crossgrain_field_write_page(const crossgrain_field* field, const char* path,
+                                                             crossgrain_monitor* monitor,
+                                                             crossgrain_error** error);
+
+/** Draws the field as a PNG file. `options` of kind CROSSGRAIN_PICTURE_OPTIONS, or NULL; `singularities` NULL
+ * for those of the field; `lines` NULL for none. */
+CROSSGRAIN_API crossgrain_status crossgrain_field_render(const crossgrain_field* field, const char* path,
+                                                         const crossgrain_options* options,
+                                                         const crossgrain_graph* singularities,
+                                                         const crossgrain_lines* lines,
+                                                         crossgrain_monitor* monitor,
+                                                         crossgrain_error** error);
+
+/** Whether a folder has a field that was written with a box, and so lacks cells. */
+CROSSGRAIN_API crossgrain_status crossgrain_is_clipped_field(const char* folder, int* out,
+                                                             crossgrain_error** error);
+
+/** @} */
+/** \defgroup c_tet_fields Fields on tets
+ * @{ */
+
+/** Solves inside the boundary of a tet mesh and transfers the field to it (solve_onto). `options` of kind
+ * CROSSGRAIN_SOLVE_OPTIONS, or NULL. */
+CROSSGRAIN_API crossgrain_status crossgrain_solve_onto(const crossgrain_domain* domain,
+                                                       const crossgrain_options* options,
+                                                       crossgrain_monitor* monitor,
+                                                       crossgrain_tet_field** out, crossgrain_error** error);
+
+/** Transfers a field to a tet mesh and finishes it there (carry_onto). */
+CROSSGRAIN_API crossgrain_status crossgrain_carry_onto(const crossgrain_field* field,
+                                                       const crossgrain_domain* domain,
+                                                       const crossgrain_options* options,
+                                                       crossgrain_monitor* monitor,
+                                                       crossgrain_tet_field** out, crossgrain_error** error);
+
+/** Reads the field on tets from a folder; `*out` is NULL if the folder has none. */
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_read(const char* folder, size_t max_memory_bytes,
+                                                           crossgrain_monitor* monitor,
+                                                           crossgrain_tet_field** out,
+                                                           crossgrain_error** error);
+
+/** The field on the grid from which it started, and its tets. */
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_grid(const crossgrain_tet_field* field,
+                                                           crossgrain_field** out, crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_domain(const crossgrain_tet_field* field,
+                                                             crossgrain_domain** out,
+                                                             crossgrain_error** error);
+
+/** Writes the frames of all tets or vertices of the domain, 9 numbers each. */
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_frames(const crossgrain_tet_field* field,
+                                                             double* frames, crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_vertex_frames(const crossgrain_tet_field* field,
+                                                                    double* frames, crossgrain_error** error);
+
+/** The same as unit quaternions (w, x, y, z), as they are stored. */
+CROSSGRAIN_API const double* crossgrain_tet_field_quaternions(const crossgrain_tet_field* field);
+CROSSGRAIN_API const double* crossgrain_tet_field_vertex_quaternions(const crossgrain_tet_field* field);
+
+/** The matchings across all faces between two tets (TetFrameField::matchings), ascending by vertices. For
+ * each face its vertices (3, ascending), its two tets, and where the axes of the first go (3): axis k of the
+ * first tet continues in the second as its axis |axes[k]|, counted from 1, with the sign of axes[k]. */
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_matchings(const crossgrain_tet_field* field,
+                                                                crossgrain_matchings** out,
+                                                                crossgrain_error** error);
+CROSSGRAIN_API size_t crossgrain_matchings_count(const crossgrain_matchings* matchings);
+CROSSGRAIN_API const uint32_t* crossgrain_matchings_faces(const crossgrain_matchings* matchings);
+CROSSGRAIN_API const uint32_t* crossgrain_matchings_tets(const crossgrain_matchings* matchings);
+CROSSGRAIN_API const int8_t* crossgrain_matchings_axes(const crossgrain_matchings* matchings);
+
+/** As for fields on a grid. */
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_singularities(const crossgrain_tet_field* field,
+                                                                    const crossgrain_options* options,
+                                                                    crossgrain_graph** out,
+                                                                    crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_report(const crossgrain_tet_field* field, char** json,
+                                                             crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_answer(const crossgrain_tet_field* field,
+                                                             const crossgrain_options* options,
+                                                             crossgrain_answer** out,
+                                                             crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_write(const crossgrain_tet_field* field,
+                                                            const char* folder,
+                                                            const crossgrain_options* options,
+                                                            const char* model, double read_seconds,
+                                                            crossgrain_monitor* monitor, char** json,
+                                                            crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_write_page(const crossgrain_tet_field* field,
+                                                                 const char* path,
+                                                                 crossgrain_monitor* monitor,
+                                                                 crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_render(
+    const crossgrain_tet_field* field, const char* path, const crossgrain_options* options,
+    const crossgrain_graph* singularities, const crossgrain_lines* lines, crossgrain_monitor* monitor,
+    crossgrain_error** error);
+
+/** The formats that the option "formats" of CROSSGRAIN_OUTPUT_OPTIONS names; NULL beyond the last. */
+CROSSGRAIN_API const char* crossgrain_format_name(size_t index);
+CROSSGRAIN_API const char* crossgrain_format_description(size_t index);
+
+/** @} */
+/** \defgroup c_singularities Singular graph and answer
+ * @{ */
+
+/** Whether a hexahedral mesh can follow a field, or a part of it, locally. */
+typedef enum crossgrain_verdict {
+  CROSSGRAIN_MESHABLE = 0,
+  CROSSGRAIN_NOT_MESHABLE = 1,
+  CROSSGRAIN_UNDECIDED = 2
+} crossgrain_verdict;
+
+/** How frames rotate around an arc (SingularityGraph::ArcType). */
+typedef enum crossgrain_arc_type {
+  CROSSGRAIN_REGULAR = 0,
+  CROSSGRAIN_CHANGING = 1,
+  CROSSGRAIN_NO_AXIS = 2
+} crossgrain_arc_type;
+
+typedef struct crossgrain_arc {
+  size_t point_count;
+  const double* points;    /**< a closed arc ends with its first point */
+  const int64_t* vertices; /**< the vertex of the tet mesh behind each point; -1 on grids and at nodes */
+  const double* axes;      /**< axis of the rotation at each point; zeros where there is none */
+  size_t turning_count;
+  const uint32_t* turning_points; /**< points where the rotation changes its sense */
+  crossgrain_arc_type type;
+  crossgrain_verdict verdict;
+  double index;          /**< rotation of the frames around the arc in full turns: +1/4 for valence 3 */
+  double length;         /**< of the smooth curve, model units */
+  double length_cells;   /**< in sizes of the cells there */
+  double oblique_length; /**< of the part where the axis is more than 45 degrees off the arc */
+  int is_closed;
+  uint32_t nodes[2]; /**< nodes at both ends, if it is not closed */
+} crossgrain_arc;
+
+typedef struct crossgrain_node {
+  double place[3];
+  int on_boundary;
+  crossgrain_verdict verdict;
+  size_t arc_count;
+  const uint32_t* arcs; /**< arcs that end here; one with both ends here is listed twice */
+} crossgrain_node;
+
+typedef struct crossgrain_graph_summary {
+  crossgrain_verdict verdict; /**< of the worst arc or node */
+  size_t arcs, nodes;
+  size_t edges;       /**< singular edges of the grid or the tets */
+  double edge_length; /**< sum of their lengths */
+  size_t unresolved_loops, unresolved_stubs, crease_hooks, contacts; /**< as in SingularityGraph */
+} crossgrain_graph_summary;
+
+CROSSGRAIN_API const crossgrain_graph_summary* crossgrain_graph_summary_of(const crossgrain_graph* graph);
+
+/** An arc or node; NULL beyond the last. */
+CROSSGRAIN_API const crossgrain_arc* crossgrain_graph_arc(const crossgrain_graph* graph, size_t index);
+CROSSGRAIN_API const crossgrain_node* crossgrain_graph_node(const crossgrain_graph* graph, size_t index);
+
+/** Reads the graph of a whole field from singularities.vtu or onto_singularities.vtu. */
+CROSSGRAIN_API crossgrain_status crossgrain_graph_read(const char* path, crossgrain_graph** out,
+                                                       crossgrain_error** error);
+
+/** Why a field is not meshable or undecided (Answer::Reason). */
+typedef struct crossgrain_reason {
+  const char* kind; /**< a name, such as "knife_edge" */
+  crossgrain_verdict verdict;
+  size_t count;    /**< number of places with this fault; 0 if it is about no place */
+  double place[3]; /**< the first or worst one, if there is one */
+  const char* text;
+  const char* next; /**< what to do; may be empty */
+} crossgrain_reason;
+
+CROSSGRAIN_API crossgrain_verdict crossgrain_answer_verdict(const crossgrain_answer* answer);
+
+/** The answer in one line. */
+CROSSGRAIN_API const char* crossgrain_answer_sentence(const crossgrain_answer* answer);
+
+/** A reason; NULL beyond the last. */
+CROSSGRAIN_API const crossgrain_reason* crossgrain_answer_reason(const crossgrain_answer* answer,
+                                                                 size_t index);
+
+/** @} */
+/** \defgroup c_streamlines Streamlines
+ * @{ */
+
+/** Prepares the tracing of a field (StreamlineTracer), inside `surface`, or the surface that the field has if
+ * that is NULL. `options` of kind CROSSGRAIN_STREAMLINE_OPTIONS, or NULL. */
+CROSSGRAIN_API crossgrain_status crossgrain_tracer_new(const crossgrain_field* field,
+                                                       const crossgrain_options* options,
+                                                       const crossgrain_mesh* surface,
+                                                       crossgrain_tracer** out, crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_tracer_new_on_tets(const crossgrain_tet_field* field,
+                                                               const crossgrain_options* options,
+                                                               crossgrain_tracer** out,
+                                                               crossgrain_error** error);
+
+/** Seeds as rows of numbers: evenly spread points inside (3 a row); points on the surface or on the plane
+ * across an axis (0 x, 1 y, 2 z), each with a direction that no line follows (6 a row). `position` is a
+ * coordinate along the axis, NaN for the middle. */
+CROSSGRAIN_API crossgrain_status crossgrain_tracer_spread_seeds(const crossgrain_tracer* tracer, size_t count,
+                                                                crossgrain_monitor* monitor,
+                                                                crossgrain_numbers** out,
+                                                                crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_tracer_surface_seeds(const crossgrain_tracer* tracer,
+                                                                 size_t count, crossgrain_monitor* monitor,
+                                                                 crossgrain_numbers** out,
+                                                                 crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_tracer_cut_seeds(const crossgrain_tracer* tracer, int axis,
+                                                             double position, size_t count,
+                                                             crossgrain_monitor* monitor,
+                                                             crossgrain_numbers** out,
+                                                             crossgrain_error** error);
+
+/** Traces the lines through seeds: `count` rows of `columns` numbers, 3 or 6, as above. `threads` as in
+ * crossgrain_field_sample. */
+CROSSGRAIN_API crossgrain_status crossgrain_tracer_trace(const crossgrain_tracer* tracer, const double* seeds,
+                                                         size_t count, size_t columns, int threads,
+                                                         crossgrain_monitor* monitor, crossgrain_lines** out,
+                                                         crossgrain_error** error);
+
+/** Why a line ends (StreamlineEnd). */
+typedef enum crossgrain_line_end {
+  CROSSGRAIN_AT_BOUNDARY = 0,
+  CROSSGRAIN_AT_ARC = 1,
+  CROSSGRAIN_CLOSED = 2,
+  CROSSGRAIN_LONGEST = 3,
+  CROSSGRAIN_AMBIGUOUS = 4,
+  CROSSGRAIN_CROWDED = 5
+} crossgrain_line_end;
+
+typedef struct crossgrain_line {
+  size_t point_count; /**< at least two */
+  const double* points;
+  const double* tangents; /**< unit vectors; NULL for lines read from a file */
+  double length;
+  size_t seed;       /**< index of the seed */
+  size_t seed_point; /**< index of the seed in `points` */
+  int axis;          /**< name of the axis at the seed: 0 x, 1 y, 2 z */
+  crossgrain_line_end first_end, last_end;
+} crossgrain_line;
+
+CROSSGRAIN_API size_t crossgrain_lines_count(const crossgrain_lines* lines);
+
+/** Seeds outside the solid, and at a singular arc, where no line starts. */
+CROSSGRAIN_API size_t crossgrain_lines_outside_seeds(const crossgrain_lines* lines);
+CROSSGRAIN_API size_t crossgrain_lines_arc_seeds(const crossgrain_lines* lines);
+
+/** A line; NULL beyond the last. */
+CROSSGRAIN_API const crossgrain_line* crossgrain_lines_line(const crossgrain_lines* lines, size_t index);
+
+/** Writes lines to a .vtu file. `solve` names the solve of their field, or is NULL (SolveReport::solve). */
+CROSSGRAIN_API crossgrain_status crossgrain_lines_write(const crossgrain_lines* lines, const char* path,
+                                                        const char* solve, crossgrain_monitor* monitor,
+                                                        crossgrain_error** error);
+
+/** Reads lines that were written, for pictures: they have points and an axis only. */
+CROSSGRAIN_API crossgrain_status crossgrain_lines_read(const char* path, crossgrain_lines** out,
+                                                       crossgrain_error** error);
+
+/** @} */
+/** \defgroup c_spectra Forms of normals
+ * @{ */
+
+/** The form E(h) = h^T A h - 2 b.h + c of a set of normals (SpectrumReport). */
+typedef struct crossgrain_form {
+  int degree;
+  size_t size;               /**< 7 or 9 */
+  const double* matrix;      /**< A, row by row */
+  const double* eigenvalues; /**< ascending */
+  const double* linear;      /**< b */
+  double constant;           /**< c */
+  size_t null_space_count;
+  const double* null_space; /**< null_space_count rows; degree 4: a point, then orthonormal directions */
+} crossgrain_form;
+
+/** The form of `count` normals with their weights. */
+CROSSGRAIN_API crossgrain_status crossgrain_spectrum_of_normals(const double* normals, const double* weights,
+                                                                size_t count, int degree,
+                                                                crossgrain_spectrum** out,
+                                                                crossgrain_error** error);
+
+/** The form of a "plane", "cube", "cylinder" or "sphere". */
+CROSSGRAIN_API crossgrain_status crossgrain_spectrum_of_preset(const char* name, int degree,
+                                                               crossgrain_spectrum** out,
+                                                               crossgrain_error** error);
+CROSSGRAIN_API const crossgrain_form* crossgrain_spectrum_form(const crossgrain_spectrum* spectrum);
+
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the functions for fields on a grid and for those on tets have in common.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "c_interface/guarded.hpp"
+#include "c_interface/handles.hpp"
+#include "crossgrain/page.hpp"
+#include "crossgrain/picture.hpp"
+
+namespace crossgrain {
+
+/// Writes the nine numbers of each frame to an array.
+inline void put_frames(const std::vector<Frame>& frames, double* out) {
+  const auto numbers = elements(out, frames.size(), 9, "frames");
+  parallel_for(frames.size(), [&](std::size_t i) {
+    for (std::size_t k = 0; k < 9; ++k) numbers[9 * i + k] = frames[i].axes[k / 3][k % 3];
+  });
+}
+
+/// Returns the options for writing a field, with its page if they want it.
+template <class Field>
+OutputOptions output_options_for(const Field& field, const crossgrain_options* handle) {
+  const OutputChoices& choices = options_or_defaults<OutputChoices>(handle);
+  OutputOptions options = choices;
+  if (choices.page) options.companions.push_back(page_of(field));
+  return options;
+}
+
+/// Writes a field with the name of its model; `json` may be null.
+template <class Field>
+void write_result(const Field& field, const char* folder, const crossgrain_options* options,
+                  const char* model, double read_seconds, crossgrain_monitor* monitor, char** json) {
+  SolveReport report = field.report();
+  if (model != nullptr) report.model.path = model;
+  report.seconds.read += read_seconds;
+  report.seconds.total += read_seconds;
+  const SolveReport written = write_field(field, std::move(report), &given(folder, "folder"),
+                                          monitor_of(monitor), output_options_for(field, options));
+  if (json != nullptr) *json = copy_of(report_json(written));
+}
+
+/// Draws a field; null for its own singular lines, and for no streamlines.
+template <class Field>
+void render_result(const Field& field, const char* path, const crossgrain_options* options,
+                   const crossgrain_graph* singularities, const crossgrain_lines* lines,
+                   crossgrain_monitor* monitor) {
+  PictureCurves curves;
+  if (singularities != nullptr) curves.singularities = &singularities->graph;
+  if (lines != nullptr) {
+    curves.streamlines = lines->curves;
+    for (const Streamline& line : lines->lines.lines) curves.streamlines.push_back({line.points, line.axis});
+  }
+  render_picture(field, &given(path, "path"), options_or_defaults<PictureOptions>(options), curves,
+                 monitor_of(monitor));
+}
+
+/// Returns the graph that the field has, or one by these options.
+template <class Field>
+crossgrain_graph* graph_of(const Field& field, const crossgrain_options* options) {
+  return new crossgrain_graph(options == nullptr
+                                  ? field.singularities()
+                                  : field.singularities(options_or_defaults<SingularityOptions>(options)));
+}
+
+/// Returns the answer that the report has, or one by these options.
+template <class Field>
+crossgrain_answer* answer_about(const Field& field, const crossgrain_options* options) {
+  return new crossgrain_answer(options == nullptr
+                                   ? field.report().answer
+                                   : answer_of(field.report(), options_or_defaults<AnswerOptions>(options)));
+}
+
+}  // namespace crossgrain

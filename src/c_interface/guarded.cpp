@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "c_interface/guarded.hpp"
+
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <string>
+
+#include "crossgrain/error.hpp"
+
+namespace crossgrain {
+namespace {
+
+crossgrain_status status_of(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::kUsage:
+      return CROSSGRAIN_USAGE;
+    case ErrorKind::kInput:
+      return CROSSGRAIN_INPUT;
+    case ErrorKind::kOutput:
+      return CROSSGRAIN_OUTPUT;
+    case ErrorKind::kLimit:
+      return CROSSGRAIN_LIMIT;
+    case ErrorKind::kInterrupted:
+      return CROSSGRAIN_INTERRUPTED;
+  }
+  return CROSSGRAIN_INTERNAL;
+}
+
+/// An error with its texts.
+struct OwnedError : crossgrain_error {
+  std::string its_sentence;
+  Message message;
+
+  OwnedError(crossgrain_status its_status, Message its_message)
+      : crossgrain_error{}, its_sentence(sentence_of(its_message)), message(std::move(its_message)) {
+    status = its_status;
+    sentence = its_sentence.c_str();
+    file = message.file.c_str();
+    place = message.place.c_str();
+    text = message.text.c_str();
+    remedy = words_of(message.remedy);
+    remedy_name = name_of(message.remedy);
+  }
+};
+
+crossgrain_status passed_on(crossgrain_status status, Message message, crossgrain_error** error) noexcept {
+  if (error == nullptr) return status;
+  try {
+    *error = new OwnedError(status, std::move(message));
+  } catch (...) {
+    *error = nullptr;
+  }
+  return status;
+}
+
+}  // namespace
+
+crossgrain_status status_of(const std::exception_ptr& exception, crossgrain_error** error) noexcept {
+  try {
+    std::rethrow_exception(exception);
+  } catch (const Error& its_error) {
+    return passed_on(status_of(its_error.kind()), its_error.message(), error);
+  } catch (const std::bad_alloc&) {
+    return passed_on(CROSSGRAIN_LIMIT, {{}, {}, "out of memory", Remedy::kFreeMemory}, error);
+  } catch (const std::exception& its_error) {
+    return passed_on(CROSSGRAIN_INTERNAL, {{}, {}, its_error.what(), Remedy::kReportModel}, error);
+  } catch (...) {
+    return passed_on(CROSSGRAIN_INTERNAL, {{}, {}, "unexpected failure", Remedy::kReportModel}, error);
+  }
+}
+
+void throw_missing(const char* name) {
+  throw Error(ErrorKind::kUsage, std::string("the argument ") + name + " is NULL or too long");
+}
+
+char* copy_of(const std::string& text) {
+  auto* const copy = static_cast<char*>(std::malloc(text.size() + 1));
+  if (copy == nullptr) throw std::bad_alloc();
+  std::memcpy(copy, text.c_str(), text.size() + 1);
+  return copy;
+}
+
+}  // namespace crossgrain
+
+void crossgrain_error_free(crossgrain_error* error) {
+  delete static_cast<crossgrain::OwnedError*>(error);
+}
+
+void crossgrain_text_free(char* text) {
+  std::free(text);
+}
