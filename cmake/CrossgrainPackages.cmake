@@ -67,7 +67,7 @@ function(crossgrain_package name)
     set(comment "Nothing in this package is under the GPL.")
   endif()
   set(documents "${PROJECT_BINARY_DIR}/packages/${name}")
-  configure_file("${PROJECT_SOURCE_DIR}/packaging/copyright.in" "${documents}/copyright" @ONLY)
+  configure_file("${PROJECT_SOURCE_DIR}/packaging/copyright" "${documents}/copyright" @ONLY)
   install(FILES "${documents}/copyright" DESTINATION "share/doc/${name}" COMPONENT ${first})
   # Debian wants a changelog that dpkg can read; the one for people is CHANGELOG.md.
   string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
