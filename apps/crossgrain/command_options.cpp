@@ -289,7 +289,7 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
       "Evenly spread seeds in the volume (default), on the surface or on a cut; from the latter two, lines "
       "follow the two axes along surface or cut")
       ->excludes(seeds)
-      ->type_name("volume|surface|AXIS[=X]");
+      ->type_name("volume|surface|x|y|z[=AT]");
   command->add_option("--count", arguments.count, "Number of seeds to try (default 1000)")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->excludes(seeds)
@@ -364,7 +364,7 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
       "is not a cut such as x, y=12.5 or none",
       "Remove the part in front of a plane across this axis, at the middle or at the given place, and draw "
       "the frames on the plane (default none)")
-      ->type_name("x|y|z[=AT]");
+      ->type_name("none|x|y|z[=AT]");
   add_looks(*command, options);
   command->add_option("--threads", arguments.threads, "Number of threads; 0 (default) uses all")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()))

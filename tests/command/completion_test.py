@@ -67,7 +67,7 @@ class Completion:
 
     def test_choices_besides_other_values(self):
         self.assertEqual(self.offers("crossgrain render part.frames --view bo"), ["bottom"])
-        self.assertEqual(set(self.offers("crossgrain streamlines part.frames --on ")), {"volume", "surface"})
+        self.assertEqual(set(self.offers("crossgrain streamlines part.frames --on ")), {"volume", "surface", "x", "y", "z"})
 
     def test_lists(self):
         self.assertEqual([word.rstrip(",").split(",")[-1] for word in self.offers("crossgrain solve a.mesh --write fra,per")], ["perm"])
