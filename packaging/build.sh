@@ -19,4 +19,4 @@ cmake -S "$root" -B "$folder" -G Ninja --log-level=WARNING -DCMAKE_BUILD_TYPE=Re
   -DCMAKE_SKIP_INSTALL_RPATH=ON -DCROSSGRAIN_ZSH_FOLDER=share/zsh/vendor-completions -DBUILD_SHARED_LIBS=ON -DCROSSGRAIN_PACKAGES=ON \
   -DCROSSGRAIN_BUILD_TESTS=OFF -DCROSSGRAIN_BUILD_EXAMPLES=OFF -DCROSSGRAIN_BUILD_CAD=ON -DCROSSGRAIN_BUILD_MPI=ON \
   -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" >/dev/null
-cmake --build "$folder" >"$folder/build.log" || { cat "$folder/build.log" >&2; exit 1; }
+cmake --build "$folder" >&2

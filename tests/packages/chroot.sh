@@ -18,7 +18,7 @@ fresh_chroot() {
     flock 9
     if [ ! -d "$base" ]; then
       rm -rf "$base.part"
-      debootstrap --variant=minbase "$suite" "$base.part" "$mirror" >"$base.log" 2>&1 || exit 1
+      unshare --mount debootstrap --variant=minbase "$suite" "$base.part" "$mirror" >"$base.log" 2>&1 || exit 1
       # Only speed matters for a system that is thrown away.
       echo force-unsafe-io >"$base.part/etc/dpkg/dpkg.cfg.d/unsafe-io"
       mv "$base.part" "$base"
