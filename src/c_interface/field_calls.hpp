@@ -39,6 +39,10 @@ void write_result(const Field& field, const char* folder, const crossgrain_optio
   SolveReport report = field.report();
   if (model != nullptr) report.model.path = model;
   report.seconds.read += read_seconds;
+  // Fields that were read keep theirs.
+  if (report.seconds.total == 0)
+    report.seconds.total =
+        report.seconds.grid + report.seconds.solve + (report.onto ? report.onto->seconds : 0);
   report.seconds.total += read_seconds;
   const SolveReport written = write_field(field, std::move(report), &given(folder, "folder"),
                                           monitor_of(monitor), output_options_for(field, options));

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Crossgrain computes octahedral frame fields inside solids: three orthogonal directions at every point that vary smoothly and follow the
+surface.
+
+    >>> import crossgrain as cg
+    >>> field = cg.solve("part.step", resolution=128)
+    >>> field.frames, field.centers, field.sizes      # (n, 3, 3), (n, 3), (n,)
+    >>> field.sample(points)                          # (m, 3, 3)
+    >>> print(field.check())
+    >>> field.write("part.frames")
+
+`solve` and `solve_onto` make fields, `read` reads them. See `Field` and `TetField` for what to do with them.
+"""
+
+from ._library import Progress, library as _library_of_c
+from .constraints import Constraints, read_constraints
+from .errors import Error, InputError, InternalError, Interrupted, LimitError, OutputError, UsageError
+from .field import CONSTRAINT_CLASSES, Field, Samples
+from .models import Crease, Surface, TetMesh, read_surface, read_tets
+from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, KeptFormOptions, OntoOptions, OtherStart, OutputOptions,
+                      PictureOptions, ReadOptions, RefinementOptions, SingularityOptions, SolveOptions, SolverOptions, StreamlineOptions,
+                      TetTagOptions)
+from .singularities import Answer, Arc, Node, Reason, SingularityGraph, read_singularities
+from .solving import carry_onto, is_clipped, read, solve, solve_onto
+from .spectra import Spectrum, coefficients, spectrum
+from .streamlines import Streamline, Streamlines, read_streamlines
+from .tet_field import Matchings, TetField
+
+__version__ = _library_of_c.crossgrain_version().decode()
+
+__all__ = [
+    "Answer", "AnswerOptions", "Arc", "CONSTRAINT_CLASSES", "CalmFieldOptions", "Constraints", "Crease", "CreaseAngles", "Error",
+    "FadingCreases", "Field", "InputError", "InternalError", "Interrupted", "KeptFormOptions", "LimitError", "Matchings", "Node",
+    "OntoOptions", "OtherStart", "OutputError", "OutputOptions", "PictureOptions", "Progress", "ReadOptions", "Reason", "RefinementOptions",
+    "Samples", "SingularityGraph", "SingularityOptions", "SolveOptions", "SolverOptions", "Spectrum", "Streamline", "StreamlineOptions",
+    "Streamlines", "Surface", "TetField", "TetMesh", "TetTagOptions", "UsageError", "carry_onto", "coefficients", "is_clipped", "read",
+    "read_constraints", "read_singularities", "read_streamlines", "read_surface", "read_tets", "solve", "solve_onto", "spectrum",
+]

@@ -1,0 +1,340 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Models that fields are solved for: surfaces and tet meshes, from files, arrays and objects of other packages."""
+
+from __future__ import annotations
+
+import os
+import time
+from functools import cached_property
+from typing import Any, List, NamedTuple, Optional, Sequence
+
+import numpy as np
+
+from . import _interface as c
+from ._arrays import address, as_doubles, indices, numbers, tags
+from ._library import Handle, array_view, call, library, made, path_bytes, view, watched
+from ._options import handle_of
+from .errors import InputError
+from .options import ReadOptions, TetTagOptions
+
+
+class Crease(NamedTuple):
+    """A sharp edge of a surface."""
+
+    points: np.ndarray
+    """(n, 3)"""
+    tangents: np.ndarray
+    """Unit vectors, (n, 3)."""
+    tag: int
+    is_tagged: bool
+
+
+def _warnings(name: str, handle: Handle) -> List[str]:
+    found: List[str] = []
+    while True:
+        line = getattr(library, name)(handle, len(found))
+        if line is None:
+            return found
+        found.append(line.decode("utf-8", "replace"))
+
+
+class Surface:
+    """A surface of triangles that index vertices. It may be open, flipped, non-manifold or a triangle soup.
+
+    ``faces`` and ``solids`` are one number per triangle: the face of the CAD model, or tag, that it belongs to, and the solid that it
+    bounds; triangles point out of their solid, and a face between two solids is present twice. ``inner_faces`` are triangles inside a
+    solid whose normal frames should follow.
+    """
+
+    path: str = ""
+    """File that it was read from."""
+    read_seconds: float = 0.0
+
+    def __init__(self, vertices: Any, triangles: Any, *, faces: Any = None, solids: Any = None, corner_normals: Any = None,
+                 creases: Sequence[Crease] = (), inner_faces: Any = None):
+        points = numbers(vertices, "vertices", 3)
+        corners = indices(triangles, "triangles", 3)
+        self._handle = made("mesh", "mesh_new", address(points), len(points), address(corners), len(corners))
+        for name, values in (("faces", faces), ("solids", solids)):
+            if values is not None:
+                its_numbers = tags(values, name, len(corners))
+                call(f"mesh_set_{name}", self._handle, address(its_numbers), len(corners))
+        if corner_normals is not None:
+            normals = np.asarray(corner_normals)
+            if normals.shape != (len(corners), 3, 3):
+                raise TypeError(f"corner_normals: an array of shape ({len(corners)}, 3, 3) is needed, this one is {normals.shape}")
+            normals = as_doubles(normals, "corner_normals")
+            call("mesh_set_corner_normals", self._handle, address(normals), len(corners))
+        for crease in creases:
+            its_points, tangents = numbers(crease[0], "points", 3), numbers(crease[1], "tangents", 3)
+            if len(its_points) != len(tangents):
+                raise TypeError("a crease has as many tangents as points")
+            call("mesh_add_crease", self._handle, address(its_points), address(tangents), len(its_points), int(crease[2]), int(crease[3]))
+        if inner_faces is not None:
+            its_faces = indices(inner_faces, "inner_faces", 3)
+            call("mesh_add_inner_faces", self._handle, address(its_faces), len(its_faces))
+
+    @classmethod
+    def _of(cls, handle: Handle, path: str = "", read_seconds: float = 0.0) -> "Surface":
+        surface = cls.__new__(cls)
+        surface._handle, surface.path, surface.read_seconds = handle, path, read_seconds
+        return surface
+
+    def __repr__(self) -> str:
+        return f"<crossgrain.Surface: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
+
+    def _per_triangle(self, name: str, dtype: Any, *shape: int) -> Optional[np.ndarray]:
+        return view(self._handle, getattr(library, f"crossgrain_mesh_{name}")(self._handle), dtype, (len(self.triangles), *shape))
+
+    @cached_property
+    def vertices(self) -> np.ndarray:
+        """(n, 3)"""
+        count = library.crossgrain_mesh_vertex_count(self._handle)
+        return array_view(self._handle, library.crossgrain_mesh_vertices(self._handle), np.float64, (count, 3))
+
+    @cached_property
+    def triangles(self) -> np.ndarray:
+        """Indices of vertices, (m, 3)."""
+        count = library.crossgrain_mesh_triangle_count(self._handle)
+        return array_view(self._handle, library.crossgrain_mesh_triangles(self._handle), np.uint32, (count, 3))
+
+    @property
+    def faces(self) -> Optional[np.ndarray]:
+        """Number of the face of the CAD model, or tag, of each triangle; None if there are none."""
+        return self._per_triangle("faces", np.int32)
+
+    @property
+    def solids(self) -> Optional[np.ndarray]:
+        """Number of the solid that each triangle bounds; None if there are none."""
+        return self._per_triangle("solids", np.int32)
+
+    @property
+    def corner_normals(self) -> Optional[np.ndarray]:
+        """Unit normals of the true surface at the corners of each triangle, (m, 3, 3); None if there are none."""
+        return self._per_triangle("corner_normals", np.float64, 3, 3)
+
+    @property
+    def creases(self) -> List[Crease]:
+        """Sharp edges that the file knows."""
+        found = []
+        for i in range(library.crossgrain_mesh_crease_count(self._handle)):
+            curve = library.crossgrain_mesh_crease(self._handle, i).contents
+            shape = (curve.point_count, 3)
+            found.append(Crease(array_view(self._handle, curve.points, np.float64, shape),
+                                array_view(self._handle, curve.tangents, np.float64, shape), curve.tag, bool(curve.is_tagged)))
+        return found
+
+    @property
+    def unit(self) -> str:
+        """Unit of the coordinates, such as "mm"; empty if the file does not say."""
+        return library.crossgrain_mesh_unit(self._handle).decode()
+
+    @property
+    def warnings(self) -> List[str]:
+        """What reading found."""
+        return _warnings("crossgrain_mesh_warning", self._handle)
+
+
+class TetMesh:
+    """A solid cut into tets, prepared for a field: inverted tets are reoriented, those without volume left out.
+
+    ``regions`` is one number per tet. Frames follow feature edges and the normals of feature faces; edges that are not
+    ``stated`` to be features may be any curve of the meshed model, and count only where the surface is sharp.
+    """
+
+    path: str = ""
+    """File that it was read from."""
+    read_seconds: float = 0.0
+
+    def __init__(self, points: Any, cells: Any, *, regions: Any = None, feature_edges: Any = None, edge_tags: Any = None,
+                 edges_are_stated: bool = True, feature_faces: Any = None, face_tags: Any = None,
+                 tags_options: Optional[TetTagOptions] = None):
+        its_points, tets = numbers(points, "points", 3), indices(cells, "cells", 4)
+        its_regions = tags(regions, "regions", len(tets))
+        mesh = made("tets", "tets_new", address(its_points), len(its_points), address(tets), len(tets), address(its_regions))
+        if feature_edges is not None:
+            edges = indices(feature_edges, "feature_edges", 2)
+            its_tags = tags(edge_tags, "edge_tags", len(edges))
+            call("tets_add_feature_edges", mesh, address(edges), address(its_tags), len(edges), int(edges_are_stated))
+        if feature_faces is not None:
+            faces = indices(feature_faces, "feature_faces", 3)
+            its_tags = tags(face_tags, "face_tags", len(faces))
+            call("tets_add_feature_faces", mesh, address(faces), address(its_tags), len(faces))
+        self._prepare(mesh, tags_options)
+
+    def _prepare(self, mesh: Handle, options: Optional[TetTagOptions]) -> None:
+        its_options = None if options is None else handle_of(options, TetTagOptions)
+        self._handle = watched(lambda monitor: made("domain", "domain_new", mesh, its_options, monitor.handle))
+
+    @classmethod
+    def _of(cls, handle: Handle, path: str = "", read_seconds: float = 0.0) -> "TetMesh":
+        mesh = cls.__new__(cls)
+        mesh._handle, mesh.path, mesh.read_seconds = handle, path, read_seconds
+        return mesh
+
+    def __repr__(self) -> str:
+        return f"<crossgrain.TetMesh: {len(self.points)} points, {len(self.cells)} tets>"
+
+    @cached_property
+    def points(self) -> np.ndarray:
+        """All vertices, (n, 3)."""
+        count = library.crossgrain_domain_vertex_count(self._handle)
+        return array_view(self._handle, library.crossgrain_domain_vertices(self._handle), np.float64, (count, 3))
+
+    @cached_property
+    def cells(self) -> np.ndarray:
+        """The tets that have frames, (m, 4): those given, of positive volume."""
+        count = library.crossgrain_domain_tet_count(self._handle)
+        return array_view(self._handle, library.crossgrain_domain_tets(self._handle), np.uint32, (count, 4))
+
+    @property
+    def regions(self) -> Optional[np.ndarray]:
+        """Region number of each tet; None if there are none."""
+        return view(self._handle, library.crossgrain_domain_regions(self._handle), np.int32, (len(self.cells),))
+
+    @property
+    def typical_edge_length(self) -> float:
+        """Edge of a regular tet with the mean volume of the tets."""
+        return library.crossgrain_domain_typical_edge_length(self._handle)
+
+    @property
+    def boundary(self) -> Surface:
+        """The boundary as a surface that points outward."""
+        return Surface._of(made("mesh", "domain_boundary", self._handle))
+
+    @property
+    def warnings(self) -> List[str]:
+        """What was repaired or is unusual."""
+        return _warnings("crossgrain_domain_warning", self._handle)
+
+
+def read_surface(path: Any, options: Optional[ReadOptions] = None) -> Surface:
+    """Reads a surface (STL, OBJ, PLY, OFF) or a CAD file (STEP, IGES, BREP).
+
+    Raises InputError naming the file, the place in it and the remedy.
+    """
+    return _read_surface(path, None if options is None else handle_of(options, ReadOptions))
+
+
+def _read_surface(path: Any, options: Optional[Handle]) -> Surface:
+    start = time.perf_counter()
+    encoded = path_bytes(path)
+    handle = watched(lambda monitor: made("mesh", "mesh_read", encoded, options, monitor.handle))
+    return Surface._of(handle, os.fsdecode(encoded), time.perf_counter() - start)
+
+
+def read_tets(path: Any, *, max_memory_bytes: int = 0, tags_options: Optional[TetTagOptions] = None) -> TetMesh:
+    """Reads a tet mesh (Medit, Gmsh, VTK) and prepares it for a field. Raises InputError like `read_surface`."""
+    start = time.perf_counter()
+    encoded = path_bytes(path)
+    mesh = watched(lambda monitor: made("tets", "tets_read", encoded, max_memory_bytes, monitor.handle))
+    tets = TetMesh.__new__(TetMesh)
+    tets._prepare(mesh, tags_options)
+    tets.path, tets.read_seconds = os.fsdecode(encoded), time.perf_counter() - start
+    return tets
+
+
+# -- Objects of other packages -------------------------------------------------------------------------------------------------
+
+# Data of cells that number regions or tag features, best first, as in files of VTK.
+_TAG_NAMES = ("gmsh:physical", "medit:ref", "CellEntityIds", "region", "RegionId", "tag", "material", "MaterialIds", "gmsh:geometrical")
+_SHAPES = {"tetra": 4, "triangle": 3, "line": 2}
+_OTHER_SOLIDS = ("hexahedron", "wedge", "pyramid", "polyhedron")
+
+
+def is_meshio(model: Any) -> bool:
+    """Whether an object is a mesh of meshio, or looks like one."""
+    return hasattr(model, "points") and hasattr(model, "cells") and hasattr(model, "cell_data")
+
+
+class _Blocks:
+    """The cells of one shape in a mesh of meshio, of any order, with their tags."""
+
+    def __init__(self, mesh: Any, shape: str):
+        chosen = [i for i, block in enumerate(mesh.cells) if block.type.rstrip("0123456789") == shape]
+        corners = _SHAPES[shape]
+        self.cells = np.concatenate([np.asarray(mesh.cells[i].data)[:, :corners] for i in chosen]) if chosen else np.zeros((0, corners), int)
+        name = next((name for name in _TAG_NAMES if name in mesh.cell_data), None)
+        values = [np.asarray(mesh.cell_data[name][i]).ravel() for i in chosen] if name else []
+        self.tags = np.concatenate(values) if values and all(v.dtype.kind in "iu" for v in values) else None
+
+
+def _refuse_other_solids(mesh: Any) -> None:
+    for block in mesh.cells:
+        if block.type.startswith(_OTHER_SOLIDS):
+            raise InputError(f"the mesh has cells of type {block.type}; cut them into tets")
+
+
+def has_tets(mesh: Any) -> bool:
+    """Whether a mesh of meshio has tets."""
+    return any(block.type.startswith("tetra") for block in mesh.cells)
+
+
+def _tets_of_meshio(mesh: Any) -> TetMesh:
+    _refuse_other_solids(mesh)
+    tets, faces, edges = _Blocks(mesh, "tetra"), _Blocks(mesh, "triangle"), _Blocks(mesh, "line")
+    # As of files: Gmsh and Medit list every curve of the model.
+    stated = not any(name.startswith(("gmsh:", "medit:")) for name in mesh.cell_data)
+    return TetMesh(mesh.points, tets.cells, regions=tets.tags, feature_edges=edges.cells, edge_tags=edges.tags, edges_are_stated=stated,
+                   feature_faces=faces.cells, face_tags=faces.tags)
+
+
+def _surface_of_meshio(mesh: Any) -> Surface:
+    _refuse_other_solids(mesh)
+    triangles = [_Blocks(mesh, "triangle").cells]
+    for block in mesh.cells:
+        if block.type.startswith("quad"):
+            quads = np.asarray(block.data)
+            triangles += [quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]
+    return Surface(mesh.points, np.concatenate(triangles))
+
+
+def surface_of(model: Any, triangles: Any, read: "Any") -> Surface:
+    """The surface that a caller means: a path, arrays, a mesh of meshio or trimesh, or a Surface. `read()` gives the options of reading."""
+    if triangles is not None:
+        return Surface(model, triangles)
+    if isinstance(model, Surface):
+        return model
+    if isinstance(model, (str, bytes, os.PathLike)):
+        return _read_surface(model, read())
+    if is_meshio(model):
+        return _surface_of_meshio(model)
+    if hasattr(model, "vertices") and hasattr(model, "faces"):
+        return Surface(model.vertices, model.faces)
+    raise TypeError(f"a model is a path, two arrays (vertices and triangles), a mesh of meshio or a Surface, not {type(model).__name__}")
+
+
+def tets_of(model: Any, cells: Any, max_memory_bytes: int = 0) -> TetMesh:
+    """The tets that a caller means: a path, arrays, a mesh of meshio or a TetMesh."""
+    if cells is not None:
+        return TetMesh(model, cells)
+    if isinstance(model, TetMesh):
+        return model
+    if isinstance(model, (str, bytes, os.PathLike)):
+        return read_tets(model, max_memory_bytes=max_memory_bytes)
+    if is_meshio(model):
+        if not has_tets(model):
+            raise InputError("the mesh has no tets")
+        return _tets_of_meshio(model)
+    raise TypeError(f"tets are a path, two arrays (points and cells), a mesh of meshio or a TetMesh, not {type(model).__name__}")
+
+
+def is_of_tets(model: Any) -> bool:
+    """Whether a model without triangles of its own is one of tets."""
+    if isinstance(model, (str, bytes, os.PathLike)):
+        return bool(library.crossgrain_is_tet_file(path_bytes(model)))
+    return isinstance(model, TetMesh) or (is_meshio(model) and has_tets(model))
+
+
+def reading_for(options: Handle, read: Optional[ReadOptions]) -> Handle:
+    """Options for reading a surface for a solve, with those of `read` that are not defaults."""
+    handle = made("options", "options_for_reading", options)
+    if read is not None:
+        from ._options import _set, flattened, types_of
+        defaults, types = dict(flattened(ReadOptions())), types_of(c.READ_OPTIONS)
+        for name, value in flattened(read):
+            if value != defaults[name]:
+                _set(handle, name, types[name], value)
+    return handle
+
+

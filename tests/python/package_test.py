@@ -1,0 +1,401 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The Python package as its users see it. Needs NumPy alone; what needs other packages is skipped where they are missing."""
+
+import gc
+import os
+import pickle
+import resource
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+import crossgrain as cg
+import numpy as np
+from crossgrain import _options
+from solids import ball, box, cube_of_tets
+
+
+class WithFolder(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="crossgrain-python-")
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+
+
+def alignment(frames):
+    """The largest entry of each axis; 1 for coordinate axes."""
+    return np.abs(frames).max(axis=-1)
+
+
+class Fields(WithFolder):
+    @classmethod
+    def setUpClass(cls):
+        cls.box = cg.solve(*box(), resolution=16)
+        cls.ball = cg.solve(*ball(), resolution=20)
+
+    def test_in_a_box_follow_it(self):
+        field, n = self.box, len(self.box)
+        self.assertEqual((field.frames.shape, field.centers.shape, field.sizes.shape), ((n, 3, 3), (n, 3), (n,)))
+        self.assertGreater(alignment(field.frames).min(), 0.9999)
+        self.assertTrue(((field.centers > -0.2) & (field.centers < 2.2)).all())
+        self.assertEqual(field.check().verdict, "meshable")
+        self.assertEqual(field.degree, 4)
+
+    def test_have_orthonormal_right_handed_frames_that_are_their_quaternions(self):
+        frames = self.ball.frames
+        np.testing.assert_allclose(frames @ frames.transpose(0, 2, 1), np.broadcast_to(np.eye(3), frames.shape), atol=1e-12)
+        np.testing.assert_allclose(np.linalg.det(frames), 1, atol=1e-12)
+        w, x, y, z = self.ball.quaternions.astype(float).T
+        first = np.stack([w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)], 1)
+        np.testing.assert_allclose(frames[:, 0], first, atol=1e-6)
+
+    def test_give_arrays_that_are_read_only_and_made_once(self):
+        for name in ("frames", "centers", "sizes", "levels", "quaternions", "energy_density", "alignment_deg", "on_boundary",
+                     "constraint_classes"):
+            array = getattr(self.box, name)
+            self.assertEqual(len(array), len(self.box))
+            self.assertFalse(array.flags.writeable, name)
+            self.assertFalse(array.flags.owndata and name in ("quaternions", "energy_density"), name)
+        self.assertIs(self.box.frames, self.box.frames)
+        self.assertIsNone(self.box.regions)
+
+    def test_live_as_long_as_their_views(self):
+        field = cg.solve(*box(), resolution=8)
+        density = field.energy_density
+        expected = density.copy()
+        del field
+        gc.collect()
+        cg.solve(*ball(6), resolution=8)
+        np.testing.assert_array_equal(density, expected)
+
+    def test_are_sampled_anywhere(self):
+        points = np.random.default_rng(1).uniform(-1.2, 1.2, (3000, 3))
+        samples = self.ball.sample_all(points)
+        np.testing.assert_array_equal(self.ball.sample(points), samples.frames)
+        np.testing.assert_array_equal(self.ball.sample(points, threads=1), samples.frames)
+        np.testing.assert_array_equal(self.ball.sample(points[7]), samples.frames[7])
+        inside = np.linalg.norm(points, axis=1) < 0.9
+        self.assertTrue(samples.in_active_cell[inside].all())
+        self.assertFalse(samples.in_active_cell[np.linalg.norm(points, axis=1) > 1.3].any())
+        self.assertEqual(self.ball.sample(np.zeros((0, 3))).shape, (0, 3, 3))
+        self.assertTrue((samples.singular_distance >= 0).all() and (samples.deviation >= 0).all())
+
+    def test_have_singular_arcs_of_valence_three_in_a_ball(self):
+        graph = self.ball.singularities
+        self.assertGreater(len(graph.arcs), 0)
+        for arc in graph.arcs:
+            self.assertEqual((arc.points.shape[1], len(arc.axes), len(arc.vertices)), (3, len(arc.points), len(arc.points)))
+            if arc.type == "regular":
+                self.assertEqual(arc.valence, 3)
+            for node in arc.nodes or ():
+                self.assertIn(graph.arcs.index(arc), graph.nodes[node].arcs)
+        self.assertEqual(len(graph.arcs), self.ball.report["singularity"]["arcs"])
+
+    def test_answer_as_the_report_does(self):
+        for field in (self.box, self.ball):
+            answer = field.check()
+            self.assertEqual(answer.verdict, field.report["verdict"])
+            self.assertEqual(str(answer), field.report["answer"])
+            self.assertEqual(len(answer.reasons), len(field.report["reasons"]))
+
+    def test_are_read_as_they_were_written(self):
+        report = self.ball.write(self.folder / "ball.frames")
+        self.assertTrue((self.folder / "ball.frames" / "report.html").exists())
+        again = cg.read(self.folder / "ball.frames")
+        for name in ("quaternions", "centers", "energy_density", "constraint_classes"):
+            np.testing.assert_array_equal(getattr(again, name), getattr(self.ball, name))
+        self.assertEqual(again.report["energy"], report["energy"])
+        self.assertFalse(cg.is_clipped(self.folder / "ball.frames"))
+        self.ball.write(self.folder / "part.frames", clip=[0, 0, 0, 1, 1, 1], level=4, page=False)
+        self.assertTrue(cg.is_clipped(self.folder / "part.frames"))
+        self.assertFalse((self.folder / "part.frames" / "report.html").exists())
+        self.assertLess(len(cg.read(self.folder / "part.frames")), len(self.ball))
+
+    def test_are_drawn_and_shown_on_pages(self):
+        self.ball.render(self.folder / "ball.png", cut=("y", 0.1), view="front", width=200, height=150, colour="energy")
+        self.assertEqual((self.folder / "ball.png").read_bytes()[:4], b"\x89PNG")
+        self.ball.write_page(self.folder / "ball.html")
+        self.assertIn(b"crossgrain-scene", (self.folder / "ball.html").read_bytes())
+
+    def test_start_from_another_field(self):
+        again = cg.solve(*ball(), resolution=20, start=self.ball)
+        self.assertLess(abs(again.report["energy"]["total"] / self.ball.report["energy"]["total"] - 1), 0.05)
+
+    def test_have_lines_along_their_axes(self):
+        lines = self.box.streamlines([[1, 0.5, 0.75], [9, 9, 9]])
+        self.assertEqual((len(lines), lines.outside_seeds), (3, 1))
+        self.assertEqual(sorted(round(line.length, 3) for line in lines), [1, 1.5, 2])
+        self.assertEqual({line.first_end for line in lines}, {"boundary"})
+        on_cut = self.box.streamlines(on="y", count=9, spacing_sides=0.1)
+        on_cut.write(self.folder / "lines.vtu")
+        self.assertEqual(len(cg.read_streamlines(self.folder / "lines.vtu")), len(on_cut))
+        self.box.render(self.folder / "lines.png", streamlines=on_cut)
+
+    def test_of_degree_three_have_seven_coefficients(self):
+        field = cg.solve(*box(), resolution=8, degree=3)
+        coefficients = field.coefficients()
+        self.assertEqual(coefficients.shape, (len(field), 7))
+        np.testing.assert_allclose(np.linalg.norm(coefficients, axis=1), 1, atol=1e-12)
+        self.assertEqual(field.coefficients(4).shape, (len(field), 9))
+
+
+class FieldsOnTets(WithFolder):
+    @classmethod
+    def setUpClass(cls):
+        cls.field = cg.solve_onto(*cube_of_tets(5))
+
+    def test_have_frames_of_tets_and_vertices(self):
+        field = self.field
+        self.assertEqual((field.frames.shape, field.vertex_frames.shape), ((750, 3, 3), (216, 3, 3)))
+        self.assertGreater(alignment(field.frames).min(), 0.999)
+        np.testing.assert_array_equal(field.points, cube_of_tets(5)[0])
+        self.assertEqual(field.check().verdict, "meshable")
+        self.assertEqual(len(field.singularities.arcs), 0)
+        self.assertGreater(len(field.grid), 0)
+        self.assertEqual((len(field.quaternions), len(field.vertex_quaternions)), (750, 216))
+
+    def test_have_matchings_that_carry_frames_across_faces(self):
+        matchings, frames = self.field.matchings, self.field.frames
+        self.assertEqual(len(matchings), (4 * 750 - 6 * 2 * 25) // 2)
+        renamed = matchings.matrices @ frames[matchings.tets[:, 1]]
+        self.assertGreater(np.einsum("fka,fka->fk", renamed, frames[matchings.tets[:, 0]]).min(), 0.99)
+        both = [np.intersect1d(self.field.cells[a], self.field.cells[b]) for a, b in matchings.tets[:50]]
+        np.testing.assert_array_equal(both, matchings.faces[:50])
+        self.assertEqual(matchings.are_identities.sum(), (matchings.axes == [1, 2, 3]).all(axis=1).sum())
+
+    def test_are_read_as_they_were_written(self):
+        self.field.write(self.folder / "cube.frames", formats=["perm", "fra"])
+        names = {path.suffix for path in (self.folder / "cube.frames").iterdir()}
+        self.assertLessEqual({".perm", ".fra", ".vtu", ".json"}, names)
+        again = cg.read(self.folder / "cube.frames")
+        self.assertIsInstance(again, cg.TetField)
+        np.testing.assert_allclose(again.vertex_frames, self.field.vertex_frames, atol=1e-12)
+
+    def test_come_from_a_field_on_a_grid_too(self):
+        field = cg.solve(*box((1, 1, 1)), resolution=10)
+        carried = cg.carry_onto(field, *cube_of_tets(3))
+        self.assertEqual(len(carried), 162)
+
+    def test_keep_regions(self):
+        points, cells = cube_of_tets(4)
+        regions = (points[cells].mean(axis=1)[:, 0] > 0.5).astype(np.int16) + 3
+        field = cg.solve_onto(cg.TetMesh(points, cells, regions=regions))
+        np.testing.assert_array_equal(field.regions, regions)
+        self.assertEqual(len(field.report["regions"]), 2)
+
+
+class Options(unittest.TestCase):
+    def test_have_the_defaults_of_the_library(self):
+        kinds = [cg.SolveOptions, cg.ReadOptions, cg.TetTagOptions, cg.OutputOptions, cg.SingularityOptions, cg.AnswerOptions,
+                 cg.StreamlineOptions, cg.PictureOptions]
+        for kind in kinds:
+            types = _options.types_of(kind._kind)
+            self.assertEqual(list(types), [name for name, _ in _options.flattened(kind())], kind.__name__)
+            handle = _options.made("options", "options_new", kind._kind)
+            python = _options.handle_of(kind())
+            for name, its_type in types.items():
+                self.assertEqual(_options.content(python, name, its_type), _options.content(handle, name, its_type), name)
+
+    def test_reach_the_library(self):
+        options = cg.SolveOptions(resolution=8)
+        options.solver.starts = 0
+        with self.assertRaisesRegex(cg.UsageError, "at least one start"):
+            cg.solve(*box(), options=options)
+
+    def test_that_do_not_exist_are_a_type_error(self):
+        with self.assertRaisesRegex(TypeError, "colour"):
+            cg.Field.render(cg.solve(*box(), resolution=8), "a.png", color="energy")
+        with self.assertRaises(TypeError):
+            cg.SolveOptions(resolutoin=3)  # pylint: disable=unexpected-keyword-arg
+        with self.assertRaisesRegex(cg.UsageError, "resolution"):
+            cg.solve(*box(), resolution=1.5)
+
+
+class Errors(WithFolder):
+    def test_name_the_file_and_the_place(self):
+        path = self.folder / "broken.obj"
+        path.write_text("v 0 0 0\nv 1 0 x\n", encoding="utf-8")
+        with self.assertRaises(cg.InputError) as caught:
+            cg.solve(path)
+        self.assertEqual((caught.exception.file, caught.exception.place), (str(path), "line 2"))
+        self.assertIn(caught.exception.text, str(caught.exception))
+
+    def test_are_of_the_kinds_that_python_knows(self):
+        self.assertTrue(issubclass(cg.InputError, ValueError) and issubclass(cg.OutputError, OSError))
+        with self.assertRaises(cg.InputError):
+            cg.solve("missing.stl")
+        with self.assertRaises(cg.InputError):
+            cg.read(self.folder / "missing.frames")
+        with self.assertRaises(cg.OutputError) as caught:
+            cg.solve(*box(), resolution=8).write("/proc/no.frames")
+        self.assertIn("/proc", str(caught.exception))
+        with self.assertRaises(cg.UsageError):
+            cg.solve(*box(), resolution=2)
+        with self.assertRaises(cg.UsageError):
+            cg.solve(*box(), resolution=8).sample([[0, 0, np.nan]])
+        with self.assertRaises(cg.InputError):
+            cg.solve(np.zeros((3, 3)), [[0, 1, 2]])
+
+    def test_protect_folders_of_others(self):
+        (self.folder / "mine").mkdir()
+        (self.folder / "mine" / "thesis.txt").write_text("years", encoding="utf-8")
+        field = cg.solve(*box(), resolution=8)
+        with self.assertRaisesRegex(cg.OutputError, "thesis.txt"):
+            field.write(self.folder / "mine")
+        field.write(self.folder / "mine", foreign_files="keep", page=False)
+        self.assertTrue((self.folder / "mine" / "thesis.txt").exists())
+
+    def test_of_pickling_say_what_to_do_instead(self):
+        with self.assertRaisesRegex(TypeError, "write"):
+            pickle.dumps(cg.solve(*box(), resolution=8))
+
+
+class Constraints(unittest.TestCase):
+    def test_turn_the_frames(self):
+        axes = np.array([1, 1, 1]) / np.sqrt(3)
+        constraints = cg.Constraints().add_point([0, 0, 0], axes, weight=1000)
+        frame = cg.solve(*ball(8), resolution=12, constraints=constraints).sample([0, 0, 0])
+        self.assertGreater(np.abs(frame @ axes).max(), 0.97)
+
+    def test_that_are_wrong_are_input_errors(self):
+        for wrong in (cg.Constraints().add_point([0, 0, 0], [0, 0, 0]), cg.Constraints().add_point([0, 0, 0], [1, 0, 0], -1),
+                      cg.Constraints().add_face(5), cg.Constraints().add_polyline([[0, 0, 0]]),
+                      cg.Constraints().add_stress([9, 9, 9], [1, 2, 3, 0, 0, 0])):
+            with self.assertRaises(cg.InputError):
+                cg.solve(*box(), resolution=8, constraints=wrong)
+
+
+class Spectra(unittest.TestCase):
+    def test_of_a_plane_are_exact(self):
+        np.testing.assert_allclose(cg.spectrum("plane", degree=3).eigenvalues, [0, 0, 1, 1, 1, 1, 1], atol=1e-12)
+        form = cg.spectrum([[0, 0, 2.0]], degree=4)
+        np.testing.assert_allclose(form.matrix, cg.spectrum("plane").matrix, atol=1e-12)
+
+    def test_vanish_on_the_coefficients_of_frames_that_follow_the_normals(self):
+        form, h = cg.spectrum(np.eye(3)), cg.coefficients(np.eye(3)[[2, 0, 1]])
+        self.assertAlmostEqual(h @ form.matrix @ h - 2 * form.linear @ h + form.constant, 0, 12)
+
+
+class Progress(unittest.TestCase):
+    def test_is_told_on_the_thread_that_solves(self):
+        heard = []
+        cg.solve(*box(), resolution=16, progress=lambda progress: heard.append((progress.phase, threading.current_thread())))
+        self.assertIn("solve", [phase for phase, _ in heard])
+        self.assertEqual({thread for _, thread in heard}, {threading.main_thread()})
+
+    def test_that_raises_cancels_and_is_raised(self):
+        def stop(progress):
+            raise LookupError(progress.phase)
+        for make in (lambda: cg.solve(*box(), resolution=24, progress=stop), lambda: in_thread(lambda: cg.solve(*box(), resolution=24, progress=stop))):
+            with self.assertRaises(LookupError):
+                make()
+
+
+def in_thread(work):
+    """What work() returns or raises on a thread of its own."""
+    outcome = []
+
+    def run():
+        try:
+            outcome.append((work(), None))
+        except Exception as error:  # pylint: disable=broad-except
+            outcome.append((None, error))
+    thread = threading.Thread(target=run)
+    thread.start()
+    thread.join()
+    if outcome[0][1]:
+        raise outcome[0][1]
+    return outcome[0][0]
+
+
+# Reads a line once the computation runs, sends Ctrl-C, and expects KeyboardInterrupt within a second.
+INTERRUPTED = """
+import os, signal, sys, threading, time
+sys.path.insert(0, {tests!r})
+import numpy as np
+import crossgrain as cg
+from solids import ball
+sent = []
+def interrupt():
+    sent.append(time.monotonic())
+    os.kill(os.getpid(), signal.SIGINT)
+{before}
+timer = threading.Timer({after}, interrupt)
+timer.start()
+try:
+    {work}
+except KeyboardInterrupt:
+    print(time.monotonic() - sent[0])
+else:
+    print("finished")
+# The field is as before.
+assert len(cg.solve(*ball(6), resolution=8)) > 0
+"""
+
+
+class Threads(unittest.TestCase):
+    def interrupted(self, work, before="", after=0.7):
+        code = INTERRUPTED.format(tests=str(Path(__file__).parent), work=work, before=before, after=after)
+        result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=100, check=False)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertNotEqual(result.stdout, "finished\n")
+        self.assertLess(float(result.stdout), 1)
+
+    def test_let_ctrl_c_end_a_solve(self):
+        self.interrupted("cg.solve(*ball(40), resolution=300)")
+
+    def test_let_ctrl_c_end_a_sampling(self):
+        self.interrupted("field.sample(np.random.default_rng(0).uniform(-1, 1, (20000000, 3)))", "field = cg.solve(*ball(), resolution=16)", 2.5)
+
+    def test_solve_at_once_to_the_same_bits(self):
+        alone = cg.solve(*ball(), resolution=24)
+        fields = []
+        threads = [threading.Thread(target=lambda: fields.append(cg.solve(*ball(), resolution=24))) for _ in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for field in fields:
+            np.testing.assert_array_equal(field.quaternions, alone.quaternions)
+
+    def test_run_while_a_field_is_sampled(self):
+        field = cg.solve(*ball(), resolution=16)
+        points = np.random.default_rng(0).uniform(-1, 1, (300000, 3))
+        field.sample(points[:10])
+        count, done = 0, threading.Event()
+        thread = threading.Thread(target=lambda: (field.sample(points), done.set()))
+        thread.start()
+        while not done.is_set():
+            count += 1
+            time.sleep(0.001)
+        thread.join()
+        self.assertGreater(count, 3)
+
+
+class Memory(unittest.TestCase):
+    def test_is_flat_over_many_solves(self):
+        """CROSSGRAIN_SOLVES is how many, 300 unless it says otherwise."""
+        vertices, triangles = box()
+
+        def resident():
+            return int(Path("/proc/self/statm").read_text(encoding="utf-8").split()[1]) * resource.getpagesize()
+
+        def solve_many(count):
+            for _ in range(count):
+                field = cg.solve(vertices, triangles, resolution=6)
+                field.sample(field.centers[:5])
+                len(field.singularities.arcs), field.frames, field.report  # pylint: disable=expression-not-assigned
+
+        solve_many(100)
+        before = resident()
+        solve_many(int(os.environ.get("CROSSGRAIN_SOLVES", "300")))
+        self.assertLess(resident() - before, 4e6)
+
+
+if __name__ == "__main__":
+    unittest.main()
