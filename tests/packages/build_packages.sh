@@ -4,6 +4,7 @@
 set -euo pipefail
 
 if [ "$(id -u)" -ne 0 ]; then echo "skipped: only root can install packages in a chroot"; exit 77; fi
+"$1/cmake/install_packages.sh" packages || { echo "skipped: the tools for packages cannot be installed"; exit 77; }
 rm -rf "$2"
 for script in deb.sh tarball.sh; do
   start="$EPOCHREALTIME"
