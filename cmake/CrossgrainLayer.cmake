@@ -51,6 +51,8 @@ function(crossgrain_component name)
   list(TRANSFORM COMPONENT_COMPONENTS PREPEND "crossgrain-")
   target_link_libraries(${target} PUBLIC ${COMPONENT_COMPONENTS} PRIVATE ${COMPONENT_LIBRARIES})
   set_property(GLOBAL APPEND PROPERTY CROSSGRAIN_BUILT_COMPONENTS ${name})
+  set_property(GLOBAL PROPERTY CROSSGRAIN_COMPONENTS_OF_${name} ${COMPONENT_COMPONENTS})
+  set_property(GLOBAL PROPERTY CROSSGRAIN_LIBRARIES_OF_${name} ${COMPONENT_LIBRARIES})
 endfunction()
 
 # crossgrain_gtests(TARGET [SLOW pattern...]): every test of a program as a test of ctest. Those whose names match a

@@ -11,7 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-FOLDERS = ["include", "src", "apps", "python", "examples", "bench", "tests", "models", "docs", "cmake", "viewer"]
+FOLDERS = ["include", "src", "apps", "python", "examples", "bench", "tests", "models", "docs", "cmake", "packaging", "viewer"]
 CPP_SUFFIXES = {".hpp", ".cpp", ".h", ".c"}
 LICENSED_SUFFIXES = CPP_SUFFIXES | {".py", ".sh", ".cmake", ".in", ".ts", ".mjs", ".css"}
 OTHERS_FOLDER = "node_modules"

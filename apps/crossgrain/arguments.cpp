@@ -8,25 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "command_line.hpp"
 #include "command_names.hpp"
-#include "command_options.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
-#include "crossgrain/version.hpp"
 #include "messages.hpp"
 
 namespace crossgrain::app {
 namespace {
-
-constexpr const char* kFooter =
-    "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 output cannot be written;\n"
-    "5 a stated limit is exceeded: memory, or the sweeps of a solve, which still writes\n"
-    "its field; 130 interrupted: the first Ctrl-C writes the last finished level of a\n"
-    "solve, a second one discards it.";
-
-constexpr const char* kFooterOfProcesses =
-    "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 output cannot be written;\n"
-    "5 a stated limit is exceeded; 130 interrupted. Other commands: crossgrain.";
 
 /// The program of a command, or itself.
 const CLI::App& program_of(const CLI::App& command) {
@@ -142,89 +131,48 @@ const CLI::App* command_of(const CLI::App& app, const std::string& name) {
 }  // namespace
 
 Arguments parse_arguments(int argc, char** argv) {
-  CLI::App app("Volumetric octahedral frame fields", "crossgrain");
-  app.set_version_flag("--version", std::string("crossgrain ") + kVersion);
-  app.footer(kFooter);
-  app.require_subcommand(0, 1);
-  SolveArguments solve;
-  SampleArguments sample;
-  SpectrumArguments spectrum;
-  CheckArguments check;
-  StreamlinesArguments streamlines;
-  RenderArguments render;
-  ViewArguments view;
-  const CLI::App* solve_command = add_solve(app, solve);
-  const CLI::App* sample_command = add_sample(app, sample);
-  const CLI::App* spectrum_command = add_spectrum(app, spectrum);
-  const CLI::App* check_command = add_check(app, check);
-  const CLI::App* streamlines_command = add_streamlines(app, streamlines);
-  const CLI::App* render_command = add_render(app, render);
-  const CLI::App* view_command = add_view(app, view);
-  std::string explained;
-  CLI::App* help_command = app.add_subcommand("help", "Prints the help of a command");
-  help_command->add_option("COMMAND", explained, "The command (default: the program itself)");
-  if (argc > 1 && argv[1][0] != '-') command_of(app, argv[1]);
-  if (parse(app, argc, argv)) return Finished{0};
-  if (*solve_command) {
-    check_arguments(solve, solve_command);
-    return solve;
+  CommandLine line;
+  if (argc > 1 && argv[1][0] != '-') command_of(line.app, argv[1]);
+  if (parse(line.app, argc, argv)) return Finished{0};
+  if (*line.solve_command) {
+    check_arguments(line.solve, line.solve_command);
+    return line.solve;
   }
-  if (*help_command) {
+  if (*line.help_command) {
     // App::help would print that of the command that was parsed.
-    std::cout << (explained.empty()
-                      ? app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal)
-                      : command_of(app, explained)->help(app.get_name()));
+    const std::string name = line.app.get_name();
+    std::cout << (line.explained.empty()
+                      ? line.app.get_formatter()->make_help(&line.app, name, CLI::AppFormatMode::Normal)
+                      : command_of(line.app, line.explained)->help(name));
     return Finished{0};
   }
-  if (*sample_command) return sample;
-  if (*check_command) return check;
-  if (*view_command) {
-    if (view.folder.empty()) refuse("DIR is empty", view_command);
-    return view;
+  if (*line.sample_command) return line.sample;
+  if (*line.check_command) return line.check;
+  if (*line.view_command) {
+    if (line.view.folder.empty()) refuse("DIR is empty", line.view_command);
+    return line.view;
   }
-  if (*streamlines_command) {
-    check_arguments(streamlines, streamlines_command);
-    return streamlines;
+  if (*line.streamlines_command) {
+    check_arguments(line.streamlines, line.streamlines_command);
+    return line.streamlines;
   }
-  if (*render_command) {
-    check_arguments(render, render_command);
-    return render;
+  if (*line.render_command) {
+    check_arguments(line.render, line.render_command);
+    return line.render;
   }
-  if (*spectrum_command) {
-    check_arguments(spectrum, spectrum_command);
-    return spectrum;
+  if (*line.spectrum_command) {
+    check_arguments(line.spectrum, line.spectrum_command);
+    return line.spectrum;
   }
-  std::cerr << app.help();
+  std::cerr << line.app.help();
   return Finished{exit_code_of(ErrorKind::kUsage)};
 }
 
 Arguments parse_arguments_of_processes(int argc, char** argv) {
-  CLI::App app(
-      "Volumetric octahedral frame fields, by several processes: mpirun -n 4 crossgrain-mpi solve MODEL",
-      "crossgrain-mpi");
-  app.set_version_flag("--version", std::string("crossgrain-mpi ") + kVersion);
-  app.footer(kFooterOfProcesses);
-  app.require_subcommand(1);
-  SolveArguments solve;
-  CLI::App* command = add_solve(app, solve);
-  command
-      ->add_option(
-          "--checkpoint", solve.checkpoint,
-          "Keep in this folder what is needed to go on after a break, whenever a shared level begins")
-      ->type_name("DIR");
-  command
-      ->add_option("--checkpoint-minutes", solve.checkpoint_minutes,
-                   "And so often within a level (default 10)")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("N");
-  command
-      ->add_option("--restart", solve.restart,
-                   "Go on from the folder of --checkpoint, on any number of processes; give the same model "
-                   "and options")
-      ->type_name("DIR");
-  if (parse(app, argc, argv)) return Finished{0};
-  check_arguments(solve, command);
-  return solve;
+  CommandLineOfProcesses line;
+  if (parse(line.app, argc, argv)) return Finished{0};
+  check_arguments(line.solve, line.solve_command);
+  return line.solve;
 }
 
 }  // namespace crossgrain::app

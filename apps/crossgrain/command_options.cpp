@@ -63,14 +63,19 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
       ->check(fault_of_box)
       ->type_name("XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX");
   std::string formats = "Formats to write the field on tets in, besides onto.frames and onto.vtu:";
-  for (const OutputFormat& format : output_formats())
-    if (!format.is_always_written) formats += " " + format.name + " (" + format.description + "),";
+  std::string names;
+  for (const OutputFormat& format : output_formats()) {
+    if (format.is_always_written) continue;
+    formats += " " + format.name + " (" + format.description + "),";
+    names += format.name + "|";
+  }
+  names.back() = ',';
   command
       .add_option_function<std::string>(
           "--write", [&options](const std::string& text) { options.formats = parts_of(text); },
           formats.substr(0, formats.size() - 1) + "; docs/formats.md")
       ->check(fault_of_formats)
-      ->type_name("A,B,...");
+      ->type_name(names + "...");
 }
 
 void add_tets_options(CLI::App& command, SolveArguments& arguments) {
@@ -284,7 +289,7 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
       "Evenly spread seeds in the volume (default), on the surface or on a cut; from the latter two, lines "
       "follow the two axes along surface or cut")
       ->excludes(seeds)
-      ->type_name("volume|surface|AXIS[=X]");
+      ->type_name("volume|surface|x|y|z[=AT]");
   command->add_option("--count", arguments.count, "Number of seeds to try (default 1000)")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->excludes(seeds)
@@ -349,9 +354,9 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
   add_parsed(
       *command, "--view", parse_view, [&options](const PictureOptions::View& view) { options.view = view; },
       "is not a view: iso, front, back, left, right, top, bottom, or azimuth and elevation such as -55,28",
-      "Viewpoint: iso, front, back, left, right, top, bottom, or degrees about z from x and degrees above "
-      "the xy plane (default: iso, or towards the cut)")
-      ->type_name("NAME|A,E");
+      "Viewpoint by name, or degrees about z from x and degrees above the xy plane (default: iso, or towards "
+      "the cut)")
+      ->type_name("iso|front|back|left|right|top|bottom|A,E");
   add_choice(*command, "--up", options.up_axis, std::map<std::string, int>{{"x", 0}, {"y", 1}, {"z", 2}},
              "The axis of the model that points up (default z)", "x|y|z");
   add_parsed(
@@ -359,7 +364,7 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
       "is not a cut such as x, y=12.5 or none",
       "Remove the part in front of a plane across this axis, at the middle or at the given place, and draw "
       "the frames on the plane (default none)")
-      ->type_name("x|y|z[=AT]");
+      ->type_name("none|x|y|z[=AT]");
   add_looks(*command, options);
   command->add_option("--threads", arguments.threads, "Number of threads; 0 (default) uses all")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()))

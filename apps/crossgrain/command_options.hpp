@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The commands and their options, with help. Each function adds one command, whose options are written to
-// `arguments` when the command line is parsed. Only command_options.cpp and arguments.cpp include CLI11,
-// which takes seconds to compile.
+// `arguments` when the command line is parsed. Few files include CLI11, which takes seconds to compile.
 #pragma once
 
 #include "arguments.hpp"

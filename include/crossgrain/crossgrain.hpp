@@ -4,6 +4,7 @@
 
 #include "crossgrain/constraints.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/features.hpp"
 #include "crossgrain/finding.hpp"
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/io.hpp"

@@ -37,8 +37,8 @@ constexpr Wording kWordings[] = {
     {Remedy::kAllowReadTime, "allow_read_time", "repair it and export it again, or allow more time"},
     {Remedy::kReadUnglued, "read_unglued", "repair them, or read them without gluing"},
     {Remedy::kInstallCadReader, "install_cad_reader",
-     "install libocct-data-exchange-dev and libocct-modeling-algorithms-dev, build Crossgrain again and "
-     "install it as a whole, or export the model as STL"},
+     "install the package crossgrain-cad, or build Crossgrain again with libocct-data-exchange-dev and "
+     "libocct-modeling-algorithms-dev, or export the model as STL"},
     {Remedy::kInstallOpenCascade, "install_opencascade",
      "install libocct-data-exchange-7.6, or build Crossgrain again where another version of OpenCASCADE is "
      "installed"},

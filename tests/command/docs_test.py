@@ -27,6 +27,8 @@ MPI_PROGRAM = os.environ.get("CROSSGRAIN_MPI_PROGRAM", "")
 NOT_RUN = {
     "./try.sh": "builds the program and needs the packages of the system",
     "cmake": "builds or installs",
+    "packaging/": "builds packages; tests/packages installs them",
+    "apt ": "installs packages",
     "PATH=": "names the programs, which the tests have at hand",
     "export OMPI_": "is in the environment of the tests",
     "bench/": "measures for minutes, with meshes of other authors",

@@ -11,8 +11,10 @@ set(compiler "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}" "-DCMAKE_CXX_FLAGS=${CXX_FLA
 execute_process(COMMAND ${CMAKE_COMMAND} -S "${SOURCE_DIR}" -B "${WORK_DIR}/configured" -G "${GENERATOR}" ${compiler} ${hidden}
                         -DCROSSGRAIN_COMPONENTS=core OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
-execute_process(COMMAND ${CMAKE_COMMAND} --install "${BUILD_DIR}" --component core --prefix "${WORK_DIR}/installed"
-                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+foreach(component core development)  # the latter is of shared libraries; without them it is empty
+  execute_process(COMMAND ${CMAKE_COMMAND} --install "${BUILD_DIR}" --component ${component} --prefix "${WORK_DIR}/installed"
+                  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
 execute_process(COMMAND ${CMAKE_COMMAND} -S "${CONSUMER_DIR}" -B "${WORK_DIR}/build" -G "${GENERATOR}" ${compiler} ${hidden}
                         "-DCMAKE_PREFIX_PATH=${WORK_DIR}/installed" -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF
                 COMMAND_ERROR_IS_FATAL ANY)

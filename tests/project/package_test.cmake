@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs BUILD_DIR below a fresh WORK_DIR, moves the prefix to show that nothing in it remembers where it was,
-# and builds and runs the project in CONSUMER_DIR against it.
+# and builds and runs the project in CONSUMER_DIR against it, through CMake and through pkg-config.
 
 file(REMOVE_RECURSE "${WORK_DIR}")
 set(prefix "${WORK_DIR}/moved")
@@ -16,6 +16,27 @@ execute_process(
   COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build "${WORK_DIR}/build" COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${WORK_DIR}/build/consumer" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+
+file(GLOB_RECURSE modules "${prefix}/*.pc")
+list(LENGTH modules count)
+if(count LESS 6)
+  message(FATAL_ERROR "only these files for pkg-config were installed: ${modules}")
+endif()
+list(GET modules 0 module)
+cmake_path(GET module PARENT_PATH modules_dir)
+set(ENV{PKG_CONFIG_PATH} "${modules_dir}")
+set(ENV{LD_LIBRARY_PATH} "${modules_dir}/..")  # of shared libraries; static ones need none
+foreach(module IN LISTS modules)
+  execute_process(COMMAND pkg-config --validate "${module}" COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+execute_process(COMMAND pkg-config --cflags --libs crossgrain OUTPUT_VARIABLE flags COMMAND_ERROR_IS_FATAL ANY)
+separate_arguments(flags UNIX_COMMAND "${flags} ${CXX_FLAGS}")
+execute_process(COMMAND "${CXX_COMPILER}" -std=c++20 "${CONSUMER_DIR}/main.cpp" -o "${WORK_DIR}/build/consumer_of_modules" ${flags}
+                COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${WORK_DIR}/build/consumer_of_modules" OUTPUT_VARIABLE output_of_modules COMMAND_ERROR_IS_FATAL ANY)
+if(NOT output_of_modules STREQUAL output)
+  message(FATAL_ERROR "the consumer built through pkg-config printed '${output_of_modules}', not '${output}'")
+endif()
 
 if(NOT output STREQUAL "crossgrain ${VERSION}\n")
   message(FATAL_ERROR "the consumer printed '${output}', not the version that was installed, ${VERSION}")
@@ -40,7 +61,7 @@ endif()
 # The program that reads CAD files is found from wherever the consumer was built, and says of what it cannot read.
 if(CAD)
   file(WRITE "${WORK_DIR}/damaged.brep" "DBRep_DrawableShape\n\nCASCADE Topology V1\nnonsense\n*\n+1 0\n")
-  foreach(consumer consumer consumer_in_c)
+  foreach(consumer consumer consumer_in_c consumer_of_modules)
     execute_process(COMMAND "${WORK_DIR}/build/${consumer}" "${WORK_DIR}/damaged.brep" OUTPUT_VARIABLE output
                     COMMAND_ERROR_IS_FATAL ANY)
     if(NOT output MATCHES "damaged, or not a BREP file")

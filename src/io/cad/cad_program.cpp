@@ -9,6 +9,8 @@
 #include <system_error>
 #include <vector>
 
+#include "crossgrain/features.hpp"
+
 namespace crossgrain {
 namespace {
 
@@ -59,7 +61,10 @@ bool is_there(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::filesystem::path find_cad_program() {
+// Searches the nearest folder libexec/crossgrain (CROSSGRAIN_HELPER_FOLDER) beside or above this shared
+// library or the program that contains this code; then the run path of that program, where the CMake package
+// of a static library puts it.
+std::filesystem::path cad_program() {
   for (std::filesystem::path folder : {own_file().parent_path(), running_program().parent_path()}) {
     for (int above = 0; above <= kFoldersAbove && !folder.empty(); ++above, folder = folder.parent_path()) {
       const std::filesystem::path program = folder / CROSSGRAIN_HELPER_FOLDER / kCadProgramName;

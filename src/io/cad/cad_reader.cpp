@@ -13,6 +13,7 @@
 
 #include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/features.hpp"
 #include "crossgrain/version.hpp"
 #include "io/cad/cad_checks.hpp"
 #include "io/cad/cad_messages.hpp"
@@ -36,7 +37,7 @@ constexpr double kSecondsPerByte = 10e-6;
 
 std::filesystem::path cad_program(const InputFile& file, const ReadOptions& options) {
   const std::filesystem::path program =
-      options.cad_program.empty() ? find_cad_program() : options.cad_program;
+      options.cad_program.empty() ? crossgrain::cad_program() : options.cad_program;
   if (program.empty())
     fail_input(file, {}, fmt::format("this Crossgrain cannot read CAD files: {} is missing", kCadProgramName),
                Remedy::kInstallCadReader);

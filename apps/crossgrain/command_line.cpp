@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line.hpp"
+
+#include "command_options.hpp"
+#include "version_text.hpp"
+
+namespace crossgrain::app {
+namespace {
+
+constexpr const char* kFooter =
+    "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 output cannot be written;\n"
+    "5 a stated limit is exceeded: memory, or the sweeps of a solve, which still writes\n"
+    "its field; 130 interrupted: the first Ctrl-C writes the last finished level of a\n"
+    "solve, a second one discards it.";
+
+constexpr const char* kFooterOfProcesses =
+    "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 output cannot be written;\n"
+    "5 a stated limit is exceeded; 130 interrupted. Other commands: crossgrain.";
+
+constexpr const char* kVersionHelp = "Print the version and what this build can do, and exit";
+
+}  // namespace
+
+CommandLine::CommandLine() : app("Volumetric octahedral frame fields", "crossgrain") {
+  app.set_version_flag(
+      "--version", [] { return version_text(Program::kOneProcess); }, kVersionHelp);
+  app.footer(kFooter);
+  app.require_subcommand(0, 1);
+  solve_command = add_solve(app, solve);
+  sample_command = add_sample(app, sample);
+  spectrum_command = add_spectrum(app, spectrum);
+  check_command = add_check(app, check);
+  streamlines_command = add_streamlines(app, streamlines);
+  render_command = add_render(app, render);
+  view_command = add_view(app, view);
+  help_command = app.add_subcommand("help", "Prints the help of a command");
+  help_command->add_option("COMMAND", explained, "The command (default: the program itself)");
+}
+
+CommandLineOfProcesses::CommandLineOfProcesses()
+    : app("Volumetric octahedral frame fields, by several processes: mpirun -n 4 crossgrain-mpi solve MODEL",
+          "crossgrain-mpi") {
+  app.set_version_flag(
+      "--version", [] { return version_text(Program::kProcesses); }, kVersionHelp);
+  app.footer(kFooterOfProcesses);
+  app.require_subcommand(1);
+  solve_command = add_solve(app, solve);
+  solve_command
+      ->add_option(
+          "--checkpoint", solve.checkpoint,
+          "Keep in this folder what is needed to go on after a break, whenever a shared level begins")
+      ->type_name("DIR");
+  solve_command
+      ->add_option("--checkpoint-minutes", solve.checkpoint_minutes,
+                   "And so often within a level (default 10)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  solve_command
+      ->add_option("--restart", solve.restart,
+                   "Go on from the folder of --checkpoint, on any number of processes; give the same model "
+                   "and options")
+      ->type_name("DIR");
+}
+
+}  // namespace crossgrain::app

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "version_text.hpp"
+
+#include <fmt/format.h>
+
+#include "crossgrain/features.hpp"
+#include "crossgrain/version.hpp"
+
+namespace crossgrain::app {
+
+std::string version_text(Program program) {
+  const bool has_mpi = program == Program::kProcesses;
+  const std::string cad = cad_program().string();
+  return fmt::format(
+      "{} {}\n"
+      "harmonics          of degree 3 or 4\n"
+      "CAD files          {}\n"
+      "pages, pictures    yes\n"
+      "several processes  {}\n"
+      "vectors            {} doubles ({})\n"
+      "threads            {}",
+      has_mpi ? "crossgrain-mpi" : "crossgrain", kVersion,
+      cad.empty() ? "no; the program crossgrain_cad is missing" : "yes, by " + cad,
+      has_mpi ? "yes, through MPI" : "no; crossgrain-mpi does that", vector_doubles(), instruction_set(),
+      thread_library());
+}
+
+}  // namespace crossgrain::app
