@@ -25,12 +25,13 @@ binaries() { find "$tree/bin" "$tree/libexec" "$tree/lib" -type f; }
 
 package_of() {
   # Where /lib is a link to /usr/lib, dpkg knows some libraries by one name and some by the other.
-  { dpkg -S "$1" || dpkg -S "${1#/usr}"; } 2>/dev/null | head -1 | cut -d: -f1
+  { dpkg -S "$1" || dpkg -S "${1#/usr}" || true; } 2>/dev/null | head -1 | cut -d: -f1
 }
 
 copy_libraries() {
   local name library package
   while read -r name library; do
+    [ "$library" != missing ] || fail "$name is not installed"
     package="$(package_of "$(realpath "$library")")"
     [ "$package" != libc6 ] || continue
     grep -q "^$package " "$accepted" || fail "$library is of the package '$package', which $accepted does not list"
