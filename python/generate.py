@@ -89,8 +89,7 @@ def interface_of(text, library):
         yield "    ]"
     yield ""
     for name, (returned, arguments) in header.callbacks.items():
-        types = [f"POINTER({declared.replace('const', '').replace('*', '').strip()})" if "void" not in declared else "c_void_p"
-                 for declared, _ in split_arguments(arguments)]
+        types = [header.ctype(declared, is_result=True) for declared, _ in split_arguments(arguments)]
         yield f"\n{name} = CFUNCTYPE({header.ctype(returned)}, {', '.join(types)})"
     yield "\n\n# name: (type of the result, types of the arguments)\nFUNCTIONS = {"
     for returned, name, arguments in header.functions:

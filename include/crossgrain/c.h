@@ -116,6 +116,8 @@ typedef struct crossgrain_tracer crossgrain_tracer;
 typedef struct crossgrain_lines crossgrain_lines;
 /** The form of a set of normals. */
 typedef struct crossgrain_spectrum crossgrain_spectrum;
+/** The sole right to write a field to a folder. */
+typedef struct crossgrain_reservation crossgrain_reservation;
 /** Rows of numbers whose count was not known before. */
 typedef struct crossgrain_numbers crossgrain_numbers;
 
@@ -133,6 +135,7 @@ CROSSGRAIN_API void crossgrain_answer_free(crossgrain_answer* answer);
 CROSSGRAIN_API void crossgrain_tracer_free(crossgrain_tracer* tracer);
 CROSSGRAIN_API void crossgrain_lines_free(crossgrain_lines* lines);
 CROSSGRAIN_API void crossgrain_spectrum_free(crossgrain_spectrum* spectrum);
+CROSSGRAIN_API void crossgrain_reservation_free(crossgrain_reservation* reservation);
 CROSSGRAIN_API void crossgrain_numbers_free(crossgrain_numbers* numbers);
 
 /** Number of rows, numbers in each, and all of them row by row. */
@@ -202,6 +205,12 @@ CROSSGRAIN_API crossgrain_status crossgrain_options_get_text(const crossgrain_op
 CROSSGRAIN_API crossgrain_status crossgrain_options_set_constraints(crossgrain_options* options,
                                                                     const crossgrain_constraints* constraints,
                                                                     crossgrain_error** error);
+
+/** Gives options of a solve the cells that suit a tet mesh, if they name none (sized_for). A solve onto tets
+ * does so. */
+CROSSGRAIN_API crossgrain_status crossgrain_options_size_for(crossgrain_options* options,
+                                                             const crossgrain_domain* domain,
+                                                             crossgrain_error** error);
 
 /** Makes a solve keep the forms that the page shows (keep_forms_for_page). */
 CROSSGRAIN_API crossgrain_status crossgrain_options_keep_forms_for_page(crossgrain_options* options,
@@ -398,6 +407,10 @@ CROSSGRAIN_API crossgrain_status crossgrain_constraints_add_face(crossgrain_cons
                                                                  size_t axis_count, double weight,
                                                                  crossgrain_error** error);
 
+/** Fails with CROSSGRAIN_INPUT for the first constraint that is invalid by itself (check_constraints). */
+CROSSGRAIN_API crossgrain_status crossgrain_constraints_check(const crossgrain_constraints* constraints,
+                                                              crossgrain_error** error);
+
 /** `tensor` holds xx, yy, zz, yz, xz, xy. */
 CROSSGRAIN_API crossgrain_status crossgrain_constraints_add_stress(crossgrain_constraints* constraints,
                                                                    const double at[3], const double tensor[6],
@@ -484,6 +497,10 @@ CROSSGRAIN_API crossgrain_status crossgrain_field_singularities(const crossgrain
 CROSSGRAIN_API crossgrain_status crossgrain_field_report(const crossgrain_field* field, char** json,
                                                          crossgrain_error** error);
 
+/** The answer and the singular graph as JSON, as `crossgrain check --json` prints them (check_json). */
+CROSSGRAIN_API crossgrain_status crossgrain_field_check(const crossgrain_field* field, char** json,
+                                                        crossgrain_error** error);
+
 /** Whether a hexahedral mesh can follow the field; with `options` of kind CROSSGRAIN_ANSWER_OPTIONS, or NULL.
  */
 CROSSGRAIN_API crossgrain_status crossgrain_field_answer(const crossgrain_field* field,
@@ -512,9 +529,63 @@ CROSSGRAIN_API crossgrain_status crossgrain_field_render(const crossgrain_field*
                                                          crossgrain_monitor* monitor,
                                                          crossgrain_error** error);
 
+/** @} */
+/** \defgroup c_results Files and folders of results
+ * @{ */
+
+/** Takes `count` bytes of a file. Returns other than 0 if they cannot be written; the writer ends then. */
+typedef int (*crossgrain_sink)(void* sink_state, const char* bytes, size_t count);
+
+/** Writes the content of a file to a sink, given the report as it is written, as JSON. Returns other than 0
+ * to give up: then no file of the result is written. Called once, perhaps on another thread. */
+typedef int (*crossgrain_companion_writer)(const char* report, crossgrain_sink sink, void* sink_state,
+                                           void* state);
+
+/** Adds a file that is written together with a field, all or none, to options of kind
+ * CROSSGRAIN_OUTPUT_OPTIONS. */
+CROSSGRAIN_API crossgrain_status crossgrain_options_add_companion(crossgrain_options* options,
+                                                                  const char* name,
+                                                                  crossgrain_companion_writer writer,
+                                                                  void* state, crossgrain_error** error);
+
+/** Reserves the folder for a field, on a grid or `on_tets`, until the reservation and all options that have
+ * it are released: fails early where a field could not be written (check_field_folder, check_onto_folder). */
+CROSSGRAIN_API crossgrain_status crossgrain_reserve_folder(const char* folder,
+                                                           const crossgrain_options* options, int on_tets,
+                                                           crossgrain_reservation** out,
+                                                           crossgrain_error** error);
+
+/** Gives options of kind CROSSGRAIN_OUTPUT_OPTIONS the right to write to a folder; NULL takes it away. */
+CROSSGRAIN_API crossgrain_status crossgrain_options_set_reservation(crossgrain_options* options,
+                                                                    const crossgrain_reservation* reservation,
+                                                                    crossgrain_error** error);
+
+/** Writes the frames at points to a text file, and the points outside to another unless `outside` is NULL
+ * (write_samples). `outside_count`, their number, may be NULL. */
+CROSSGRAIN_API crossgrain_status crossgrain_field_write_samples(
+    const crossgrain_field* field, const double* points, size_t count, const char* frames,
+    const char* outside, crossgrain_monitor* monitor, size_t* outside_count, crossgrain_error** error);
+
+/** Reads points, 3 numbers a row, or normals and their weights, 4 numbers a row, from a text file. */
+CROSSGRAIN_API crossgrain_status crossgrain_points_read(const char* path, crossgrain_numbers** out,
+                                                        crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_normals_read(const char* path, crossgrain_numbers** out,
+                                                         crossgrain_error** error);
+
+/** The path of the model of the field in a folder; `*out` is NULL if there is no readable report. */
+CROSSGRAIN_API crossgrain_status crossgrain_model_of_result(const char* folder, char** out,
+                                                            crossgrain_error** error);
+
+/** The name of the solve that all files in a folder name (SolveReport::solve). */
+CROSSGRAIN_API crossgrain_status crossgrain_solve_of_result(const char* folder, char** out,
+                                                            crossgrain_error** error);
+
 /** Whether a folder has a field that was written with a box, and so lacks cells. */
 CROSSGRAIN_API crossgrain_status crossgrain_is_clipped_field(const char* folder, int* out,
                                                              crossgrain_error** error);
+
+/** Whether a file has the mark of files that this library has written. */
+CROSSGRAIN_API int crossgrain_is_own_file(const char* path);
 
 /** @} */
 /** \defgroup c_tet_fields Fields on tets
@@ -575,6 +646,8 @@ CROSSGRAIN_API crossgrain_status crossgrain_tet_field_singularities(const crossg
                                                                     crossgrain_error** error);
 CROSSGRAIN_API crossgrain_status crossgrain_tet_field_report(const crossgrain_tet_field* field, char** json,
                                                              crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_check(const crossgrain_tet_field* field, char** json,
+                                                            crossgrain_error** error);
 CROSSGRAIN_API crossgrain_status crossgrain_tet_field_answer(const crossgrain_tet_field* field,
                                                              const crossgrain_options* options,
                                                              crossgrain_answer** out,

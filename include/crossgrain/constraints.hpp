@@ -11,6 +11,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup solving Solving
+/// @{
+
 /// Directions to follow besides the surface (docs/constraints.md). Constraints are soft: each adds to the
 /// energy like a piece of surface, so that none is met exactly.
 ///
@@ -76,5 +79,7 @@ inline constexpr double kLargestConstraintWeight = 1e4;
 /// weights out of range, directions of length zero, axes that are neither one nor three at right angles,
 /// polylines without length. Only a solve checks whether the model has the faces.
 void check_constraints(const Constraints& constraints);
+
+/// @}
 
 }  // namespace crossgrain

@@ -9,6 +9,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup errors Errors and messages
+/// @{
+
 /// What went wrong.
 enum class ErrorKind : int {
   kUsage,       ///< an invalid option or argument
@@ -47,5 +50,7 @@ class Error : public std::runtime_error {
 
 /// Thrown in a process that waits for another one, which has failed (crossgrain/processes.hpp).
 struct OtherProcessFailed {};
+
+/// @}
 
 }  // namespace crossgrain

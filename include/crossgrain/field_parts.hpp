@@ -10,6 +10,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup solving Solving
+/// @{
+
 /// Returns the whole field in process 0, nothing in others. A field that is no part is returned as it is.
 std::optional<FrameField> whole_of_parts(FrameField part);
 
@@ -17,5 +20,7 @@ std::optional<FrameField> whole_of_parts(FrameField part);
 /// deeper than one level of the octree are merged (OutputOptions::level). Its report and its singular graph
 /// are those of the whole field. Nothing in others.
 std::optional<FrameField> thinned_from_parts(const FrameField& part, std::size_t most_cells);
+
+/// @}
 
 }  // namespace crossgrain

@@ -3,6 +3,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup fields Fields
+/// @{
+
 /// What can be wrong with a surface.
 enum class FindingKind : int {
   kTriangleSoup,           ///< no two triangles share an edge; counts triangles
@@ -44,5 +47,7 @@ const char* name_of(FindingOutcome outcome);
 
 /// Returns the outcome in words: "left out where they bound nothing". Names do not change with the words.
 const char* words_of(FindingOutcome outcome);
+
+/// @}
 
 }  // namespace crossgrain

@@ -14,6 +14,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup fields Fields
+/// @{
+
 struct FieldData;
 
 /// A solved frame field: one octahedral frame per active cell of an octree, and a frame for any point by
@@ -109,5 +112,7 @@ class FrameField {
   std::shared_ptr<const FieldData> data_;
   std::shared_ptr<Lazy> lazy_;
 };
+
+/// @}
 
 }  // namespace crossgrain

@@ -26,6 +26,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup files Files, pages and pictures
+/// @{
+
 /// How a surface is read. Only max_memory_bytes applies to files of triangles; all other options say how CAD
 /// files are read and triangulated.
 struct ReadOptions {
@@ -346,5 +349,7 @@ std::string spectrum_json(const SpectrumReport& report);
 /// Returns what `crossgrain check --json` prints: the answer, and the singular graphs of the grid and, if
 /// there are any, of the tets, as in report.json (docs/report.md).
 std::string check_json(const SolveReport& report);
+
+/// @}
 
 }  // namespace crossgrain

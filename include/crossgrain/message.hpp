@@ -6,6 +6,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup errors Errors and messages
+/// @{
+
 /// Returns a number with its noun: "1 cell", "2 cells". `many` is the plural unless it ends in a mere s.
 std::string counted(std::size_t count, const std::string& one, const std::string& many = {});
 
@@ -111,5 +114,7 @@ std::string sentence_of(const Message& message);
 
 /// Returns the sentence with other words for the remedy.
 std::string sentence_of(const Message& message, const std::string& remedy_words);
+
+/// @}
 
 }  // namespace crossgrain

@@ -10,6 +10,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup solving Solving
+/// @{
+
 /// What a long computation is at.
 enum class Phase : int {
   kRead,      ///< reads the model
@@ -90,5 +93,7 @@ class Monitor {
   std::function<void(const Progress&)> on_progress_;
   std::function<void(const Expectation&)> on_expectation_;
 };
+
+/// @}
 
 }  // namespace crossgrain

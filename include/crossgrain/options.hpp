@@ -10,6 +10,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup solving Solving
+/// @{
+
 /// Which cells are refined for the next, finer level. Lengths are in cells.
 struct RefinementOptions {
   /// Refine cells that hold surface or constraints.
@@ -303,5 +306,7 @@ struct SolveOptions {
   OntoOptions onto;
   KeptFormOptions kept_forms;
 };
+
+/// @}
 
 }  // namespace crossgrain

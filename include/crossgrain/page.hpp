@@ -12,6 +12,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup files Files, pages and pictures
+/// @{
+
 /// Largest number of cells that a page shows, enough for every cell of a part at the default resolution.
 /// Those of a field with more are merged (OutputOptions::level).
 inline constexpr std::size_t kMostCellsOfPage = 200000;
@@ -33,5 +36,7 @@ CompanionFile page_of(const TetFrameField& field);
 /// Errors: kInput for a field without its surface; kOutput; kInterrupted.
 void write_page(const FrameField& field, const std::filesystem::path& path, const Monitor& monitor = {});
 void write_page(const TetFrameField& field, const std::filesystem::path& path, const Monitor& monitor = {});
+
+/// @}
 
 }  // namespace crossgrain

@@ -16,6 +16,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup files Files, pages and pictures
+/// @{
+
 /// What the surface is coloured by.
 enum class PictureColour {
   kNone,        ///< one colour for all of it
@@ -109,5 +112,7 @@ void render_picture(const FrameField& field, const std::filesystem::path& pictur
 void render_picture(const TetFrameField& field, const std::filesystem::path& picture,
                     const PictureOptions& options = {}, const PictureCurves& curves = {},
                     const Monitor& monitor = {});
+
+/// @}
 
 }  // namespace crossgrain

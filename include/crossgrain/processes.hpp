@@ -15,6 +15,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup solving Solving
+/// @{
+
 /// Folders for going on after a break; empty for none.
 struct CheckpointFolders {
   /// Takes what is needed to go on: whenever a shared level begins, and every so many seconds within it.
@@ -79,5 +82,7 @@ class Processes {
   class State;
   std::unique_ptr<State> state_;
 };
+
+/// @}
 
 }  // namespace crossgrain

@@ -8,6 +8,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup solving Solving
+/// @{
+
 class WatchedLoops;
 
 /// Limits what reading files on the current thread may take during the lifetime of the object: memory of the
@@ -29,5 +32,7 @@ class ReadLimits {
   std::unique_ptr<WatchedLoops> watched_;
   std::size_t memory_before_;
 };
+
+/// @}
 
 }  // namespace crossgrain

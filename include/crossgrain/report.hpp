@@ -16,6 +16,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup fields Fields
+/// @{
+
 /// The content of `report.json`. docs/report.md explains each number. Lengths are in model units, angles in
 /// degrees, times in seconds.
 struct SolveReport {
@@ -325,5 +328,7 @@ void mark_tets_missing(SolveReport& report);
 
 /// Returns a finding in words: kind, number, place and outcome.
 std::string sentence_of(const SolveReport::Finding& finding);
+
+/// @}
 
 }  // namespace crossgrain

@@ -12,6 +12,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup lines Singular lines, answers and streamlines
+/// @{
+
 /// The singular graph of a field: arcs, and the nodes where they end.
 ///
 /// Arcs are smooth curves within SingularityOptions::shift_cells of the singular edges of cells or tets.
@@ -152,5 +155,7 @@ struct SingularityOptions {
   /// these numbers: as on tets (tets/boundary_vertices.hpp).
   double sharp_deg = 30, bend_deg = 45;
 };
+
+/// @}
 
 }  // namespace crossgrain

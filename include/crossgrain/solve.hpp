@@ -10,6 +10,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup solving Solving
+/// @{
+
 // Concurrency: any number of threads may call these functions at once, with the same meshes, domains, fields,
 // options and monitors or different ones, as long as nobody modifies them meanwhile. Each call uses the
 // number of threads in its own `options.threads`, or fewer if a ThreadLimit of the calling thread says so,
@@ -50,5 +53,7 @@ TetFrameField carry_onto(const FrameField& field, const TetDomain& domain, const
 /// `sized_for`, then `carry_onto`. Errors: those of both.
 TetFrameField solve_onto(const TetDomain& domain, const SolveOptions& options = {},
                          const Monitor& monitor = {});
+
+/// @}
 
 }  // namespace crossgrain

@@ -9,6 +9,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup fields Fields
+/// @{
+
 /// A surface normal and its weight, an area or any other positive number.
 struct WeightedNormal {
   Vector3 normal;  ///< any length except zero
@@ -39,5 +42,7 @@ SpectrumReport spectrum_of_normals(std::span<const WeightedNormal> normals, Degr
 /// Returns the form of a shape: "plane" (normal z), "cube" (normals x, y, z, weight 3), "cylinder" (about z)
 /// or "sphere" (both of weight 1, integrated exactly). Throws Error(kUsage) for any other name.
 SpectrumReport spectrum_of_preset(std::string_view name, Degree degree);
+
+/// @}
 
 }  // namespace crossgrain

@@ -5,6 +5,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup fields Fields
+/// @{
+
 /// Result of one level of the nested iteration.
 struct LevelStatistics {
   int depth;                 ///< octree depth of the finest cells
@@ -24,5 +27,7 @@ struct Expectation {
   std::size_t peak_memory_bytes;  ///< peak memory of the whole process
   double seconds;  ///< wall time of the whole run, including analysis and writing of the whole field
 };
+
+/// @}
 
 }  // namespace crossgrain

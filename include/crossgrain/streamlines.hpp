@@ -16,6 +16,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup lines Singular lines, answers and streamlines
+/// @{
+
 /// How streamlines are traced. Lengths in cells are multiples of the side of the cell that holds the point;
 /// on tets, of the mean edge length of the tet. The sweeps in docs/notes/streamlines.md chose the defaults.
 struct StreamlineOptions {
@@ -148,5 +151,7 @@ class StreamlineTracer {
   struct Parts;
   std::shared_ptr<const Parts> parts_;
 };
+
+/// @}
 
 }  // namespace crossgrain

@@ -10,6 +10,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup solving Solving
+/// @{
+
 struct TetDomainData;
 
 /// A tet mesh prepared for a field: validated, its tets oriented, its boundary extracted. Immutable and cheap
@@ -45,5 +48,7 @@ class TetDomain {
  private:
   std::shared_ptr<const TetDomainData> data_;
 };
+
+/// @}
 
 }  // namespace crossgrain

@@ -15,6 +15,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup fields Fields
+/// @{
+
 struct TetField;
 
 /// How the axes of the frames of two neighbouring tets go on in each other.
@@ -80,5 +83,7 @@ class TetFrameField {
   struct Lines;
   std::shared_ptr<Lines> lines_;
 };
+
+/// @}
 
 }  // namespace crossgrain

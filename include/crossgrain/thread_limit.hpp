@@ -5,6 +5,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup solving Solving
+/// @{
+
 struct ThreadArena;
 
 /// Limits the number of threads of parallel loops that the current thread starts during the lifetime of the
@@ -25,5 +28,7 @@ class ThreadLimit {
   ThreadArena* before_;                 ///< what counts again when this ends
   std::unique_ptr<ThreadArena> arena_;  ///< none where an enclosing limit is as small
 };
+
+/// @}
 
 }  // namespace crossgrain

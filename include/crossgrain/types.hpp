@@ -10,6 +10,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup types Meshes and frames
+/// @{
+
 /// A point or a direction, in the model's own length unit.
 using Vector3 = std::array<double, 3>;
 
@@ -112,5 +115,7 @@ inline constexpr int kCellConstraintCount = 6;
 /// Degree of the spherical harmonics that represent a frame: 3 (octupoles, seven numbers) or 4 (nine
 /// numbers).
 enum class Degree : int { kThree = 3, kFour = 4 };
+
+/// @}
 
 }  // namespace crossgrain

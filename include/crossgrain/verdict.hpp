@@ -10,6 +10,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup lines Singular lines, answers and streamlines
+/// @{
+
 struct SolveReport;
 
 /// Whether a hexahedral mesh can follow a field, or a part of it, locally. What holds everywhere locally is
@@ -82,5 +85,7 @@ Answer answer_of(const SolveReport& report, const AnswerOptions& options = {});
 /// Returns the answer in one line: "can be meshed locally (necessary, not sufficient)", "cannot be meshed,
 /// because ... at ...; next: ..." or "undecided, because ...; next: ...".
 std::string sentence_of(const Answer& answer);
+
+/// @}
 
 }  // namespace crossgrain

@@ -8,6 +8,9 @@
 
 namespace crossgrain {
 
+/// \addtogroup fields Fields
+/// @{
+
 /// What a warning is about.
 enum class WarningKind : int {
   // A file that is read.
@@ -71,5 +74,7 @@ struct Warning : Message {
 
   bool operator==(const Warning&) const = default;
 };
+
+/// @}
 
 }  // namespace crossgrain

@@ -107,7 +107,8 @@ class _AnyField:
         """The cells with their numbers as a mesh of meshio. Needs that package."""
         import meshio  # type: ignore[import]
         points, shape, cells = self._points_and_cells()
-        return meshio.Mesh(points, [(shape, cells)], cell_data={name: [values] for name, values in self._cell_data().items()},
+        # Its writers do not all know unsigned indices.
+        return meshio.Mesh(points, [(shape, cells.astype(np.int64))], cell_data={name: [values] for name, values in self._cell_data().items()},
                            point_data=self._point_data())
 
     def _points_and_cells(self) -> Tuple[np.ndarray, str, np.ndarray]:

@@ -56,6 +56,7 @@ class Arc:
 
     @property
     def is_closed(self) -> bool:
+        """Whether it has no ends."""
         return self.nodes is None
 
     @property

@@ -77,3 +77,8 @@ crossgrain_status crossgrain_constraints_add_stress(crossgrain_constraints* cons
     given(constraints, "constraints").constraints.stresses.push_back(stress);
   });
 }
+
+crossgrain_status crossgrain_constraints_check(const crossgrain_constraints* constraints,
+                                               crossgrain_error** error) {
+  return guarded(error, [&] { check_constraints(given(constraints, "constraints").constraints); });
+}

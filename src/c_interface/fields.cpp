@@ -210,6 +210,12 @@ crossgrain_status crossgrain_field_report(const crossgrain_field* field, char** 
                  [&] { given(json, "json") = copy_of(report_json(given(field, "field").field.report())); });
 }
 
+crossgrain_status crossgrain_field_check(const crossgrain_field* field, char** json,
+                                         crossgrain_error** error) {
+  return guarded(error,
+                 [&] { given(json, "json") = copy_of(check_json(given(field, "field").field.report())); });
+}
+
 crossgrain_status crossgrain_field_answer(const crossgrain_field* field, const crossgrain_options* options,
                                           crossgrain_answer** out, crossgrain_error** error) {
   return guarded(error, [&] { given(out, "out") = answer_about(given(field, "field").field, options); });
@@ -238,8 +244,4 @@ crossgrain_status crossgrain_field_render(const crossgrain_field* field, const c
   return guarded(error, [&] {
     render_result(given(field, "field").field, path, options, singularities, lines, monitor);
   });
-}
-
-crossgrain_status crossgrain_is_clipped_field(const char* folder, int* out, crossgrain_error** error) {
-  return guarded(error, [&] { given(out, "out") = is_clipped_field(&given(folder, "folder")) ? 1 : 0; });
 }

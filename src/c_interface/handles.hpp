@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -100,6 +101,10 @@ struct crossgrain_spectrum {
   crossgrain::SpectrumReport report;
   std::vector<double> matrix, null_space;  ///< row by row
   crossgrain_form form{};
+};
+
+struct crossgrain_reservation {
+  std::shared_ptr<crossgrain::FolderReservation> reservation;
 };
 
 struct crossgrain_numbers {

@@ -203,6 +203,14 @@ crossgrain_status crossgrain_options_set_constraints(crossgrain_options* options
                  [&] { solve_options(options).constraints = given(constraints, "constraints").constraints; });
 }
 
+crossgrain_status crossgrain_options_size_for(crossgrain_options* options, const crossgrain_domain* domain,
+                                              crossgrain_error** error) {
+  return guarded(error, [&] {
+    SolveOptions& changed = solve_options(options);
+    changed = sized_for(given(domain, "domain").domain, changed);
+  });
+}
+
 crossgrain_status crossgrain_options_keep_forms_for_page(crossgrain_options* options,
                                                          crossgrain_error** error) {
   return guarded(error, [&] { keep_forms_for_page(solve_options(options)); });

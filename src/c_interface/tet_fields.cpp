@@ -146,6 +146,12 @@ crossgrain_status crossgrain_tet_field_report(const crossgrain_tet_field* field,
                  [&] { given(json, "json") = copy_of(report_json(given(field, "field").field.report())); });
 }
 
+crossgrain_status crossgrain_tet_field_check(const crossgrain_tet_field* field, char** json,
+                                             crossgrain_error** error) {
+  return guarded(error,
+                 [&] { given(json, "json") = copy_of(check_json(given(field, "field").field.report())); });
+}
+
 crossgrain_status crossgrain_tet_field_answer(const crossgrain_tet_field* field,
                                               const crossgrain_options* options, crossgrain_answer** out,
                                               crossgrain_error** error) {

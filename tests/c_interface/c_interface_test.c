@@ -333,6 +333,7 @@ TEST(MatchingsCarryFramesAcrossFacesOfTets) {
   crossgrain_options* options = NULL;
   OK(crossgrain_options_new(CROSSGRAIN_SOLVE_OPTIONS, &options, &g_error));
   crossgrain_tet_field* field = NULL;
+  OK(crossgrain_options_size_for(options, domain, &g_error));
   OK(crossgrain_solve_onto(domain, options, NULL, &field, &g_error));
   double* frames = malloc(sizeof(double) * 9 * 384);
   OK(crossgrain_tet_field_frames(field, frames, &g_error));
@@ -405,6 +406,68 @@ TEST(AFieldThatIsReadIsTheOneThatWasWritten) {
   crossgrain_options_free(options);
   crossgrain_field_free(field);
   crossgrain_field_free(again);
+}
+
+static int write_name(const char* report, crossgrain_sink sink, void* sink_state, void* state) {
+  CHECK(strstr(report, "\"energy\"") != NULL);
+  return sink(sink_state, state, strlen(state));
+}
+
+static int give_up(const char* report, crossgrain_sink sink, void* sink_state, void* state) {
+  (void)report, (void)sink, (void)sink_state, (void)state;
+  return 1;
+}
+
+TEST(ACompanionIsWrittenWithTheFieldOrNothingIs) {
+  crossgrain_field* field = solved(box(1, 1, 1), 8);
+  crossgrain_options *options = NULL, *others = NULL;
+  crossgrain_reservation *reservation = NULL, *second = NULL;
+  OK(crossgrain_options_new(CROSSGRAIN_OUTPUT_OPTIONS, &options, &g_error));
+  OK(crossgrain_options_set_text(options, "foreign_files", "replace", &g_error));
+  OK(crossgrain_options_add_companion(options, "name.txt", write_name, (void*)"mine", &g_error));
+  OK(crossgrain_reserve_folder("companion.frames", options, 0, &reservation, &g_error));
+  FAILS(CROSSGRAIN_OUTPUT, "companion.frames",
+        crossgrain_reserve_folder("companion.frames", options, 0, &second, &g_error));
+  OK(crossgrain_options_set_reservation(options, reservation, &g_error));
+  crossgrain_reservation_free(reservation);
+  OK(crossgrain_field_write(field, "companion.frames", options, "cube.stl", 0, NULL, NULL, &g_error));
+  CHECK(exists("companion.frames/name.txt") && crossgrain_is_own_file("companion.frames/field.vtu"));
+  char *model = NULL, *solve = NULL, *json = NULL;
+  OK(crossgrain_model_of_result("companion.frames", &model, &g_error));
+  OK(crossgrain_solve_of_result("companion.frames", &solve, &g_error));
+  OK(crossgrain_field_check(field, &json, &g_error));
+  CHECK(strcmp(model, "cube.stl") == 0 && strlen(solve) == 16 && strstr(json, "\"verdict\"") != NULL);
+  crossgrain_text_free(model);
+  crossgrain_text_free(solve);
+  crossgrain_text_free(json);
+  crossgrain_options_free(options);
+  OK(crossgrain_options_new(CROSSGRAIN_OUTPUT_OPTIONS, &others, &g_error));
+  OK(crossgrain_options_add_companion(others, "name.txt", give_up, NULL, &g_error));
+  FAILS(CROSSGRAIN_OUTPUT, "name.txt",
+        crossgrain_field_write(field, "given_up.frames", others, NULL, 0, NULL, NULL, &g_error));
+  CHECK(!exists("given_up.frames"));
+  crossgrain_options_free(others);
+  crossgrain_field_free(field);
+}
+
+TEST(SamplesAreWrittenForPointsThatAreRead) {
+  crossgrain_field* field = solved(box(1, 1, 1), 8);
+  FILE* file = fopen("points.txt", "w");
+  fputs("0.5 0.5 0.5\n9 9 9 # outside\n", file);
+  fclose(file);
+  crossgrain_numbers *points = NULL, *normals = NULL;
+  size_t outside = 0;
+  OK(crossgrain_points_read("points.txt", &points, &g_error));
+  CHECK(crossgrain_numbers_rows(points) == 2 && crossgrain_numbers_columns(points) == 3);
+  OK(crossgrain_field_write_samples(field, crossgrain_numbers_data(points), 2, "frames.txt", NULL, NULL,
+                                    &outside, &g_error));
+  CHECK(outside == 1 && exists("frames.txt"));
+  OK(crossgrain_normals_read("points.txt", &normals, &g_error));
+  CHECK(crossgrain_numbers_columns(normals) == 4 && crossgrain_numbers_data(normals)[3] == 1);
+  FAILS(CROSSGRAIN_INPUT, "missing.txt", crossgrain_points_read("missing.txt", &points, &g_error));
+  crossgrain_numbers_free(points);
+  crossgrain_numbers_free(normals);
+  crossgrain_field_free(field);
 }
 
 TEST(ArcsOfABallAreOfValenceThree) {
@@ -480,6 +543,7 @@ TEST(AConstraintTurnsTheFrames) {
   const double at[] = {0, 0, 0}, axis[] = {1, 1, 1}, tensor[] = {3, 2, 1, 0, 0, 0};
   OK(crossgrain_constraints_new(&constraints, &g_error));
   OK(crossgrain_constraints_add_point(constraints, at, axis, 1, 1000, &g_error));
+  OK(crossgrain_constraints_check(constraints, &g_error));
   crossgrain_options* options = of_resolution(12);
   OK(crossgrain_options_set_constraints(options, constraints, &g_error));
   crossgrain_field* field = NULL;
@@ -577,6 +641,8 @@ int main(int argc, char** argv) {
       NAMED(AListenerHearsAndCancels),
       NAMED(MatchingsCarryFramesAcrossFacesOfTets),
       NAMED(AFieldThatIsReadIsTheOneThatWasWritten),
+      NAMED(ACompanionIsWrittenWithTheFieldOrNothingIs),
+      NAMED(SamplesAreWrittenForPointsThatAreRead),
       NAMED(ArcsOfABallAreOfValenceThree),
       NAMED(LinesAreTracedWrittenAndRead),
       NAMED(AConstraintTurnsTheFrames),
