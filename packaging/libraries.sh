@@ -11,7 +11,7 @@ binaries() { find "$tree" -type f \( -path '*/bin/*' -o -path '*/libexec/*' -o -
 
 package_of() {
   # Where /lib is a link to /usr/lib, dpkg knows some libraries by one name and some by the other.
-  { dpkg -S "$1" || dpkg -S "${1#/usr}"; } 2>/dev/null | head -1 | cut -d: -f1
+  { dpkg -S "$1" || dpkg -S "${1#/usr}" || true; } 2>/dev/null | head -1 | cut -d: -f1
 }
 
 # "NAME PATH" of each library outside the folder that something in it needs, at any depth.
@@ -25,6 +25,7 @@ libraries_outside() {
 copy_libraries() {
   local name library package
   while read -r name library; do
+    [ "$library" != missing ] || fail "$name is not installed"
     package="$(package_of "$(realpath "$library")")"
     if [[ " $* " == *" $package "* ]]; then continue; fi
     grep -q "^$package " "$accepted" || fail "$library is of the package '$package', which $accepted does not list"
