@@ -45,8 +45,9 @@ write_licences() {
   mkdir -p "$1"
   cp "$root/LICENSE" "$root/NOTICE" "$1/"
   cp "$folder/packages/crossgrain/copyright" "$1/crossgrain"
-  # The texts that files of Debian refer to.
-  cp -L /usr/share/common-licenses/{Apache-2.0,GPL-3,LGPL-2.1,MPL-2.0} "$1/"
+  # The texts that files of Debian refer to; that of the GPL with the libraries of GCC, which have an exception from it.
+  cp -L /usr/share/common-licenses/{Apache-2.0,LGPL-2.1,MPL-2.0} "$1/"
+  if grep -q '^libgcc' "$stage/copied"; then cp -L /usr/share/common-licenses/GPL-3 "$1/"; fi
   sort -u "$stage/copied" | while read -r package; do cp -L "/usr/share/doc/$package/copyright" "$1/$package"; done
 }
 

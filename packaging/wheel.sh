@@ -24,7 +24,7 @@ install_components() {
     cmake --install "$folder" --component "$component" --prefix "$stage/prefix" --strip >/dev/null
   done
   mkdir -p "$lib"
-  mv "$stage/prefix"/lib/python3/dist-packages/* "$tree/"
+  cp -r "$stage/prefix/lib/python3/dist-packages/." "$tree/"
   # The library by the name that the package loads; no links, which wheels cannot have.
   find "$stage/prefix/lib" -type l -name 'libcrossgrain-*.so.*' -exec sh -c 'cp -L "$1" "$2/$(basename "$1")"' sh {} "$lib" \;
   mkdir -p "$tree/crossgrain/libexec/crossgrain"
@@ -63,7 +63,11 @@ check_policy() {
 write_metadata() {
   local info="$tree/crossgrain-$version.dist-info"
   write_licences "$info/licences"
-  { echo "Libraries of these packages of Debian $(cat /etc/debian_version) are in crossgrain/lib:"; copied_packages; } >"$info/licences/README"
+  {
+    echo "In crossgrain/lib are libraries of these packages of Debian $(cat /etc/debian_version), whose sources are at https://snapshot.debian.org:"
+    echo
+    copied_packages
+  } >"$info/licences/README"
   printf 'Wheel-Version: 1.0\nGenerator: packaging/wheel.sh\nRoot-Is-Purelib: false\nTag: py3-none-%s\n' "$tag" >"$info/WHEEL"
 }
 

@@ -183,6 +183,19 @@ TEST(VtuFile, RefusesEveryFileCutShortWithinItsArrays) {
     EXPECT_NE(error_of_reading(folder.write("b.vtu", content.substr(0, length))), "") << length;
 }
 
+TEST(VtuFile, HasItsTagOfDataWhereEveryVtkFindsIt) {
+  const TemporaryFolder folder;
+  for (const int size : {0, 1, 30}) {
+    const std::string content = content_of(Sample(size).write(folder));
+    constexpr std::string_view kName = "<AppendedData";
+    const std::size_t behind = content.find(kName) + kName.size();
+    EXPECT_EQ(behind % 4096, 0u);
+    const std::size_t attributes = content.find('>', behind) - behind;
+    EXPECT_GE(attributes, 25u);
+    EXPECT_LE(attributes, 37u);
+  }
+}
+
 TEST(VtuFile, SurvivesDamage) {
   const TemporaryFolder folder;
   const std::string content = content_of(Sample(30).write(folder));
