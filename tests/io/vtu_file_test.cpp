@@ -237,7 +237,7 @@ TEST(VtuFile, RefusesForeignFiles) {
        {"UnstructuredGrid\"", "LittleEndian", "header_type=\"UInt64\"", "vtkZLibDataCompressor",
         "encoding=\"raw\"", "NumberOfCells=\"3\"", "Name=\"axis\"", "type=\"Float64\""}) {
     std::string foreign = content;
-    foreign.replace(foreign.find(needed) + 2, 1, "?");
+    foreign[foreign.find(needed) + 2] = '?';
     EXPECT_NE(error_of_reading(folder.write("b.vtu", foreign)), "") << needed;
   }
 }
