@@ -71,7 +71,7 @@ install(FILES "${PROJECT_BINARY_DIR}/include/crossgrain/version.hpp"
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/NOTICE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
         COMPONENT $<IF:$<BOOL:${BUILD_SHARED_LIBS}>,licence,core>)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples/" DESTINATION "${CMAKE_INSTALL_DATADIR}/crossgrain/examples"
-        COMPONENT examples)
+        COMPONENT examples PATTERN __pycache__ EXCLUDE)
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/crossgrain-config.cmake.in"
                               "${PROJECT_BINARY_DIR}/crossgrain-config.cmake" INSTALL_DESTINATION "${package_dir}")

@@ -211,7 +211,14 @@ def watched(work: Callable[[Monitor], Any], progress: Optional[Callable[[Progres
 
     worker = threading.Thread(target=run, name="crossgrain", daemon=True)
     interruption: Optional[BaseException] = None
-    worker.start()
+    try:
+        worker.start()
+    except BaseException as failure:  # pylint: disable=broad-except
+        # Ctrl-C may come when the thread has been made and has not begun.
+        monitor.cancel()
+        if not worker.is_alive():
+            raise
+        interruption = failure
     while True:
         try:
             event = events.get()

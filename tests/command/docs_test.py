@@ -151,7 +151,7 @@ def page_test(path):
 
 
 for page in pages():
-    if any("crossgrain " in line and is_run(line) for block in blocks_of(page) for line in block.lines):
+    if any("crossgrain " in line and is_run(line) for block in blocks_of(page) if block.language == "sh" for line in block.lines):
         name = str(page.relative_to(ROOT).with_suffix("")).replace("/", "_").replace("-", "_")
         setattr(Page, f"test_the_commands_of_{name}_run_as_printed", page_test(page))
 
