@@ -228,6 +228,17 @@ def wrapped(text, indent):
     return f"\n{indent}".join([*lines, line])
 
 
+BASE = """
+
+class _Options:
+    def __setattr__(self, name, value):
+        # A member that is misspelt would have no effect.
+        if name not in getattr(self, "__dataclass_fields__"):
+            raise AttributeError(f"{type(self).__name__} has no member {name!r}")
+        super().__setattr__(name, value)
+"""
+
+
 def options_of(include):
     yield LICENSE
     yield '"""The options of all functions. Made by python/generate.py from the C++ headers."""\n'
@@ -237,12 +248,13 @@ def options_of(include):
     yield "from typing import Optional, Sequence, Tuple, Union\n"
     yield "from . import _interface as c"
     structs = [name for names in OPTIONS.values() for name in names]
+    yield BASE
     yield f"\n__all__ = {structs!r}"
     for header, names in OPTIONS.items():
         text = (include / "crossgrain" / header).read_text(encoding="utf-8")
         for name in names:
             comment = comment_before(text, text.index(f"struct {name} {{")) or name
-            yield f'\n\n@dataclass\nclass {name}:\n    """{wrapped(comment, "    ")}"""\n'
+            yield f'\n\n@dataclass\nclass {name}(_Options):\n    """{wrapped(comment, "    ")}"""\n'
             if name in KINDS:
                 yield f"    _kind = c.{KINDS[name]}\n"
             for declared, member, default, its_comment in options_members(struct_body(text, name)):

@@ -490,6 +490,7 @@ CROSSGRAIN_API crossgrain_status crossgrain_field_sample(const crossgrain_field*
 /** The singular graph; with `options` of kind CROSSGRAIN_SINGULARITY_OPTIONS, or NULL. */
 CROSSGRAIN_API crossgrain_status crossgrain_field_singularities(const crossgrain_field* field,
                                                                 const crossgrain_options* options,
+                                                                crossgrain_monitor* monitor,
                                                                 crossgrain_graph** out,
                                                                 crossgrain_error** error);
 
@@ -632,6 +633,7 @@ CROSSGRAIN_API const double* crossgrain_tet_field_vertex_quaternions(const cross
  * each face its vertices (3, ascending), its two tets, and where the axes of the first go (3): axis k of the
  * first tet continues in the second as its axis |axes[k]|, counted from 1, with the sign of axes[k]. */
 CROSSGRAIN_API crossgrain_status crossgrain_tet_field_matchings(const crossgrain_tet_field* field,
+                                                                crossgrain_monitor* monitor,
                                                                 crossgrain_matchings** out,
                                                                 crossgrain_error** error);
 CROSSGRAIN_API size_t crossgrain_matchings_count(const crossgrain_matchings* matchings);
@@ -642,6 +644,7 @@ CROSSGRAIN_API const int8_t* crossgrain_matchings_axes(const crossgrain_matching
 /** As for fields on a grid. */
 CROSSGRAIN_API crossgrain_status crossgrain_tet_field_singularities(const crossgrain_tet_field* field,
                                                                     const crossgrain_options* options,
+                                                                    crossgrain_monitor* monitor,
                                                                     crossgrain_graph** out,
                                                                     crossgrain_error** error);
 CROSSGRAIN_API crossgrain_status crossgrain_tet_field_report(const crossgrain_tet_field* field, char** json,
@@ -760,9 +763,11 @@ CROSSGRAIN_API const crossgrain_reason* crossgrain_answer_reason(const crossgrai
 CROSSGRAIN_API crossgrain_status crossgrain_tracer_new(const crossgrain_field* field,
                                                        const crossgrain_options* options,
                                                        const crossgrain_mesh* surface,
-                                                       crossgrain_tracer** out, crossgrain_error** error);
+                                                       crossgrain_monitor* monitor, crossgrain_tracer** out,
+                                                       crossgrain_error** error);
 CROSSGRAIN_API crossgrain_status crossgrain_tracer_new_on_tets(const crossgrain_tet_field* field,
                                                                const crossgrain_options* options,
+                                                               crossgrain_monitor* monitor,
                                                                crossgrain_tracer** out,
                                                                crossgrain_error** error);
 

@@ -97,7 +97,8 @@ class FrameField {
   /// above.
   void sample(std::span<const Vector3> points, std::span<Sample> samples) const;
 
-  /// The singular graph of the cells. Arcs end up to one cell before the surface.
+  /// The singular graph of the cells. Arcs end up to one cell before the surface. Errors: kUsage for options
+  /// out of range.
   const SingularityGraph& singularities() const;
   SingularityGraph singularities(const SingularityOptions& options) const;
 

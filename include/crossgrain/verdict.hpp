@@ -80,6 +80,7 @@ struct AnswerOptions {
 };
 
 /// Returns the answer about the field of a report: that on tets if there is one, otherwise that on the grid.
+/// Errors: kUsage for options out of range.
 Answer answer_of(const SolveReport& report, const AnswerOptions& options = {});
 
 /// Returns the answer in one line: "can be meshed locally (necessary, not sufficient)", "cannot be meshed,

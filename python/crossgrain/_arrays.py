@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
+import operator
 from typing import Any, Optional
 
 import numpy as np
 
-from .errors import InputError
+from .errors import InputError, UsageError
 
 
 def _array(values: Any, what: str) -> np.ndarray:
@@ -78,6 +79,44 @@ def tags(values: Any, what: str, count: int) -> Optional[np.ndarray]:
     if array.size and (array.min() < limits.min or array.max() > limits.max):
         raise InputError(f"{what}: numbers of 32 bits are needed")
     return np.ascontiguousarray(array, dtype=np.int32)
+
+
+def integer(value: Any, what: str, low: int = 0, high: int = 2**31 - 1) -> int:
+    """The value as an integer, which must be from `low` to `high`."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        # Floats that are integers count, as 1e9 for bytes.
+        if not (isinstance(value, (float, np.floating)) and float(value).is_integer()):
+            raise TypeError(f"{what}: an integer is needed, not {value!r}") from None
+        number = int(value)
+    if not low <= number <= high:
+        raise UsageError(f"{what}: an integer from {low} to {high} is needed, not {value!r}")
+    return number
+
+
+def number(value: Any, what: str) -> float:
+    """The value as a number."""
+    try:
+        return float(operator.index(value) if hasattr(value, "__index__") else value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{what}: a number is needed, not {value!r}") from None
+
+
+def vector(values: Any, what: str, count: int) -> np.ndarray:
+    """A contiguous array of doubles of shape (1, count), of `count` numbers."""
+    array = _array(values, what)
+    if array.shape != (count,):
+        raise TypeError(f"{what}: {count} numbers are needed, this is an array of shape {array.shape}")
+    return as_doubles(array.reshape(1, -1), what)
+
+
+def of_shape(values: Any, what: str, shape: "tuple[Any, ...]") -> np.ndarray:
+    """A contiguous array of doubles of a shape; None in it stands for any length."""
+    array = _array(values, what)
+    if len(array.shape) != len(shape) or any(wanted not in (None, its) for wanted, its in zip(shape, array.shape)):
+        raise TypeError(f"{what}: an array of shape {shape} is needed, this one is {array.shape}".replace("None", "n"))
+    return as_doubles(array, what)
 
 
 def address(array: Optional[np.ndarray]) -> Optional[int]:

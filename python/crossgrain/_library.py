@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import _thread
+import atexit
 import ctypes
 import os
 import queue
@@ -69,7 +71,11 @@ def raise_for(status: int, error: ctypes.c_void_p) -> None:
 def call(name: str, *arguments: Any) -> None:
     """Calls crossgrain_NAME with a place for the error, and raises that."""
     error = ctypes.c_void_p()
-    raise_for(getattr(library, f"crossgrain_{name}")(*arguments, ctypes.byref(error)), error)
+    try:
+        status = getattr(library, f"crossgrain_{name}")(*arguments, ctypes.byref(error))
+    except ctypes.ArgumentError as failure:
+        raise TypeError(f"{name}: {failure}") from None
+    raise_for(status, error)
 
 
 class Handle:
@@ -77,6 +83,12 @@ class Handle:
 
     def __init__(self, kind: str, address: Optional[int]):
         self.kind, self.address = kind, address
+
+    def of_kind(self, kind: str) -> "Handle":
+        """This handle, which must be of a kind: the library cannot tell."""
+        if not isinstance(self, Handle) or self.kind != kind:
+            raise TypeError("this class is made by the functions of the package, not by its users")
+        return self
 
     def __del__(self) -> None:
         # At the end of the interpreter the library may be gone before.
@@ -109,12 +121,30 @@ def text_from(name: str, *arguments: Any) -> str:
         library.crossgrain_text_free(out)
 
 
+def text_bytes(text: str, what: str) -> bytes:
+    """A text for the library, which ends texts with a zero byte."""
+    if not isinstance(text, str):
+        raise TypeError(f"{what}: a text is needed, not {text!r}")
+    if "\0" in text:
+        raise errors.UsageError(f"{what} contains a zero byte")
+    return text.encode("utf-8", "surrogateescape")
+
+
 def path_bytes(path: Any) -> bytes:
     """A path of a file for the library."""
     encoded = os.fsencode(path)
     if b"\0" in encoded:
         raise errors.UsageError("a path contains a zero byte")
     return encoded
+
+
+def handle_in(value: Any, kind: Any, what: str) -> Optional[Handle]:
+    """The handle of an object that must be of a class, or None for None."""
+    if value is None:
+        return None
+    if not isinstance(value, kind):
+        raise TypeError(f"{what}: a {kind.__name__} is needed, not {type(value).__name__}")
+    return value._handle
 
 
 class _View:
@@ -167,82 +197,123 @@ class Monitor:
 
     def __init__(self, listener: Optional[Callable[[Any], None]]):
         self.failure: Optional[BaseException] = None
+        self.ended = threading.Event()
 
         def hear(content: Any, _state: Any) -> int:
             # No exception may pass through the library.
             try:
-                if listener is not None:
-                    listener(Progress(content.contents))
+                listener(Progress(content.contents))  # type: ignore[misc]
             except BaseException as failure:  # pylint: disable=broad-except
                 self.failure = failure
                 return 1
             return 0
 
-        # Refers to the function that the library calls.
-        self.heard = c.crossgrain_on_progress(hear)
+        # Refers to the function that the library calls. Without a listener it calls none, which would ask for the GIL.
+        self.heard = c.crossgrain_on_progress(0) if listener is None else c.crossgrain_on_progress(hear)
         self.handle = made("monitor", "monitor_new", self.heard, c.crossgrain_on_expectation(0), None)
 
     def cancel(self) -> None:
         library.crossgrain_monitor_cancel(self.handle)
 
+    def run(self, work: Callable[["Monitor"], Any]) -> Any:
+        """work(self), known to be running until it ends."""
+        _running.add(self)
+        try:
+            return work(self)
+        except errors.Interrupted:
+            if self.failure is not None:
+                raise self.failure from None
+            raise
+        finally:
+            _running.discard(self)
+            self.ended.set()
 
-def _is_main_thread() -> bool:
-    return threading.current_thread() is threading.main_thread()
+
+# Computations that go on, on any thread.
+_running: "set[Monitor]" = set()
+
+# How long a computation takes to end once it is cancelled, and much more.
+_LONGEST_END_SECONDS = 20
+
+
+@atexit.register
+def _end_all() -> None:
+    """Ends what daemon threads still compute: a call that came back into an interpreter that is gone would crash."""
+    for monitor in list(_running):
+        monitor.cancel()
+    for monitor in list(_running):
+        monitor.ended.wait(_LONGEST_END_SECONDS)
+
+
+class _Worker:
+    """A call on a thread of its own: `events` while it goes on, `is_done` once it has ended, with a value or an error.
+
+    An exception of a signal handler may come between any two steps of the thread that waits, so that those of threading.Thread could
+    lose the thread. Here each step is one of C, and may be repeated.
+    """
+
+    def __init__(self, work: Callable[[Monitor], Any], wants_events: bool):
+        self.events: queue.SimpleQueue = queue.SimpleQueue()
+        self.monitor = Monitor(self.events.put if wants_events else None)
+        self.work = work
+        self.is_taken = _thread.allocate_lock()
+        self.is_done = False
+        self.value: Any = None
+        self.error: Optional[BaseException] = None
+
+    def start(self) -> None:
+        """Starts the thread; called again, one that ends at once."""
+        try:
+            _thread.start_new_thread(self._run, ())
+        except RuntimeError as failure:
+            if self.is_taken.acquire(blocking=False):
+                self.error, self.is_done = failure, True
+
+    def _run(self) -> None:
+        if not self.is_taken.acquire(blocking=False):
+            return
+        try:
+            self.value = self.monitor.run(self.work)
+        except BaseException as failure:  # pylint: disable=broad-except
+            self.error = failure
+        self.is_done = True
+        self.events.put(None)
+
+
+# A wake-up may be lost where Ctrl-C comes just then.
+_LOOK_SECONDS = 0.5
 
 
 def watched(work: Callable[[Monitor], Any], progress: Optional[Callable[[Progress], None]] = None) -> Any:
     """Returns work(monitor), a long call of the library, while Ctrl-C works and `progress` is called on this thread.
 
-    Signals reach Python on the main thread only, and not inside a call of C. So a call from there is made on a thread of
-    its own, while this one waits for it: Ctrl-C cancels it and raises KeyboardInterrupt once it has ended.
+    Signals reach Python on the main thread only, and not inside a call of C. So a call from there is made on a thread of its own, while
+    this one waits for it: Ctrl-C cancels it and raises KeyboardInterrupt once it has ended. Nothing but its end leaves the wait, since the
+    call writes to arrays that its caller owns.
     """
-    if not _is_main_thread():
-        return _passed_on(Monitor(progress), work)
-    events: queue.SimpleQueue = queue.SimpleQueue()
-    monitor = Monitor(None if progress is None else events.put)
-    result: list = []
-
-    def run() -> None:
-        try:
-            result.append((work(monitor), None))
-        except BaseException as failure:  # pylint: disable=broad-except
-            result.append((None, failure))
-        events.put(None)
-
-    worker = threading.Thread(target=run, name="crossgrain", daemon=True)
+    if threading.current_thread() is not threading.main_thread():
+        return Monitor(progress).run(work)
+    worker = _Worker(work, progress is not None)
     interruption: Optional[BaseException] = None
-    try:
-        worker.start()
-    except BaseException as failure:  # pylint: disable=broad-except
-        # Ctrl-C may come when the thread has been made and has not begun.
-        monitor.cancel()
-        if not worker.is_alive():
-            raise
-        interruption = failure
-    while True:
+    is_begun = False
+    while not worker.is_done:
         try:
-            event = events.get()
-            if event is None:
-                break
-            if interruption is None:
-                progress(event)  # type: ignore[misc]
+            if not is_begun:
+                worker.start()
+                is_begun = True
+            while not worker.is_done or not worker.events.empty():
+                try:
+                    event = worker.events.get(timeout=_LOOK_SECONDS)
+                except queue.Empty:
+                    continue
+                if event is not None and progress is not None and interruption is None:
+                    progress(event)
         except BaseException as failure:  # pylint: disable=broad-except
             # Ctrl-C, or a failure of `progress`: the call ends soon, and is waited for.
             interruption = interruption or failure
-            monitor.cancel()
-    worker.join()
-    value, error = result[0]
+            worker.monitor.cancel()
     if interruption is not None:
         raise interruption
-    if error is not None:
-        raise error
-    return value
-
-
-def _passed_on(monitor: Monitor, work: Callable[[Monitor], Any]) -> Any:
-    try:
-        return work(monitor)
-    except errors.Interrupted:
-        if monitor.failure is not None:
-            raise monitor.failure from None
-        raise
+    if worker.error is not None:
+        raise worker.error
+    return worker.value

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import ctypes
 import dataclasses
 import math
 import numbers
@@ -12,7 +11,7 @@ from typing import Any, Iterator, Optional, Tuple
 import numpy as np
 
 from . import _interface as c
-from ._library import Handle, call, library, made
+from ._library import Handle, call, library, made, text_bytes
 from .options import OtherStart, SolveOptions
 
 _AXES = {"x": 0, "y": 1, "z": 2}
@@ -22,47 +21,49 @@ def flattened(options: Any, prefix: str = "") -> Iterator[Tuple[str, Any]]:
     """(name as in the C interface, value) of each member."""
     for member in dataclasses.fields(options):
         value = getattr(options, member.name)
-        if dataclasses.is_dataclass(value) and not isinstance(value, OtherStart):
-            yield from flattened(value, f"{prefix}{member.name}.")
+        name = prefix + member.name
+        inner = member.default_factory if dataclasses.is_dataclass(member.default_factory) else None
+        if inner is None:
+            yield name, value
+        elif isinstance(value, inner):  # type: ignore[arg-type]
+            yield from flattened(value, f"{name}.")
         else:
-            yield prefix + member.name, value
+            raise TypeError(f"the option {name} takes {inner.__name__}, not {value!r}")  # type: ignore[union-attr]
 
 
 def _numbers_of(name: str, value: Any) -> Any:
     """The numbers of a value that has several."""
-    if name == "cut" and isinstance(value, str):
-        value = (value, None)
     if name == "cut":
-        axis, position = value
+        axis, position = (value, None) if isinstance(value, str) else value
         return [_AXES.get(axis, axis), math.nan if position is None else position]
     if name == "onto.other_starts":
+        if not all(isinstance(start, OtherStart) for start in value):
+            raise TypeError(f"the option {name} takes a list of OtherStart, not {value!r}")
         return [number for start in value for number in (start.cell_size, start.boundary_weight, start.most_vertices)]
     return value
 
 
 def _set(handle: Handle, name: str, kind: int, value: Any) -> None:
     encoded = name.encode()
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value.item()
     if value is None:
-        if kind == c.NUMBERS:
-            call("options_set_numbers", handle, encoded, None, 0)
-        return
-    if kind == c.TEXT:
+        if kind != c.NUMBERS:
+            raise TypeError(f"the option {name} takes a value, not None")
+        call("options_set_numbers", handle, encoded, None, 0)
+    elif kind == c.TEXT or (isinstance(value, str) and name != "cut"):
         text = ",".join(value) if isinstance(value, (list, tuple)) else value
-        if not isinstance(text, str):
-            raise TypeError(f"the option {name} takes a text, not {value!r}")
-        call("options_set_text", handle, encoded, text.encode("utf-8", "surrogateescape"))
-    elif kind == c.NUMBERS and not (name == "view" and isinstance(value, str)):
+        call("options_set_text", handle, encoded, text_bytes(text, f"the option {name}"))
+    elif kind == c.NUMBERS:
         try:
             array = np.atleast_1d(np.asarray(_numbers_of(name, value), dtype=np.float64)).ravel()
         except (TypeError, ValueError) as error:
-            raise TypeError(f"the option {name} takes numbers, not {value!r}") from error
+            raise TypeError(f"the option {name} takes numbers, not {value!r}: {error}") from error
         call("options_set_numbers", handle, encoded, array.ctypes.data, array.size)
-    elif isinstance(value, str):
-        call("options_set_text", handle, encoded, value.encode())
     elif isinstance(value, (bool, np.bool_, numbers.Integral)):
-        if not -2**63 <= int(value) < 2**63:
-            raise TypeError(f"the option {name} takes an integer of 64 bits, not {value!r}")
-        call("options_set_integer", handle, encoded, int(value))
+        # As text, so that integers of any size come as they are.
+        call("options_set_text" if kind != c.NUMBER else "options_set_number", handle, encoded,
+             str(int(value)).encode() if kind != c.NUMBER else float(int(value)))
     elif isinstance(value, numbers.Real):
         call("options_set_number", handle, encoded, float(value))
     else:
@@ -86,34 +87,38 @@ def handle_of(options: Any, kind: Optional[type] = None) -> Handle:
     return handle
 
 
-def with_changes(options: Any, changes: "dict[str, Any]") -> Any:
-    """A copy of options with members replaced that are not None. Unknown names raise a TypeError."""
-    known = {member.name for member in dataclasses.fields(options)}
+def set_changed(handle: Handle, options: Any, kind: type) -> None:
+    """Gives a handle those members of options of its kind that are not defaults."""
+    if not isinstance(options, kind):
+        raise TypeError(f"{kind.__name__} is needed, not {type(options).__name__}")
+    defaults, types = dict(flattened(kind())), types_of(kind._kind)  # type: ignore[attr-defined]
+    for name, value in flattened(options):
+        if value != defaults[name]:
+            _set(handle, name, types[name], value)
+
+
+def with_changes(options: Any, kind: type, changes: "dict[str, Any]") -> Any:
+    """A copy of options of a kind, or of the defaults for None, with members replaced."""
+    chosen = kind() if options is None else options
+    if not isinstance(chosen, kind):
+        raise TypeError(f"options: {kind.__name__} is needed, not {type(options).__name__}")
+    known = {member.name for member in dataclasses.fields(chosen)}
     for name in changes:
         if name not in known:
-            raise TypeError(f"{type(options).__name__} has no member {name!r}; it has {', '.join(sorted(known))}")
-    return dataclasses.replace(options, **{name: value for name, value in changes.items() if value is not None})
+            raise TypeError(f"{kind.__name__} has no member {name!r}; it has {', '.join(sorted(known))}")
+    return dataclasses.replace(chosen, **changes)
+
+
+def unless_none(**changes: Any) -> "dict[str, Any]":
+    """Changes without those that are None."""
+    return {name: value for name, value in changes.items() if value is not None}
 
 
 def solve_handle(options: SolveOptions, constraints: Any) -> Handle:
     """The options of a solve with constraints, and the forms that the page shows."""
     handle = handle_of(options, SolveOptions)
     if constraints is not None:
-        call("options_set_constraints", handle, constraints)
+        with constraints._lock:
+            call("options_set_constraints", handle, constraints._handle)
     call("options_keep_forms_for_page", handle)
     return handle
-
-
-def content(handle: Handle, name: str, kind: int) -> Any:
-    """What an option of a handle has: a text or a list of numbers."""
-    out = ctypes.c_void_p()
-    if kind == c.TEXT:
-        call("options_get_text", handle, name.encode(), ctypes.byref(out))
-        try:
-            return ctypes.cast(out, ctypes.c_char_p).value.decode()  # type: ignore[union-attr]
-        finally:
-            library.crossgrain_text_free(out)
-    rows = made("numbers", "options_get_numbers", handle, name.encode())
-    data = library.crossgrain_numbers_data(rows)
-    count = library.crossgrain_numbers_rows(rows)
-    return list((ctypes.c_double * count).from_address(data)) if count else []

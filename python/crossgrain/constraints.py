@@ -3,21 +3,17 @@
 
 from __future__ import annotations
 
+import threading
 from typing import Any, Optional
 
 import numpy as np
 
-from ._arrays import address, numbers
+from ._arrays import address, integer, number, numbers, points_or_point, vector
 from ._library import Handle, call, made, path_bytes
 
 
-def _vector(values: Any, what: str, count: int) -> np.ndarray:
-    return numbers(np.reshape(np.asarray(values), (1, -1)), what, count)
-
-
 def _axes(values: Any) -> np.ndarray:
-    array = np.asarray(values)
-    return numbers(array.reshape(1, -1) if array.ndim == 1 else array, "axes", 3)
+    return points_or_point(values, "axes")[0]
 
 
 class Constraints:
@@ -30,42 +26,43 @@ class Constraints:
 
     def __init__(self) -> None:
         self._handle: Handle = made("constraints", "constraints_new")
+        # Of the additions, which threads may make at once.
+        self._lock = threading.Lock()
+
+    def _add(self, name: str, *arguments: Any) -> "Constraints":
+        with self._lock:
+            call(f"constraints_add_{name}", self._handle, *arguments)
+        return self
 
     def add_point(self, at: Any, axes: Any, weight: float = 1) -> "Constraints":
         """An axis or a frame at a point."""
-        place, its_axes = _vector(at, "at", 3), _axes(axes)
-        call("constraints_add_point", self._handle, address(place), address(its_axes), len(its_axes), weight)
-        return self
+        place, its_axes = vector(at, "at", 3), _axes(axes)
+        return self._add("point", address(place), address(its_axes), len(its_axes), number(weight, "weight"))
 
     def add_polyline(self, points: Any, axes: Optional[Any] = None, weight: float = 1) -> "Constraints":
         """An axis or a frame along a polyline of at least two points; by default the direction of each segment."""
         its_points = numbers(points, "points", 3)
         its_axes = np.zeros((0, 3)) if axes is None else _axes(axes)
-        call("constraints_add_polyline", self._handle, address(its_points), len(its_points), address(its_axes), len(its_axes), weight)
-        return self
+        return self._add("polyline", address(its_points), len(its_points), address(its_axes), len(its_axes), number(weight, "weight"))
 
     def add_face(self, face: int, axes: Optional[Any] = None, weight: float = 1) -> "Constraints":
         """An axis or a frame on all triangles with this number (``Surface.faces``); by default the normal of the face."""
         its_axes = np.zeros((0, 3)) if axes is None else _axes(axes)
-        call("constraints_add_face", self._handle, face, address(its_axes), len(its_axes), weight)
-        return self
+        return self._add("face", integer(face, "face", -2**31), address(its_axes), len(its_axes), number(weight, "weight"))
 
     def add_stress(self, at: Any, tensor: Any, weight: float = 1) -> "Constraints":
         """Axes along the eigenvectors of a symmetric tensor: xx, yy, zz, yz, xz, xy. Those count that are well determined."""
-        place, its_tensor = _vector(at, "at", 3), _vector(tensor, "tensor", 6)
-        call("constraints_add_stress", self._handle, address(place), address(its_tensor), weight)
-        return self
+        place, its_tensor = vector(at, "at", 3), vector(tensor, "tensor", 6)
+        return self._add("stress", address(place), address(its_tensor), number(weight, "weight"))
 
 
 def read_constraints(path: Any) -> Constraints:
     """Reads and checks the constraints in a JSON file (docs/constraints.md)."""
-    constraints = Constraints.__new__(Constraints)
+    constraints = Constraints()
     constraints._handle = made("constraints", "constraints_read", path_bytes(path))
     return constraints
 
 
-def constraints_of(given: Any) -> Optional[Handle]:
+def constraints_of(given: Any) -> Optional[Constraints]:
     """The constraints that a caller means: an object, a path, or None."""
-    if given is None:
-        return None
-    return (given if isinstance(given, Constraints) else read_constraints(given))._handle
+    return given if given is None or isinstance(given, Constraints) else read_constraints(given)

@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 import json
-import os
 from functools import cached_property
 from typing import Any, Dict, NamedTuple, Optional, Tuple
 
 import numpy as np
 
 from . import _arrays
-from ._library import Handle, array_view, call, frozen, library, made, path_bytes, text_from, view, watched
+from ._library import Handle, array_view, call, frozen, handle_in, library, made, path_bytes, text_from, view, watched
 from ._options import handle_of, with_changes
 from .models import Surface
 from .options import AnswerOptions, OutputOptions, PictureOptions, SingularityOptions, StreamlineOptions
@@ -59,29 +58,33 @@ class _AnyField:
     @cached_property
     def singularities(self) -> SingularityGraph:
         """The singular graph of the field."""
-        return watched(lambda _: SingularityGraph(made("graph", f"{self._kind}_singularities", self._handle, None)))
+        return self._graph(None)
 
     def singularities_with(self, options: SingularityOptions) -> SingularityGraph:
         """The singular graph by other options than the defaults."""
-        handle = handle_of(options, SingularityOptions)
-        return watched(lambda _: SingularityGraph(made("graph", f"{self._kind}_singularities", self._handle, handle)))
+        return self._graph(handle_of(options, SingularityOptions))
+
+    def _graph(self, options: Optional[Handle]) -> SingularityGraph:
+        return SingularityGraph(watched(lambda monitor: made("graph", f"{self._kind}_singularities", self._handle, options, monitor.handle)))
 
     def check(self, options: Optional[AnswerOptions] = None) -> Answer:
         """Whether a hexahedral mesh can follow the field locally, and why not: ``check().verdict``, ``print(check())``."""
         handle = None if options is None else handle_of(options, AnswerOptions)
         return Answer(made("answer", f"{self._kind}_answer", self._handle, handle))
 
-    def write(self, folder: Any, *, page: bool = True, options: Optional[OutputOptions] = None, **changes: Any) -> Dict[str, Any]:
+    def write(self, folder: Any, *, page: Optional[bool] = None, options: Optional[OutputOptions] = None, **changes: Any) -> Dict[str, Any]:
         """Writes the folder of the field (docs/field-file.md): .vtu files for ParaView, report.json and, with `page`, report.html for a
-        browser. All files appear, or none. Returns the report as written.
+        browser; by default with it, or as `options` say. All files appear, or none. Returns the report as written.
 
         `changes` are members of OutputOptions: ``field.write("part.frames", level=6)``. Raises OutputError, also if the folder has files
         that Crossgrain did not write, unless ``foreign_files="keep"`` or ``"replace"``.
         """
-        chosen = with_changes(options or OutputOptions(), {"page": page, **changes})
-        handle, encoded = handle_of(chosen, OutputOptions), path_bytes(folder)
-        model, seconds = self._model
-        self.report = json.loads(watched(lambda monitor: text_from_write(self._kind, self._handle, encoded, handle, model, seconds, monitor)))
+        if page is not None or options is None:
+            changes["page"] = page is None or page
+        handle, encoded = handle_of(with_changes(options, OutputOptions, changes)), path_bytes(folder)
+        model, seconds = path_bytes(self._model[0]) or None, self._model[1]
+        written = watched(lambda monitor: text_from(f"{self._kind}_write", self._handle, encoded, handle, model, seconds, monitor.handle))
+        self.report = json.loads(written)
         return self.report
 
     def write_page(self, path: Any) -> None:
@@ -93,9 +96,8 @@ class _AnyField:
                options: Optional[PictureOptions] = None, **changes: Any) -> None:
         """Draws the field as a PNG file; needs no display. `changes` are members of PictureOptions: ``field.render("part.png", cut="y",
         colour="energy")``."""
-        handle, encoded = handle_of(with_changes(options or PictureOptions(), changes), PictureOptions), path_bytes(path)
-        graph = None if singularities is None else singularities._handle
-        lines = None if streamlines is None else streamlines._handle
+        handle, encoded = handle_of(with_changes(options, PictureOptions, changes)), path_bytes(path)
+        graph, lines = handle_in(singularities, SingularityGraph, "singularities"), handle_in(streamlines, Streamlines, "streamlines")
         watched(lambda monitor: call(f"{self._kind}_render", self._handle, encoded, handle, graph, lines, monitor.handle))
 
     def to_vtk(self) -> Any:
@@ -121,17 +123,6 @@ class _AnyField:
         return {}
 
 
-def text_from_write(kind: str, handle: Handle, folder: bytes, options: Handle, model: str, seconds: float, monitor: Any) -> str:
-    """Writes a field and returns its report as text."""
-    from ctypes import byref, c_char_p, c_void_p, cast
-    out = c_void_p()
-    call(f"{kind}_write", handle, folder, options, os.fsencode(model) if model else None, seconds, monitor.handle, byref(out))
-    try:
-        return (cast(out, c_char_p).value or b"").decode("utf-8", "replace")
-    finally:
-        library.crossgrain_text_free(out)
-
-
 class Field(_AnyField):
     """A solved frame field: one octahedral frame per active cell of an octree, and a frame for any point by interpolation.
 
@@ -144,7 +135,7 @@ class Field(_AnyField):
     _parts = "cells"
 
     def __init__(self, handle: Handle, model: str = "", read_seconds: float = 0.0):
-        self._handle, self._model = handle, (model, read_seconds)
+        self._handle, self._model = Handle.of_kind(handle, "field"), (model, read_seconds)
 
     def __len__(self) -> int:
         """Number of cells."""
@@ -231,21 +222,26 @@ class Field(_AnyField):
         return frames[0] if is_one else frames
 
     def sample_all(self, points: Any, *, threads: int = 0) -> Samples:
-        """The frames at points, (m, 3), with whether they are in a cell, how far the cells around disagree, and the distance to the nearest
+        """The frames at points, (m, 3), or at one point, (3,), with whether they are in a cell, how far the cells around disagree, and the distance to the nearest
         singular arc."""
-        rows = _arrays.numbers(points, "points", 3)
+        rows, is_one = _arrays.points_or_point(points, "points")
         n = len(rows)
         samples = Samples(np.empty((n, 3, 3)), np.empty(n, np.bool_), np.empty(n), np.empty(n))
         self._sample(rows, threads, *samples)
-        return samples
+        return Samples(*(array[0] for array in samples)) if is_one else samples
 
     def _sample(self, rows: np.ndarray, threads: int, *arrays: np.ndarray) -> None:
-        addresses = [_arrays.address(array) for array in arrays] + [None] * (4 - len(arrays))
-        arguments = (self._handle, _arrays.address(rows), len(rows), threads, *addresses)
+        its_threads = _arrays.integer(threads, "threads")
+
+        # Holds the arrays as long as it runs.
+        def work(monitor: Any) -> None:
+            addresses = [_arrays.address(array) for array in (rows, *arrays)] + [None] * (4 - len(arrays))
+            call("field_sample", self._handle, addresses[0], len(rows), its_threads, *addresses[1:], monitor and monitor.handle)
+
         if len(rows) < _FEW_POINTS:
-            call("field_sample", *arguments, None)
+            work(None)
         else:
-            watched(lambda monitor: call("field_sample", *arguments, monitor.handle))
+            watched(work)
 
     def streamlines(self, seeds: Any = None, *, on: Optional[str] = None, count: int = 100, position: Optional[float] = None,
                     surface: Optional[Surface] = None, threads: int = 0, options: Optional[StreamlineOptions] = None,
@@ -256,8 +252,9 @@ class Field(_AnyField):
         Lines end exactly on `surface`, by default that of the field. `changes` are members of StreamlineOptions:
         ``field.streamlines(on="y", count=200, spacing_sides=0.02)``.
         """
-        handle = handle_of(with_changes(options or StreamlineOptions(), changes), StreamlineOptions)
-        tracer = watched(lambda _: made("tracer", "tracer_new", self._handle, handle, surface and surface._handle))
+        handle = handle_of(with_changes(options, StreamlineOptions, changes))
+        its_surface = handle_in(surface, Surface, "surface")
+        tracer = watched(lambda monitor: made("tracer", "tracer_new", self._handle, handle, its_surface, monitor.handle))
         return traced(tracer, seeds, on, count, position, threads)
 
     def _points_and_cells(self) -> Tuple[np.ndarray, str, np.ndarray]:

@@ -10,10 +10,9 @@ from typing import Any, List, NamedTuple, Optional, Sequence
 
 import numpy as np
 
-from . import _interface as c
-from ._arrays import address, as_doubles, indices, numbers, tags
+from ._arrays import address, indices, integer, numbers, of_shape, tags
 from ._library import Handle, array_view, call, library, made, path_bytes, view, watched
-from ._options import handle_of
+from ._options import handle_of, set_changed
 from .errors import InputError
 from .options import ReadOptions, TetTagOptions
 
@@ -60,16 +59,14 @@ class Surface:
                 its_numbers = tags(values, name, len(corners))
                 call(f"mesh_set_{name}", self._handle, address(its_numbers), len(corners))
         if corner_normals is not None:
-            normals = np.asarray(corner_normals)
-            if normals.shape != (len(corners), 3, 3):
-                raise TypeError(f"corner_normals: an array of shape ({len(corners)}, 3, 3) is needed, this one is {normals.shape}")
-            normals = as_doubles(normals, "corner_normals")
+            normals = of_shape(corner_normals, "corner_normals", (len(corners), 3, 3))
             call("mesh_set_corner_normals", self._handle, address(normals), len(corners))
         for crease in creases:
             its_points, tangents = numbers(crease[0], "points", 3), numbers(crease[1], "tangents", 3)
             if len(its_points) != len(tangents):
                 raise TypeError("a crease has as many tangents as points")
-            call("mesh_add_crease", self._handle, address(its_points), address(tangents), len(its_points), int(crease[2]), int(crease[3]))
+            call("mesh_add_crease", self._handle, address(its_points), address(tangents), len(its_points), integer(crease[2], "tag of a crease", -2**31),
+                 int(bool(crease[3])))
         if inner_faces is not None:
             its_faces = indices(inner_faces, "inner_faces", 3)
             call("mesh_add_inner_faces", self._handle, address(its_faces), len(its_faces))
@@ -226,8 +223,8 @@ def _read_surface(path: Any, options: Optional[Handle]) -> Surface:
 def read_tets(path: Any, *, max_memory_bytes: int = 0, tags_options: Optional[TetTagOptions] = None) -> TetMesh:
     """Reads a tet mesh (Medit, Gmsh, VTK) and prepares it for a field. Raises InputError like `read_surface`."""
     start = time.perf_counter()
-    encoded = path_bytes(path)
-    mesh = watched(lambda monitor: made("tets", "tets_read", encoded, max_memory_bytes, monitor.handle))
+    encoded, most = path_bytes(path), integer(max_memory_bytes, "max_memory_bytes", 0, 2**63 - 1)
+    mesh = watched(lambda monitor: made("tets", "tets_read", encoded, most, monitor.handle))
     tets = TetMesh.__new__(TetMesh)
     tets._prepare(mesh, tags_options)
     tets.path, tets.read_seconds = os.fsdecode(encoded), time.perf_counter() - start
@@ -238,40 +235,53 @@ def read_tets(path: Any, *, max_memory_bytes: int = 0, tags_options: Optional[Te
 
 # Data of cells that number regions or tag features, best first, as in files of VTK.
 _TAG_NAMES = ("gmsh:physical", "medit:ref", "CellEntityIds", "region", "RegionId", "tag", "material", "MaterialIds", "gmsh:geometrical")
-_SHAPES = {"tetra": 4, "triangle": 3, "line": 2}
-_OTHER_SOLIDS = ("hexahedron", "wedge", "pyramid", "polyhedron")
+_CORNERS = {"tetra": 4, "triangle": 3, "quad": 4, "line": 2}
+_IGNORED = ("vertex", "empty")
 
 
 def is_meshio(model: Any) -> bool:
     """Whether an object is a mesh of meshio, or looks like one."""
-    return hasattr(model, "points") and hasattr(model, "cells") and hasattr(model, "cell_data")
+    if not (hasattr(model, "points") and hasattr(model, "cells") and hasattr(model, "cell_data")):
+        return False
+    return isinstance(model.cells, (list, tuple)) and all(hasattr(block, "type") and hasattr(block, "data") for block in model.cells)
+
+
+def _shape_of(block: Any) -> str:
+    """The shape of the cells of a block: cells of higher order, such as "tetra10", count as straight ones."""
+    return block.type.rstrip("0123456789")
 
 
 class _Blocks:
     """The cells of one shape in a mesh of meshio, of any order, with their tags."""
 
     def __init__(self, mesh: Any, shape: str):
-        chosen = [i for i, block in enumerate(mesh.cells) if block.type.rstrip("0123456789") == shape]
-        corners = _SHAPES[shape]
+        chosen = [i for i, block in enumerate(mesh.cells) if _shape_of(block) == shape]
+        corners = _CORNERS[shape]
         self.cells = np.concatenate([np.asarray(mesh.cells[i].data)[:, :corners] for i in chosen]) if chosen else np.zeros((0, corners), int)
+        self.tags = None
         name = next((name for name in _TAG_NAMES if name in mesh.cell_data), None)
-        values = [np.asarray(mesh.cell_data[name][i]).ravel() for i in chosen] if name else []
-        self.tags = np.concatenate(values) if values and all(v.dtype.kind in "iu" for v in values) else None
+        if name and chosen:
+            if len(mesh.cell_data[name]) != len(mesh.cells):
+                raise InputError(f"the cell data {name} are of {len(mesh.cell_data[name])} blocks, and the mesh has {len(mesh.cells)}")
+            values = [np.asarray(mesh.cell_data[name][i]) for i in chosen]
+            # As in files, numbers that are no integers tag nothing.
+            if all(part.dtype.kind in "iu" and part.ndim == 1 for part in values):
+                self.tags = np.concatenate(values)
 
 
-def _refuse_other_solids(mesh: Any) -> None:
+def _refuse_other_cells(mesh: Any) -> None:
     for block in mesh.cells:
-        if block.type.startswith(_OTHER_SOLIDS):
-            raise InputError(f"the mesh has cells of type {block.type}; cut them into tets")
+        if _shape_of(block) not in (*_CORNERS, *_IGNORED):
+            raise InputError(f"the mesh has cells of type {block.type}; give triangles and quads, or cut solids into tets")
 
 
 def has_tets(mesh: Any) -> bool:
     """Whether a mesh of meshio has tets."""
-    return any(block.type.startswith("tetra") for block in mesh.cells)
+    return any(_shape_of(block) == "tetra" for block in mesh.cells)
 
 
 def _tets_of_meshio(mesh: Any) -> TetMesh:
-    _refuse_other_solids(mesh)
+    _refuse_other_cells(mesh)
     tets, faces, edges = _Blocks(mesh, "tetra"), _Blocks(mesh, "triangle"), _Blocks(mesh, "line")
     # As of files: Gmsh and Medit list every curve of the model.
     stated = not any(name.startswith(("gmsh:", "medit:")) for name in mesh.cell_data)
@@ -280,13 +290,15 @@ def _tets_of_meshio(mesh: Any) -> TetMesh:
 
 
 def _surface_of_meshio(mesh: Any) -> Surface:
-    _refuse_other_solids(mesh)
-    triangles = [_Blocks(mesh, "triangle").cells]
-    for block in mesh.cells:
-        if block.type.startswith("quad"):
-            quads = np.asarray(block.data)
-            triangles += [quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]
-    return Surface(mesh.points, np.concatenate(triangles))
+    _refuse_other_cells(mesh)
+    quads = _Blocks(mesh, "quad").cells
+    return Surface(mesh.points, np.concatenate([_Blocks(mesh, "triangle").cells, quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]))
+
+
+def _no_model(wanted: str, model: Any) -> TypeError:
+    is_vtk = hasattr(model, "GetClassName")
+    hint = "; pyvista.to_meshio makes a mesh of meshio of it" if is_vtk else ""
+    return TypeError(f"{wanted}, not {type(model).__name__}{hint}")
 
 
 def surface_of(model: Any, triangles: Any, read: "Any") -> Surface:
@@ -301,7 +313,7 @@ def surface_of(model: Any, triangles: Any, read: "Any") -> Surface:
         return _surface_of_meshio(model)
     if hasattr(model, "vertices") and hasattr(model, "faces"):
         return Surface(model.vertices, model.faces)
-    raise TypeError(f"a model is a path, two arrays (vertices and triangles), a mesh of meshio or a Surface, not {type(model).__name__}")
+    raise _no_model("a model is a path, two arrays (vertices and triangles), a mesh of meshio or a Surface", model)
 
 
 def tets_of(model: Any, cells: Any, max_memory_bytes: int = 0) -> TetMesh:
@@ -316,7 +328,7 @@ def tets_of(model: Any, cells: Any, max_memory_bytes: int = 0) -> TetMesh:
         if not has_tets(model):
             raise InputError("the mesh has no tets")
         return _tets_of_meshio(model)
-    raise TypeError(f"tets are a path, two arrays (points and cells), a mesh of meshio or a TetMesh, not {type(model).__name__}")
+    raise _no_model("tets are a path, two arrays (points and cells), a mesh of meshio or a TetMesh", model)
 
 
 def is_of_tets(model: Any) -> bool:
@@ -330,11 +342,5 @@ def reading_for(options: Handle, read: Optional[ReadOptions]) -> Handle:
     """Options for reading a surface for a solve, with those of `read` that are not defaults."""
     handle = made("options", "options_for_reading", options)
     if read is not None:
-        from ._options import _set, flattened, types_of
-        defaults, types = dict(flattened(ReadOptions())), types_of(c.READ_OPTIONS)
-        for name, value in flattened(read):
-            if value != defaults[name]:
-                _set(handle, name, types[name], value)
+        set_changed(handle, read, ReadOptions)
     return handle
-
-

@@ -27,7 +27,7 @@ class Arc:
 
     axes: np.ndarray
     """At each point, the axis about which the frames rotate around the arc, (n, 3): unit, turned along the arc; zero where they rotate
-    about no axis of theirs."""
+    about no axis of theirs, and if read from a file."""
 
     turning_points: np.ndarray
     """Indices into `points` where the rotation changes its sense, ascending."""
@@ -86,7 +86,7 @@ class SingularityGraph:
     """The singular graph of a field: arcs, and the nodes where they end. The order of the lists depends on the field only."""
 
     def __init__(self, handle: Handle):
-        self._handle = handle
+        self._handle = Handle.of_kind(handle, "graph")
         summary = library.crossgrain_graph_summary_of(handle).contents
         self.verdict: str = VERDICTS[summary.verdict]
         """The verdict of the worst arc or node."""
@@ -157,7 +157,7 @@ class Answer:
     """Whether a hexahedral mesh can follow a field locally: necessary for a mesh, not sufficient. ``str()`` of it is one line."""
 
     def __init__(self, handle: Handle):
-        self.verdict: str = VERDICTS[library.crossgrain_answer_verdict(handle)]
+        self.verdict: str = VERDICTS[library.crossgrain_answer_verdict(Handle.of_kind(handle, "answer"))]
         """``"meshable"``, ``"not_meshable"`` or ``"undecided"``."""
         self.sentence: str = _text(library.crossgrain_answer_sentence(handle))
         """The answer in one line."""

@@ -6,8 +6,9 @@ from __future__ import annotations
 import ctypes
 from typing import Any, Optional, Union
 
-from ._library import Handle, call, made, path_bytes, watched
-from ._options import solve_handle, with_changes
+from ._library import Handle, call, handle_in, made, path_bytes, watched
+from ._options import solve_handle, unless_none, with_changes
+from ._arrays import integer
 from ._progress import ProgressOption, listener
 from .constraints import constraints_of
 from .errors import UsageError
@@ -51,18 +52,19 @@ def solve(model: Any, triangles: Any = None, *, resolution: Optional[int] = None
     suffice, TypeError for arrays of another shape or type.
     """
     if triangles is None and is_of_tets(model):
+        if read_options is not None:
+            raise UsageError("options of reading are for surfaces and CAD files")
         if start is not None:
-            raise UsageError("a solve on tets has no start; solve for a field from the start, and call its onto()")
+            raise UsageError("a solve on tets has no start; solve for a field from the start, and carry that onto the tets (carry_onto)")
         return solve_onto(model, resolution=resolution, cell_size=cell_size, degree=degree, seed=seed, threads=threads,
                           max_memory_bytes=max_memory_bytes, constraints=constraints, options=options, progress=progress)
-    chosen = with_changes(options or SolveOptions(), dict(resolution=resolution, cell_size=cell_size, degree=degree, seed=seed,
+    chosen = with_changes(options, SolveOptions, unless_none(resolution=resolution, cell_size=cell_size, degree=degree, seed=seed,
                                                           threads=threads, max_memory_bytes=max_memory_bytes))
     handle = solve_handle(chosen, constraints_of(constraints))
-    if start is not None and not isinstance(start, Field):
-        raise TypeError(f"start: a Field is needed, not {type(start).__name__}")
+    earlier = handle_in(start, Field, "start")
     surface = surface_of(model, triangles, lambda: reading_for(handle, read_options))
     with listener(progress) as hear:
-        field = watched(lambda monitor: made("field", "solve", surface._handle, start and start._handle, handle, monitor.handle), hear)
+        field = watched(lambda monitor: made("field", "solve", surface._handle, earlier, handle, monitor.handle), hear)
     return Field(field, surface.path, surface.read_seconds)
 
 
@@ -75,7 +77,7 @@ def solve_onto(model: Any, cells: Any = None, *, resolution: Optional[int] = Non
     The model is a file (Medit, Gmsh, VTK), two arrays (points (n, 3) and cells (m, 4)), a mesh of meshio, or a `TetMesh`. Without a
     resolution or cell size, the cells of the grid suit the edges of the tets. All else is as for `solve`.
     """
-    chosen = with_changes(options or SolveOptions(), dict(resolution=resolution, cell_size=cell_size, degree=degree, seed=seed,
+    chosen = with_changes(options, SolveOptions, unless_none(resolution=resolution, cell_size=cell_size, degree=degree, seed=seed,
                                                           threads=threads, max_memory_bytes=max_memory_bytes))
     handle = solve_handle(chosen, constraints_of(constraints))
     mesh = tets_of(model, cells, chosen.max_memory_bytes)
@@ -87,29 +89,24 @@ def solve_onto(model: Any, cells: Any = None, *, resolution: Optional[int] = Non
 def carry_onto(field: Field, model: Any, cells: Any = None, *, threads: Optional[int] = None, options: Optional[SolveOptions] = None,
                progress: ProgressOption = None) -> TetField:
     """Transfers a field to the vertices and tets of a mesh, given as for `solve_onto`, and finishes it there."""
-    if not isinstance(field, Field):
-        raise TypeError(f"field: a Field is needed, not {type(field).__name__}")
-    handle = solve_handle(with_changes(options or SolveOptions(), dict(threads=threads)), None)
+    its_field = handle_in(field, Field, "field")
+    if its_field is None:
+        raise TypeError("field: a Field is needed, not None")
+    handle = solve_handle(with_changes(options, SolveOptions, unless_none(threads=threads)), None)
     mesh = tets_of(model, cells)
     with listener(progress) as hear:
-        carried = watched(lambda monitor: made("tet_field", "carry_onto", field._handle, mesh._handle, handle, monitor.handle), hear)
+        carried = watched(lambda monitor: made("tet_field", "carry_onto", its_field, mesh._handle, handle, monitor.handle), hear)
     return TetField(carried, *field._model)
 
 
 def read(folder: Any, *, max_memory_bytes: int = 0) -> Union[Field, TetField]:
     """Reads the field in a folder that `Field.write` or the program has written: on tets if it has them, with the field on the grid in
     ``grid``. Raises InputError."""
-    encoded = path_bytes(folder)
-    on_tets = watched(lambda monitor: _none_or_made("tet_field", "tet_field_read", encoded, max_memory_bytes, monitor.handle))
-    if on_tets is not None:
+    encoded, max_memory_bytes = path_bytes(folder), integer(max_memory_bytes, "max_memory_bytes", 0, 2**63 - 1)
+    on_tets = watched(lambda monitor: made("tet_field", "tet_field_read", encoded, max_memory_bytes, monitor.handle))
+    if on_tets.address:
         return TetField(on_tets)
     return Field(watched(lambda monitor: made("field", "field_read", encoded, max_memory_bytes, monitor.handle)))
-
-
-def _none_or_made(kind: str, name: str, *arguments: Any) -> Optional[Handle]:
-    out = ctypes.c_void_p()
-    call(name, *arguments, ctypes.byref(out))
-    return Handle(kind, out.value) if out.value else None
 
 
 def is_clipped(folder: Any) -> bool:

@@ -9,7 +9,7 @@ from typing import Any, Optional
 import numpy as np
 
 from . import _arrays
-from ._library import Handle, array_view, call, library, made
+from ._library import Handle, array_view, call, library, made, text_bytes
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,25 +41,26 @@ def _spectrum(handle: Handle) -> Spectrum:
                     array(form.null_space, form.null_space_count, size), array(form.linear, size), form.constant)
 
 
+def _degree(degree: Any) -> int:
+    return _arrays.integer(degree, "degree", 3, 4)
+
+
 def spectrum(normals: Any, weights: Optional[Any] = None, *, degree: int = 4) -> Spectrum:
     """The form of a sum of normals, (n, 3), of any length except zero, with positive weights, (n,), by default 1; or of a shape:
     ``"plane"``, ``"cube"``, ``"cylinder"`` or ``"sphere"``."""
+    its_degree = _degree(degree)
     if isinstance(normals, str):
-        return _spectrum(made("spectrum", "spectrum_of_preset", normals.encode(), degree))
+        return _spectrum(made("spectrum", "spectrum_of_preset", text_bytes(normals, "normals"), its_degree))
     rows = _arrays.numbers(normals, "normals", 3)
-    its_weights = np.ones(len(rows)) if weights is None else _arrays.numbers(np.reshape(weights, (-1, 1)), "weights", 1).ravel()
-    if len(its_weights) != len(rows):
-        raise TypeError(f"weights: {len(rows)} are needed, these are {len(its_weights)}")
-    return _spectrum(made("spectrum", "spectrum_of_normals", _arrays.address(rows), _arrays.address(its_weights), len(rows), degree))
+    its_weights = np.ones(len(rows)) if weights is None else _arrays.of_shape(weights, "weights", (len(rows),))
+    return _spectrum(made("spectrum", "spectrum_of_normals", _arrays.address(rows), _arrays.address(its_weights), len(rows), its_degree))
 
 
 def coefficients(frames: Any, *, degree: int = 4) -> np.ndarray:
     """The coefficients of frames, (n, 3, 3), in real orthonormal spherical harmonics, in the order m = -degree ... degree: (n, 7) in degree
     3, (n, 9) in degree 4, of unit length. The 24 ways to name the axes of a frame have the same coefficients; in degree 3 up to sign."""
-    array = np.asarray(frames)
-    if array.shape[-2:] != (3, 3):
-        raise TypeError(f"frames: an array of shape (..., 3, 3) is needed, this one is {array.shape}")
-    rows = _arrays.as_doubles(array.reshape(-1, 9), "frames")
-    result = np.empty((len(rows), 7 if degree == 3 else 9))
-    call("coefficients_of_frames", _arrays.address(rows), len(rows), degree, _arrays.address(result))
-    return result.reshape(array.shape[:-2] + result.shape[1:])
+    rows = _arrays.of_shape(frames, "frames", (None, 3, 3))
+    its_degree = _degree(degree)
+    result = np.empty((len(rows), 7 if its_degree == 3 else 9))
+    call("coefficients_of_frames", _arrays.address(rows), len(rows), its_degree, _arrays.address(result))
+    return result

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _arrays
 from ._library import Handle, array_view, call, library, made, path_bytes, watched
+from .errors import UsageError
 
 ENDS = ("boundary", "singular_arc", "closed", "longest", "ambiguous", "crowded")
 
@@ -27,20 +28,21 @@ class Streamline:
     """Name of the axis at the seed: 0 x, 1 y, 2 z; lines side by side along the same axis have the same name."""
     length: float
     """Sum of the segments between the points."""
-    seed: int
-    """Index of the seed."""
-    seed_point: int
+    seed: Optional[int]
+    """Index of the seed; None, as all below, for lines read from a file."""
+    seed_point: Optional[int]
     """Index of the seed in `points`."""
-    first_end: str
-    """Why it ends: ``"boundary"``, ``"singular_arc"``, ``"closed"``, ``"longest"``, ``"ambiguous"`` or ``"crowded"``."""
-    last_end: str
+    first_end: Optional[str]
+    """Why it ends at its first point: ``"boundary"``, ``"singular_arc"``, ``"closed"``, ``"longest"``, ``"ambiguous"`` or ``"crowded"``."""
+    last_end: Optional[str]
+    """Why it ends at its last point."""
 
 
 class Streamlines:
     """Streamlines, sorted by seed, then by axis: ``lines``, and how many seeds gave none."""
 
     def __init__(self, handle: Handle):
-        self._handle = handle
+        self._handle = Handle.of_kind(handle, "lines")
         self.outside_seeds: int = library.crossgrain_lines_outside_seeds(handle)
         """Seeds outside the solid."""
         self.arc_seeds: int = library.crossgrain_lines_arc_seeds(handle)
@@ -50,8 +52,11 @@ class Streamlines:
     def _line(self, i: int) -> Streamline:
         line = library.crossgrain_lines_line(self._handle, i).contents
         shape = (line.point_count, 3)
-        tangents = array_view(self._handle, line.tangents, np.float64, shape) if line.tangents else None
-        return Streamline(array_view(self._handle, line.points, np.float64, shape), tangents, line.axis, line.length, line.seed,
+        points = array_view(self._handle, line.points, np.float64, shape)
+        if not line.tangents:
+            length = float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+            return Streamline(points, None, line.axis, length, None, None, None, None)
+        return Streamline(points, array_view(self._handle, line.tangents, np.float64, shape), line.axis, line.length, line.seed,
                           line.seed_point, ENDS[line.first_end], ENDS[line.last_end])
 
     def __len__(self) -> int:
@@ -59,6 +64,9 @@ class Streamlines:
 
     def __iter__(self) -> Any:
         return iter(self.lines)
+
+    def __getitem__(self, which: Any) -> Any:
+        return self.lines[which]
 
     def __repr__(self) -> str:
         return f"<crossgrain.Streamlines: {len(self.lines)} lines>"
@@ -81,25 +89,28 @@ def read_streamlines(path: Any) -> Streamlines:
 
 def traced(tracer: Handle, seeds: Any, on: Optional[str], count: int, position: Optional[float], threads: int) -> Streamlines:
     """The lines through seeds, or through `count` seeds inside, on the surface or on a cut."""
+    if seeds is not None and (on is not None or position is not None):
+        raise UsageError("give either seeds, or where to make some")
     given = None if seeds is None else _arrays.points_or_point(seeds, "seeds")[0]
+    its_count, its_threads = _arrays.integer(count, "count", 0, 10**9), _arrays.integer(threads, "threads")
+    place = math.nan if position is None else _arrays.number(position, "position")
 
     def work(monitor: Any) -> Streamlines:
         if given is not None:
-            return Streamlines(made("lines", "tracer_trace", tracer, _arrays.address(given), len(given), 3, threads, monitor.handle))
-        rows = _seeds(tracer, on or "inside", count, position, monitor)
+            return Streamlines(made("lines", "tracer_trace", tracer, _arrays.address(given), len(given), 3, its_threads, monitor.handle))
+        rows = _seeds(tracer, on or "inside", its_count, place, monitor)
         data, length = library.crossgrain_numbers_data(rows), library.crossgrain_numbers_rows(rows)
         columns = library.crossgrain_numbers_columns(rows)
-        return Streamlines(made("lines", "tracer_trace", tracer, data, length, columns, threads, monitor.handle))
+        return Streamlines(made("lines", "tracer_trace", tracer, data, length, columns, its_threads, monitor.handle))
 
     return watched(work)
 
 
-def _seeds(tracer: Handle, on: str, count: int, position: Optional[float], monitor: Any) -> Handle:
+def _seeds(tracer: Handle, on: str, count: int, position: float, monitor: Any) -> Handle:
     if on == "inside":
         return made("numbers", "tracer_spread_seeds", tracer, count, monitor.handle)
     if on == "surface":
         return made("numbers", "tracer_surface_seeds", tracer, count, monitor.handle)
     if on not in ("x", "y", "z"):
-        raise ValueError(f"seeds are on 'inside', 'surface', 'x', 'y' or 'z', not {on!r}")
-    place = math.nan if position is None else position
-    return made("numbers", "tracer_cut_seeds", tracer, "xyz".index(on), place, count, monitor.handle)
+        raise UsageError(f"seeds are on 'inside', 'surface', 'x', 'y' or 'z', not {on!r}")
+    return made("numbers", "tracer_cut_seeds", tracer, "xyz".index(on), position, count, monitor.handle)

@@ -21,7 +21,7 @@ class Matchings:
     """How the axes of the frames of neighbouring tets go on in each other, across each face between two tets, ascending by its vertices."""
 
     def __init__(self, handle: Handle):
-        count = library.crossgrain_matchings_count(handle)
+        count = library.crossgrain_matchings_count(Handle.of_kind(handle, "matchings"))
         self.faces: np.ndarray = array_view(handle, library.crossgrain_matchings_faces(handle), np.uint32, (count, 3))
         """Vertices of each face, ascending, (f, 3)."""
         self.tets: np.ndarray = array_view(handle, library.crossgrain_matchings_tets(handle), np.uint32, (count, 2))
@@ -58,7 +58,7 @@ class TetField(_AnyField):
     _parts = "tets"
 
     def __init__(self, handle: Handle, model: str = "", read_seconds: float = 0.0):
-        self._handle, self._model = handle, (model, read_seconds)
+        self._handle, self._model = Handle.of_kind(handle, "tet_field"), (model, read_seconds)
 
     def __len__(self) -> int:
         """Number of tets."""
@@ -118,13 +118,13 @@ class TetField(_AnyField):
     @cached_property
     def matchings(self) -> Matchings:
         """How frames of neighbouring tets go on in each other."""
-        return watched(lambda _: Matchings(made("matchings", "tet_field_matchings", self._handle)))
+        return Matchings(watched(lambda monitor: made("matchings", "tet_field_matchings", self._handle, monitor.handle)))
 
     def streamlines(self, seeds: Any = None, *, on: Optional[str] = None, count: int = 100, position: Optional[float] = None,
                     threads: int = 0, options: Optional[StreamlineOptions] = None, **changes: Any) -> Streamlines:
         """Lines along the axes, as `Field.streamlines`; they end exactly on the boundary of the tets."""
-        handle = handle_of(with_changes(options or StreamlineOptions(), changes), StreamlineOptions)
-        tracer = watched(lambda _: made("tracer", "tracer_new_on_tets", self._handle, handle))
+        handle = handle_of(with_changes(options, StreamlineOptions, changes))
+        tracer = watched(lambda monitor: made("tracer", "tracer_new_on_tets", self._handle, handle, monitor.handle))
         return traced(tracer, seeds, on, count, position, threads)
 
     def _points_and_cells(self) -> Tuple[np.ndarray, str, np.ndarray]:

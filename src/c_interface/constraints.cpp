@@ -8,15 +8,8 @@
 namespace crossgrain {
 namespace {
 
-std::vector<Vector3> vectors_of(const double* numbers, std::size_t count, const char* name) {
-  const auto all = elements(numbers, count, 3, name);
-  std::vector<Vector3> vectors(count);
-  for (std::size_t i = 0; i < count; ++i) vectors[i] = {all[3 * i], all[3 * i + 1], all[3 * i + 2]};
-  return vectors;
-}
-
 Vector3 vector_of(const double* numbers, const char* name) {
-  return vectors_of(numbers, 1, name).front();
+  return rows_of<Vector3>(numbers, 1, name).front();
 }
 
 }  // namespace
@@ -25,13 +18,12 @@ Vector3 vector_of(const double* numbers, const char* name) {
 using namespace crossgrain;
 
 crossgrain_status crossgrain_constraints_new(crossgrain_constraints** out, crossgrain_error** error) {
-  return guarded(error, [&] { given(out, "out") = new crossgrain_constraints{}; });
+  return made(out, error, [&] { return new crossgrain_constraints{}; });
 }
 
 crossgrain_status crossgrain_constraints_read(const char* path, crossgrain_constraints** out,
                                               crossgrain_error** error) {
-  return guarded(
-      error, [&] { given(out, "out") = new crossgrain_constraints{read_constraints(&given(path, "path"))}; });
+  return made(out, error, [&] { return new crossgrain_constraints{read_constraints(&given(path, "path"))}; });
 }
 
 void crossgrain_constraints_free(crossgrain_constraints* constraints) {
@@ -43,7 +35,8 @@ crossgrain_status crossgrain_constraints_add_point(crossgrain_constraints* const
                                                    crossgrain_error** error) {
   return guarded(error, [&] {
     given(constraints, "constraints")
-        .constraints.points.push_back({vector_of(at, "at"), vectors_of(axes, axis_count, "axes"), weight});
+        .constraints.points.push_back(
+            {vector_of(at, "at"), rows_of<Vector3>(axes, axis_count, "axes"), weight});
   });
 }
 
@@ -53,8 +46,8 @@ crossgrain_status crossgrain_constraints_add_polyline(crossgrain_constraints* co
                                                       crossgrain_error** error) {
   return guarded(error, [&] {
     given(constraints, "constraints")
-        .constraints.polylines.push_back(
-            {vectors_of(points, point_count, "points"), vectors_of(axes, axis_count, "axes"), weight});
+        .constraints.polylines.push_back({rows_of<Vector3>(points, point_count, "points"),
+                                          rows_of<Vector3>(axes, axis_count, "axes"), weight});
   });
 }
 
@@ -63,7 +56,7 @@ crossgrain_status crossgrain_constraints_add_face(crossgrain_constraints* constr
                                                   crossgrain_error** error) {
   return guarded(error, [&] {
     given(constraints, "constraints")
-        .constraints.faces.push_back({face, vectors_of(axes, axis_count, "axes"), weight});
+        .constraints.faces.push_back({face, rows_of<Vector3>(axes, axis_count, "axes"), weight});
   });
 }
 

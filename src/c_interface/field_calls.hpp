@@ -66,7 +66,9 @@ void render_result(const Field& field, const char* path, const crossgrain_option
 
 /// Returns the graph that the field has, or one by these options.
 template <class Field>
-crossgrain_graph* graph_of(const Field& field, const crossgrain_options* options) {
+crossgrain_graph* graph_of(const Field& field, const crossgrain_options* options,
+                           const crossgrain_monitor* monitor) {
+  const WatchedLoops watched(monitor_of(monitor), Stops::kHeeded);
   return new crossgrain_graph(options == nullptr
                                   ? field.singularities()
                                   : field.singularities(options_or_defaults<SingularityOptions>(options)));

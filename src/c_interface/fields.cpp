@@ -72,23 +72,23 @@ using namespace crossgrain;
 crossgrain_status crossgrain_solve(const crossgrain_mesh* mesh, const crossgrain_field* earlier,
                                    const crossgrain_options* options, crossgrain_monitor* monitor,
                                    crossgrain_field** out, crossgrain_error** error) {
-  return guarded(error, [&] {
+  return made(out, error, [&] {
     const TriangleMesh& surface = given(mesh, "mesh").mesh;
     const SolveOptions& its_options = options_or_defaults<SolveOptions>(options);
     FrameField field = earlier == nullptr
                            ? solve(surface, its_options, monitor_of(monitor))
                            : solve_from(earlier->field, surface, its_options, monitor_of(monitor));
-    given(out, "out") = new crossgrain_field{std::move(field)};
+    return new crossgrain_field{std::move(field)};
   });
 }
 
 crossgrain_status crossgrain_field_read(const char* folder, size_t max_memory_bytes,
                                         crossgrain_monitor* monitor, crossgrain_field** out,
                                         crossgrain_error** error) {
-  return guarded(error, [&] {
+  return made(out, error, [&] {
     const ReadLimits limits(monitor_of(monitor), max_memory_bytes);
     const std::filesystem::path path = &given(folder, "folder");
-    given(out, "out") = new crossgrain_field{read_one_solve(path, [&] { return read_field(path); })};
+    return new crossgrain_field{read_one_solve(path, [&] { return read_field(path); })};
   });
 }
 
@@ -165,11 +165,11 @@ const int32_t* crossgrain_field_regions(const crossgrain_field* field) {
 crossgrain_status crossgrain_coefficients_of_frames(const double* frames, size_t count, int degree,
                                                     double* coefficients, crossgrain_error** error) {
   return guarded(error, [&] {
-    if (degree != 3 && degree != 4) throw Error(ErrorKind::kUsage, "the degree is 3 or 4");
+    const Degree its_degree = degree_of(degree);
     const auto numbers = elements(frames, count, 9, "frames");
     std::vector<Frame> all(count);
     for (std::size_t i = 0; i < numbers.size(); ++i) all[i / 9].axes[i % 9 / 3][i % 3] = numbers[i];
-    const std::vector<double> result = coefficients_of(all, static_cast<Degree>(degree));
+    const std::vector<double> result = coefficients_of(all, its_degree);
     const std::size_t each = degree == 3 ? 7 : 9;
     std::copy(result.begin(), result.end(), elements(coefficients, count, each, "coefficients").begin());
   });
@@ -186,7 +186,7 @@ crossgrain_status crossgrain_field_sample(const crossgrain_field* field, const d
                               optional_elements(deviation, count, 1, "deviation"),
                               optional_elements(singular_distance, count, 1, "singular_distance")};
     check_finite(numbers);
-    const ThreadLimit limit(threads);
+    const ThreadLimit limit(checked_threads(threads));
     std::vector<FrameField::Sample> samples(std::min(kPointsAtOnce, count));
     for (std::size_t begin = 0; begin < count; begin += kPointsAtOnce) {
       monitor_of(monitor).check();
@@ -199,26 +199,25 @@ crossgrain_status crossgrain_field_sample(const crossgrain_field* field, const d
 }
 
 crossgrain_status crossgrain_field_singularities(const crossgrain_field* field,
-                                                 const crossgrain_options* options, crossgrain_graph** out,
+                                                 const crossgrain_options* options,
+                                                 crossgrain_monitor* monitor, crossgrain_graph** out,
                                                  crossgrain_error** error) {
-  return guarded(error, [&] { given(out, "out") = graph_of(given(field, "field").field, options); });
+  return made(out, error, [&] { return graph_of(given(field, "field").field, options, monitor); });
 }
 
 crossgrain_status crossgrain_field_report(const crossgrain_field* field, char** json,
                                           crossgrain_error** error) {
-  return guarded(error,
-                 [&] { given(json, "json") = copy_of(report_json(given(field, "field").field.report())); });
+  return made(json, error, [&] { return copy_of(report_json(given(field, "field").field.report())); });
 }
 
 crossgrain_status crossgrain_field_check(const crossgrain_field* field, char** json,
                                          crossgrain_error** error) {
-  return guarded(error,
-                 [&] { given(json, "json") = copy_of(check_json(given(field, "field").field.report())); });
+  return made(json, error, [&] { return copy_of(check_json(given(field, "field").field.report())); });
 }
 
 crossgrain_status crossgrain_field_answer(const crossgrain_field* field, const crossgrain_options* options,
                                           crossgrain_answer** out, crossgrain_error** error) {
-  return guarded(error, [&] { given(out, "out") = answer_about(given(field, "field").field, options); });
+  return made(out, error, [&] { return answer_about(given(field, "field").field, options); });
 }
 
 crossgrain_status crossgrain_field_write(const crossgrain_field* field, const char* folder,

@@ -97,8 +97,7 @@ const crossgrain_node* crossgrain_graph_node(const crossgrain_graph* graph, size
 }
 
 crossgrain_status crossgrain_graph_read(const char* path, crossgrain_graph** out, crossgrain_error** error) {
-  return guarded(error,
-                 [&] { given(out, "out") = new crossgrain_graph(read_singularities(&given(path, "path"))); });
+  return made(out, error, [&] { return new crossgrain_graph(read_singularities(&given(path, "path"))); });
 }
 
 void crossgrain_graph_free(crossgrain_graph* graph) {

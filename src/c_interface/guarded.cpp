@@ -44,10 +44,13 @@ struct OwnedError : crossgrain_error {
   }
 };
 
-crossgrain_status passed_on(crossgrain_status status, Message message, crossgrain_error** error) noexcept {
+/// Returns the status, with an error of message() if there is memory for it.
+template <class MessageOf>
+crossgrain_status passed_on(crossgrain_status status, crossgrain_error** error,
+                            const MessageOf& message) noexcept {
   if (error == nullptr) return status;
   try {
-    *error = new OwnedError(status, std::move(message));
+    *error = new OwnedError(status, message());
   } catch (...) {
     *error = nullptr;
   }
@@ -57,21 +60,36 @@ crossgrain_status passed_on(crossgrain_status status, Message message, crossgrai
 }  // namespace
 
 crossgrain_status status_of(const std::exception_ptr& exception, crossgrain_error** error) noexcept {
+  const auto unexpected = [&](const char* text) {
+    return passed_on(CROSSGRAIN_INTERNAL, error, [&] { return Message{{}, {}, text, Remedy::kReportModel}; });
+  };
   try {
-    std::rethrow_exception(exception);
+    if (exception) std::rethrow_exception(exception);
   } catch (const Error& its_error) {
-    return passed_on(status_of(its_error.kind()), its_error.message(), error);
+    return passed_on(status_of(its_error.kind()), error, [&] { return its_error.message(); });
   } catch (const std::bad_alloc&) {
-    return passed_on(CROSSGRAIN_LIMIT, {{}, {}, "out of memory", Remedy::kFreeMemory}, error);
+    return passed_on(CROSSGRAIN_LIMIT, error, [] {
+      return Message{{}, {}, "out of memory", Remedy::kFreeMemory};
+    });
   } catch (const std::exception& its_error) {
-    return passed_on(CROSSGRAIN_INTERNAL, {{}, {}, its_error.what(), Remedy::kReportModel}, error);
+    return unexpected(its_error.what());
   } catch (...) {
-    return passed_on(CROSSGRAIN_INTERNAL, {{}, {}, "unexpected failure", Remedy::kReportModel}, error);
   }
+  return unexpected("unexpected failure");
 }
 
 void throw_missing(const char* name) {
   throw Error(ErrorKind::kUsage, std::string("the argument ") + name + " is NULL or too long");
+}
+
+Degree degree_of(int degree) {
+  if (degree != 3 && degree != 4) throw Error(ErrorKind::kUsage, "the degree is 3 or 4");
+  return static_cast<Degree>(degree);
+}
+
+int checked_threads(int threads) {
+  if (threads < 0) throw Error(ErrorKind::kUsage, "the number of threads is 0 or more");
+  return threads;
 }
 
 char* copy_of(const std::string& text) {

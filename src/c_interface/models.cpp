@@ -15,16 +15,6 @@
 namespace crossgrain {
 namespace {
 
-/// Copies `count` rows of N numbers into arrays.
-template <class Row, class T>
-std::vector<Row> rows_of(const T* values, std::size_t count, const char* name) {
-  constexpr std::size_t kEach = std::tuple_size_v<Row>;
-  const std::span<const T> all = elements(values, count, kEach, name);
-  std::vector<Row> rows(count);
-  for (std::size_t i = 0; i < count; ++i) std::copy_n(all.begin() + i * kEach, kEach, rows[i].begin());
-  return rows;
-}
-
 template <class T>
 std::vector<T> vector_of(const T* values, std::size_t count, const char* name) {
   const std::span<const T> all = elements(values, count, 1, name);
@@ -84,21 +74,21 @@ crossgrain_domain::crossgrain_domain(TetDomain its_domain)
 crossgrain_status crossgrain_mesh_new(const double* vertices, size_t vertex_count, const uint32_t* triangles,
                                       size_t triangle_count, crossgrain_mesh** out,
                                       crossgrain_error** error) {
-  return guarded(error, [&] {
+  return made(out, error, [&] {
     TriangleMesh mesh;
     mesh.vertices = rows_of<Vector3>(vertices, vertex_count, "vertices");
     mesh.triangles = rows_of<std::array<std::uint32_t, 3>>(triangles, triangle_count, "triangles");
-    given(out, "out") = new crossgrain_mesh(std::move(mesh));
+    return new crossgrain_mesh(std::move(mesh));
   });
 }
 
 crossgrain_status crossgrain_mesh_read(const char* path, const crossgrain_options* options,
                                        crossgrain_monitor* monitor, crossgrain_mesh** out,
                                        crossgrain_error** error) {
-  return guarded(error, [&] {
+  return made(out, error, [&] {
     const ReadOptions& read = options_or_defaults<ReadOptions>(options);
     const ReadLimits limits(monitor_of(monitor), read.max_memory_bytes);
-    given(out, "out") = new crossgrain_mesh(read_surface(&given(path, "path"), read, monitor_of(monitor)));
+    return new crossgrain_mesh(read_surface(&given(path, "path"), read, monitor_of(monitor)));
   });
 }
 
@@ -194,20 +184,20 @@ const char* crossgrain_mesh_warning(const crossgrain_mesh* mesh, size_t index) {
 crossgrain_status crossgrain_tets_new(const double* vertices, size_t vertex_count, const uint32_t* tets,
                                       size_t tet_count, const int32_t* regions, crossgrain_tets** out,
                                       crossgrain_error** error) {
-  return guarded(error, [&] {
+  return made(out, error, [&] {
     TetMesh mesh;
     mesh.vertices = rows_of<Vector3>(vertices, vertex_count, "vertices");
     mesh.tets = rows_of<std::array<std::uint32_t, 4>>(tets, tet_count, "tets");
     if (regions != nullptr) mesh.regions = vector_of(regions, tet_count, "regions");
-    given(out, "out") = new crossgrain_tets{std::move(mesh)};
+    return new crossgrain_tets{std::move(mesh)};
   });
 }
 
 crossgrain_status crossgrain_tets_read(const char* path, size_t max_memory_bytes, crossgrain_monitor* monitor,
                                        crossgrain_tets** out, crossgrain_error** error) {
-  return guarded(error, [&] {
+  return made(out, error, [&] {
     const ReadLimits limits(monitor_of(monitor), max_memory_bytes);
-    given(out, "out") = new crossgrain_tets{read_tets(&given(path, "path"))};
+    return new crossgrain_tets{read_tets(&given(path, "path"))};
   });
 }
 
@@ -235,9 +225,9 @@ crossgrain_status crossgrain_tets_add_feature_faces(crossgrain_tets* tets, const
 crossgrain_status crossgrain_domain_new(const crossgrain_tets* tets, const crossgrain_options* options,
                                         crossgrain_monitor* monitor, crossgrain_domain** out,
                                         crossgrain_error** error) {
-  return guarded(error, [&] {
+  return made(out, error, [&] {
     const ReadLimits limits(monitor_of(monitor));
-    given(out, "out") = new crossgrain_domain(
+    return new crossgrain_domain(
         TetDomain(given(tets, "tets").mesh, options_or_defaults<TetTagOptions>(options)));
   });
 }
@@ -276,14 +266,13 @@ const char* crossgrain_domain_warning(const crossgrain_domain* domain, size_t in
 
 crossgrain_status crossgrain_domain_boundary(const crossgrain_domain* domain, crossgrain_mesh** out,
                                              crossgrain_error** error) {
-  return guarded(error,
-                 [&] { given(out, "out") = new crossgrain_mesh(given(domain, "domain").domain.boundary()); });
+  return made(out, error, [&] { return new crossgrain_mesh(given(domain, "domain").domain.boundary()); });
 }
 
 int crossgrain_is_tet_file(const char* path) {
-  return path != nullptr && is_tet_file(path) ? 1 : 0;
+  return value_or(0, [&] { return is_tet_file(&given(path, "path")) ? 1 : 0; });
 }
 
 int crossgrain_is_cad_file(const char* path) {
-  return path != nullptr && is_cad_file(path) ? 1 : 0;
+  return value_or(0, [&] { return is_cad_file(&given(path, "path")) ? 1 : 0; });
 }

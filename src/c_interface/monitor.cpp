@@ -57,8 +57,7 @@ crossgrain_monitor::crossgrain_monitor(crossgrain_on_progress on_progress,
 crossgrain_status crossgrain_monitor_new(crossgrain_on_progress on_progress,
                                          crossgrain_on_expectation on_expectation, void* state,
                                          crossgrain_monitor** out, crossgrain_error** error) {
-  return guarded(error,
-                 [&] { given(out, "out") = new crossgrain_monitor(on_progress, on_expectation, state); });
+  return made(out, error, [&] { return new crossgrain_monitor(on_progress, on_expectation, state); });
 }
 
 void crossgrain_monitor_free(crossgrain_monitor* monitor) {

@@ -5,10 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace crossgrain {
@@ -18,12 +20,19 @@ namespace {
   throw std::invalid_argument("takes " + what_it_takes);
 }
 
-/// Returns the integer from `low` to `high` in a value; a double that is one counts.
+/// Returns the integer from `low` to `high` in a value; a double or decimal digits that are one count.
 template <class Integer>
 Integer integer_in(const OptionValue& value, Integer low, Integer high, const std::string& what_it_takes) {
   if (const auto* const integer = std::get_if<std::int64_t>(&value)) {
     if (std::cmp_less(*integer, low) || std::cmp_greater(*integer, high)) refuse(what_it_takes);
     return static_cast<Integer>(*integer);
+  }
+  if (const auto* const text = std::get_if<std::string>(&value)) {
+    Integer parsed{};
+    const auto [end, code] = std::from_chars(text->data(), text->data() + text->size(), parsed);
+    if (code != std::errc() || end != text->data() + text->size() || parsed < low || parsed > high)
+      refuse(what_it_takes);
+    return parsed;
   }
   const auto* const number = std::get_if<double>(&value);
   // Below 2^53 every integer is a double.

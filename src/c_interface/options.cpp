@@ -139,7 +139,7 @@ using namespace crossgrain;
 
 crossgrain_status crossgrain_options_new(crossgrain_options_kind kind, crossgrain_options** out,
                                          crossgrain_error** error) {
-  return guarded(error, [&] { given(out, "out") = new crossgrain_options{defaults_of(kind)}; });
+  return made(out, error, [&] { return new crossgrain_options{defaults_of(kind)}; });
 }
 
 void crossgrain_options_free(crossgrain_options* options) {
@@ -147,17 +147,21 @@ void crossgrain_options_free(crossgrain_options* options) {
 }
 
 size_t crossgrain_options_count(crossgrain_options_kind kind) {
-  return options_of(kind).size();
+  return value_or<size_t>(0, [&] { return options_of(kind).size(); });
 }
 
 const char* crossgrain_options_name(crossgrain_options_kind kind, size_t index) {
-  const auto& all = options_of(kind);
-  return index < all.size() ? all[index].name : nullptr;
+  return value_or<const char*>(nullptr, [&] {
+    const auto& all = options_of(kind);
+    return index < all.size() ? all[index].name : nullptr;
+  });
 }
 
 crossgrain_option_type crossgrain_options_type(crossgrain_options_kind kind, size_t index) {
-  const auto& all = options_of(kind);
-  return index < all.size() ? all[index].type : CROSSGRAIN_FLAG;
+  return value_or(CROSSGRAIN_FLAG, [&] {
+    const auto& all = options_of(kind);
+    return index < all.size() ? all[index].type : CROSSGRAIN_FLAG;
+  });
 }
 
 crossgrain_status crossgrain_options_set_integer(crossgrain_options* options, const char* name, int64_t value,
@@ -186,14 +190,14 @@ crossgrain_status crossgrain_options_set_text(crossgrain_options* options, const
 
 crossgrain_status crossgrain_options_get_numbers(const crossgrain_options* options, const char* name,
                                                  crossgrain_numbers** out, crossgrain_error** error) {
-  return guarded(error, [&] {
-    given(out, "out") = new crossgrain_numbers{1, part_of<std::vector<double>>(options, name)};
+  return made(out, error, [&] {
+    return new crossgrain_numbers{1, part_of<std::vector<double>>(options, name)};
   });
 }
 
 crossgrain_status crossgrain_options_get_text(const crossgrain_options* options, const char* name, char** out,
                                               crossgrain_error** error) {
-  return guarded(error, [&] { given(out, "out") = copy_of(part_of<std::string>(options, name)); });
+  return made(out, error, [&] { return copy_of(part_of<std::string>(options, name)); });
 }
 
 crossgrain_status crossgrain_options_set_constraints(crossgrain_options* options,
@@ -218,7 +222,7 @@ crossgrain_status crossgrain_options_keep_forms_for_page(crossgrain_options* opt
 
 crossgrain_status crossgrain_options_for_reading(const crossgrain_options* solve, crossgrain_options** out,
                                                  crossgrain_error** error) {
-  return guarded(error, [&] {
-    given(out, "out") = new crossgrain_options{read_options_for(options_or_defaults<SolveOptions>(solve))};
+  return made(out, error, [&] {
+    return new crossgrain_options{read_options_for(options_or_defaults<SolveOptions>(solve))};
   });
 }

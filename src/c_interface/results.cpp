@@ -72,10 +72,10 @@ crossgrain_status crossgrain_options_set_reservation(crossgrain_options* options
 crossgrain_status crossgrain_reserve_folder(const char* folder, const crossgrain_options* options,
                                             int on_tets, crossgrain_reservation** out,
                                             crossgrain_error** error) {
-  return guarded(error, [&] {
+  return made(out, error, [&] {
     const OutputChoices& choices = options_or_defaults<OutputChoices>(options);
     const auto check = on_tets != 0 ? check_onto_folder : check_field_folder;
-    given(out, "out") = new crossgrain_reservation{check(&given(folder, "folder"), choices)};
+    return new crossgrain_reservation{check(&given(folder, "folder"), choices)};
   });
 }
 
@@ -88,9 +88,7 @@ crossgrain_status crossgrain_field_write_samples(const crossgrain_field* field, 
                                                  crossgrain_monitor* monitor, size_t* outside_count,
                                                  crossgrain_error** error) {
   return guarded(error, [&] {
-    const auto numbers = elements(points, count, 3, "points");
-    std::vector<Vector3> all(count);
-    for (std::size_t i = 0; i < numbers.size(); ++i) all[i / 3][i % 3] = numbers[i];
+    const std::vector<Vector3> all = rows_of<Vector3>(points, count, "points");
     SampleFiles files{&given(frames, "frames"), {}};
     if (outside != nullptr) files.outside = outside;
     const std::size_t result = write_samples(given(field, "field").field, all, files, monitor_of(monitor));
@@ -100,42 +98,40 @@ crossgrain_status crossgrain_field_write_samples(const crossgrain_field* field, 
 
 crossgrain_status crossgrain_points_read(const char* path, crossgrain_numbers** out,
                                          crossgrain_error** error) {
-  return guarded(error, [&] {
+  return made(out, error, [&] {
     crossgrain_numbers rows{3, {}};
     for (const Vector3& p : read_points(&given(path, "path")))
       rows.values.insert(rows.values.end(), p.begin(), p.end());
-    given(out, "out") = new crossgrain_numbers(std::move(rows));
+    return new crossgrain_numbers(std::move(rows));
   });
 }
 
 crossgrain_status crossgrain_normals_read(const char* path, crossgrain_numbers** out,
                                           crossgrain_error** error) {
-  return guarded(error, [&] {
+  return made(out, error, [&] {
     crossgrain_numbers rows{4, {}};
     for (const auto& [normal, weight] : read_normals(&given(path, "path")))
       rows.values.insert(rows.values.end(), {normal[0], normal[1], normal[2], weight});
-    given(out, "out") = new crossgrain_numbers(std::move(rows));
+    return new crossgrain_numbers(std::move(rows));
   });
 }
 
 crossgrain_status crossgrain_model_of_result(const char* folder, char** out, crossgrain_error** error) {
-  return guarded(error, [&] {
+  return made(out, error, [&] {
     const std::optional<std::string> model = model_of_result(&given(folder, "folder"));
-    given(out, "out") = model ? copy_of(*model) : nullptr;
+    return model ? copy_of(*model) : nullptr;
   });
 }
 
 crossgrain_status crossgrain_solve_of_result(const char* folder, char** out, crossgrain_error** error) {
-  return guarded(error, [&] { given(out, "out") = copy_of(solve_of_result(&given(folder, "folder"))); });
+  return made(out, error, [&] { return copy_of(solve_of_result(&given(folder, "folder"))); });
 }
 
 crossgrain_status crossgrain_is_clipped_field(const char* folder, int* out, crossgrain_error** error) {
-  return guarded(error, [&] { given(out, "out") = is_clipped_field(&given(folder, "folder")) ? 1 : 0; });
+  return made(out, error, [&] { return is_clipped_field(&given(folder, "folder")) ? 1 : 0; });
 }
 
 int crossgrain_is_own_file(const char* path) {
   // A file that cannot be read is not known as one.
-  int is_own = 0;
-  guarded(nullptr, [&] { is_own = is_own_file(&given(path, "path")) ? 1 : 0; });
-  return is_own;
+  return value_or(0, [&] { return is_own_file(&given(path, "path")) ? 1 : 0; });
 }

@@ -14,11 +14,6 @@ std::vector<double> joined(const std::vector<std::vector<double>>& rows) {
   return numbers;
 }
 
-Degree degree_of(int degree) {
-  if (degree != 3 && degree != 4) throw Error(ErrorKind::kUsage, "the degree is 3 or 4");
-  return static_cast<Degree>(degree);
-}
-
 }  // namespace
 }  // namespace crossgrain
 
@@ -39,20 +34,19 @@ crossgrain_spectrum::crossgrain_spectrum(SpectrumReport its_report)
 crossgrain_status crossgrain_spectrum_of_normals(const double* normals, const double* weights, size_t count,
                                                  int degree, crossgrain_spectrum** out,
                                                  crossgrain_error** error) {
-  return guarded(error, [&] {
-    const auto numbers = elements(normals, count, 3, "normals");
+  return made(out, error, [&] {
+    const std::vector<Vector3> its_normals = rows_of<Vector3>(normals, count, "normals");
     const auto its_weights = elements(weights, count, 1, "weights");
     std::vector<WeightedNormal> all(count);
-    for (std::size_t i = 0; i < count; ++i)
-      all[i] = {{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]}, its_weights[i]};
-    given(out, "out") = new crossgrain_spectrum(spectrum_of_normals(all, degree_of(degree)));
+    for (std::size_t i = 0; i < count; ++i) all[i] = {its_normals[i], its_weights[i]};
+    return new crossgrain_spectrum(spectrum_of_normals(all, degree_of(degree)));
   });
 }
 
 crossgrain_status crossgrain_spectrum_of_preset(const char* name, int degree, crossgrain_spectrum** out,
                                                 crossgrain_error** error) {
-  return guarded(error, [&] {
-    given(out, "out") = new crossgrain_spectrum(spectrum_of_preset(&given(name, "name"), degree_of(degree)));
+  return made(out, error, [&] {
+    return new crossgrain_spectrum(spectrum_of_preset(&given(name, "name"), degree_of(degree)));
   });
 }
 

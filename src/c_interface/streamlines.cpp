@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "c_interface/guarded.hpp"
 #include "c_interface/handles.hpp"
 #include "crossgrain/thread_limit.hpp"
@@ -35,19 +36,27 @@ crossgrain_line view_of(const AxisCurve& curve) {
   return view;
 }
 
-crossgrain_numbers* rows_of(const std::vector<Vector3>& points) {
+crossgrain_numbers* numbers_in(const std::vector<Vector3>& points) {
   crossgrain_numbers rows{3, {}};
   for (const Vector3& point : points) rows.values.insert(rows.values.end(), point.begin(), point.end());
   return new crossgrain_numbers(std::move(rows));
 }
 
-crossgrain_numbers* rows_of(const std::vector<StreamlineSeed>& seeds) {
+crossgrain_numbers* numbers_in(const std::vector<StreamlineSeed>& seeds) {
   crossgrain_numbers rows{6, {}};
   for (const auto& [point, across] : seeds) {
     rows.values.insert(rows.values.end(), point.begin(), point.end());
     rows.values.insert(rows.values.end(), across.begin(), across.end());
   }
   return new crossgrain_numbers(std::move(rows));
+}
+
+/// More are a negative number or a mistake, and would take years.
+constexpr std::size_t kMostSeeds = 1000000000;
+
+std::size_t checked_seeds(std::size_t count) {
+  if (count > kMostSeeds) throw Error(ErrorKind::kUsage, "at most a thousand million seeds are made");
+  return count;
 }
 
 std::vector<StreamlineSeed> seeds_of(const double* seeds, std::size_t count, std::size_t columns) {
@@ -77,20 +86,23 @@ crossgrain_lines::crossgrain_lines(std::vector<AxisCurve> its_curves) : curves(s
 }
 
 crossgrain_status crossgrain_tracer_new(const crossgrain_field* field, const crossgrain_options* options,
-                                        const crossgrain_mesh* surface, crossgrain_tracer** out,
-                                        crossgrain_error** error) {
-  return guarded(error, [&] {
-    given(out, "out") = new crossgrain_tracer{
-        StreamlineTracer(given(field, "field").field, options_or_defaults<StreamlineOptions>(options),
-                         surface == nullptr ? nullptr : &surface->mesh)};
+                                        const crossgrain_mesh* surface, crossgrain_monitor* monitor,
+                                        crossgrain_tracer** out, crossgrain_error** error) {
+  return made(out, error, [&] {
+    const WatchedLoops watched(monitor_of(monitor), Stops::kHeeded);
+    return new crossgrain_tracer{StreamlineTracer(given(field, "field").field,
+                                                  options_or_defaults<StreamlineOptions>(options),
+                                                  surface == nullptr ? nullptr : &surface->mesh)};
   });
 }
 
 crossgrain_status crossgrain_tracer_new_on_tets(const crossgrain_tet_field* field,
-                                                const crossgrain_options* options, crossgrain_tracer** out,
+                                                const crossgrain_options* options,
+                                                crossgrain_monitor* monitor, crossgrain_tracer** out,
                                                 crossgrain_error** error) {
-  return guarded(error, [&] {
-    given(out, "out") = new crossgrain_tracer{
+  return made(out, error, [&] {
+    const WatchedLoops watched(monitor_of(monitor), Stops::kHeeded);
+    return new crossgrain_tracer{
         StreamlineTracer(given(field, "field").field, options_or_defaults<StreamlineOptions>(options))};
   });
 }
@@ -102,35 +114,36 @@ void crossgrain_tracer_free(crossgrain_tracer* tracer) {
 crossgrain_status crossgrain_tracer_spread_seeds(const crossgrain_tracer* tracer, size_t count,
                                                  crossgrain_monitor* monitor, crossgrain_numbers** out,
                                                  crossgrain_error** error) {
-  return guarded(error, [&] {
-    given(out, "out") = rows_of(given(tracer, "tracer").tracer.spread_seeds(count, monitor_of(monitor)));
+  return made(out, error, [&] {
+    return numbers_in(given(tracer, "tracer").tracer.spread_seeds(checked_seeds(count), monitor_of(monitor)));
   });
 }
 
 crossgrain_status crossgrain_tracer_surface_seeds(const crossgrain_tracer* tracer, size_t count,
                                                   crossgrain_monitor* monitor, crossgrain_numbers** out,
                                                   crossgrain_error** error) {
-  return guarded(error, [&] {
-    given(out, "out") = rows_of(given(tracer, "tracer").tracer.surface_seeds(count, monitor_of(monitor)));
+  return made(out, error, [&] {
+    return numbers_in(
+        given(tracer, "tracer").tracer.surface_seeds(checked_seeds(count), monitor_of(monitor)));
   });
 }
 
 crossgrain_status crossgrain_tracer_cut_seeds(const crossgrain_tracer* tracer, int axis, double position,
                                               size_t count, crossgrain_monitor* monitor,
                                               crossgrain_numbers** out, crossgrain_error** error) {
-  return guarded(error, [&] {
+  return made(out, error, [&] {
     const std::optional<double> place = std::isnan(position) ? std::nullopt : std::optional(position);
-    given(out, "out") =
-        rows_of(given(tracer, "tracer").tracer.cut_seeds(axis, place, count, monitor_of(monitor)));
+    return numbers_in(
+        given(tracer, "tracer").tracer.cut_seeds(axis, place, checked_seeds(count), monitor_of(monitor)));
   });
 }
 
 crossgrain_status crossgrain_tracer_trace(const crossgrain_tracer* tracer, const double* seeds, size_t count,
                                           size_t columns, int threads, crossgrain_monitor* monitor,
                                           crossgrain_lines** out, crossgrain_error** error) {
-  return guarded(error, [&] {
-    const ThreadLimit limit(threads);
-    given(out, "out") = new crossgrain_lines(
+  return made(out, error, [&] {
+    const ThreadLimit limit(checked_threads(threads));
+    return new crossgrain_lines(
         given(tracer, "tracer").tracer.trace(seeds_of(seeds, count, columns), monitor_of(monitor)));
   });
 }
@@ -163,8 +176,7 @@ crossgrain_status crossgrain_lines_write(const crossgrain_lines* lines, const ch
 }
 
 crossgrain_status crossgrain_lines_read(const char* path, crossgrain_lines** out, crossgrain_error** error) {
-  return guarded(error,
-                 [&] { given(out, "out") = new crossgrain_lines(read_streamlines(&given(path, "path"))); });
+  return made(out, error, [&] { return new crossgrain_lines(read_streamlines(&given(path, "path"))); });
 }
 
 void crossgrain_lines_free(crossgrain_lines* lines) {

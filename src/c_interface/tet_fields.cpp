@@ -39,8 +39,8 @@ using namespace crossgrain;
 crossgrain_status crossgrain_solve_onto(const crossgrain_domain* domain, const crossgrain_options* options,
                                         crossgrain_monitor* monitor, crossgrain_tet_field** out,
                                         crossgrain_error** error) {
-  return guarded(error, [&] {
-    given(out, "out") = new crossgrain_tet_field{solve_onto(
+  return made(out, error, [&] {
+    return new crossgrain_tet_field{solve_onto(
         given(domain, "domain").domain, options_or_defaults<SolveOptions>(options), monitor_of(monitor))};
   });
 }
@@ -48,21 +48,21 @@ crossgrain_status crossgrain_solve_onto(const crossgrain_domain* domain, const c
 crossgrain_status crossgrain_carry_onto(const crossgrain_field* field, const crossgrain_domain* domain,
                                         const crossgrain_options* options, crossgrain_monitor* monitor,
                                         crossgrain_tet_field** out, crossgrain_error** error) {
-  return guarded(error, [&] {
-    given(out, "out") =
-        new crossgrain_tet_field{carry_onto(given(field, "field").field, given(domain, "domain").domain,
-                                            options_or_defaults<SolveOptions>(options), monitor_of(monitor))};
+  return made(out, error, [&] {
+    return new crossgrain_tet_field{carry_onto(given(field, "field").field, given(domain, "domain").domain,
+                                               options_or_defaults<SolveOptions>(options),
+                                               monitor_of(monitor))};
   });
 }
 
 crossgrain_status crossgrain_tet_field_read(const char* folder, size_t max_memory_bytes,
                                             crossgrain_monitor* monitor, crossgrain_tet_field** out,
                                             crossgrain_error** error) {
-  return guarded(error, [&] {
+  return made(out, error, [&] {
     const ReadLimits limits(monitor_of(monitor), max_memory_bytes);
     const std::filesystem::path path = &given(folder, "folder");
     std::optional<TetFrameField> field = read_one_solve(path, [&] { return read_tet_field(path); });
-    given(out, "out") = field ? new crossgrain_tet_field{*std::move(field)} : nullptr;
+    return field ? new crossgrain_tet_field{*std::move(field)} : nullptr;
   });
 }
 
@@ -72,14 +72,12 @@ void crossgrain_tet_field_free(crossgrain_tet_field* field) {
 
 crossgrain_status crossgrain_tet_field_grid(const crossgrain_tet_field* field, crossgrain_field** out,
                                             crossgrain_error** error) {
-  return guarded(error,
-                 [&] { given(out, "out") = new crossgrain_field{given(field, "field").field.grid()}; });
+  return made(out, error, [&] { return new crossgrain_field{given(field, "field").field.grid()}; });
 }
 
 crossgrain_status crossgrain_tet_field_domain(const crossgrain_tet_field* field, crossgrain_domain** out,
                                               crossgrain_error** error) {
-  return guarded(error,
-                 [&] { given(out, "out") = new crossgrain_domain(given(field, "field").field.domain()); });
+  return made(out, error, [&] { return new crossgrain_domain(given(field, "field").field.domain()); });
 }
 
 crossgrain_status crossgrain_tet_field_frames(const crossgrain_tet_field* field, double* frames,
@@ -109,9 +107,12 @@ crossgrain_matchings::crossgrain_matchings(const std::vector<FaceMatching>& all)
 }
 
 crossgrain_status crossgrain_tet_field_matchings(const crossgrain_tet_field* field,
-                                                 crossgrain_matchings** out, crossgrain_error** error) {
-  return guarded(
-      error, [&] { given(out, "out") = new crossgrain_matchings(given(field, "field").field.matchings()); });
+                                                 crossgrain_monitor* monitor, crossgrain_matchings** out,
+                                                 crossgrain_error** error) {
+  return made(out, error, [&] {
+    const WatchedLoops watched(monitor_of(monitor), Stops::kHeeded);
+    return new crossgrain_matchings(given(field, "field").field.matchings());
+  });
 }
 
 size_t crossgrain_matchings_count(const crossgrain_matchings* matchings) {
@@ -136,26 +137,25 @@ void crossgrain_matchings_free(crossgrain_matchings* matchings) {
 
 crossgrain_status crossgrain_tet_field_singularities(const crossgrain_tet_field* field,
                                                      const crossgrain_options* options,
-                                                     crossgrain_graph** out, crossgrain_error** error) {
-  return guarded(error, [&] { given(out, "out") = graph_of(given(field, "field").field, options); });
+                                                     crossgrain_monitor* monitor, crossgrain_graph** out,
+                                                     crossgrain_error** error) {
+  return made(out, error, [&] { return graph_of(given(field, "field").field, options, monitor); });
 }
 
 crossgrain_status crossgrain_tet_field_report(const crossgrain_tet_field* field, char** json,
                                               crossgrain_error** error) {
-  return guarded(error,
-                 [&] { given(json, "json") = copy_of(report_json(given(field, "field").field.report())); });
+  return made(json, error, [&] { return copy_of(report_json(given(field, "field").field.report())); });
 }
 
 crossgrain_status crossgrain_tet_field_check(const crossgrain_tet_field* field, char** json,
                                              crossgrain_error** error) {
-  return guarded(error,
-                 [&] { given(json, "json") = copy_of(check_json(given(field, "field").field.report())); });
+  return made(json, error, [&] { return copy_of(check_json(given(field, "field").field.report())); });
 }
 
 crossgrain_status crossgrain_tet_field_answer(const crossgrain_tet_field* field,
                                               const crossgrain_options* options, crossgrain_answer** out,
                                               crossgrain_error** error) {
-  return guarded(error, [&] { given(out, "out") = answer_about(given(field, "field").field, options); });
+  return made(out, error, [&] { return answer_about(given(field, "field").field, options); });
 }
 
 crossgrain_status crossgrain_tet_field_write(const crossgrain_tet_field* field, const char* folder,
@@ -184,9 +184,11 @@ crossgrain_status crossgrain_tet_field_render(const crossgrain_tet_field* field,
 }
 
 const char* crossgrain_format_name(size_t index) {
-  return index < formats().size() ? formats()[index].name.c_str() : nullptr;
+  return value_or<const char*>(
+      nullptr, [&] { return index < formats().size() ? formats()[index].name.c_str() : nullptr; });
 }
 
 const char* crossgrain_format_description(size_t index) {
-  return index < formats().size() ? formats()[index].description.c_str() : nullptr;
+  return value_or<const char*>(
+      nullptr, [&] { return index < formats().size() ? formats()[index].description.c_str() : nullptr; });
 }

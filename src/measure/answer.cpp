@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/names.hpp"
+#include "crossgrain/error.hpp"
 #include "crossgrain/message.hpp"
 #include "crossgrain/report.hpp"
 #include "crossgrain/verdict.hpp"
@@ -56,6 +57,19 @@ class Reasons {
  private:
   std::vector<Reason> reasons_;
 };
+
+void check(const AnswerOptions& options) {
+  const auto demand = [](bool holds, const char* what) {
+    if (!holds) throw Error(ErrorKind::kUsage, {"", "the answer", what});
+  };
+  demand(options.wall_cells >= 0, "the fewest cells across a wall must be a number from 0");
+  demand(options.thin_share >= 0 && options.thin_share <= 1 && options.unfollowed_share >= 0 &&
+             options.unfollowed_share <= 1,
+         "shares must be from 0 to 1");
+  demand(options.unfollowed_deg >= 0 && options.unfollowed_deg <= 180,
+         "angles must be from 0 to 180 degrees");
+  demand(options.short_per_arc >= 0, "the number of short lines for each arc must be a number from 0");
+}
 
 /// The angle of the surface itself does not depend on the cells.
 void judge_surface(const Singularity& singularity, Reasons& reasons) {
@@ -261,6 +275,7 @@ const char* name_of(ReasonKind kind) {
 }
 
 Answer answer_of(const SolveReport& report, const AnswerOptions& options) {
+  check(options);
   Reasons reasons;
   if (report.onto) {
     judge_tets(*report.onto, options, reasons);

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "base/names.hpp"
+#include "crossgrain/error.hpp"
 #include "crossgrain/report.hpp"
 #include "singularity/arc_type.hpp"
 #include "singularity/merged_network.hpp"
@@ -101,7 +103,31 @@ Verdict SingularityGraph::verdict() const {
   return worst;
 }
 
+namespace {
+
+/// Far more rounds than smooth anything further.
+constexpr int kMostRounds = 100000;
+
+void check(const SingularityOptions& options) {
+  const auto demand = [](bool holds, const char* what) {
+    if (!holds) throw Error(ErrorKind::kUsage, {"", "singular lines", what});
+  };
+  for (const double length :
+       {options.merge_cells, options.end_cells, options.touch_cells, options.touch_aside_cells,
+        options.hook_cells, options.hook_reach_cells, options.tip_reach_cells, options.loop_cells,
+        options.shift_cells, options.sign_cells})
+    demand(length >= 0 && std::isfinite(length), "lengths in cells must be 0 or positive numbers");
+  demand(options.smoothing_rounds >= 0 && options.smoothing_rounds <= kMostRounds,
+         "the number of rounds of smoothing must be from 0 to 100000");
+  demand(options.sign_cosine >= 0 && options.sign_cosine <= 1, "the cosine of a sense must be from 0 to 1");
+  for (const double angle : {options.rounding_deg, options.sharp_deg, options.bend_deg})
+    demand(angle >= 0 && angle <= 180, "angles must be from 0 to 180 degrees");
+}
+
+}  // namespace
+
 SingularityGraph singularity_graph(const SingularEdges& singular, const SingularityOptions& options) {
+  check(options);
   const MergedNetwork network = merged(singular, options);
   const std::vector<Vector3> positions = smooth_places(singular, network, options);
   SingularityGraph graph;

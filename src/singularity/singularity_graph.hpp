@@ -7,7 +7,8 @@
 
 namespace crossgrain {
 
-/// The graph of these singular edges. Only the last digits of sums depend on the order of the edges.
+/// The graph of these singular edges. Errors: kUsage for options out of range. Only the last digits of sums
+/// depend on the order of the edges.
 SingularityGraph singularity_graph(const SingularEdges& singular, const SingularityOptions& options = {});
 
 }  // namespace crossgrain

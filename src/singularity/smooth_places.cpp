@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/parallel.hpp"
+
 namespace crossgrain {
 namespace {
 
@@ -74,6 +76,7 @@ std::vector<Vector3> smooth_places(const SingularEdges& singular, const MergedNe
   for (const Position& mean : means) now.push_back(mean.place);
   next = now;
   for (int round = 0; round < options.smoothing_rounds; ++round) {
+    check_watched();
     for (std::size_t k = 0; k < now.size(); ++k) {
       if (pulls[k].empty()) continue;
       Vector3 target{0, 0, 0};

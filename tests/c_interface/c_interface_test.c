@@ -287,6 +287,9 @@ TEST(OptionsRefuseWhatTheyCannotHold) {
   FAILS(CROSSGRAIN_USAGE, "3 or 4", crossgrain_options_set_integer(options, "degree", 5, &g_error));
   FAILS(CROSSGRAIN_USAGE, "no options of kind",
         crossgrain_options_new((crossgrain_options_kind)99, &others, &g_error));
+  OK(crossgrain_options_set_text(options, "seed", "18446744073709551615", &g_error));
+  FAILS(CROSSGRAIN_USAGE, "seed",
+        crossgrain_options_set_text(options, "seed", "18446744073709551616", &g_error));
   crossgrain_mesh* mesh = NULL;
   FAILS(CROSSGRAIN_USAGE, "another kind", crossgrain_mesh_read("a.stl", options, NULL, &mesh, &g_error));
   crossgrain_options_free(options);
@@ -338,7 +341,7 @@ TEST(MatchingsCarryFramesAcrossFacesOfTets) {
   double* frames = malloc(sizeof(double) * 9 * 384);
   OK(crossgrain_tet_field_frames(field, frames, &g_error));
   crossgrain_matchings* matchings = NULL;
-  OK(crossgrain_tet_field_matchings(field, &matchings, &g_error));
+  OK(crossgrain_tet_field_matchings(field, NULL, &matchings, &g_error));
   /* Each tet has four faces, twelve of every 24 cube's on the surface: 6 sides of 2 n^2 triangles. */
   CHECK(crossgrain_matchings_count(matchings) == (4 * 384 - 6 * 2 * 16) / 2);
   const uint32_t* tets = crossgrain_matchings_tets(matchings);
@@ -473,7 +476,7 @@ TEST(SamplesAreWrittenForPointsThatAreRead) {
 TEST(ArcsOfABallAreOfValenceThree) {
   crossgrain_field* field = solved(ball(12), 20);
   crossgrain_graph* graph = NULL;
-  OK(crossgrain_field_singularities(field, NULL, &graph, &g_error));
+  OK(crossgrain_field_singularities(field, NULL, NULL, &graph, &g_error));
   const crossgrain_graph_summary* summary = crossgrain_graph_summary_of(graph);
   CHECK(summary->arcs > 0 && crossgrain_graph_arc(graph, summary->arcs) == NULL);
   for (size_t i = 0; i < summary->arcs; ++i) {
@@ -487,6 +490,12 @@ TEST(ArcsOfABallAreOfValenceThree) {
     const crossgrain_node* node = crossgrain_graph_node(graph, i);
     CHECK(node->arc_count > 0 && node->arcs[0] < summary->arcs);
   }
+  crossgrain_options* wrong = NULL;
+  crossgrain_graph* none = NULL;
+  OK(crossgrain_options_new(CROSSGRAIN_SINGULARITY_OPTIONS, &wrong, &g_error));
+  OK(crossgrain_options_set_number(wrong, "merge_cells", -1, &g_error));
+  FAILS(CROSSGRAIN_USAGE, "lengths", crossgrain_field_singularities(field, wrong, NULL, &none, &g_error));
+  crossgrain_options_free(wrong);
   crossgrain_answer* answer = NULL;
   OK(crossgrain_field_answer(field, NULL, &answer, &g_error));
   CHECK(strlen(crossgrain_answer_sentence(answer)) > 5);
@@ -508,7 +517,7 @@ TEST(LinesAreTracedWrittenAndRead) {
   crossgrain_tracer* tracer = NULL;
   crossgrain_numbers *seeds = NULL, *on_cut = NULL;
   crossgrain_lines *lines = NULL, *read = NULL;
-  OK(crossgrain_tracer_new(field, NULL, NULL, &tracer, &g_error));
+  OK(crossgrain_tracer_new(field, NULL, NULL, NULL, &tracer, &g_error));
   OK(crossgrain_tracer_spread_seeds(tracer, 5, NULL, &seeds, &g_error));
   CHECK(crossgrain_numbers_rows(seeds) == 5 && crossgrain_numbers_columns(seeds) == 3);
   OK(crossgrain_tracer_trace(tracer, crossgrain_numbers_data(seeds), 5, 3, 0, NULL, &lines, &g_error));

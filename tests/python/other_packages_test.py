@@ -68,6 +68,8 @@ class Meshio(unittest.TestCase):
     def test_hexahedra_are_refused(self):
         with self.assertRaisesRegex(cg.InputError, "hexahedron"):
             cg.solve(self.meshio.Mesh(box()[0], [("hexahedron", [[0, 1, 3, 2, 4, 5, 7, 6]])]))
+        with self.assertRaisesRegex(cg.InputError, "polygon"):
+            cg.solve(self.meshio.Mesh(box()[0], [("triangle", box()[1][:10]), ("polygon", box()[1][10:])]))
         with self.assertRaisesRegex(cg.InputError, "no tets"):
             cg.solve_onto(self.meshio.Mesh(box()[0], [("triangle", box()[1])]))
 

@@ -16,7 +16,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 import crossgrain as cg
 import numpy as np
-from crossgrain import _options
+from crossgrain import _interface, _library, _options
 from solids import ball, box, cube_of_tets
 
 
@@ -119,6 +119,10 @@ class Fields(WithFolder):
     def test_are_drawn_and_shown_on_pages(self):
         self.ball.render(self.folder / "ball.png", cut=("y", 0.1), view="front", width=200, height=150, colour="energy")
         self.assertEqual((self.folder / "ball.png").read_bytes()[:4], b"\x89PNG")
+        self.ball.render(self.folder / "cut.png", cut="x", width=200, height=150)
+        self.assertNotEqual((self.folder / "cut.png").read_bytes(), (self.folder / "ball.png").read_bytes())
+        with self.assertRaises(TypeError):
+            self.ball.render(self.folder / "cut.png", cut="w")
         self.ball.write_page(self.folder / "ball.html")
         self.assertIn(b"crossgrain-scene", (self.folder / "ball.html").read_bytes())
 
@@ -189,6 +193,15 @@ class FieldsOnTets(WithFolder):
         self.assertEqual(len(field.report["regions"]), 2)
 
 
+def content(handle, name, kind):
+    """What an option of a handle has, as text or numbers."""
+    if kind == _interface.TEXT:
+        return _library.text_from("options_get_text", handle, name.encode())
+    rows = _library.made("numbers", "options_get_numbers", handle, name.encode())
+    count = _library.library.crossgrain_numbers_rows(rows)
+    return _library.array_view(rows, _library.library.crossgrain_numbers_data(rows), float, (count,)).tolist()
+
+
 class Options(unittest.TestCase):
     def test_have_the_defaults_of_the_library(self):
         kinds = [cg.SolveOptions, cg.ReadOptions, cg.TetTagOptions, cg.OutputOptions, cg.SingularityOptions, cg.AnswerOptions,
@@ -196,10 +209,10 @@ class Options(unittest.TestCase):
         for kind in kinds:
             types = _options.types_of(kind._kind)
             self.assertEqual(list(types), [name for name, _ in _options.flattened(kind())], kind.__name__)
-            handle = _options.made("options", "options_new", kind._kind)
+            handle = _library.made("options", "options_new", kind._kind)
             python = _options.handle_of(kind())
             for name, its_type in types.items():
-                self.assertEqual(_options.content(python, name, its_type), _options.content(handle, name, its_type), name)
+                self.assertEqual(content(python, name, its_type), content(handle, name, its_type), name)
 
     def test_reach_the_library(self):
         options = cg.SolveOptions(resolution=8)
@@ -212,6 +225,35 @@ class Options(unittest.TestCase):
             cg.Field.render(cg.solve(*box(), resolution=8), "a.png", color="energy")
         with self.assertRaises(TypeError):
             cg.SolveOptions(resolutoin=3)  # pylint: disable=unexpected-keyword-arg
+        with self.assertRaisesRegex(AttributeError, "resolutoin"):
+            cg.SolveOptions().resolutoin = 3
+        for wrong in (cg.OntoOptions(), {}, None, 5):
+            options = cg.SolveOptions()
+            options.solver = wrong
+            with self.assertRaisesRegex(TypeError, "SolverOptions"):
+                cg.solve(*box(), options=options)
+        with self.assertRaisesRegex(TypeError, "SolveOptions"):
+            cg.solve(*box(), options=cg.ReadOptions())
+
+    def test_of_any_integer_are_kept(self):
+        for seed in (2**63, 2**64 - 1):
+            self.assertGreater(len(cg.solve(*box(), resolution=8, seed=seed)), 0)
+        with self.assertRaises(cg.UsageError):
+            cg.solve(*box(), resolution=8, seed=2**64)
+
+    def test_out_of_range_are_refused(self):
+        field = cg.solve(*ball(6), resolution=8)
+        for wrong in (cg.SingularityOptions(merge_cells=-1), cg.SingularityOptions(merge_cells=np.nan), cg.SingularityOptions(smoothing_rounds=-1)):
+            self.assertRaises(cg.UsageError, field.singularities_with, wrong)
+        self.assertRaises(cg.UsageError, field.check, cg.AnswerOptions(wall_cells=np.nan))
+
+    def test_of_writing_say_whether_there_is_a_page(self):
+        field = cg.solve(*box(), resolution=8)
+        with tempfile.TemporaryDirectory() as folder:
+            for name, arguments, has_page in [("a", {}, True), ("b", {"options": cg.OutputOptions()}, False),
+                                              ("c", {"options": cg.OutputOptions(), "page": True}, True), ("d", {"page": False}, False)]:
+                field.write(f"{folder}/{name}", **arguments)
+                self.assertEqual(Path(f"{folder}/{name}/report.html").exists(), has_page)
         with self.assertRaisesRegex(cg.UsageError, "resolution"):
             cg.solve(*box(), resolution=1.5)
 
@@ -255,7 +297,60 @@ class Errors(WithFolder):
             pickle.dumps(cg.solve(*box(), resolution=8))
 
 
+class Arguments(unittest.TestCase):
+    """Values that C would cut to a size, read as something else or follow as an address."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.field = cg.solve(*ball(6), resolution=8)
+
+    def test_that_are_integers_out_of_range_are_refused(self):
+        vertices, triangles = box()
+        for call in (lambda: cg.coefficients(np.eye(3)[None], degree=2**32 + 3), lambda: cg.Constraints().add_face(2**32 + 3),
+                     lambda: cg.Surface(vertices, triangles, creases=[(vertices, vertices, 2**40, True)]),
+                     lambda: self.field.sample([[0, 0, 0]], threads=-1), lambda: self.field.sample([[0, 0, 0]], threads=2**32 + 1),
+                     lambda: self.field.streamlines(count=-1), lambda: cg.read("nowhere", max_memory_bytes=-1)):
+            self.assertRaises(cg.UsageError, call)
+
+    def test_of_another_type_are_type_errors(self):
+        field = self.field
+        for call in (lambda: field.sample([[0, 0, 0]], threads="a"), lambda: field.sample([[0, 0, 0]], threads=1.5),
+                     lambda: field.streamlines(count=1.5), lambda: field.streamlines(on="x", position="a"),
+                     lambda: cg.Constraints().add_point([0, 0, 0], [1, 0, 0], "heavy"), lambda: cg.Constraints().add_face(1.5),
+                     lambda: cg.Constraints().add_point([[1], [2, 3]], [1, 0, 0]), lambda: field.render("a.png", singularities=field),
+                     lambda: field.render("a.png", streamlines=field.singularities), lambda: field.streamlines(surface=cg.TetMesh(*cube_of_tets(2))),
+                     lambda: field.streamlines(surface=box()[0]), lambda: cg.solve(*box(), start=5), lambda: cg.carry_onto(None, *cube_of_tets(2)),
+                     lambda: cg.SingularityGraph(None), lambda: cg.Answer(None), lambda: cg.Streamlines(None), lambda: cg.Matchings(None),
+                     lambda: cg.Field(None), lambda: cg.TetField(field._handle), lambda: cg.solve(5), lambda: cg.solve(None)):
+            self.assertRaises(TypeError, call)
+
+    def test_that_contradict_are_refused(self):
+        self.assertRaises(cg.UsageError, self.field.streamlines, [[0, 0, 0]], on="x")
+        self.assertRaises(cg.UsageError, cg.solve, cg.TetMesh(*cube_of_tets(2)), read_options=cg.ReadOptions())
+
+    def test_with_a_zero_byte_are_refused(self):
+        for call in (lambda: cg.spectrum("cube\0x"), lambda: cg.solve("part.stl\0"), lambda: self.field.render("a.png", view="front\0x")):
+            self.assertRaises(cg.UsageError, call)
+
+    def test_of_one_point_are_taken(self):
+        sample = self.field.sample_all([0, 0, 0])
+        self.assertEqual((sample.frames.shape, bool(sample.in_active_cell)), ((3, 3), True))
+
+
 class Constraints(unittest.TestCase):
+    def test_are_added_by_several_threads(self):
+        constraints = cg.Constraints()
+
+        def add_many():
+            for _ in range(3000):
+                constraints.add_point([0, 0, 0], [1, 0, 0])
+        threads = [threading.Thread(target=add_many) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(cg.solve(*ball(6), resolution=8, constraints=constraints).report["constraints"]["points"]["count"], 12000)
+
     def test_turn_the_frames(self):
         axes = np.array([1, 1, 1]) / np.sqrt(3)
         constraints = cg.Constraints().add_point([0, 0, 0], axes, weight=1000)
@@ -277,7 +372,7 @@ class Spectra(unittest.TestCase):
         np.testing.assert_allclose(form.matrix, cg.spectrum("plane").matrix, atol=1e-12)
 
     def test_vanish_on_the_coefficients_of_frames_that_follow_the_normals(self):
-        form, h = cg.spectrum(np.eye(3)), cg.coefficients(np.eye(3)[[2, 0, 1]])
+        form, h = cg.spectrum(np.eye(3)), cg.coefficients(np.eye(3)[None, [2, 0, 1]])[0]
         self.assertAlmostEqual(h @ form.matrix @ h - 2 * form.linear @ h + form.constant, 0, 12)
 
 
@@ -348,6 +443,45 @@ class Threads(unittest.TestCase):
 
     def test_let_ctrl_c_end_a_solve(self):
         self.interrupted("cg.solve(*ball(40), resolution=300)")
+
+    def test_survive_signals_at_any_moment(self):
+        """An alarm that raises comes at random moments of many calls, among them the first and the last."""
+        code = f"""
+import random, signal, sys
+sys.path.insert(0, {str(Path(__file__).parent)!r})
+import numpy as np, crossgrain as cg
+from solids import ball
+class Alarm(Exception): pass
+def ring(*_): raise Alarm
+field = cg.solve(*ball(6), resolution=8)
+points = np.zeros((3000, 3))
+signal.signal(signal.SIGALRM, ring)
+rung, moments = 0, random.Random(1)
+for _ in range(3000):
+    try:
+        signal.setitimer(signal.ITIMER_REAL, moments.uniform(1e-6, 2e-3))
+        field.sample(points)
+        signal.setitimer(signal.ITIMER_REAL, 0)
+    except Alarm:
+        rung += 1
+signal.setitimer(signal.ITIMER_REAL, 0)
+print(rung > 100 and field.sample(points).shape)
+"""
+        result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=100, check=False)
+        self.assertEqual((result.returncode, result.stdout), (0, "(3000, 3, 3)\n"), result.stderr)
+
+    def test_end_with_the_interpreter(self):
+        for progress in ("None", "print"):
+            code = f"""
+import sys, threading, time
+sys.path.insert(0, {str(Path(__file__).parent)!r})
+import crossgrain as cg
+from solids import ball
+threading.Thread(target=lambda: cg.solve(*ball(40), resolution=100, progress={progress}), daemon=True).start()
+time.sleep(0.5)
+"""
+            result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=100, check=False)
+            self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_let_ctrl_c_end_a_sampling(self):
         self.interrupted("field.sample(np.random.default_rng(0).uniform(-1, 1, (20000000, 3)))", "field = cg.solve(*ball(), resolution=16)", 2.5)
