@@ -255,7 +255,7 @@ class Field(_AnyField):
         handle = handle_of(with_changes(options, StreamlineOptions, changes))
         its_surface = handle_in(surface, Surface, "surface")
         tracer = watched(lambda monitor: made("tracer", "tracer_new", self._handle, handle, its_surface, monitor.handle))
-        return traced(tracer, seeds, on, count, position, threads)
+        return traced(self, tracer, seeds, on, count, position, threads)
 
     def _points_and_cells(self) -> Tuple[np.ndarray, str, np.ndarray]:
         points, cells = corners_of(self.centers, self.sizes, self.levels)

@@ -41,8 +41,8 @@ class Streamline:
 class Streamlines:
     """Streamlines, sorted by seed, then by axis: ``lines``, and how many seeds gave none."""
 
-    def __init__(self, handle: Handle):
-        self._handle = Handle.of_kind(handle, "lines")
+    def __init__(self, handle: Handle, field: Any = None):
+        self._handle, self._field = Handle.of_kind(handle, "lines"), field
         self.outside_seeds: int = library.crossgrain_lines_outside_seeds(handle)
         """Seeds outside the solid."""
         self.arc_seeds: int = library.crossgrain_lines_arc_seeds(handle)
@@ -72,9 +72,12 @@ class Streamlines:
         return f"<crossgrain.Streamlines: {len(self.lines)} lines>"
 
     def write(self, path: Any) -> None:
-        """Writes the lines as polylines to a .vtu file, which ParaView opens (docs/streamlines.md)."""
+        """Writes the lines as polylines to a .vtu file, which ParaView opens (docs/streamlines.md). In the folder of their field it is
+        ``streamlines.vtu``; write the field first."""
         encoded = path_bytes(path)
-        watched(lambda monitor: call("lines_write", self._handle, encoded, None, monitor.handle))
+        # All files of a result name their solve.
+        solve = "" if self._field is None else self._field.report.get("solve", "")
+        watched(lambda monitor: call("lines_write", self._handle, encoded, solve.encode() or None, monitor.handle))
 
     def to_vtk(self) -> Any:
         """A vtkPolyData with a polyline per line, and the name of its axis as cell data."""
@@ -87,7 +90,7 @@ def read_streamlines(path: Any) -> Streamlines:
     return Streamlines(made("lines", "lines_read", path_bytes(path)))
 
 
-def traced(tracer: Handle, seeds: Any, on: Optional[str], count: int, position: Optional[float], threads: int) -> Streamlines:
+def traced(field: Any, tracer: Handle, seeds: Any, on: Optional[str], count: int, position: Optional[float], threads: int) -> Streamlines:
     """The lines through seeds, or through `count` seeds inside, on the surface or on a cut."""
     if seeds is not None and (on is not None or position is not None):
         raise UsageError("give either seeds, or where to make some")
@@ -95,15 +98,15 @@ def traced(tracer: Handle, seeds: Any, on: Optional[str], count: int, position: 
     its_count, its_threads = _arrays.integer(count, "count", 0, 10**9), _arrays.integer(threads, "threads")
     place = math.nan if position is None else _arrays.number(position, "position")
 
-    def work(monitor: Any) -> Streamlines:
+    def work(monitor: Any) -> Handle:
         if given is not None:
-            return Streamlines(made("lines", "tracer_trace", tracer, _arrays.address(given), len(given), 3, its_threads, monitor.handle))
+            return made("lines", "tracer_trace", tracer, _arrays.address(given), len(given), 3, its_threads, monitor.handle)
         rows = _seeds(tracer, on or "inside", its_count, place, monitor)
         data, length = library.crossgrain_numbers_data(rows), library.crossgrain_numbers_rows(rows)
         columns = library.crossgrain_numbers_columns(rows)
-        return Streamlines(made("lines", "tracer_trace", tracer, data, length, columns, its_threads, monitor.handle))
+        return made("lines", "tracer_trace", tracer, data, length, columns, its_threads, monitor.handle)
 
-    return watched(work)
+    return Streamlines(watched(work), field)
 
 
 def _seeds(tracer: Handle, on: str, count: int, position: float, monitor: Any) -> Handle:

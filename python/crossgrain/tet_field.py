@@ -125,7 +125,7 @@ class TetField(_AnyField):
         """Lines along the axes, as `Field.streamlines`; they end exactly on the boundary of the tets."""
         handle = handle_of(with_changes(options, StreamlineOptions, changes))
         tracer = watched(lambda monitor: made("tracer", "tracer_new_on_tets", self._handle, handle, monitor.handle))
-        return traced(tracer, seeds, on, count, position, threads)
+        return traced(self, tracer, seeds, on, count, position, threads)
 
     def _points_and_cells(self) -> Tuple[np.ndarray, str, np.ndarray]:
         return self.points, "tetra", self.cells

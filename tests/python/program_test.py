@@ -94,6 +94,14 @@ class Results(unittest.TestCase):
         expected = np.loadtxt(printed.stdout.splitlines()).reshape(-1, 3, 3)
         np.testing.assert_array_equal(cg.read(self.folder / "program.frames").sample(points), expected)
 
+    def test_in_a_folder_are_one_result_to_the_program(self):
+        field = cg.solve(*ball(), resolution=16)
+        field.write(self.folder / "ball.frames")
+        field.streamlines(count=3).write(self.folder / "ball.frames" / "streamlines.vtu")
+        subprocess.run([PROGRAM, "render", "ball.frames", "--streamlines", "-o", "ball.png"], cwd=self.folder,
+                       check=True, timeout=60)
+        field.streamlines(count=3).write(self.folder / "elsewhere.vtu")
+
     def test_of_a_check_are_the_same(self):
         (self.folder / "ball.stl").write_bytes(stl_bytes(*ball()))
         self.solved_by_program("ball.stl", "--resolution", 24)
