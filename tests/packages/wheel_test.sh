@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Installs the wheel in clean Debians without a compiler and without anything else of the project: with NumPy alone to the
-# first array; beside Debian's vtk, meshio, tqdm and nbconvert; and, in another one, beside ParaView's Python, which conflicts
-# with vtk. Runs the tests of the package there. Usage: wheel_test.sh SOURCE_DIR WORK_DIR PACKAGES CAD_FILES [paraview]
+# first array; beside Debian's vtk, meshio, tqdm and nbconvert; in another one (paraview) beside ParaView's Python, which
+# conflicts with vtk; and in Debian 13 (numpy2) with Python 3.13 and NumPy 2. Runs the tests of the package there.
+# Usage: wheel_test.sh SOURCE_DIR WORK_DIR PACKAGES CAD_FILES [paraview|numpy2]
 set -euo pipefail
 
 source_dir="$1" work="$2" wheel="$(echo "$3"/crossgrain-*.whl)" cad_files="$4" beside="${5:-}"
@@ -17,7 +18,7 @@ run_test() {
   echo "$1_test.py: $(tail -1 <<<"$output") after $(seconds_since "$start") s"
 }
 
-fresh_chroot "$chroot" bookworm
+fresh_chroot "$chroot" "$(if [ "$beside" = numpy2 ]; then echo trixie; else echo bookworm; fi)"
 models_in "$chroot"
 cp "$wheel" "$chroot/work/"
 cp -r "$source_dir/tests/python" "$chroot/work/tests"
@@ -49,6 +50,8 @@ outside="$(in_chroot "$chroot" sh -c 'ldd "$(python3 -c "from crossgrain import 
   awk '$3 ~ /^\// && $3 !~ /crossgrain/ { print $1 }' | grep -vE '^(libc|libm|libdl|libpthread|librt|libstdc\+\+|libgcc_s)\.so\.' || true)"
 [ -z "$outside" ] || fail "these come from the system: $outside"
 for name in package arrays_fuzz examples; do run_test "$name"; done
+in_chroot "$chroot" python3 -c 'import sys, numpy; print("Python", sys.version.split()[0], "NumPy", numpy.__version__)'
+if [ "$beside" = numpy2 ]; then exit; fi
 
 echo "== beside vtk, meshio, tqdm and nbconvert"
 install_in "$chroot" python3-vtk9 python3-meshio python3-tqdm jupyter-nbconvert python3-ipykernel
