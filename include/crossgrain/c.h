@@ -158,7 +158,8 @@ typedef enum crossgrain_options_kind {
   CROSSGRAIN_SINGULARITY_OPTIONS = 4, /**< SingularityOptions */
   CROSSGRAIN_ANSWER_OPTIONS = 5,      /**< AnswerOptions */
   CROSSGRAIN_STREAMLINE_OPTIONS = 6,  /**< StreamlineOptions */
-  CROSSGRAIN_PICTURE_OPTIONS = 7      /**< PictureOptions */
+  CROSSGRAIN_PICTURE_OPTIONS = 7,     /**< PictureOptions */
+  CROSSGRAIN_NO_OPTIONS = 2147483647  /**< none; so that a function may be asked for any int, and refuse it */
 } crossgrain_options_kind;
 
 /** What an option takes. */
