@@ -27,6 +27,13 @@ class Error(Exception):
         self.file, self.place, self.text, self.remedy, self.remedy_name = file, place, text or sentence, remedy, remedy_name
 
 
+    def with_file(self, file: str) -> "Error":
+        """The error with the file that the model came from, which the library does not know for objects in memory."""
+        if self.file or not file:
+            return self
+        return type(self)(f"{file}: {self}", file, self.place, self.text, self.remedy, self.remedy_name)
+
+
 class UsageError(Error, ValueError):
     """An invalid argument or option."""
 

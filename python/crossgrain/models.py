@@ -161,7 +161,10 @@ class TetMesh:
 
     def _prepare(self, mesh: Handle, options: Optional[TetTagOptions]) -> None:
         its_options = None if options is None else handle_of(options, TetTagOptions)
-        self._handle = watched(lambda monitor: made("domain", "domain_new", mesh, its_options, monitor.handle))
+        try:
+            self._handle = watched(lambda monitor: made("domain", "domain_new", mesh, its_options, monitor.handle))
+        except InputError as error:
+            raise error.with_file(self.path) from None
 
     @classmethod
     def _of(cls, handle: Handle, path: str = "", read_seconds: float = 0.0) -> "TetMesh":
@@ -226,8 +229,9 @@ def read_tets(path: Any, *, max_memory_bytes: int = 0, tags_options: Optional[Te
     encoded, most = path_bytes(path), integer(max_memory_bytes, "max_memory_bytes", 0, 2**63 - 1)
     mesh = watched(lambda monitor: made("tets", "tets_read", encoded, most, monitor.handle))
     tets = TetMesh.__new__(TetMesh)
+    tets.path = os.fsdecode(encoded)
     tets._prepare(mesh, tags_options)
-    tets.path, tets.read_seconds = os.fsdecode(encoded), time.perf_counter() - start
+    tets.read_seconds = time.perf_counter() - start
     return tets
 
 

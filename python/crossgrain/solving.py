@@ -4,18 +4,28 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Optional, Union
+from contextlib import contextmanager
+from typing import Any, Iterator, Optional, Union
 
 from ._library import Handle, call, handle_in, made, path_bytes, watched
 from ._options import solve_handle, unless_none, with_changes
 from ._arrays import integer
 from ._progress import ProgressOption, listener
 from .constraints import constraints_of
-from .errors import UsageError
+from .errors import InputError, UsageError
 from .field import Field
 from .models import is_of_tets, reading_for, surface_of, tets_of
 from .options import ReadOptions, SolveOptions
 from .tet_field import TetField
+
+
+@contextmanager
+def naming(file: str) -> Iterator[None]:
+    """Errors about the model name its file."""
+    try:
+        yield
+    except InputError as error:
+        raise error.with_file(file) from None
 
 
 def solve(model: Any, triangles: Any = None, *, resolution: Optional[int] = None, cell_size: Optional[float] = None,
@@ -63,7 +73,7 @@ def solve(model: Any, triangles: Any = None, *, resolution: Optional[int] = None
     handle = solve_handle(chosen, constraints_of(constraints))
     earlier = handle_in(start, Field, "start")
     surface = surface_of(model, triangles, lambda: reading_for(handle, read_options))
-    with listener(progress) as hear:
+    with listener(progress) as hear, naming(surface.path):
         field = watched(lambda monitor: made("field", "solve", surface._handle, earlier, handle, monitor.handle), hear)
     return Field(field, surface.path, surface.read_seconds)
 
@@ -81,7 +91,7 @@ def solve_onto(model: Any, cells: Any = None, *, resolution: Optional[int] = Non
                                                           threads=threads, max_memory_bytes=max_memory_bytes))
     handle = solve_handle(chosen, constraints_of(constraints))
     mesh = tets_of(model, cells, chosen.max_memory_bytes)
-    with listener(progress) as hear:
+    with listener(progress) as hear, naming(mesh.path):
         field = watched(lambda monitor: made("tet_field", "solve_onto", mesh._handle, handle, monitor.handle), hear)
     return TetField(field, mesh.path, mesh.read_seconds)
 
@@ -94,7 +104,7 @@ def carry_onto(field: Field, model: Any, cells: Any = None, *, threads: Optional
         raise TypeError("field: a Field is needed, not None")
     handle = solve_handle(with_changes(options, SolveOptions, unless_none(threads=threads)), None)
     mesh = tets_of(model, cells)
-    with listener(progress) as hear:
+    with listener(progress) as hear, naming(mesh.path):
         carried = watched(lambda monitor: made("tet_field", "carry_onto", its_field, mesh._handle, handle, monitor.handle), hear)
     return TetField(carried, *field._model)
 

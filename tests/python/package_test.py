@@ -17,7 +17,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import crossgrain as cg
 import numpy as np
 from crossgrain import _interface, _library, _options
-from solids import ball, box, cube_of_tets
+from solids import ball, box, cube_of_tets, medit_text
 
 
 class WithFolder(unittest.TestCase):
@@ -266,6 +266,17 @@ class Errors(WithFolder):
             cg.solve(path)
         self.assertEqual((caught.exception.file, caught.exception.place), (str(path), "line 2"))
         self.assertIn(caught.exception.text, str(caught.exception))
+
+    def test_of_a_model_that_can_be_read_name_its_file_too(self):
+        path = self.folder / "sheet.obj"
+        path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
+        flat = self.folder / "flat.mesh"
+        flat.write_text(medit_text(np.zeros((4, 3)), np.array([[0, 1, 2, 3]])), encoding="utf-8")
+        for model in (path, flat):
+            with self.assertRaises(cg.InputError) as caught:
+                cg.solve(str(model))
+            self.assertEqual(caught.exception.file, str(model))
+            self.assertTrue(str(caught.exception).startswith(f"{model}: "))
 
     def test_are_of_the_kinds_that_python_knows(self):
         self.assertTrue(issubclass(cg.InputError, ValueError) and issubclass(cg.OutputError, OSError))
