@@ -1,7 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# Copies the libraries of Debian that programs and libraries in a folder need, for packages that stand alone. To be sourced,
-# with `root`, `tree` (the folder), `lib` (where libraries go) and `stage` (for lists) set.
+# Builds what packages that stand alone are made of, and copies the libraries of Debian that it needs. To be sourced with the
+# arguments of packaging/build.sh. Sets `root`, `folder`, `version` and `machine`; its functions want `tree` (the folder of
+# the package), `lib` (where libraries go) and `stage` (for lists).
 
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+folder="$(realpath -m "${1:-$root/build/packages}")"
+"$root/packaging/build.sh" "$@"
+version="$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$folder/CMakeCache.txt")"
+machine="$(uname -m)"
 accepted="$root/packaging/accepted_packages.txt"
 
 fail() { echo "packaging/$(basename "$0"): $*" >&2; exit 1; }
@@ -58,6 +64,3 @@ copied_packages() {
     printf '%-32s %-20s %s\n' "$package" "$(dpkg-query -Wf '${Version}' "$package" | head -1)" "$(sed -n "s/^$package  *//p" "$accepted")"
   done
 }
-
-# value_of NAME: an entry of the CMake cache of the build.
-value_of() { sed -n "s/^$1:[A-Z]*=//p" "$folder/CMakeCache.txt"; }

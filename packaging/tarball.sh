@@ -5,13 +5,7 @@
 # Usage: packaging/tarball.sh [FOLDER [BUILD]], as for packaging/build.sh
 set -euo pipefail
 
-root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
-folder="$(realpath -m "${1:-$root/build/packages}")"
-"$root/packaging/build.sh" "$@"
-
-. "$root/packaging/libraries.sh"
-version="$(value_of CMAKE_PROJECT_VERSION)"
-machine="$(uname -m)"
+. "$(dirname "${BASH_SOURCE[0]}")/libraries.sh"
 name="crossgrain-$version-linux-$machine"
 stage="$folder/tarball" tree="$folder/tarball/$name" lib="$folder/tarball/$name/lib"
 

@@ -5,13 +5,7 @@
 # Usage: packaging/wheel.sh [FOLDER [BUILD]], as for packaging/build.sh
 set -euo pipefail
 
-root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
-folder="$(realpath -m "${1:-$root/build/packages}")"
-"$root/packaging/build.sh" "$@"
-
-. "$root/packaging/libraries.sh"
-version="$(value_of CMAKE_PROJECT_VERSION)"
-machine="$(uname -m)"
+. "$(dirname "${BASH_SOURCE[0]}")/libraries.sh"
 stage="$folder/wheel" tree="$folder/wheel/tree" lib="$folder/wheel/tree/crossgrain/lib"
 
 # What manylinux_2_36 allows of the system besides glibc (auditwheel's policy): no library of its own, and no later symbols.

@@ -21,6 +21,10 @@ PROGRAM = os.environ["CROSSGRAIN_PROGRAM"]
 CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
 MODELS = Path(__file__).parents[2] / "models"
 
+# Real models of others, read in place where they are.
+REAL_MODELS = sorted(path for path in (Path(__file__).parents[3] / "shared" / "models" / "good").glob("*")
+                     if path.suffix.lower() in (".stl", ".obj", ".ply", ".step", ".stp", ".mesh", ".msh", ".vtk"))
+
 # What differs from run to run, and forecasts made from it.
 OF_THE_RUN = ("seconds", "expected", "peak_memory_bytes")
 
@@ -80,6 +84,15 @@ class Results(unittest.TestCase):
         model = sorted(self.folder.glob("*.step"))[0]
         self.solved_by_program(model, "--resolution", 32)
         self.assert_same(cg.solve(str(model), resolution=32))
+
+    @unittest.skipUnless(REAL_MODELS, "the real models are not here")
+    def test_of_real_models_are_the_same(self):
+        for model in REAL_MODELS:
+            if model.suffix.lower() in (".step", ".stp") and not CAD_FILES:
+                continue
+            with self.subTest(model=model.name):
+                self.solved_by_program(model, "--resolution", 24, "--force")
+                self.assert_same(cg.solve(str(model), resolution=24))
 
     def test_of_arrays_are_those_of_their_file(self):
         surface = cg.read_surface(MODELS / "bracket.stl")
