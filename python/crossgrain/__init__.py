@@ -12,7 +12,8 @@ surface.
 `solve` and `solve_onto` make fields, `read` reads them. See `Field` and `TetField` for what to do with them.
 """
 
-from ._library import Progress, library as _library_of_c
+from ._library import library as _library_of_c
+from ._watched import Progress
 from .constraints import Constraints, read_constraints
 from .errors import Error, InputError, InternalError, Interrupted, LimitError, OutputError, UsageError
 from .field import CONSTRAINT_CLASSES, Field, Samples

@@ -7,7 +7,7 @@ import sys
 from contextlib import contextmanager
 from typing import Any, Callable, Iterator, Optional, Union
 
-from ._library import Progress
+from ._watched import Progress
 
 ProgressOption = Union[None, bool, Callable[[Progress], None]]
 

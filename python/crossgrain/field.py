@@ -10,8 +10,9 @@ from typing import Any, Dict, NamedTuple, Optional, Tuple
 import numpy as np
 
 from . import _arrays
-from ._library import Handle, array_view, call, frozen, handle_in, library, made, path_bytes, text_from, view, watched
+from ._library import Handle, array_view, call, frozen, handle_in, library, made, path_bytes, text_from, view
 from ._options import handle_of, with_changes
+from ._watched import watched
 from .models import Surface
 from .options import AnswerOptions, OutputOptions, PictureOptions, SingularityOptions, StreamlineOptions
 from .singularities import Answer, SingularityGraph

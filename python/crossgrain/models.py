@@ -11,8 +11,9 @@ from typing import Any, List, NamedTuple, Optional, Sequence
 import numpy as np
 
 from ._arrays import address, indices, integer, numbers, of_shape, tags
-from ._library import Handle, array_view, call, library, made, path_bytes, view, watched
+from ._library import Handle, array_view, call, library, made, path_bytes, view
 from ._options import handle_of, set_changed
+from ._watched import watched
 from .errors import InputError
 from .options import ReadOptions, TetTagOptions
 

@@ -7,10 +7,11 @@ import ctypes
 from contextlib import contextmanager
 from typing import Any, Iterator, Optional, Union
 
-from ._library import Handle, call, handle_in, made, path_bytes, watched
+from ._library import Handle, call, handle_in, made, path_bytes
 from ._options import solve_handle, unless_none, with_changes
 from ._arrays import integer
 from ._progress import ProgressOption, listener
+from ._watched import watched
 from .constraints import constraints_of
 from .errors import InputError, UsageError
 from .field import Field

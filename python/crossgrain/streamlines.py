@@ -10,7 +10,8 @@ from typing import Any, List, Optional
 import numpy as np
 
 from . import _arrays
-from ._library import Handle, array_view, call, library, made, path_bytes, watched
+from ._library import Handle, array_view, call, library, made, path_bytes
+from ._watched import watched
 from .errors import UsageError
 
 ENDS = ("boundary", "singular_arc", "closed", "longest", "ambiguous", "crowded")

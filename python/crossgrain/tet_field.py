@@ -9,8 +9,9 @@ from typing import Any, Dict, Optional, Tuple
 import numpy as np
 
 from . import _arrays
-from ._library import Handle, array_view, call, frozen, library, made, watched
+from ._library import Handle, array_view, call, frozen, library, made
 from ._options import handle_of, with_changes
+from ._watched import watched
 from .field import Field, _AnyField
 from .models import TetMesh
 from .options import StreamlineOptions
