@@ -48,6 +48,8 @@ void check_arguments(SolveArguments& arguments, const CLI::App* command) {
     refuse("--boundary is for tet meshes; give one as MODEL or with --onto", command);
   if (!is_tets && arguments.onto.empty() && command->count("--write") > 0)
     refuse("--write is for tet meshes; give one as MODEL or with --onto", command);
+  if (!is_tets && arguments.onto.empty() && arguments.repair)
+    refuse("--repair is for tet meshes; give one as MODEL or with --onto", command);
   arguments.is_output_named = !arguments.output.empty();
   if (!arguments.is_output_named)
     arguments.output = std::filesystem::path(arguments.model).stem().string() + ".frames";

@@ -27,7 +27,8 @@ struct SolveArguments {
   SolveOptions options;
   TetTagOptions tags;
   OutputOptions output_options;
-  bool page = true;  ///< whether to write report.html
+  bool page = true;     ///< whether to write report.html
+  bool repair = false;  ///< whether to repair the matchings of the field on tets
   double read_seconds = ReadOptions().read_seconds;
   bool verbose = false;  ///< whether the summary tells of the grid that a field on tets started from
   bool glue = false;

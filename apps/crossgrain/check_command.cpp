@@ -161,6 +161,8 @@ void run_check(const CheckArguments& arguments) {
   graphs.push_back(report.singularity);
   std::string text = unfinished_line(report) + reasons_of(report.answer) + numbers_of(graphs, field.size()) +
                      remarks_on(graphs.front());
+  if (report.onto && report.onto->repair)
+    text += "repaired: " + sentence_of(*report.onto->repair, report.onto->singularity) + "\n";
   if (report.coarser && !report.onto) text += comparison_with(*report.coarser, report.singularity);
   print_result(text);
 }

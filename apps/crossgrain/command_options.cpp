@@ -91,6 +91,10 @@ void add_tets_options(CLI::App& command, SolveArguments& arguments) {
       "leaves creases and corners free",
       "all|smooth-only");
   command.add_flag(
+      "--repair", arguments.repair,
+      "Repair the matchings of the field on tets, so that hexahedra can follow it, and smooth its "
+      "frames for them; docs/repair.md");
+  command.add_flag(
       "--keep-tags", arguments.tags.keep_all,
       "Follow all edges, triangles and regions that a tet mesh lists, even if they are nearly all "
       "that it has");

@@ -18,6 +18,7 @@
 #include "crossgrain/io.hpp"
 #include "crossgrain/page.hpp"
 #include "crossgrain/read_limits.hpp"
+#include "crossgrain/repair.hpp"
 #include "crossgrain/solve.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "interruption.hpp"
@@ -153,8 +154,10 @@ std::optional<TetFrameField> carried(const SolveArguments& arguments, const Solv
   if (monitor.stopped()) return std::nullopt;
   try {
     Interruption::set_has_field(false);
-    return naming(arguments.onto.empty() ? arguments.model : arguments.onto,
-                  [&] { return carry_onto(field, domain, options, monitor); });
+    return naming(arguments.onto.empty() ? arguments.model : arguments.onto, [&] {
+      TetFrameField on_tets = carry_onto(field, domain, options, monitor);
+      return arguments.repair ? repaired(on_tets, {}, monitor) : on_tets;
+    });
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::kInterrupted || monitor.cancelled()) throw;
     leave_line();

@@ -74,6 +74,7 @@ std::string tets_rows(const SolveReport::Onto& onto) {
   return row("tets", fmt::format("{}, {}, boundary {}", onto.tets,
                                  counted(onto.vertices, "vertex", "vertices"), name_of(onto.boundary))) +
          row("singular", lines_text(onto.singularity)) +
+         (onto.repair ? row("repair", sentence_of(*onto.repair, onto.singularity)) : "") +
          angles_row("surface", onto.normal_deg, "its normals") +
          angles_row("creases", onto.crease_deg, "their faces");
 }

@@ -13,6 +13,7 @@
 #include "crossgrain/options.hpp"
 #include "crossgrain/page.hpp"
 #include "crossgrain/picture.hpp"
+#include "crossgrain/repair.hpp"
 #include "crossgrain/report.hpp"
 #include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/solve.hpp"

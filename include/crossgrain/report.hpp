@@ -297,6 +297,32 @@ struct SolveReport {
     /// From which field it comes: 0 that on the grid, k the k-th of OntoOptions::other_starts.
     std::size_t start = 0;
     double seconds = 0;  ///< from the field on the grid to that on the tets, with evaluation
+
+    /// What a repair of the matchings has changed (crossgrain/repair.hpp). All else in `onto` is about the
+    /// repaired field.
+    struct Repair {
+      std::size_t moves = 0;
+      std::size_t changed_faces = 0;  ///< faces whose matching is not the nearest of the former frames
+      std::size_t faults_before = 0;  ///< edges and vertices at which no hexahedra can meet
+      std::size_t faults = 0;         ///< those that are left
+      std::size_t edges_before = 0;   ///< singular edges of the tets
+      double length_before = 0;       ///< sum of their lengths
+      std::size_t contacts_before = 0;
+      std::size_t arcs_before = 0, boundary_ends_before = 0;
+
+      std::size_t removed_arcs = 0;    ///< former arcs of which no vertex is on an arc or next to one
+      std::size_t shortened_arcs = 0;  ///< former arcs of which this holds for some of the vertices
+      std::size_t led_arcs = 0;        ///< arcs that end on the surface where no former arc ended
+
+      /// Edges of the boundary at which the map turns by another number of quarter turns than the geometry.
+      std::size_t bent_edges = 0;
+      double bent_length = 0;
+
+      double energy_before = 0, energy = 0;  ///< Dirichlet energy of the frames of tets, in degree 4
+      AngleSummary turned_deg;               ///< by how much the frames of tets turned
+      double seconds = 0;
+    };
+    std::optional<Repair> repair;
   };
   std::optional<Onto> onto;  ///< set only if there is a tet mesh
 
@@ -325,6 +351,9 @@ SolveReport::Singularity summary_of(const SingularityGraph& graph, const Singula
 /// Marks the report of a field on the grid that was not transferred to the requested tet mesh because of a
 /// stop: sets `unfinished` and adds the warning.
 void mark_tets_missing(SolveReport& report);
+
+/// Returns what a repair has changed, in one line; `after` is the summary of the repaired field.
+std::string sentence_of(const SolveReport::Onto::Repair& repair, const SolveReport::Singularity& after);
 
 /// Returns a finding in words: kind, number, place and outcome.
 std::string sentence_of(const SolveReport::Finding& finding);

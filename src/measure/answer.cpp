@@ -80,6 +80,9 @@ void judge_surface(const Singularity& singularity, Reasons& reasons) {
   reasons.add_worst(ReasonKind::kKnifeEdge, Verdict::kNotMeshable, singularity.crease_list,
                     Verdict::kNotMeshable, knife, "give the edge a fillet or a chamfer");
   const auto corner = [](const Singularity::Corner& it) {
+    if (it.creases.empty())
+      return fmt::format("no hexahedra fit around a point of the surface where {} {}",
+                         counted(it.arcs.size(), "arc"), it.arcs.size() == 1 ? "ends" : "end");
     return fmt::format("no hexahedra fit around a corner of {}, with {} at their edges",
                        counted(it.creases.size(), "crease"), fmt::join(it.creases, ", "));
   };
@@ -278,7 +281,8 @@ Answer answer_of(const SolveReport& report, const AnswerOptions& options) {
   check(options);
   Reasons reasons;
   if (report.onto) {
-    judge_tets(*report.onto, options, reasons);
+    // The matchings of a repair are exact, so no size of tets is in doubt.
+    if (!report.onto->repair) judge_tets(*report.onto, options, reasons);
   } else {
     judge_grid(report, options, reasons);
     judge_comparison(report, reasons);

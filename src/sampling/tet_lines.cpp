@@ -42,7 +42,7 @@ double TetLines::volume() const {
 void TetLines::add_tubes(double arc_distance_cells) {
   const TetMesh& mesh = field_.solid.mesh;
   using Edge = std::array<std::uint32_t, 2>;
-  const SingularEdges singular = singular_tet_edges(field_.solid, field_.tet_frames);
+  const SingularEdges singular = singular_tet_edges(field_.solid, field_.tet_frames, field_.matchings);
   std::vector<Edge> edges;
   std::vector<std::uint8_t> is_end(mesh.vertices.size(), 0);
   for (const SingularEdge& edge : singular.edges) {

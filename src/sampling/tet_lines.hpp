@@ -11,6 +11,7 @@
 #include "sampling/cell_names.hpp"
 #include "sampling/line_space.hpp"
 #include "sampling/tet_walk.hpp"
+#include "singularity/matching.hpp"
 #include "tets/stiffness.hpp"
 
 namespace crossgrain {
@@ -21,6 +22,7 @@ struct FramesOnTets {
   std::span<const StiffnessEdge> edges;  ///< of the solid
   std::span<const Quaternion> vertex_frames;
   std::span<const Quaternion> tet_frames;  ///< for the singular edges
+  std::vector<CubeRotation> matchings;     ///< of TetSolid::inner_faces, for the same
 };
 
 /// Cells are tets, of the size of their mean edge. The frame at a point is the one nearest to the sum of the

@@ -6,6 +6,7 @@
 #include <cassert>
 
 #include "base/parallel.hpp"
+#include "singularity/cube_group.hpp"
 
 namespace crossgrain {
 namespace {
@@ -28,45 +29,6 @@ std::array<std::uint8_t, 2> edge_between(std::uint8_t leave, std::uint8_t ahead)
   }
   return {};
 }
-
-/// The 24 rotations of the cube as numbers, for long products.
-class CubeGroup {
- public:
-  CubeGroup() {
-    number_.fill(kNone);
-    add({});
-    // A quarter turn about x and one about y generate all others.
-    for (std::size_t k = 0; k < rotations_.size(); ++k)
-      for (const CubeRotation& turn : {CubeRotation{1, 1, 0, 0}, CubeRotation{1, 0, 1, 0}})
-        add(turn * rotations_[k]);
-    for (std::size_t a = 0; a < kCount; ++a)
-      for (std::size_t b = 0; b < kCount; ++b) products_[a][b] = number_of(rotations_[a] * rotations_[b]);
-  }
-
-  static constexpr std::size_t kCount = 24;
-  static constexpr std::uint8_t kIdentity = 0;
-
-  std::uint8_t number_of(const CubeRotation& a) const { return number_[place_of(a)]; }
-  const CubeRotation& operator[](std::uint8_t number) const { return rotations_[number]; }
-  std::uint8_t product(std::uint8_t a, std::uint8_t b) const { return products_[a][b]; }
-
- private:
-  static constexpr std::uint8_t kNone = 255;
-
-  static std::size_t place_of(const CubeRotation& a) {
-    return static_cast<std::size_t>(27 * (a.w + 1) + 9 * (a.x + 1) + 3 * (a.y + 1) + a.z + 1);
-  }
-
-  void add(const CubeRotation& a) {
-    if (number_of(a) != kNone) return;
-    number_[place_of(a)] = static_cast<std::uint8_t>(rotations_.size());
-    rotations_.push_back(a);
-  }
-
-  std::vector<CubeRotation> rotations_;  ///< the identity first
-  std::array<std::uint8_t, 81> number_;
-  std::array<std::array<std::uint8_t, kCount>, kCount> products_;
-};
 
 /// Walks around the edges of tets.
 class EdgeWalker {
@@ -149,7 +111,7 @@ class EdgeWalker {
     return corner;
   }
 
-  const CubeGroup group_;
+  const CubeGroup& group_ = CubeGroup::instance();
   const TetSolid& solid_;
   std::vector<std::array<WayOut, 4>> ways_out_;  ///< exits of each tet, opposite each corner
 };

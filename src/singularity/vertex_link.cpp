@@ -204,4 +204,16 @@ std::optional<bool> has_surface_link(std::span<const int> valences, std::span<co
   }
 }
 
+std::optional<bool> has_link_within(std::span<const int> border, std::span<const int> valences) {
+  const int triangles = hexahedra_at_surface_vertex(valences, border);
+  const int inside = triangles + 2 - static_cast<int>(border.size());
+  const int regular = inside / 2 - static_cast<int>(valences.size());
+  if (triangles < 1 || border.size() < 3 || inside % 2 != 0 || regular < 0) return false;
+  if (std::any_of(border.begin(), border.end(), [](int k) { return k < 1; })) return false;
+  if (triangles > kMostLinkTriangles) return std::nullopt;
+  std::vector<int> inner(valences.begin(), valences.end());
+  inner.resize(valences.size() + static_cast<std::size_t>(regular), kRegularValence);
+  return LinkSearch(border, inner).succeeds();
+}
+
 }  // namespace crossgrain

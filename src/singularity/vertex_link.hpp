@@ -27,6 +27,11 @@ std::optional<bool> has_inner_link(std::span<const int> valences);
 /// every way; there are none for F < 1 or k < 1.
 std::optional<bool> has_surface_link(std::span<const int> valences, std::span<const int> creases);
 
+/// The same with the whole border of the disc, at least three edges: `border` are the numbers of hexahedra at
+/// all edges on the surface around the vertex in cyclic order, those of 2 among them. Only regular edges
+/// inside are added, as many as Euler's formula asks for.
+std::optional<bool> has_link_within(std::span<const int> border, std::span<const int> valences);
+
 /// Returns F, the number of hexahedra at a vertex of the surface.
 int hexahedra_at_surface_vertex(std::span<const int> valences, std::span<const int> creases);
 

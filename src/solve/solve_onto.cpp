@@ -14,8 +14,6 @@
 #include "field/field_data.hpp"
 #include "field/tet_finish.hpp"
 #include "measure/tet_evaluation.hpp"
-#include "singularity/singularity_graph.hpp"
-#include "singularity/tet_matchings.hpp"
 #include "singularity/tet_surface.hpp"
 #include "solve/carried_frames.hpp"
 #include "solve/other_starts.hpp"
@@ -118,9 +116,8 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   const BoundaryVertices& boundary = used.boundary();
   TetFrames finished = best_finish(std::move(start.frames), grid, domain, boundary, options, monitor);
   field->vertex_frames = std::move(finished.frames);
-  field->tet_frames = tet_frames_of(tets.solid.mesh, field->vertex_frames);
-  auto lines = std::make_shared<const SingularityGraph>(
-      singularity_graph(singular_tet_edges(tets.solid, field->tet_frames)));
+  field->tet_frames = tet_frames_of(tets.solid, used.features().faces, field->vertex_frames);
+  auto lines = std::make_shared<const SingularityGraph>(graph_of(tets.solid, *field));
   monitor.check_stop();
 
   SolveReport report = grid.report();

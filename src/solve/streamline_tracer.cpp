@@ -126,7 +126,8 @@ StreamlineTracer::StreamlineTracer(const FrameField& field, const StreamlineOpti
 StreamlineTracer::StreamlineTracer(const TetFrameField& field, const StreamlineOptions& options) {
   check(options);
   const TetDomainData& tets = field.domain().data();
-  const FramesOnTets frames{tets.solid, tets.edges, field.data().vertex_frames, field.data().tet_frames};
+  const FramesOnTets frames{tets.solid, tets.edges, field.data().vertex_frames, field.data().tet_frames,
+                            matchings_of(tets.solid, field.data())};
   parts_ = std::make_shared<const Parts>(field, options,
                                          std::make_unique<TetLines>(frames, options.arc_distance_cells));
 }

@@ -5,8 +5,6 @@
 
 #include "sampling/index_arrays.hpp"
 #include "sampling/orthonormal_frame.hpp"
-#include "singularity/singularity_graph.hpp"
-#include "singularity/tet_matchings.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
 
@@ -70,7 +68,7 @@ std::vector<std::array<double, 4>> TetFrameField::tet_quaternions() const {
 
 std::vector<FaceMatching> TetFrameField::matchings() const {
   const TetSolid& solid = domain_.data().solid;
-  const std::vector<CubeRotation> rotations = tet_matchings(solid, field_->tet_frames);
+  const std::vector<CubeRotation> rotations = matchings_of(solid, *field_);
   std::vector<FaceMatching> result;
   result.reserve(rotations.size());
   for (std::size_t f = 0; f < rotations.size(); ++f) {
@@ -89,7 +87,7 @@ const SingularityGraph& TetFrameField::singularities() const {
 }
 
 SingularityGraph TetFrameField::singularities(const SingularityOptions& options) const {
-  return singularity_graph(singular_tet_edges(domain_.data().solid, field_->tet_frames), options);
+  return graph_of(domain_.data().solid, *field_, options);
 }
 
 }  // namespace crossgrain

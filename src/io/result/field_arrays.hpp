@@ -27,6 +27,10 @@ inline constexpr const char* kOnBoundary = "is_boundary";        ///< UInt8
 inline constexpr const char* kConstraint = "constraint_class";  ///< UInt8, as FieldData::constraints
 inline constexpr const char* kRegion = "region";                ///< Int32, as FieldData::regions
 
+/// Cell data of the tets of a repaired field, in onto.vtu.
+inline constexpr const char* kTetFrame = "tet_frame";  ///< 4 x Float64: w, x, y, z of a quaternion
+inline constexpr const char* kMatching = "matching";   ///< 12 x Int8: axes behind the four faces
+
 /// Field data of files that hold part of a field; they tell which part and are not read.
 inline constexpr const char* kOutputLevel = "output_level";  ///< 1 x UInt32: OutputOptions::level
 inline constexpr const char* kClipBox = "clip_box";  ///< 6 x Float64: low and high of OutputOptions::clip

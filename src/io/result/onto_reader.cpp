@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
@@ -14,8 +16,7 @@
 #include "io/result/solve_id.hpp"
 #include "io/text/text_scanner.hpp"
 #include "io/vtu/vtu_reader.hpp"
-#include "singularity/singularity_graph.hpp"
-#include "singularity/tet_matchings.hpp"
+#include "singularity/cube_group.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
 #include "tets/tet_solid.hpp"
@@ -97,9 +98,51 @@ std::vector<Quaternion> read_vertex_frames(const std::filesystem::path& path, st
 
 }  // namespace
 
+namespace {
+
+void read_repair(const VtuFile& file, const std::filesystem::path& path, OntoTets& tets) {
+  const std::vector<double> frames = file.read<double>(VtuSection::kCellData, field_arrays::kTetFrame, 4);
+  const std::vector<std::int8_t> axes =
+      file.read<std::int8_t>(VtuSection::kCellData, field_arrays::kMatching, 12);
+  tets.axes_behind_faces.resize(tets.frames.size());
+  for (std::size_t t = 0; t < tets.frames.size(); ++t) {
+    tets.frames[t] = {frames[4 * t], frames[4 * t + 1], frames[4 * t + 2], frames[4 * t + 3]};
+    if (!are_orthonormal(axes_of(tets.frames[t]))) fail_damaged(path);
+    std::copy_n(axes.begin() + static_cast<std::ptrdiff_t>(12 * t), 12, tets.axes_behind_faces[t].begin());
+  }
+}
+
+/// The rotation of the cube that takes axis k to |axes[k]|, with its sign; none if there is none.
+std::optional<CubeRotation> rotation_with(const std::array<std::int8_t, 3>& axes) {
+  const CubeGroup& group = CubeGroup::instance();
+  for (std::uint8_t a = 0; a < CubeGroup::kCount; ++a)
+    if (signed_axes(group[a]) == axes) return group[a];
+  return std::nullopt;
+}
+
+/// The matchings across the inner faces; empty if the field is not repaired.
+std::vector<CubeRotation> matchings_in(const OntoTets& tets, const TetSolid& solid,
+                                       const std::filesystem::path& path) {
+  std::vector<CubeRotation> matchings;
+  if (tets.axes_behind_faces.empty()) return matchings;
+  for (const auto& [vertices, sides] : solid.inner_faces) {
+    if (sides[1] == kNoTet) fail_damaged(path);
+    const auto& corners = solid.mesh.tets[sides[0]];
+    std::size_t corner = 0;
+    while (std::find(vertices.begin(), vertices.end(), corners[corner]) != vertices.end()) ++corner;
+    const auto& all = tets.axes_behind_faces[sides[0]];
+    const auto rotation = rotation_with({all[3 * corner], all[3 * corner + 1], all[3 * corner + 2]});
+    if (!rotation) fail_damaged(path);
+    matchings.push_back(*rotation);
+  }
+  return matchings;
+}
+
+}  // namespace
+
 OntoTets read_onto_tets(const std::filesystem::path& path) {
   const VtuFile file(path);
-  OntoTets tets{read_mesh(file), {}};
+  OntoTets tets{read_mesh(file), {}, {}};
   std::array<std::vector<float>, 3> axes;
   for (std::size_t k = 0; k < 3; ++k)
     axes[k] = file.read<float>(VtuSection::kCellData, std::array{"axis_u", "axis_v", "axis_w"}[k], 3);
@@ -110,6 +153,7 @@ OntoTets read_onto_tets(const std::filesystem::path& path) {
     if (!are_orthonormal(frame)) fail_damaged(path);
     tets.frames[t] = quaternion_of(frame);
   }
+  if (file.find(VtuSection::kCellData, field_arrays::kMatching)) read_repair(file, path, tets);
   return tets;
 }
 
@@ -123,7 +167,12 @@ std::optional<TetFrameField> read_any_tet_field(const std::filesystem::path& fol
   auto field = std::make_shared<TetField>();
   SolveReport report = grid.report();
   field->vertex_frames = read_vertex_frames(folder / kTetFramesFile, domain.mesh().vertices.size(), report);
-  field->tet_frames = tet_frames_of(domain.mesh(), field->vertex_frames);
+  const TetSolid& solid = domain.data().solid;
+  OntoTets tets = read_onto_tets(grid_path);
+  field->matchings = matchings_in(tets, solid, grid_path);
+  field->tet_frames = field->is_repaired()
+                          ? std::move(tets.frames)
+                          : tet_frames_of(solid, domain.data().features.faces, field->vertex_frames);
   return TetFrameField(std::move(grid), std::move(domain), std::move(field), std::move(report));
 }
 
@@ -136,13 +185,13 @@ std::optional<TetFrameField> read_tet_field(const std::filesystem::path& folder)
 std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / kTetGridFile;
   if (!may_exist(path)) return std::nullopt;
-  OntoTets tets = read_onto_tets(path);
+  const OntoTets tets = read_onto_tets(path);
   std::vector<Warning> warnings;
   const std::size_t count = tets.mesh.tets.size();
   try {
-    const TetSolid solid = prepare_tets(std::move(tets.mesh), warnings);
+    const TetSolid solid = prepare_tets(tets.mesh, warnings);
     if (solid.mesh.tets.size() != count) fail_damaged(path);
-    return singularity_graph(singular_tet_edges(solid, tets.frames));
+    return graph_of(solid, {{}, tets.frames, matchings_in(tets, solid, path)});
   } catch (const Error&) {
     // Written tets form a valid solid.
     fail_damaged(path);

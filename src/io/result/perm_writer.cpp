@@ -14,11 +14,10 @@
 
 #include "io/result/tet_writers.hpp"
 #include "io/text/text_lines.hpp"
-#include "singularity/tet_matchings.hpp"
 
 namespace crossgrain {
 void write_perm(OutputFile& file, const TetOutput& output, const Monitor& monitor) {
-  const std::vector<CubeRotation> matchings = tet_matchings(output.solid, output.field.tet_frames);
+  const std::vector<CubeRotation> matchings = matchings_of(output.solid, output.field);
   std::vector<std::size_t> turning;
   for (std::size_t f = 0; f < matchings.size(); ++f)
     if (!matchings[f].is_identity()) turning.push_back(f);

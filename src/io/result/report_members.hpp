@@ -136,6 +136,28 @@ void describe_angles(File& file, const char* key, Angles& angles) {
   });
 }
 
+template <class File, class Repair>
+void describe_repair(File& file, Repair& repair) {
+  file.member("moves", repair.moves);
+  file.member("changed_faces", repair.changed_faces);
+  file.member("faults_before", repair.faults_before);
+  file.member("faults", repair.faults);
+  file.member("edges_before", repair.edges_before);
+  file.member("length_before", repair.length_before);
+  file.member("contacts_before", repair.contacts_before);
+  file.member("arcs_before", repair.arcs_before);
+  file.member("boundary_ends_before", repair.boundary_ends_before);
+  file.member("removed_arcs", repair.removed_arcs);
+  file.member("shortened_arcs", repair.shortened_arcs);
+  file.member("led_arcs", repair.led_arcs);
+  file.member("bent_edges", repair.bent_edges);
+  file.member("bent_length", repair.bent_length);
+  file.member("energy_before", repair.energy_before);
+  file.member("energy", repair.energy);
+  describe_angles(file, "turned_deg", repair.turned_deg);
+  file.member("seconds", repair.seconds);
+}
+
 template <class File, class Onto>
 void describe_onto(File& file, Onto& onto) {
   file.member("vertices", onto.vertices);
@@ -164,6 +186,8 @@ void describe_onto(File& file, Onto& onto) {
   file.member("left_out_tets", onto.left_out_tets);
   file.member("start", onto.start);
   file.member("seconds", onto.seconds);
+  file.optional_object("repair", onto.repair,
+                       [](auto& inner, auto& repair) { describe_repair(inner, repair); });
 }
 
 template <class File, class Report>

@@ -161,6 +161,10 @@ std::string solve_id(const FieldData& data, const OutputOptions& options, const 
     sum.add(tets->solid.mesh.tets);
     sum.add(tets->solid.mesh.regions);
     sum.add(tets->field.vertex_frames);
+    if (tets->field.is_repaired()) {
+      sum.add(tets->field.tet_frames);
+      sum.add(tets->field.matchings);
+    }
   }
   return sum.text();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes onto.vtu, the tets, and onto_features.vtu, the tagged edges and triangles.
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,47 @@ void add_tets(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
       },
       VtuPacking::kAlways));
   add_uniform_cells<Index>(mesh.tets.size(), 4, kVtkTet, arrays);
+}
+
+using TetAxes = std::array<std::int8_t, 12>;
+
+/// For each face of a tet, opposite its corners in turn, where the three axes go on behind it
+/// (FaceMatching::axes); zeros on the surface.
+std::vector<TetAxes> axes_behind_faces(const TetSolid& solid, const std::vector<CubeRotation>& matchings) {
+  std::vector<TetAxes> all(solid.mesh.tets.size(), TetAxes{});
+  const auto put = [&](std::uint32_t tet, const std::array<std::uint32_t, 3>& face,
+                       const CubeRotation& matching) {
+    const auto& corners = solid.mesh.tets[tet];
+    std::size_t corner = 0;
+    while (std::find(face.begin(), face.end(), corners[corner]) != face.end()) ++corner;
+    const auto axes = signed_axes(matching);
+    for (std::size_t k = 0; k < 3; ++k) all[tet][3 * corner + k] = axes[k];
+  };
+  for (std::size_t f = 0; f < solid.inner_faces.size(); ++f) {
+    const auto& [vertices, tets] = solid.inner_faces[f];
+    if (tets[1] == kNoTet) continue;
+    put(tets[0], vertices, matchings[f]);
+    put(tets[1], vertices, inverse(matchings[f]));
+  }
+  return all;
+}
+
+/// Adds what a repaired field is read from: exact frames, and its matchings.
+void add_repair(const TetOutput& output, std::vector<VtuArray>& arrays) {
+  const std::vector<Quaternion>& frames = output.field.tet_frames;
+  arrays.push_back(
+      vtu_array<double>(VtuSection::kCellData, field_arrays::kTetFrame, 4, frames.size(),
+                        [&frames](std::size_t begin, std::size_t end, double* out) {
+                          for (std::size_t t = begin; t < end; ++t)
+                            for (const double part : {frames[t].w, frames[t].x, frames[t].y, frames[t].z})
+                              *out++ = part;
+                        }));
+  arrays.push_back(vtu_array<std::int8_t>(VtuSection::kCellData, field_arrays::kMatching, 12, frames.size(),
+                                          [axes = axes_behind_faces(output.solid, output.field.matchings)](
+                                              std::size_t begin, std::size_t end, std::int8_t* out) {
+                                            for (std::size_t t = begin; t < end; ++t)
+                                              out = std::copy(axes[t].begin(), axes[t].end(), out);
+                                          }));
 }
 
 /// The tagged edges and then the tagged triangles of a mesh, as cells with tags.
@@ -63,6 +105,7 @@ void write_tet_grid(OutputFile& file, const TetOutput& output, const Monitor& mo
   add_axes(
       VtuSection::kCellData, field.tet_frames.size(), [&field](std::size_t i) { return field.tet_frames[i]; },
       arrays);
+  if (field.is_repaired()) add_repair(output, arrays);
   if (!mesh.regions.empty())
     arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kRegion, mesh.regions));
   add_points(mesh, arrays);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "crossgrain/monitor.hpp"
+#include "crossgrain/tet_frame_field.hpp"
+
+namespace crossgrain {
+
+/// \addtogroup solving Solving
+/// @{
+
+/// What a repair avoids, relative to the length of singular edges inside.
+struct RepairWeights {
+  double end = 3;       ///< each end of a singular edge on the surface where an arc may not end
+  double crease = 5;    ///< each quarter turn by which the map differs from the geometry, along its length
+  double corner = 200;  ///< each vertex at which no hexahedra can meet, in mean edge lengths
+};
+
+/// How matchings are repaired. Weights and tolerances are dimensionless; docs/notes/repair.md has the sweeps.
+struct RepairOptions {
+  /// Tried in turn, each from the field as it is, until one leaves no fault; otherwise the one with the
+  /// fewest is taken.
+  std::vector<RepairWeights> tries = {{3, 5, 200}, {3, 2, 200}, {10, 0.5, 200}, {0, 0.05, 200}};
+
+  int passes = 3;          ///< of repair and smoothing in turn; fewer if the last finds nothing to repair
+  int most_sweeps = 30;    ///< of moves over all vertices, until none lowers the cost
+  int disturbances = 100;  ///< random changes near each vertex that is left, settled and kept if better
+  int rounds = 3;          ///< of these over all such vertices
+  std::uint64_t seed = 0;
+
+  /// Sweeps that smooth the frames afterwards, with matchings kept; they end when no frame turns by more
+  /// than `smoothing_rad`.
+  int smoothing_sweeps = 100;
+  double smoothing_rad = 1e-3;
+};
+
+/// Returns the field with matchings that hexahedra can follow, as far as they were found, and with frames
+/// smoothed for them. Matchings, singular graph, report and files are those of the repair; the report has a
+/// section about it (SolveReport::Onto::repair) and the answer about the repaired field. The mesh is the
+/// same; TetDomain::prepared leaves more room for repairs. The method follows Liu and Bommes 2023 ("Locally
+/// Meshable Frame Fields") in what is demanded of edges and vertices, not in how it is found. The same to the
+/// bit for any number of threads.
+///
+/// Errors: kInput for a mesh with tets without volume, whose neighbours do not match; kUsage for options out
+/// of range; kInterrupted by the monitor.
+TetFrameField repaired(const TetFrameField& field, const RepairOptions& options = {},
+                       const Monitor& monitor = {});
+
+/// @}
+
+}  // namespace crossgrain

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Repair of matchings, so that a map of integers can follow them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "repair/matched_field.hpp"
+#include "repair/repair_cost.hpp"
+
+namespace crossgrain {
+
+/// A face with the matching that it gets.
+struct FaceChange {
+  std::uint32_t face;
+  std::uint8_t matching;
+};
+
+/// Lowers the cost of a field by moves that change the holonomies of few edges.
+class MatchingRepair {
+ public:
+  MatchingRepair(MatchedField& field, const RepairWeights& weights);
+
+  /// Moves until none lowers the cost, then disturbs the vertices that are left (RepairOptions).
+  void run(const RepairOptions& options);
+
+  double cost() const;
+  std::size_t moves() const { return moves_; }
+
+ private:
+  using Vertices = std::set<std::uint32_t>;
+
+  void pull_off_creases();
+
+  /// Lowers the cost by pushes and flips at the touched vertices and those that they touch, until none does.
+  void settle(int most_sweeps);
+  bool push_at(std::uint32_t vertex);
+  bool push_along(std::uint32_t vertex, std::uint32_t from);
+  bool flip_at(std::uint32_t vertex);
+  bool flip_best(std::uint32_t face);
+
+  /// Turns random faces near a vertex, settles what they touch, and takes it back if the cost is not lower.
+  bool disturb(std::uint32_t vertex, std::uint64_t random);
+
+  /// The faces of a push along a way in the link of a vertex: the first edge, and all on the way but the
+  /// last, become regular; on the boundary the first becomes as its geometry says.
+  std::vector<FaceChange> push_changes(std::uint32_t vertex, std::span<const std::uint32_t> way,
+                                       std::span<const std::uint32_t> faces);
+  std::optional<std::uint8_t> freeing(std::uint32_t edge, std::uint32_t face) const;
+  bool is_costly(std::uint32_t vertex) const { return vertex_costs_[vertex] > 0; }
+
+  /// Applies changes; keeps them and returns true if they lower the cost.
+  bool accept(std::span<const FaceChange> changes);
+  double apply(std::span<const FaceChange> changes);  ///< returns the change of the cost
+  void undo();
+  void keep();
+  void roll_back(std::size_t mark);
+
+  struct OldCost {
+    std::uint32_t index;
+    double cost;
+  };
+
+  MatchedField& field_;
+  const TetComplex& complex_;
+  const RepairCost cost_;
+  std::vector<double> edge_costs_, vertex_costs_;
+  std::vector<std::uint8_t> is_singular_;  ///< of inner edges
+  Vertices touched_;                       ///< near which something changed and no move was tried since
+  std::vector<FaceChange> undo_faces_;
+  std::vector<OldCost> undo_edges_, undo_vertices_;
+  std::vector<FaceChange> journal_;  ///< former matchings of all kept changes, in their order
+  double gained_ = 0;                ///< sum of all kept changes of the cost
+  std::size_t moves_ = 0;
+};
+
+}  // namespace crossgrain

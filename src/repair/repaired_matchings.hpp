@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The best repair of several tries.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/quaternion.hpp"
+#include "crossgrain/repair.hpp"
+#include "repair/tet_complex.hpp"
+#include "singularity/matching.hpp"
+
+namespace crossgrain {
+
+/// Repaired matchings with frames smoothed for them.
+struct RepairedTets {
+  std::vector<CubeRotation> matchings;
+  std::vector<Quaternion> frames;
+  std::size_t moves = 0;  ///< of the try that was taken
+
+  /// Edges and vertices at which no hexahedra can meet, with the nearest matchings and with these.
+  std::size_t faults_before = 0, faults = 0;
+};
+
+/// Returns the first try without faults, or the one with the fewest; of several, the one of least cost with
+/// the weights of the first. Since faults depend on the directions of edges in their frames too, a try
+/// repairs and smooths in turn, RepairOptions::passes times at most. `frames` has one entry per tet.
+RepairedTets repaired_tets(const TetComplex& complex, std::span<const Quaternion> frames,
+                           const RepairOptions& options);
+
+}  // namespace crossgrain

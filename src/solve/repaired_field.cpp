@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/repair.hpp"
+#include "field/tet_finish.hpp"
+#include "harmonics/frame.hpp"
+#include "measure/angle_statistics.hpp"
+#include "measure/tet_evaluation.hpp"
+#include "repair/matched_field.hpp"
+#include "repair/repair_cost.hpp"
+#include "repair/repaired_graph.hpp"
+#include "repair/repaired_matchings.hpp"
+#include "singularity/tet_matchings.hpp"
+#include "solve/tet_domain_data.hpp"
+#include "solve/tet_field.hpp"
+
+namespace crossgrain {
+namespace {
+
+using Repair = SolveReport::Onto::Repair;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+void check(const RepairOptions& options, const TetSolid& solid) {
+  const auto demand = [](bool holds, const char* what) {
+    if (!holds) throw Error(ErrorKind::kUsage, {"", "the repair", what});
+  };
+  demand(!options.tries.empty(), "there must be weights to try");
+  for (const RepairWeights& weights : options.tries)
+    for (const double weight : {weights.end, weights.crease, weights.corner})
+      demand(weight >= 0 && std::isfinite(weight), "weights must be numbers from 0");
+  demand(options.passes >= 1 && options.most_sweeps >= 0 && options.disturbances >= 0 &&
+             options.rounds >= 0 && options.smoothing_sweeps >= 0,
+         "there must be a pass, and other numbers must be 0 or positive");
+  demand(options.smoothing_rad >= 0, "the angle at which smoothing ends must be a number from 0");
+  if (solid.left_out_tets > 0)
+    throw Error(ErrorKind::kInput, {"", "",
+                                    "tets without volume or duplicates leave gaps that no matching crosses; "
+                                    "mesh the part again before a repair"});
+}
+
+/// The frames of vertices that suit those of tets: nearest to the mean around, by volume, and exactly along
+/// the normal at smooth vertices of the surface.
+std::vector<Quaternion> vertex_frames_for(const TetDomainData& tets, std::span<const Quaternion> tet_frames,
+                                          std::vector<Quaternion> frames) {
+  const TetMesh& mesh = tets.solid.mesh;
+  std::vector<Coefficients<4>> sums(frames.size());
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const auto& [a, b, c, d] = mesh.tets[t];
+    const std::vector<Vector3>& v = mesh.vertices;
+    const double volume = dot(cross(v[b] - v[a], v[c] - v[a]), v[d] - v[a]);
+    const Coefficients<4> h = frame_coefficients<4>(tet_frames[t]);
+    for (const std::uint32_t vertex : mesh.tets[t]) add_scaled(sums[vertex], volume, h);
+  }
+  parallel_for(frames.size(), [&](std::size_t v) {
+    if (squared_norm(sums[v]) > 0) frames[v] = nearest_frame<4>(sums[v]);
+  });
+  for (std::size_t k = 0; k < tets.boundary.size(); ++k) {
+    if (tets.boundary.classes[k] != BoundaryClass::kSmooth) continue;
+    Quaternion& frame = frames[tets.boundary.vertices[k]];
+    frame = with_axis_along(frame, tets.boundary.normals[k]);
+  }
+  return frames;
+}
+
+SolveReport::AngleSummary turns_between(std::span<const Quaternion> before,
+                                        std::span<const Quaternion> after) {
+  std::vector<double> angles(before.size());
+  parallel_for(angles.size(), [&](std::size_t t) {
+    const Quaternion turn = conjugate(before[t]) * after[t];
+    const Quaternion small = turn * to_quaternion(inverse(nearest_cube_rotation(turn)));
+    angles[t] = 2 * std::acos(std::min(1.0, std::abs(small.w))) / kDegree;
+  });
+  return summary_of(std::move(angles));
+}
+
+/// The vertices on the arcs of a graph.
+std::set<std::int64_t> vertices_on(const SingularityGraph& graph) {
+  std::set<std::int64_t> vertices;
+  for (const SingularityGraph::Arc& arc : graph.arcs)
+    vertices.insert(arc.vertices.begin(), arc.vertices.end());
+  return vertices;
+}
+
+/// Vertices of a set and their neighbours.
+std::set<std::int64_t> grown(const TetComplex& complex, const std::set<std::int64_t>& vertices) {
+  std::set<std::int64_t> all = vertices;
+  for (const std::int64_t v : vertices) {
+    if (v < 0) continue;
+    for (const std::uint32_t e : complex.edges_at(static_cast<std::uint32_t>(v)))
+      for (const std::uint32_t end : complex.edges()[e].ends) all.insert(end);
+  }
+  return all;
+}
+
+void compare(const TetComplex& complex, const SingularityGraph& before, const SingularityGraph& after,
+             Repair& repair) {
+  const std::set<std::int64_t> near_new = grown(complex, vertices_on(after));
+  for (const SingularityGraph::Arc& arc : before.arcs) {
+    const auto left = std::count_if(arc.vertices.begin(), arc.vertices.end(),
+                                    [&](std::int64_t v) { return v < 0 || near_new.count(v) > 0; });
+    const auto all = static_cast<std::ptrdiff_t>(arc.vertices.size());
+    repair.removed_arcs += left == 0;
+    repair.shortened_arcs += left > 0 && left < all;
+  }
+  std::set<std::int64_t> ends_before;
+  const auto for_ends = [](const SingularityGraph& graph, const auto& visit) {
+    for (const SingularityGraph::Arc& arc : graph.arcs) {
+      if (!arc.nodes) continue;
+      for (std::size_t k = 0; k < 2; ++k)
+        if (graph.nodes[(*arc.nodes)[k]].on_boundary)
+          visit(k == 0 ? arc.vertices.front() : arc.vertices.back());
+    }
+  };
+  for_ends(before, [&](std::int64_t v) { ends_before.insert(v); });
+  const std::set<std::int64_t> near_ends = grown(complex, ends_before);
+  for_ends(after, [&](std::int64_t v) { repair.led_arcs += near_ends.count(v) == 0; });
+}
+
+/// What the repair started from.
+Repair former(const SolveReport::Onto& onto, const TetSolid& solid, std::span<const Quaternion> frames) {
+  Repair repair;
+  repair.edges_before = onto.singularity.edges;
+  repair.length_before = onto.singularity.length;
+  repair.contacts_before = onto.singularity.contacts;
+  repair.arcs_before = onto.singularity.arcs;
+  repair.boundary_ends_before = onto.singularity.boundary_ends;
+  repair.energy_before = evaluate_cell_field(solid, frames).dirichlet;
+  return repair;
+}
+
+void count_bent_edges(const MatchedField& field, Repair& repair) {
+  const RepairCost cost(field, RepairWeights{});
+  const auto& edges = field.complex().edges();
+  for (std::uint32_t e = 0; e < edges.size(); ++e) {
+    if (!edges[e].is_on_boundary() || cost.of_edge(e) == 0) continue;
+    ++repair.bent_edges;
+    repair.bent_length += edges[e].length;
+  }
+}
+
+}  // namespace
+
+TetFrameField repaired(const TetFrameField& field, const RepairOptions& options, const Monitor& monitor) {
+  const TetDomainData& tets = field.domain().data();
+  check(options, tets.solid);
+  const WatchedLoops watched(monitor, Stops::kHeeded);
+  Stopwatch stopwatch;
+  stopwatch.start();
+  const std::vector<Quaternion>& former_frames = field.data().tet_frames;
+  const TetComplex complex(tets.solid);
+  RepairedTets found = repaired_tets(complex, former_frames, options);
+
+  auto result = std::make_shared<TetField>();
+  result->matchings = std::move(found.matchings);
+  result->tet_frames = std::move(found.frames);
+  result->vertex_frames = vertex_frames_for(tets, result->tet_frames, field.data().vertex_frames);
+  const MatchedField matched(complex, result->tet_frames, result->matchings);
+  auto lines = std::make_shared<const SingularityGraph>(repaired_graph(matched));
+
+  SolveReport report = field.report();
+  SolveReport::Onto& onto = report.onto.value();
+  Repair repair = former(onto, tets.solid, former_frames);
+  repair.moves = found.moves;
+  repair.faults_before = found.faults_before;
+  repair.faults = found.faults;
+  const std::vector<CubeRotation> nearest = tet_matchings(tets.solid, former_frames);
+  for (std::size_t f = 0; f < nearest.size(); ++f)
+    repair.changed_faces += !(nearest[f] == result->matchings[f]);
+  compare(complex, field.singularities(), *lines, repair);
+  count_bent_edges(matched, repair);
+  repair.energy = evaluate_cell_field(tets.solid, result->tet_frames).dirichlet;
+  repair.turned_deg = turns_between(former_frames, result->tet_frames);
+
+  const VertexFieldEvaluation evaluation =
+      evaluate_vertex_field(tets.solid, tets.boundary, tets.edges, result->vertex_frames);
+  onto.dirichlet = evaluation.dirichlet;
+  onto.edge_sum = evaluation.edge_sum;
+  onto.singular = evaluation.singular;
+  onto.normal_deg = evaluation.normal_deg;
+  onto.crease_deg = evaluation.crease_deg;
+  onto.feature_edge_deg = angles_along(tets.solid, tets.features.edges, result->vertex_frames);
+  onto.singularity = repaired_summary(matched, *lines);
+  onto.unfollowed_share = unfollowed_share(tets.solid, result->tet_frames, AnswerOptions{}.unfollowed_deg);
+  repair.seconds = stopwatch.restart();
+  onto.repair = repair;
+  report.answer = answer_of(report);
+  return {field.grid(), field.domain(), std::move(result), std::move(report), std::move(lines)};
+}
+
+}  // namespace crossgrain
