@@ -269,6 +269,23 @@ struct KeptFormOptions {
   int deepest = 16;
 };
 
+/// How tets are split before a solve, for maps that take the surface to integer planes
+/// (TetDomain::prepared_for_map). docs/notes/map-preparation.md has the measurements.
+struct MapPreparationOptions {
+  /// Whether an edge of the surface is split that lies opposite a vertex of a crease in a face with two edges
+  /// of that crease: the map would take the face to a line.
+  bool cut_off_creases = true;
+
+  /// Edges between a vertex inside and a smooth vertex of the surface are split if the normals of the faces
+  /// there spread by at least this angle: singular lines that curved surfaces push outwards can then pass
+  /// below them. Flat faces have no need of it, and their edges would double the number of tets. 180 for
+  /// none.
+  double layer_spread_deg = 1;
+
+  /// Whether faces between regions count as inside (SolveOptions::unite_solids).
+  bool unite_solids = false;
+};
+
 inline constexpr int kDefaultResolution = 128;
 
 /// All options of a solve.

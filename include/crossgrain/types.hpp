@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -93,6 +94,15 @@ struct TetMesh {
 
   /// What a reader did not take as it stands in the file.
   std::vector<Warning> warnings = {};
+};
+
+/// What TetDomain::prepared_for_map did: numbers of tets and vertices before, and of splits.
+struct MapPreparation {
+  std::size_t tets_before = 0, vertices_before = 0;
+  std::size_t split_edges = 0, split_faces = 0, split_tets = 0;
+
+  /// Splits that were not made, because rounding would leave a tet without volume.
+  std::size_t refused_splits = 0;
 };
 
 /// Three orthonormal axes, right-handed. An octahedral frame is the class of the 24 such triples that differ

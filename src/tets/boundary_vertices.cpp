@@ -204,6 +204,11 @@ InnerFeatures features_of(const TetSolid& solid, const std::vector<InnerWall>& w
   return features;
 }
 
+std::vector<VertexPair> crease_edges(const TetSolid& solid, const BoundaryVertexOptions& options,
+                                     const InnerFeatures& features) {
+  return sharp_and_tagged(AllFaces(solid, features), features, solid.mesh.vertices, options);
+}
+
 BoundaryVertices classify_boundary_vertices(const TetSolid& solid, const BoundaryVertexOptions& options,
                                             const InnerFeatures& features) {
   BoundaryVertices out;

@@ -73,6 +73,12 @@ struct InnerFeatures {
 /// them; such an edge may still be sharp.
 InnerFeatures features_of(const TetSolid& solid, const std::vector<InnerWall>& walls, bool unite);
 
+/// The edges that make a vertex a crease or corner: edges of two faces with an angle that counts, of more
+/// than two faces, and tagged edges; ascending.
+std::vector<std::array<std::uint32_t, 2>> crease_edges(const TetSolid& solid,
+                                                       const BoundaryVertexOptions& options = {},
+                                                       const InnerFeatures& features = {});
+
 BoundaryVertices classify_boundary_vertices(const TetSolid& solid, const BoundaryVertexOptions& options = {},
                                             const InnerFeatures& features = {});
 

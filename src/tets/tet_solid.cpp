@@ -190,13 +190,15 @@ void number_components(DisjointSets& connected, const std::vector<std::uint32_t>
   }
 }
 
-/// Moves the tets that are kept to the front. Returns their new indices, kNoTet for the others.
+/// Moves the tets that are kept to the front, and flat ones to `flat_tets`. Returns their new indices, kNoTet
+/// for the others.
 std::vector<std::uint32_t> keep_tets(TetMesh& mesh, const std::vector<TetShape>& shapes,
-                                     const std::vector<std::uint8_t>& take) {
+                                     const std::vector<std::uint8_t>& take, Tets& flat_tets) {
   Tets& tets = mesh.tets;
   std::vector<std::uint32_t> new_index(tets.size(), kNoTet);
   std::uint32_t count = 0;
   for (std::size_t t = 0; t < tets.size(); ++t) {
+    if (take[t] && shapes[t] == TetShape::kFlat) flat_tets.push_back(tets[t]);
     if (!take[t] || shapes[t] == TetShape::kFlat) continue;
     tets[count] = tets[t];
     if (!mesh.regions.empty()) mesh.regions[count] = mesh.regions[t];
@@ -296,7 +298,7 @@ TetSolid prepare_tets(TetMesh mesh, std::vector<Warning>& warnings) {
   const TetFaces faces = faces_of_solid(mesh, take, warnings);
   TetSolid solid;
   solid.inverted_tets = inverted.count;
-  const std::vector<std::uint32_t> new_index = keep_tets(mesh, shapes, take);
+  const std::vector<std::uint32_t> new_index = keep_tets(mesh, shapes, take, solid.flat_tets);
   solid.left_out_tets = given - mesh.tets.size();
   solid.mesh = std::move(mesh);
   DisjointSets connected(given);

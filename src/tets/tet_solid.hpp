@@ -24,6 +24,7 @@ inline constexpr std::uint32_t kNoComponent = UINT32_MAX;
 /// open no slit inside the solid, and on the surface they are boundary.
 struct TetSolid {
   TetMesh mesh;  ///< vertices as given; tets of positive volume, in the order given
+  std::vector<std::array<std::uint32_t, 4>> flat_tets;  ///< tets of four distinct vertices without volume
 
   /// A face between two tets.
   struct InnerFace {

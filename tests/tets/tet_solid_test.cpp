@@ -118,6 +118,7 @@ TEST(TetSolid, LeavesOutAFlatTetInsideWithoutOpeningASlit) {
   const TetSolid solid =
       warned(octahedron_with_a_flat_tet(), "without volume, left out: 1; the first is tet 0 ");
   EXPECT_EQ(solid.left_out_tets, 1u);
+  EXPECT_EQ(solid.flat_tets, (std::vector{octahedron_with_a_flat_tet().tets[0]}));
   EXPECT_EQ(solid.mesh.tets.size(), 4u);
   EXPECT_EQ(solid.boundary.size(), 8u);
   EXPECT_EQ(solid.components, 1u);
