@@ -116,7 +116,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   const BoundaryVertices& boundary = used.boundary();
   TetFrames finished = best_finish(std::move(start.frames), grid, domain, boundary, options, monitor);
   field->vertex_frames = std::move(finished.frames);
-  field->tet_frames = tet_frames_of(tets.solid, used.features().faces, field->vertex_frames);
+  field->tet_frames = tet_frames_of(tets.solid.mesh, field->vertex_frames);
   auto lines = std::make_shared<const SingularityGraph>(graph_of(tets.solid, *field));
   monitor.check_stop();
 

@@ -10,7 +10,6 @@
 #include "repair/repaired_graph.hpp"
 #include "singularity/singularity_graph.hpp"
 #include "singularity/tet_matchings.hpp"
-#include "solve/face_frames.hpp"
 
 namespace crossgrain {
 namespace {
@@ -40,9 +39,13 @@ TetMean mean_of(const std::array<std::uint32_t, 4>& tet, const std::vector<Coeff
   return result;
 }
 
-/// The frames that the means at the vertices give, without regard to faces.
-std::vector<Quaternion> mean_frames(const TetMesh& mesh, std::span<const Quaternion> vertex_frames,
-                                    const std::vector<Coefficients<4>>& h) {
+}  // namespace
+
+std::vector<Quaternion> tet_frames_of(const TetMesh& mesh, std::span<const Quaternion> vertex_frames) {
+  assert(vertex_frames.size() == mesh.vertices.size());
+  std::vector<Coefficients<4>> h(vertex_frames.size());
+  parallel_for(h.size(), [&](std::size_t v) { h[v] = frame_coefficients<4>(vertex_frames[v]); });
+
   std::vector<Quaternion> frames(mesh.tets.size());
   parallel_for_lanes(frames.size(), [&]<int W>(std::size_t begin, int count) {
     Coefficients<4, Lanes<W>> means{};
@@ -59,24 +62,6 @@ std::vector<Quaternion> mean_frames(const TetMesh& mesh, std::span<const Quatern
       frames[begin + static_cast<std::size_t>(lane)] =
           certain[lane] ? in_lane(refined, lane) : nearest_frame<4>(in_lane(means, lane));
     }
-  });
-  return frames;
-}
-
-}  // namespace
-
-std::vector<Quaternion> tet_frames_of(const TetSolid& solid,
-                                      std::span<const std::array<std::uint32_t, 3>> walls,
-                                      std::span<const Quaternion> vertex_frames) {
-  const TetMesh& mesh = solid.mesh;
-  assert(vertex_frames.size() == mesh.vertices.size());
-  std::vector<Coefficients<4>> h(vertex_frames.size());
-  parallel_for(h.size(), [&](std::size_t v) { h[v] = frame_coefficients<4>(vertex_frames[v]); });
-  std::vector<Quaternion> frames = mean_frames(mesh, vertex_frames, h);
-  const std::vector<TetFaceNormals> followed = followed_normals(solid, walls);
-  parallel_for(followed.size(), [&](std::size_t k) {
-    const auto& [tet, normals] = followed[k];
-    frames[tet] = frame_on_faces(normals, mean_of(mesh.tets[tet], h).mean, frames[tet]);
   });
   return frames;
 }

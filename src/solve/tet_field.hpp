@@ -2,8 +2,6 @@
 // A frame field on a tet mesh.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -34,16 +32,8 @@ std::vector<CubeRotation> matchings_of(const TetSolid& solid, const TetField& fi
 SingularityGraph graph_of(const TetSolid& solid, const TetField& field,
                           const SingularityOptions& options = {});
 
-/// The frame of each tet of the solid. Inside it is the frame nearest to the mean of the degree-4
-/// coefficients of its four vertices: the local maximum found from the most central of the four frames, or
-/// the global one if they differ too much.
-///
-/// A tet with one face of the boundary or of the walls has an axis exactly along the normal of that face, and
-/// is nearest to the mean among such frames: hexahedra at the face need this axis, and the mean of four
-/// vertices is off it where the surface turns within the tet. With several faces that turn by more than 45
-/// degrees it is nearest to all their normals; faces that turn by less share their mean normal, by area.
-std::vector<Quaternion> tet_frames_of(const TetSolid& solid,
-                                      std::span<const std::array<std::uint32_t, 3>> walls,
-                                      std::span<const Quaternion> vertex_frames);
+/// Returns for each tet the frame nearest to the mean of its four vertices' degree-4 coefficients: the local
+/// maximum found from the most central of the four frames, or the global one if they differ too much.
+std::vector<Quaternion> tet_frames_of(const TetMesh& mesh, std::span<const Quaternion> vertex_frames);
 
 }  // namespace crossgrain

@@ -155,7 +155,7 @@ ShownField turning_tets(double degrees_per_length, double degrees) {
   auto field = std::make_shared<TetField>();
   for (const Vector3& vertex : domain.mesh().vertices)
     field->vertex_frames.push_back(turn_about_z(degrees + degrees_per_length * vertex[0]));
-  field->tet_frames = tet_frames_of(domain.data().solid, {}, field->vertex_frames);
+  field->tet_frames = tet_frames_of(domain.mesh(), field->vertex_frames);
   SolveOptions options;
   options.resolution = 6;
   const FrameField grid = solve(domain.boundary(), options);

@@ -46,7 +46,7 @@ void write_every_format(const std::filesystem::path& folder) {
   const TetSolid solid = solid_of(tet_box({2, 2, 2}, 0.2));
   TetField onto;
   onto.vertex_frames = scattered_frames(solid.mesh.vertices.size(), 0.5);
-  onto.tet_frames = tet_frames_of(solid, {}, onto.vertex_frames);
+  onto.tet_frames = tet_frames_of(solid.mesh, onto.vertex_frames);
   OutputOptions options;
   for (const OutputFormat& format : output_formats()) options.formats.push_back(format.name);
   write_field_onto(made_field(), sample_report(), {solid, onto, {}}, folder, {}, options);

@@ -30,7 +30,7 @@ struct Sample {
   explicit Sample(std::array<std::uint32_t, 3> cells, double spread_rad = 0.5)
       : solid(solid_of(tet_box(cells, 0.2))) {
     onto.vertex_frames = scattered_frames(solid.mesh.vertices.size(), spread_rad);
-    onto.tet_frames = tet_frames_of(solid, {}, onto.vertex_frames);
+    onto.tet_frames = tet_frames_of(solid.mesh, onto.vertex_frames);
   }
 
   void write(const std::filesystem::path& folder, const Monitor& monitor = {}) const {

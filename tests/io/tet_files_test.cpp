@@ -29,7 +29,7 @@ struct Sample {
   explicit Sample(std::array<std::uint32_t, 3> cells) : Sample(tet_box(cells, 0.2)) {}
   explicit Sample(TetMesh mesh) : solid(solid_of(std::move(mesh))) {
     onto.vertex_frames = scattered_frames(solid.mesh.vertices.size(), 0.5);
-    onto.tet_frames = tet_frames_of(solid, {}, onto.vertex_frames);
+    onto.tet_frames = tet_frames_of(solid.mesh, onto.vertex_frames);
   }
 
   SolveReport write(const std::filesystem::path& folder, std::vector<std::string> formats,

@@ -38,7 +38,7 @@ TetFrameField field_of(TetMesh mesh, std::vector<Quaternion> vertex_frames) {
   TetDomain domain(std::move(mesh));
   auto field = std::make_shared<TetField>();
   field->vertex_frames = std::move(vertex_frames);
-  field->tet_frames = tet_frames_of(domain.data().solid, {}, field->vertex_frames);
+  field->tet_frames = tet_frames_of(domain.mesh(), field->vertex_frames);
   return TetFrameField(FrameField(std::make_shared<FieldData>()), std::move(domain), field, {});
 }
 

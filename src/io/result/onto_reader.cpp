@@ -170,9 +170,8 @@ std::optional<TetFrameField> read_any_tet_field(const std::filesystem::path& fol
   const TetSolid& solid = domain.data().solid;
   OntoTets tets = read_onto_tets(grid_path);
   field->matchings = matchings_in(tets, solid, grid_path);
-  field->tet_frames = field->is_repaired()
-                          ? std::move(tets.frames)
-                          : tet_frames_of(solid, domain.data().features.faces, field->vertex_frames);
+  field->tet_frames =
+      field->is_repaired() ? std::move(tets.frames) : tet_frames_of(domain.mesh(), field->vertex_frames);
   return TetFrameField(std::move(grid), std::move(domain), std::move(field), std::move(report));
 }
 
