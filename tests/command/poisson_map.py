@@ -130,7 +130,8 @@ def compare(one, other):
 
 
 def table_row(name, before, after):
-    return f"| {name} | " + " | ".join(f"{x:.4g} → {y:.4g}" if isinstance(x, float) else f"{x} → {y}" for x, y in zip(before, after)) + " |"
+    cells = (" → ".join(f"{x:.4g}" if isinstance(x, float) else str(x) for x in pair) for pair in zip(before, after))
+    return f"| {name} | " + " | ".join(cells) + " |"
 
 
 def main(arguments):

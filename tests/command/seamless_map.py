@@ -141,7 +141,7 @@ class Cut:
         return np.searchsorted(keys, corners[:, [0, 0, 1]] * len(field.points) + corners[:, [1, 2, 2]])
 
     def find_sheets(self):
-        """Faces continue each other at regular edges with two of them; the way around such an edge leaves the second backwards."""
+        """Faces continue each other at regular edges with two of them. The way around leaves the second backwards."""
         field, partner = self.field, self.partner.tolist()
         two = field.inside & ~self.singular & (self.open_count == 2)
         slots = np.flatnonzero(two[field.edge_of])
@@ -376,7 +376,7 @@ def conjugate_gradients(matrix, right):
 
     diagonal = matrix.diagonal()
     inverse = diags(np.where(diagonal > 0, 1 / np.where(diagonal > 0, diagonal, 1), 0))
-    solution, fault = cg(matrix, right, tol=RELATIVE_RESIDUAL, maxiter=MOST_STEPS, M=inverse, callback=count)
+    solution, fault = cg(matrix, right, tol=RELATIVE_RESIDUAL, atol=0, maxiter=MOST_STEPS, M=inverse, callback=count)
     if fault:
         raise ValueError(f"the map did not converge in {MOST_STEPS} steps")
     return solution, steps[0]
