@@ -21,14 +21,25 @@ struct RepairWeights {
 
 /// How matchings are repaired. Weights and tolerances are dimensionless; docs/notes/repair.md has the sweeps.
 struct RepairOptions {
-  /// Tried in turn, each from the field as it is, until one leaves no fault; otherwise the one with the
-  /// fewest is taken.
-  std::vector<RepairWeights> tries = {{3, 5, 200}, {3, 2, 200}, {10, 0.5, 200}, {0, 0.05, 200}};
+  /// Tried each from the field as it is. The result is the one with the fewest faults, and of these the one
+  /// that costs least by the first weights.
+  std::vector<RepairWeights> tries = {{1, 1, 200},    {3, 5, 200},   {3, 2, 200},
+                                      {10, 0.5, 200}, {1, 0.3, 200}, {0, 0.05, 200}};
 
-  int passes = 3;          ///< of repair and smoothing in turn; fewer if the last finds nothing to repair
-  int most_sweeps = 30;    ///< of moves over all vertices, until none lowers the cost
-  int disturbances = 100;  ///< random changes near each vertex that is left, settled and kept if better
-  int rounds = 3;          ///< of these over all such vertices
+  int passes = 3;        ///< of repair and smoothing in turn; fewer if the last finds nothing to repair
+  int most_sweeps = 30;  ///< of moves over all vertices, until none lowers the cost
+
+  /// Random changes near each vertex that is left, settled and kept if they lower the cost: so many in vain
+  /// end the search there.
+  int disturbances = 30;
+
+  /// The best tries with faults go on with random changes near faults, settled and kept if they raise the
+  /// cost by no more than a random length, in the mean of `temperature` mean edge lengths: faults wander
+  /// along creases until they meet. Each wandering ends with the least cost on its way.
+  int finalists = 2;
+  int wanderings = 4;  ///< as long as there are faults
+  int wandering_steps = 3000;
+  double temperature = 30;
   std::uint64_t seed = 0;
 
   /// Sweeps that smooth the frames afterwards, with matchings kept; they end when no frame turns by more

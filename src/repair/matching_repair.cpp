@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <random>
 #include <set>
@@ -53,12 +54,38 @@ void MatchingRepair::run(const RepairOptions& options) {
   for (std::uint32_t v = 0; v < vertex_costs_.size(); ++v) touched_.insert(v);
   settle(options.most_sweeps);
   std::mt19937_64 random(options.seed);
-  for (int round = 0; round < options.rounds; ++round) {
-    bool any = false;
-    for (std::uint32_t v = 0; v < vertex_costs_.size(); ++v)
-      for (int k = 0; k < options.disturbances && is_costly(v); ++k) any |= disturb(v, random());
-    if (!any) break;
+  std::vector<int> in_vain(vertex_costs_.size(), 0);
+  for (bool any = true; any;) {
+    any = false;
+    for (std::uint32_t v = 0; v < vertex_costs_.size(); ++v) {
+      while (is_costly(v) && in_vain[v] < options.disturbances) {
+        const bool lowered = disturb(v, random(), -kLeastGain);
+        in_vain[v] = lowered ? 0 : in_vain[v] + 1;
+        any |= lowered;
+      }
+    }
   }
+}
+
+void MatchingRepair::wander(const RepairOptions& options, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::size_t best = journal_.size();
+  double least = gained_;
+  for (int step = 0; step < options.wandering_steps; ++step) {
+    std::vector<std::uint32_t> faults;
+    for (std::uint32_t v = 0; v < vertex_costs_.size(); ++v)
+      if (is_costly(v)) faults.push_back(v);
+    if (faults.empty()) break;
+    const std::uint32_t at = faults[random() % faults.size()];
+    constexpr double kTwoTo53 = 9007199254740992.0;
+    const double uniform = (static_cast<double>(random() >> 11) + 1) / kTwoTo53;
+    disturb(at, random(), -options.temperature * std::log(uniform));
+    if (gained_ >= least - kLeastGain * complex_.mean_edge_length()) continue;
+    least = gained_;
+    best = journal_.size();
+  }
+  roll_back(best);
+  gained_ = least;
 }
 
 void MatchingRepair::settle(int most_sweeps) {
@@ -75,7 +102,7 @@ void MatchingRepair::settle(int most_sweeps) {
   touched_.clear();
 }
 
-bool MatchingRepair::disturb(std::uint32_t vertex, std::uint64_t random) {
+bool MatchingRepair::disturb(std::uint32_t vertex, std::uint64_t random, double allowance) {
   const CubeGroup& group = CubeGroup::instance();
   const std::size_t mark = journal_.size();
   const double before = gained_;
@@ -103,7 +130,7 @@ bool MatchingRepair::disturb(std::uint32_t vertex, std::uint64_t random) {
   }
   constexpr int kFewSweeps = 10;
   settle(kFewSweeps);
-  if (gained_ < before - kLeastGain * complex_.mean_edge_length()) return true;
+  if (gained_ < before + allowance * complex_.mean_edge_length()) return true;
   roll_back(mark);
   gained_ = before;
   return false;

@@ -25,8 +25,12 @@ class MatchingRepair {
  public:
   MatchingRepair(MatchedField& field, const RepairWeights& weights);
 
-  /// Moves until none lowers the cost, then disturbs the vertices that are left (RepairOptions).
+  /// Moves until none lowers the cost, then disturbs the vertices that are left
+  /// (RepairOptions::disturbances).
   void run(const RepairOptions& options);
+
+  /// Lets faults wander once (RepairOptions::wandering_steps).
+  void wander(const RepairOptions& options, std::uint64_t seed);
 
   double cost() const;
   std::size_t moves() const { return moves_; }
@@ -43,8 +47,9 @@ class MatchingRepair {
   bool flip_at(std::uint32_t vertex);
   bool flip_best(std::uint32_t face);
 
-  /// Turns random faces near a vertex, settles what they touch, and takes it back if the cost is not lower.
-  bool disturb(std::uint32_t vertex, std::uint64_t random);
+  /// Turns random faces near a vertex, settles what they touch, and takes it back if the cost rises by more
+  /// than an allowance, in mean edge lengths.
+  bool disturb(std::uint32_t vertex, std::uint64_t random, double allowance);
 
   /// The faces of a push along a way in the link of a vertex: the first edge, and all on the way but the
   /// last, become regular; on the boundary the first becomes as its geometry says.

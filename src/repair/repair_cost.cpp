@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "repair/repair_cost.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/vector3.hpp"
@@ -15,6 +16,13 @@ constexpr double kAlong = 0.8;
 /// Angle between the map and the geometry of a boundary edge up to which they agree: half a quarter turn, and
 /// a degree for rounding.
 constexpr double kAgreeDeg = 46;
+
+/// How much worse a crease of the map is where its hexahedra would be flat: from 1 at angles up to
+/// kNotFlatDeg for each of them, to kFlat at 180 degrees, where their corners have no volume.
+double flatness(double angle_deg) {
+  constexpr double kNotFlatDeg = 150, kFlat = 10;
+  return 1 + (kFlat - 1) * std::max(0.0, angle_deg - kNotFlatDeg) / (180 - kNotFlatDeg);
+}
 
 /// Lengths of regular arcs that a boundary edge without a hexahedron costs.
 constexpr double kNoHexahedron = 40;
@@ -48,7 +56,8 @@ double RepairCost::of_edge(std::uint32_t index) const {
     const BoundaryTurn turn = field_.boundary_turn(index);
     if (turn.hexahedra == 0) return edge.length * kNoHexahedron * (1 + weights_.end);
     const double off = std::abs(90.0 * turn.hexahedra - turn.angle_deg);
-    return off > kAgreeDeg ? edge.length * weights_.crease * off / 90 : 0;
+    if (off <= kAgreeDeg) return 0;
+    return edge.length * weights_.crease * (off / 90) * flatness(turn.angle_deg / turn.hexahedra);
   }
   const EdgeTurn turn = field_.turn_around(index);
   if (turn.kind == EdgeTurn::Kind::kNone) return 0;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "repair/repaired_matchings.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include "base/parallel.hpp"
 #include "repair/frozen_frames.hpp"
 #include "repair/matched_field.hpp"
 #include "repair/matching_repair.hpp"
@@ -33,36 +37,61 @@ double cost_of(const MatchedField& field, const RepairWeights& weights) {
   return sum;
 }
 
+/// A try with its cost by the first weights. The field refers to the frames.
+struct Try {
+  RepairedTets tets;
+  RepairWeights weights;
+  std::optional<MatchedField> field;
+  double cost = 0;
+
+  bool operator<(const Try& other) const {
+    return std::pair(tets.faults, cost) < std::pair(other.tets.faults, other.cost);
+  }
+};
+
+/// Repairs and smooths in turn; `wandering` counts from 1, 0 for none.
+void go_on(Try& what, const RepairOptions& options, int wandering) {
+  for (int pass = 0; pass < options.passes; ++pass) {
+    MatchingRepair repair(*what.field, what.weights);
+    repair.run(options);
+    if (wandering > 0 && pass == 0)
+      repair.wander(options, options.seed + static_cast<std::uint64_t>(wandering));
+    what.tets.moves += repair.moves();
+    if (pass > 0 && repair.moves() == 0) break;
+    what.tets.frames = smoothed_frames(*what.field, std::move(what.tets.frames),
+                                       {options.smoothing_sweeps, options.smoothing_rad});
+    what.field = what.field->with_frames(what.tets.frames);
+  }
+  what.tets.faults = faults_of(*what.field);
+  what.cost = cost_of(*what.field, options.tries.front());
+}
+
 }  // namespace
 
 RepairedTets repaired_tets(const TetComplex& complex, std::span<const Quaternion> frames,
                            const RepairOptions& options) {
   const MatchedField given(complex, frames);
   const std::size_t faults_before = faults_of(given);
-  RepairedTets best;
-  double best_cost = 0;
-  for (const RepairWeights& weights : options.tries) {
-    RepairedTets result{{}, {frames.begin(), frames.end()}, 0, faults_before, 0};
-    MatchedField field = given;
-    for (int pass = 0; pass < options.passes; ++pass) {
-      MatchingRepair repair(field, weights);
-      repair.run(options);
-      result.moves += repair.moves();
-      if (pass > 0 && repair.moves() == 0) break;
-      result.frames =
-          smoothed_frames(field, std::move(result.frames), {options.smoothing_sweeps, options.smoothing_rad});
-      field = field.with_frames(result.frames);
-    }
-    result.faults = faults_of(field);
-    result.matchings = field.matchings();
-    const double cost = cost_of(field, options.tries.front());
-    if (!best.matchings.empty() && std::pair(result.faults, cost) >= std::pair(best.faults, best_cost))
-      continue;
-    best = std::move(result);
-    best_cost = cost;
-    if (best.faults == 0) break;
-  }
-  return best;
+  std::vector<Try> tries(options.tries.size());
+  const auto for_each_try = [&](std::size_t count, const auto& body) {
+    parallel_for(
+        count, [&](std::size_t k) { body(tries[k], k); }, /*grain=*/1);
+  };
+  for_each_try(tries.size(), [&](Try& one, std::size_t k) {
+    one.weights = options.tries[k];
+    one.tets.frames.assign(frames.begin(), frames.end());
+    one.field = given.with_frames(one.tets.frames);
+    go_on(one, options, 0);
+  });
+  std::stable_sort(tries.begin(), tries.end());
+  const auto finalists = std::min(tries.size(), static_cast<std::size_t>(options.finalists));
+  for_each_try(finalists, [&](Try& one, std::size_t) {
+    for (int k = 1; k <= options.wanderings && one.tets.faults > 0; ++k) go_on(one, options, k);
+  });
+  Try& best = *std::min_element(tries.begin(), tries.end());
+  best.tets.matchings = best.field->matchings();
+  best.tets.faults_before = faults_before;
+  return std::move(best.tets);
 }
 
 }  // namespace crossgrain

@@ -23,9 +23,9 @@ struct RepairedTets {
   std::size_t faults_before = 0, faults = 0;
 };
 
-/// Returns the first try without faults, or the one with the fewest; of several, the one of least cost with
-/// the weights of the first. Since faults depend on the directions of edges in their frames too, a try
-/// repairs and smooths in turn, RepairOptions::passes times at most. `frames` has one entry per tet.
+/// Returns the best of the tries (RepairOptions::tries). Since faults depend on the directions of edges in
+/// their frames too, a try repairs and smooths in turn, RepairOptions::passes times at most. `frames` has one
+/// entry per tet.
 RepairedTets repaired_tets(const TetComplex& complex, std::span<const Quaternion> frames,
                            const RepairOptions& options);
 

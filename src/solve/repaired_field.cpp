@@ -38,8 +38,11 @@ void check(const RepairOptions& options, const TetSolid& solid) {
     for (const double weight : {weights.end, weights.crease, weights.corner})
       demand(weight >= 0 && std::isfinite(weight), "weights must be numbers from 0");
   demand(options.passes >= 1 && options.most_sweeps >= 0 && options.disturbances >= 0 &&
-             options.rounds >= 0 && options.smoothing_sweeps >= 0,
+             options.finalists >= 0 && options.wanderings >= 0 && options.wandering_steps >= 0 &&
+             options.smoothing_sweeps >= 0,
          "there must be a pass, and other numbers must be 0 or positive");
+  demand(options.temperature >= 0 && std::isfinite(options.temperature),
+         "the temperature must be a number from 0");
   demand(options.smoothing_rad >= 0, "the angle at which smoothing ends must be a number from 0");
   if (solid.left_out_tets > 0)
     throw Error(ErrorKind::kInput, {"", "",
