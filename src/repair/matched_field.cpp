@@ -91,11 +91,10 @@ std::uint8_t MatchedField::holonomy(std::uint32_t edge) const {
   return product;
 }
 
-std::optional<std::uint8_t> MatchedField::wanted_holonomy(std::uint32_t index) const {
+std::optional<std::uint8_t> MatchedField::wanted_holonomy(std::uint32_t index, std::uint8_t now) const {
   const TetComplex::Edge& edge = complex_->edges()[index];
   if (!edge.is_on_boundary()) return CubeGroup::kIdentity;
   if (edge.is_branched) return std::nullopt;
-  const std::uint8_t now = holonomy(index);
   const SignedAxis carried = group_->image(now, normal_axis(edge.boundary_faces[0]));
   const SignedAxis arrives = normal_axis(edge.boundary_faces[1]);
   const std::vector<Vector3>& vertices = complex_->solid().mesh.vertices;

@@ -92,10 +92,10 @@ class MatchedField {
 
   bool is_singular(std::uint32_t inner_edge) const { return holonomy(inner_edge) != CubeGroup::kIdentity; }
 
-  /// The holonomy that an edge should have: none around an inner edge; on the boundary the one that differs
-  /// from the present by the smallest rotation of the normal, so that the map has as many quarter turns as
-  /// the geometry. None where those are no multiple of a quarter turn from the present ones about one axis.
-  std::optional<std::uint8_t> wanted_holonomy(std::uint32_t edge) const;
+  /// The holonomy that an edge should have in place of `now`: none around an inner edge; on the boundary the
+  /// one that differs from it by the smallest rotation about the edge, so that the map has as many quarter
+  /// turns as the geometry, at least one. None where no axis across the normals is nearest to the edge.
+  std::optional<std::uint8_t> wanted_holonomy(std::uint32_t edge, std::uint8_t now) const;
 
   EdgeTurn turn_around(std::uint32_t inner_edge) const;
   BoundaryTurn boundary_turn(std::uint32_t boundary_edge) const;

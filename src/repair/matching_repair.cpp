@@ -197,41 +197,6 @@ bool MatchingRepair::accept(std::span<const FaceChange> changes) {
   return true;
 }
 
-/// The matching of a face at an edge that makes the edge regular, or on the boundary as its geometry says.
-std::optional<std::uint8_t> MatchingRepair::freeing(std::uint32_t edge, std::uint32_t face) const {
-  const CubeGroup& group = CubeGroup::instance();
-  const auto around = complex_.around(edge);
-  const auto found = std::find_if(around.begin(), around.end(),
-                                  [&](const Crossing& crossing) { return crossing.face == face; });
-  if (found == around.end()) return std::nullopt;
-  // The product is after * across * before; it must become `wanted`.
-  std::uint8_t before = CubeGroup::kIdentity, after = CubeGroup::kIdentity;
-  for (auto crossing = around.begin(); crossing != found; ++crossing)
-    before = group.product(field_.across(*crossing), before);
-  for (auto crossing = found + 1; crossing != around.end(); ++crossing)
-    after = group.product(field_.across(*crossing), after);
-  const auto wanted = field_.wanted_holonomy(edge);
-  if (!wanted) return std::nullopt;
-  const std::uint8_t across =
-      group.product(group.inverse_of(after), group.product(*wanted, group.inverse_of(before)));
-  return found->reversed ? group.inverse_of(across) : across;
-}
-
-std::vector<FaceChange> MatchingRepair::push_changes(std::uint32_t vertex, std::span<const std::uint32_t> way,
-                                                     std::span<const std::uint32_t> faces) {
-  std::vector<FaceChange> changes, old;
-  for (std::size_t k = 0; k < faces.size(); ++k) {
-    const auto matching = freeing(complex_.edge_between(vertex, way[k]), faces[k]);
-    if (!matching) break;
-    old.push_back({faces[k], field_.matching(faces[k])});
-    changes.push_back({faces[k], *matching});
-    field_.set_matching(faces[k], *matching);
-  }
-  for (auto change = old.rbegin(); change != old.rend(); ++change)
-    field_.set_matching(change->face, change->matching);
-  return changes;
-}
-
 bool MatchingRepair::push_at(std::uint32_t vertex) {
   std::vector<std::uint32_t> far_ends;
   for (const std::uint32_t e : complex_.edges_at(vertex)) {
@@ -300,7 +265,7 @@ bool MatchingRepair::push_along(std::uint32_t vertex, std::uint32_t from) {
     }
     std::reverse(way.begin(), way.end());
     std::reverse(faces.begin(), faces.end());
-    if (accept(push_changes(vertex, way, faces))) return true;
+    if (accept(push_changes(field_, vertex, way, faces))) return true;
   }
   return false;
 }

@@ -10,15 +10,10 @@
 #include <vector>
 
 #include "repair/matched_field.hpp"
+#include "repair/moves.hpp"
 #include "repair/repair_cost.hpp"
 
 namespace crossgrain {
-
-/// A face with the matching that it gets.
-struct FaceChange {
-  std::uint32_t face;
-  std::uint8_t matching;
-};
 
 /// Lowers the cost of a field by moves that change the holonomies of few edges.
 class MatchingRepair {
@@ -51,11 +46,6 @@ class MatchingRepair {
   /// than an allowance, in mean edge lengths.
   bool disturb(std::uint32_t vertex, std::uint64_t random, double allowance);
 
-  /// The faces of a push along a way in the link of a vertex: the first edge, and all on the way but the
-  /// last, become regular; on the boundary the first becomes as its geometry says.
-  std::vector<FaceChange> push_changes(std::uint32_t vertex, std::span<const std::uint32_t> way,
-                                       std::span<const std::uint32_t> faces);
-  std::optional<std::uint8_t> freeing(std::uint32_t edge, std::uint32_t face) const;
   bool is_costly(std::uint32_t vertex) const { return vertex_costs_[vertex] > 0; }
 
   /// Applies changes; keeps them and returns true if they lower the cost.

@@ -171,5 +171,39 @@ TEST(SurfaceLink, OfKnifeEdgesAndApexesDoesNotExist) {
   EXPECT_EQ(has_surface_link({}, std::vector{1}), false) << "a crease that ends, F = 3";
 }
 
+/// Whether one of the ways to distribute regular edges among the creases has a link.
+bool has_link_for_some_sectors(const std::vector<int>& valences, const std::vector<int>& creases, int most) {
+  std::vector<int> more(creases.size(), 0);
+  while (true) {
+    std::vector<int> border;
+    for (std::size_t k = 0; k < creases.size(); ++k) {
+      border.push_back(creases[k]);
+      border.insert(border.end(), static_cast<std::size_t>(more[k]), 2);
+    }
+    if (has_link_within(border, valences).value_or(false)) return true;
+    std::size_t k = 0;
+    while (k < more.size() && ++more[k] > most) more[k++] = 0;
+    if (k == more.size()) return false;
+  }
+}
+
+TEST(VertexLink, ExistsForCreasesIfItDoesForSomeNumbersOfRegularEdgesBetweenThem) {
+  const std::vector<std::vector<int>> all_creases{
+      {1}, {3}, {1, 1}, {1, 3}, {3, 3}, {1, 1, 1}, {1, 1, 3}, {1, 3, 3}, {1, 1, 1, 1}, {3, 3, 1, 1}};
+  for (const std::vector<int>& creases : all_creases)
+    for (const std::vector<int>& valences :
+         std::vector<std::vector<int>>{{}, {3}, {5}, {3, 3}, {3, 5}, {5, 5}})
+      EXPECT_EQ(has_surface_link(valences, creases), has_link_for_some_sectors(valences, creases, 5));
+}
+
+TEST(VertexLink, OfACubesCornerEdgeAndFaceHasOneTwoAndFourTriangles) {
+  EXPECT_EQ(has_link_within(std::vector{1, 1, 1}, {}), true);
+  EXPECT_EQ(has_link_within(std::vector{1, 2, 1, 2}, {}), true);
+  EXPECT_EQ(has_link_within(std::vector{2, 2, 2, 2}, {}), true);
+  // A face that turns by three quarters around a point needs an arc of three hexahedra.
+  EXPECT_EQ(has_link_within(std::vector{2, 2, 2}, {}), false);
+  EXPECT_EQ(has_link_within(std::vector{2, 2, 2}, std::vector{3}), true);
+}
+
 }  // namespace
 }  // namespace crossgrain
