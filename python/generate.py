@@ -102,7 +102,7 @@ def interface_of(text, library):
 
 # The structs of options by header, inner ones before those that hold them, and their kind in crossgrain/c.h.
 OPTIONS = {
-    "options.hpp": ["RefinementOptions", "FadingCreases", "CreaseAngles", "TetTagOptions", "CalmFieldOptions", "SolverOptions", "OtherStart",
+    "options.hpp": ["RefinementOptions", "FadingCreases", "CreaseAngles", "TetTagOptions", "MapPreparationOptions", "CalmFieldOptions", "SolverOptions", "OtherStart",
                     "OntoOptions", "KeptFormOptions", "SolveOptions"],
     "io.hpp": ["ReadOptions", "OutputOptions"],
     "singularity_graph.hpp": ["SingularityOptions"],
@@ -112,7 +112,7 @@ OPTIONS = {
 }
 KINDS = {"SolveOptions": "SOLVE_OPTIONS", "ReadOptions": "READ_OPTIONS", "TetTagOptions": "TAG_OPTIONS", "OutputOptions": "OUTPUT_OPTIONS",
          "SingularityOptions": "SINGULARITY_OPTIONS", "AnswerOptions": "ANSWER_OPTIONS", "StreamlineOptions": "STREAMLINE_OPTIONS",
-         "PictureOptions": "PICTURE_OPTIONS"}
+         "PictureOptions": "PICTURE_OPTIONS", "MapPreparationOptions": "PREPARATION_OPTIONS"}
 
 # Members that Python passes in another way.
 LEFT_OUT = {"constraints", "companions", "reservation"}

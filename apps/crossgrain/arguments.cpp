@@ -50,6 +50,11 @@ void check_arguments(SolveArguments& arguments, const CLI::App* command) {
     refuse("--write is for tet meshes; give one as MODEL or with --onto", command);
   if (!is_tets && arguments.onto.empty() && arguments.repair)
     refuse("--repair is for tet meshes; give one as MODEL or with --onto", command);
+  if (!is_tets && arguments.onto.empty() && arguments.prepare)
+    refuse("--prepare is for tet meshes; give one as MODEL or with --onto", command);
+  const std::vector<std::string>& formats = arguments.output_options.formats;
+  if (command->count("--hex-size") > 0 && std::find(formats.begin(), formats.end(), "fra") == formats.end())
+    refuse("--hex-size is for the axes in onto.fra; add --write fra", command);
   arguments.is_output_named = !arguments.output.empty();
   if (!arguments.is_output_named)
     arguments.output = std::filesystem::path(arguments.model).stem().string() + ".frames";

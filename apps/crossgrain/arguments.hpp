@@ -26,6 +26,7 @@ struct SolveArguments {
   std::string restart;  ///< folder to go on from; empty for none
   SolveOptions options;
   TetTagOptions tags;
+  bool prepare = false;  ///< whether tets are split for a map
   OutputOptions output_options;
   bool page = true;     ///< whether to write report.html
   bool repair = false;  ///< whether to repair the matchings of the field on tets

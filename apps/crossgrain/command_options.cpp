@@ -76,6 +76,13 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
           formats.substr(0, formats.size() - 1) + "; docs/formats.md")
       ->check(fault_of_formats)
       ->type_name(names + "...");
+  command
+      .add_option(
+          "--hex-size", options.hex_size,
+          "Edge of the hexahedra that a map makes of onto.fra, in model units: its axes get the length 1/X "
+          "(default 1)")
+      ->check(fault_of_length)
+      ->type_name("X");
 }
 
 void add_tets_options(CLI::App& command, SolveArguments& arguments) {
@@ -98,6 +105,10 @@ void add_tets_options(CLI::App& command, SolveArguments& arguments) {
       "--keep-tags", arguments.tags.keep_all,
       "Follow all edges, triangles and regions that a tet mesh lists, even if they are nearly all "
       "that it has");
+  command.add_flag(
+      "--prepare", arguments.prepare,
+      "Split tets first so that a map to hexahedra can take their surface to integer planes, and solve "
+      "on those; add --write mesh (docs/formats.md)");
 }
 
 /// Where seeds of streamlines lie; none for an invalid text.

@@ -56,7 +56,11 @@ std::optional<TetDomain> read_domain(const SolveArguments& arguments, const Warn
   if (!is_tet_file(file) && arguments.onto.empty()) return std::nullopt;
   TetMesh mesh = read_tets(file);
   for (const Warning& warning : mesh.warnings) warn(warning);
-  return naming(file, [&] { return TetDomain(std::move(mesh), arguments.tags); });
+  return naming(file, [&] {
+    const TetDomain domain(std::move(mesh), arguments.tags);
+    return arguments.prepare ? domain.prepared_for_map({.unite_solids = arguments.options.unite_solids})
+                             : domain;
+  });
 }
 
 Box bounds_of(const std::vector<Vector3>& points) {

@@ -71,7 +71,9 @@ std::string grid_rows(const SolveReport& report) {
 }
 
 std::string tets_rows(const SolveReport::Onto& onto) {
-  return row("tets", fmt::format("{}, {}, boundary {}", onto.tets,
+  const std::string origin =
+      onto.prepared ? fmt::format(", split from {} for a map", onto.prepared->tets_before) : "";
+  return row("tets", fmt::format("{}{}, {}, boundary {}", onto.tets, origin,
                                  counted(onto.vertices, "vertex", "vertices"), name_of(onto.boundary))) +
          row("singular", lines_text(onto.singularity)) +
          (onto.repair ? row("repair", sentence_of(*onto.repair, onto.singularity)) : "") +

@@ -159,6 +159,7 @@ typedef enum crossgrain_options_kind {
   CROSSGRAIN_ANSWER_OPTIONS = 5,      /**< AnswerOptions */
   CROSSGRAIN_STREAMLINE_OPTIONS = 6,  /**< StreamlineOptions */
   CROSSGRAIN_PICTURE_OPTIONS = 7,     /**< PictureOptions */
+  CROSSGRAIN_PREPARATION_OPTIONS = 8, /**< MapPreparationOptions */
   CROSSGRAIN_NO_OPTIONS = 2147483647  /**< none; so that a function may be asked for any int, and refuse it */
 } crossgrain_options_kind;
 
@@ -363,6 +364,17 @@ CROSSGRAIN_API crossgrain_status crossgrain_domain_new(const crossgrain_tets* te
                                                        const crossgrain_options* options,
                                                        crossgrain_monitor* monitor, crossgrain_domain** out,
                                                        crossgrain_error** error);
+
+/** The tets of a domain, split so that a map can take the surface to integer planes
+ * (TetDomain::prepared_for_map). `options` of kind CROSSGRAIN_PREPARATION_OPTIONS, or NULL. */
+CROSSGRAIN_API crossgrain_status crossgrain_domain_prepared_for_map(const crossgrain_domain* domain,
+                                                                    const crossgrain_options* options,
+                                                                    crossgrain_domain** out,
+                                                                    crossgrain_error** error);
+
+/** For each tet of a prepared domain the tet that it was a part of before, UINT32_MAX if that is flat;
+ * otherwise NULL. */
+CROSSGRAIN_API const uint32_t* crossgrain_domain_parents(const crossgrain_domain* domain);
 
 /** All vertices, and the tets that have frames. Regions are NULL if there are none. */
 CROSSGRAIN_API size_t crossgrain_domain_vertex_count(const crossgrain_domain* domain);

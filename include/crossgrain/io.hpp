@@ -180,6 +180,10 @@ struct OutputOptions {
   /// order, repetitions allowed.
   std::vector<std::string> formats = {};
 
+  /// Edge of the hexahedra, in model units, that a map has whose gradients are the axes in onto.fra (the
+  /// format "fra"): they are written with the length 1 / hex_size.
+  double hex_size = 1;
+
   /// Further files to write, such as the page that shows the field in a browser (`page_of`).
   std::vector<CompanionFile> companions = {};
 

@@ -272,6 +272,9 @@ struct SolveReport {
     double dirichlet = 0;      ///< 1/2 integral of |grad h|^2, h linear in every tet
     double edge_sum = 0;       ///< sum over edges of |h_i - h_j|^2
 
+    /// TetDomain::preparation; vertices and tets are those afterwards.
+    std::optional<MapPreparation> prepared;
+
     Singularity singularity;  ///< singular lines of the frames of tets
 
     /// Faces around which the matchings of the vertices' frames do not compose to the identity.

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "crossgrain/options.hpp"
@@ -39,6 +41,20 @@ class TetDomain {
   /// dominated by many tiny tets in a corner.
   double typical_edge_length() const;
 
+  /// These tets, split so that a map that is linear in each can take the surface to integer planes:
+  /// afterwards an edge, face or tet whose vertices all lie on the surface is part of it, and a tet has at
+  /// most one face there. Vertices keep their numbers, new ones follow; parts inherit tags and regions. Solve
+  /// on the result: frames belong to its mesh. Warns if rounding would leave a tet without volume, which is
+  /// then not split.
+  TetDomain prepared_for_map(const MapPreparationOptions& options = {}) const;
+
+  /// What `prepared_for_map` did; none for tets as given.
+  const std::optional<MapPreparation>& preparation() const;
+
+  /// For each tet the one that it is a part of before `prepared_for_map`, UINT32_MAX if that is flat; empty
+  /// for tets as given.
+  const std::vector<std::uint32_t>& parents() const;
+
   /// Warnings about what was repaired or is unusual; those of the mesh first.
   const std::vector<Warning>& warnings() const;
 
@@ -46,6 +62,8 @@ class TetDomain {
   const TetDomainData& data() const { return *data_; }
 
  private:
+  explicit TetDomain(std::shared_ptr<const TetDomainData> data);
+
   std::shared_ptr<const TetDomainData> data_;
 };
 

@@ -32,6 +32,7 @@ enum class WarningKind : int {
   kUnmergedVertices,  ///< parts lie face to face and share no vertices
   kStrayTags,         ///< tagged triangles are faces of no tet
   kListedTopology,    ///< tags and lists that name nearly everything, ignored
+  kRefusedSplits,     ///< splits for a map were not made
 
   // The surface and its solids.
   kSurfaceFinding,     ///< one of SolveReport::input

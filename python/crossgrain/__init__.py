@@ -18,7 +18,7 @@ from .constraints import Constraints, read_constraints
 from .errors import Error, InputError, InternalError, Interrupted, LimitError, OutputError, UsageError
 from .field import CONSTRAINT_CLASSES, Field, Samples
 from .models import Crease, Surface, TetMesh, read_surface, read_tets
-from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, KeptFormOptions, OntoOptions, OtherStart, OutputOptions,
+from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, KeptFormOptions, MapPreparationOptions, OntoOptions, OtherStart, OutputOptions,
                       PictureOptions, ReadOptions, RefinementOptions, SingularityOptions, SolveOptions, SolverOptions, StreamlineOptions,
                       TetTagOptions)
 from .singularities import Answer, Arc, Node, Reason, SingularityGraph, read_singularities
@@ -31,7 +31,7 @@ __version__ = _library_of_c.crossgrain_version().decode()
 
 __all__ = [
     "Answer", "AnswerOptions", "Arc", "CONSTRAINT_CLASSES", "CalmFieldOptions", "Constraints", "Crease", "CreaseAngles", "Error",
-    "FadingCreases", "Field", "InputError", "InternalError", "Interrupted", "KeptFormOptions", "LimitError", "Matchings", "Node",
+    "FadingCreases", "Field", "InputError", "InternalError", "Interrupted", "KeptFormOptions", "LimitError", "MapPreparationOptions", "Matchings", "Node",
     "OntoOptions", "OtherStart", "OutputError", "OutputOptions", "PictureOptions", "Progress", "ReadOptions", "Reason", "RefinementOptions",
     "Samples", "SingularityGraph", "SingularityOptions", "SolveOptions", "SolverOptions", "Spectrum", "Streamline", "StreamlineOptions",
     "Streamlines", "Surface", "TetField", "TetMesh", "TetTagOptions", "UsageError", "carry_onto", "coefficients", "is_clipped", "read",

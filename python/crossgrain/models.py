@@ -15,7 +15,7 @@ from ._library import Handle, array_view, call, library, made, path_bytes, view
 from ._options import handle_of, set_changed
 from ._watched import watched
 from .errors import InputError
-from .options import ReadOptions, TetTagOptions
+from .options import MapPreparationOptions, ReadOptions, TetTagOptions
 
 
 class Crease(NamedTuple):
@@ -192,6 +192,17 @@ class TetMesh:
     def regions(self) -> Optional[np.ndarray]:
         """Region number of each tet; None if there are none."""
         return view(self._handle, library.crossgrain_domain_regions(self._handle), np.int32, (len(self.cells),))
+
+    def prepared_for_map(self, options: Optional[MapPreparationOptions] = None) -> "TetMesh":
+        """These tets, split so that a map that is linear in each can take the surface to integer planes. Solve on the result: frames belong to
+        its tets. Points keep their numbers, new ones follow."""
+        its_options = None if options is None else handle_of(options, MapPreparationOptions)
+        return TetMesh._of(made("domain", "domain_prepared_for_map", self._handle, its_options), self.path, self.read_seconds)
+
+    @property
+    def parents(self) -> Optional[np.ndarray]:
+        """For each tet the one that it was a part of before `prepared_for_map`, 2**32 - 1 if that is flat; None for tets as given."""
+        return view(self._handle, library.crossgrain_domain_parents(self._handle), np.uint32, (len(self.cells),))
 
     @property
     def typical_edge_length(self) -> float:

@@ -236,6 +236,19 @@ void crossgrain_domain_free(crossgrain_domain* domain) {
   delete domain;
 }
 
+crossgrain_status crossgrain_domain_prepared_for_map(const crossgrain_domain* domain,
+                                                     const crossgrain_options* options,
+                                                     crossgrain_domain** out, crossgrain_error** error) {
+  return made(out, error, [&] {
+    return new crossgrain_domain(
+        given(domain, "domain").domain.prepared_for_map(options_or_defaults<MapPreparationOptions>(options)));
+  });
+}
+
+const uint32_t* crossgrain_domain_parents(const crossgrain_domain* domain) {
+  return data_or_null(domain->domain.parents());
+}
+
 size_t crossgrain_domain_vertex_count(const crossgrain_domain* domain) {
   return domain->domain.mesh().vertices.size();
 }

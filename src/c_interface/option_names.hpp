@@ -111,10 +111,18 @@ void for_each_option(TetTagOptions& options, const Visit& visit) {
 }
 
 template <class Visit>
+void for_each_option(MapPreparationOptions& options, const Visit& visit) {
+  CROSSGRAIN_OPTION(cut_off_creases);
+  CROSSGRAIN_OPTION(layer_spread_deg);
+  CROSSGRAIN_OPTION(unite_solids);
+}
+
+template <class Visit>
 void for_each_option(OutputChoices& options, const Visit& visit) {
   CROSSGRAIN_OPTION(level);
   CROSSGRAIN_OPTION(clip);
   CROSSGRAIN_OPTION(formats);
+  CROSSGRAIN_OPTION(hex_size);
   CROSSGRAIN_OPTION(foreign_files);
   CROSSGRAIN_OPTION(page);
 }

@@ -43,6 +43,7 @@ SolveReport::Onto describe(const TetDomainData& domain, const VertexFieldEvaluat
   onto.unused_vertices = domain.solid.unused_vertices;
   onto.inverted_tets = domain.solid.inverted_tets;
   onto.left_out_tets = domain.solid.left_out_tets;
+  onto.prepared = domain.preparation;
   onto.dirichlet = evaluation.dirichlet;
   onto.edge_sum = evaluation.edge_sum;
   onto.singular = evaluation.singular;

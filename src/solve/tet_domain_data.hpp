@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "crossgrain/tet_domain.hpp"
@@ -22,6 +23,9 @@ struct TetDomainData {
   Box box{};  ///< bounding box of the boundary
   double typical_edge_length = 0;
   std::vector<Warning> warnings;
+
+  std::optional<MapPreparation> preparation;
+  std::vector<std::uint32_t> parents;  ///< TetDomain::parents
 };
 
 }  // namespace crossgrain

@@ -231,7 +231,7 @@ TEST(ErrorsTellWhatIsWrongAndWhere) {
 
 TEST(EveryOptionKeepsWhatItHas) {
   size_t all = 0;
-  for (int k = CROSSGRAIN_SOLVE_OPTIONS; k <= CROSSGRAIN_PICTURE_OPTIONS; ++k) {
+  for (int k = CROSSGRAIN_SOLVE_OPTIONS; k <= CROSSGRAIN_PREPARATION_OPTIONS; ++k) {
     const crossgrain_options_kind kind = (crossgrain_options_kind)k;
     crossgrain_options* options = NULL;
     OK(crossgrain_options_new(kind, &options, &g_error));
@@ -373,6 +373,29 @@ TEST(MatchingsCarryFramesAcrossFacesOfTets) {
   OK(crossgrain_domain_boundary(domain, &boundary, &g_error));
   CHECK(crossgrain_mesh_triangle_count(boundary) == 192);
   crossgrain_mesh_free(boundary);
+  crossgrain_domain_free(domain);
+}
+
+TEST(TetsArePreparedForAMap) {
+  crossgrain_domain* domain = cube_of_tets(2);
+  CHECK(crossgrain_domain_parents(domain) == NULL);
+  crossgrain_domain* prepared = NULL;
+  OK(crossgrain_domain_prepared_for_map(domain, NULL, &prepared, &g_error));
+  CHECK(crossgrain_domain_tet_count(prepared) > crossgrain_domain_tet_count(domain));
+  const uint32_t* parents = crossgrain_domain_parents(prepared);
+  CHECK(parents != NULL);
+  for (size_t t = 0; t < crossgrain_domain_tet_count(prepared); ++t)
+    CHECK(parents[t] < crossgrain_domain_tet_count(domain));
+  crossgrain_domain_free(prepared);
+  crossgrain_options* options = NULL;
+  OK(crossgrain_options_new(CROSSGRAIN_PREPARATION_OPTIONS, &options, &g_error));
+  OK(crossgrain_options_set_number(options, "layer_spread_deg", 0, &g_error));
+  crossgrain_domain* layered = NULL;
+  OK(crossgrain_domain_prepared_for_map(domain, options, &layered, &g_error));
+  /* Edges from the faces, which are flat, to the vertex inside are split too. */
+  CHECK(crossgrain_domain_tet_count(layered) > crossgrain_domain_tet_count(domain) + 48);
+  crossgrain_domain_free(layered);
+  crossgrain_options_free(options);
   crossgrain_domain_free(domain);
 }
 
@@ -649,6 +672,7 @@ int main(int argc, char** argv) {
       NAMED(OptionsRefuseWhatTheyCannotHold),
       NAMED(AListenerHearsAndCancels),
       NAMED(MatchingsCarryFramesAcrossFacesOfTets),
+      NAMED(TetsArePreparedForAMap),
       NAMED(AFieldThatIsReadIsTheOneThatWasWritten),
       NAMED(ACompanionIsWrittenWithTheFieldOrNothingIs),
       NAMED(SamplesAreWrittenForPointsThatAreRead),

@@ -15,7 +15,7 @@ from program import CommandTest, box_triangles, medit_text, stl_bytes, tet_box, 
 
 USAGE, INPUT, OUTPUT = 2, 3, 4
 ALWAYS = ["field.vtu", "onto.frames", "onto.vtu", "onto_singularities.vtu", "report.html", "report.json", "singularities.vtu", "surface.vtu"]
-FILES = {"fra": ["onto.fra"], "perm": ["onto.perm"], "frame": ["onto.frame"],
+FILES = {"mesh": ["onto.mesh"], "fra": ["onto.fra"], "perm": ["onto.perm"], "frame": ["onto.frame"],
          "quaternions": ["onto_tets.quaternions", "onto_vertices.quaternions"], "features": ["onto_features.vtu"]}
 
 
@@ -47,7 +47,7 @@ class FormatsTest(CommandTest):
 class Formats(FormatsTest):
     def test_every_format_has_the_frames_of_the_same_field(self):
         vertices, tets = self.write_box()
-        self.solve("box.mesh", "--write", "fra,perm,frame,quaternions,features")
+        self.solve("box.mesh", "--write", "mesh,fra,perm,frame,quaternions,features")
         self.assertEqual(self.files(), sorted(ALWAYS + sum(FILES.values(), [])))
         for name in self.files():
             self.assertIn(name, self.summary)
@@ -137,7 +137,7 @@ class FoldersOfFormats(FormatsTest):
     def test_only_the_formats_of_the_last_solve_are_there(self):
         self.write_box()
         self.write("box.stl", stl_bytes(box_triangles()))
-        self.solve("box.mesh", "--write", "fra,perm,frame,quaternions,features")
+        self.solve("box.mesh", "--write", "mesh,fra,perm,frame,quaternions,features")
         (self.folder / "out" / "notes.fra").write_text("mine")
         self.solve("box.mesh", "--write", "perm,quaternions", "--force")
         self.assertEqual(self.files(), sorted([*ALWAYS, "notes.fra", *FILES["perm"], *FILES["quaternions"]]))

@@ -216,6 +216,7 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
                                   .boundary = TetBoundary::kSmoothOnly,
                                   .dirichlet = 0.1,
                                   .edge_sum = 1.0 / 3,
+                                  .prepared = MapPreparation{10, 20, 30, 40, 50, 60},
                                   .singularity = report.singularity,
                                   .singular = {3, 4},
                                   .normal_deg = {},
@@ -234,6 +235,13 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
   EXPECT_EQ(read.onto->tets, 2u);
   EXPECT_EQ(read.onto->boundary, TetBoundary::kSmoothOnly);
   EXPECT_EQ(read.onto->edge_sum, 1.0 / 3);
+  ASSERT_TRUE(read.onto->prepared);
+  EXPECT_EQ(read.onto->prepared->tets_before, 10u);
+  EXPECT_EQ(read.onto->prepared->vertices_before, 20u);
+  EXPECT_EQ(read.onto->prepared->split_edges, 30u);
+  EXPECT_EQ(read.onto->prepared->split_faces, 40u);
+  EXPECT_EQ(read.onto->prepared->split_tets, 50u);
+  EXPECT_EQ(read.onto->prepared->refused_splits, 60u);
   EXPECT_EQ(read.onto->singular.boundary_faces, 4u);
   EXPECT_FALSE(read.onto->normal_deg.p95) << "null";
   EXPECT_EQ(read.onto->crease_deg.p95, 1.5);

@@ -84,6 +84,27 @@ inline std::vector<Row> read_fra(const std::filesystem::path& path) {
   return frames;
 }
 
+struct MeditFile {
+  std::vector<Row> vertices;  ///< x y z, reference
+  std::vector<Row> tets;      ///< four vertices, counted from 1, and the reference
+};
+
+/// A Medit mesh of vertices and tets with nothing else.
+inline MeditFile read_medit(const std::filesystem::path& path) {
+  const std::vector<std::string> lines = lines_of(path);
+  expect(lines.size() > 7 && lines[0] == "MeshVersionFormatted 2" && lines[1] == "Dimension 3" &&
+             lines[2] == "Vertices" && lines.back() == "End",
+         "no Medit mesh");
+  MeditFile file;
+  const auto vertices = static_cast<std::size_t>(numbers_of(lines[3], 1)[0]);
+  expect(lines.at(4 + vertices) == "Tetrahedra", "no Tetrahedra behind the vertices");
+  file.vertices = rows_of(lines, 4, lines.size() - 4 - vertices, 4);
+  file.tets = rows_of(lines, 6 + vertices, 1, 5);
+  expect(numbers_of(lines[5 + vertices], 1)[0] == static_cast<double>(file.tets.size()),
+         "another number of tets");
+  return file;
+}
+
 inline std::vector<Row> read_frame(const std::filesystem::path& path) {
   const std::vector<std::string> lines = lines_of(path);
   expect(lines.size() >= 3 && lines.front() == "FRAME" && lines.back() == "END", "no FRAME and END");

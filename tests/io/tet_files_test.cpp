@@ -41,6 +41,18 @@ struct Sample {
                             monitor, options);
   }
 
+  /// The rows of onto.fra and of onto.frame.
+  std::array<std::vector<Row>, 2> rows_for_hexahedra(double hex_size) const {
+    const TemporaryFolder folder;
+    OutputOptions options;
+    options.formats = {"fra", "frame"};
+    options.hex_size = hex_size;
+    write_field_onto(field_of(sample_data(Degree::kFour)), sample_report(), {solid, onto, {}, hex_size},
+                     folder.path(), {}, options);
+    return {frame_files::read_fra(folder.path() / "onto.fra"),
+            frame_files::read_frame(folder.path() / "onto.frame")};
+  }
+
   TetSolid solid;
   TetField onto;
 };
@@ -84,6 +96,58 @@ TEST_F(WrittenFormats, FraHasTheAxesOfEachTetToTheBit) {
 
 TEST_F(WrittenFormats, FrameHasTheAxesOfEachTetToTheBit) {
   EXPECT_TRUE(frame_files::read_frame(folder_.path() / "onto.frame") == rows_of(sample_.onto.tet_frames));
+}
+
+TEST_F(WrittenFormats, MeshHasTheTetsOfTheRowsToTheBit) {
+  const frame_files::MeditFile file = frame_files::read_medit(folder_.path() / "onto.mesh");
+  ASSERT_EQ(file.vertices.size(), sample_.solid.mesh.vertices.size());
+  for (std::size_t v = 0; v < file.vertices.size(); ++v) {
+    const Vector3& p = sample_.solid.mesh.vertices[v];
+    ASSERT_EQ(file.vertices[v], (Row{p[0], p[1], p[2], 0}));
+  }
+  ASSERT_EQ(file.tets.size(), frame_files::read_fra(folder_.path() / "onto.fra").size());
+  for (std::size_t t = 0; t < file.tets.size(); ++t) {
+    const auto& [a, b, c, d] = sample_.solid.mesh.tets[t];
+    ASSERT_EQ(file.tets[t], (Row{a + 1.0, b + 1.0, c + 1.0, d + 1.0, 0}));
+  }
+}
+
+TEST(FramesForHexahedra, OfASizeHaveAxesOfItsInverseInFra) {
+  const Sample sample({2, 2, 2});
+  const std::vector<Row> unit = rows_of(sample.onto.tet_frames);
+  EXPECT_EQ(sample.rows_for_hexahedra(1)[0], unit);
+  for (const double size : {0.3, 0.25, 7.0}) {
+    const std::vector<Row> rows = sample.rows_for_hexahedra(size)[0];
+    ASSERT_EQ(rows.size(), unit.size());
+    for (std::size_t t = 0; t < rows.size(); ++t)
+      for (std::size_t k = 0; k < 9; ++k) ASSERT_EQ(rows[t][k], unit[t][k] / size);
+  }
+}
+
+TEST(FramesForHexahedra, StayUnitInFrame) {
+  const Sample sample({2, 2, 2});
+  EXPECT_EQ(sample.rows_for_hexahedra(0.3)[1], rows_of(sample.onto.tet_frames));
+}
+
+TEST(FramesForHexahedra, OfNoSizeAreRefused) {
+  for (const double size : {0.0, -1.0, double(NAN), double(INFINITY)}) {
+    try {
+      Sample({1, 1, 1}).rows_for_hexahedra(size);
+      FAIL() << size;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+    }
+  }
+}
+
+TEST(WrittenMesh, HasTheRegionsOfTets) {
+  const TemporaryFolder folder;
+  Sample(with_regions(tet_box({2, 1, 1}), [](const Vector3& p) {
+    return p[0] < 1 ? -4 : 70000;
+  })).write(folder.path(), {"mesh"});
+  const TetMesh mesh = read_tets(folder.path() / "onto.mesh");
+  EXPECT_EQ(std::ranges::count(mesh.regions, -4), 6);
+  EXPECT_EQ(std::ranges::count(mesh.regions, 70000), 6);
 }
 
 TEST_F(WrittenFormats, QuaternionsAreThoseOfVerticesAndTetsToTheBit) {

@@ -185,6 +185,26 @@ class FieldsOnTets(WithFolder):
         carried = cg.carry_onto(field, *cube_of_tets(3))
         self.assertEqual(len(carried), 162)
 
+    def test_may_be_of_tets_prepared_for_a_map(self):
+        points, cells = cube_of_tets(2)
+        tets = cg.TetMesh(points, cells)
+        self.assertIsNone(tets.parents)
+        prepared = tets.prepared_for_map()
+        np.testing.assert_array_equal(prepared.points[:len(points)], points)
+        corners = lambda its_points, its_cells: its_points[its_cells[:, 1:]] - its_points[its_cells[:, :1]]
+        volumes = np.bincount(prepared.parents, np.linalg.det(corners(prepared.points, prepared.cells)), len(cells))
+        np.testing.assert_allclose(volumes, np.linalg.det(corners(tets.points, tets.cells)), atol=1e-15)
+        layered = tets.prepared_for_map(cg.MapPreparationOptions(layer_spread_deg=0))
+        self.assertGreater(len(layered.cells), len(prepared.cells))
+        field = cg.solve_onto(prepared)
+        self.assertEqual(field.report["onto"]["prepared"]["tets_before"], len(cells))
+        self.assertEqual(len(field.frames), len(prepared.cells))
+        field.write(self.folder / "prepared.frames", formats=["mesh", "fra"], hex_size=0.25)
+        rows = (self.folder / "prepared.frames" / "onto.fra").read_text().splitlines()[2:]
+        axes = np.array([row.split() for row in rows], float)
+        np.testing.assert_allclose(np.linalg.norm(axes, axis=1), 4)
+        self.assertEqual(len(cg.read_tets(self.folder / "prepared.frames" / "onto.mesh").cells), len(prepared.cells))
+
     def test_keep_regions(self):
         points, cells = cube_of_tets(4)
         regions = (points[cells].mean(axis=1)[:, 0] > 0.5).astype(np.int16) + 3

@@ -15,10 +15,11 @@ namespace {
 
 constexpr std::size_t kFrameBytes = 9 * kNumberBytes;
 
-/// `between` follows each of the first two axes: a blank, or a line end.
-char* put_frame(char* out, const Frame& frame, char between) {
+/// `between` follows each of the first two axes: a blank, or a line end. Axes have the length 1 / divisor.
+char* put_frame(char* out, const Frame& frame, char between, double divisor = 1) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Vector3& v = frame.axes[axis];
+    Vector3 v = frame.axes[axis];
+    for (double& coordinate : v) coordinate /= divisor;
     out = put_number(out, v[0], ' ');
     out = put_number(out, v[1], ' ');
     out = put_number(out, v[2], axis == 2 ? '\n' : between);
@@ -26,10 +27,10 @@ char* put_frame(char* out, const Frame& frame, char between) {
   return out;
 }
 
-void write_axes(OutputFile& file, const std::vector<Quaternion>& frames, char between,
-                const Monitor& monitor) {
+void write_axes(OutputFile& file, const std::vector<Quaternion>& frames, char between, const Monitor& monitor,
+                double divisor = 1) {
   const auto put = [&](std::size_t i, char* out) {
-    return put_frame(out, orthonormal_frame(frames[i]), between);
+    return put_frame(out, orthonormal_frame(frames[i]), between, divisor);
   };
   write_text_lines(file, frames.size(), kFrameBytes, put, monitor);
 }
@@ -60,7 +61,7 @@ void write_vertex_axes(OutputFile& file, const TetOutput& output, const Monitor&
 
 void write_fra(OutputFile& file, const TetOutput& output, const Monitor& monitor) {
   file.write(fmt::format("FRA 1\n{} 3 1\n", output.field.tet_frames.size()));
-  write_axes(file, output.field.tet_frames, '\n', monitor);
+  write_axes(file, output.field.tet_frames, '\n', monitor, output.hex_size);
   file.finish();
 }
 

@@ -22,7 +22,8 @@ void warn_of_left_out_tets(const TetSolid& solid, const OutputOptions& options, 
   std::vector<std::string> names;
   for (const TetFile& file : tet_files())
     if (file.has_rows_of_tets && is_asked_for(file, options.formats)) names.push_back(file.name);
-  if (names.empty() || solid.left_out_tets == 0) return;
+  const bool is_of_file = !report.onto || !report.onto->prepared;
+  if (names.empty() || solid.left_out_tets == 0 || !is_of_file) return;
   const std::size_t tets = solid.mesh.tets.size();
   report.warnings.emplace_back(
       WarningKind::kLeftOutTets,
@@ -62,9 +63,10 @@ SolveReport write_field_onto(const FrameField& field, SolveReport report, const 
 
 SolveReport write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
                         const Monitor& monitor, const OutputOptions& options) {
-  return write_field_onto(field.grid(), std::move(report),
-                          {field.domain().data().solid, field.data(), field.singularities()}, folder, monitor,
-                          options);
+  return write_field_onto(
+      field.grid(), std::move(report),
+      {field.domain().data().solid, field.data(), field.singularities(), options.hex_size}, folder, monitor,
+      options);
 }
 
 SolveReport write_field(const TetFrameField& field, const std::filesystem::path& folder,

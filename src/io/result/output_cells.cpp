@@ -205,6 +205,9 @@ void check_output_options(const OutputOptions& options) {
     throw Error(ErrorKind::kUsage,
                 fmt::format("the output level is {}, but must be from 0 to {}, a depth of the octree",
                             *options.level, kMaxDepth));
+  if (!(options.hex_size > 0) || !std::isfinite(options.hex_size))
+    throw Error(ErrorKind::kUsage,
+                fmt::format("the size of hexahedra is {}, but must be positive", options.hex_size));
   check_companions(options.companions);
   if (!options.clip) return;
   for (std::size_t axis = 0; axis < 3; ++axis) {

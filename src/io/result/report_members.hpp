@@ -162,6 +162,14 @@ template <class File, class Onto>
 void describe_onto(File& file, Onto& onto) {
   file.member("vertices", onto.vertices);
   file.member("tets", onto.tets);
+  file.optional_object("prepared", onto.prepared, [](auto& inner, auto& prepared) {
+    inner.member("tets_before", prepared.tets_before);
+    inner.member("vertices_before", prepared.vertices_before);
+    inner.member("split_edges", prepared.split_edges);
+    inner.member("split_faces", prepared.split_faces);
+    inner.member("split_tets", prepared.split_tets);
+    inner.member("refused_splits", prepared.refused_splits);
+  });
   file.name("boundary", onto.boundary);
   file.member("dirichlet", onto.dirichlet);
   file.member("edge_sum", onto.edge_sum);

@@ -23,6 +23,8 @@ constexpr std::array kFiles = {
             write_tet_grid},
     TetFile{"singularities", kTetSingularityFile, "singular lines of the tets, for ParaView", kAlways,
             kOfOthers, write_tet_singularities},
+    TetFile{"mesh", "onto.mesh", "the tets of the frames, for CubeCover, mouette and gmsh", kOnDemand,
+            kOfOthers, write_medit},
     TetFile{"fra", "onto.fra", "axes of each tet, for CubeCover and Mint", kOnDemand, kOfTets, write_fra},
     TetFile{"perm", "onto.perm", "matchings across faces, for CubeCover", kOnDemand, kOfTets, write_perm},
     TetFile{"frame", "onto.frame", "axes of each tet, for mouette", kOnDemand, kOfTets, write_frame},

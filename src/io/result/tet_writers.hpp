@@ -15,6 +15,7 @@ struct TetOutput {
   const TetSolid& solid;
   const TetField& field;
   const SingularityGraph& lines;
+  double hex_size = 1;  ///< OutputOptions::hex_size
 };
 
 // Each function writes a whole file and finishes it. Throws Error(kOutput), and Error(kInterrupted) once the
@@ -32,7 +33,10 @@ void write_feature_grid(OutputFile& file, const TetOutput& output, const Monitor
 /// Writes the singularity graph of the tets as VTU polylines.
 void write_tet_singularities(OutputFile& file, const TetOutput& output, const Monitor& monitor);
 
-/// Writes FRA 1: the axes of each tet, one line per axis.
+/// Writes the vertices and tets as a Medit mesh in text.
+void write_medit(OutputFile& file, const TetOutput& output, const Monitor& monitor);
+
+/// Writes FRA 1: the axes of each tet, of length 1 / hex_size, one line per axis.
 void write_fra(OutputFile& file, const TetOutput& output, const Monitor& monitor);
 
 /// Writes PERM 1: the matchings across faces that are not the identity.
