@@ -51,7 +51,7 @@ double MatchingRepair::cost() const {
 
 void MatchingRepair::run(const RepairOptions& options) {
   pull_off_creases();
-  for (std::uint32_t v = 0; v < vertex_costs_.size(); ++v) touched_.insert(v);
+  touch_faults();
   settle(options.most_sweeps);
   std::mt19937_64 random(options.seed);
   std::vector<int> in_vain(vertex_costs_.size(), 0);
@@ -86,6 +86,13 @@ void MatchingRepair::wander(const RepairOptions& options, std::uint64_t seed) {
   }
   roll_back(best);
   gained_ = least;
+}
+
+void MatchingRepair::touch_faults() {
+  for (std::uint32_t e = 0; e < edge_costs_.size(); ++e)
+    if (edge_costs_[e] > 0) touched_.insert(complex_.edges()[e].ends.begin(), complex_.edges()[e].ends.end());
+  for (std::uint32_t v = 0; v < vertex_costs_.size(); ++v)
+    if (is_costly(v)) touched_.insert(v);
 }
 
 void MatchingRepair::settle(int most_sweeps) {

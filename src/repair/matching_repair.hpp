@@ -35,6 +35,9 @@ class MatchingRepair {
 
   void pull_off_creases();
 
+  /// Lists the vertices that moves may help.
+  void touch_faults();
+
   /// Lowers the cost by pushes and flips at the touched vertices and those that they touch, until none does.
   void settle(int most_sweeps);
   bool push_at(std::uint32_t vertex);

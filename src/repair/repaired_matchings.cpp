@@ -49,21 +49,35 @@ struct Try {
   }
 };
 
-/// Repairs and smooths in turn; `wandering` counts from 1, 0 for none.
-void go_on(Try& what, const RepairOptions& options, int wandering) {
+void judge(Try& what, const RepairOptions& options) {
+  what.tets.faults = faults_of(*what.field);
+  what.cost = cost_of(*what.field, options.tries.front());
+}
+
+/// Smooths frames for the matchings, and repairs what that leaves: faults depend on the directions of edges
+/// in their frames too.
+void finish(Try& what, const RepairOptions& options) {
   for (int pass = 0; pass < options.passes; ++pass) {
-    MatchingRepair repair(*what.field, what.weights);
-    repair.run(options);
-    if (wandering > 0 && pass == 0)
-      repair.wander(options, options.seed + static_cast<std::uint64_t>(wandering));
-    what.tets.moves += repair.moves();
-    if (pass > 0 && repair.moves() == 0) break;
     what.tets.frames = smoothed_frames(*what.field, std::move(what.tets.frames),
                                        {options.smoothing_sweeps, options.smoothing_rad});
     what.field = what.field->with_frames(what.tets.frames);
+    judge(what, options);
+    if (what.tets.faults == 0 || pass + 1 == options.passes) break;
+    MatchingRepair repair(*what.field, what.weights);
+    repair.run(options);
+    what.tets.moves += repair.moves();
+    if (repair.moves() == 0) break;
   }
-  what.tets.faults = faults_of(*what.field);
-  what.cost = cost_of(*what.field, options.tries.front());
+}
+
+/// Lets faults wander as long as there are any.
+void wander(Try& what, const RepairOptions& options) {
+  for (int k = 1; k <= options.wanderings && what.tets.faults > 0; ++k) {
+    MatchingRepair repair(*what.field, what.weights);
+    repair.wander(options, options.seed + static_cast<std::uint64_t>(k));
+    what.tets.moves += repair.moves();
+    finish(what, options);
+  }
 }
 
 }  // namespace
@@ -81,14 +95,20 @@ RepairedTets repaired_tets(const TetComplex& complex, std::span<const Quaternion
     one.weights = options.tries[k];
     one.tets.frames.assign(frames.begin(), frames.end());
     one.field = given.with_frames(one.tets.frames);
-    go_on(one, options, 0);
+    MatchingRepair repair(*one.field, one.weights);
+    repair.run(options);
+    one.tets.moves = repair.moves();
+    judge(one, options);
   });
   std::stable_sort(tries.begin(), tries.end());
-  const auto finalists = std::min(tries.size(), static_cast<std::size_t>(options.finalists));
-  for_each_try(finalists, [&](Try& one, std::size_t) {
-    for (int k = 1; k <= options.wanderings && one.tets.faults > 0; ++k) go_on(one, options, k);
-  });
-  Try& best = *std::min_element(tries.begin(), tries.end());
+  finish(tries.front(), options);
+  if (tries.front().tets.faults > 0) {
+    const auto finalists = std::min(tries.size(), static_cast<std::size_t>(options.finalists));
+    for_each_try(finalists, [&](Try& one, std::size_t) { wander(one, options); });
+  }
+  Try& best = *std::min_element(
+      tries.begin(),
+      tries.begin() + std::max(1, std::min(options.finalists, static_cast<int>(tries.size()))));
   best.tets.matchings = best.field->matchings();
   best.tets.faults_before = faults_before;
   return std::move(best.tets);

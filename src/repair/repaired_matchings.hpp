@@ -23,9 +23,8 @@ struct RepairedTets {
   std::size_t faults_before = 0, faults = 0;
 };
 
-/// Returns the best of the tries (RepairOptions::tries). Since faults depend on the directions of edges in
-/// their frames too, a try repairs and smooths in turn, RepairOptions::passes times at most. `frames` has one
-/// entry per tet.
+/// Returns the best of the tries (RepairOptions::tries), with frames smoothed for it. `frames` has one entry
+/// per tet.
 RepairedTets repaired_tets(const TetComplex& complex, std::span<const Quaternion> frames,
                            const RepairOptions& options);
 
