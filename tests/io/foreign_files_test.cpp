@@ -105,7 +105,7 @@ TEST(ForeignFiles, AreFilesForOtherProgramsWithoutTheirReport) {
   const TemporaryFolder folder;
   write_every_format(folder.path());
   std::filesystem::remove(folder.path() / "report.json");
-  EXPECT_NE(refusal(folder.path()).find("'onto.fra' and 5 other files"), std::string::npos);
+  EXPECT_NE(refusal(folder.path()).find("'onto.fra' and 6 other files"), std::string::npos);
 }
 
 TEST(ForeignFiles, AreNotWhatDesktopsAndKilledRunsLeave) {
