@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled into both the library and the program crossgrain_cad.
 //
-// Layout of an answer: the greeting; a CadEnd; the fault; the vectors of the mesh in the order of `exchange`;
-// kTrailer. A vector or a text is the number of its items, in 64 bits, and their bytes as in memory.
+// Layout of an answer: the greeting; a CadEnd; the fault; the vectors of the mesh and of the solids in the
+// order of `exchange`; kTrailer. A vector or a text is the number of its items, in 64 bits, and their bytes
+// as in memory.
 #include "io/cad/cad_messages.hpp"
 
 #include <fmt/format.h>
@@ -142,6 +143,10 @@ void exchange(Stream& stream, Answer& answer) {
     stream.items(warning.text);
     stream.value(warning.remedy);
   });
+  stream.items(answer.solids.brep);
+  stream.items(answer.solids.solid_numbers);
+  stream.items(answer.solids.face_numbers);
+  stream.items(answer.solids.edge_numbers);
 }
 
 bool is_known(Remedy remedy) {
@@ -191,6 +196,11 @@ bool is_consistent(const TriangleMesh& mesh) {
          });
 }
 
+bool is_consistent(const CadSolids& solids) {
+  return are_numbers(solids.solid_numbers) && are_numbers(solids.face_numbers) &&
+         are_numbers(solids.edge_numbers);
+}
+
 template <class Number>
 bool parse(const std::string& text, Number& number) {
   const char* end = text.data() + text.size();
@@ -214,25 +224,28 @@ std::vector<std::string> arguments_of(const CadRequest& request) {
           fmt::to_string(static_cast<int>(options.glue)),
           fmt::format("{}", options.glue_gap),
           fmt::to_string(options.max_memory_bytes),
+          fmt::to_string(static_cast<int>(request.with_solids)),
           request.path};
 }
 
 std::optional<CadRequest> cad_request_of(const std::vector<std::string>& arguments) {
-  constexpr std::size_t kCount = 12;
+  constexpr std::size_t kCount = 13;
   if (arguments.size() != kCount || arguments[0] != kVersion) return std::nullopt;
   CadRequest request;
   ReadOptions& options = request.options;
-  int format = 0, glue = 0;
+  int format = 0, glue = 0, with_solids = 0;
   const bool sound = parse(arguments[1], request.asking_process) && parse(arguments[2], format) &&
                      parse(arguments[3], options.resolution) && parse(arguments[4], options.cell_size) &&
                      parse(arguments[5], options.chord_error_cells) &&
                      parse(arguments[6], options.facet_angle_deg) &&
                      parse(arguments[7], options.crease_angle_deg) && parse(arguments[8], glue) &&
-                     parse(arguments[9], options.glue_gap) && parse(arguments[10], options.max_memory_bytes);
+                     parse(arguments[9], options.glue_gap) &&
+                     parse(arguments[10], options.max_memory_bytes) && parse(arguments[11], with_solids);
   if (!sound || format < 0 || format > static_cast<int>(CadFormat::kBrep)) return std::nullopt;
   request.format = static_cast<CadFormat>(format);
   options.glue = glue != 0;
-  request.path = arguments[11];
+  request.with_solids = with_solids != 0;
+  request.path = arguments[12];
   return request;
 }
 
@@ -258,7 +271,8 @@ std::optional<CadAnswer> cad_answer_in(std::string_view written) {
   CadAnswer answer;
   exchange(reader, answer);
   if (!reader.sound() || reader.rest() != kTrailer || answer.end > CadEnd::kOutOfMemory ||
-      !is_known(answer.fault.remedy) || !is_line(answer.fault.text) || !is_consistent(answer.mesh))
+      !is_known(answer.fault.remedy) || !is_line(answer.fault.text) || !is_consistent(answer.mesh) ||
+      !is_consistent(answer.solids))
     return std::nullopt;
   return answer;
 }

@@ -17,12 +17,13 @@
 #include <string_view>
 
 #include "io/cad/cad_messages.hpp"
-#include "io/cad/helper_process.hpp"
 #include "io/cad/program/bodies.hpp"
 #include "io/cad/program/confinement.hpp"
 #include "io/cad/program/fault.hpp"
 #include "io/cad/program/shape_file.hpp"
+#include "io/cad/program/solid_text.hpp"
 #include "io/cad/program/tessellation.hpp"
+#include "io/process/helper_process.hpp"
 
 namespace crossgrain {
 namespace {
@@ -38,16 +39,19 @@ std::string one_line(std::string text) {
   return text;
 }
 
-TriangleMesh read(const CadRequest& request) {
+CadAnswer read(const CadRequest& request) {
   const CadShape file = read_shape(request.path, request.format);
   const Bodies bodies = find_bodies(file.shape, request.options);
-  TriangleMesh mesh = tessellate(bodies, request.options);
+  CadAnswer answer;
+  TriangleMesh& mesh = answer.mesh;
+  mesh = tessellate(bodies, request.options);
   mesh.unit = file.unit;
   mesh.file_unit = one_line(file.file_unit);
   mesh.warnings.insert(mesh.warnings.begin(), bodies.warnings.begin(), bodies.warnings.end());
   mesh.warnings.insert(mesh.warnings.begin(), file.warnings.begin(), file.warnings.end());
   for (Warning& warning : mesh.warnings) warning.text = one_line(warning.text);
-  return mesh;
+  if (request.with_solids) answer.solids = solids_of(bodies);
+  return answer;
 }
 
 CadAnswer given_up(const char* reason) {
@@ -60,7 +64,7 @@ CadAnswer given_up(const char* reason) {
 
 CadAnswer answer_to(const CadRequest& request) {
   try {
-    return {CadEnd::kMesh, read(request), {}};
+    return read(request);
   } catch (const Fault& fault) {
     return {CadEnd::kFault, {}, {one_line(fault.what()), fault.remedy()}};
   } catch (const Standard_OutOfMemory&) {
