@@ -233,7 +233,8 @@ typedef enum crossgrain_phase {
   CROSSGRAIN_SOLVING = 2,  /**< finds the frames of a level */
   CROSSGRAIN_ANALYSIS = 3, /**< measures the solved field and finds its singular lines */
   CROSSGRAIN_ON_TETS = 4,  /**< finishes the field on a tet mesh */
-  CROSSGRAIN_WRITING = 5
+  CROSSGRAIN_WRITING = 5,
+  CROSSGRAIN_MAKING_TETS = 6 /**< cuts a solid into tets */
 } crossgrain_phase;
 
 typedef struct crossgrain_progress {

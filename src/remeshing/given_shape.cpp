@@ -17,6 +17,10 @@
 namespace crossgrain {
 namespace {
 
+/// Distance from a plane, relative to the size, within which a patch is flat: above the rounding of files in
+/// single precision.
+constexpr double kFlat = 1e-5;
+
 /// Normals of the patches at their vertices: of its triangles there, weighted by their angles.
 class PatchNormals {
  public:
@@ -97,7 +101,7 @@ void GivenShape::find_curvature_sizes() {
       const Vector3 turn = normals.at(b, t) - normals.at(a, t);
       curvature = std::max(curvature, std::abs(dot(turn, along)) / dot(along, along));
     }
-    const double size = 2 * std::numbers::pi / (options_.elements_per_circle * curvature);
+    const double size = 2 * std::numbers::pi / (options_.edges_per_circle * curvature);
     triangle_sizes_.push_back(clamped(curvature > 0 ? size : options_.size));
   }
 }
@@ -124,7 +128,23 @@ void GivenShape::make_patches() {
     patches_[p].surface = prepare_surface(CheckedMesh::derived(std::move(mesh)));
   }
   // Trees refer to their surfaces, which must not move any more.
-  for (Patch& patch : patches_) patch.tree = std::make_unique<TriangleBvh>(patch.surface);
+  for (Patch& patch : patches_) {
+    find_plane(patch);
+    if (!patch.is_flat) patch.tree = std::make_unique<TriangleBvh>(patch.surface);
+  }
+}
+
+void GivenShape::find_plane(Patch& patch) const {
+  const Surface& surface = patch.surface;
+  const auto largest = std::max_element(surface.areas.begin(), surface.areas.end()) - surface.areas.begin();
+  patch.normal = surface.normals[static_cast<std::size_t>(largest)];
+  patch.origin = surface.corners(static_cast<std::size_t>(largest))[0];
+  const auto is_in_plane = [&](const Vector3& vertex) {
+    return std::abs(dot(vertex - patch.origin, patch.normal)) <= kFlat * options_.size;
+  };
+  const auto looks_alike = [&](const Vector3& normal) { return dot(normal, patch.normal) > 0; };
+  patch.is_flat = std::all_of(surface.mesh.vertices.begin(), surface.mesh.vertices.end(), is_in_plane) &&
+                  std::all_of(surface.normals.begin(), surface.normals.end(), looks_alike);
 }
 
 void GivenShape::make_curves() {
@@ -147,6 +167,7 @@ void GivenShape::make_curves() {
 
 PlaceOnShape GivenShape::on_patch(std::uint32_t patch, const Vector3& near) const {
   const Patch& of = patches_[patch];
+  if (of.is_flat) return {near - dot(near - of.origin, of.normal) * of.normal, of.normal, options_.size};
   const NearestPoint found = of.tree->nearest(near);
   return {found.point, of.surface.normals[found.triangle], triangle_sizes_[of.triangles[found.triangle]]};
 }

@@ -24,6 +24,7 @@ class GivenShape {
  public:
   GivenShape(const PatchedSurface& given, const Remeshing& options);
 
+  /// `near` must be near the patch: on a flat one the result may lie beyond its border.
   PlaceOnShape on_patch(std::uint32_t patch, const Vector3& near) const;
   PlaceOnShape on_curve(std::uint32_t curve, const Vector3& near) const;
 
@@ -36,6 +37,10 @@ class GivenShape {
     Surface surface;
     std::unique_ptr<TriangleBvh> tree;
     std::vector<std::uint32_t> triangles;  ///< of the given surface, in the order of `surface`
+
+    /// Whether it lies in the plane through `origin` across `normal`, so that no tree is needed.
+    bool is_flat = false;
+    Vector3 origin{}, normal{};
   };
   struct Segment {
     Vector3 from, to;
@@ -44,6 +49,7 @@ class GivenShape {
 
   void find_curvature_sizes();
   void make_patches();
+  void find_plane(Patch& patch) const;
   void make_curves();
   double clamped(double size) const;
 

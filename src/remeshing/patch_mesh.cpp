@@ -6,7 +6,6 @@
 #include <iterator>
 #include <utility>
 
-#include "base/ascending.hpp"
 #include "surface/edge_uses.hpp"
 
 namespace crossgrain {
@@ -72,11 +71,12 @@ std::array<Vector3, 3> PatchMesh::corners(const Corners& triangle) const {
 std::vector<std::array<std::uint32_t, 2>> PatchMesh::edges() const {
   std::vector<std::array<std::uint32_t, 2>> all;
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    for (std::size_t k = 0; is_there_[t] && k < 3; ++k)
-      all.push_back(ascending(std::array{triangles_[t][k], triangles_[t][(k + 1) % 3]}));
+    // Of two triangles that run along an edge in opposite directions, one goes upward.
+    for (std::size_t k = 0; is_there_[t] && k < 3; ++k) {
+      const std::uint32_t from = triangles_[t][k], to = triangles_[t][(k + 1) % 3];
+      if (from < to) all.push_back({from, to});
+    }
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 
@@ -121,12 +121,17 @@ bool PatchMesh::may_collapse(const PatchEdge& edge) const {
   std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(common));
   const bool is_linked = common.size() == 2 && std::min(edge.left, edge.right) == common[0] &&
                          std::max(edge.left, edge.right) == common[1];
-  if (!is_linked || of_a.size() < 4) return false;
+  if (!is_linked || has_triangle(edge.b, edge.left, edge.right)) return false;
   // The third edge of a triangle at the collapsed one takes the place of the other two; a curve must not
   // fall onto another one.
   for (const std::uint32_t opposite : common)
     if (curve_of(edge.a, opposite) != kNoCurve) return false;
   return true;
+}
+
+bool PatchMesh::has_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  return std::any_of(around_[a].begin(), around_[a].end(),
+                     [&](std::uint32_t t) { return has(triangles_[t], b) && has(triangles_[t], c); });
 }
 
 bool PatchMesh::may_flip(const PatchEdge& edge) const {

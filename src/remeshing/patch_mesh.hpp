@@ -49,7 +49,8 @@ class PatchMesh {
   const std::vector<std::uint32_t>& triangles_at(std::uint32_t vertex) const { return around_[vertex]; }
   std::array<Vector3, 3> corners(const std::array<std::uint32_t, 3>& triangle) const;
 
-  /// The edges that there are now, in ascending order.
+  /// The edges of two triangles that there are now, in the order of their triangles; others may be among
+  /// them.
   std::vector<std::array<std::uint32_t, 2>> edges() const;
 
   /// Returns whether the edge exists and has two triangles in opposite directions; fills it in.
@@ -76,6 +77,7 @@ class PatchMesh {
   PatchedSurface result(const PatchedSurface& given) const;
 
  private:
+  bool has_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   void hold_vertices(const PatchedSurface& given);
   void replace(std::uint32_t t, std::uint32_t from, std::uint32_t to);
   std::uint32_t add_triangle(const std::array<std::uint32_t, 3>& triangle, std::uint32_t patch);

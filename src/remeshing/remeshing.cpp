@@ -25,9 +25,18 @@ constexpr double kBetter = 1.02;
 /// Triangles of less quality are improved even where their edges have the wanted size.
 constexpr double kPoor = 0.3;
 
+/// The least quality, relative to kPoor, that the collapse of a very short edge may leave.
+constexpr double kPoorest = 0.2;
+
 /// A vertex may move if the worst triangle beside it keeps this share of its quality, or is as good as
 /// kGood.
 constexpr double kKeptShare = 0.98, kGood = 0.6;
+
+/// What flips strive for. Where triangles are not Delaunay, a flat tet fits beneath two of them.
+enum class Aim { kQuality, kDelaunay };
+
+/// 180 degrees and a little, so that flips of four points on a circle end.
+constexpr double kDelaunayAngles = std::numbers::pi * (1 + 1e-6);
 
 constexpr int kMostSplitPasses = 40, kMostFlipPasses = 6, kSmoothingsPerRound = 3;
 
@@ -43,6 +52,7 @@ class Remesher {
 
   PatchedSurface run() {
     for (int round = 0; round < options_.rounds; ++round) {
+      // No flips in between: they would turn the slivers of CAD programs into flat triangles that stay.
       for (int pass = 0; pass < kMostSplitPasses && split_long(); ++pass) continue;
       flip_all();
       collapse_short();
@@ -52,6 +62,7 @@ class Remesher {
     improve_poor();
     flip_all();
     smooth();
+    flip_all(Aim::kDelaunay);
     return mesh_.result(given_);
   }
 
@@ -151,9 +162,9 @@ class Remesher {
   }
 
   /// Whether the triangles at `edge.a` may be pulled to `edge.b`: they fit, no edge becomes long, and none is
-  /// poorer than the worst before.
+  /// poorer than the worst before. Edges that are much too short go even so; flips better what is left.
   bool may_pull(const PatchEdge& edge) const {
-    double worst = kPoor, worst_pulled = 1;
+    double worst = kPoor * std::clamp(ratio(edge.a, edge.b) / kShort, kPoorest, 1.0), worst_pulled = 1;
     for (const std::uint32_t t : mesh_.triangles_at(edge.a)) {
       Corners triangle = mesh_.triangle(t);
       worst = std::min(worst, quality_of(mesh_.corners(triangle)));
@@ -178,27 +189,42 @@ class Remesher {
     return norm(place - middle) <= options_.distance_share * size_at(edge.b, other);
   }
 
-  void flip_all() {
+  void flip_all(Aim aim = Aim::kQuality) {
+    // After the first pass only edges beside flipped ones.
+    std::vector<std::uint8_t> is_changed(mesh_.vertices.size(), 1), will_be(is_changed.size(), 0);
     for (int pass = 0; pass < kMostFlipPasses; ++pass) {
       monitor_.check_stop();
-      bool any = false;
       for (const auto& [a, b] : mesh_.edges()) {
         PatchEdge edge;
-        any |= mesh_.find(a, b, edge) && try_flip(edge);
+        if (is_changed[a] == 0 && is_changed[b] == 0) continue;
+        if (!mesh_.find(a, b, edge) || !try_flip(edge, aim)) continue;
+        for (const std::uint32_t v : {edge.a, edge.b, edge.left, edge.right}) will_be[v] = 1;
       }
-      if (!any) return;
+      std::swap(is_changed, will_be);
+      std::fill(will_be.begin(), will_be.end(), 0);
     }
   }
 
-  bool try_flip(const PatchEdge& edge) {
-    if (!mesh_.may_flip(edge)) return false;
+  /// Whether the angles opposite an edge add up to more than 180 degrees.
+  bool is_delaunay(const PatchEdge& edge) const {
+    double angles = 0;
+    for (const std::uint32_t opposite : {edge.left, edge.right}) {
+      const Vector3 to_a = mesh_.vertices[edge.a].position - mesh_.vertices[opposite].position;
+      const Vector3 to_b = mesh_.vertices[edge.b].position - mesh_.vertices[opposite].position;
+      angles += std::atan2(norm(cross(to_a, to_b)), dot(to_a, to_b));
+    }
+    return angles <= kDelaunayAngles;
+  }
+
+  bool try_flip(const PatchEdge& edge, Aim aim) {
     const std::uint32_t patch = mesh_.patch_of(edge.triangles[0]);
     if (mesh_.patch_of(edge.triangles[1]) != patch) return false;
     const Corners first{edge.a, edge.right, edge.left}, second{edge.b, edge.left, edge.right};
     const double before = std::min(quality_of(mesh_.corners(mesh_.triangle(edge.triangles[0]))),
                                    quality_of(mesh_.corners(mesh_.triangle(edge.triangles[1]))));
     const double after = std::min(quality_of(mesh_.corners(first)), quality_of(mesh_.corners(second)));
-    if (after <= kBetter * before) return false;
+    const bool is_worth_it = aim == Aim::kQuality ? after > kBetter * before : !is_delaunay(edge);
+    if (!is_worth_it || after < std::min(before, kPoor) || !mesh_.may_flip(edge)) return false;
     if (fit(first, patch) < least_cosine_ || fit(second, patch) < least_cosine_) return false;
     const Vector3 middle = 0.5 * (mesh_.vertices[edge.left].position + mesh_.vertices[edge.right].position);
     const double away = norm(shape_.on_patch(patch, middle).point - middle);
@@ -284,7 +310,8 @@ double quality_of(const std::array<Vector3, 3>& corners) {
     const Vector3 edge = corners[(k + 1) % 3] - corners[k];
     squares += dot(edge, edge);
   }
-  return squares > 0 ? 4 * std::numbers::sqrt3 * shape_of(corners).area / squares : 0;
+  const double twice_area = norm(cross(corners[1] - corners[0], corners[2] - corners[0]));
+  return squares > 0 ? 2 * std::numbers::sqrt3 * twice_area / squares : 0;
 }
 
 PatchedSurface remeshed(const PatchedSurface& given, const Remeshing& options, const Monitor& monitor) {

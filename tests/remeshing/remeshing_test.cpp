@@ -136,7 +136,7 @@ TEST(Remeshing, MakesEvenTrianglesOfSlivers) {
 TEST(Remeshing, FollowsCurvature) {
   Remeshing options = of_size(2);
   for (const double around : {12.0, 24.0}) {
-    options.elements_per_circle = around;
+    options.edges_per_circle = around;
     const PatchedSurface sphere = remeshed(patches_of(make_sphere(1, 5)), options);
     double sum = 0;
     const std::vector<double> lengths = edge_lengths(sphere);

@@ -19,8 +19,8 @@
 #include "crossgrain/version.hpp"
 #include "io/cad/cad_checks.hpp"
 #include "io/cad/cad_messages.hpp"
-#include "io/cad/cad_program.hpp"
 #include "io/process/helper_process.hpp"
+#include "io/process/helper_program.hpp"
 
 namespace crossgrain {
 namespace {
