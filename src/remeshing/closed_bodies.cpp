@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "remeshing/closed_bodies.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <span>
 
@@ -15,7 +14,7 @@ namespace crossgrain {
 namespace {
 
 struct Shell {
-  ClosedBody triangles;
+  std::vector<std::uint32_t> triangles;
   double volume = 0;  ///< negative if it looks inwards
 };
 
@@ -69,15 +68,13 @@ std::vector<ClosedBody> bodies_of(const PatchedSurface& surface) {
       owner[s] = o;
     }
   }
+  // Shells are in the order of their first triangles.
   std::vector<ClosedBody> all(shells.size());
-  for (std::size_t s = 0; s < shells.size(); ++s) {
-    ClosedBody& body = all[owner[s]];
-    body.insert(body.end(), shells[s].triangles.begin(), shells[s].triangles.end());
-  }
-  std::erase_if(all, [](const ClosedBody& body) { return body.empty(); });
-  for (ClosedBody& body : all) std::sort(body.begin(), body.end());
-  std::sort(all.begin(), all.end(),
-            [](const ClosedBody& a, const ClosedBody& b) { return a.front() < b.front(); });
+  for (std::size_t s = 0; s < shells.size(); ++s)
+    if (owner[s] == s) all[s].shells.push_back(shells[s].triangles);
+  for (std::size_t s = 0; s < shells.size(); ++s)
+    if (owner[s] != s) all[owner[s]].shells.push_back(shells[s].triangles);
+  std::erase_if(all, [](const ClosedBody& body) { return body.shells.empty(); });
   return all;
 }
 

@@ -55,7 +55,8 @@ std::string first_error(std::string_view printed) {
   return "";
 }
 
-/// MSH 2.2: the simplest that all versions of gmsh read.
+/// MSH 2.2: the simplest that all versions of gmsh read. Each shell is a surface of its own: gmsh tells the
+/// solid from a void by the surfaces around them.
 std::string msh_of(const ClosedTriangles& surface) {
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
@@ -67,7 +68,8 @@ std::string msh_of(const ClosedTriangles& surface) {
   fmt::format_to(out, "$EndNodes\n$Elements\n{}\n", surface.triangles.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
-    fmt::format_to(out, "{} 2 2 1 1 {} {} {}\n", t + 1, a + 1, b + 1, c + 1);
+    const std::uint32_t shell = surface.shells[t] + 1;
+    fmt::format_to(out, "{} 2 2 {} {} {} {} {}\n", t + 1, shell, shell, a + 1, b + 1, c + 1);
   }
   fmt::format_to(out, "$EndElements\n");
   return fmt::to_string(text);
@@ -113,7 +115,7 @@ class GmshTets : public TetProgram {
     folder.write("surface.msh", msh_of(surface));
     const std::string script = fmt::format(
         "Mesh.MeshSizeMax = {};\n"
-        "Merge \"surface.msh\";\nSurface Loop(1) = {{1}};\nVolume(1) = {{1}};\n",
+        "Merge \"surface.msh\";\nSurface Loop(1) = Surface{{:}};\nVolume(1) = {{1}};\n",
         job.size);
     return filled(run(folder, script, job), surface);
   }

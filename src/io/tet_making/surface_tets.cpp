@@ -62,18 +62,21 @@ struct Part {
 Part part_of(const PatchedSurface& surface, const ClosedBody& body) {
   Part part;
   std::vector<std::uint32_t> new_index(surface.vertices.size(), UINT32_MAX);
-  for (const std::uint32_t t : body) {
-    Corners triangle = surface.triangles[t];
-    for (std::uint32_t& vertex : triangle) {
-      std::uint32_t& index = new_index[vertex];
-      if (index == UINT32_MAX) {
-        index = static_cast<std::uint32_t>(part.vertices.size());
-        part.vertices.push_back(vertex);
-        part.triangles.vertices.push_back(surface.vertices[vertex]);
+  for (std::uint32_t shell = 0; shell < body.shells.size(); ++shell) {
+    for (const std::uint32_t t : body.shells[shell]) {
+      Corners triangle = surface.triangles[t];
+      for (std::uint32_t& vertex : triangle) {
+        std::uint32_t& index = new_index[vertex];
+        if (index == UINT32_MAX) {
+          index = static_cast<std::uint32_t>(part.vertices.size());
+          part.vertices.push_back(vertex);
+          part.triangles.vertices.push_back(surface.vertices[vertex]);
+        }
+        vertex = index;
       }
-      vertex = index;
+      part.triangles.triangles.push_back(triangle);
+      part.triangles.shells.push_back(shell);
     }
-    part.triangles.triangles.push_back(triangle);
   }
   return part;
 }

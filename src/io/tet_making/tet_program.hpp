@@ -17,6 +17,7 @@ namespace crossgrain {
 struct ClosedTriangles {
   std::vector<Vector3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> shells;  ///< of each triangle: 0 for the outer one, others for voids
 };
 
 /// Tets inside given triangles. The vertices begin with the given ones.
