@@ -60,6 +60,10 @@ struct TetMakingOptions {
   /// a CAD model frames should follow.
   CreaseAngles creases;
 
+  /// Vertices on open edges of a surface are merged if they are at most this far apart, relative to the
+  /// longest side: what rounding leaves, far below anything modelled.
+  double stitch_share = 1e-6;
+
   /// Time limit for each program that makes tets.
   double seconds = 600;
 

@@ -101,6 +101,16 @@ TEST_P(MakeTets, MendsASurfaceFirst) {
   EXPECT_EQ(tets.warnings[0].kind, WarningKind::kSurfaceFinding);
 }
 
+/// Both halves of a box write their vertices as they round them.
+TEST_P(MakeTets, ClosesCracksThatRoundingLeaves) {
+  TriangleMesh box = to_soup(make_box({1, 1, 1}));
+  for (std::size_t v = 0; v < box.vertices.size() / 2; ++v) box.vertices[v][2] += 1e-9;
+  const TetMesh tets = made(box, 0.5);
+  EXPECT_NEAR(volume_of(tets), 1, 1e-8);
+  ASSERT_EQ(tets.warnings.size(), 1u);
+  EXPECT_NE(tets.warnings[0].text.find("merged"), std::string::npos);
+}
+
 TEST_P(MakeTets, IsTheSameTwice) {
   const TetMesh first = made(make_torus(2, 0.7, 24, 12), 0.5), second = made(make_torus(2, 0.7, 24, 12), 0.5);
   EXPECT_EQ(first.vertices, second.vertices);

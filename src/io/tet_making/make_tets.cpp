@@ -24,6 +24,7 @@
 #include "io/tet_making/surface_faults.hpp"
 #include "io/tet_making/surface_tets.hpp"
 #include "io/tet_making/tet_program.hpp"
+#include "surface/stitching.hpp"
 #include "surface/topology.hpp"
 
 namespace crossgrain {
@@ -41,6 +42,7 @@ void check_options(const TetMakingOptions& options) {
   constexpr double kInfinity = std::numeric_limits<double>::max();
   check_range(options.size, 0, kInfinity, "size");
   check_range(options.edges, 1, 1e6, "edges");
+  check_range(options.stitch_share, 0, 1e-2, "stitch_share");
   check_range(options.seconds, 0, kInfinity, "seconds");
   check_range(options.triangles.edges_per_circle, 3, 1e6, "edges_per_circle");
   check_range(options.triangles.smallest_share, 1e-6, 1, "smallest_share");
@@ -203,9 +205,23 @@ TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingOptions
   return mesh;
 }
 
-TetMesh triangle_tets(TriangleMesh mesh, const TetMakingOptions& options, const Monitor& monitor) {
+/// Returns a mesh without the cracks that rounding leaves; adds to its warnings.
+TriangleMesh without_cracks(TriangleMesh mesh, double share) {
+  const CheckedMesh checked(std::move(mesh));
+  std::vector<Warning> warnings = checked->warnings;
+  StitchedSurface result = stitched(weld(*checked), share * longest_side(box_of_solid_triangles(*checked)));
+  if (result.merged > 0)
+    warnings.emplace_back(WarningKind::kSurfaceFinding,
+                          fmt::format("cracks: {} on open edges, at most {:.3g} apart, merged with others",
+                                      counted(result.merged, "vertex", "vertices"), result.widest));
+  result.mesh.warnings = std::move(warnings);
+  return std::move(result.mesh);
+}
+
+TetMesh triangle_tets(TriangleMesh given, const TetMakingOptions& options, const Monitor& monitor) {
+  TriangleMesh mesh = without_cracks(std::move(given), options.stitch_share);
   const std::vector<Warning> reading = std::move(mesh.warnings);
-  const SearchableSurface surface(mend_surface(CheckedMesh(std::move(mesh))));
+  const SearchableSurface surface(mend_surface(CheckedMesh::derived(std::move(mesh))));
   const std::vector<Warning> mended = check_bounds_solid(surface);
   const TetJob job = job_of(size_for(surface.surface().mesh, options), options, monitor);
   const Programs programs = programs_of(options);
