@@ -18,7 +18,7 @@
 struct crossgrain_options {
   std::variant<crossgrain::SolveOptions, crossgrain::ReadOptions, crossgrain::TetTagOptions,
                crossgrain::OutputChoices, crossgrain::SingularityOptions, crossgrain::AnswerOptions,
-               crossgrain::StreamlineOptions, crossgrain::PictureOptions>
+               crossgrain::StreamlineOptions, crossgrain::PictureOptions, crossgrain::TetMakingOptions>
       values;
 };
 
