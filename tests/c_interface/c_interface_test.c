@@ -329,7 +329,7 @@ TEST(AListenerHearsAndCancels) {
   crossgrain_mesh_free(mesh);
 }
 
-TEST(TetsOfAnOpenSurfaceAreRefusedWithTheHole) {
+TEST(TetsOfAnOpenSurfaceAreRefused) {
   const double vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   const uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2};
   crossgrain_mesh* mesh = NULL;
@@ -339,7 +339,7 @@ TEST(TetsOfAnOpenSurfaceAreRefusedWithTheHole) {
   OK(crossgrain_options_set_number(options, "size", 0.5, &g_error));
   OK(crossgrain_options_set_text(options, "maker", "gmsh", &g_error));
   crossgrain_tets* tets = NULL;
-  FAILS(CROSSGRAIN_INPUT, "1 hole: 3 edges around",
+  FAILS(CROSSGRAIN_INPUT, "the surface encloses nothing",
         crossgrain_tets_make_inside(mesh, options, NULL, &tets, &g_error));
   CHECK(tets == NULL);
   FAILS(CROSSGRAIN_INPUT, "no such file",
@@ -690,6 +690,8 @@ int main(int argc, char** argv) {
       NAMED(EveryOptionKeepsWhatItHas),
       NAMED(OptionsRefuseWhatTheyCannotHold),
       NAMED(AListenerHearsAndCancels),
+      NAMED(TetsOfAnOpenSurfaceAreRefused),
+      NAMED(TaggedFacesAndEdgesAreGivenBackAndWritten),
       NAMED(MatchingsCarryFramesAcrossFacesOfTets),
       NAMED(AFieldThatIsReadIsTheOneThatWasWritten),
       NAMED(ACompanionIsWrittenWithTheFieldOrNothingIs),
