@@ -3,7 +3,7 @@
 # the packages for CMake and pkg-config. Each library has an export of its own, so that `find_package(crossgrain
 # COMPONENTS core)` works where what others need is missing.
 #
-# Install components: a library's own name, `program`, `cad`, `processes` (library and program), `examples`. What is
+# Install components: a library's own name, `program`, `cad`, `netgen`, `processes` (library and program), `examples`. What is
 # only for compiling belongs to the library if that is static, and to `development` if it is shared; `processes` has
 # its own. LICENSE and NOTICE likewise are of `core` or of `licence`.
 
@@ -38,11 +38,15 @@ endif()
 if(TARGET crossgrain_cad)
   install(TARGETS crossgrain_cad RUNTIME DESTINATION "${CROSSGRAIN_HELPER_FOLDER}" COMPONENT cad)
   # A program with the static library in it may stand anywhere; its linker notes down where the helper is, and
-  # the library asks for that (io/cad/cad_program.cpp).
+  # the library asks for that (io/process/helper_program.hpp).
   if(NOT BUILD_SHARED_LIBS)
     target_link_options(crossgrain-io INTERFACE
                         "$<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${CROSSGRAIN_HELPER_FOLDER}>")
   endif()
+endif()
+
+if(TARGET crossgrain_netgen)
+  install(TARGETS crossgrain_netgen RUNTIME DESTINATION "${CROSSGRAIN_HELPER_FOLDER}" COMPONENT netgen)
 endif()
 
 # Man pages and completions of a program, made by the build (apps/crossgrain/documents).

@@ -106,7 +106,8 @@ crossgrain_package(
   TEXT "${what_it_is}\n\nThis package has the command line program, its man pages and
 completions."
   COMPONENTS program
-  DEPENDS "${same_library}, crossgrain-cad (= ${version_of_packages})")
+  DEPENDS "${same_library}, crossgrain-cad (= ${version_of_packages})"
+  SUGGESTS "gmsh, crossgrain-netgen")
 crossgrain_package(
   crossgrain-cad
   SECTION science
@@ -115,6 +116,14 @@ crossgrain_package(
 the library. It uses OpenCASCADE."
   COMPONENTS cad
   COPYRIGHT_COMMENT "The program links OpenCASCADE, shared libraries of other packages under the LGPL-2.1 with an exception.")
+crossgrain_package(
+  crossgrain-netgen
+  SECTION science
+  SUMMARY "volumetric frame fields (tets by Netgen)"
+  TEXT "${what_it_is}\n\nThis package has the program that cuts solids into tets with Netgen for
+the library, besides or instead of gmsh."
+  COMPONENTS netgen
+  COPYRIGHT_COMMENT "The program links Netgen, shared libraries of another package under the LGPL-2.1.")
 crossgrain_package(
   crossgrain-mpi
   SECTION science

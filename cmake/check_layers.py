@@ -8,7 +8,8 @@ Usage: check_layers.py [ROOT]
   include/crossgrain/   includes public headers and the standard library
   apps/ examples/       include public headers and what stands in their own folder, or in that of a program they share
 
-OpenCASCADE (*.hxx) stands in src/io/cad/program/ only, which is built as a program apart; only that folder includes its headers.
+OpenCASCADE (*.hxx) stands in src/io/cad/program/ only, and Netgen (nglib.h) in src/io/tet_making/netgen_program/, which are built
+as programs apart; only these folders include their headers.
 """
 
 import re
@@ -16,7 +17,7 @@ import sys
 from pathlib import Path
 
 # From the lowest up, as in CMakeLists.txt.
-LAYERS = ["base", "harmonics", "constraint", "surface", "tets", "grid", "field", "singularity", "repair", "sampling", "measure", "solve",
+LAYERS = ["base", "harmonics", "constraint", "surface", "remeshing", "tets", "grid", "field", "singularity", "repair", "sampling", "measure", "solve",
           "display", "files", "io", "page", "picture", "c_interface", "distributed"]
 
 # Layers below another in the list that it stands beside, not above.
@@ -24,6 +25,9 @@ BESIDE = {"picture": ["io", "page"]}
 
 # The folder of src/ with OpenCASCADE in it.
 CAD_PROGRAM = "io/cad/program/"
+
+# The one with Netgen in it.
+NETGEN_PROGRAM = "io/tet_making/netgen_program/"
 
 OUTER_FOLDERS = ["apps", "examples"]
 
@@ -52,12 +56,17 @@ def sources_below(folder):
     return sorted(path for path in folder.rglob("*") if path.is_file() and path.suffix in SUFFIXES)
 
 
-def fault_in_layer(layer, inside_cad_program, quote, included):
+def fault_in_layer(layer, path, quote, included):
+    """`path` is that of the file within src/."""
     first = included.split("/")[0]
-    if included.endswith(".hxx") and not inside_cad_program:
+    if included.endswith(".hxx") and not path.startswith(CAD_PROGRAM):
         return f"OpenCASCADE stands in the program src/{CAD_PROGRAM} only"
-    if included.startswith(CAD_PROGRAM) and not inside_cad_program:
+    if included.endswith("nglib.h") and not path.startswith(NETGEN_PROGRAM):
+        return f"Netgen stands in the program src/{NETGEN_PROGRAM} only"
+    if included.startswith(CAD_PROGRAM) and not path.startswith(CAD_PROGRAM):
         return "the library sees no more of the program for CAD files than io/cad/cad_messages.hpp"
+    if included.startswith(NETGEN_PROGRAM) and not path.startswith(NETGEN_PROGRAM):
+        return "the library sees no more of the program with Netgen than io/tet_making/netgen_messages.hpp"
     if first in ("tbb", "oneapi") and layer != "base":
         return "oneTBB stands behind base/parallel.hpp; use parallel_for"
     if quote == "<" and first != "crossgrain" and first not in LAYERS:
@@ -102,8 +111,7 @@ def faults(root):
             continue
         for path in sources_below(folder):
             for number, quote, included in includes_of(path):
-                inside_cad_program = path.relative_to(source_root).as_posix().startswith(CAD_PROGRAM)
-                fault = fault_in_layer(layer, inside_cad_program, quote, included)
+                fault = fault_in_layer(layer, path.relative_to(source_root).as_posix(), quote, included)
                 if fault:
                     yield f"{path.relative_to(root)}:{number}: includes {included}: {fault}"
     for path in sources_below(root / "include"):

@@ -109,10 +109,12 @@ OPTIONS = {
     "verdict.hpp": ["AnswerOptions"],
     "streamlines.hpp": ["StreamlineOptions"],
     "picture.hpp": ["PictureOptions"],
+    "tet_making.hpp": ["RemeshingOptions", "TetMakingOptions"],
 }
 KINDS = {"SolveOptions": "SOLVE_OPTIONS", "ReadOptions": "READ_OPTIONS", "TetTagOptions": "TAG_OPTIONS", "OutputOptions": "OUTPUT_OPTIONS",
          "SingularityOptions": "SINGULARITY_OPTIONS", "AnswerOptions": "ANSWER_OPTIONS", "StreamlineOptions": "STREAMLINE_OPTIONS",
-         "PictureOptions": "PICTURE_OPTIONS", "MapPreparationOptions": "PREPARATION_OPTIONS"}
+         "PictureOptions": "PICTURE_OPTIONS", "MapPreparationOptions": "PREPARATION_OPTIONS",
+         "TetMakingOptions": "TET_MAKING_OPTIONS"}
 
 # Members that Python passes in another way.
 LEFT_OUT = {"constraints", "companions", "reservation"}
@@ -121,6 +123,7 @@ ADDED = {"OutputOptions": [("page", "bool", "False", "Whether report.html, the p
 # Names of enumerations, as in src/c_interface/option_value.hpp.
 NAMES = {
     "TetBoundary": {"kAll": "all", "kSmoothOnly": "smooth-only"},
+    "TetMaker": {"kAutomatic": "automatic", "kGmsh": "gmsh", "kNetgen": "netgen"},
     "ForeignFiles": {"kRefuse": "refuse", "kKeep": "keep", "kReplace": "replace"},
     "PictureColour": {"kNone": "none", "kAlignment": "alignment", "kEnergy": "energy", "kConstraint": "class", "kRegion": "region"},
     "PictureFrames": {"kLines": "lines", "kBoxes": "boxes", "kCrosses": "crosses", "kNone": "none"},

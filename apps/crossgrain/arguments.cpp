@@ -32,6 +32,16 @@ const CLI::App& program_of(const CLI::App& command) {
 }
 
 /// Checks combinations of options.
+void check_arguments(TetsArguments& arguments, const CLI::App* command) {
+  if (arguments.model.empty()) refuse("MODEL is empty", command);
+  if (command->count("--output") > 0 && arguments.output.empty()) refuse("the file of -o is empty", command);
+  if (arguments.options.glue && !is_cad_file(arguments.model))
+    refuse("--glue is for CAD files (STEP, IGES, BREP); glue meshes where they are made", command);
+  arguments.is_output_named = !arguments.output.empty();
+  if (!arguments.is_output_named)
+    arguments.output = std::filesystem::path(arguments.model).stem().string() + ".mesh";
+}
+
 void check_arguments(SolveArguments& arguments, const CLI::App* command) {
   if (arguments.model.empty()) refuse("MODEL is empty", command);
   if (command->count("--output") > 0 && arguments.output.empty())
@@ -41,17 +51,20 @@ void check_arguments(SolveArguments& arguments, const CLI::App* command) {
     refuse("the file of --constraints is empty", command);
   if (arguments.glue && !is_cad_file(arguments.model))
     refuse("--glue is for CAD files (STEP, IGES, BREP); glue meshes where they are made", command);
-  const bool is_tets = is_tet_file(arguments.model);
+  if (arguments.makes_tets && is_tet_file(arguments.model))
+    refuse("MODEL is a tet mesh, which --tets is not for; give a surface or a CAD file", command);
+  const bool is_tets = solves_tets(arguments);
   if (is_tets && !arguments.onto.empty())
     refuse("MODEL is a tet mesh, which --onto is not for; give a surface or leave out --onto", command);
   if (!is_tets && arguments.onto.empty() && command->count("--boundary") > 0)
-    refuse("--boundary is for tet meshes; give one as MODEL or with --onto", command);
+    refuse("--boundary is for tet meshes; give one as MODEL or with --onto, or make one with --tets",
+           command);
   if (!is_tets && arguments.onto.empty() && command->count("--write") > 0)
-    refuse("--write is for tet meshes; give one as MODEL or with --onto", command);
+    refuse("--write is for tet meshes; give one as MODEL or with --onto, or make one with --tets", command);
   if (!is_tets && arguments.onto.empty() && arguments.repair)
-    refuse("--repair is for tet meshes; give one as MODEL or with --onto", command);
+    refuse("--repair is for tet meshes; give one as MODEL or with --onto, or make one with --tets", command);
   if (!is_tets && arguments.onto.empty() && arguments.prepare)
-    refuse("--prepare is for tet meshes; give one as MODEL or with --onto", command);
+    refuse("--prepare is for tet meshes; give one as MODEL or with --onto, or make one with --tets", command);
   const std::vector<std::string>& formats = arguments.output_options.formats;
   if (command->count("--hex-size") > 0 && std::find(formats.begin(), formats.end(), "fra") == formats.end())
     refuse("--hex-size is for the axes in onto.fra; add --write fra", command);
@@ -137,6 +150,10 @@ const CLI::App* command_of(const CLI::App& app, const std::string& name) {
 
 }  // namespace
 
+bool solves_tets(const SolveArguments& arguments) {
+  return arguments.makes_tets || is_tet_file(arguments.model);
+}
+
 Arguments parse_arguments(int argc, char** argv) {
   CommandLine line;
   if (argc > 1 && argv[1][0] != '-') command_of(line.app, argv[1]);
@@ -154,6 +171,10 @@ Arguments parse_arguments(int argc, char** argv) {
     return Finished{0};
   }
   if (*line.sample_command) return line.sample;
+  if (*line.tets_command) {
+    check_arguments(line.tets, line.tets_command);
+    return line.tets;
+  }
   if (*line.check_command) return line.check;
   if (*line.view_command) {
     if (line.view.folder.empty()) refuse("DIR is empty", line.view_command);

@@ -11,6 +11,7 @@
 #include "crossgrain/options.hpp"
 #include "crossgrain/picture.hpp"
 #include "crossgrain/streamlines.hpp"
+#include "crossgrain/tet_making.hpp"
 
 namespace crossgrain::app {
 
@@ -23,7 +24,9 @@ struct SolveArguments {
   std::string constraints;       ///< file of constraints; empty for none
   std::string checkpoint;        ///< folder for going on after a break; empty for none
   double checkpoint_minutes = 10;
-  std::string restart;  ///< folder to go on from; empty for none
+  std::string restart;      ///< folder to go on from; empty for none
+  bool makes_tets = false;  ///< whether the model is cut into tets first, which are solved
+  double tet_size = 0;      ///< their largest edge; 0 for the default
   SolveOptions options;
   TetTagOptions tags;
   bool prepare = false;  ///< whether tets are split for a map
@@ -33,6 +36,19 @@ struct SolveArguments {
   double read_seconds = ReadOptions().read_seconds;
   bool verbose = false;  ///< whether the summary tells of the grid that a field on tets started from
   bool glue = false;
+  bool quiet = false;
+  bool progress = false;
+};
+
+/// Whether the model is solved as tets, read or made.
+bool solves_tets(const SolveArguments& arguments);
+
+struct TetsArguments {
+  std::string model;
+  std::string output;            ///< file to write; never empty
+  bool is_output_named = false;  ///< by the user, not after the model
+  TetMakingOptions options;
+  int threads = 0;
   bool quiet = false;
   bool progress = false;
 };
@@ -107,7 +123,7 @@ struct Finished {
 };
 
 using Arguments = std::variant<Finished, SolveArguments, SampleArguments, SpectrumArguments, CheckArguments,
-                               StreamlinesArguments, RenderArguments, ViewArguments>;
+                               StreamlinesArguments, RenderArguments, ViewArguments, TetsArguments>;
 
 /// Returns the parsed arguments. Prints help and version on standard output. Throws Error(kUsage) for an
 /// invalid command line.

@@ -27,6 +27,7 @@ CommandLine::CommandLine() : app("Volumetric octahedral frame fields", "crossgra
   app.footer(kFooter);
   app.require_subcommand(0, 1);
   solve_command = add_solve(app, solve);
+  tets_command = add_tets(app, tets);
   sample_command = add_sample(app, sample);
   spectrum_command = add_spectrum(app, spectrum);
   check_command = add_check(app, check);

@@ -17,6 +17,7 @@ struct CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
 
   SolveArguments solve;
+  TetsArguments tets;
   SampleArguments sample;
   SpectrumArguments spectrum;
   CheckArguments check;
@@ -27,6 +28,7 @@ struct CommandLine {
 
   CLI::App app;
   CLI::App* solve_command;
+  CLI::App* tets_command;
   CLI::App* sample_command;
   CLI::App* spectrum_command;
   CLI::App* check_command;

@@ -10,6 +10,7 @@
 
 #include "argument_values.hpp"
 #include "picture_arguments.hpp"
+#include "tets_options.hpp"
 
 namespace crossgrain::app {
 namespace {
@@ -86,10 +87,11 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
 }
 
 void add_tets_options(CLI::App& command, SolveArguments& arguments) {
-  command
-      .add_option("--onto", arguments.onto,
-                  "Transfer the field of a surface to this tet mesh and relax it there")
-      ->type_name("TETS");
+  CLI::Option* onto = command
+                          .add_option("--onto", arguments.onto,
+                                      "Transfer the field of a surface to this tet mesh and relax it there")
+                          ->type_name("TETS");
+  add_making_of_tets(command, arguments, onto);
   add_choice(
       command, "--boundary", arguments.options.onto.boundary,
       {{name_of(TetBoundary::kAll), TetBoundary::kAll},

@@ -12,6 +12,7 @@ class App;
 namespace crossgrain::app {
 
 CLI::App* add_solve(CLI::App& app, SolveArguments& arguments);
+CLI::App* add_tets(CLI::App& app, TetsArguments& arguments);
 CLI::App* add_sample(CLI::App& app, SampleArguments& arguments);
 CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments);
 CLI::App* add_render(CLI::App& app, RenderArguments& arguments);

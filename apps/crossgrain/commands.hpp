@@ -26,6 +26,10 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together = {})
 /// Prints nothing.
 void help_solve(const SolveArguments& arguments, const SolveOnGrid& together);
 
+/// Cuts a model into tets and writes them; prints a summary on standard output, warnings and progress on
+/// standard error.
+void run_tets(const TetsArguments& arguments);
+
 /// Writes the frames at points; prints the number of points outside on standard error.
 void run_sample(const SampleArguments& arguments);
 

@@ -25,6 +25,7 @@ namespace {
 struct Run {
   int operator()(const Finished& finished) const { return finished.exit_code; }
   int operator()(const SolveArguments& arguments) const { return run_solve(arguments); }
+  int operator()(const TetsArguments& arguments) const { return run_tets(arguments), 0; }
   int operator()(const SampleArguments& arguments) const { return run_sample(arguments), 0; }
   int operator()(const SpectrumArguments& arguments) const { return run_spectrum(arguments), 0; }
   int operator()(const CheckArguments& arguments) const { return run_check(arguments), 0; }
@@ -37,6 +38,7 @@ struct Run {
 struct Subject {
   std::string operator()(const Finished&) const { return ""; }
   std::string operator()(const SolveArguments& arguments) const { return arguments.model + ": "; }
+  std::string operator()(const TetsArguments& arguments) const { return arguments.model + ": "; }
   std::string operator()(const SampleArguments& arguments) const { return arguments.field + ": "; }
   std::string operator()(const SpectrumArguments&) const { return "spectrum: "; }
   std::string operator()(const CheckArguments& arguments) const { return arguments.field + ": "; }
@@ -44,6 +46,12 @@ struct Subject {
   std::string operator()(const RenderArguments& arguments) const { return arguments.field + ": "; }
   std::string operator()(const ViewArguments& arguments) const { return arguments.folder + ": "; }
 };
+
+Command command_of(const Arguments& arguments) {
+  if (std::holds_alternative<SolveArguments>(arguments)) return Command::kSolve;
+  if (std::holds_alternative<TetsArguments>(arguments)) return Command::kTets;
+  return Command::kOther;
+}
 
 int fail(int exit_code, const std::string& message) {
   print_message(message);
@@ -56,15 +64,14 @@ int run(int argc, char** argv) {
     arguments = parse_arguments(argc, argv);
     return std::visit(Run(), arguments);
   } catch (const Error& error) {
-    const bool is_solve = std::holds_alternative<SolveArguments>(arguments);
-    return fail(exit_code_of(error.kind()),
-                line_of(error.message(), is_solve ? Command::kSolve : Command::kOther));
+    return fail(exit_code_of(error.kind()), line_of(error.message(), command_of(arguments)));
   } catch (const std::bad_alloc&) {
-    const bool is_solve = std::holds_alternative<SolveArguments>(arguments);
-    const Message message{"", "", "out of memory", is_solve ? Remedy::kUseLessMemory : Remedy::kFreeMemory};
-    return fail(
-        exit_code_of(ErrorKind::kLimit),
-        std::visit(Subject(), arguments) + line_of(message, is_solve ? Command::kSolve : Command::kOther));
+    const Command command = command_of(arguments);
+    const Remedy remedy = command == Command::kSolve  ? Remedy::kUseLessMemory
+                          : command == Command::kTets ? Remedy::kTakeLargerTets
+                                                      : Remedy::kFreeMemory;
+    return fail(exit_code_of(ErrorKind::kLimit),
+                std::visit(Subject(), arguments) + line_of({"", "", "out of memory", remedy}, command));
   } catch (const std::exception& error) {
     const Unexpected unexpected = unexpected_of(error);
     return fail(unexpected.exit_code, std::visit(Subject(), arguments) + unexpected.text);

@@ -9,37 +9,63 @@
 namespace crossgrain::app {
 namespace {
 
+enum class For { kAll, kSolve, kTets, kSolveAndTets };
+
 struct OptionWords {
   Remedy remedy;
   const char* words;
-  bool is_for_all_commands;
+  For commands;
 };
 
+bool is_for(For commands, Command command) {
+  switch (commands) {
+    case For::kAll:
+      return true;
+    case For::kSolve:
+      return command == Command::kSolve;
+    case For::kTets:
+      return command == Command::kTets;
+    case For::kSolveAndTets:
+      return command == Command::kSolve || command == Command::kTets;
+  }
+  return false;
+}
+
 constexpr OptionWords kOptionWords[] = {
-    {Remedy::kRaiseResolution, "raise --resolution, or lower --cell-size", false},
-    {Remedy::kLowerResolution, "lower --resolution, or raise --cell-size", false},
+    {Remedy::kRaiseResolution, "raise --resolution, or lower --cell-size", For::kSolve},
+    {Remedy::kLowerResolution, "lower --resolution, or raise --cell-size", For::kSolve},
     {Remedy::kUseLessMemory, "lower --resolution, raise --cell-size or allow more memory with --max-memory",
-     false},
-    {Remedy::kAllowMemory, "allow more memory with --max-memory", false},
-    {Remedy::kSimplifyOrAllowMemory, "simplify it, or allow more memory with --max-memory", false},
-    {Remedy::kAllowReadTime, "repair it and export it again, or allow more time with --read-seconds", false},
-    {Remedy::kContinueSolve, "a solve with --from goes on from here", false},
-    {Remedy::kSolveAnew, "solve without --restart", false},
-    {Remedy::kGiveCheckpoint, "name the folder of --checkpoint", false},
+     For::kSolve},
+    {Remedy::kAllowMemory, "allow more memory with --max-memory", For::kSolveAndTets},
+    {Remedy::kSimplifyOrAllowMemory, "simplify it, or allow more memory with --max-memory",
+     For::kSolveAndTets},
+    {Remedy::kAllowReadTime, "repair it and export it again, or allow more time with --read-seconds",
+     For::kSolveAndTets},
+    {Remedy::kContinueSolve, "a solve with --from goes on from here", For::kSolve},
+    {Remedy::kSolveAnew, "solve without --restart", For::kSolve},
+    {Remedy::kGiveCheckpoint, "name the folder of --checkpoint", For::kSolve},
     {Remedy::kMoveCheckpoint,
-     "free some space, or choose another disk with --checkpoint; what it held is kept", false},
-    {Remedy::kKeepTags, "--keep-tags follows them all the same", false},
-    {Remedy::kTurnView, "choose another --view or --cut", true},
-    {Remedy::kGiveFieldFolder, "give a folder that 'crossgrain solve' has written", true},
-    {Remedy::kTraceStreamlines, "trace lines with 'crossgrain streamlines'", true},
-    {Remedy::kNameOutput, "name one with -o", true},
-    {Remedy::kChooseWritablePlace, "choose a place you may write to with -o", true},
-    {Remedy::kFreeSpace, "free some space, or choose another disk with -o", true},
-    {Remedy::kMakeFolder, "make that folder, or choose another with -o", true},
-    {Remedy::kCheckOutputDisk, "check the disk, or choose another place with -o", true},
-    {Remedy::kChooseFolder, "choose another folder with -o, or write there with --force", false},
-    {Remedy::kAwaitSolve, "wait for its end, or choose another folder with -o", false},
-    {Remedy::kClearPlace, "remove it, or choose another place with -o", true},
+     "free some space, or choose another disk with --checkpoint; what it held is kept", For::kSolve},
+    {Remedy::kKeepTags, "--keep-tags follows them all the same", For::kSolve},
+    {Remedy::kTurnView, "choose another --view or --cut", For::kAll},
+    {Remedy::kGiveFieldFolder, "give a folder that 'crossgrain solve' has written", For::kAll},
+    {Remedy::kTraceStreamlines, "trace lines with 'crossgrain streamlines'", For::kAll},
+    {Remedy::kNameOutput, "name one with -o", For::kAll},
+    {Remedy::kChooseWritablePlace, "choose a place you may write to with -o", For::kAll},
+    {Remedy::kFreeSpace, "free some space, or choose another disk with -o", For::kAll},
+    {Remedy::kMakeFolder, "make that folder, or choose another with -o", For::kAll},
+    {Remedy::kCheckOutputDisk, "check the disk, or choose another place with -o", For::kAll},
+    {Remedy::kChooseFolder, "choose another folder with -o, or write there with --force", For::kSolve},
+    {Remedy::kAwaitSolve, "wait for its end, or choose another folder with -o", For::kSolve},
+    {Remedy::kClearPlace, "remove it, or choose another place with -o", For::kAll},
+    {Remedy::kTakeLargerTets, "take larger tets with --size or --edges", For::kTets},
+    {Remedy::kTakeLargerTets, "take larger tets with --tet-size", For::kSolve},
+    {Remedy::kAllowTetTime, "take larger tets with --size or --edges, or allow more time with --seconds",
+     For::kTets},
+    {Remedy::kAllowTetTime,
+     "take larger tets with --tet-size, or allow more time with 'crossgrain tets --seconds'", For::kSolve},
+    {Remedy::kChangeTetSize, "take another --size, or the other program with --by", For::kTets},
+    {Remedy::kChangeTetSize, "take another size with --tet-size", For::kSolve},
 };
 
 /// Returns whether the system starts no more threads, for which oneTBB has no exception of its own.
@@ -79,10 +105,9 @@ Unexpected unexpected_of(const std::exception& exception) {
 }
 
 std::string line_of(const Message& message, Command command) {
-  const auto found =
-      std::find_if(std::begin(kOptionWords), std::end(kOptionWords), [&](const OptionWords& row) {
-        return row.remedy == message.remedy && (row.is_for_all_commands || command == Command::kSolve);
-      });
+  const auto found = std::find_if(
+      std::begin(kOptionWords), std::end(kOptionWords),
+      [&](const OptionWords& row) { return row.remedy == message.remedy && is_for(row.commands, command); });
   return sentence_of(message, found == std::end(kOptionWords) ? words_of(message.remedy) : found->words);
 }
 

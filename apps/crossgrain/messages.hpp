@@ -22,8 +22,8 @@ struct Unexpected {
 };
 Unexpected unexpected_of(const std::exception& exception);
 
-/// `solve` has options for resolution, memory and time that other commands lack.
-enum class Command { kSolve, kOther };
+/// `solve` and `tets` have options for sizes, memory and time that other commands lack.
+enum class Command { kSolve, kTets, kOther };
 
 /// Runs `compute`. Errors about the mesh, which name no file, get the name of the mesh's file.
 template <class Compute>

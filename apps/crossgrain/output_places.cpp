@@ -19,7 +19,7 @@ bool are_same(const std::filesystem::path& a, const std::filesystem::path& b) {
 }  // namespace
 
 std::shared_ptr<FolderReservation> reserve_output_folder(const SolveArguments& arguments) {
-  const bool has_tets = !arguments.onto.empty() || is_tet_file(arguments.model);
+  const bool has_tets = !arguments.onto.empty() || solves_tets(arguments);
   const auto check = has_tets ? check_onto_folder : check_field_folder;
   auto reservation = check(arguments.output, arguments.output_options);
   // part.step and part.mesh have the same folder by default.

@@ -20,6 +20,7 @@
 #include "crossgrain/read_limits.hpp"
 #include "crossgrain/repair.hpp"
 #include "crossgrain/solve.hpp"
+#include "crossgrain/tet_making.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "interruption.hpp"
 #include "messages.hpp"
@@ -50,11 +51,22 @@ void print_warning(Warning warning, const std::string& model) {
   print_message("warning: " + line_of(warning, Command::kSolve));
 }
 
-/// Returns the tet mesh given as MODEL or with --onto; none otherwise.
-std::optional<TetDomain> read_domain(const SolveArguments& arguments, const Warn& warn) {
+TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
+  TetMakingOptions options;
+  options.size = arguments.tet_size;
+  options.creases = arguments.options.creases;
+  options.max_memory_bytes = arguments.options.max_memory_bytes;
+  options.read_seconds = arguments.read_seconds;
+  options.glue = arguments.glue;
+  return make_tets(std::filesystem::path(arguments.model), options, monitor);
+}
+
+/// Returns the tet mesh given as MODEL or with --onto, or made of MODEL; none otherwise.
+std::optional<TetDomain> read_domain(const SolveArguments& arguments, const Monitor& monitor,
+                                     const Warn& warn) {
   const std::string& file = arguments.onto.empty() ? arguments.model : arguments.onto;
-  if (!is_tet_file(file) && arguments.onto.empty()) return std::nullopt;
-  TetMesh mesh = read_tets(file);
+  if (!solves_tets(arguments) && arguments.onto.empty()) return std::nullopt;
+  TetMesh mesh = arguments.makes_tets ? made_tets(arguments, monitor) : read_tets(file);
   for (const Warning& warning : mesh.warnings) warn(warning);
   return naming(file, [&] {
     const TetDomain domain(std::move(mesh), arguments.tags);
@@ -185,11 +197,11 @@ Inputs read_inputs(const SolveArguments& arguments, const Monitor& monitor, cons
   if (!arguments.constraints.empty()) inputs.options.constraints = read_constraints(arguments.constraints);
   // Whoever names a field to start from wants what that becomes.
   if (!arguments.from.empty()) inputs.options.onto.other_starts.clear();
-  inputs.domain = read_domain(arguments, warn);
+  inputs.domain = read_domain(arguments, monitor, warn);
   if (inputs.domain) inputs.options = sized_for(*inputs.domain, std::move(inputs.options));
   // On tets several grids are compared instead (OntoOptions::other_starts).
-  if (is_tet_file(arguments.model)) inputs.options.solver.decision_cells = 0;
-  inputs.mesh = is_tet_file(arguments.model)
+  if (solves_tets(arguments)) inputs.options.solver.decision_cells = 0;
+  inputs.mesh = solves_tets(arguments)
                     ? inputs.domain->boundary()
                     : read_surface(arguments.model, read_options(arguments, inputs.options), monitor);
   for (const Warning& warning : inputs.mesh.warnings) warn(warning);

@@ -160,6 +160,7 @@ typedef enum crossgrain_options_kind {
   CROSSGRAIN_STREAMLINE_OPTIONS = 6,  /**< StreamlineOptions */
   CROSSGRAIN_PICTURE_OPTIONS = 7,     /**< PictureOptions */
   CROSSGRAIN_PREPARATION_OPTIONS = 8, /**< MapPreparationOptions */
+  CROSSGRAIN_TET_MAKING_OPTIONS = 9,  /**< TetMakingOptions */
   CROSSGRAIN_NO_OPTIONS = 2147483647  /**< none; so that a function may be asked for any int, and refuse it */
 } crossgrain_options_kind;
 
@@ -234,7 +235,8 @@ typedef enum crossgrain_phase {
   CROSSGRAIN_SOLVING = 2,  /**< finds the frames of a level */
   CROSSGRAIN_ANALYSIS = 3, /**< measures the solved field and finds its singular lines */
   CROSSGRAIN_ON_TETS = 4,  /**< finishes the field on a tet mesh */
-  CROSSGRAIN_WRITING = 5
+  CROSSGRAIN_WRITING = 5,
+  CROSSGRAIN_MAKING_TETS = 6 /**< cuts a solid into tets */
 } crossgrain_phase;
 
 typedef struct crossgrain_progress {
@@ -347,6 +349,16 @@ CROSSGRAIN_API crossgrain_status crossgrain_tets_read(const char* path, size_t m
                                                       crossgrain_monitor* monitor, crossgrain_tets** out,
                                                       crossgrain_error** error);
 
+/** Cuts the solids of a CAD file or of a closed surface, in a file or in memory, into tets (make_tets), by
+ * gmsh or Netgen; `options` of kind CROSSGRAIN_TET_MAKING_OPTIONS, or NULL. */
+CROSSGRAIN_API crossgrain_status crossgrain_tets_make(const char* path, const crossgrain_options* options,
+                                                      crossgrain_monitor* monitor, crossgrain_tets** out,
+                                                      crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_tets_make_inside(const crossgrain_mesh* surface,
+                                                             const crossgrain_options* options,
+                                                             crossgrain_monitor* monitor,
+                                                             crossgrain_tets** out, crossgrain_error** error);
+
 /** Adds features: 2 or 3 indices each, and a tag each or NULL for 0. Edges that are not stated to be features
  * may be any curve of the meshed model (TetMesh::Edge): on the surface they count only where that is sharp.
  */
@@ -382,6 +394,20 @@ CROSSGRAIN_API size_t crossgrain_domain_tet_count(const crossgrain_domain* domai
 CROSSGRAIN_API const double* crossgrain_domain_vertices(const crossgrain_domain* domain);
 CROSSGRAIN_API const uint32_t* crossgrain_domain_tets(const crossgrain_domain* domain);
 CROSSGRAIN_API const int32_t* crossgrain_domain_regions(const crossgrain_domain* domain);
+
+/** Tagged triangles and edges of the mesh. The functions write 3 or 2 vertices and a tag each; and 1 for
+ * edges that are stated to be features, otherwise 0. */
+CROSSGRAIN_API size_t crossgrain_domain_face_count(const crossgrain_domain* domain);
+CROSSGRAIN_API size_t crossgrain_domain_edge_count(const crossgrain_domain* domain);
+CROSSGRAIN_API void crossgrain_domain_faces(const crossgrain_domain* domain, uint32_t* vertices,
+                                            int32_t* tags);
+CROSSGRAIN_API void crossgrain_domain_edges(const crossgrain_domain* domain, uint32_t* vertices,
+                                            int32_t* tags, uint8_t* are_stated);
+
+/** Writes the mesh with regions and tags: .mesh for Medit, .msh for Gmsh (write_tets). */
+CROSSGRAIN_API crossgrain_status crossgrain_domain_write(const crossgrain_domain* domain, const char* path,
+                                                         crossgrain_monitor* monitor,
+                                                         crossgrain_error** error);
 CROSSGRAIN_API double crossgrain_domain_typical_edge_length(const crossgrain_domain* domain);
 
 /** What was repaired or is unusual, one line each; NULL beyond the last. */

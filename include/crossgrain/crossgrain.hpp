@@ -20,6 +20,7 @@
 #include "crossgrain/spectrum.hpp"
 #include "crossgrain/tet_domain.hpp"
 #include "crossgrain/tet_frame_field.hpp"
+#include "crossgrain/tet_making.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "crossgrain/types.hpp"
 #include "crossgrain/version.hpp"

@@ -22,4 +22,9 @@ std::string thread_library();
 /// reading them is an error. Component crossgrain::io.
 std::filesystem::path cad_program();
 
+/// Returns the programs that make tets (`make_tets`): gmsh, in PATH, and Crossgrain's own with Netgen inside;
+/// empty if they are not installed. Component crossgrain::io.
+std::filesystem::path gmsh_program();
+std::filesystem::path netgen_program();
+
 }  // namespace crossgrain

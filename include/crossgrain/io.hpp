@@ -103,6 +103,17 @@ TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& 
 /// without tets or with other solid elements.
 TetMesh read_tets(const std::filesystem::path& path);
 
+/// Writes a tet mesh with its regions and tags, in the format of the extension: Medit (.mesh), whose Ridges
+/// are the stated edges, or Gmsh (.msh, version 2.2), whose physical groups have the tags of all but other
+/// edges. `read_tets` reads the same mesh, in Medit without edges that are not stated if some are. The file
+/// appears complete or not at all. Throws Error(kUsage) for other extensions, Error(kOutput) and
+/// Error(kInterrupted).
+void write_tets(const TetMesh& mesh, const std::filesystem::path& path, const Monitor& monitor = {});
+
+/// Throws what `write_tets` would if it could not write; leaves no trace. Call before making tets to fail
+/// early.
+void check_tets_output(const std::filesystem::path& path);
+
 /// Returns whether the extension of a file is one of a CAD file.
 bool is_cad_file(const std::filesystem::path& path);
 

@@ -71,6 +71,15 @@ enum class Remedy : int {
   kKeepTags,  ///< TetTagOptions::keep_all
   kGiveSolvedSurface,
 
+  // Tets that are made.
+  kCloseHoles,
+  kUniteParts,  ///< and remove triangles that cross others
+  kInstallTetMaker,
+  kAllowTetTime,   ///< TetMakingOptions::seconds
+  kChangeTetSize,  ///< TetMakingOptions::size
+  kTakeLargerTets,
+  kFreeTemporarySpace,
+
   // Options.
   kRaiseResolution,
   kLowerResolution,

@@ -20,7 +20,8 @@ enum class Phase : int {
   kSolve,     ///< finds the frames of a level
   kAnalysis,  ///< measures the solved field and finds its singular lines
   kTets,      ///< finishes the field on a tet mesh
-  kWrite      ///< writes files
+  kWrite,     ///< writes files
+  kMakeTets   ///< cuts a solid into tets
 };
 
 /// Returns a name for display: "grid".

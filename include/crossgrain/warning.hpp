@@ -21,6 +21,9 @@ enum class WarningKind : int {
   kCurvedTets,    ///< tets of higher order were read as straight
   kSkippedData,   ///< data of a VTK file are not known
 
+  // Tets that are made.
+  kTetMaker,  ///< they were made in another way than usual
+
   // Tets.
   kRepeatedTets,      ///< duplicates, left out
   kInvertedTets,      ///< reoriented

@@ -17,10 +17,10 @@ from ._watched import Progress
 from .constraints import Constraints, read_constraints
 from .errors import Error, InputError, InternalError, Interrupted, LimitError, OutputError, UsageError
 from .field import CONSTRAINT_CLASSES, Field, Samples
-from .models import Crease, Surface, TetMesh, read_surface, read_tets
+from .models import Crease, Surface, TetMesh, make_tets, read_surface, read_tets
 from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, KeptFormOptions, MapPreparationOptions, OntoOptions, OtherStart, OutputOptions,
-                      PictureOptions, ReadOptions, RefinementOptions, SingularityOptions, SolveOptions, SolverOptions, StreamlineOptions,
-                      TetTagOptions)
+                      PictureOptions, ReadOptions, RefinementOptions, RemeshingOptions, SingularityOptions, SolveOptions, SolverOptions,
+                      StreamlineOptions, TetMakingOptions, TetTagOptions)
 from .singularities import Answer, Arc, Node, Reason, SingularityGraph, read_singularities
 from .solving import carry_onto, is_clipped, read, solve, solve_onto
 from .spectra import Spectrum, coefficients, spectrum
@@ -33,7 +33,8 @@ __all__ = [
     "Answer", "AnswerOptions", "Arc", "CONSTRAINT_CLASSES", "CalmFieldOptions", "Constraints", "Crease", "CreaseAngles", "Error",
     "FadingCreases", "Field", "InputError", "InternalError", "Interrupted", "KeptFormOptions", "LimitError", "MapPreparationOptions", "Matchings", "Node",
     "OntoOptions", "OtherStart", "OutputError", "OutputOptions", "PictureOptions", "Progress", "ReadOptions", "Reason", "RefinementOptions",
+    "RemeshingOptions",
     "Samples", "SingularityGraph", "SingularityOptions", "SolveOptions", "SolverOptions", "Spectrum", "Streamline", "StreamlineOptions",
-    "Streamlines", "Surface", "TetField", "TetMesh", "TetTagOptions", "UsageError", "carry_onto", "coefficients", "is_clipped", "read",
+    "Streamlines", "Surface", "TetField", "TetMakingOptions", "TetMesh", "TetTagOptions", "UsageError", "carry_onto", "coefficients", "is_clipped", "make_tets", "read",
     "read_constraints", "read_singularities", "read_streamlines", "read_surface", "read_tets", "solve", "solve_onto", "spectrum",
 ]

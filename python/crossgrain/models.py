@@ -6,16 +6,16 @@ from __future__ import annotations
 import os
 import time
 from functools import cached_property
-from typing import Any, List, NamedTuple, Optional, Sequence
+from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
 from ._arrays import address, indices, integer, numbers, of_shape, tags
 from ._library import Handle, array_view, call, library, made, path_bytes, view
-from ._options import handle_of, set_changed
+from ._options import handle_of, set_changed, unless_none, with_changes
 from ._watched import watched
 from .errors import InputError
-from .options import MapPreparationOptions, ReadOptions, TetTagOptions
+from .options import MapPreparationOptions, ReadOptions, TetMakingOptions, TetTagOptions
 
 
 class Crease(NamedTuple):
@@ -36,6 +36,11 @@ def _warnings(name: str, handle: Handle) -> List[str]:
         if line is None:
             return found
         found.append(line.decode("utf-8", "replace"))
+
+
+def _read_only(array: np.ndarray) -> np.ndarray:
+    array.flags.writeable = False
+    return array
 
 
 class Surface:
@@ -204,6 +209,50 @@ class TetMesh:
         """For each tet the one that it was a part of before `prepared_for_map`, 2**32 - 1 if that is flat; None for tets as given."""
         return view(self._handle, library.crossgrain_domain_parents(self._handle), np.uint32, (len(self.cells),))
 
+    @cached_property
+    def _faces(self) -> Tuple[np.ndarray, np.ndarray]:
+        count = library.crossgrain_domain_face_count(self._handle)
+        vertices, its_tags = np.empty((count, 3), np.uint32), np.empty(count, np.int32)
+        library.crossgrain_domain_faces(self._handle, address(vertices), address(its_tags))
+        return _read_only(vertices), _read_only(its_tags)
+
+    @cached_property
+    def _edges(self) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+        count = library.crossgrain_domain_edge_count(self._handle)
+        vertices, its_tags, are_stated = np.empty((count, 2), np.uint32), np.empty(count, np.int32), np.empty(count, np.uint8)
+        library.crossgrain_domain_edges(self._handle, address(vertices), address(its_tags), address(are_stated))
+        return _read_only(vertices), _read_only(its_tags), _read_only(are_stated.astype(bool))
+
+    @property
+    def feature_faces(self) -> np.ndarray:
+        """Tagged triangles, indices of points, (k, 3)."""
+        return self._faces[0]
+
+    @property
+    def face_tags(self) -> np.ndarray:
+        """Number of the face of the model, or tag, of each of the feature faces."""
+        return self._faces[1]
+
+    @property
+    def feature_edges(self) -> np.ndarray:
+        """Tagged edges, indices of points, (k, 2)."""
+        return self._edges[0]
+
+    @property
+    def edge_tags(self) -> np.ndarray:
+        """Number of the edge of the model, or tag, of each of the feature edges."""
+        return self._edges[1]
+
+    @property
+    def edges_are_stated(self) -> np.ndarray:
+        """Whether each of the feature edges is stated to be one; others may be any curve of the meshed model."""
+        return self._edges[2]
+
+    def write(self, path: Any) -> None:
+        """Writes the mesh with its regions and tags: .mesh for Medit, .msh for Gmsh. The file appears complete or not at all."""
+        encoded = path_bytes(path)
+        watched(lambda monitor: call("domain_write", self._handle, encoded, monitor.handle))
+
     @property
     def typical_edge_length(self) -> float:
         """Edge of a regular tet with the mean volume of the tets."""
@@ -242,6 +291,40 @@ def read_tets(path: Any, *, max_memory_bytes: int = 0, tags_options: Optional[Te
     mesh = watched(lambda monitor: made("tets", "tets_read", encoded, most, monitor.handle))
     tets = TetMesh.__new__(TetMesh)
     tets.path = os.fsdecode(encoded)
+    tets._prepare(mesh, tags_options)
+    tets.read_seconds = time.perf_counter() - start
+    return tets
+
+
+def make_tets(model: Any, triangles: Any = None, *, size: Optional[float] = None, edges: Optional[float] = None, maker: Optional[str] = None,
+              options: Optional[TetMakingOptions] = None, tags_options: Optional[TetTagOptions] = None) -> TetMesh:
+    """Cuts the solids of a CAD file or of a closed surface into tets, by gmsh or Netgen, and prepares them for a field.
+
+    The model is a file (STEP, IGES, BREP; STL, OBJ, PLY, OFF), two arrays (vertices (n, 3) and triangles (m, 3)), a mesh of meshio or
+    trimesh, or a `Surface`. Faces and edges of the model are tagged: of CAD files by their numbers, of surfaces between creases.
+
+    size:
+        largest edge of the tets, in model units
+    edges:
+        number of edges along the longest side instead, 20 by default
+    maker:
+        'gmsh' or 'netgen'; by default the first that is installed and succeeds
+    options:
+        all other options; those above replace its members
+
+    Raises InputError naming the places of holes, and what to install if no program is there. Ctrl-C ends the program that makes the tets.
+    """
+    start = time.perf_counter()
+    chosen = with_changes(options, TetMakingOptions, unless_none(size=size, edges=edges, maker=maker))
+    handle = handle_of(chosen, TetMakingOptions)
+    tets = TetMesh.__new__(TetMesh)
+    if triangles is None and isinstance(model, (str, bytes, os.PathLike)):
+        encoded = path_bytes(model)
+        tets.path = os.fsdecode(encoded)
+        mesh = watched(lambda monitor: made("tets", "tets_make", encoded, handle, monitor.handle))
+    else:
+        surface = surface_of(model, triangles, lambda: None)
+        mesh = watched(lambda monitor: made("tets", "tets_make_inside", surface._handle, handle, monitor.handle))
     tets._prepare(mesh, tags_options)
     tets.read_seconds = time.perf_counter() - start
     return tets

@@ -201,6 +201,25 @@ crossgrain_status crossgrain_tets_read(const char* path, size_t max_memory_bytes
   });
 }
 
+crossgrain_status crossgrain_tets_make(const char* path, const crossgrain_options* options,
+                                       crossgrain_monitor* monitor, crossgrain_tets** out,
+                                       crossgrain_error** error) {
+  return made(out, error, [&] {
+    return new crossgrain_tets{make_tets(std::filesystem::path(&given(path, "path")),
+                                         options_or_defaults<TetMakingOptions>(options),
+                                         monitor_of(monitor))};
+  });
+}
+
+crossgrain_status crossgrain_tets_make_inside(const crossgrain_mesh* surface,
+                                              const crossgrain_options* options, crossgrain_monitor* monitor,
+                                              crossgrain_tets** out, crossgrain_error** error) {
+  return made(out, error, [&] {
+    return new crossgrain_tets{make_tets(
+        given(surface, "surface").mesh, options_or_defaults<TetMakingOptions>(options), monitor_of(monitor))};
+  });
+}
+
 void crossgrain_tets_free(crossgrain_tets* tets) {
   delete tets;
 }
@@ -267,6 +286,37 @@ const uint32_t* crossgrain_domain_tets(const crossgrain_domain* domain) {
 
 const int32_t* crossgrain_domain_regions(const crossgrain_domain* domain) {
   return data_or_null(domain->domain.mesh().regions);
+}
+
+size_t crossgrain_domain_face_count(const crossgrain_domain* domain) {
+  return domain->domain.mesh().feature_faces.size();
+}
+
+size_t crossgrain_domain_edge_count(const crossgrain_domain* domain) {
+  return domain->domain.mesh().feature_edges.size();
+}
+
+void crossgrain_domain_faces(const crossgrain_domain* domain, uint32_t* vertices, int32_t* tags) {
+  for (const TetMesh::Face& face : domain->domain.mesh().feature_faces) {
+    vertices = std::copy(face.vertices.begin(), face.vertices.end(), vertices);
+    *tags++ = face.tag;
+  }
+}
+
+void crossgrain_domain_edges(const crossgrain_domain* domain, uint32_t* vertices, int32_t* tags,
+                             uint8_t* are_stated) {
+  for (const TetMesh::Edge& edge : domain->domain.mesh().feature_edges) {
+    vertices = std::copy(edge.vertices.begin(), edge.vertices.end(), vertices);
+    *tags++ = edge.tag;
+    *are_stated++ = edge.is_stated ? 1 : 0;
+  }
+}
+
+crossgrain_status crossgrain_domain_write(const crossgrain_domain* domain, const char* path,
+                                          crossgrain_monitor* monitor, crossgrain_error** error) {
+  return guarded(error, [&] {
+    write_tets(given(domain, "domain").domain.mesh(), &given(path, "path"), monitor_of(monitor));
+  });
 }
 
 double crossgrain_domain_typical_edge_length(const crossgrain_domain* domain) {

@@ -7,7 +7,7 @@
 namespace crossgrain {
 namespace {
 
-static_assert(static_cast<int>(Phase::kWrite) == CROSSGRAIN_WRITING);
+static_assert(static_cast<int>(Phase::kMakeTets) == CROSSGRAIN_MAKING_TETS);
 
 crossgrain_progress passed_on(const Progress& progress) {
   crossgrain_progress result{};

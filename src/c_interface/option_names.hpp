@@ -9,6 +9,7 @@
 #include "crossgrain/picture.hpp"
 #include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/streamlines.hpp"
+#include "crossgrain/tet_making.hpp"
 #include "crossgrain/verdict.hpp"
 
 namespace crossgrain {
@@ -115,6 +116,33 @@ void for_each_option(MapPreparationOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(cut_off_creases);
   CROSSGRAIN_OPTION(layer_spread_deg);
   CROSSGRAIN_OPTION(unite_solids);
+}
+
+template <class Visit>
+void for_each_option(TetMakingOptions& options, const Visit& visit) {
+  CROSSGRAIN_OPTION(size);
+  CROSSGRAIN_OPTION(edges);
+  CROSSGRAIN_OPTION(maker);
+  CROSSGRAIN_OPTION(triangles.edges_per_circle);
+  CROSSGRAIN_OPTION(triangles.smallest_share);
+  CROSSGRAIN_OPTION(triangles.gradation);
+  CROSSGRAIN_OPTION(triangles.distance_share);
+  CROSSGRAIN_OPTION(triangles.turn_deg);
+  CROSSGRAIN_OPTION(triangles.rounds);
+  CROSSGRAIN_OPTION(creases.least_deg);
+  CROSSGRAIN_OPTION(creases.fading.sure_deg);
+  CROSSGRAIN_OPTION(creases.fading.least_radii);
+  CROSSGRAIN_OPTION(creases.corner_deg);
+  CROSSGRAIN_OPTION(creases.knife_deg);
+  CROSSGRAIN_OPTION(stitch_share);
+  CROSSGRAIN_OPTION(seconds);
+  CROSSGRAIN_OPTION(most_tets);
+  CROSSGRAIN_OPTION(max_memory_bytes);
+  CROSSGRAIN_OPTION(read_seconds);
+  CROSSGRAIN_OPTION(glue);
+  CROSSGRAIN_OPTION(cad_program);
+  CROSSGRAIN_OPTION(gmsh);
+  CROSSGRAIN_OPTION(netgen);
 }
 
 template <class Visit>

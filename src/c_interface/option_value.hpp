@@ -16,6 +16,7 @@
 #include "crossgrain/io.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/picture.hpp"
+#include "crossgrain/tet_making.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -72,6 +73,10 @@ struct OptionNames;
 template <>
 struct OptionNames<TetBoundary> {
   static constexpr std::array names{"all", "smooth-only"};
+};
+template <>
+struct OptionNames<TetMaker> {
+  static constexpr std::array names{"automatic", "gmsh", "netgen"};
 };
 template <>
 struct OptionNames<ForeignFiles> {

@@ -213,6 +213,13 @@ std::vector<CreaseCurve> sharp_curves(const Surface& surface, std::span<const Ed
   return curves;
 }
 
+std::vector<std::vector<std::uint32_t>> sharp_chains(const Surface& surface,
+                                                     std::span<const EdgeUse> all_uses,
+                                                     const CreaseAngles& angles,
+                                                     std::span<const std::array<std::uint32_t, 2>> tagged) {
+  return SharpEdges(surface, all_uses, angles, tagged).chains();
+}
+
 std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves, const CreaseAngles& angles) {
   const double straight = std::cos(angles.corner_deg * kDegree);
   std::vector<CurveEnd> ends;

@@ -28,6 +28,12 @@ std::vector<CreaseCurve> sharp_curves(const Surface& surface, std::span<const Ed
                                       const CreaseAngles& angles,
                                       std::span<const std::array<std::uint32_t, 2>> tagged = {});
 
+/// Returns the same curves as chains of vertices; a closed one ends with its first vertex. Open ones come
+/// first.
+std::vector<std::vector<std::uint32_t>> sharp_chains(
+    const Surface& surface, std::span<const EdgeUse> all_uses, const CreaseAngles& angles,
+    std::span<const std::array<std::uint32_t, 2>> tagged = {});
+
 /// A point where curves meet, or where one bends.
 struct CreaseCorner {
   Vector3 position;

@@ -183,6 +183,7 @@ class Mender {
     std::erase_if(open_.edges, [&](const EdgeUse& use) { return left_out_[use.triangle]; });
     std::erase_if(open_.cracks, [&](const CrackSide& side) { return left_out_[side.edge.triangle]; });
     report_open_edges(mesh_.vertices, open_, result_.findings);
+    result_.open_loops = open_loops(mesh_.vertices, open_);
     for (const std::uint32_t t : kept)
       if (!left_out_[t]) rest_.push_back(t);
     if (rest_.empty()) fail_without_inside(kept.size());

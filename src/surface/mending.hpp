@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "surface/findings.hpp"
+#include "surface/open_edges.hpp"
 #include "surface/surface.hpp"
 #include "surface/topology.hpp"
 
@@ -16,6 +17,7 @@ struct MendedSurface {
   Surface surface;
   SurfaceTopology topology;  ///< of the given mesh with welded vertices
   SurfaceFindings findings;
+  std::vector<OpenLoop> open_loops;  ///< around holes and along cracks
 
   /// Whether triangles run along every edge equally often in both directions, so that winding numbers are
   /// integers.

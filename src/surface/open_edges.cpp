@@ -102,13 +102,6 @@ class CrackFinder {
   TriangleBvh tree_;
 };
 
-/// Connected open edges.
-struct Loop {
-  double length = 0;
-  std::size_t edges = 0, cracks = 0;
-  Vector3 sum{0, 0, 0};
-};
-
 std::vector<std::uint32_t> loop_of_edges(std::size_t vertices, const std::vector<EdgeUse>& edges) {
   DisjointSets sets(vertices);
   for (const EdgeUse& use : edges) sets.join(use.low(), use.high());
@@ -133,35 +126,39 @@ OpenEdges find_open_edges(const std::vector<Vector3>& vertices, std::span<const 
   return open;
 }
 
-void report_open_edges(const std::vector<Vector3>& vertices, const OpenEdges& open,
-                       SurfaceFindings& findings) {
+std::vector<OpenLoop> open_loops(const std::vector<Vector3>& vertices, const OpenEdges& open) {
   const std::vector<std::uint32_t> loop_of = loop_of_edges(vertices.size(), open.edges);
   std::vector<std::uint32_t> roots = loop_of;
   std::sort(roots.begin(), roots.end());
   roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
-  std::vector<Loop> loops(roots.size());
+  std::vector<OpenLoop> loops(roots.size());
   auto crack = open.cracks.begin();
   for (std::size_t e = 0; e < open.edges.size(); ++e) {
     const auto at = std::lower_bound(roots.begin(), roots.end(), loop_of[e]) - roots.begin();
-    Loop& loop = loops[static_cast<std::size_t>(at)];
+    OpenLoop& loop = loops[static_cast<std::size_t>(at)];
     const Segment edge = segment_of(vertices, open.edges[e]);
     loop.length += norm(edge.to - edge.from);
-    loop.sum += middle_of(edge);
+    loop.middle += middle_of(edge);
     ++loop.edges;
     if (crack == open.cracks.end() || crack->edge.edge != open.edges[e].edge) continue;
     ++loop.cracks;
     ++crack;
   }
-  const Loop* longest = nullptr;
+  for (OpenLoop& loop : loops) loop.middle = 1.0 / static_cast<double>(loop.edges) * loop.middle;
+  return loops;
+}
+
+void report_open_edges(const std::vector<Vector3>& vertices, const OpenEdges& open,
+                       SurfaceFindings& findings) {
+  const std::vector<OpenLoop> loops = open_loops(vertices, open);
+  const OpenLoop* longest = nullptr;
   std::size_t holes = 0;
-  for (const Loop& loop : loops) {
-    if (loop.cracks == loop.edges) continue;
+  for (const OpenLoop& loop : loops) {
+    if (!loop.is_hole()) continue;
     ++holes;
     if (longest == nullptr || loop.length > longest->length) longest = &loop;
   }
-  if (holes > 0)
-    findings.push_back({FindingKind::kHole, holes, 1.0 / static_cast<double>(longest->edges) * longest->sum,
-                        longest->length});
+  if (holes > 0) findings.push_back({FindingKind::kHole, holes, longest->middle, longest->length});
   if (open.cracks.empty()) return;
   const auto widest = std::max_element(open.cracks.begin(), open.cracks.end(),
                                        [](const CrackSide& a, const CrackSide& b) { return a.gap < b.gap; });

@@ -31,6 +31,19 @@ struct OpenEdges {
 /// (`sorted_edge_uses`).
 OpenEdges find_open_edges(const std::vector<Vector3>& vertices, std::span<const EdgeUse> uses, double size);
 
+/// Open edges connected at vertices.
+struct OpenLoop {
+  std::size_t edges = 0;
+  std::size_t cracks = 0;  ///< those of its edges that run along another one
+  double length = 0;       ///< of all edges, model units
+  Vector3 middle{};
+
+  bool is_hole() const { return cracks < edges; }
+};
+
+/// Returns the open edges in sets, in the order of their lowest vertices.
+std::vector<OpenLoop> open_loops(const std::vector<Vector3>& vertices, const OpenEdges& open);
+
 /// Counts cracks, and holes: sets of open edges connected at vertices that are not only cracks.
 void report_open_edges(const std::vector<Vector3>& vertices, const OpenEdges& open,
                        SurfaceFindings& findings);

@@ -329,6 +329,48 @@ TEST(AListenerHearsAndCancels) {
   crossgrain_mesh_free(mesh);
 }
 
+TEST(TetsOfAnOpenSurfaceAreRefused) {
+  const double vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2};
+  crossgrain_mesh* mesh = NULL;
+  OK(crossgrain_mesh_new(vertices, 4, triangles, 3, &mesh, &g_error));
+  crossgrain_options* options = NULL;
+  OK(crossgrain_options_new(CROSSGRAIN_TET_MAKING_OPTIONS, &options, &g_error));
+  OK(crossgrain_options_set_number(options, "size", 0.5, &g_error));
+  OK(crossgrain_options_set_text(options, "maker", "gmsh", &g_error));
+  crossgrain_tets* tets = NULL;
+  FAILS(CROSSGRAIN_INPUT, "the surface encloses nothing",
+        crossgrain_tets_make_inside(mesh, options, NULL, &tets, &g_error));
+  CHECK(tets == NULL);
+  FAILS(CROSSGRAIN_INPUT, "no such file",
+        crossgrain_tets_make("nowhere.stl", options, NULL, &tets, &g_error));
+  crossgrain_options_free(options);
+  crossgrain_mesh_free(mesh);
+}
+
+TEST(TaggedFacesAndEdgesAreGivenBackAndWritten) {
+  const double vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const uint32_t tet[] = {0, 1, 2, 3}, face[] = {0, 2, 1}, edge[] = {1, 2};
+  const int32_t tag = 7;
+  crossgrain_tets* tets = NULL;
+  OK(crossgrain_tets_new(vertices, 4, tet, 1, NULL, &tets, &g_error));
+  OK(crossgrain_tets_add_feature_faces(tets, face, &tag, 1, &g_error));
+  OK(crossgrain_tets_add_feature_edges(tets, edge, &tag, 1, 1, &g_error));
+  crossgrain_domain* domain = NULL;
+  OK(crossgrain_domain_new(tets, NULL, NULL, &domain, &g_error));
+  CHECK(crossgrain_domain_face_count(domain) == 1 && crossgrain_domain_edge_count(domain) == 1);
+  uint32_t got[3];
+  int32_t its_tag = 0;
+  uint8_t is_stated = 0;
+  crossgrain_domain_faces(domain, got, &its_tag);
+  CHECK(got[0] == 0 && got[1] == 2 && got[2] == 1 && its_tag == 7);
+  crossgrain_domain_edges(domain, got, &its_tag, &is_stated);
+  CHECK(got[0] == 1 && got[1] == 2 && its_tag == 7 && is_stated == 1);
+  FAILS(CROSSGRAIN_USAGE, ".mesh or .msh", crossgrain_domain_write(domain, "a.vtk", NULL, &g_error));
+  crossgrain_domain_free(domain);
+  crossgrain_tets_free(tets);
+}
+
 TEST(MatchingsCarryFramesAcrossFacesOfTets) {
   crossgrain_domain* domain = cube_of_tets(4);
   CHECK(crossgrain_domain_tet_count(domain) == 384 && crossgrain_domain_vertex_count(domain) == 125);
@@ -671,6 +713,8 @@ int main(int argc, char** argv) {
       NAMED(EveryOptionKeepsWhatItHas),
       NAMED(OptionsRefuseWhatTheyCannotHold),
       NAMED(AListenerHearsAndCancels),
+      NAMED(TetsOfAnOpenSurfaceAreRefused),
+      NAMED(TaggedFacesAndEdgesAreGivenBackAndWritten),
       NAMED(MatchingsCarryFramesAcrossFacesOfTets),
       NAMED(TetsArePreparedForAMap),
       NAMED(AFieldThatIsReadIsTheOneThatWasWritten),

@@ -116,6 +116,8 @@ class Page(CommandTest):
             return 0
         if line.split()[0] in OTHER_PROGRAMS and not shutil.which(line.split()[0]):
             return 0
+        if re.search(r"crossgrain tets |--tets|made\.mesh", line) and not shutil.which("gmsh"):
+            return 0
         process = subprocess.Popen(["bash", "-c", self.assignments + line], cwd=self.folder, env=self.environment,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
         self.addCleanup(process.stdout.close)

@@ -29,12 +29,21 @@ class Version(CommandTest):
         alone = shutil.copy(PROGRAM, self.folder / "alone")
         self.assertEqual(features(program=alone)["CAD files"], "no; the program crossgrain_cad is missing")
 
+    def test_names_the_programs_that_make_tets(self):
+        value = features()["tets"]
+        if value.startswith("made by "):
+            for program in value.removeprefix("made by ").split(" and "):
+                self.assertTrue(Path(program).is_file(), program)
+        alone = shutil.copy(PROGRAM, self.folder / "alone")
+        self.assertEqual(features(program=alone, env={**os.environ, "PATH": ""})["tets"],
+                         "read only; gmsh and crossgrain_netgen, which make them, are missing")
+
     def test_names_the_vectors_that_are_used(self):
         environment = {**os.environ, "CROSSGRAIN_VECTOR_DOUBLES": "2"}
         self.assertRegex(features(env=environment)["vectors"], r"^2 doubles \((SSE2|baseline)\)$")
 
     def test_names_everything_else_that_builds_differ_in(self):
-        self.assertEqual(set(features()), {"harmonics", "CAD files", "pages, pictures", "several processes", "vectors", "threads"})
+        self.assertEqual(set(features()), {"harmonics", "CAD files", "tets", "pages, pictures", "several processes", "vectors", "threads"})
         self.assertRegex(features()["threads"], r"^(oneTBB \d+\.\d+|std::thread)")
 
 

@@ -9,7 +9,7 @@
 #include <cerrno>
 
 #include "files/temporary_folder.hpp"
-#include "io/cad/helper_process.hpp"
+#include "io/process/helper_process.hpp"
 #include "io/surface_files.hpp"
 
 namespace crossgrain {

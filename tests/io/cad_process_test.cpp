@@ -99,7 +99,7 @@ TEST(CadProcess, HandsOverTheWholeMesh) {
 }
 
 TEST(CadProcess, GetsTheRequestToTheBit) {
-  CadRequest request{"a b'c.step", CadFormat::kIges, {}, 4711};
+  CadRequest request{"a b'c.step", CadFormat::kIges, {}, 4711, true};
   request.options.resolution = 77;
   request.options.cell_size = 0.1;
   request.options.chord_error_cells = 1e-300;
@@ -120,6 +120,7 @@ TEST(CadProcess, GetsTheRequestToTheBit) {
   EXPECT_EQ(got->options.max_memory_bytes, SIZE_MAX);
   EXPECT_TRUE(got->options.glue);
   EXPECT_EQ(got->options.glue_gap, 2e-7);
+  EXPECT_TRUE(got->with_solids);
 }
 
 TEST(CadProcess, BelievesNoAnswerThatIsCutShort) {
@@ -159,6 +160,7 @@ TEST(CadProcess, BelievesNoAnswerBeyondALimit) {
   EXPECT_FALSE(is_believed([](CadAnswer& a) { a.end = static_cast<CadEnd>(3); }));
   EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.solids[0] = -1; }));
   EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.faces[0] = -1; }));
+  EXPECT_FALSE(is_believed([](CadAnswer& a) { a.solids.face_numbers[0] = -1; }));
   EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.vertices[0][2] = kInfinity; }));
   EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.corner_normals.assign(4, {Vector3{kNone, 0, 0}}); }));
   EXPECT_FALSE(is_believed([](CadAnswer& a) { a.mesh.creases[0].tangents[1][0] = kNone; }));

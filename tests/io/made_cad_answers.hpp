@@ -34,6 +34,7 @@ inline CadAnswer some_answer() {
   answer.mesh.file_unit = "inch";
   answer.mesh.warnings = {{WarningKind::kUnknownUnit, "one"},
                           {WarningKind::kMissingFaces, {"", "face 3", "another", Remedy::kRepairFile}}};
+  answer.solids = {"CASCADE Topology V1", {0}, {1, 2, 3, 4}, {1, 2, 3, 4, 5, 6}};
   return answer;
 }
 

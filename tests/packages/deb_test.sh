@@ -35,6 +35,15 @@ if [ -n "$python" ]; then
   in_chroot "$chroot" python3 -c 'import crossgrain; print(crossgrain.solve("/work/part.step", resolution=16).frames.shape, "frames by Python")'
 fi
 
+netgen="$(packages crossgrain-netgen)"
+if [ -n "$netgen" ]; then
+  echo "== tets by Netgen"
+  start="$EPOCHREALTIME"
+  install_in "$chroot" "$netgen"
+  echo "installed in $(seconds_since "$start") s"
+  in_chroot "$chroot" crossgrain tets /work/part.step -o /work/part.mesh
+fi
+
 echo "== several processes"
 start="$EPOCHREALTIME"
 install_in "$chroot" $(packages crossgrain-mpi)

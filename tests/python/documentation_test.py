@@ -11,6 +11,7 @@ import inspect
 import io
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -57,6 +58,8 @@ class Documentation(unittest.TestCase):
         for statement in statements_of(page):
             text = ast.unparse(statement)
             if any(package in text and package not in names for package in ("meshio", "pyvista")) or "pyvista" in text:
+                continue
+            if "make_tets" in text and not shutil.which("gmsh"):
                 continue
             if "part.step" in text and not CAD_FILES:
                 text = text.replace("part.step", "part.stl")

@@ -5,6 +5,7 @@ import gc
 import os
 import pickle
 import resource
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -211,6 +212,42 @@ class FieldsOnTets(WithFolder):
         field = cg.solve_onto(cg.TetMesh(points, cells, regions=regions))
         np.testing.assert_array_equal(field.regions, regions)
         self.assertEqual(len(field.report["regions"]), 2)
+
+
+@unittest.skipUnless(shutil.which("gmsh"), "gmsh is not installed")
+class MadeTets(WithFolder):
+    def test_fill_a_box_and_know_its_faces_and_edges(self):
+        tets = cg.make_tets(*box((2, 1, 1.5)), size=0.4, maker="gmsh")
+        corners = tets.points[tets.cells]
+        volumes = np.linalg.det(corners[:, 1:] - corners[:, :1]) / 6
+        self.assertGreater(volumes.min(), 0)
+        self.assertAlmostEqual(volumes.sum(), 3, 9)
+        self.assertEqual(set(tets.face_tags), set(range(1, 7)))
+        self.assertEqual(len(tets.feature_faces), len(tets.face_tags))
+        self.assertTrue(tets.edges_are_stated.all())
+        ends = tets.points[tets.feature_edges]
+        self.assertAlmostEqual(np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).sum(), 4 * 4.5, 9)
+        self.assertEqual(cg.solve_onto(tets).check().verdict, "meshable")
+
+    def test_are_written_and_read(self):
+        tets = cg.make_tets(*ball(8), edges=6)
+        for name in ("ball.mesh", "ball.msh"):
+            tets.write(self.folder / name)
+            again = cg.read_tets(self.folder / name)
+            np.testing.assert_array_equal(again.points, tets.points)
+            np.testing.assert_array_equal(again.cells, tets.cells)
+            np.testing.assert_array_equal(again.face_tags, tets.face_tags)
+
+    def test_of_an_open_surface_name_the_hole(self):
+        vertices, triangles = box()
+        with self.assertRaisesRegex(cg.InputError, "1 hole: 3 edges around") as caught:
+            cg.make_tets(vertices, triangles[1:])
+        self.assertEqual(caught.exception.remedy_name, "close_holes")
+
+    def test_by_a_program_that_is_missing_say_so(self):
+        options = cg.TetMakingOptions(gmsh="/nowhere/gmsh", maker="gmsh")
+        with self.assertRaisesRegex(cg.InputError, "cannot be started.*install gmsh"):
+            cg.make_tets(*box(), options=options)
 
 
 def content(handle, name, kind):

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled into both the library and the program crossgrain_cad.
 //
-// Layout of an answer: the greeting; a CadEnd; the fault; the vectors of the mesh in the order of `exchange`;
-// kTrailer. A vector or a text is the number of its items, in 64 bits, and their bytes as in memory.
+// Layout of an answer: the greeting; a CadEnd; the fault; the vectors of the mesh and of the solids in the
+// order of `exchange`; kTrailer. A vector or a text is the number of its items, in 64 bits, and their bytes
+// as in memory.
 #include "io/cad/cad_messages.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <span>
-#include <type_traits>
 
 #include "crossgrain/version.hpp"
+#include "io/process/answer_stream.hpp"
 
 namespace crossgrain {
 namespace {
@@ -27,89 +26,6 @@ const std::string& greeting() {
   static const std::string text = fmt::format("crossgrain_cad {}\n", kVersion);
   return text;
 }
-
-class Writer {
- public:
-  explicit Writer(std::FILE* file) : file_(file) {}
-
-  template <class T>
-  void value(const T& item) {
-    bytes(&item, sizeof item);
-  }
-
-  /// Writes a vector of trivially copyable items.
-  template <class Items>
-  void items(const Items& items) {
-    static_assert(std::is_trivially_copyable_v<typename Items::value_type>);
-    value(static_cast<std::uint64_t>(items.size()));
-    bytes(items.data(), items.size() * sizeof(typename Items::value_type));
-  }
-
-  /// Writes a vector whose items `write` writes one by one.
-  template <class Items, class Each>
-  void list(const Items& items, std::size_t, const Each& write) {
-    value(static_cast<std::uint64_t>(items.size()));
-    for (const auto& item : items) write(item);
-  }
-
-  void bytes(const void* data, std::size_t size) {
-    complete_ = complete_ && (size == 0 || std::fwrite(data, 1, size, file_) == size);
-  }
-
-  bool flush() { return std::fflush(file_) == 0 && complete_; }
-
- private:
-  std::FILE* file_;
-  bool complete_ = true;
-};
-
-/// Reads an answer. Once data are missing, all further items are empty and `sound` is false.
-class Reader {
- public:
-  explicit Reader(std::string_view rest) : rest_(rest) {}
-
-  template <class T>
-  void value(T& item) {
-    bytes(&item, sizeof item);
-  }
-
-  template <class Items>
-  void items(Items& items) {
-    constexpr std::size_t kItem = sizeof(typename Items::value_type);
-    items.resize(count(kItem));
-    bytes(items.data(), items.size() * kItem);
-  }
-
-  /// `least_bytes` is the size of the shortest item in the answer.
-  template <class Items, class Each>
-  void list(Items& items, std::size_t least_bytes, const Each& read) {
-    items.resize(count(least_bytes));
-    for (auto& item : items) read(item);
-  }
-
-  bool sound() const { return sound_; }
-  std::string_view rest() const { return rest_; }
-
- private:
-  /// Returns the number of items of at least so many bytes; 0 if the remaining data are too short.
-  std::size_t count(std::size_t item_bytes) {
-    std::uint64_t announced = 0;
-    value(announced);
-    if (announced <= rest_.size() / item_bytes) return announced;
-    sound_ = false;
-    return 0;
-  }
-
-  void bytes(void* out, std::size_t size) {
-    sound_ = sound_ && size <= rest_.size();
-    if (!sound_ || size == 0) return;
-    std::memcpy(out, rest_.data(), size);
-    rest_.remove_prefix(size);
-  }
-
-  std::string_view rest_;
-  bool sound_ = true;
-};
 
 /// Bytes of a crease and of a warning without points and text: numbers of items, tag, kind and remedy.
 constexpr std::size_t kCountBytes = sizeof(std::uint64_t);
@@ -142,6 +58,10 @@ void exchange(Stream& stream, Answer& answer) {
     stream.items(warning.text);
     stream.value(warning.remedy);
   });
+  stream.items(answer.solids.brep);
+  stream.items(answer.solids.solid_numbers);
+  stream.items(answer.solids.face_numbers);
+  stream.items(answer.solids.edge_numbers);
 }
 
 bool is_known(Remedy remedy) {
@@ -191,11 +111,9 @@ bool is_consistent(const TriangleMesh& mesh) {
          });
 }
 
-template <class Number>
-bool parse(const std::string& text, Number& number) {
-  const char* end = text.data() + text.size();
-  const auto [stop, code] = std::from_chars(text.data(), end, number);
-  return code == std::errc() && stop == end;
+bool is_consistent(const CadSolids& solids) {
+  return are_numbers(solids.solid_numbers) && are_numbers(solids.face_numbers) &&
+         are_numbers(solids.edge_numbers);
 }
 
 }  // namespace
@@ -214,25 +132,29 @@ std::vector<std::string> arguments_of(const CadRequest& request) {
           fmt::to_string(static_cast<int>(options.glue)),
           fmt::format("{}", options.glue_gap),
           fmt::to_string(options.max_memory_bytes),
+          fmt::to_string(static_cast<int>(request.with_solids)),
           request.path};
 }
 
 std::optional<CadRequest> cad_request_of(const std::vector<std::string>& arguments) {
-  constexpr std::size_t kCount = 12;
+  constexpr std::size_t kCount = 13;
   if (arguments.size() != kCount || arguments[0] != kVersion) return std::nullopt;
   CadRequest request;
   ReadOptions& options = request.options;
-  int format = 0, glue = 0;
-  const bool sound = parse(arguments[1], request.asking_process) && parse(arguments[2], format) &&
-                     parse(arguments[3], options.resolution) && parse(arguments[4], options.cell_size) &&
-                     parse(arguments[5], options.chord_error_cells) &&
-                     parse(arguments[6], options.facet_angle_deg) &&
-                     parse(arguments[7], options.crease_angle_deg) && parse(arguments[8], glue) &&
-                     parse(arguments[9], options.glue_gap) && parse(arguments[10], options.max_memory_bytes);
+  int format = 0, glue = 0, with_solids = 0;
+  const bool sound =
+      parse_number(arguments[1], request.asking_process) && parse_number(arguments[2], format) &&
+      parse_number(arguments[3], options.resolution) && parse_number(arguments[4], options.cell_size) &&
+      parse_number(arguments[5], options.chord_error_cells) &&
+      parse_number(arguments[6], options.facet_angle_deg) &&
+      parse_number(arguments[7], options.crease_angle_deg) && parse_number(arguments[8], glue) &&
+      parse_number(arguments[9], options.glue_gap) && parse_number(arguments[10], options.max_memory_bytes) &&
+      parse_number(arguments[11], with_solids);
   if (!sound || format < 0 || format > static_cast<int>(CadFormat::kBrep)) return std::nullopt;
   request.format = static_cast<CadFormat>(format);
   options.glue = glue != 0;
-  request.path = arguments[11];
+  request.with_solids = with_solids != 0;
+  request.path = arguments[12];
   return request;
 }
 
@@ -242,7 +164,7 @@ void write_cad_greeting(std::FILE* out) {
 }
 
 bool write_cad_answer(std::FILE* out, const CadAnswer& answer) {
-  Writer writer(out);
+  AnswerWriter writer(out);
   exchange(writer, answer);
   writer.bytes(kTrailer.data(), kTrailer.size());
   return writer.flush();
@@ -254,11 +176,12 @@ bool is_cad_greeting(std::string_view written) {
 
 std::optional<CadAnswer> cad_answer_in(std::string_view written) {
   if (!is_cad_greeting(written)) return std::nullopt;
-  Reader reader(written.substr(greeting().size()));
+  AnswerReader reader(written.substr(greeting().size()));
   CadAnswer answer;
   exchange(reader, answer);
   if (!reader.sound() || reader.rest() != kTrailer || answer.end > CadEnd::kOutOfMemory ||
-      !is_known(answer.fault.remedy) || !is_line(answer.fault.text) || !is_consistent(answer.mesh))
+      !is_known(answer.fault.remedy) || !is_line(answer.fault.text) || !is_consistent(answer.mesh) ||
+      !is_consistent(answer.solids))
     return std::nullopt;
   return answer;
 }

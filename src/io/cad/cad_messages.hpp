@@ -24,8 +24,19 @@ enum class CadFormat { kStep, kIges, kBrep };
 struct CadRequest {
   std::string path;
   CadFormat format;
-  ReadOptions options;   ///< those of CAD files; max_memory_bytes is for the program alone
-  pid_t asking_process;  ///< the program ends when this process does
+  ReadOptions options;       ///< those of CAD files; max_memory_bytes is for the program alone
+  pid_t asking_process;      ///< the program ends when this process does
+  bool with_solids = false;  ///< whether the answer has CadAnswer::solids
+};
+
+/// The solids of a model in OpenCASCADE's own format, for programs that mesh them. Closed shells are solids
+/// too, open ones are left out. Numbers are those of the mesh of the same answer: entry k belongs to what
+/// TopExp::MapShapes lists as number k + 1.
+struct CadSolids {
+  std::string brep;                         ///< a compound, in text of version 1, without triangles
+  std::vector<std::int32_t> solid_numbers;  ///< TriangleMesh::solids
+  std::vector<std::int32_t> face_numbers;   ///< TriangleMesh::faces
+  std::vector<std::int32_t> edge_numbers;   ///< CreaseCurve::tag
 };
 
 enum class CadEnd : std::uint8_t {
@@ -44,6 +55,7 @@ struct CadAnswer {
   CadEnd end = CadEnd::kMesh;
   TriangleMesh mesh;  ///< vertices shared by neighbouring triangles; all indices in range
   CadFault fault;
+  CadSolids solids = {};  ///< empty unless they were asked for
 };
 
 /// Limits of an answer, besides those of its bytes. The program cuts texts, which may come from the file.

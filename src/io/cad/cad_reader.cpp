@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "io/cad/cad_reader.hpp"
+
 #include <fmt/format.h>
 #include <signal.h>
 #include <string.h>
@@ -17,9 +19,8 @@
 #include "crossgrain/version.hpp"
 #include "io/cad/cad_checks.hpp"
 #include "io/cad/cad_messages.hpp"
-#include "io/cad/cad_program.hpp"
-#include "io/cad/helper_process.hpp"
-#include "io/surface/surface_reader.hpp"
+#include "io/process/helper_process.hpp"
+#include "io/process/helper_program.hpp"
 
 namespace crossgrain {
 namespace {
@@ -114,8 +115,7 @@ void check_range(double value, double most, const char* name) {
               fmt::format("{} is {}, but must be above 0 and at most {}", name, value, most));
 }
 
-TriangleMesh read_cad(const InputFile& file, CadFormat format, const ReadOptions& options,
-                      const Monitor& monitor) {
+void check_options(const ReadOptions& options) {
   check_range(options.chord_error_cells, std::numeric_limits<double>::max(), "chord_error_cells");
   check_range(options.facet_angle_deg, 90, "facet_angle_deg");
   check_range(options.crease_angle_deg, 180, "crease_angle_deg");
@@ -123,7 +123,26 @@ TriangleMesh read_cad(const InputFile& file, CadFormat format, const ReadOptions
     throw Error(ErrorKind::kUsage,
                 fmt::format("glue_gap is {}, but must be at least 0 and below 1", options.glue_gap));
   check_range(options.read_seconds, std::numeric_limits<double>::max(), "read_seconds");
-  CadRequest request{file.name(), format, options, ::getpid()};
+}
+
+void check_format(const InputFile& file, CadFormat format) {
+  switch (format) {
+    case CadFormat::kStep:
+      return check_step_file(file);
+    case CadFormat::kIges:
+      return check_iges_file(file);
+    case CadFormat::kBrep:
+      return check_brep_file(file);
+  }
+}
+
+}  // namespace
+
+CadModel read_cad(const InputFile& file, CadFormat format, const ReadOptions& options, const Monitor& monitor,
+                  CadContent content) {
+  check_format(file, format);
+  check_options(options);
+  CadRequest request{file.name(), format, options, ::getpid(), content == CadContent::kWithSolids};
   request.options.max_memory_bytes = memory_for_helper(file, options);
   const HelperRun run{cad_program(file, options),
                       arguments_of(request),
@@ -136,24 +155,7 @@ TriangleMesh read_cad(const InputFile& file, CadFormat format, const ReadOptions
   if (answer->end == CadEnd::kOutOfMemory) fail_input(file, out_of_memory(request.options.max_memory_bytes));
   if (answer->end == CadEnd::kFault) fail_input(file, answer->fault);
   for (Warning& warning : answer->mesh.warnings) warning.file = file.name();
-  return std::move(answer->mesh);
-}
-
-}  // namespace
-
-TriangleMesh read_step(const InputFile& file, const ReadOptions& options, const Monitor& monitor) {
-  check_step_file(file);
-  return read_cad(file, CadFormat::kStep, options, monitor);
-}
-
-TriangleMesh read_iges(const InputFile& file, const ReadOptions& options, const Monitor& monitor) {
-  check_iges_file(file);
-  return read_cad(file, CadFormat::kIges, options, monitor);
-}
-
-TriangleMesh read_brep(const InputFile& file, const ReadOptions& options, const Monitor& monitor) {
-  check_brep_file(file);
-  return read_cad(file, CadFormat::kBrep, options, monitor);
+  return {std::move(answer->mesh), std::move(answer->solids)};
 }
 
 }  // namespace crossgrain

@@ -11,6 +11,7 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/read_limits.hpp"
 #include "files/read_memory.hpp"
+#include "io/cad/cad_reader.hpp"
 #include "io/tets/tet_reader.hpp"
 #include "io/text/file_signature.hpp"
 #include "io/text/text_scanner.hpp"
@@ -22,7 +23,7 @@ namespace {
 struct SurfaceFormat {
   std::string_view extension;
   TriangleMesh (*read)(const InputFile&, const ReadOptions&, const Monitor&);
-  bool is_cad = false;
+  std::optional<CadFormat> cad = {};
 };
 
 /// Adapts a reader of triangles, which ignores the options.
@@ -31,12 +32,22 @@ TriangleMesh triangles_by(const InputFile& file, const ReadOptions&, const Monit
   return read(file);
 }
 
+template <CadFormat kFormat>
+TriangleMesh triangles_of(const InputFile& file, const ReadOptions& options, const Monitor& monitor) {
+  return read_cad(file, kFormat, options, monitor).mesh;
+}
+
 constexpr std::array kSurfaceFormats = {
-    SurfaceFormat{".stl", triangles_by<read_stl>}, SurfaceFormat{".obj", triangles_by<read_obj>},
-    SurfaceFormat{".ply", triangles_by<read_ply>}, SurfaceFormat{".off", triangles_by<read_off>},
-    SurfaceFormat{".step", read_step, true},       SurfaceFormat{".stp", read_step, true},
-    SurfaceFormat{".iges", read_iges, true},       SurfaceFormat{".igs", read_iges, true},
-    SurfaceFormat{".brep", read_brep, true},       SurfaceFormat{".brp", read_brep, true},
+    SurfaceFormat{".stl", triangles_by<read_stl>},
+    SurfaceFormat{".obj", triangles_by<read_obj>},
+    SurfaceFormat{".ply", triangles_by<read_ply>},
+    SurfaceFormat{".off", triangles_by<read_off>},
+    SurfaceFormat{".step", triangles_of<CadFormat::kStep>, CadFormat::kStep},
+    SurfaceFormat{".stp", triangles_of<CadFormat::kStep>, CadFormat::kStep},
+    SurfaceFormat{".iges", triangles_of<CadFormat::kIges>, CadFormat::kIges},
+    SurfaceFormat{".igs", triangles_of<CadFormat::kIges>, CadFormat::kIges},
+    SurfaceFormat{".brep", triangles_of<CadFormat::kBrep>, CadFormat::kBrep},
+    SurfaceFormat{".brp", triangles_of<CadFormat::kBrep>, CadFormat::kBrep},
 };
 
 const SurfaceFormat* format_of(std::string_view extension) {
@@ -77,7 +88,7 @@ void check_memory(const std::filesystem::path& path, const SurfaceFormat* format
   const std::uintmax_t size = std::filesystem::file_size(path, ignored);
   // InputFile reports it if there is no file.
   if (ignored || size == 0) return;
-  const bool is_cad = format != nullptr && format->is_cad;
+  const bool is_cad = format != nullptr && format->cad;
   require_read_memory(path.string(), (is_cad ? 1 : kMemoryOverFile) * static_cast<double>(size));
 }
 
@@ -101,9 +112,13 @@ TriangleMesh read_unwelded(const std::filesystem::path& path, const ReadOptions&
 
 }  // namespace
 
-bool is_cad_file(const std::filesystem::path& path) {
+std::optional<CadFormat> cad_format_of(const std::filesystem::path& path) {
   const SurfaceFormat* format = format_of(path.extension().string());
-  return format != nullptr && format->is_cad;
+  return format == nullptr ? std::nullopt : format->cad;
+}
+
+bool is_cad_file(const std::filesystem::path& path) {
+  return cad_format_of(path).has_value();
 }
 
 ReadOptions read_options_for(const SolveOptions& options) {

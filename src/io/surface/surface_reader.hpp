@@ -4,8 +4,12 @@
 // format, add a file with such a function and a row to the table in surface_reader.cpp.
 #pragma once
 
+#include <filesystem>
+#include <optional>
+
 #include "crossgrain/io.hpp"
 #include "files/input_file.hpp"
+#include "io/cad/cad_messages.hpp"
 
 namespace crossgrain {
 
@@ -24,10 +28,7 @@ TriangleMesh read_ply(const InputFile& file);
 /// Reads Geomview OFF in text, with any colours, normals and texture coordinates (COFF, NOFF, STOFF).
 TriangleMesh read_off(const InputFile& file);
 
-/// Reads STEP (AP203, AP214, AP242), IGES 5 and OpenCASCADE's own BREP, in text or binary, in a separate
-/// process (io/cad/cad_messages.hpp), which ends when the monitor is cancelled.
-TriangleMesh read_step(const InputFile& file, const ReadOptions& options, const Monitor& monitor);
-TriangleMesh read_iges(const InputFile& file, const ReadOptions& options, const Monitor& monitor);
-TriangleMesh read_brep(const InputFile& file, const ReadOptions& options, const Monitor& monitor);
+/// Returns the format of a CAD file by its extension; nothing for other files.
+std::optional<CadFormat> cad_format_of(const std::filesystem::path& path);
 
 }  // namespace crossgrain

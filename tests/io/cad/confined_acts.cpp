@@ -20,8 +20,8 @@
 #include <map>
 #include <string>
 
-#include "io/cad/helper_process.hpp"
 #include "io/cad/program/confinement.hpp"
+#include "io/process/helper_process.hpp"
 
 namespace {
 

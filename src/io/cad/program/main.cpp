@@ -2,9 +2,6 @@
 // The program crossgrain_cad, which the library runs to read a CAD file: io/cad/cad_messages.hpp.
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <Standard_Failure.hxx>
@@ -17,17 +14,17 @@
 #include <string_view>
 
 #include "io/cad/cad_messages.hpp"
-#include "io/cad/helper_process.hpp"
 #include "io/cad/program/bodies.hpp"
 #include "io/cad/program/confinement.hpp"
 #include "io/cad/program/fault.hpp"
 #include "io/cad/program/shape_file.hpp"
+#include "io/cad/program/solid_text.hpp"
 #include "io/cad/program/tessellation.hpp"
+#include "io/process/helper_process.hpp"
+#include "io/process/helper_side.hpp"
 
 namespace crossgrain {
 namespace {
-
-constexpr int kNotAsked = 2;
 
 /// Returns the text as one line of bearable length, whatever OpenCASCADE or the file puts in.
 std::string one_line(std::string text) {
@@ -38,16 +35,19 @@ std::string one_line(std::string text) {
   return text;
 }
 
-TriangleMesh read(const CadRequest& request) {
+CadAnswer read(const CadRequest& request) {
   const CadShape file = read_shape(request.path, request.format);
   const Bodies bodies = find_bodies(file.shape, request.options);
-  TriangleMesh mesh = tessellate(bodies, request.options);
+  CadAnswer answer;
+  TriangleMesh& mesh = answer.mesh;
+  mesh = tessellate(bodies, request.options);
   mesh.unit = file.unit;
   mesh.file_unit = one_line(file.file_unit);
   mesh.warnings.insert(mesh.warnings.begin(), bodies.warnings.begin(), bodies.warnings.end());
   mesh.warnings.insert(mesh.warnings.begin(), file.warnings.begin(), file.warnings.end());
   for (Warning& warning : mesh.warnings) warning.text = one_line(warning.text);
-  return mesh;
+  if (request.with_solids) answer.solids = solids_of(bodies);
+  return answer;
 }
 
 CadAnswer given_up(const char* reason) {
@@ -60,7 +60,7 @@ CadAnswer given_up(const char* reason) {
 
 CadAnswer answer_to(const CadRequest& request) {
   try {
-    return {CadEnd::kMesh, read(request), {}};
+    return read(request);
   } catch (const Fault& fault) {
     return {CadEnd::kFault, {}, {one_line(fault.what()), fault.remedy()}};
   } catch (const Standard_OutOfMemory&) {
@@ -91,18 +91,6 @@ void end_with_uncaught_exception() {
   std::abort();
 }
 
-/// Limits memory and confines this process, which ends when its parent ends.
-void restrict_to(const CadRequest& request) {
-#ifndef __SANITIZE_ADDRESS__  // which reserves terabytes
-  const rlimit memory{request.options.max_memory_bytes, request.options.max_memory_bytes};
-  ::setrlimit(RLIMIT_DATA, &memory);
-#endif
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // The parent may have ended before.
-  if (::getppid() != request.asking_process) ::_exit(kNotAsked);
-  confine_to_reading(request.path);
-}
-
 int run(const std::vector<std::string>& arguments) {
   answer_file = ::fdopen(kAnswerDescriptor, "wb");
   if (answer_file == nullptr) {
@@ -112,7 +100,8 @@ int run(const std::vector<std::string>& arguments) {
   write_cad_greeting(answer_file);
   const std::optional<CadRequest> request = cad_request_of(arguments);
   if (!request) return kNotAsked;
-  restrict_to(*request);
+  serve_only(request->asking_process, request->options.max_memory_bytes);
+  confine_to_reading(request->path);
   std::set_new_handler(end_without_memory);
   std::set_terminate(end_with_uncaught_exception);
   return write_cad_answer(answer_file, answer_to(*request)) ? 0 : 1;

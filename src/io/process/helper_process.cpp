@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/cad/helper_process.hpp"
+#include "io/process/helper_process.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -35,15 +36,19 @@ void require(int code) {
 /// File actions of posix_spawn for the new process.
 class FileActions {
  public:
-  explicit FileActions(int answer) {
+  FileActions(int answer, bool prints_answer) {
     require(::posix_spawn_file_actions_init(&actions_));
     // First, since the pipe may have the number of a standard stream that this process has closed.
     int code = ::posix_spawn_file_actions_adddup2(&actions_, answer, kAnswerDescriptor);
     for (const auto& [number, mode] :
          {std::pair{STDIN_FILENO, O_RDONLY}, {STDOUT_FILENO, O_WRONLY}, {STDERR_FILENO, O_WRONLY}}) {
-      if (code == 0) code = ::posix_spawn_file_actions_addopen(&actions_, number, "/dev/null", mode, 0);
+      if (code != 0) break;
+      code = prints_answer && number != STDIN_FILENO
+                 ? ::posix_spawn_file_actions_adddup2(&actions_, kAnswerDescriptor, number)
+                 : ::posix_spawn_file_actions_addopen(&actions_, number, "/dev/null", mode, 0);
     }
-    if (code == 0) code = ::posix_spawn_file_actions_addclosefrom_np(&actions_, kAnswerDescriptor + 1);
+    const int last = prints_answer ? STDERR_FILENO : kAnswerDescriptor;
+    if (code == 0) code = ::posix_spawn_file_actions_addclosefrom_np(&actions_, last + 1);
     if (code == 0) return;
     ::posix_spawn_file_actions_destroy(&actions_);
     require(code);
@@ -108,10 +113,11 @@ class Child {
     std::vector<std::string> words{program};
     words.insert(words.end(), run.arguments.begin(), run.arguments.end());
     const std::vector<std::string> environment = environment_with(run.environment);
-    const FileActions actions(answer);
+    const FileActions actions(answer, run.is_foreign);
     const Attributes attributes;
     require(::posix_spawn(&process_, program.c_str(), actions.get(), attributes.get(),
                           pointers_to(words).data(), pointers_to(environment).data()));
+    if (run.is_foreign) limit(run);
   }
   ~Child() {
     if (!is_waited_for_) kill_and_wait();
@@ -134,6 +140,15 @@ class Child {
   }
 
  private:
+  /// Failure leaves the process without limits, which then only its time ends.
+  void limit(const HelperRun& run) const {
+    constexpr double kLongestSeconds = 1e9;
+    const auto seconds = static_cast<rlim_t>(std::min(run.seconds, kLongestSeconds)) + 2;
+    const rlimit time{seconds, seconds}, memory{run.max_memory_bytes, run.max_memory_bytes};
+    ::prlimit(process_, RLIMIT_CPU, &time, nullptr);
+    if (run.max_memory_bytes > 0) ::prlimit(process_, RLIMIT_DATA, &memory, nullptr);
+  }
+
   void kill_and_wait() {
     // It leads a group of its own, as the first of its session.
     ::kill(-process_, SIGKILL);

@@ -19,6 +19,12 @@ struct HelperRun {
   std::vector<std::string> environment;  ///< NAME=VALUE, beside or in place of the variables of this process
   double seconds;                        ///< it is killed after this time
   std::size_t max_answer_bytes;          ///< it is killed if its answer is longer
+
+  /// Whether it is a program of others, which does not know of this one: what it prints is its answer. Its
+  /// memory is limited to `max_memory_bytes`, and its processor time to `seconds` and a little more, so that
+  /// it ends even if this process is killed.
+  bool is_foreign = false;
+  std::size_t max_memory_bytes = 0;
 };
 
 struct HelperOutcome {

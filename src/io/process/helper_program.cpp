@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/cad/cad_program.hpp"
+#include "io/process/helper_program.hpp"
 
 #include <dlfcn.h>
 #include <link.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -61,20 +65,45 @@ bool is_there(const std::filesystem::path& path) {
 
 }  // namespace
 
-// Searches the nearest folder libexec/crossgrain (CROSSGRAIN_HELPER_FOLDER) beside or above this shared
-// library or the program that contains this code; then the run path of that program, where the CMake package
-// of a static library puts it.
-std::filesystem::path cad_program() {
+std::filesystem::path helper_program(const std::string& name) {
   for (std::filesystem::path folder : {own_file().parent_path(), running_program().parent_path()}) {
     for (int above = 0; above <= kFoldersAbove && !folder.empty(); ++above, folder = folder.parent_path()) {
-      const std::filesystem::path program = folder / CROSSGRAIN_HELPER_FOLDER / kCadProgramName;
+      const std::filesystem::path program = folder / CROSSGRAIN_HELPER_FOLDER / name;
       if (is_there(program)) return program;
     }
   }
   for (const std::filesystem::path& folder : library_folders()) {
-    if (is_there(folder / kCadProgramName)) return folder / kCadProgramName;
+    if (is_there(folder / name)) return folder / name;
   }
   return {};
+}
+
+std::filesystem::path program_in_path(const std::string& name) {
+  const char* const variable = std::getenv("PATH");
+  std::string_view rest = variable == nullptr ? "" : variable;
+  while (!rest.empty()) {
+    const std::filesystem::path folder = rest.substr(0, rest.find(':'));
+    rest.remove_prefix(std::min(rest.size(), folder.native().size() + 1));
+    // An empty entry is the current folder, which is not to be trusted.
+    std::error_code ignored;
+    const std::filesystem::path program = folder / name;
+    if (!folder.empty() && std::filesystem::is_regular_file(program, ignored) &&
+        ::access(program.c_str(), X_OK) == 0)
+      return program;
+  }
+  return {};
+}
+
+std::filesystem::path cad_program() {
+  return helper_program(kCadProgramName);
+}
+
+std::filesystem::path netgen_program() {
+  return helper_program(kNetgenProgramName);
+}
+
+std::filesystem::path gmsh_program() {
+  return program_in_path("gmsh");
 }
 
 }  // namespace crossgrain

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include "crossgrain/monitor.hpp"
+#include "crossgrain/options.hpp"
+#include "crossgrain/types.hpp"
+
+namespace crossgrain {
+
+/// \addtogroup files Files, pages and pictures
+/// @{
+
+/// The program that cuts solids into tets.
+enum class TetMaker : int {
+  kAutomatic,  ///< the first of the others that is installed and succeeds
+  kGmsh,       ///< gmsh, a program of others that the user has installed
+  kNetgen      ///< crossgrain_netgen, a program of Crossgrain with Netgen inside
+};
+
+/// Returns a name for options and scripts: "gmsh".
+const char* name_of(TetMaker maker);
+
+/// How a surface gets the triangles of its tets. All numbers are dimensionless; docs/notes/tets.md has the
+/// measurements behind them.
+struct RemeshingOptions {
+  /// Edges around a full circle of any curvature. With 18 a triangle's normal is within 10 degrees of the
+  /// surface.
+  double edges_per_circle = 18;
+
+  /// Smallest size that curvature and short creases ask for, relative to the size.
+  double smallest_share = 0.1;
+
+  /// Largest growth of the size per length.
+  double gradation = 0.3;
+
+  /// Largest distance of an edge from the given surface, relative to the size there.
+  double distance_share = 0.1;
+
+  /// Largest angle between a triangle and the given surface beneath it.
+  double turn_deg = 35;
+
+  /// Rounds of splitting, collapsing and flipping edges, and of smoothing.
+  int rounds = 5;
+};
+
+/// How tets are made.
+struct TetMakingOptions {
+  /// Largest edge of the tets, in the unit of the mesh; 0: `edges` of them along the longest side.
+  double size = 0;
+  double edges = 20;
+
+  TetMaker maker = TetMaker::kAutomatic;
+
+  RemeshingOptions triangles;
+
+  /// Which edges of a surface are creases, and so borders of its patches; least_deg also says which edges of
+  /// a CAD model frames should follow.
+  CreaseAngles creases;
+
+  /// Vertices on open edges of a surface are merged if they are at most this far apart, relative to the
+  /// longest side: what rounding leaves, far below anything modelled.
+  double stitch_share = 1e-6;
+
+  /// Time limit for each program that makes tets.
+  double seconds = 600;
+
+  /// Largest number of tets: an Error(kLimit) if about so many are to be expected.
+  std::size_t most_tets = 20000000;
+
+  /// Largest memory of the process together with the program that it runs; 0 for nine tenths of what the
+  /// machine or the container has.
+  std::size_t max_memory_bytes = 0;
+
+  /// Time limit for reading a CAD file, and whether its solids are glued (ReadOptions).
+  double read_seconds = 60;
+  bool glue = false;
+
+  /// The programs; if empty, those of `cad_program`, `gmsh_program` and `netgen_program`.
+  std::filesystem::path cad_program = {};
+  std::filesystem::path gmsh = {};
+  std::filesystem::path netgen = {};
+};
+
+/// Cuts the solids of a model into tets. The model is a CAD file or a closed surface of triangles
+/// (`read_surface`). All tets have a positive volume, and their vertices are used. Regions are numbers of
+/// solids, from 1. The faces of the solids and the edges between them are tagged:
+///
+/// - CAD files: triangles have the numbers of their faces (TriangleMesh::faces), edges those of their CAD
+/// edges
+///   in the order of TopExp::MapShapes. Vertices lie on the true faces. Edges with an angle between their
+///   faces are stated (TetMesh::Edge).
+/// - Surfaces: triangles have the numbers of their patches, which creases separate, from 1 in the order of
+///   their first triangles; edges those of their creases. The surface is mended first, as for a solve, and
+///   cut into new triangles of even size, whose vertices lie on the given ones.
+///
+/// Another program makes the tets (TetMaker), with files in a private folder that is removed afterwards. It
+/// is killed if the monitor is stopped or cancelled, and after `seconds`. TetMesh::warnings says what was
+/// mended and what failed before another way succeeded. With the same programs the result is always the same.
+///
+/// Throws Error(kInput) for models that cannot be read, that are not closed, naming the places of the holes,
+/// or that cut through themselves, and if no program makes valid tets of them; Error(kLimit) for too many
+/// tets, too little time or memory; Error(kOutput) if files cannot be written; Error(kUsage) for options out
+/// of range; Error(kInterrupted).
+TetMesh make_tets(const std::filesystem::path& model, const TetMakingOptions& options = {},
+                  const Monitor& monitor = {});
+
+/// Cuts the solids inside a surface into tets, as for a file of triangles. If it has faces, they are the
+/// patches.
+TetMesh make_tets(const TriangleMesh& surface, const TetMakingOptions& options = {},
+                  const Monitor& monitor = {});
+
+/// Shape of tets: 12 (3 V)^(2/3) over the sum of the six squared edges (mean ratio; Liu, Joe 1994), 1 if a
+/// tet of the volume V is regular and 0 or less if it has none or is inverted.
+struct TetQuality {
+  double worst = 1;
+  double mean = 1;
+};
+TetQuality quality_of(const TetMesh& mesh);
+
+/// @}
+
+}  // namespace crossgrain

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// How programs of our own answer the library that runs them: bytes as in memory, since both are of one build.
+// A vector or a text is the number of its items, in 64 bits, and their bytes. Compiled into both.
+#pragma once
+
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+
+namespace crossgrain {
+
+class AnswerWriter {
+ public:
+  explicit AnswerWriter(std::FILE* file) : file_(file) {}
+
+  template <class T>
+  void value(const T& item) {
+    bytes(&item, sizeof item);
+  }
+
+  /// Writes a vector of trivially copyable items.
+  template <class Items>
+  void items(const Items& items) {
+    static_assert(std::is_trivially_copyable_v<typename Items::value_type>);
+    value(static_cast<std::uint64_t>(items.size()));
+    bytes(items.data(), items.size() * sizeof(typename Items::value_type));
+  }
+
+  /// Writes a vector whose items `write` writes one by one.
+  template <class Items, class Each>
+  void list(const Items& items, std::size_t, const Each& write) {
+    value(static_cast<std::uint64_t>(items.size()));
+    for (const auto& item : items) write(item);
+  }
+
+  void bytes(const void* data, std::size_t size) {
+    complete_ = complete_ && (size == 0 || std::fwrite(data, 1, size, file_) == size);
+  }
+
+  bool flush() { return std::fflush(file_) == 0 && complete_; }
+
+ private:
+  std::FILE* file_;
+  bool complete_ = true;
+};
+
+/// Reads an answer. Once data are missing, all further items are empty and `sound` is false.
+class AnswerReader {
+ public:
+  explicit AnswerReader(std::string_view rest) : rest_(rest) {}
+
+  template <class T>
+  void value(T& item) {
+    bytes(&item, sizeof item);
+  }
+
+  template <class Items>
+  void items(Items& items) {
+    constexpr std::size_t kItem = sizeof(typename Items::value_type);
+    items.resize(count(kItem));
+    bytes(items.data(), items.size() * kItem);
+  }
+
+  /// `least_bytes` is the size of the shortest item in the answer.
+  template <class Items, class Each>
+  void list(Items& items, std::size_t least_bytes, const Each& read) {
+    items.resize(count(least_bytes));
+    for (auto& item : items) read(item);
+  }
+
+  bool sound() const { return sound_; }
+  std::string_view rest() const { return rest_; }
+
+ private:
+  /// Returns the number of items of at least so many bytes; 0 if the remaining data are too short.
+  std::size_t count(std::size_t item_bytes) {
+    std::uint64_t announced = 0;
+    value(announced);
+    if (announced <= rest_.size() / item_bytes) return announced;
+    sound_ = false;
+    return 0;
+  }
+
+  void bytes(void* out, std::size_t size) {
+    sound_ = sound_ && size <= rest_.size();
+    if (!sound_ || size == 0) return;
+    std::memcpy(out, rest_.data(), size);
+    rest_.remove_prefix(size);
+  }
+
+  std::string_view rest_;
+  bool sound_ = true;
+};
+
+/// Reads a number that is the whole text, as fmt writes it. Returns whether it is one.
+template <class Number>
+bool parse_number(const std::string& text, Number& number) {
+  const char* end = text.data() + text.size();
+  const auto [stop, code] = std::from_chars(text.data(), end, number);
+  return code == std::errc() && stop == end;
+}
+
+}  // namespace crossgrain
