@@ -19,7 +19,7 @@
 namespace crossgrain {
 
 /// Cosine between an arc and its axis below which either sense is possible.
-inline constexpr double kNoSense = 0.25;
+inline constexpr double kNoSense = 0.1;
 
 /// What is around an inner edge.
 struct EdgeTurn {

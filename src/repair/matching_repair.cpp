@@ -264,7 +264,12 @@ bool MatchingRepair::push_along(std::uint32_t vertex, std::uint32_t from) {
     if (y != from && is_end(y)) ends.push_back({step.distance, y});
   std::sort(ends.begin(), ends.end());
   if (ends.size() > kMostEnds) ends.resize(kMostEnds);
+  // A push costs the edges of the way and gains no more than what is at its ends, unless it mends a vertex.
+  const double at_vertex = edge_costs_[complex_.edge_between(vertex, from)];
   for (const auto& [distance, y] : ends) {
+    const double gain = at_vertex + edge_costs_[complex_.edge_between(vertex, y)];
+    const bool may_mend = is_costly(vertex) || is_costly(from) || is_costly(y);
+    if (!may_mend && distance > gain) continue;
     std::vector<std::uint32_t> way{y}, faces;
     for (std::uint32_t x = y; x != from; x = steps[x].before) {
       faces.push_back(steps[x].face);
@@ -277,13 +282,26 @@ bool MatchingRepair::push_along(std::uint32_t vertex, std::uint32_t from) {
   return false;
 }
 
-bool MatchingRepair::flip_best(std::uint32_t face) {
+bool MatchingRepair::may_gain(const FaceChange& change, std::uint32_t vertex) {
+  const std::uint8_t old = field_.matching(change.face);
+  field_.set_matching(change.face, change.matching);
+  double least = cost_.of_vertex(vertex) - vertex_costs_[vertex];
+  for (const std::uint32_t v : complex_.solid().inner_faces[change.face].vertices)
+    if (v != vertex) least -= vertex_costs_[v];
+  for (const std::uint32_t e : complex_.edges_of_face(change.face))
+    least += cost_.of_edge(e) - edge_costs_[e];
+  field_.set_matching(change.face, old);
+  return least < 0;
+}
+
+bool MatchingRepair::flip_best(std::uint32_t face, std::uint32_t vertex) {
   const CubeGroup& group = CubeGroup::instance();
   const std::uint8_t old = field_.matching(face);
   double best = 0;
   std::uint8_t best_matching = old;
   for (std::uint8_t turn = 1; turn < CubeGroup::kCount; ++turn) {
     const FaceChange change{face, group.product(turn, old)};
+    if (!may_gain(change, vertex)) continue;
     const double gain = apply({&change, 1});
     undo();
     if (gain < best) best = gain, best_matching = change.matching;
@@ -294,7 +312,7 @@ bool MatchingRepair::flip_best(std::uint32_t face) {
 
 bool MatchingRepair::flip_at(std::uint32_t vertex) {
   bool any = false;
-  for (const std::uint32_t f : complex_.faces_at(vertex)) any |= flip_best(f);
+  for (const std::uint32_t f : complex_.faces_at(vertex)) any |= flip_best(f, vertex);
   return any;
 }
 

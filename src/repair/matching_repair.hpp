@@ -43,7 +43,11 @@ class MatchingRepair {
   bool push_at(std::uint32_t vertex);
   bool push_along(std::uint32_t vertex, std::uint32_t from);
   bool flip_at(std::uint32_t vertex);
-  bool flip_best(std::uint32_t face);
+  bool flip_best(std::uint32_t face, std::uint32_t vertex);
+
+  /// Whether a change of one face may lower the cost, by what it does to its edges and to one of its
+  /// vertices; the others are taken to lose all that they cost.
+  bool may_gain(const FaceChange& change, std::uint32_t vertex);
 
   /// Turns random faces near a vertex, settles what they touch, and takes it back if the cost rises by more
   /// than an allowance, in mean edge lengths.
