@@ -18,7 +18,8 @@
 struct crossgrain_options {
   std::variant<crossgrain::SolveOptions, crossgrain::ReadOptions, crossgrain::TetTagOptions,
                crossgrain::OutputChoices, crossgrain::SingularityOptions, crossgrain::AnswerOptions,
-               crossgrain::StreamlineOptions, crossgrain::PictureOptions, crossgrain::MapPreparationOptions>
+               crossgrain::StreamlineOptions, crossgrain::PictureOptions, crossgrain::MapPreparationOptions,
+               crossgrain::RepairOptions>
       values;
 };
 
