@@ -124,8 +124,9 @@ class MatchedField(TetField):
             slot[going] = self.after[slot[going]]
         assert (slot == last).all()
         self.sector_product = product
-        self.sector_of = dict(zip(self.edge_of[self.sectors].tolist(), range(len(self.sectors))))
-        self.branched = len(self.sector_of) < len(self.sectors)
+        edges, count = np.unique(self.edge_of[self.sectors], return_counts=True)
+        self.branched = set(edges[count > 1].tolist())  # where the solid touches itself
+        self.sector_of = {edge: i for i, edge in enumerate(self.edge_of[self.sectors].tolist()) if edge not in self.branched}
         inside = np.einsum("nij,ni->nj", self.frames[self.surface_tets], self.normals)
         axis = np.abs(inside).argmax(axis=1)
         self.normal_axis = np.zeros((len(inside), 3), int)
@@ -154,7 +155,7 @@ class MatchedField(TetField):
     def find_rings(self):
         """rings[v]: (face, edge after it, its direction is away from v), counter-clockwise seen from outside."""
         following = defaultdict(dict)
-        pinched = set()
+        pinched = set(self.edges[sorted(self.branched)].ravel().tolist())
         for i, edge in enumerate(self.edge_of[self.sectors].tolist()):
             for away, vertex in zip((True, False), self.edges[edge].tolist()):
                 begin, end = (self.begin_face[i], self.end_face[i])[::1 if away else -1]
@@ -164,15 +165,12 @@ class MatchedField(TetField):
         self.rings = {}
         for vertex, after in following.items():
             face, ring = next(iter(after)), []
-            for _ in after:
+            for _ in after if vertex not in pinched else ():
                 to, i, away = after[face]
                 ring.append((face, i, away))
                 face = to
-            if face != ring[0][0] or len({f for f, _, _ in ring}) < len(after):
-                pinched.add(vertex)
-            self.rings[vertex] = None if vertex in pinched else ring
-        for vertex in pinched:
-            self.rings[vertex] = None
+            is_one = len({face for face, _, _ in ring}) == len(after)
+            self.rings[vertex] = ring if is_one else None
 
     def carry(self, step, vector):
         """An axis of the tet before an edge of the ring in that after it."""

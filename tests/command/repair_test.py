@@ -34,6 +34,7 @@ USAGE, INPUT, INTERRUPTED = 2, 3, 130
 SHARED = Path(os.environ.get("CROSSGRAIN_SHARED", Path(__file__).resolve().parents[3] / "shared"))
 FORMATS = "mesh,fra,perm"
 NORMAL_TOLERANCE = 1e-9
+LONGEST_END_SECONDS = 15  # on a busy machine
 
 
 class RepairTest(CommandTest):
@@ -358,7 +359,7 @@ class Stopped(RepairTest):
         _, errors = process.communicate(timeout=100)
         if process.returncode == 0:
             self.skipTest("the repair had ended")
-        self.assertLess(time.monotonic() - began, 5)
+        self.assertLess(time.monotonic() - began, LONGEST_END_SECONDS)
         self.assertEqual(process.returncode, INTERRUPTED)
         self.assertIn(b"none on the tets", errors)
         report = json.loads((self.folder / "out" / "report.json").read_text())
