@@ -107,13 +107,14 @@ OPTIONS = {
     "io.hpp": ["ReadOptions", "OutputOptions"],
     "singularity_graph.hpp": ["SingularityOptions"],
     "verdict.hpp": ["AnswerOptions"],
+    "repair.hpp": ["RepairWeights", "RepairOptions"],
     "streamlines.hpp": ["StreamlineOptions"],
     "picture.hpp": ["PictureOptions"],
     "tet_making.hpp": ["RemeshingOptions", "TetMakingOptions"],
 }
 KINDS = {"SolveOptions": "SOLVE_OPTIONS", "ReadOptions": "READ_OPTIONS", "TetTagOptions": "TAG_OPTIONS", "OutputOptions": "OUTPUT_OPTIONS",
          "SingularityOptions": "SINGULARITY_OPTIONS", "AnswerOptions": "ANSWER_OPTIONS", "StreamlineOptions": "STREAMLINE_OPTIONS",
-         "PictureOptions": "PICTURE_OPTIONS", "MapPreparationOptions": "PREPARATION_OPTIONS",
+         "PictureOptions": "PICTURE_OPTIONS", "MapPreparationOptions": "PREPARATION_OPTIONS", "RepairOptions": "REPAIR_OPTIONS",
          "TetMakingOptions": "TET_MAKING_OPTIONS"}
 
 # Members that Python passes in another way.
@@ -136,6 +137,7 @@ TYPES = {
     "std::optional<Cut>": "Union[None, str, Tuple[Union[int, str], Optional[float]]]",
     "std::optional<std::array<double, 2>>": "Optional[Sequence[float]]",
     "std::array<bool, 3>": "Sequence[bool]", "std::vector<std::string>": "Sequence[str]", "std::vector<OtherStart>": "Sequence[OtherStart]",
+    "std::vector<RepairWeights>": "Sequence[RepairWeights]",
 }
 # What Python takes for a type, added to the comment.
 NOTES = {
@@ -204,9 +206,10 @@ def python_default(declared, default, structs):
         return default.capitalize()
     if default == "SIZE_MAX":
         return "math.inf"
-    if declared == "std::vector<OtherStart>":
-        starts = re.findall(r"\{([\d., ]+)\}", default)
-        return f"field(default_factory=lambda: ({', '.join(f'OtherStart({start})' for start in starts)},))"
+    list_of = re.fullmatch(r"std::vector<(\w+)>", declared)
+    if list_of and list_of[1] in structs:
+        made = [f"{list_of[1]}({numbers})" for numbers in re.findall(r"\{([\d., ]+)\}", default)]
+        return f"field(default_factory=lambda: ({', '.join(made)},))"
     if default.startswith("{"):
         return "(" + default[1:-1].replace("true", "True").replace("false", "False") + ")"
     if "::" in default:

@@ -161,7 +161,8 @@ typedef enum crossgrain_options_kind {
   CROSSGRAIN_PICTURE_OPTIONS = 7,     /**< PictureOptions */
   CROSSGRAIN_PREPARATION_OPTIONS = 8, /**< MapPreparationOptions */
   CROSSGRAIN_TET_MAKING_OPTIONS = 9,  /**< TetMakingOptions */
-  CROSSGRAIN_NO_OPTIONS = 2147483647  /**< none; so that a function may be asked for any int, and refuse it */
+  CROSSGRAIN_REPAIR_OPTIONS = 10, /**< RepairOptions; "tries" takes three numbers each: end, crease, corner */
+  CROSSGRAIN_NO_OPTIONS = 2147483647 /**< none; so that a function may be asked for any int, and refuse it */
 } crossgrain_options_kind;
 
 /** What an option takes. */
@@ -644,6 +645,15 @@ CROSSGRAIN_API crossgrain_status crossgrain_carry_onto(const crossgrain_field* f
                                                        const crossgrain_options* options,
                                                        crossgrain_monitor* monitor,
                                                        crossgrain_tet_field** out, crossgrain_error** error);
+
+/** The field with matchings that hexahedra can follow, as far as they were found, and with frames smoothed
+ * for them (repaired). `options` of kind CROSSGRAIN_REPAIR_OPTIONS, or NULL; `threads` as in
+ * crossgrain_field_sample. */
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_repaired(const crossgrain_tet_field* field,
+                                                               const crossgrain_options* options, int threads,
+                                                               crossgrain_monitor* monitor,
+                                                               crossgrain_tet_field** out,
+                                                               crossgrain_error** error);
 
 /** Reads the field on tets from a folder; `*out` is NULL if the folder has none. */
 CROSSGRAIN_API crossgrain_status crossgrain_tet_field_read(const char* folder, size_t max_memory_bytes,

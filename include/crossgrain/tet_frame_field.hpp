@@ -26,8 +26,8 @@ struct FaceMatching {
   std::array<std::uint32_t, 2> tets;
 
   /// Axis k of the frame of tets[0] goes on in that of tets[1] as its axis |axes[k]|, counted from 1, with
-  /// the sign of axes[k]: the naming of axes that brings the two frames nearest. From the second tet to the
-  /// first, the inverse.
+  /// the sign of axes[k]: the naming of axes that brings the two frames nearest, or the one that a repair
+  /// chose (crossgrain/repair.hpp). From the second tet to the first, the inverse.
   std::array<std::int8_t, 3> axes;
 };
 
@@ -48,7 +48,7 @@ class TetFrameField {
   Frame vertex_frame(std::size_t index) const;
 
   /// The frame of tet `index` of domain().mesh(): nearest to the mean of the degree-4 coefficients of its
-  /// four vertices. Errors: kUsage for an index out of range.
+  /// four vertices, or as a repair has smoothed it. Errors: kUsage for an index out of range.
   Frame tet_frame(std::size_t index) const;
 
   /// The frames of all vertices or tets, in the order of domain().mesh().

@@ -19,7 +19,8 @@ from .errors import Error, InputError, InternalError, Interrupted, LimitError, O
 from .field import CONSTRAINT_CLASSES, Field, Samples
 from .models import Crease, Surface, TetMesh, make_tets, read_surface, read_tets
 from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, KeptFormOptions, MapPreparationOptions, OntoOptions, OtherStart, OutputOptions,
-                      PictureOptions, ReadOptions, RefinementOptions, RemeshingOptions, SingularityOptions, SolveOptions, SolverOptions,
+                      PictureOptions, ReadOptions, RefinementOptions, RemeshingOptions, RepairOptions, RepairWeights,
+                      SingularityOptions, SolveOptions, SolverOptions,
                       StreamlineOptions, TetMakingOptions, TetTagOptions)
 from .singularities import Answer, Arc, Node, Reason, SingularityGraph, read_singularities
 from .solving import carry_onto, is_clipped, read, solve, solve_onto
@@ -33,7 +34,7 @@ __all__ = [
     "Answer", "AnswerOptions", "Arc", "CONSTRAINT_CLASSES", "CalmFieldOptions", "Constraints", "Crease", "CreaseAngles", "Error",
     "FadingCreases", "Field", "InputError", "InternalError", "Interrupted", "KeptFormOptions", "LimitError", "MapPreparationOptions", "Matchings", "Node",
     "OntoOptions", "OtherStart", "OutputError", "OutputOptions", "PictureOptions", "Progress", "ReadOptions", "Reason", "RefinementOptions",
-    "RemeshingOptions",
+    "RemeshingOptions", "RepairOptions", "RepairWeights",
     "Samples", "SingularityGraph", "SingularityOptions", "SolveOptions", "SolverOptions", "Spectrum", "Streamline", "StreamlineOptions",
     "Streamlines", "Surface", "TetField", "TetMakingOptions", "TetMesh", "TetTagOptions", "UsageError", "carry_onto", "coefficients", "is_clipped", "make_tets", "read",
     "read_constraints", "read_singularities", "read_streamlines", "read_surface", "read_tets", "solve", "solve_onto", "spectrum",

@@ -12,9 +12,12 @@ import numpy as np
 
 from . import _interface as c
 from ._library import Handle, call, library, made, text_bytes
-from .options import OtherStart, SolveOptions
+from .options import OtherStart, RepairWeights, SolveOptions
 
 _AXES = {"x": 0, "y": 1, "z": 2}
+
+# Options that are lists of structs, which have only numbers.
+_LISTS = {"onto.other_starts": OtherStart, "tries": RepairWeights}
 
 
 def flattened(options: Any, prefix: str = "") -> Iterator[Tuple[str, Any]]:
@@ -36,10 +39,10 @@ def _numbers_of(name: str, value: Any) -> Any:
     if name == "cut":
         axis, position = (value, None) if isinstance(value, str) else value
         return [_AXES.get(axis, axis), math.nan if position is None else position]
-    if name == "onto.other_starts":
-        if not all(isinstance(start, OtherStart) for start in value):
-            raise TypeError(f"the option {name} takes a list of OtherStart, not {value!r}")
-        return [number for start in value for number in (start.cell_size, start.boundary_weight, start.most_vertices)]
+    if name in _LISTS:
+        if not all(isinstance(item, _LISTS[name]) for item in value):
+            raise TypeError(f"the option {name} takes a list of {_LISTS[name].__name__}, not {value!r}")
+        return [number for item in value for number in dataclasses.astuple(item)]
     return value
 
 

@@ -15,8 +15,8 @@ from ._watched import watched
 from .constraints import constraints_of
 from .errors import InputError, UsageError
 from .field import Field
-from .models import is_of_tets, reading_for, surface_of, tets_of
-from .options import ReadOptions, SolveOptions
+from .models import TetMesh, is_of_tets, reading_for, surface_of, tets_of
+from .options import MapPreparationOptions, ReadOptions, RepairOptions, SolveOptions
 from .tet_field import TetField
 
 
@@ -29,10 +29,27 @@ def naming(file: str) -> Iterator[None]:
         raise error.with_file(file) from None
 
 
+Preparation = Union[bool, MapPreparationOptions]
+Repair = Union[bool, RepairOptions]
+
+
+def _prepared(mesh: TetMesh, prepare: Preparation, options: SolveOptions) -> TetMesh:
+    if not prepare:
+        return mesh
+    return mesh.prepared_for_map(MapPreparationOptions(unite_solids=options.unite_solids) if prepare is True else prepare)
+
+
+def _repaired(field: TetField, repair: Repair, options: SolveOptions) -> TetField:
+    if not repair:
+        return field
+    return field.repaired(options=None if repair is True else repair, threads=options.threads)
+
+
 def solve(model: Any, triangles: Any = None, *, resolution: Optional[int] = None, cell_size: Optional[float] = None,
           degree: Optional[int] = None, seed: Optional[int] = None, threads: Optional[int] = None, max_memory_bytes: Optional[int] = None,
           constraints: Any = None, start: Optional[Field] = None, options: Optional[SolveOptions] = None,
-          read_options: Optional[ReadOptions] = None, progress: ProgressOption = None) -> Union[Field, TetField]:
+          read_options: Optional[ReadOptions] = None, prepare: Preparation = False, repair: Repair = False,
+          progress: ProgressOption = None) -> Union[Field, TetField]:
     """Returns the octahedral frame field inside a solid: smooth, with an axis along the normal of the surface (arXiv 2309.13477).
 
     The model is a file (STL, OBJ, PLY, OFF; STEP, IGES, BREP), two arrays (vertices (n, 3) and triangles (m, 3)), a mesh of meshio or
@@ -52,6 +69,9 @@ def solve(model: Any, triangles: Any = None, *, resolution: Optional[int] = None
         all other options; those above replace its members
     read_options:
         how a CAD file is read and triangulated; the cells of the solve are known already
+    prepare, repair:
+        of tets: whether to split them for a map first (`TetMesh.prepared_for_map`), and to repair the field (`TetField.repaired`); True, or
+        options for it
     progress:
         a function that is called with a `Progress` on this thread, and may raise to cancel; True for a bar (where tqdm is installed), False
         for none; by default a bar in terminals and notebooks
@@ -68,7 +88,10 @@ def solve(model: Any, triangles: Any = None, *, resolution: Optional[int] = None
         if start is not None:
             raise UsageError("a solve on tets has no start; solve for a field from the start, and carry that onto the tets (carry_onto)")
         return solve_onto(model, resolution=resolution, cell_size=cell_size, degree=degree, seed=seed, threads=threads,
-                          max_memory_bytes=max_memory_bytes, constraints=constraints, options=options, progress=progress)
+                          max_memory_bytes=max_memory_bytes, constraints=constraints, options=options, prepare=prepare, repair=repair,
+                          progress=progress)
+    if prepare or repair:
+        raise UsageError("tets are prepared and fields on tets repaired; carry the field onto tets (carry_onto)")
     chosen = with_changes(options, SolveOptions, unless_none(resolution=resolution, cell_size=cell_size, degree=degree, seed=seed,
                                                           threads=threads, max_memory_bytes=max_memory_bytes))
     handle = solve_handle(chosen, constraints_of(constraints))
@@ -82,7 +105,7 @@ def solve(model: Any, triangles: Any = None, *, resolution: Optional[int] = None
 def solve_onto(model: Any, cells: Any = None, *, resolution: Optional[int] = None, cell_size: Optional[float] = None,
                degree: Optional[int] = None, seed: Optional[int] = None, threads: Optional[int] = None,
                max_memory_bytes: Optional[int] = None, constraints: Any = None, options: Optional[SolveOptions] = None,
-               progress: ProgressOption = None) -> TetField:
+               prepare: Preparation = False, repair: Repair = False, progress: ProgressOption = None) -> TetField:
     """Solves inside the boundary of a tet mesh and transfers the field to its vertices and tets, where it is finished (docs/solver.md).
 
     The model is a file (Medit, Gmsh, VTK), two arrays (points (n, 3) and cells (m, 4)), a mesh of meshio, or a `TetMesh`. Without a
@@ -93,21 +116,24 @@ def solve_onto(model: Any, cells: Any = None, *, resolution: Optional[int] = Non
     handle = solve_handle(chosen, constraints_of(constraints))
     mesh = tets_of(model, cells, chosen.max_memory_bytes)
     with listener(progress) as hear, naming(mesh.path):
+        mesh = _prepared(mesh, prepare, chosen)
         field = watched(lambda monitor: made("tet_field", "solve_onto", mesh._handle, handle, monitor.handle), hear)
-    return TetField(field, mesh.path, mesh.read_seconds)
+        return _repaired(TetField(field, mesh.path, mesh.read_seconds), repair, chosen)
 
 
 def carry_onto(field: Field, model: Any, cells: Any = None, *, threads: Optional[int] = None, options: Optional[SolveOptions] = None,
-               progress: ProgressOption = None) -> TetField:
+               prepare: Preparation = False, repair: Repair = False, progress: ProgressOption = None) -> TetField:
     """Transfers a field to the vertices and tets of a mesh, given as for `solve_onto`, and finishes it there."""
     its_field = handle_in(field, Field, "field")
     if its_field is None:
         raise TypeError("field: a Field is needed, not None")
-    handle = solve_handle(with_changes(options, SolveOptions, unless_none(threads=threads)), None)
+    chosen = with_changes(options, SolveOptions, unless_none(threads=threads))
+    handle = solve_handle(chosen, None)
     mesh = tets_of(model, cells)
     with listener(progress) as hear, naming(mesh.path):
+        mesh = _prepared(mesh, prepare, chosen)
         carried = watched(lambda monitor: made("tet_field", "carry_onto", its_field, mesh._handle, handle, monitor.handle), hear)
-    return TetField(carried, *field._model)
+        return _repaired(TetField(carried, *field._model), repair, chosen)
 
 
 def read(folder: Any, *, max_memory_bytes: int = 0) -> Union[Field, TetField]:

@@ -14,7 +14,7 @@ from ._options import handle_of, with_changes
 from ._watched import watched
 from .field import Field, _AnyField
 from .models import TetMesh
-from .options import StreamlineOptions
+from .options import RepairOptions, StreamlineOptions
 from .streamlines import Streamlines, traced
 
 
@@ -120,6 +120,18 @@ class TetField(_AnyField):
     def matchings(self) -> Matchings:
         """How frames of neighbouring tets go on in each other."""
         return Matchings(watched(lambda monitor: made("matchings", "tet_field_matchings", self._handle, monitor.handle)))
+
+    def repaired(self, *, threads: int = 0, options: Optional[RepairOptions] = None, **changes: Any) -> "TetField":
+        """This field with matchings that hexahedra can follow, as far as they were found, and with frames smoothed for them.
+
+        ``report["onto"]["repair"]`` tells what has changed. The mesh is the same; one that is prepared for a map
+        (`TetMesh.prepared_for_map`) leaves more room. `changes` replace members of the options. Ctrl-C cancels. Raises InputError for a mesh
+        with tets without volume, UsageError for options out of range.
+        """
+        handle = handle_of(with_changes(options, RepairOptions, changes))
+        its_threads = _arrays.integer(threads, "threads")
+        field = watched(lambda monitor: made("tet_field", "tet_field_repaired", self._handle, handle, its_threads, monitor.handle))
+        return TetField(field, *self._model)
 
     def streamlines(self, seeds: Any = None, *, on: Optional[str] = None, count: int = 100, position: Optional[float] = None,
                     threads: int = 0, options: Optional[StreamlineOptions] = None, **changes: Any) -> Streamlines:

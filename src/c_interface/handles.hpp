@@ -19,7 +19,7 @@ struct crossgrain_options {
   std::variant<crossgrain::SolveOptions, crossgrain::ReadOptions, crossgrain::TetTagOptions,
                crossgrain::OutputChoices, crossgrain::SingularityOptions, crossgrain::AnswerOptions,
                crossgrain::StreamlineOptions, crossgrain::PictureOptions, crossgrain::MapPreparationOptions,
-               crossgrain::TetMakingOptions>
+               crossgrain::TetMakingOptions, crossgrain::RepairOptions>
       values;
 };
 

@@ -7,6 +7,7 @@
 #include "crossgrain/io.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/picture.hpp"
+#include "crossgrain/repair.hpp"
 #include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/streamlines.hpp"
 #include "crossgrain/tet_making.hpp"
@@ -143,6 +144,21 @@ void for_each_option(TetMakingOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(cad_program);
   CROSSGRAIN_OPTION(gmsh);
   CROSSGRAIN_OPTION(netgen);
+}
+
+template <class Visit>
+void for_each_option(RepairOptions& options, const Visit& visit) {
+  CROSSGRAIN_OPTION(tries);
+  CROSSGRAIN_OPTION(passes);
+  CROSSGRAIN_OPTION(most_sweeps);
+  CROSSGRAIN_OPTION(disturbances);
+  CROSSGRAIN_OPTION(finalists);
+  CROSSGRAIN_OPTION(wanderings);
+  CROSSGRAIN_OPTION(wandering_steps);
+  CROSSGRAIN_OPTION(temperature);
+  CROSSGRAIN_OPTION(seed);
+  CROSSGRAIN_OPTION(smoothing_sweeps);
+  CROSSGRAIN_OPTION(smoothing_rad);
 }
 
 template <class Visit>

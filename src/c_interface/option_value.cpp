@@ -163,13 +163,23 @@ OptionContent OptionOf<std::array<bool, 3>>::content(const std::array<bool, 3>& 
   return std::vector<double>(member.begin(), member.end());
 }
 
-std::vector<OtherStart> OptionOf<std::vector<OtherStart>>::of(const OptionValue& value) {
+namespace {
+
+/// Returns the numbers of a list of things that have three each.
+const std::vector<double>& threes_in(const OptionValue& value, const char* what_it_takes) {
   const auto* const numbers = std::get_if<std::vector<double>>(&value);
-  if (numbers == nullptr || numbers->size() % 3 != 0) refuse("three numbers for each start");
+  if (numbers == nullptr || numbers->size() % 3 != 0) refuse(what_it_takes);
+  return *numbers;
+}
+
+}  // namespace
+
+std::vector<OtherStart> OptionOf<std::vector<OtherStart>>::of(const OptionValue& value) {
+  const std::vector<double>& numbers = threes_in(value, "three numbers for each start");
   std::vector<OtherStart> starts;
-  for (std::size_t i = 0; i < numbers->size(); i += 3) {
-    OtherStart start{(*numbers)[i], (*numbers)[i + 1], SIZE_MAX};
-    const double most = (*numbers)[i + 2];
+  for (std::size_t i = 0; i < numbers.size(); i += 3) {
+    OtherStart start{numbers[i], numbers[i + 1], SIZE_MAX};
+    const double most = numbers[i + 2];
     if (!std::isinf(most)) start.most_vertices = OptionOf<std::uint64_t>::of(most);
     starts.push_back(start);
   }
@@ -183,6 +193,21 @@ OptionContent OptionOf<std::vector<OtherStart>>::content(const std::vector<Other
                                                         : static_cast<double>(start.most_vertices);
     numbers.insert(numbers.end(), {start.cell_size, start.boundary_weight, most});
   }
+  return numbers;
+}
+
+std::vector<RepairWeights> OptionOf<std::vector<RepairWeights>>::of(const OptionValue& value) {
+  const std::vector<double>& numbers = threes_in(value, "three numbers for each try");
+  std::vector<RepairWeights> tries;
+  for (std::size_t i = 0; i < numbers.size(); i += 3)
+    tries.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+  return tries;
+}
+
+OptionContent OptionOf<std::vector<RepairWeights>>::content(const std::vector<RepairWeights>& member) {
+  std::vector<double> numbers;
+  for (const RepairWeights& weights : member)
+    numbers.insert(numbers.end(), {weights.end, weights.crease, weights.corner});
   return numbers;
 }
 

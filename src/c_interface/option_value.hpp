@@ -16,6 +16,7 @@
 #include "crossgrain/io.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/picture.hpp"
+#include "crossgrain/repair.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "crossgrain/types.hpp"
 
@@ -203,6 +204,14 @@ struct OptionOf<std::vector<OtherStart>> {
   static constexpr crossgrain_option_type type = CROSSGRAIN_NUMBERS;
   static std::vector<OtherStart> of(const OptionValue& value);
   static OptionContent content(const std::vector<OtherStart>& member);
+};
+
+/// Three numbers for each try: end, crease, corner.
+template <>
+struct OptionOf<std::vector<RepairWeights>> {
+  static constexpr crossgrain_option_type type = CROSSGRAIN_NUMBERS;
+  static std::vector<RepairWeights> of(const OptionValue& value);
+  static OptionContent content(const std::vector<RepairWeights>& member);
 };
 
 }  // namespace crossgrain

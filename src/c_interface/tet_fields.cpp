@@ -10,6 +10,8 @@
 #include "c_interface/guarded.hpp"
 #include "c_interface/handles.hpp"
 #include "crossgrain/read_limits.hpp"
+#include "crossgrain/repair.hpp"
+#include "crossgrain/thread_limit.hpp"
 #include "solve/tet_field.hpp"
 
 namespace crossgrain {
@@ -52,6 +54,17 @@ crossgrain_status crossgrain_carry_onto(const crossgrain_field* field, const cro
     return new crossgrain_tet_field{carry_onto(given(field, "field").field, given(domain, "domain").domain,
                                                options_or_defaults<SolveOptions>(options),
                                                monitor_of(monitor))};
+  });
+}
+
+crossgrain_status crossgrain_tet_field_repaired(const crossgrain_tet_field* field,
+                                                const crossgrain_options* options, int threads,
+                                                crossgrain_monitor* monitor, crossgrain_tet_field** out,
+                                                crossgrain_error** error) {
+  return made(out, error, [&] {
+    const ThreadLimit limit(checked_threads(threads));
+    return new crossgrain_tet_field{repaired(
+        given(field, "field").field, options_or_defaults<RepairOptions>(options), monitor_of(monitor))};
   });
 }
 

@@ -82,8 +82,19 @@ static crossgrain_mesh* ball(int n) {
   return mesh;
 }
 
-/* The unit cube as n^3 cubes of six tets. */
-static crossgrain_domain* cube_of_tets(int n) {
+/* The cube from -1 to 1 moved onto the unit ball: a point keeps its direction and the share of its way out.
+ */
+static void make_round(double* point) {
+  double largest = 0, length = 0;
+  for (int k = 0; k < 3; ++k) {
+    largest = fmax(largest, fabs(point[k]));
+    length += point[k] * point[k];
+  }
+  for (int k = 0; k < 3 && length > 0; ++k) point[k] *= largest / sqrt(length);
+}
+
+/* The unit cube as n^3 cubes of six tets, or the unit ball. */
+static crossgrain_domain* of_tets(int n, int is_round) {
   const int row = n + 1;
   double* vertices = malloc(sizeof(double) * 3 * row * row * row);
   uint32_t* tets = malloc(sizeof(uint32_t) * 4 * 6 * n * n * n);
@@ -91,6 +102,8 @@ static crossgrain_domain* cube_of_tets(int n) {
     vertices[3 * i] = (double)(i % row) / n;
     vertices[3 * i + 1] = (double)(i / row % row) / n;
     vertices[3 * i + 2] = (double)(i / row / row) / n;
+    for (int k = 0; k < 3 && is_round; ++k) vertices[3 * i + k] = 2 * vertices[3 * i + k] - 1;
+    if (is_round) make_round(vertices + 3 * i);
   }
   /* Paths from corner 0 to corner 7 along the axes. */
   const int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -112,6 +125,10 @@ static crossgrain_domain* cube_of_tets(int n) {
   free(vertices);
   free(tets);
   return domain;
+}
+
+static crossgrain_domain* cube_of_tets(int n) {
+  return of_tets(n, 0);
 }
 
 static crossgrain_options* of_resolution(int resolution) {
@@ -231,7 +248,7 @@ TEST(ErrorsTellWhatIsWrongAndWhere) {
 
 TEST(EveryOptionKeepsWhatItHas) {
   size_t all = 0;
-  for (int k = CROSSGRAIN_SOLVE_OPTIONS; k <= CROSSGRAIN_PREPARATION_OPTIONS; ++k) {
+  for (int k = CROSSGRAIN_SOLVE_OPTIONS; k <= CROSSGRAIN_REPAIR_OPTIONS; ++k) {
     const crossgrain_options_kind kind = (crossgrain_options_kind)k;
     crossgrain_options* options = NULL;
     OK(crossgrain_options_new(kind, &options, &g_error));
@@ -439,6 +456,90 @@ TEST(TetsArePreparedForAMap) {
   crossgrain_domain_free(layered);
   crossgrain_options_free(options);
   crossgrain_domain_free(domain);
+}
+
+/* The field of a ball of tets that are prepared for a map. */
+static crossgrain_tet_field* prepared_ball(void) {
+  crossgrain_domain *domain = of_tets(3, 1), *prepared = NULL;
+  OK(crossgrain_domain_prepared_for_map(domain, NULL, &prepared, &g_error));
+  crossgrain_tet_field* field = NULL;
+  OK(crossgrain_solve_onto(prepared, NULL, NULL, &field, &g_error));
+  crossgrain_domain_free(prepared);
+  crossgrain_domain_free(domain);
+  return field;
+}
+
+static int same_matchings(const crossgrain_tet_field* a, const crossgrain_tet_field* b) {
+  crossgrain_matchings *of_a = NULL, *of_b = NULL;
+  OK(crossgrain_tet_field_matchings(a, NULL, &of_a, &g_error));
+  OK(crossgrain_tet_field_matchings(b, NULL, &of_b, &g_error));
+  const size_t count = crossgrain_matchings_count(of_a);
+  CHECK(count > 0 && crossgrain_matchings_count(of_b) == count);
+  const int same = memcmp(crossgrain_matchings_axes(of_a), crossgrain_matchings_axes(of_b), 3 * count) == 0 &&
+                   memcmp(crossgrain_matchings_tets(of_a), crossgrain_matchings_tets(of_b), 8 * count) == 0;
+  crossgrain_matchings_free(of_a);
+  crossgrain_matchings_free(of_b);
+  return same;
+}
+
+TEST(ARepairedFieldIsReadAsItWasWritten) {
+  crossgrain_tet_field *field = prepared_ball(), *repaired = NULL, *again = NULL;
+  OK(crossgrain_tet_field_repaired(field, NULL, 0, NULL, &repaired, &g_error));
+  CHECK(!same_matchings(field, repaired));
+  char *before = NULL, *after = NULL;
+  OK(crossgrain_tet_field_report(field, &before, &g_error));
+  OK(crossgrain_tet_field_report(repaired, &after, &g_error));
+  CHECK(strstr(before, "\"repair\"") == NULL && strstr(after, "\"repair\"") != NULL);
+  crossgrain_text_free(before);
+  crossgrain_text_free(after);
+  OK(crossgrain_tet_field_write(repaired, "repaired.frames", NULL, NULL, 0, NULL, NULL, &g_error));
+  OK(crossgrain_tet_field_read("repaired.frames", 0, NULL, &again, &g_error));
+  CHECK(same_matchings(repaired, again));
+  crossgrain_domain* domain = NULL;
+  OK(crossgrain_tet_field_domain(again, &domain, &g_error));
+  CHECK(memcmp(crossgrain_tet_field_quaternions(repaired), crossgrain_tet_field_quaternions(again),
+               32 * crossgrain_domain_tet_count(domain)) == 0);
+  crossgrain_domain_free(domain);
+  crossgrain_tet_field_free(field);
+  crossgrain_tet_field_free(repaired);
+  crossgrain_tet_field_free(again);
+}
+
+TEST(ARepairTakesWeightsAndCanBeCancelled) {
+  crossgrain_tet_field *field = prepared_ball(), *repaired = NULL;
+  crossgrain_options* options = NULL;
+  OK(crossgrain_options_new(CROSSGRAIN_REPAIR_OPTIONS, &options, &g_error));
+  crossgrain_numbers* tries = NULL;
+  OK(crossgrain_options_get_numbers(options, "tries", &tries, &g_error));
+  CHECK(crossgrain_numbers_rows(tries) >= 3 && crossgrain_numbers_rows(tries) % 3 == 0);
+  crossgrain_numbers_free(tries);
+  const double weights[] = {3, 5, 200, 0, 0.05, 100};
+  OK(crossgrain_options_set_numbers(options, "tries", weights, 6, &g_error));
+  OK(crossgrain_options_get_numbers(options, "tries", &tries, &g_error));
+  CHECK(crossgrain_numbers_rows(tries) == 6 &&
+        memcmp(crossgrain_numbers_data(tries), weights, sizeof weights) == 0);
+  crossgrain_numbers_free(tries);
+  FAILS(CROSSGRAIN_USAGE, "three numbers for each try",
+        crossgrain_options_set_numbers(options, "tries", weights, 4, &g_error));
+  OK(crossgrain_tet_field_repaired(field, options, 1, NULL, &repaired, &g_error));
+  crossgrain_tet_field_free(repaired);
+  OK(crossgrain_options_set_integer(options, "passes", 0, &g_error));
+  FAILS(CROSSGRAIN_USAGE, "repair",
+        crossgrain_tet_field_repaired(field, options, 1, NULL, &repaired, &g_error));
+  OK(crossgrain_options_set_integer(options, "passes", 1, &g_error));
+  OK(crossgrain_options_set_numbers(options, "tries", NULL, 0, &g_error));
+  FAILS(CROSSGRAIN_USAGE, "weights",
+        crossgrain_tet_field_repaired(field, options, 1, NULL, &repaired, &g_error));
+  FAILS(CROSSGRAIN_USAGE, "threads",
+        crossgrain_tet_field_repaired(field, NULL, -1, NULL, &repaired, &g_error));
+  crossgrain_monitor* monitor = NULL;
+  OK(crossgrain_monitor_new(NULL, NULL, NULL, &monitor, &g_error));
+  crossgrain_monitor_cancel(monitor);
+  FAILS(CROSSGRAIN_INTERRUPTED, "",
+        crossgrain_tet_field_repaired(field, NULL, 0, monitor, &repaired, &g_error));
+  crossgrain_monitor_free(monitor);
+  crossgrain_options_free(options);
+  crossgrain_tet_field_free(field);
 }
 
 TEST(AFieldThatIsReadIsTheOneThatWasWritten) {
@@ -717,6 +818,8 @@ int main(int argc, char** argv) {
       NAMED(TaggedFacesAndEdgesAreGivenBackAndWritten),
       NAMED(MatchingsCarryFramesAcrossFacesOfTets),
       NAMED(TetsArePreparedForAMap),
+      NAMED(ARepairedFieldIsReadAsItWasWritten),
+      NAMED(ARepairTakesWeightsAndCanBeCancelled),
       NAMED(AFieldThatIsReadIsTheOneThatWasWritten),
       NAMED(ACompanionIsWrittenWithTheFieldOrNothingIs),
       NAMED(SamplesAreWrittenForPointsThatAreRead),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-TYPES = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "Int64": "<i8", "UInt8": "<u1", "UInt32": "<u4",
+TYPES = {"Int8": "<i1", "Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "Int64": "<i8", "UInt8": "<u1", "UInt32": "<u4",
          "UInt64": "<u8"}
 VTK_VOXEL = 11
 FACES = [(axis, sign) for axis in range(3) for sign in (-1, 1)]  # in the order of the bits of open_faces

@@ -5,7 +5,8 @@ otherwise.
 
     judge_of_tets.py FOLDER...
 
-FOLDER is what `crossgrain solve X -o FOLDER --write quaternions` wrote.
+FOLDER is what `crossgrain solve X -o FOLDER --write quaternions` wrote. Of a repaired field, whose matchings are not the nearest,
+edges and vertices are judged as judge_matchings.py says; it needs `--write mesh,fra,perm`.
 """
 
 import json
@@ -18,6 +19,7 @@ import numpy as np
 from judge_arcs import NEAR, ArcsOnEdges
 from judge_links import has_sphere, least_cyclic
 from judge_lines import MERGE_CELLS, Lines
+from judge_matchings import differences as differences_of_repaired
 from judge_mesh import read_field
 from judge_surface import Surface
 
@@ -36,6 +38,8 @@ class JudgeOfTets:
 
     def __init__(self, folder):
         report = json.loads((Path(folder) / "report.json").read_text())
+        if "repair" in report["onto"]:
+            raise ValueError(f"{folder}: the field is repaired; judge_matchings.py judges it")
         self.field = read_field(folder)
         self.lines = Lines(self.field)
         self.on = ArcsOnEdges(folder, self.lines)
@@ -182,7 +186,7 @@ class Comparison:
 def main(folders):
     for folder in folders:
         report = json.loads((Path(folder) / "report.json").read_text())
-        found = JudgeOfTets(folder).differences(report)
+        found = differences_of_repaired(folder, report) if "repair" in report["onto"] else JudgeOfTets(folder).differences(report)
         print(f"{Path(folder).name}: {report['verdict']}, {len(found)} differences")
         print("".join(f"  {line}\n" for line in found), end="")
 

@@ -5,6 +5,8 @@ import itertools
 
 import numpy as np
 
+from program import tet_box
+
 CUTS = [(0, 4, 5, 6), (1, 4, 7, 8), (2, 5, 7, 9), (3, 6, 8, 9), (4, 5, 6, 8), (4, 5, 7, 8), (5, 6, 8, 9), (5, 7, 8, 9)]
 
 
@@ -39,6 +41,15 @@ def angle_iron(times=3):
     outline = [(x, y) for y in range(3) for x in range(3)]
     squares = [(0, 1, 3, 4), (1, 2, 4, 5), (3, 4, 6, 7)]
     return refined(*prism(outline, 1, [t for a, b, c, d in squares for t in ((a, b, d), (a, c, d))]), times)
+
+
+def ball(cells):
+    """The unit ball: a cube of so many cells a side, its points moved along their directions."""
+    vertices, tets = tet_box((cells,) * 3, (2.0, 2.0, 2.0))
+    vertices = vertices - 1
+    length = np.linalg.norm(vertices, axis=1)
+    vertices[length > 0] *= (np.abs(vertices).max(axis=1)[length > 0] / length[length > 0])[:, None]
+    return vertices, tets
 
 
 def square_pyramid(times=3):

@@ -59,6 +59,16 @@ constexpr std::array kOntoArrays = {
     FieldArray{"axis_w", "CellData", "Float32", 3},
 };
 
+constexpr std::array kRepairedArrays = {
+    FieldArray{"Points", "Points", "Float64", 3},
+    FieldArray{"connectivity", "Cells", "Int32", 1},
+    FieldArray{"axis_u", "CellData", "Float32", 3},
+    FieldArray{"axis_v", "CellData", "Float32", 3},
+    FieldArray{"axis_w", "CellData", "Float32", 3},
+    FieldArray{field_arrays::kTetFrame, "CellData", "Float64", 4},
+    FieldArray{field_arrays::kMatching, "CellData", "Int8", 12},
+};
+
 constexpr std::array kSurfaceArrays = {
     FieldArray{field_arrays::kSchema, "FieldData", "UInt32", 1},
     FieldArray{"Points", "Points", "Float64", 3},
@@ -155,15 +165,28 @@ bool check_field_arrays(std::string_view bytes) {
   return check_field_of(packed(kFieldArrays, arrays, 0, arrays.back().size()));
 }
 
-bool check_onto_arrays(std::string_view bytes) {
-  const ArrayBytes arrays = taken_arrays(kOntoArrays, bytes);
-  as_file("onto.vtu", packed(kOntoArrays, arrays, arrays[0].size() / (3 * sizeof(double)),
+namespace {
+
+/// onto.vtu with points first and tets next.
+bool check_onto(std::span<const FieldArray> kinds, std::string_view bytes) {
+  const ArrayBytes arrays = taken_arrays(kinds, bytes);
+  as_file("onto.vtu", packed(kinds, arrays, arrays[0].size() / (3 * sizeof(double)),
                              arrays[1].size() / (4 * sizeof(std::int32_t))));
   std::optional<SingularityGraph> graph;
   if (!succeeds([&] { graph = read_onto_singularities(input_folder().path()); })) return false;
   require(graph.has_value(), "a field on tets that is not there");
   for (const SingularityGraph::Arc& arc : graph->arcs) require_finite(arc.points);
   return true;
+}
+
+}  // namespace
+
+bool check_onto_arrays(std::string_view bytes) {
+  return check_onto(kOntoArrays, bytes);
+}
+
+bool check_repaired_arrays(std::string_view bytes) {
+  return check_onto(kRepairedArrays, bytes);
 }
 
 bool check_surface_arrays(std::string_view bytes) {

@@ -5,15 +5,19 @@
 
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <stdexcept>
 
 #include "fuzz/reader_checks.hpp"
 #include "io/gmsh_files.hpp"
 #include "io/made_cad_answers.hpp"
 #include "io/medit_files.hpp"
+#include "io/result/axes_behind_faces.hpp"
 #include "io/result/report_file.hpp"
 #include "io/sample_field.hpp"
 #include "io/vtk_files.hpp"
+#include "singularity/cube_group.hpp"
+#include "singularity/tet_matchings.hpp"
 #include "tets/tet_meshes.hpp"
 
 namespace crossgrain {
@@ -113,6 +117,28 @@ std::string onto_bytes() {
   return out;
 }
 
+/// The same with any matchings, in the order of kRepairedArrays (field_checks.cpp).
+std::vector<std::string> repaired_bytes() {
+  std::vector<Warning> warnings;
+  const TetSolid solid = prepare_tets(TetBox{{2, 2, 1}}.mesh(), warnings);
+  std::vector<Quaternion> frames;
+  for (std::size_t t = 0; t < solid.mesh.tets.size(); ++t)
+    frames.push_back(from_rotation_vector({0.4 * static_cast<double>(t), 0.2, 0}));
+  std::vector<std::string> out;
+  std::mt19937 random(1);
+  for (const std::uint32_t changed : {8u, 2u, 1u}) {
+    std::vector<CubeRotation> matchings = tet_matchings(solid, frames);
+    for (CubeRotation& matching : matchings)
+      if (random() % changed == 0)
+        matching = CubeGroup::instance()[static_cast<std::uint8_t>(random() % CubeGroup::kCount)];
+    std::string bytes = onto_bytes();
+    append_array(bytes, frames);
+    append_array(bytes, axes_behind_faces(solid, matchings));
+    out.push_back(bytes);
+  }
+  return out;
+}
+
 /// Two triangles and a crease of two points, in the order of kSurfaceArrays (field_checks.cpp).
 std::string surface_bytes() {
   std::string out;
@@ -198,6 +224,7 @@ std::vector<std::string> made_inputs(std::string_view reader) {
   if (reader == "field_arrays")
     return {array_bytes(sample_data(Degree::kThree, 0)), array_bytes(sample_data(Degree::kFour, 1))};
   if (reader == "onto_arrays") return {onto_bytes()};
+  if (reader == "repaired_arrays") return repaired_bytes();
   if (reader == "surface_arrays") return {surface_bytes()};
   if (reader == "singularity_arrays") return {singularity_bytes()};
   if (reader == "streamline_arrays") return {streamline_bytes()};

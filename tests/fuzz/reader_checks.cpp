@@ -22,6 +22,7 @@ constexpr std::array kReaders = {
     ReaderUnderTest{"field", check_field},
     ReaderUnderTest{"field_arrays", check_field_arrays},
     ReaderUnderTest{"onto_arrays", check_onto_arrays},
+    ReaderUnderTest{"repaired_arrays", check_repaired_arrays},
     ReaderUnderTest{"surface_arrays", check_surface_arrays},
     ReaderUnderTest{"singularity_arrays", check_singularity_arrays},
     ReaderUnderTest{"streamline_arrays", check_streamline_arrays},

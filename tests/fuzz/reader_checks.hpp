@@ -38,8 +38,8 @@ ReaderCheck check_points, check_normals, check_constraints;
 /// fuzzer would find blocks of zlib.
 ReaderCheck check_field, check_field_arrays;
 
-/// onto.vtu by its arrays, in the order of kOntoArrays.
-ReaderCheck check_onto_arrays;
+/// onto.vtu by its arrays, in the order of kOntoArrays and, of a repaired field, kRepairedArrays.
+ReaderCheck check_onto_arrays, check_repaired_arrays;
 
 /// surface.vtu by its arrays, in the order of kSurfaceArrays.
 ReaderCheck check_surface_arrays;

@@ -226,7 +226,12 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
                                   .unused_vertices = 6,
                                   .inverted_tets = 7,
                                   .left_out_tets = 8,
-                                  .seconds = 0.7};
+                                  .seconds = 0.7,
+                                  .repair = SolveReport::Onto::Repair{}};
+  report.onto->repair->moves = 11;
+  report.onto->repair->faults = 12;
+  report.onto->repair->bent_length = 0.25;
+  report.onto->repair->turned_deg.max = 13.5;
   const TetSolid tet = solid_of(corner_tet());
   const TetField onto{std::vector<Quaternion>(4), {Quaternion{}}};
   write_field_onto(field_of(sample_data(Degree::kFour)), report, {tet, onto, {}}, folder.path());
@@ -249,6 +254,11 @@ TEST(ReportFile, HasASectionOnTheTetMeshOnlyWhereThereIsOne) {
   EXPECT_EQ(read.onto->feature_edge_deg->max, 0.3);
   EXPECT_EQ(read.onto->left_out_tets, 8u);
   EXPECT_EQ(read.onto->seconds, 0.7);
+  ASSERT_TRUE(read.onto->repair);
+  EXPECT_EQ(read.onto->repair->moves, 11u);
+  EXPECT_EQ(read.onto->repair->faults, 12u);
+  EXPECT_EQ(read.onto->repair->bent_length, 0.25);
+  EXPECT_EQ(read.onto->repair->turned_deg.max, 13.5);
 
   // Written again without its tets, it has nothing to say of them.
   write_field(read_field(folder.path()), folder.path() / "again");

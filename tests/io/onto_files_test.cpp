@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <iterator>
@@ -16,12 +17,16 @@
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
+#include "crossgrain/repair.hpp"
 #include "crossgrain/solve.hpp"
 #include "files/temporary_folder.hpp"
+#include "io/result/axes_behind_faces.hpp"
 #include "io/sample_field.hpp"
 #include "io/vtu/vtu_reader.hpp"
 #include "measure/made_tets.hpp"
 #include "sampling/orthonormal_frame.hpp"
+#include "solve/tet_domain_data.hpp"
+#include "solve/tet_field.hpp"
 
 namespace crossgrain {
 namespace {
@@ -124,6 +129,64 @@ TEST(OntoFiles, GiveTheFieldOnTetsBack) {
   expect_near(read->vertex_frames(), field.vertex_frames(), 1e-12);
   // Newton steps end at 1e-8, and rounding decides from which of two equal vertices they start.
   expect_near(read->tet_frames(), field.tet_frames(), 1e-7);
+}
+
+/// A coarse ball: its field has arcs that touch the surface before the repair.
+TetFrameField repaired_ball() {
+  TetMesh mesh = tet_box({3, 3, 3});
+  for (Vector3& v : mesh.vertices) {
+    for (double& x : v) x = x / 1.5 - 1;
+    const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    if (largest > 0) v = largest / norm(v) * v;
+  }
+  return repaired(solve_onto(TetDomain(mesh).prepared_for_map()), {.tries = {{3, 5, 200}}, .wanderings = 1});
+}
+
+TEST(OntoFiles, GiveARepairedFieldBackToTheBit) {
+  const TemporaryFolder folder;
+  const TetFrameField field = repaired_ball();
+  ASSERT_GT(field.report().onto->repair.value().changed_faces, 0u);
+  write_field(field, folder.path());
+  const auto read = read_tet_field(folder.path());
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->tet_quaternions(), field.tet_quaternions());
+  EXPECT_EQ(read->data().matchings, field.data().matchings);
+  EXPECT_EQ(read->report().onto->repair->changed_faces, field.report().onto->repair->changed_faces);
+  const SingularityGraph own = field.singularities(), other = read->singularities();
+  ASSERT_EQ(own.arcs.size(), other.arcs.size());
+  for (std::size_t k = 0; k < own.arcs.size(); ++k) {
+    EXPECT_EQ(own.arcs[k].vertices, other.arcs[k].vertices);
+    EXPECT_EQ(own.arcs[k].verdict, other.arcs[k].verdict);
+  }
+  const auto lines = read_onto_singularities(folder.path());
+  ASSERT_TRUE(lines);
+  EXPECT_EQ(lines->arcs.size(), own.arcs.size());
+}
+
+TEST(AxesBehindFaces, AreTheMatchingsFromEitherSide) {
+  const TetFrameField field = repaired_ball();
+  const TetSolid& solid = field.domain().data().solid;
+  const auto axes = axes_behind_faces(solid, field.data().matchings);
+  EXPECT_EQ(matchings_in(solid, axes), field.data().matchings);
+  std::size_t zeros = 0;
+  for (const AxesBehindFaces& all : axes)
+    for (std::size_t k = 0; k < 12; k += 3) zeros += all[k] == 0 && all[k + 1] == 0 && all[k + 2] == 0;
+  EXPECT_EQ(zeros, solid.boundary.size());
+}
+
+TEST(AxesBehindFaces, ThatAreChangedAnywhereAreNoMatchings) {
+  const TetFrameField field = repaired_ball();
+  const TetSolid& solid = field.domain().data().solid;
+  const auto axes = axes_behind_faces(solid, field.data().matchings);
+  for (std::size_t k = 0; k < 12 * axes.size(); k += 5) {
+    for (const int other : {0, 1, -3, 4, -128}) {
+      auto changed = axes;
+      std::int8_t& entry = changed[k / 12][k % 12];
+      if (entry == other) continue;
+      entry = static_cast<std::int8_t>(other);
+      EXPECT_FALSE(matchings_in(solid, changed)) << k << ' ' << other;
+    }
+  }
 }
 
 TEST(OntoFiles, OfAFolderWithoutTetsGiveNoField) {

@@ -2,6 +2,7 @@
 """The Python package as its users see it. Needs NumPy alone; what needs other packages is skipped where they are missing."""
 
 import gc
+import itertools
 import os
 import pickle
 import resource
@@ -18,7 +19,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import crossgrain as cg
 import numpy as np
 from crossgrain import _interface, _library, _options
-from solids import ball, box, cube_of_tets, medit_text
+from solids import ball, ball_of_tets, box, cube_of_tets, medit_text
 
 
 class WithFolder(unittest.TestCase):
@@ -31,6 +32,14 @@ class WithFolder(unittest.TestCase):
 def alignment(frames):
     """The largest entry of each axis; 1 for coordinate axes."""
     return np.abs(frames).max(axis=-1)
+
+
+def nearest_matrices(frames, tets):
+    """For each pair of tets the signed permutation without a reflection after which the frame of the second is nearest to the first."""
+    signed = [np.diag(signs)[list(order)] for order in itertools.permutations(range(3)) for signs in itertools.product((1, -1), repeat=3)]
+    turns = np.array([matrix for matrix in signed if np.linalg.det(matrix) > 0], float)
+    both = frames[tets[:, 0]] @ frames[tets[:, 1]].transpose(0, 2, 1)
+    return turns[np.einsum("fij,rij->fr", both, turns).argmax(axis=1)]
 
 
 class Fields(WithFolder):
@@ -149,6 +158,82 @@ class Fields(WithFolder):
         self.assertEqual(field.coefficients(4).shape, (len(field), 9))
 
 
+class RepairedFields(WithFolder):
+    @classmethod
+    def setUpClass(cls):
+        cls.plain = cg.solve_onto(*ball_of_tets(), prepare=True)
+        cls.field = cls.plain.repaired()
+
+    def test_have_other_matchings_on_the_same_mesh(self):
+        for name in ("points", "cells"):
+            np.testing.assert_array_equal(getattr(self.field, name), getattr(self.plain, name))
+        np.testing.assert_array_equal(self.field.matchings.tets, self.plain.matchings.tets)
+        repair = self.field.report["onto"]["repair"]
+        self.assertNotIn("repair", self.plain.report["onto"])
+        self.assertGreater(repair["moves"], 0)
+        nearest = nearest_matrices(self.plain.frames, self.plain.matchings.tets)
+        np.testing.assert_array_equal(self.plain.matchings.matrices, nearest)
+        changed = (self.field.matchings.matrices != nearest).any(axis=(1, 2)).sum()
+        self.assertEqual(changed, repair["changed_faces"])
+        self.assertGreater(changed, 0)
+
+    def test_have_the_matchings_of_their_perm_file(self):
+        self.field.write(self.folder / "ball.frames", formats=["perm", "fra"])
+        rows = (self.folder / "ball.frames" / "onto.perm").read_text().splitlines()[2:]
+        matchings = self.field.matchings
+        turning = ~matchings.are_identities
+        expected = np.column_stack([matchings.tets[turning], matchings.axes[turning]])
+        self.assertEqual(sorted(rows), sorted(" ".join(map(str, row)) for row in expected.tolist()))
+        frames = np.array([row.split() for row in (self.folder / "ball.frames" / "onto.fra").read_text().splitlines()[2:]], float)
+        np.testing.assert_allclose(frames.reshape(-1, 3, 3), self.field.frames, atol=1e-15)
+
+    def test_are_read_to_the_bit(self):
+        self.field.write(self.folder / "ball.frames")
+        again = cg.read(self.folder / "ball.frames")
+        np.testing.assert_array_equal(again.quaternions, self.field.quaternions)
+        np.testing.assert_array_equal(again.matchings.axes, self.field.matchings.axes)
+        self.assertEqual(again.report["onto"]["repair"], self.field.report["onto"]["repair"])
+        self.assertEqual(again.check().sentence, self.field.check().sentence)
+        self.assertEqual(len(again.singularities.arcs), len(self.field.singularities.arcs))
+
+    def test_do_not_depend_on_threads(self):
+        one = self.plain.repaired(threads=1)
+        np.testing.assert_array_equal(one.quaternions, self.field.quaternions)
+        np.testing.assert_array_equal(one.matchings.axes, self.field.matchings.axes)
+
+    def test_come_from_solves_too(self):
+        solved = cg.solve(cg.TetMesh(*ball_of_tets()), prepare=True, repair=True)
+        np.testing.assert_array_equal(solved.quaternions, self.field.quaternions)
+        quick = cg.RepairOptions(tries=[cg.RepairWeights(3, 5, 200)], passes=1, wanderings=0, disturbances=0)
+        carried = cg.carry_onto(cg.solve(*ball(), resolution=12), *ball_of_tets(), prepare=cg.MapPreparationOptions(), repair=quick)
+        self.assertIn("repair", carried.report["onto"])
+        self.assertIn("prepared", carried.report["onto"])
+
+    def test_take_weights(self):
+        quick = {"passes": 1, "wanderings": 0, "disturbances": 0, "smoothing_sweeps": 0}
+        tries = [cg.RepairWeights(end=3, crease=5), cg.RepairWeights(0, 0.05, 0)]
+        moves = [self.plain.repaired(tries=[one], **quick).report["onto"]["repair"]["moves"] for one in tries]
+        self.assertNotEqual(*moves)
+
+    def test_refuse_what_they_cannot_take(self):
+        for wrong, reason in (({"passes": 0}, "pass"), ({"tries": []}, "weights"), ({"tries": [cg.RepairWeights(end=-1)]}, "weights"),
+                              ({"temperature": float("nan")}, "temperature"), ({"threads": -1}, "threads")):
+            with self.assertRaisesRegex(cg.UsageError, reason):
+                self.plain.repaired(**wrong)
+        for wrong in ({"tries": [(3, 5, 200)]}, {"passes": None}, {"weights": 3}, {"options": cg.SolveOptions()}):
+            with self.assertRaises(TypeError):
+                self.plain.repaired(**wrong)
+        for wrong in ({"prepare": True}, {"repair": True}):
+            with self.assertRaisesRegex(cg.UsageError, "carry_onto"):
+                cg.solve(*box(), **wrong)
+
+    def test_are_none_of_tets_without_volume(self):
+        points, cells = cube_of_tets(2)
+        points[13] = points[12]  # the one inside comes to lie on a side
+        with self.assertRaisesRegex(cg.InputError, "without volume"):
+            cg.solve_onto(points, cells, repair=True)
+
+
 class FieldsOnTets(WithFolder):
     @classmethod
     def setUpClass(cls):
@@ -262,7 +347,7 @@ def content(handle, name, kind):
 class Options(unittest.TestCase):
     def test_have_the_defaults_of_the_library(self):
         kinds = [cg.SolveOptions, cg.ReadOptions, cg.TetTagOptions, cg.OutputOptions, cg.SingularityOptions, cg.AnswerOptions,
-                 cg.StreamlineOptions, cg.PictureOptions]
+                 cg.StreamlineOptions, cg.PictureOptions, cg.MapPreparationOptions, cg.RepairOptions]
         for kind in kinds:
             types = _options.types_of(kind._kind)
             self.assertEqual(list(types), [name for name, _ in _options.flattened(kind())], kind.__name__)

@@ -15,7 +15,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 import crossgrain as cg
 import numpy as np
-from solids import ball, cube_of_tets, medit_text, stl_bytes
+from solids import ball, ball_of_tets, cube_of_tets, medit_text, stl_bytes
 
 PROGRAM = os.environ["CROSSGRAIN_PROGRAM"]
 CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
@@ -77,6 +77,16 @@ class Results(unittest.TestCase):
         mesh.write_text(medit_text(*cube_of_tets(6, 3.0)), encoding="utf-8")
         self.solved_by_program(mesh)
         self.assert_same(cg.solve(str(mesh)))
+
+    def test_of_tets_prepared_and_repaired_are_the_same(self):
+        mesh = self.folder / "ball.mesh"
+        mesh.write_text(medit_text(*ball_of_tets(4)), encoding="utf-8")
+        self.solved_by_program(mesh, "--prepare", "--repair")
+        field = cg.solve(str(mesh), prepare=True, repair=True)
+        self.assert_same(field)
+        written = cg.read(self.folder / "program.frames")
+        np.testing.assert_array_equal(written.quaternions, field.quaternions)
+        np.testing.assert_array_equal(written.matchings.axes, field.matchings.axes)
 
     @unittest.skipUnless(CAD_FILES, "built without OpenCASCADE")
     def test_of_a_cad_file_are_the_same(self):

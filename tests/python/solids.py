@@ -40,6 +40,15 @@ def cube_of_tets(n=4, size=1.0):
     return points, (first[:, None, None] + np.array(paths)[None]).reshape(-1, 4)
 
 
+def ball_of_tets(n=3):
+    """cube_of_tets moved onto the unit ball: a point keeps its direction and the share of its way out."""
+    points, cells = cube_of_tets(n, 2.0)
+    points = points - 1
+    length = np.linalg.norm(points, axis=1)
+    points[length > 0] *= (np.abs(points).max(axis=1)[length > 0] / length[length > 0])[:, None]
+    return points, cells
+
+
 def stl_bytes(vertices, triangles):
     records = np.zeros(len(triangles), np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")]))
     records["corners"] = vertices[triangles]

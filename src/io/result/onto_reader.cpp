@@ -16,7 +16,6 @@
 #include "io/result/solve_id.hpp"
 #include "io/text/text_scanner.hpp"
 #include "io/vtu/vtu_reader.hpp"
-#include "singularity/cube_group.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
 #include "tets/tet_solid.hpp"
@@ -96,10 +95,6 @@ std::vector<Quaternion> read_vertex_frames(const std::filesystem::path& path, st
   return frames;
 }
 
-}  // namespace
-
-namespace {
-
 void read_repair(const VtuFile& file, const std::filesystem::path& path, OntoTets& tets) {
   const std::vector<double> frames = file.read<double>(VtuSection::kCellData, field_arrays::kTetFrame, 4);
   const std::vector<std::int8_t> axes =
@@ -112,30 +107,13 @@ void read_repair(const VtuFile& file, const std::filesystem::path& path, OntoTet
   }
 }
 
-/// The rotation of the cube that takes axis k to |axes[k]|, with its sign; none if there is none.
-std::optional<CubeRotation> rotation_with(const std::array<std::int8_t, 3>& axes) {
-  const CubeGroup& group = CubeGroup::instance();
-  for (std::uint8_t a = 0; a < CubeGroup::kCount; ++a)
-    if (signed_axes(group[a]) == axes) return group[a];
-  return std::nullopt;
-}
-
 /// The matchings across the inner faces; empty if the field is not repaired.
-std::vector<CubeRotation> matchings_in(const OntoTets& tets, const TetSolid& solid,
+std::vector<CubeRotation> matchings_of(const OntoTets& tets, const TetSolid& solid,
                                        const std::filesystem::path& path) {
-  std::vector<CubeRotation> matchings;
-  if (tets.axes_behind_faces.empty()) return matchings;
-  for (const auto& [vertices, sides] : solid.inner_faces) {
-    if (sides[1] == kNoTet) fail_damaged(path);
-    const auto& corners = solid.mesh.tets[sides[0]];
-    std::size_t corner = 0;
-    while (std::find(vertices.begin(), vertices.end(), corners[corner]) != vertices.end()) ++corner;
-    const auto& all = tets.axes_behind_faces[sides[0]];
-    const auto rotation = rotation_with({all[3 * corner], all[3 * corner + 1], all[3 * corner + 2]});
-    if (!rotation) fail_damaged(path);
-    matchings.push_back(*rotation);
-  }
-  return matchings;
+  if (tets.axes_behind_faces.empty()) return {};
+  auto matchings = matchings_in(solid, tets.axes_behind_faces);
+  if (!matchings) fail_damaged(path);
+  return *std::move(matchings);
 }
 
 }  // namespace
@@ -169,7 +147,9 @@ std::optional<TetFrameField> read_any_tet_field(const std::filesystem::path& fol
   field->vertex_frames = read_vertex_frames(folder / kTetFramesFile, domain.mesh().vertices.size(), report);
   const TetSolid& solid = domain.data().solid;
   OntoTets tets = read_onto_tets(grid_path);
-  field->matchings = matchings_in(tets, solid, grid_path);
+  field->matchings = matchings_of(tets, solid, grid_path);
+  if (!solid.inner_faces.empty() && field->is_repaired() != (report.onto && report.onto->repair))
+    fail_damaged(grid_path);
   field->tet_frames =
       field->is_repaired() ? std::move(tets.frames) : tet_frames_of(domain.mesh(), field->vertex_frames);
   return TetFrameField(std::move(grid), std::move(domain), std::move(field), std::move(report));
@@ -190,7 +170,7 @@ std::optional<SingularityGraph> read_onto_singularities(const std::filesystem::p
   try {
     const TetSolid solid = prepare_tets(tets.mesh, warnings);
     if (solid.mesh.tets.size() != count) fail_damaged(path);
-    return graph_of(solid, {{}, tets.frames, matchings_in(tets, solid, path)});
+    return graph_of(solid, {{}, tets.frames, matchings_of(tets, solid, path)});
   } catch (const Error&) {
     // Written tets form a valid solid.
     fail_damaged(path);

@@ -2,13 +2,12 @@
 // Reads a field on tets from its folder.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <vector>
 
 #include "base/quaternion.hpp"
 #include "crossgrain/types.hpp"
+#include "io/result/axes_behind_faces.hpp"
 
 namespace crossgrain {
 
@@ -17,8 +16,8 @@ struct OntoTets {
   TetMesh mesh;
   std::vector<Quaternion> frames;  ///< of tets; in double precision if the field is repaired
 
-  /// Of a repaired field, FaceMatching::axes behind the face opposite each corner; otherwise empty.
-  std::vector<std::array<std::int8_t, 12>> axes_behind_faces;
+  /// Of a repaired field; otherwise empty.
+  std::vector<AxesBehindFaces> axes_behind_faces;
 };
 
 /// Reads an onto.vtu. Throws Error(kInput) if it is damaged.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "io/result/axes_behind_faces.hpp"
 #include "io/result/field_arrays.hpp"
 #include "io/result/tet_writers.hpp"
 #include "io/vtu/vtu_arrays.hpp"
@@ -27,29 +28,6 @@ void add_tets(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
       },
       VtuPacking::kAlways));
   add_uniform_cells<Index>(mesh.tets.size(), 4, kVtkTet, arrays);
-}
-
-using TetAxes = std::array<std::int8_t, 12>;
-
-/// For each face of a tet, opposite its corners in turn, where the three axes go on behind it
-/// (FaceMatching::axes); zeros on the surface.
-std::vector<TetAxes> axes_behind_faces(const TetSolid& solid, const std::vector<CubeRotation>& matchings) {
-  std::vector<TetAxes> all(solid.mesh.tets.size(), TetAxes{});
-  const auto put = [&](std::uint32_t tet, const std::array<std::uint32_t, 3>& face,
-                       const CubeRotation& matching) {
-    const auto& corners = solid.mesh.tets[tet];
-    std::size_t corner = 0;
-    while (std::find(face.begin(), face.end(), corners[corner]) != face.end()) ++corner;
-    const auto axes = signed_axes(matching);
-    for (std::size_t k = 0; k < 3; ++k) all[tet][3 * corner + k] = axes[k];
-  };
-  for (std::size_t f = 0; f < solid.inner_faces.size(); ++f) {
-    const auto& [vertices, tets] = solid.inner_faces[f];
-    if (tets[1] == kNoTet) continue;
-    put(tets[0], vertices, matchings[f]);
-    put(tets[1], vertices, inverse(matchings[f]));
-  }
-  return all;
 }
 
 /// Adds what a repaired field is read from: exact frames, and its matchings.
