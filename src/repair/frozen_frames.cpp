@@ -56,22 +56,38 @@ struct Held {
   }
 };
 
+/// The signed axis of a frame nearest to a direction.
+SignedAxis nearest_axis(const Quaternion& frame, const Vector3& direction) {
+  const Vector3 within = rotate(conjugate(frame), direction);
+  std::size_t k = 0;
+  for (std::size_t axis = 1; axis < 3; ++axis)
+    if (std::abs(within[axis]) > std::abs(within[k])) k = axis;
+  return static_cast<SignedAxis>(within[k] < 0 ? k + 3 : k);
+}
+
 std::vector<Held> held_axes(const MatchedField& field) {
   const TetSolid& solid = field.complex().solid();
   std::vector<Held> held;
   std::vector<std::uint32_t> place(solid.mesh.tets.size(), UINT32_MAX);
-  for (std::uint32_t f = 0; f < solid.boundary.size(); ++f) {
-    const std::uint32_t tet = solid.boundary_tets[f];
-    if (tet == kNoTet) continue;
+  const auto hold = [&](std::uint32_t tet, SignedAxis axis, const Vector3& normal) {
     if (place[tet] == UINT32_MAX) {
       place[tet] = static_cast<std::uint32_t>(held.size());
       held.push_back({tet});
     }
-    const auto& [a, b, c] = solid.boundary[f];
-    const std::vector<Vector3>& v = solid.mesh.vertices;
-    const Vector3 normal = cross(v[b] - v[a], v[c] - v[a]);
-    const SignedAxis axis = field.normal_axis(f);
     held[place[tet]].sums[axis % 3] += axis < 3 ? normal : -normal;
+  };
+  const auto normal_of = [&](const std::array<std::uint32_t, 3>& face) {
+    const auto& [a, b, c] = face;
+    const std::vector<Vector3>& v = solid.mesh.vertices;
+    return cross(v[b] - v[a], v[c] - v[a]);
+  };
+  for (std::uint32_t f = 0; f < solid.boundary.size(); ++f)
+    if (solid.boundary_tets[f] != kNoTet)
+      hold(solid.boundary_tets[f], field.normal_axis(f), normal_of(solid.boundary[f]));
+  for (const std::uint32_t f : field.complex().wall_faces()) {
+    const Vector3 normal = normal_of(solid.inner_faces[f].vertices);
+    for (const std::uint32_t tet : solid.inner_faces[f].tets)
+      hold(tet, nearest_axis(field.frames()[tet], normal), normal);
   }
   return held;
 }

@@ -117,6 +117,10 @@ class MatchedField {
   std::vector<int> creases_at(std::uint32_t vertex) const;
 
  private:
+  /// The sum of the rotation vectors, to first order, of frames on the way around an edge: the sense of a
+  /// half turn, which is the same rotation in either.
+  Vector3 turning_around(std::uint32_t inner_edge) const;
+
   /// The border of the link of a boundary vertex.
   struct Border {
     std::vector<int> creases;   ///< k of each crease, counter-clockwise

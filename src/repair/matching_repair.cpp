@@ -104,12 +104,13 @@ void MatchingRepair::settle(int most_sweeps) {
       for (int k = 0; k < kMostPushes && push_at(v); ++k) {
       }
     for (const std::uint32_t v : now)
-      if (is_costly(v)) flip_at(v);
+      if (is_costly(v)) check_watched(), flip_at(v);
   }
   touched_.clear();
 }
 
 bool MatchingRepair::disturb(std::uint32_t vertex, std::uint64_t random, double allowance) {
+  check_watched();
   const CubeGroup& group = CubeGroup::instance();
   const std::size_t mark = journal_.size();
   const double before = gained_;

@@ -82,9 +82,7 @@ void wander(Try& what, const RepairOptions& options) {
 
 }  // namespace
 
-RepairedTets repaired_tets(const TetComplex& complex, std::span<const Quaternion> frames,
-                           const RepairOptions& options) {
-  const MatchedField given(complex, frames);
+RepairedTets repaired_tets(const MatchedField& given, const RepairOptions& options) {
   const std::size_t faults_before = faults_of(given);
   std::vector<Try> tries(options.tries.size());
   const auto for_each_try = [&](std::size_t count, const auto& body) {
@@ -93,7 +91,7 @@ RepairedTets repaired_tets(const TetComplex& complex, std::span<const Quaternion
   };
   for_each_try(tries.size(), [&](Try& one, std::size_t k) {
     one.weights = options.tries[k];
-    one.tets.frames.assign(frames.begin(), frames.end());
+    one.tets.frames.assign(given.frames().begin(), given.frames().end());
     one.field = given.with_frames(one.tets.frames);
     MatchingRepair repair(*one.field, one.weights);
     repair.run(options);
@@ -102,16 +100,19 @@ RepairedTets repaired_tets(const TetComplex& complex, std::span<const Quaternion
   });
   std::stable_sort(tries.begin(), tries.end());
   finish(tries.front(), options);
-  if (tries.front().tets.faults > 0) {
-    const auto finalists = std::min(tries.size(), static_cast<std::size_t>(options.finalists));
-    for_each_try(finalists, [&](Try& one, std::size_t) { wander(one, options); });
+  Try* best = &tries.front();
+  if (best->tets.faults > 0) {
+    const auto finalists =
+        std::clamp<std::size_t>(static_cast<std::size_t>(options.finalists), 1, tries.size());
+    for_each_try(finalists, [&](Try& one, std::size_t k) {
+      if (k > 0) finish(one, options);
+      wander(one, options);
+    });
+    best = &*std::min_element(tries.begin(), tries.begin() + static_cast<std::ptrdiff_t>(finalists));
   }
-  Try& best = *std::min_element(
-      tries.begin(),
-      tries.begin() + std::max(1, std::min(options.finalists, static_cast<int>(tries.size()))));
-  best.tets.matchings = best.field->matchings();
-  best.tets.faults_before = faults_before;
-  return std::move(best.tets);
+  best->tets.matchings = best->field->matchings();
+  best->tets.faults_before = faults_before;
+  return std::move(best->tets);
 }
 
 }  // namespace crossgrain

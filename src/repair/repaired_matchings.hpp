@@ -3,12 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "base/quaternion.hpp"
 #include "crossgrain/repair.hpp"
-#include "repair/tet_complex.hpp"
+#include "repair/matched_field.hpp"
 #include "singularity/matching.hpp"
 
 namespace crossgrain {
@@ -23,9 +22,7 @@ struct RepairedTets {
   std::size_t faults_before = 0, faults = 0;
 };
 
-/// Returns the best of the tries (RepairOptions::tries), with frames smoothed for it. `frames` has one entry
-/// per tet.
-RepairedTets repaired_tets(const TetComplex& complex, std::span<const Quaternion> frames,
-                           const RepairOptions& options);
+/// Returns the best of the tries (RepairOptions::tries), with frames smoothed for it.
+RepairedTets repaired_tets(const MatchedField& given, const RepairOptions& options);
 
 }  // namespace crossgrain

@@ -103,7 +103,11 @@ ListTable::ListTable(std::size_t lists, std::span<const std::array<std::uint32_t
   for (const auto& [list, entry] : pairs) entries_[next[list]++] = entry;
 }
 
-TetComplex::TetComplex(const TetSolid& solid) : solid_(&solid) {
+TetComplex::TetComplex(const TetSolid& solid, std::span<const std::array<std::uint32_t, 3>> walls)
+    : solid_(&solid) {
+  for (const auto& [a, b, c] : walls)
+    if (const std::uint32_t face = inner_face(solid, sorted_face(a, b, c)); face != kNoFace)
+      wall_faces_.push_back(face);
   for (const auto& [a, b, c] : solid.boundary) {
     const std::vector<Vector3>& v = solid.mesh.vertices;
     boundary_normals_.push_back(normalised(cross(v[b] - v[a], v[c] - v[a])));

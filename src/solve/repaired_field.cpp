@@ -18,7 +18,6 @@
 #include "repair/repair_cost.hpp"
 #include "repair/repaired_graph.hpp"
 #include "repair/repaired_matchings.hpp"
-#include "singularity/tet_matchings.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
 
@@ -159,8 +158,9 @@ TetFrameField repaired(const TetFrameField& field, const RepairOptions& options,
   Stopwatch stopwatch;
   stopwatch.start();
   const std::vector<Quaternion>& former_frames = field.data().tet_frames;
-  const TetComplex complex(tets.solid);
-  RepairedTets found = repaired_tets(complex, former_frames, options);
+  const std::vector<CubeRotation> former_matchings = matchings_of(tets.solid, field.data());
+  const TetComplex complex(tets.solid, tets.features.faces);
+  RepairedTets found = repaired_tets(MatchedField(complex, former_frames, former_matchings), options);
 
   auto result = std::make_shared<TetField>();
   result->matchings = std::move(found.matchings);
@@ -175,9 +175,8 @@ TetFrameField repaired(const TetFrameField& field, const RepairOptions& options,
   repair.moves = found.moves;
   repair.faults_before = found.faults_before;
   repair.faults = found.faults;
-  const std::vector<CubeRotation> nearest = tet_matchings(tets.solid, former_frames);
-  for (std::size_t f = 0; f < nearest.size(); ++f)
-    repair.changed_faces += !(nearest[f] == result->matchings[f]);
+  for (std::size_t f = 0; f < former_matchings.size(); ++f)
+    repair.changed_faces += !(former_matchings[f] == result->matchings[f]);
   compare(complex, field.singularities(), *lines, repair);
   count_bent_edges(matched, repair);
   repair.energy = evaluate_cell_field(tets.solid, result->tet_frames).dirichlet;

@@ -43,7 +43,7 @@ TEST(RepairedMatchings, TakeRandomArcsOutOfABox) {
 
 TEST(RepairedMatchings, LeaveAFieldWithoutFaultsAsItIs) {
   const auto frames = straight_frames();
-  const RepairedTets repaired = repaired_tets(kComplex, frames, {});
+  const RepairedTets repaired = repaired_tets(MatchedField(kComplex, frames), {});
   EXPECT_EQ(repaired.faults_before, 0u);
   EXPECT_EQ(repaired.faults, 0u);
   EXPECT_EQ(repaired.moves, 0u);
@@ -62,7 +62,7 @@ TEST(RepairedMatchings, KeepTheArcsThatACylinderNeeds) {
     const double nearest = angle - quarter * std::round(angle / quarter);
     return from_rotation_vector({0, 0, std::clamp(2.5 * radius - 1.2, 0.0, 1.0) * nearest});
   });
-  const RepairedTets repaired = repaired_tets(complex, frames, {});
+  const RepairedTets repaired = repaired_tets(MatchedField(complex, frames), {});
   EXPECT_EQ(repaired.faults, 0u);
   const MatchedField field(complex, repaired.frames, repaired.matchings);
   const SingularityGraph graph = repaired_graph(field);
@@ -79,7 +79,7 @@ TEST(RepairedMatchings, AreTheSameForAnyNumberOfThreads) {
   options.wandering_steps = 100;
   const auto repaired_on = [&](int threads) {
     const ThreadLimit limit(threads);
-    return repaired_tets(kComplex, frames, options);
+    return repaired_tets(MatchedField(kComplex, frames), options);
   };
   const RepairedTets one = repaired_on(1), two = repaired_on(2);
   EXPECT_EQ(one.matchings, two.matchings);
@@ -94,7 +94,7 @@ TEST(RepairedMatchings, NeverEndWithMoreFaultsThanTheyBeganWith) {
     options.tries = {{1, 1, 200}};
     options.disturbances = 2;
     options.finalists = 0;
-    const RepairedTets repaired = repaired_tets(kComplex, frames, options);
+    const RepairedTets repaired = repaired_tets(MatchedField(kComplex, frames), options);
     EXPECT_LT(repaired.faults, repaired.faults_before);
   }
 }
