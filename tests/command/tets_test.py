@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
-from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, sphere_triangles, stl_bytes
+from program import PROGRAM, TIME_LIMIT, CommandTest, box_triangles, no_more_processes, sphere_triangles, stl_bytes
 from tagged_mesh import TaggedMesh
 
 CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
@@ -281,6 +281,11 @@ class WithAFaultyGmsh(TetsTest):
         begin = time.monotonic()
         self.assert_fails(self.failed("sleep 1000; true", "--seconds", "0.5"), LIMIT, "did not finish within 0.5 s", "--seconds")
         self.assertLess(time.monotonic() - begin, 30)
+
+    def test_a_system_without_processes_left_is_told(self):
+        Path(self.places.name).chmod(0o777)
+        result = self.run_without_privileges("tets", "box.stl", "--by", "gmsh", env=self.with_gmsh("true"), preexec_fn=no_more_processes)
+        self.assert_fails(result, LIMIT, "box.stl", "starts no more processes", "ulimit -u")
 
     def test_a_file_that_the_system_cuts_off_is_told(self):
         def little_files():

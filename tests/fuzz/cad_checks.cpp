@@ -5,6 +5,7 @@
 #include "fuzz/mesh_promises.hpp"
 #include "fuzz/reader_checks.hpp"
 #include "io/cad/cad_messages.hpp"
+#include "io/tet_making/netgen_messages.hpp"
 
 namespace crossgrain {
 namespace {
@@ -42,6 +43,14 @@ bool check_cad_answer(std::string_view bytes) {
     require_line(warning.text);
     require(name_of(warning.kind) != nullptr, "an unknown warning");
   }
+  return true;
+}
+
+bool check_netgen_answer(std::string_view bytes) {
+  const std::optional<NetgenAnswer> answer = netgen_answer_in(bytes);
+  if (!answer) return false;
+  require_line(answer->fault);
+  if (!answer->mesh.tets.empty()) require_tets(answer->mesh);
   return true;
 }
 

@@ -11,6 +11,7 @@
 #include "fuzz/reader_checks.hpp"
 #include "io/gmsh_files.hpp"
 #include "io/made_cad_answers.hpp"
+#include "io/made_netgen_answers.hpp"
 #include "io/medit_files.hpp"
 #include "io/result/axes_behind_faces.hpp"
 #include "io/result/report_file.hpp"
@@ -197,6 +198,12 @@ std::vector<std::string> made_cad_answers() {
           written({CadEnd::kOutOfMemory, {}, {}})};
 }
 
+std::vector<std::string> made_netgen_answers() {
+  return {written(some_netgen_answer()),
+          written(NetgenAnswer{NetgenEnd::kFault, "Netgen cannot mesh the faces", {}}),
+          written(NetgenAnswer{NetgenEnd::kOutOfMemory, {}, {}})};
+}
+
 std::vector<std::string> made_constraints() {
   return {R"({"schema": 1,
  "points": [{"at": [30, 10, 10], "frame": [[1, 1, 0], [1, -1, 0], [0, 0, 1]]},
@@ -234,6 +241,7 @@ std::vector<std::string> made_inputs(std::string_view reader) {
   if (reader == "constraints") return made_constraints();
   if (reader == "cad") return made_cad();
   if (reader == "cad_answer") return made_cad_answers();
+  if (reader == "netgen_answer") return made_netgen_answers();
   throw std::logic_error("no inputs for " + std::string(reader));
 }
 

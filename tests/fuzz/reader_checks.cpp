@@ -32,6 +32,7 @@ constexpr std::array kReaders = {
     ReaderUnderTest{"constraints", check_constraints},
     ReaderUnderTest{"cad", check_cad},
     ReaderUnderTest{"cad_answer", check_cad_answer},
+    ReaderUnderTest{"netgen_answer", check_netgen_answer},
 };
 
 }  // namespace

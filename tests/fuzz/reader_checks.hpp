@@ -56,6 +56,7 @@ ReaderCheck check_cad;
 
 /// What crossgrain_cad writes, which a damaged CAD file may have taken over.
 ReaderCheck check_cad_answer;
+ReaderCheck check_netgen_answer;
 
 struct ReaderUnderTest {
   std::string_view name;  ///< of its fuzz target, dictionary and folder of regression inputs

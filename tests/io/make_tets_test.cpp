@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -183,6 +184,28 @@ TEST_P(MakeTets, GivesTrianglesTheNumbersOfTheirCadFacesAndEdges) {
     // Flat triangles of a twentieth of the side, 18 around a circle, are this far from a curved face.
     EXPECT_LT(farthest_from_face(tets, faces), 0.006 * side);
     EXPECT_LT(farthest_from_crease(tets, faces), 0.006 * side);
+  }
+}
+
+TEST_P(MakeTets, GivesTrianglesOfSharedModelsTheNumbersOfTheirCadFaces) {
+  const char* set = std::getenv("CROSSGRAIN_SHARED");
+  const auto models =
+      std::filesystem::path(set != nullptr ? set : CROSSGRAIN_DEFAULT_SHARED) / "models" / "good";
+  if (!std::filesystem::exists(models)) GTEST_SKIP() << "no models in " << models;
+  for (const char* name : {"base_interface_AP214.STEP", "featuretype.STEP", "i02o_m2.step", "i10o_simp.step",
+                           "s11o_cube_cyl.stp"}) {
+    SCOPED_TRACE(name);
+    ReadOptions fine;
+    fine.resolution = 400;
+    fine.facet_angle_deg = 5;
+    const TriangleMesh faces = read_surface(models / name, fine);
+    TetMakingOptions options;
+    options.maker = GetParam();
+    options.edges = 15;
+    const TetMesh tets = make_tets(models / name, options);
+    expect_sound(tets);
+    EXPECT_LT(farthest_from_face(tets, faces), 0.006 * longest_side(box_of(faces.vertices)));
+    EXPECT_LT(farthest_from_crease(tets, faces), 0.006 * longest_side(box_of(faces.vertices)));
   }
 }
 

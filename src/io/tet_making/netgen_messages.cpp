@@ -75,9 +75,9 @@ bool is_consistent(const Content& content) {
   const auto of_tagged = [](const auto& item) -> const auto& {
     return item.vertices;
   };
-  const bool is_line =
-      content.fault.size() <= kMostFaultBytes &&
-      std::none_of(content.fault.begin(), content.fault.end(), [](unsigned char c) { return c < 0x20; });
+  const bool is_line = content.fault.size() <= kMostFaultBytes &&
+                       std::none_of(content.fault.begin(), content.fault.end(),
+                                    [](unsigned char c) { return c < 0x20 || c == 0x7f; });
   return content.end <= NetgenEnd::kOutOfMemory && is_line && are_finite(content.vertices) &&
          are_in_range(content.tets, vertices, itself) && are_in_range(content.edges, vertices, of_tagged) &&
          are_in_range(content.faces, vertices, of_tagged) &&

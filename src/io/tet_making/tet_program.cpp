@@ -15,10 +15,14 @@ HelperOutcome run_tet_program(const HelperRun& run, const std::string& what, con
   try {
     outcome = run_helper(run, monitor);
   } catch (const std::system_error& error) {
-    throw TetFailure{
-        fmt::format("{} cannot be started: {}", run.program.string(), error.code().message()),
-        error.code() == std::errc::resource_unavailable_try_again ? ErrorKind::kLimit : ErrorKind::kInput,
-        Remedy::kInstallTetMaker};
+    if (error.code() == std::errc::resource_unavailable_try_again)
+      throw TetFailure{
+          "the system starts no more processes, and tets are made in one; end some, or raise their limit "
+          "(ulimit "
+          "-u)",
+          ErrorKind::kLimit, Remedy::kNone};
+    throw TetFailure{fmt::format("{} cannot be started: {}", run.program.string(), error.code().message()),
+                     ErrorKind::kInput, Remedy::kInstallTetMaker};
   }
   // Its processor time is limited too.
   const bool is_late =
