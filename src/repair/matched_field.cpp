@@ -140,9 +140,13 @@ EdgeTurn MatchedField::turn_around(std::uint32_t inner_edge) const {
   const auto axis = static_cast<SignedAxis>(parts[0] != 0 ? 0 : parts[1] != 0 ? 1 : 2);
   turn.axis = parts[axis] > 0 ? axis : opposite(axis);
   const TetComplex::Edge& edge = complex_->edges()[inner_edge];
-  if (turn.kind == EdgeTurn::Kind::kHalf &&
-      dot(turning_around(inner_edge), axis_in_space(edge.first_tet, turn.axis)) < 0)
-    turn.axis = opposite(turn.axis);
+  if (turn.kind == EdgeTurn::Kind::kHalf) {
+    // Of a half turn the frames say the sense; without one the cosine stays 0.
+    constexpr double kRounding = 1e-6;
+    const double sense = dot(turning_around(inner_edge), axis_in_space(edge.first_tet, turn.axis));
+    if (std::abs(sense) < kRounding) return turn;
+    if (sense < 0) turn.axis = opposite(turn.axis);
+  }
   const std::vector<Vector3>& vertices = complex_->solid().mesh.vertices;
   const Vector3 along = normalised(vertices[edge.ends[1]] - vertices[edge.ends[0]]);
   Vector3 sum{0, 0, 0};
@@ -163,6 +167,9 @@ Vector3 MatchedField::turning_around(std::uint32_t inner_edge) const {
     const Quaternion& from = frames_[tets[crossing.reversed ? 1 : 0]];
     const Quaternion& to = frames_[tets[crossing.reversed ? 0 : 1]];
     const Quaternion step = to * to_quaternion((*group_)[across(crossing)]) * conjugate(from);
+    // A step of nearly half a turn has no sense.
+    constexpr double kNoStep = 0.1;
+    if (std::abs(step.w) < kNoStep) continue;
     const double twice = step.w < 0 ? -2 : 2;
     sum += Vector3{twice * step.x, twice * step.y, twice * step.z};
   }
