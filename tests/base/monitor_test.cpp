@@ -77,7 +77,8 @@ TEST(Phase, HasANameForDisplay) {
   EXPECT_STREQ(name_of(Phase::kAnalysis), "analysis");
   EXPECT_STREQ(name_of(Phase::kTets), "tets");
   EXPECT_STREQ(name_of(Phase::kWrite), "write");
-  EXPECT_STREQ(name_of(static_cast<Phase>(6)), "");
+  EXPECT_STREQ(name_of(Phase::kMakeTets), "make tets");
+  EXPECT_STREQ(name_of(static_cast<Phase>(7)), "");
 }
 
 TEST(Monitor, WithoutListenerTakesReportsToo) {
