@@ -284,8 +284,8 @@ class WithAFaultyGmsh(TetsTest):
 
     def test_a_system_without_processes_left_is_told(self):
         Path(self.places.name).chmod(0o777)
-        result = self.run_without_privileges("tets", "box.stl", "--by", "gmsh", env=self.with_gmsh("true"), preexec_fn=no_more_processes)
-        self.assert_fails(result, LIMIT, "box.stl", "starts no more", "ulimit -u")
+        result = self.run_without_privileges("tets", "box.stl", "--by", "gmsh", "--threads", "1", env=self.with_gmsh("true"), preexec_fn=no_more_processes)
+        self.assert_fails(result, LIMIT, "box.stl", "starts no more processes", "ulimit -u")
 
     def test_a_file_that_the_system_cuts_off_is_told(self):
         def little_files():
