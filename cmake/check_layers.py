@@ -127,9 +127,18 @@ def faults(root):
                     yield f"{path.relative_to(root)}:{number}: includes {included}: {fault}"
 
 
+def faults_of_the_list(root):
+    """A line if the list in CONTRIBUTING.md is not that of the layers, in their order."""
+    page = root / "CONTRIBUTING.md"
+    if page.exists():
+        listed = re.findall(r"^src/([a-z_]+) ", page.read_text(encoding="utf-8"), re.MULTILINE)
+        if listed != LAYERS:
+            yield f"CONTRIBUTING.md lists the layers {' '.join(listed)}, and they are {' '.join(LAYERS)}"
+
+
 def main():
     root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent.parent).resolve()
-    found = list(faults(root))
+    found = [*faults(root), *faults_of_the_list(root)]
     print("\n".join(found) if found else "includes go downwards only")
     return 1 if found else 0
 

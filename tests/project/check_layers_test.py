@@ -35,6 +35,15 @@ class LayerCheck(unittest.TestCase):
         for include in ('"field/energy.hpp"', '"base/parallel.hpp"', '"crossgrain/types.hpp"', "<vector>", "<zlib.h>"):
             self.assert_no_fault("src/field/energy.cpp", include)
 
+    def test_the_list_in_contributing_must_be_that_of_the_layers(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / "CONTRIBUTING.md"
+            lines = [f"src/{layer}    words\n" for layer in check_layers.LAYERS]
+            page.write_text("".join(lines), encoding="utf-8")
+            self.assertEqual(list(check_layers.faults_of_the_list(Path(folder))), [])
+            page.write_text("".join(lines[:-1]), encoding="utf-8")
+            self.assertEqual(len(list(check_layers.faults_of_the_list(Path(folder)))), 1)
+
     def test_a_layer_may_not_include_one_above(self):
         self.assert_one_fault("src/surface/bvh.hpp", '"grid/octree.hpp"')
 
