@@ -65,6 +65,8 @@ void check_arguments(SolveArguments& arguments, const CLI::App* command) {
     refuse("--repair is for tet meshes; give one as MODEL or with --onto, or make one with --tets", command);
   if (!is_tets && arguments.onto.empty() && arguments.prepare)
     refuse("--prepare is for tet meshes; give one as MODEL or with --onto, or make one with --tets", command);
+  if (arguments.repair && !arguments.constraints.empty())
+    refuse("--repair smooths frames off --constraints; leave one of them out", command);
   const std::vector<std::string>& formats = arguments.output_options.formats;
   if (command->count("--hex-size") > 0 && std::find(formats.begin(), formats.end(), "fra") == formats.end())
     refuse("--hex-size is for the axes in onto.fra; add --write fra", command);

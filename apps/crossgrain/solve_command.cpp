@@ -198,6 +198,9 @@ Inputs read_inputs(const SolveArguments& arguments, const Monitor& monitor, cons
   // Whoever names a field to start from wants what that becomes.
   if (!arguments.from.empty()) inputs.options.onto.other_starts.clear();
   inputs.domain = read_domain(arguments, monitor, warn);
+  if (inputs.domain && arguments.repair)
+    naming(arguments.onto.empty() ? arguments.model : arguments.onto,
+           [&] { check_repairable(*inputs.domain); });
   if (inputs.domain) inputs.options = sized_for(*inputs.domain, std::move(inputs.options));
   // On tets several grids are compared instead (OntoOptions::other_starts).
   if (solves_tets(arguments)) inputs.options.solver.decision_cells = 0;

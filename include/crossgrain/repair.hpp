@@ -55,10 +55,17 @@ struct RepairOptions {
 /// Meshable Frame Fields") in what is demanded of edges and vertices, not in how it is found. The same to the
 /// bit for any number of threads.
 ///
-/// Errors: kInput for a mesh with tets without volume, whose neighbours do not match; kUsage for options out
-/// of range; kInterrupted by the monitor.
+/// Frames keep to walls between regions and tagged edges, though matchings are judged at the outer boundary
+/// only.
+///
+/// Errors: as `check_repairable`; kUsage for a field with constraints, which smoothed frames would leave, and
+/// for options out of range; kInterrupted by the monitor.
 TetFrameField repaired(const TetFrameField& field, const RepairOptions& options = {},
                        const Monitor& monitor = {});
+
+/// Throws Error(kInput) for a mesh that `repaired` refuses: with tets without volume or duplicates, which
+/// leave gaps that no matching crosses.
+void check_repairable(const TetDomain& domain);
 
 /// @}
 

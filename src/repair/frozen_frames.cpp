@@ -48,22 +48,13 @@ std::vector<std::array<Neighbour, 4>> neighbours_of(const MatchedField& field) {
 /// Directions that axes of a tet's frame must have.
 struct Held {
   std::uint32_t tet;
-  std::array<Vector3, 3> sums{};  ///< of area normals, by axis; {0, 0, 0} for a free axis
+  std::array<Vector3, 3> sums{};  ///< of area normals and edges, by axis; {0, 0, 0} for a free axis
 
   int count() const {
     return static_cast<int>(
         std::count_if(sums.begin(), sums.end(), [](const Vector3& v) { return norm(v) > 0; }));
   }
 };
-
-/// The signed axis of a frame nearest to a direction.
-SignedAxis nearest_axis(const Quaternion& frame, const Vector3& direction) {
-  const Vector3 within = rotate(conjugate(frame), direction);
-  std::size_t k = 0;
-  for (std::size_t axis = 1; axis < 3; ++axis)
-    if (std::abs(within[axis]) > std::abs(within[k])) k = axis;
-  return static_cast<SignedAxis>(within[k] < 0 ? k + 3 : k);
-}
 
 std::vector<Held> held_axes(const MatchedField& field) {
   const TetSolid& solid = field.complex().solid();
@@ -88,6 +79,18 @@ std::vector<Held> held_axes(const MatchedField& field) {
     const Vector3 normal = normal_of(solid.inner_faces[f].vertices);
     for (const std::uint32_t tet : solid.inner_faces[f].tets)
       hold(tet, nearest_axis(field.frames()[tet], normal), normal);
+  }
+  for (const std::uint32_t e : field.complex().feature_edges()) {
+    const TetComplex::Edge& edge = field.complex().edges()[e];
+    const Vector3 along = solid.mesh.vertices[edge.ends[1]] - solid.mesh.vertices[edge.ends[0]];
+    const auto hold_along = [&](std::uint32_t tet) {
+      hold(tet, nearest_axis(field.frames()[tet], along), edge.length * along);
+    };
+    hold_along(edge.first_tet);
+    for (const Crossing& crossing : field.complex().around(e)) {
+      const std::uint32_t tet = solid.inner_faces[crossing.face].tets[!crossing.reversed];
+      if (tet != edge.first_tet) hold_along(tet);
+    }
   }
   return held;
 }

@@ -19,15 +19,6 @@ constexpr double kDegree = std::numbers::pi / 180;
 /// Turn of the surface at an edge from which its geometry says whether it is convex; below, frames say it.
 constexpr double kConvexDeg = 15;
 
-/// The signed axis of a frame nearest to a direction.
-SignedAxis nearest_axis(const Quaternion& frame, const Vector3& direction) {
-  const Vector3 within = rotate(conjugate(frame), direction);
-  std::size_t k = 0;
-  for (std::size_t axis = 1; axis < 3; ++axis)
-    if (std::abs(within[axis]) > std::abs(within[k])) k = axis;
-  return static_cast<SignedAxis>(within[k] < 0 ? k + 3 : k);
-}
-
 /// Angle of the solid at an edge between two boundary faces, from the first through the solid to the second,
 /// right-handed about `along`.
 double solid_angle_deg(const Vector3& first, const Vector3& second, const Vector3& along) {
@@ -105,7 +96,7 @@ std::optional<std::uint8_t> MatchedField::wanted_holonomy(std::uint32_t index, s
   SignedAxis axis = nearest;
   if (carried % 3 != arrives % 3) {
     axis = cross_of(carried, arrives);
-    if (dot(axis_in_space(last, axis), along) < 0) axis = opposite(axis);
+    if (dot(axis_in_space(frames_[last], axis), along) < 0) axis = opposite(axis);
   } else if (axis % 3 == arrives % 3) {
     return std::nullopt;
   }
@@ -120,11 +111,6 @@ std::optional<std::uint8_t> MatchedField::wanted_holonomy(std::uint32_t index, s
   if (target == carried) return now;
   const std::uint8_t turn = group_->rotation_between(carried, target, axis);
   return group_->product(turn, now);
-}
-
-Vector3 MatchedField::axis_in_space(std::uint32_t tet, SignedAxis axis) const {
-  const Vector3 direction = axes_of(frames_[tet])[axis % 3];
-  return axis < 3 ? direction : -direction;
 }
 
 EdgeTurn MatchedField::turn_around(std::uint32_t inner_edge) const {
@@ -143,7 +129,7 @@ EdgeTurn MatchedField::turn_around(std::uint32_t inner_edge) const {
   if (turn.kind == EdgeTurn::Kind::kHalf) {
     // Of a half turn the frames say the sense; without one the cosine stays 0.
     constexpr double kRounding = 1e-6;
-    const double sense = dot(turning_around(inner_edge), axis_in_space(edge.first_tet, turn.axis));
+    const double sense = dot(turning_around(inner_edge), axis_in_space(frames_[edge.first_tet], turn.axis));
     if (std::abs(sense) < kRounding) return turn;
     if (sense < 0) turn.axis = opposite(turn.axis);
   }
@@ -153,8 +139,8 @@ EdgeTurn MatchedField::turn_around(std::uint32_t inner_edge) const {
   SignedAxis carried = turn.axis;
   for (const Crossing& crossing : complex_->around(inner_edge)) {
     carried = group_->image(across(crossing), carried);
-    sum +=
-        axis_in_space(complex_->solid().inner_faces[crossing.face].tets[crossing.reversed ? 0 : 1], carried);
+    sum += axis_in_space(frames_[complex_->solid().inner_faces[crossing.face].tets[!crossing.reversed]],
+                         carried);
   }
   turn.cosine = dot(normalised(sum), along);
   return turn;
@@ -191,7 +177,7 @@ BoundaryTurn MatchedField::boundary_turn(std::uint32_t boundary_edge) const {
     const std::vector<Vector3>& vertices = complex_->solid().mesh.vertices;
     const Vector3 along = vertices[edge.ends[1]] - vertices[edge.ends[0]];
     const std::uint32_t last = complex_->solid().boundary_tets[edge.boundary_faces[1]];
-    turn.hexahedra = dot(axis_in_space(last, cross_of(carried, arrives)), along) > 0 ? 3 : 1;
+    turn.hexahedra = dot(axis_in_space(frames_[last], cross_of(carried, arrives)), along) > 0 ? 3 : 1;
   }
   return turn;
 }

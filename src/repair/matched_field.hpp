@@ -103,9 +103,6 @@ class MatchedField {
   /// The axis of the tet behind a boundary face that is nearest to its outward normal.
   SignedAxis normal_axis(std::uint32_t boundary_face) const { return normal_axes_[boundary_face]; }
 
-  /// A signed axis of a tet's frame in space.
-  Vector3 axis_in_space(std::uint32_t tet, SignedAxis axis) const;
-
   /// Whether hexahedra can meet at a vertex as its edges say: the link of the vertex has a triangulation with
   /// a vertex of valence n for each singular edge and, on the boundary, a border with k triangles at each
   /// crease and as many quarter turns between creases as the map has there (singularity/vertex_link.hpp).

@@ -65,7 +65,7 @@ double RepairCost::of_edge(std::uint32_t index) const {
   for (const std::uint32_t v : edge.ends) {
     if (!complex_.is_on_boundary(v)) continue;
     const bool has_axis = turn.kind != EdgeTurn::Kind::kOther;
-    const bool may = has_axis && may_end(edge, v, field_.axis_in_space(edge.first_tet, turn.axis));
+    const bool may = has_axis && may_end(edge, v, axis_in_space(field_.frames()[edge.first_tet], turn.axis));
     if (!may) ends += weights_.end;
   }
   const double times = !turn.may_be_meshed() ? 3 : turn.kind == EdgeTurn::Kind::kHalf ? 2 : 1;

@@ -7,16 +7,12 @@
 #include <tuple>
 
 #include "base/vector3.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
 
 using Ends = std::array<std::uint32_t, 2>;
-
-/// Corners of a tet for each edge, which joins the first two: the right-handed way around it goes through
-/// the face opposite the third towards the one opposite the fourth.
-constexpr std::array<std::array<std::uint8_t, 4>, 6> kEdgeCorners = {
-    {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
 
 /// A tet at an edge: the right-handed way about the ascending edge enters through the face with the vertex
 /// `behind` and leaves through that with the vertex `ahead`.
@@ -29,7 +25,7 @@ std::vector<TetAtEdge> tets_at_edges(const std::vector<std::array<std::uint32_t,
   std::vector<TetAtEdge> all;
   all.reserve(6 * tets.size());
   for (std::uint32_t t = 0; t < tets.size(); ++t) {
-    for (const auto& [a, b, c, d] : kEdgeCorners) {
+    for (const auto& [a, b, c, d] : kCornersAtEdges) {
       // The way leaves through the face opposite corner c, which has corner d.
       TetAtEdge at{{tets[t][a], tets[t][b]}, tets[t][c], tets[t][d], t};
       if (at.ends[0] > at.ends[1]) {
@@ -103,9 +99,8 @@ ListTable::ListTable(std::size_t lists, std::span<const std::array<std::uint32_t
   for (const auto& [list, entry] : pairs) entries_[next[list]++] = entry;
 }
 
-TetComplex::TetComplex(const TetSolid& solid, std::span<const std::array<std::uint32_t, 3>> walls)
-    : solid_(&solid) {
-  for (const auto& [a, b, c] : walls)
+TetComplex::TetComplex(const TetSolid& solid, const InnerFeatures& features) : solid_(&solid) {
+  for (const auto& [a, b, c] : features.faces)
     if (const std::uint32_t face = inner_face(solid, sorted_face(a, b, c)); face != kNoFace)
       wall_faces_.push_back(face);
   for (const auto& [a, b, c] : solid.boundary) {
@@ -113,6 +108,11 @@ TetComplex::TetComplex(const TetSolid& solid, std::span<const std::array<std::ui
     boundary_normals_.push_back(normalised(cross(v[b] - v[a], v[c] - v[a])));
   }
   find_edges();
+  for (const auto& [a, b] : features.edges) {
+    const std::uint32_t edge = edge_between(a, b);
+    if (edge < edges_.size() && edges_[edge].ends == Ends{std::min(a, b), std::max(a, b)})
+      feature_edges_.push_back(edge);
+  }
   std::vector<Ends> edges_at, faces_at;
   for (std::uint32_t e = 0; e < edges_.size(); ++e)
     for (const std::uint32_t v : edges_[e].ends) edges_at.push_back({v, e});

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "tets/boundary_vertices.hpp"
 #include "tets/tet_solid.hpp"
 
 namespace crossgrain {
@@ -41,8 +42,7 @@ struct Crossing {
 /// faces.
 class TetComplex {
  public:
-  /// `walls` are inner faces that frames follow too (InnerFeatures::faces).
-  explicit TetComplex(const TetSolid& solid, std::span<const std::array<std::uint32_t, 3>> walls = {});
+  explicit TetComplex(const TetSolid& solid, const InnerFeatures& features = {});
 
   struct Edge {
     std::array<std::uint32_t, 2> ends;  ///< ascending
@@ -89,8 +89,9 @@ class TetComplex {
   /// Whether the boundary at the vertex is not one fan of faces.
   bool is_pinched(std::uint32_t vertex) const { return is_pinched_[vertex] != 0; }
 
-  /// The walls, as indices into TetSolid::inner_faces.
+  /// The features that frames follow: indices into TetSolid::inner_faces, and of edges.
   const std::vector<std::uint32_t>& wall_faces() const { return wall_faces_; }
+  const std::vector<std::uint32_t>& feature_edges() const { return feature_edges_; }
 
   /// Unit normals of the boundary faces, outward.
   const std::vector<Vector3>& boundary_normals() const { return boundary_normals_; }
@@ -109,7 +110,7 @@ class TetComplex {
   ListTable vertex_edges_, vertex_faces_;
   std::vector<std::vector<RingFace>> rings_;
   std::vector<std::uint8_t> is_pinched_;
-  std::vector<std::uint32_t> wall_faces_;
+  std::vector<std::uint32_t> wall_faces_, feature_edges_;
   std::vector<Vector3> boundary_normals_;
   double mean_edge_length_ = 0;
 };

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "singularity/cube_group.hpp"
 
+#include <cmath>
 #include <cstdlib>
 
 namespace crossgrain {
+
+SignedAxis nearest_axis(const Quaternion& frame, const Vector3& direction) {
+  const Vector3 within = rotate(conjugate(frame), direction);
+  std::size_t k = 0;
+  for (std::size_t axis = 1; axis < 3; ++axis)
+    if (std::abs(within[axis]) > std::abs(within[k])) k = axis;
+  return static_cast<SignedAxis>(within[k] < 0 ? k + 3 : k);
+}
 
 const CubeGroup& CubeGroup::instance() {
   static const CubeGroup group;

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/quaternion.hpp"
+#include "base/vector3.hpp"
 #include "singularity/matching.hpp"
 
 namespace crossgrain {
@@ -22,6 +24,15 @@ inline SignedAxis cross_of(SignedAxis a, SignedAxis b) {
   const int i = a % 3, j = b % 3, k = 3 - i - j;
   const bool negative = ((j - i + 3) % 3 == 2) != ((a >= 3) != (b >= 3));
   return static_cast<SignedAxis>(negative ? k + 3 : k);
+}
+
+/// The signed axis of a frame nearest to a direction.
+SignedAxis nearest_axis(const Quaternion& frame, const Vector3& direction);
+
+/// A signed axis of a frame in space.
+inline Vector3 axis_in_space(const Quaternion& frame, SignedAxis axis) {
+  const Vector3 direction = axes_of(frame)[axis % 3];
+  return axis < 3 ? direction : -direction;
 }
 
 class CubeGroup {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "singularity/cube_group.hpp"
 #include "singularity/matching.hpp"
 #include "singularity/vertex_link.hpp"
 
@@ -215,29 +216,18 @@ class SurfaceJudge {
   std::map<std::pair<std::vector<int>, std::vector<int>>, std::optional<bool>> links_;
 };
 
-/// The signed axis of a frame nearest to a direction, in the frame's coordinates.
-Vector3 nearest_axis(const Quaternion& frame, const Vector3& direction) {
-  const Vector3 within = rotate(conjugate(frame), direction);
-  std::size_t k = 0;
-  for (std::size_t axis = 1; axis < 3; ++axis)
-    if (std::abs(within[axis]) > std::abs(within[k])) k = axis;
-  Vector3 result{0, 0, 0};
-  result[k] = within[k] < 0 ? -1 : 1;
-  return result;
-}
-
 }  // namespace
 
 int quarter_turns(std::span<const Quaternion> way, const std::array<Vector3, 2>& normals,
                   const Vector3& along, double angle_deg) {
-  Vector3 carried = nearest_axis(way.front(), normals[0]);
+  const CubeGroup& group = CubeGroup::instance();
+  SignedAxis carried = nearest_axis(way.front(), normals[0]);
   for (std::size_t k = 1; k < way.size(); ++k)
-    carried = rotate(to_quaternion(matching(way[k - 1], way[k])), carried);
-  const Vector3 arrives = nearest_axis(way.back(), normals[1]);
-  const double cosine = dot(carried, arrives);
-  if (cosine > 0.5) return 2;
-  if (cosine < -0.5) return angle_deg < 180 ? 0 : 4;
-  return dot(rotate(way.back(), cross(carried, arrives)), along) > 0 ? 3 : 1;
+    carried = group.image(group.number_of(matching(way[k - 1], way[k])), carried);
+  const SignedAxis arrives = nearest_axis(way.back(), normals[1]);
+  if (carried == arrives) return 2;
+  if (carried == opposite(arrives)) return angle_deg < 180 ? 0 : 4;
+  return dot(axis_in_space(way.back(), cross_of(carried, arrives)), along) > 0 ? 3 : 1;
 }
 
 void add_surface(const SolidSurface& surface, const SolidCreases& creases, const VotesAlong& votes_along,

@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "singularity/cube_group.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
@@ -14,16 +15,10 @@ namespace {
 /// Number of faces per task.
 constexpr std::size_t kFaceGrain = 4096;
 
-/// Corners of a tet for each edge, which joins the first two: the right-handed path around it goes through
-/// the face opposite the third towards the one opposite the fourth. Also true with the first two and the last
-/// two exchanged.
-constexpr std::array<std::array<std::uint8_t, 4>, 6> kEdgeCorners = {
-    {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
-
 /// The edge of a tet around which the right-handed path leaves through the face opposite `leave` towards the
 /// one opposite `ahead`.
 std::array<std::uint8_t, 2> edge_between(std::uint8_t leave, std::uint8_t ahead) {
-  for (const auto& [a, b, c, d] : kEdgeCorners) {
+  for (const auto& [a, b, c, d] : kCornersAtEdges) {
     if (c == leave && d == ahead) return {a, b};
     if (d == leave && c == ahead) return {b, a};
   }

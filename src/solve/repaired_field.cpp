@@ -28,7 +28,7 @@ using Repair = SolveReport::Onto::Repair;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-void check(const RepairOptions& options, const TetSolid& solid) {
+void check(const RepairOptions& options) {
   const auto demand = [](bool holds, const char* what) {
     if (!holds) throw Error(ErrorKind::kUsage, {"", "the repair", what});
   };
@@ -43,10 +43,6 @@ void check(const RepairOptions& options, const TetSolid& solid) {
   demand(options.temperature >= 0 && std::isfinite(options.temperature),
          "the temperature must be a number from 0");
   demand(options.smoothing_rad >= 0, "the angle at which smoothing ends must be a number from 0");
-  if (solid.left_out_tets > 0)
-    throw Error(ErrorKind::kInput, {"", "",
-                                    "tets without volume or duplicates leave gaps that no matching crosses; "
-                                    "mesh the part again before a repair"});
 }
 
 /// The frames of vertices that suit those of tets: nearest to the mean around, by volume, and exactly along
@@ -151,15 +147,28 @@ void count_bent_edges(const MatchedField& field, Repair& repair) {
 
 }  // namespace
 
+void check_repairable(const TetDomain& domain) {
+  if (domain.data().solid.left_out_tets > 0)
+    throw Error(ErrorKind::kInput, {"", "",
+                                    "tets without volume or duplicates leave gaps that no matching crosses; "
+                                    "mesh the part again before a repair"});
+}
+
 TetFrameField repaired(const TetFrameField& field, const RepairOptions& options, const Monitor& monitor) {
   const TetDomainData& tets = field.domain().data();
-  check(options, tets.solid);
+  check(options);
+  check_repairable(field.domain());
+  if (field.report().constraints)
+    throw Error(ErrorKind::kUsage, {"", "the repair", "smoothed frames would leave the field's constraints"});
   const WatchedLoops watched(monitor, Stops::kHeeded);
   Stopwatch stopwatch;
   stopwatch.start();
   const std::vector<Quaternion>& former_frames = field.data().tet_frames;
   const std::vector<CubeRotation> former_matchings = matchings_of(tets.solid, field.data());
-  const TetComplex complex(tets.solid, tets.features.faces);
+  // Faces between regions constrain frames unless the solve united them.
+  const bool united = has_several_regions(tets.solid.mesh) && !field.report().interfaces;
+  const InnerFeatures features = features_of(tets.solid, tets.walls, united);
+  const TetComplex complex(tets.solid, features);
   RepairedTets found = repaired_tets(MatchedField(complex, former_frames, former_matchings), options);
 
   auto result = std::make_shared<TetField>();
@@ -189,7 +198,7 @@ TetFrameField repaired(const TetFrameField& field, const RepairOptions& options,
   onto.singular = evaluation.singular;
   onto.normal_deg = evaluation.normal_deg;
   onto.crease_deg = evaluation.crease_deg;
-  onto.feature_edge_deg = angles_along(tets.solid, tets.features.edges, result->vertex_frames);
+  onto.feature_edge_deg = angles_along(tets.solid, features.edges, result->vertex_frames);
   onto.singularity = repaired_summary(matched, *lines);
   onto.unfollowed_share = unfollowed_share(tets.solid, result->tet_frames, AnswerOptions{}.unfollowed_deg);
   repair.seconds = stopwatch.restart();

@@ -28,4 +28,10 @@ TetShape shape_of_tet(const std::vector<Vector3>& vertices, const std::array<std
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kFaceCorners = {
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
+/// Corners of a tet for each edge, which joins the first two: the right-handed path around it goes through
+/// the face opposite the third towards the one opposite the fourth. Also true with the first two and the last
+/// two exchanged.
+inline constexpr std::array<std::array<std::uint8_t, 4>, 6> kCornersAtEdges = {
+    {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
+
 }  // namespace crossgrain

@@ -27,6 +27,7 @@ from field_reader import read_arrays
 from frame_math import CUBE_ROTATIONS
 from judge_matchings import MatchedField, differences, read_frames
 from judge_mesh import rotations_of
+from poisson_map import read_medit
 from program import PROGRAM, CommandTest, box_triangles, medit_text, stl_bytes, tet_box, tilt, without_costs
 from recompute_singularity import Graph
 
@@ -228,23 +229,36 @@ class CommandsOnRepairedFields(RepairTest):
 class Kinds(RepairTest):
     """Meshes and options for which there is more than one surface or field."""
 
-    def test_of_two_regions(self):
-        vertices, tets = tet_box((4, 3, 3))
+    def write_regions(self, vertices, tets, is_beyond):
         text = medit_text(vertices, tets).splitlines()
         first = text.index("Tetrahedra") + 2
-        for t, centre in enumerate(vertices[tets].mean(axis=1)):
-            text[first + t] = text[first + t].rsplit(" ", 1)[0] + f" {3 if centre[0] < 1 else 8}"
+        for t, beyond in enumerate(is_beyond):
+            text[first + t] = text[first + t].rsplit(" ", 1)[0] + f" {8 if beyond else 3}"
         self.write("regions.mesh", "\n".join([*text, ""]))
+
+    def test_of_two_regions(self):
+        vertices, tets = tet_box((4, 3, 3))
+        self.write_regions(vertices, tets, vertices[tets].mean(axis=1)[:, 0] >= 1)
         report = self.solve("regions.mesh", "--prepare", "--repair", "--write", FORMATS)
         self.assertEqual(report["verdict"], "meshable")
         self.assertEqual(len(report["regions"]), 2)
 
-    def test_of_degree_three_and_constraints(self):
-        self.write("axes.json", json.dumps({"schema": 1, "points": [{"at": [0.1, 0.1, 0.1], "axis": [1, 2, 3]}]}))
+    def test_of_degree_three(self):
         self.write("ball.mesh", medit_text(*tet_solids.ball(4)))
-        for arguments in (("--degree", "3"), ("--constraints", "axes.json")):
-            with self.subTest(arguments[0]):
-                self.assertIn("repair", self.solve("ball.mesh", "--prepare", "--repair", *arguments)["onto"])
+        self.assertIn("repair", self.solve("ball.mesh", "--prepare", "--repair", "--degree", "3")["onto"])
+
+    def test_keep_frames_to_an_oblique_wall_between_regions(self):
+        vertices, tets = tet_box((4, 4, 4))
+        across = (vertices / vertices.max(axis=0)) @ np.array([1, -1, 0])  # the wall is a plane of the tets' faces, x = y in cells
+        self.write_regions(vertices, tets, across[tets].mean(axis=1) > 0)
+        self.solve("regions.mesh", "--prepare", "--repair", "--write", FORMATS)
+        points, cells = read_medit(self.folder / "out" / "onto.mesh")
+        axes = read_frames(self.folder / "out" / "onto.fra").transpose(0, 2, 1)
+        at_wall = (np.abs(((points / points.max(axis=0)) @ np.array([1, -1, 0]))[cells]) < 1e-9).sum(axis=1) == 3
+        self.assertGreater(at_wall.sum(), 20)
+        normal = np.array([1, -1, 0]) / vertices.max(axis=0)
+        cosines = np.abs(axes[at_wall] @ (normal / np.linalg.norm(normal))).max(axis=1)
+        self.assertLess(np.degrees(np.arccos(np.minimum(1, cosines))).max(), 1e-4)
 
     def test_of_a_surface_with_tets_of_their_own(self):
         self.write("box.stl", stl_bytes(box_triangles()))
@@ -263,6 +277,12 @@ class WrongUse(RepairTest):
         self.write("box.stl", stl_bytes(box_triangles()))
         self.assert_fails(self.run_here("solve", "box.stl", "--repair", "-o", "out"), USAGE, "--repair", "--onto", "--help")
         self.assertEqual(self.names(), ["box.stl"])
+
+    def test_of_repair_with_constraints_is_told_in_a_line(self):
+        self.write("axes.json", json.dumps({"schema": 1, "points": [{"at": [0.1, 0.1, 0.1], "axis": [1, 2, 3]}]}))
+        self.write("ball.mesh", medit_text(*tet_solids.ball(4)))
+        result = self.run_here("solve", "ball.mesh", "--repair", "--constraints", "axes.json", "-o", "out")
+        self.assert_fails(result, USAGE, "--repair", "--constraints", "--help")
 
     def test_of_tets_without_volume_is_told_in_a_line(self):
         vertices, tets = tet_box((2, 2, 2))
