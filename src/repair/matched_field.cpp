@@ -263,9 +263,9 @@ VertexState MatchedField::vertex_state(std::uint32_t vertex) const {
     if (complex_->edges()[edge].is_on_boundary() || !is_singular(edge)) continue;
     const EdgeTurn turn = turn_around(edge);
     if (!turn.may_be_meshed()) return VertexState::kImpossible;
-    if (turn.kind == EdgeTurn::Kind::kQuarter && std::abs(turn.cosine) < kNoSense)
-      of_any_sense.push_back(valences.size());
-    valences.push_back(turn.valence());
+    const std::optional<int> valence = turn.has_sense() ? turn.valence() : valence_along(vertex, edge);
+    if (!valence) of_any_sense.push_back(valences.size());
+    valences.push_back(valence.value_or(turn.valence()));
   }
   const bool is_inside = complex_->ring(vertex).empty();
   if (is_inside && valences.empty()) return VertexState::kPossible;
@@ -285,12 +285,34 @@ VertexState MatchedField::vertex_state(std::uint32_t vertex) const {
   return is_unknown ? VertexState::kUnknown : VertexState::kImpossible;
 }
 
+std::uint32_t MatchedField::edge_beyond(std::uint32_t vertex, std::uint32_t edge) const {
+  if (complex_->is_on_boundary(vertex)) return kNoEdge;
+  std::uint32_t beyond = kNoEdge;
+  for (const std::uint32_t other : complex_->edges_at(vertex)) {
+    if (other == edge || !is_singular(other)) continue;
+    if (beyond != kNoEdge) return kNoEdge;
+    beyond = other;
+  }
+  return beyond;
+}
+
+std::optional<int> MatchedField::valence_along(std::uint32_t vertex, std::uint32_t edge) const {
+  std::optional<int> valence;
+  walk_arc(vertex, edge, [&](std::uint32_t at, std::uint32_t) {
+    const EdgeTurn turn = turn_around(at);
+    if (turn.kind != EdgeTurn::Kind::kOther && turn.has_sense()) valence = turn.valence();
+    return !valence;
+  });
+  return valence;
+}
+
 std::vector<int> MatchedField::valences_at(std::uint32_t vertex) const {
   std::vector<int> valences;
   for (const std::uint32_t edge : complex_->edges_at(vertex)) {
     if (complex_->edges()[edge].is_on_boundary()) continue;
     const EdgeTurn turn = turn_around(edge);
-    if (turn.kind != EdgeTurn::Kind::kNone) valences.push_back(turn.valence());
+    if (turn.kind == EdgeTurn::Kind::kNone) continue;
+    valences.push_back(turn.has_sense() ? turn.valence() : valence_along(vertex, edge).value_or(turn.valence()));
   }
   return valences;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -18,8 +19,8 @@
 
 namespace crossgrain {
 
-/// Cosine between an arc and its axis below which either sense is possible.
-inline constexpr double kNoSense = 0.1;
+/// Cosine between an edge and its axis below which the edge has no sense of its own.
+inline constexpr double kNoSense = 0.25;
 
 /// What is around an inner edge.
 struct EdgeTurn {
@@ -42,6 +43,8 @@ struct EdgeTurn {
   bool may_be_meshed() const {
     return kind == Kind::kNone || kind == Kind::kQuarter || (kind == Kind::kHalf && cosine < -kNoSense);
   }
+
+  bool has_sense() const { return std::abs(cosine) >= kNoSense; }
 
   /// Number of hexahedra, by the sign of the cosine.
   int valence() const {
@@ -98,6 +101,12 @@ class MatchedField {
   std::optional<std::uint8_t> wanted_holonomy(std::uint32_t edge, std::uint8_t now) const;
 
   EdgeTurn turn_around(std::uint32_t inner_edge) const;
+
+  /// Calls visit(edge, vertex) for each edge of the arc that leaves a vertex along an edge, with the far end,
+  /// up to the first edge that `visit` returns false for; and no further than to a node, the surface, or
+  /// kLongestWay edges.
+  template <typename Visit>
+  void walk_arc(std::uint32_t vertex, std::uint32_t edge, const Visit& visit) const;
   BoundaryTurn boundary_turn(std::uint32_t boundary_edge) const;
 
   /// The axis of the tet behind a boundary face that is nearest to its outward normal.
@@ -114,6 +123,13 @@ class MatchedField {
   std::vector<int> creases_at(std::uint32_t vertex) const;
 
  private:
+  /// The only other singular inner edge at a vertex inside, or kNoEdge.
+  std::uint32_t edge_beyond(std::uint32_t vertex, std::uint32_t edge) const;
+
+  /// Number of hexahedra around an arc, as its first edge with a sense says, seen from a vertex along one of
+  /// its edges; none if that is not found.
+  std::optional<int> valence_along(std::uint32_t vertex, std::uint32_t edge) const;
+
   /// The sum of the rotation vectors, to first order, of frames on the way around an edge: the sense of a
   /// half turn, which is the same rotation in either.
   Vector3 turning_around(std::uint32_t inner_edge) const;
@@ -140,5 +156,16 @@ class MatchedField {
   /// Links that were searched for; not safe to use from several threads.
   mutable std::map<std::pair<std::vector<int>, std::vector<int>>, std::optional<bool>> links_;
 };
+
+template <typename Visit>
+void MatchedField::walk_arc(std::uint32_t vertex, std::uint32_t edge, const Visit& visit) const {
+  constexpr int kLongestWay = 16;
+  for (int step = 0; step < kLongestWay && edge != kNoEdge; ++step) {
+    const auto& ends = complex_->edges()[edge].ends;
+    vertex = ends[0] == vertex ? ends[1] : ends[0];
+    if (!visit(edge, vertex)) return;
+    edge = edge_beyond(vertex, edge);
+  }
+}
 
 }  // namespace crossgrain

@@ -144,17 +144,36 @@ bool MatchingRepair::disturb(std::uint32_t vertex, std::uint64_t random, double 
   return false;
 }
 
+void MatchingRepair::add_along_arcs(const Vertices& from, Vertices& vertices) const {
+  for (const std::uint32_t v : from) {
+    for (const std::uint32_t e : complex_.edges_at(v)) {
+      if (complex_.edges()[e].is_on_boundary() || !field_.is_singular(e)) continue;
+      field_.walk_arc(v, e, [&](std::uint32_t edge, std::uint32_t vertex) {
+        if (field_.turn_around(edge).has_sense()) return false;
+        vertices.insert(vertex);
+        return true;
+      });
+    }
+  }
+}
+
 double MatchingRepair::apply(std::span<const FaceChange> changes) {
   undo_faces_.clear();
   undo_edges_.clear();
   undo_vertices_.clear();
-  std::set<std::uint32_t> edges, vertices;
+  std::set<std::uint32_t> edges;
+  Vertices vertices;
   for (const FaceChange& change : changes) {
-    undo_faces_.push_back({change.face, field_.matching(change.face)});
-    field_.set_matching(change.face, change.matching);
     for (const std::uint32_t e : complex_.edges_of_face(change.face)) edges.insert(e);
     for (const std::uint32_t v : complex_.solid().inner_faces[change.face].vertices) vertices.insert(v);
   }
+  const Vertices changed = vertices;
+  add_along_arcs(changed, vertices);
+  for (const FaceChange& change : changes) {
+    undo_faces_.push_back({change.face, field_.matching(change.face)});
+    field_.set_matching(change.face, change.matching);
+  }
+  add_along_arcs(changed, vertices);
   double gain = 0;
   for (const std::uint32_t e : edges) {
     undo_edges_.push_back({e, edge_costs_[e]});

@@ -53,6 +53,9 @@ class MatchingRepair {
   /// than an allowance, in mean edge lengths.
   bool disturb(std::uint32_t vertex, std::uint64_t random, double allowance);
 
+  /// Adds the vertices whose states depend on what is at others: along edges without a sense of their own.
+  void add_along_arcs(const Vertices& from, Vertices& vertices) const;
+
   bool is_costly(std::uint32_t vertex) const { return vertex_costs_[vertex] > 0; }
 
   /// Applies changes; keeps them and returns true if they lower the cost.

@@ -29,9 +29,22 @@ SingularityOptions exact(SingularityOptions options) {
   return options;
 }
 
+/// The index in the sense that an arc has along most of its length.
+double index_along(const MatchedField& field, const SingularityGraph::Arc& arc) {
+  double sum = 0, quarters = 0;
+  for (std::size_t k = 1; k < arc.vertices.size(); ++k) {
+    const std::uint32_t edge = field.complex().edge_between(static_cast<std::uint32_t>(arc.vertices[k - 1]),
+                                                            static_cast<std::uint32_t>(arc.vertices[k]));
+    const EdgeTurn turn = field.turn_around(edge);
+    sum += turn.cosine * field.complex().edges()[edge].length;
+    quarters = turn.kind == EdgeTurn::Kind::kHalf ? 2 : 1;
+  }
+  return (sum < 0 ? -0.25 : 0.25) * quarters;
+}
+
 void judge_arc(const MatchedField& field, SingularityGraph::Arc& arc) {
   arc.turning_points.clear();
-  for (std::uint32_t k = 1; k + 1 < arc.vertices.size(); ++k) {
+  for (std::uint32_t k = arc.is_closed() ? 0 : 1; k + 1 < arc.vertices.size(); ++k) {
     const auto vertex = static_cast<std::uint32_t>(arc.vertices[k]);
     if (field.vertex_state(vertex) == VertexState::kImpossible) arc.turning_points.push_back(k);
   }
@@ -40,9 +53,11 @@ void judge_arc(const MatchedField& field, SingularityGraph::Arc& arc) {
     arc.type = SingularityGraph::ArcType::kChanging;
     arc.index = 0;
     arc.verdict = Verdict::kNotMeshable;
-  } else if (arc.type == SingularityGraph::ArcType::kRegular && arc.index != 0.5) {
-    arc.verdict = Verdict::kMeshable;
+    return;
   }
+  arc.type = SingularityGraph::ArcType::kRegular;
+  arc.index = index_along(field, arc);
+  arc.verdict = arc.index < 0.5 ? Verdict::kMeshable : Verdict::kNotMeshable;
 }
 
 /// A crease of the surface as the map sees it.

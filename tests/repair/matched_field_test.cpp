@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "repair/made_matchings.hpp"
@@ -144,6 +145,33 @@ TEST(MatchedField, FindsNoHexahedraWhereACreaseOfTheMapEndsInAFace) {
     }
   }
   EXPECT_GT(tried, 100u);
+}
+
+/// Vertices inside at which no hexahedra can meet, about a line along z whose axis is tilted by so much.
+template <class Tilt>
+std::size_t impossible_vertices_inside(const Tilt& tilt_deg) {
+  const TetSolid box = solid_of(TetBox{{4, 4, 7}}.mesh(0.02));
+  const TetComplex complex(box);
+  const TurningLine line{{2.03, 2.04, 0}, {0, 0, 1}, {0, 0, 1}, 0.25};
+  const auto frames = frames_at_centroids(box, [&](const Vector3& p) {
+    return from_rotation_vector({0, tilt_deg(p[2]) * std::numbers::pi / 180, 0}) * line(p);
+  });
+  const MatchedField field(complex, frames);
+  std::size_t count = 0;
+  for (std::uint32_t v = 0; v < box.mesh.vertices.size(); ++v)
+    count += !complex.is_on_boundary(v) && field.vertex_state(v) == VertexState::kImpossible;
+  return count;
+}
+
+TEST(MatchedField, TakesTheSenseOfEdgesAcrossTheirAxisFromTheArc) {
+  // Along the axis at one end, across it in the middle, against it at the other: a turning point, though no
+  // two edges of other senses meet at a vertex.
+  const auto to_across = [](double z) { return std::clamp(60 * (z - 1), 0.0, 90.0); };
+  const auto from_across = [](double z) { return std::clamp(60 * (z - 4.5), 0.0, 90.0); };
+  EXPECT_GT(impossible_vertices_inside([&](double z) { return to_across(z) + from_across(z); }), 0u);
+  // Along the axis at both ends; across it everywhere, so that either sense is possible.
+  EXPECT_EQ(impossible_vertices_inside([&](double z) { return to_across(z) - from_across(z); }), 0u);
+  EXPECT_EQ(impossible_vertices_inside([](double) { return 90.0; }), 0u);
 }
 
 TEST(MatchedField, DoesNotDependOnTheNamesOfAxes) {

@@ -15,6 +15,7 @@ namespace crossgrain {
 namespace {
 
 using testing::frames_at_centroids;
+using testing::random_tet_frames;
 using testing::turn_random_faces;
 using testing::TurningLine;
 
@@ -39,6 +40,18 @@ TEST(RepairedMatchings, TakeRandomArcsOutOfABox) {
       EXPECT_FALSE(field.is_singular(e));
     }
   }
+}
+
+TEST(RepairedMatchings, KnowTheCostOfTheFieldAfterAllMoves) {
+  const auto frames = random_tet_frames(kBox, 3);
+  MatchedField field(kComplex, frames);
+  RepairOptions options;
+  options.wandering_steps = 200;
+  MatchingRepair repair(field, RepairWeights{});
+  repair.run(options);
+  repair.wander(options, 1);
+  EXPECT_GT(repair.moves(), 0u);
+  EXPECT_NEAR(repair.cost(), MatchingRepair(field, RepairWeights{}).cost(), 1e-9);
 }
 
 TEST(RepairedMatchings, LeaveAFieldWithoutFaultsAsItIs) {
