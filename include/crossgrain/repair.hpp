@@ -26,6 +26,10 @@ struct RepairOptions {
   std::vector<RepairWeights> tries = {{1, 1, 200},    {3, 5, 200},   {3, 2, 200},
                                       {10, 0.5, 200}, {1, 0.3, 200}, {0, 0.05, 200}};
 
+  /// Whether vertices of prepared tets (TetDomain::prepared_for_map) may move, those inside and in flat parts
+  /// of the surface: arcs become straight and tets rounder. The result then has a domain of its own.
+  bool moves_vertices = true;
+
   int passes = 3;        ///< of repair and smoothing in turn; fewer if the last finds nothing to repair
   int most_sweeps = 30;  ///< of moves over all vertices, until none lowers the cost
 
@@ -51,9 +55,9 @@ struct RepairOptions {
 /// Returns the field with matchings that hexahedra can follow, as far as they were found, and with frames
 /// smoothed for them. Matchings, singular graph, report and files are those of the repair; the report has a
 /// section about it (SolveReport::Onto::repair) and the answer about the repaired field. The mesh is the
-/// same; TetDomain::prepared leaves more room for repairs. The method follows Liu and Bommes 2023 ("Locally
-/// Meshable Frame Fields") in what is demanded of edges and vertices, not in how it is found. The same to the
-/// bit for any number of threads.
+/// same, but for vertices of prepared tets (RepairOptions::moves_vertices). The method follows Liu and Bommes
+/// 2023 ("Locally Meshable Frame Fields") in what is demanded of edges and vertices, not in how it is found.
+/// The same to the bit for any number of threads.
 ///
 /// Frames keep to walls between regions and tagged edges, though matchings are judged at the outer boundary
 /// only.

@@ -306,6 +306,7 @@ struct SolveReport {
     struct Repair {
       std::size_t moves = 0;
       std::size_t changed_faces = 0;  ///< faces with another matching than before
+      std::size_t moved_vertices = 0;
       std::size_t faults_before = 0;  ///< edges and vertices at which no hexahedra can meet
       std::size_t faults = 0;         ///< those that are left
       std::size_t edges_before = 0;   ///< singular edges of the tets

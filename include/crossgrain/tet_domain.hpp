@@ -48,6 +48,10 @@ class TetDomain {
   /// then not split.
   TetDomain prepared_for_map(const MapPreparationOptions& options = {}) const;
 
+  /// These tets with their vertices elsewhere, one place each. Throws Error(kUsage) if that leaves a tet
+  /// inverted or without volume.
+  TetDomain with_vertices(std::vector<Vector3> vertices) const;
+
   /// What `prepared_for_map` did; none for tets as given.
   const std::optional<MapPreparation>& preparation() const;
 

@@ -149,6 +149,7 @@ void for_each_option(TetMakingOptions& options, const Visit& visit) {
 template <class Visit>
 void for_each_option(RepairOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(tries);
+  CROSSGRAIN_OPTION(moves_vertices);
   CROSSGRAIN_OPTION(passes);
   CROSSGRAIN_OPTION(most_sweeps);
   CROSSGRAIN_OPTION(disturbances);

@@ -312,7 +312,8 @@ std::vector<int> MatchedField::valences_at(std::uint32_t vertex) const {
     if (complex_->edges()[edge].is_on_boundary()) continue;
     const EdgeTurn turn = turn_around(edge);
     if (turn.kind == EdgeTurn::Kind::kNone) continue;
-    valences.push_back(turn.has_sense() ? turn.valence() : valence_along(vertex, edge).value_or(turn.valence()));
+    valences.push_back(turn.has_sense() ? turn.valence()
+                                        : valence_along(vertex, edge).value_or(turn.valence()));
   }
   return valences;
 }

@@ -115,4 +115,14 @@ RepairedTets repaired_tets(const MatchedField& given, const RepairOptions& optio
   return std::move(best->tets);
 }
 
+RepairedTets smoothed_tets(const MatchedField& given, std::size_t known_faults,
+                           const RepairOptions& options) {
+  std::vector<Quaternion> frames = smoothed_frames(given, {given.frames().begin(), given.frames().end()},
+                                                   {options.smoothing_sweeps, options.smoothing_rad});
+  const MatchedField field = given.with_frames(frames);
+  const std::size_t faults = faults_of(field);
+  if (faults > known_faults) return repaired_tets(field, options);
+  return {field.matchings(), std::move(frames), /*moves=*/0, faults, faults};
+}
+
 }  // namespace crossgrain

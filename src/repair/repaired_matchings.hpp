@@ -22,6 +22,10 @@ struct RepairedTets {
   std::size_t faults_before = 0, faults = 0;
 };
 
+/// Returns the matchings given, with frames smoothed for them; repaired if there are more faults then than
+/// `known_faults`.
+RepairedTets smoothed_tets(const MatchedField& given, std::size_t known_faults, const RepairOptions& options);
+
 /// Returns the best of the tries (RepairOptions::tries), with frames smoothed for it.
 RepairedTets repaired_tets(const MatchedField& given, const RepairOptions& options);
 

@@ -15,6 +15,7 @@
 #include "measure/angle_statistics.hpp"
 #include "measure/tet_evaluation.hpp"
 #include "repair/matched_field.hpp"
+#include "repair/moved_vertices.hpp"
 #include "repair/repair_cost.hpp"
 #include "repair/repaired_graph.hpp"
 #include "repair/repaired_matchings.hpp"
@@ -145,6 +146,39 @@ void count_bent_edges(const MatchedField& field, Repair& repair) {
   }
 }
 
+/// Repaired tets on a domain, whose vertices may have moved.
+struct Repaired {
+  TetDomain domain;
+  RepairedTets tets;
+};
+
+/// Moves vertices for the matchings, and repairs what that leaves.
+Repaired with_moved_vertices(Repaired repaired, const InnerFeatures& features, const RepairOptions& options) {
+  constexpr int kMostRounds = 2;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const TetComplex before(repaired.domain.data().solid, features);
+    RepairedTets& former = repaired.tets;
+    TetDomain domain =
+        repaired.domain.with_vertices(moved_vertices(MatchedField(before, former.frames, former.matchings)));
+    const TetComplex complex(domain.data().solid, features);
+    RepairedTets tets =
+        smoothed_tets(MatchedField(complex, former.frames, former.matchings), former.faults, options);
+    if (tets.faults > former.faults) break;
+    const bool goes_on = tets.moves > 0;
+    tets.moves += former.moves;
+    tets.faults_before = former.faults_before;
+    repaired = {std::move(domain), std::move(tets)};
+    if (!goes_on) break;
+  }
+  return repaired;
+}
+
+std::size_t moved_between(const TetMesh& before, const TetMesh& after) {
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < before.vertices.size(); ++v) count += before.vertices[v] != after.vertices[v];
+  return count;
+}
+
 }  // namespace
 
 void check_repairable(const TetDomain& domain) {
@@ -155,7 +189,7 @@ void check_repairable(const TetDomain& domain) {
 }
 
 TetFrameField repaired(const TetFrameField& field, const RepairOptions& options, const Monitor& monitor) {
-  const TetDomainData& tets = field.domain().data();
+  const TetDomainData& given = field.domain().data();
   check(options);
   check_repairable(field.domain());
   if (field.report().constraints)
@@ -164,26 +198,32 @@ TetFrameField repaired(const TetFrameField& field, const RepairOptions& options,
   Stopwatch stopwatch;
   stopwatch.start();
   const std::vector<Quaternion>& former_frames = field.data().tet_frames;
-  const std::vector<CubeRotation> former_matchings = matchings_of(tets.solid, field.data());
+  const std::vector<CubeRotation> former_matchings = matchings_of(given.solid, field.data());
   // Faces between regions constrain frames unless the solve united them.
-  const bool united = has_several_regions(tets.solid.mesh) && !field.report().interfaces;
-  const InnerFeatures features = features_of(tets.solid, tets.walls, united);
-  const TetComplex complex(tets.solid, features);
-  RepairedTets found = repaired_tets(MatchedField(complex, former_frames, former_matchings), options);
+  const bool united = has_several_regions(given.solid.mesh) && !field.report().interfaces;
+  const InnerFeatures features = features_of(given.solid, given.walls, united);
+  const TetComplex given_complex(given.solid, features);
+  Repaired found{field.domain(),
+                 repaired_tets(MatchedField(given_complex, former_frames, former_matchings), options)};
+  if (options.moves_vertices && given.preparation)
+    found = with_moved_vertices(std::move(found), features, options);
 
+  const TetDomainData& tets = found.domain.data();
+  const TetComplex complex(tets.solid, features);
   auto result = std::make_shared<TetField>();
-  result->matchings = std::move(found.matchings);
-  result->tet_frames = std::move(found.frames);
+  result->matchings = std::move(found.tets.matchings);
+  result->tet_frames = std::move(found.tets.frames);
   result->vertex_frames = vertex_frames_for(tets, result->tet_frames, field.data().vertex_frames);
   const MatchedField matched(complex, result->tet_frames, result->matchings);
   auto lines = std::make_shared<const SingularityGraph>(repaired_graph(matched));
 
   SolveReport report = field.report();
   SolveReport::Onto& onto = report.onto.value();
-  Repair repair = former(onto, tets.solid, former_frames);
-  repair.moves = found.moves;
-  repair.faults_before = found.faults_before;
-  repair.faults = found.faults;
+  Repair repair = former(onto, given.solid, former_frames);
+  repair.moves = found.tets.moves;
+  repair.moved_vertices = moved_between(given.solid.mesh, tets.solid.mesh);
+  repair.faults_before = found.tets.faults_before;
+  repair.faults = found.tets.faults;
   for (std::size_t f = 0; f < former_matchings.size(); ++f)
     repair.changed_faces += !(former_matchings[f] == result->matchings[f]);
   compare(complex, field.singularities(), *lines, repair);
@@ -204,7 +244,7 @@ TetFrameField repaired(const TetFrameField& field, const RepairOptions& options,
   repair.seconds = stopwatch.restart();
   onto.repair = repair;
   report.answer = answer_of(report);
-  return {field.grid(), field.domain(), std::move(result), std::move(report), std::move(lines)};
+  return {field.grid(), std::move(found.domain), std::move(result), std::move(report), std::move(lines)};
 }
 
 }  // namespace crossgrain

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "tets/listed_topology.hpp"
 #include "tets/map_preparation.hpp"
@@ -72,6 +73,20 @@ TetDomain TetDomain::prepared_for_map(const MapPreparationOptions& options) cons
     data->warnings.emplace_back(
         WarningKind::kRefusedSplits,
         "splits for a map that would leave tets without volume, not made: " + std::to_string(refused));
+  return TetDomain(std::move(data));
+}
+
+TetDomain TetDomain::with_vertices(std::vector<Vector3> vertices) const {
+  const std::vector<std::array<std::uint32_t, 4>>& tets = mesh().tets;
+  if (vertices.size() != mesh().vertices.size())
+    throw Error(ErrorKind::kUsage, {"", "moved vertices", "there must be as many as before"});
+  for (std::size_t t = 0; t < tets.size(); ++t)
+    if (shape_of_tet(vertices, tets[t]) != TetShape::kPositive)
+      throw Error(ErrorKind::kUsage, {"", "tet " + std::to_string(t), "would have no positive volume"});
+  auto data = std::make_shared<TetDomainData>(*data_);
+  data->solid.mesh.vertices = std::move(vertices);
+  std::vector<Warning> known;
+  complete(*data, known);
   return TetDomain(std::move(data));
 }
 

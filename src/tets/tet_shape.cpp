@@ -20,4 +20,18 @@ TetShape shape_of_tet(const std::vector<Vector3>& vertices, const std::array<std
   return six_volumes > 0 ? TetShape::kPositive : TetShape::kInverted;
 }
 
+double mean_ratio(const std::array<Vector3, 4>& corners) {
+  const double volume =
+      dot(corners[1] - corners[0], cross(corners[2] - corners[0], corners[3] - corners[0])) / 6;
+  double squares = 0;
+  for (std::size_t a = 0; a < 4; ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      const Vector3 edge = corners[a] - corners[b];
+      squares += dot(edge, edge);
+    }
+  }
+  const double root = std::cbrt(3 * volume);
+  return squares > 0 ? std::copysign(12 * root * root / squares, volume) : 0;
+}
+
 }  // namespace crossgrain

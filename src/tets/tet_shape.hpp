@@ -24,6 +24,10 @@ inline constexpr double kFlatness = 1e-12;
 /// Shape of a tet. Coordinates must be below 1e100 (`check_vertices`), so that volumes do not overflow.
 TetShape shape_of_tet(const std::vector<Vector3>& vertices, const std::array<std::uint32_t, 4>& tet);
 
+/// 12 (3 V)^(2/3) over the sum of squared edges, with the sign of the volume V: 1 for a regular tet, 0 for a
+/// flat one.
+double mean_ratio(const std::array<Vector3, 4>& corners);
+
 /// Vertices of the face opposite each corner, outward by the right-hand rule for a positive tet.
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kFaceCorners = {
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};

@@ -96,6 +96,10 @@ class RepairTest(CommandTest):
         self.assertEqual(checked["tets"], report["onto"]["singularity"])
 
 
+def six_volumes(points, tets):
+    return np.linalg.det(points[tets][:, 1:] - points[tets][:, :1])
+
+
 SOLIDS = {
     "ball": lambda: tet_solids.ball(4),
     "box": lambda: tet_box((4, 3, 3)),
@@ -130,6 +134,23 @@ class FilesOfRepairedFields(RepairTest):
                 nearest = np.abs(np.einsum("nij,ni->nj", axes, field.normals)).argmax(axis=1)
                 off = np.cross(axes[np.arange(len(axes)), :, nearest], field.normals)
                 self.assertLess(np.linalg.norm(off, axis=1).max(), NORMAL_TOLERANCE)
+
+    def test_have_vertices_moved_within_flat_parts_of_the_surface_and_inside_only(self):
+        for name, solid in SOLIDS.items():
+            with self.subTest(name):
+                report = self.repaired(*solid(), "--prepare")
+                repaired, tets = read_medit(self.folder / "out" / "onto.mesh")
+                self.solve("solid.mesh", "--prepare", "--write", FORMATS, "--no-report", folder="plain")
+                plain, same = read_medit(self.folder / "plain" / "onto.mesh")
+                np.testing.assert_array_equal(tets, same)
+                moved = (repaired != plain).any(axis=1)
+                self.assertEqual(report["onto"]["repair"]["moved_vertices"], moved.sum())
+                field = MatchedField(self.folder / "out")
+                self.assertLess(abs(six_volumes(repaired, tets).sum() / six_volumes(plain, tets).sum() - 1), 1e-12)
+                self.assertGreater(six_volumes(repaired, tets).min(), 0)
+                for face, normal in zip(field.surface, field.normals):
+                    off = (repaired[face] - plain[face]) @ normal
+                    self.assertLess(np.abs(off).max(), 1e-12)
 
     def test_do_not_depend_on_the_run_or_the_threads(self):
         self.write("ball.mesh", medit_text(*tet_solids.ball(4)))
@@ -221,8 +242,8 @@ class CommandsOnRepairedFields(RepairTest):
     def test_may_solve_its_mesh_again(self):
         self.repaired(*tet_solids.ball(4), "--prepare")
         again = self.solve("out/onto.mesh", "--repair", "--write", FORMATS, folder="again")
-        self.assertIn("repair", again["onto"])
-        one, other = ((self.folder / folder / "onto.perm").read_bytes() for folder in ("out", "again"))
+        self.assertEqual((again["onto"]["repair"]["faults"], again["onto"]["repair"]["moved_vertices"]), (0, 0))
+        one, other = ((self.folder / folder / "onto.mesh").read_bytes() for folder in ("out", "again"))
         self.assertEqual(one, other)
 
 

@@ -142,6 +142,7 @@ void describe_repair(File& file, Repair& repair) {
   file.member("changed_faces", repair.changed_faces);
   file.member("faults_before", repair.faults_before);
   file.member("faults", repair.faults);
+  file.member("moved_vertices", repair.moved_vertices);
   file.member("edges_before", repair.edges_before);
   file.member("length_before", repair.length_before);
   file.member("contacts_before", repair.contacts_before);

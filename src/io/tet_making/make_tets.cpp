@@ -26,6 +26,7 @@
 #include "io/tet_making/tet_program.hpp"
 #include "surface/stitching.hpp"
 #include "surface/topology.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
@@ -247,17 +248,7 @@ TetQuality quality_of(const TetMesh& mesh) {
   for (const auto& tet : mesh.tets) {
     std::array<Vector3, 4> corners;
     for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.vertices[tet[k]];
-    const double volume =
-        dot(corners[1] - corners[0], cross(corners[2] - corners[0], corners[3] - corners[0])) / 6;
-    double squares = 0;
-    for (std::size_t a = 0; a < 4; ++a) {
-      for (std::size_t b = 0; b < a; ++b) {
-        const Vector3 edge = corners[a] - corners[b];
-        squares += dot(edge, edge);
-      }
-    }
-    const double root = std::cbrt(3 * volume);
-    const double shape = squares > 0 ? std::copysign(12 * root * root / squares, volume) : 0;
+    const double shape = mean_ratio(corners);
     quality.worst = std::min(quality.worst, shape);
     sum += shape;
   }
