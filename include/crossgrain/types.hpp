@@ -92,6 +92,10 @@ struct TetMesh {
   std::vector<Edge> feature_edges = {};
   std::vector<Face> feature_faces = {};
 
+  /// As of a TriangleMesh: of tets made of a CAD file.
+  std::string unit = {};
+  std::string file_unit = {};
+
   /// What a reader did not take as it stands in the file.
   std::vector<Warning> warnings = {};
 };

@@ -144,6 +144,8 @@ std::vector<std::int32_t> regions_of_boundary(const TetSolid& solid) {
 TriangleMesh model_surface(const TetSolid& solid, const std::vector<InnerWall>& walls) {
   const TetMesh& mesh = solid.mesh;
   TriangleMesh surface{mesh.vertices, solid.boundary};
+  surface.unit = mesh.unit;
+  surface.file_unit = mesh.file_unit;
   if (has_several_regions(mesh)) surface.solids = regions_of_boundary(solid);
   for (const InnerWall& wall : walls) {
     if (!wall.separates_regions) {

@@ -191,6 +191,13 @@ class MadeOfCad(TetsTest):
         self.assertEqual(report["constraints"]["faces"]["count"], 1)
         self.assertLess(report["constraints"]["faces"]["angle_deg"]["mean"], 5)
 
+    def test_the_report_has_the_unit_of_the_file(self):
+        for tets in ((), ("--tets",), ("--tets", "--prepare")):
+            with self.subTest(tets):
+                self.assert_succeeds(self.run_here("solve", "plate.step", *tets, "-o", "out", "--force"))
+                model = json.loads((self.folder / "out" / "report.json").read_text())["model"]
+                self.assertEqual((model["unit"], model["file_unit"]), ("mm", "mm"))
+
     def test_glued_solids_are_regions_of_one_mesh(self):
         mesh = self.made("pocket.step", "--glue")
         self.assert_sound(mesh)

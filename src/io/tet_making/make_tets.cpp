@@ -202,6 +202,8 @@ TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingOptions
     });
   }
   TetMesh mesh = std::move(attempts).result();
+  mesh.unit = model.mesh.unit;
+  mesh.file_unit = model.mesh.file_unit;
   add_first(mesh.warnings, model.mesh.warnings);
   return mesh;
 }
@@ -220,6 +222,7 @@ TriangleMesh without_cracks(TriangleMesh mesh, double share) {
 }
 
 TetMesh triangle_tets(TriangleMesh given, const TetMakingOptions& options, const Monitor& monitor) {
+  const std::string unit = given.unit, file_unit = given.file_unit;
   TriangleMesh mesh = without_cracks(std::move(given), options.stitch_share);
   const std::vector<Warning> reading = std::move(mesh.warnings);
   const SearchableSurface surface(mend_surface(CheckedMesh::derived(std::move(mesh))));
@@ -230,6 +233,8 @@ TetMesh triangle_tets(TriangleMesh given, const TetMakingOptions& options, const
   Attempts attempts;
   attempt_surface(surface.surface(), options, programs, job, attempts);
   TetMesh result = std::move(attempts).result();
+  result.unit = unit;
+  result.file_unit = file_unit;
   add_first(result.warnings, mended);
   add_first(result.warnings, reading);
   return result;
