@@ -237,7 +237,8 @@ typedef enum crossgrain_phase {
   CROSSGRAIN_ANALYSIS = 3, /**< measures the solved field and finds its singular lines */
   CROSSGRAIN_ON_TETS = 4,  /**< finishes the field on a tet mesh */
   CROSSGRAIN_WRITING = 5,
-  CROSSGRAIN_MAKING_TETS = 6 /**< cuts a solid into tets */
+  CROSSGRAIN_MAKING_TETS = 6, /**< cuts a solid into tets */
+  CROSSGRAIN_REPAIRING = 7    /**< changes matchings of a field on tets until hexahedra can follow */
 } crossgrain_phase;
 
 typedef struct crossgrain_progress {

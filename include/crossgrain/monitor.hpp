@@ -21,7 +21,8 @@ enum class Phase : int {
   kAnalysis,  ///< measures the solved field and finds its singular lines
   kTets,      ///< finishes the field on a tet mesh
   kWrite,     ///< writes files
-  kMakeTets   ///< cuts a solid into tets
+  kMakeTets,  ///< cuts a solid into tets
+  kRepair     ///< changes matchings of a field on tets until hexahedra can follow
 };
 
 /// Returns a name for display: "grid".
@@ -31,7 +32,7 @@ const char* name_of(Phase phase);
 struct Progress {
   Phase phase;
   int depth;          ///< octree depth of the current level, 0 if there is none
-  std::size_t cells;  ///< active cells of that level; in kTets vertices of the mesh
+  std::size_t cells;  ///< active cells of that level; in kTets and kRepair vertices of the mesh
   int sweep;          ///< sweeps done on that level
 
   /// Energy after that sweep, in the degree of the solve, including what the report calls unavoidable; in

@@ -9,8 +9,8 @@
 namespace crossgrain {
 
 const char* name_of(Phase phase) {
-  constexpr std::array kNames{"read", "grid", "solve", "analysis", "tets", "write", "make tets"};
-  return name_among<Phase::kMakeTets>(kNames, phase);
+  constexpr std::array kNames{"read", "grid", "solve", "analysis", "tets", "write", "make tets", "repair"};
+  return name_among<Phase::kRepair>(kNames, phase);
 }
 
 void Monitor::check() const {

@@ -7,7 +7,7 @@
 namespace crossgrain {
 namespace {
 
-static_assert(static_cast<int>(Phase::kMakeTets) == CROSSGRAIN_MAKING_TETS);
+static_assert(static_cast<int>(Phase::kRepair) == CROSSGRAIN_REPAIRING);
 
 crossgrain_progress passed_on(const Progress& progress) {
   crossgrain_progress result{};

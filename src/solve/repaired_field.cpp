@@ -195,6 +195,7 @@ TetFrameField repaired(const TetFrameField& field, const RepairOptions& options,
   if (field.report().constraints)
     throw Error(ErrorKind::kUsage, {"", "the repair", "smoothed frames would leave the field's constraints"});
   const WatchedLoops watched(monitor, Stops::kHeeded);
+  monitor.report({Phase::kRepair, 0, given.solid.mesh.vertices.size(), 0, std::nan("")});
   Stopwatch stopwatch;
   stopwatch.start();
   const std::vector<Quaternion>& former_frames = field.data().tet_frames;

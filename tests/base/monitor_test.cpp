@@ -78,7 +78,8 @@ TEST(Phase, HasANameForDisplay) {
   EXPECT_STREQ(name_of(Phase::kTets), "tets");
   EXPECT_STREQ(name_of(Phase::kWrite), "write");
   EXPECT_STREQ(name_of(Phase::kMakeTets), "make tets");
-  EXPECT_STREQ(name_of(static_cast<Phase>(7)), "");
+  EXPECT_STREQ(name_of(Phase::kRepair), "repair");
+  EXPECT_STREQ(name_of(static_cast<Phase>(8)), "");
 }
 
 TEST(Monitor, WithoutListenerTakesReportsToo) {

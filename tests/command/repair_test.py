@@ -392,9 +392,9 @@ class Stopped(RepairTest):
         process = subprocess.Popen([PROGRAM, "solve", "wedge.mesh", "--repair", "-o", "out", "--progress"], stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, cwd=self.folder)
         self.addCleanup(lambda: process.poll() is None and process.kill())
-        while "analysis" not in (line := process.stderr.readline().decode()):
-            self.assertNotEqual(line, "", "ended before the analysis")
-        time.sleep(1.5)
+        while "tets:" not in (line := process.stderr.readline().decode()):  # written when the repair begins
+            self.assertNotEqual(line, "", "ended before the repair")
+        time.sleep(0.5)
         process.send_signal(signal.SIGINT)
         began = time.monotonic()
         _, errors = process.communicate(timeout=100)
