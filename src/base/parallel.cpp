@@ -63,7 +63,7 @@ SpareArenas& spare_arenas() {
 }
 
 // Both concern loops that this thread starts. Threads of the pool that help with a loop have none of their
-// own, so nothing leaks from one computation to another.
+// own but while they work for one that is watched, so nothing leaks from one computation to another.
 thread_local ThreadArena* t_arena = nullptr;
 thread_local const WatchedLoops* t_watching = nullptr;
 
@@ -376,17 +376,27 @@ void run_within_limit(const std::function<void()>& work) {
   work();
 }
 
+namespace {
+
+/// Sets what this thread's loops are watched by while it lives.
+class Watched {
+ public:
+  explicit Watched(const WatchedLoops* watching) : before_(std::exchange(t_watching, watching)) {}
+  ~Watched() { t_watching = before_; }
+  Watched(const Watched&) = delete;
+  Watched& operator=(const Watched&) = delete;
+
+ private:
+  const WatchedLoops* const before_;
+};
+
+}  // namespace
+
 void run_side_by_side(const std::function<void()>& first, const std::function<void()>& second) {
   const WatchedLoops* const watching = t_watching;
   const auto watched = [watching](const std::function<void()>& work) {
-    const WatchedLoops* const before = std::exchange(t_watching, watching);
-    try {
-      work();
-    } catch (...) {
-      t_watching = before;
-      throw;
-    }
-    t_watching = before;
+    const Watched here(watching);
+    work();
   };
   run_both([&] { watched(first); }, [&] { watched(second); });
 }
@@ -396,6 +406,7 @@ void parallel_for_chunks(std::size_t count, std::size_t grain, const ChunkBody& 
   if (watching == nullptr) return run_chunks(count, grain, body);
   run_chunks(count, grain, [&body, watching](std::size_t begin, std::size_t end) {
     watching->check();
+    const Watched here(watching);  // for long bodies (check_watched)
     body(begin, end);
   });
 }
