@@ -295,6 +295,7 @@ struct SolveReport {
     std::size_t outside_vertices =
         0;  ///< vertices in no active cell; they start from the frame of the nearest cell of their component
     std::size_t unused_vertices = 0;  ///< vertices of no tet
+    bool united = false;              ///< frames ignore faces between regions (SolveOptions::unite_solids)
     std::size_t inverted_tets = 0;    ///< reoriented
     std::size_t left_out_tets = 0;    ///< tets without volume
     /// From which field it comes: 0 that on the grid, k the k-th of OntoOptions::other_starts.

@@ -21,6 +21,7 @@
 #include "repair/repaired_matchings.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
+#include "solve/used_features.hpp"
 
 namespace crossgrain {
 namespace {
@@ -39,18 +40,19 @@ void check(const RepairOptions& options) {
       demand(weight >= 0 && std::isfinite(weight), "weights must be numbers from 0");
   demand(options.passes >= 1 && options.most_sweeps >= 0 && options.disturbances >= 0 &&
              options.finalists >= 0 && options.wanderings >= 0 && options.wandering_steps >= 0 &&
-             options.smoothing_sweeps >= 0,
+             options.smoothing_sweeps >= 0 && options.moving_sweeps >= 0,
          "there must be a pass, and other numbers must be 0 or positive");
   demand(options.temperature >= 0 && std::isfinite(options.temperature),
          "the temperature must be a number from 0");
+  demand(options.least_quality >= 0 && options.least_quality <= 1, "the least quality must be from 0 to 1");
   demand(options.smoothing_rad >= 0, "the angle at which smoothing ends must be a number from 0");
 }
 
 /// The frames of vertices that suit those of tets: nearest to the mean around, by volume, and exactly along
 /// the normal at smooth vertices of the surface.
-std::vector<Quaternion> vertex_frames_for(const TetDomainData& tets, std::span<const Quaternion> tet_frames,
+std::vector<Quaternion> vertex_frames_for(const TetMesh& mesh, const BoundaryVertices& boundary,
+                                          std::span<const Quaternion> tet_frames,
                                           std::vector<Quaternion> frames) {
-  const TetMesh& mesh = tets.solid.mesh;
   std::vector<Coefficients<4>> sums(frames.size());
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const auto& [a, b, c, d] = mesh.tets[t];
@@ -62,10 +64,10 @@ std::vector<Quaternion> vertex_frames_for(const TetDomainData& tets, std::span<c
   parallel_for(frames.size(), [&](std::size_t v) {
     if (squared_norm(sums[v]) > 0) frames[v] = nearest_frame<4>(sums[v]);
   });
-  for (std::size_t k = 0; k < tets.boundary.size(); ++k) {
-    if (tets.boundary.classes[k] != BoundaryClass::kSmooth) continue;
-    Quaternion& frame = frames[tets.boundary.vertices[k]];
-    frame = with_axis_along(frame, tets.boundary.normals[k]);
+  for (std::size_t k = 0; k < boundary.size(); ++k) {
+    if (boundary.classes[k] != BoundaryClass::kSmooth) continue;
+    Quaternion& frame = frames[boundary.vertices[k]];
+    frame = with_axis_along(frame, boundary.normals[k]);
   }
   return frames;
 }
@@ -158,8 +160,9 @@ Repaired with_moved_vertices(Repaired repaired, const InnerFeatures& features, c
   for (int round = 0; round < kMostRounds; ++round) {
     const TetComplex before(repaired.domain.data().solid, features);
     RepairedTets& former = repaired.tets;
-    TetDomain domain =
-        repaired.domain.with_vertices(moved_vertices(MatchedField(before, former.frames, former.matchings)));
+    TetDomain domain = repaired.domain.with_vertices(
+        moved_vertices(MatchedField(before, former.frames, former.matchings),
+                       {.sweeps = options.moving_sweeps, .least_quality = options.least_quality}));
     const TetComplex complex(domain.data().solid, features);
     RepairedTets tets =
         smoothed_tets(MatchedField(complex, former.frames, former.matchings), former.faults, options);
@@ -179,9 +182,23 @@ std::size_t moved_between(const TetMesh& before, const TetMesh& after) {
   return count;
 }
 
+[[noreturn]] void refuse_overlap() {
+  throw Error(ErrorKind::kInput,
+              {"", "",
+               "tets overlap, so that no way leads around some edges through all their tets; "
+               "mesh the part again before a repair"});
+}
+
+void check_rings(const TetComplex& complex) {
+  for (const TetComplex::Edge& edge : complex.edges())
+    if (edge.is_branched && !edge.is_on_boundary()) refuse_overlap();
+}
+
 }  // namespace
 
 void check_repairable(const TetDomain& domain) {
+  for (const Warning& warning : domain.warnings())
+    if (warning.kind == WarningKind::kOverlappingTets) refuse_overlap();
   if (domain.data().solid.left_out_tets > 0)
     throw Error(ErrorKind::kInput, {"", "",
                                     "tets without volume or duplicates leave gaps that no matching crosses; "
@@ -200,10 +217,10 @@ TetFrameField repaired(const TetFrameField& field, const RepairOptions& options,
   stopwatch.start();
   const std::vector<Quaternion>& former_frames = field.data().tet_frames;
   const std::vector<CubeRotation> former_matchings = matchings_of(given.solid, field.data());
-  // Faces between regions constrain frames unless the solve united them.
-  const bool united = has_several_regions(given.solid.mesh) && !field.report().interfaces;
-  const InnerFeatures features = features_of(given.solid, given.walls, united);
+  const bool united = field.report().onto && field.report().onto->united;
+  const InnerFeatures features = UsedFeatures(given, united).features();
   const TetComplex given_complex(given.solid, features);
+  check_rings(given_complex);
   Repaired found{field.domain(),
                  repaired_tets(MatchedField(given_complex, former_frames, former_matchings), options)};
   if (options.moves_vertices && given.preparation)
@@ -211,10 +228,12 @@ TetFrameField repaired(const TetFrameField& field, const RepairOptions& options,
 
   const TetDomainData& tets = found.domain.data();
   const TetComplex complex(tets.solid, features);
+  const UsedFeatures used(tets, united);
   auto result = std::make_shared<TetField>();
   result->matchings = std::move(found.tets.matchings);
   result->tet_frames = std::move(found.tets.frames);
-  result->vertex_frames = vertex_frames_for(tets, result->tet_frames, field.data().vertex_frames);
+  result->vertex_frames =
+      vertex_frames_for(tets.solid.mesh, used.boundary(), result->tet_frames, field.data().vertex_frames);
   const MatchedField matched(complex, result->tet_frames, result->matchings);
   auto lines = std::make_shared<const SingularityGraph>(repaired_graph(matched));
 
@@ -233,7 +252,7 @@ TetFrameField repaired(const TetFrameField& field, const RepairOptions& options,
   repair.turned_deg = turns_between(former_frames, result->tet_frames);
 
   const VertexFieldEvaluation evaluation =
-      evaluate_vertex_field(tets.solid, tets.boundary, tets.edges, result->vertex_frames);
+      evaluate_vertex_field(tets.solid, used.boundary(), tets.edges, result->vertex_frames);
   onto.dirichlet = evaluation.dirichlet;
   onto.edge_sum = evaluation.edge_sum;
   onto.singular = evaluation.singular;

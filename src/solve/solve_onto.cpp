@@ -21,6 +21,7 @@
 #include "solve/tet_constraints.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
+#include "solve/used_features.hpp"
 
 namespace crossgrain {
 namespace {
@@ -51,24 +52,6 @@ SolveReport::Onto describe(const TetDomainData& domain, const VertexFieldEvaluat
   onto.crease_deg = evaluation.crease_deg;
   return onto;
 }
-
-/// The features and boundary of the domain, unless it has walls that the union ignores.
-class UsedFeatures {
- public:
-  UsedFeatures(const TetDomainData& tets, bool unite) : tets_(tets) {
-    if (!unite || !has_several_regions(tets.solid.mesh)) return;
-    united_features_ = features_of(tets.solid, tets.walls, /*unite=*/true);
-    united_boundary_ = classify_boundary_vertices(tets.solid, {}, *united_features_);
-  }
-
-  const InnerFeatures& features() const { return united_features_ ? *united_features_ : tets_.features; }
-  const BoundaryVertices& boundary() const { return united_boundary_ ? *united_boundary_ : tets_.boundary; }
-
- private:
-  const TetDomainData& tets_;
-  std::optional<InnerFeatures> united_features_;
-  std::optional<BoundaryVertices> united_boundary_;
-};
 
 /// Finishes the frames carried from the grid, or those of the other start that ends lower; `start` of the
 /// result is its number.
@@ -129,6 +112,7 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   monitor.report({Phase::kTets, 0, tets.solid.mesh.vertices.size(), finished.sweeps, report.onto->dirichlet});
   report.onto->feature_edge_deg = angles_along(tets.solid, used.features().edges, field->vertex_frames);
   report.onto->boundary = options.onto.boundary;
+  report.onto->united = options.unite_solids && has_several_regions(tets.solid.mesh);
   report.onto->start = finished.start;
   report.onto->singularity = tet_summary(tets.solid, field->tet_frames, *lines);
   report.onto->edge_length = domain.typical_edge_length();

@@ -193,6 +193,7 @@ void describe_onto(File& file, Onto& onto) {
   file.member("unused_vertices", onto.unused_vertices);
   file.member("inverted_tets", onto.inverted_tets);
   file.member("left_out_tets", onto.left_out_tets);
+  file.member("united", onto.united);
   file.member("start", onto.start);
   file.member("seconds", onto.seconds);
   file.optional_object("repair", onto.repair,
