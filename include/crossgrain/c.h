@@ -648,8 +648,8 @@ CROSSGRAIN_API crossgrain_status crossgrain_carry_onto(const crossgrain_field* f
                                                        crossgrain_tet_field** out, crossgrain_error** error);
 
 /** The field with matchings that hexahedra can follow, as far as they were found, and with frames smoothed
- * for them (repaired). `options` of kind CROSSGRAIN_REPAIR_OPTIONS, or NULL; `threads` as in
- * crossgrain_field_sample. */
+ * for them (repaired). It has a mesh of its own, on which vertices may have moved if it was prepared for a
+ * map. `options` of kind CROSSGRAIN_REPAIR_OPTIONS, or NULL; `threads` as in crossgrain_field_sample. */
 CROSSGRAIN_API crossgrain_status crossgrain_tet_field_repaired(const crossgrain_tet_field* field,
                                                                const crossgrain_options* options, int threads,
                                                                crossgrain_monitor* monitor,

@@ -26,9 +26,13 @@ struct RepairOptions {
   std::vector<RepairWeights> tries = {{1, 1, 200},    {3, 5, 200},   {3, 2, 200},
                                       {10, 0.5, 200}, {1, 0.3, 200}, {0, 0.05, 200}};
 
-  /// Whether vertices of prepared tets (TetDomain::prepared_for_map) may move, those inside and in flat parts
-  /// of the surface: arcs become straight and tets rounder. The result then has a domain of its own.
+  /// Whether vertices of prepared tets (TetDomain::prepared_for_map; not of a field that was read) may move,
+  /// those inside and in flat parts of the surface, so that arcs run straight. The result then has a domain
+  /// of its own. Each of `moving_sweeps` leaves the tets at a vertex the least mean ratio among them (12 (3
+  /// V)^(2/3) over the sum of squared edges), or `least_quality` if that is less.
   bool moves_vertices = true;
+  int moving_sweeps = 10;
+  double least_quality = 0.2;
 
   int passes = 3;        ///< of repair and smoothing in turn; fewer if the last finds nothing to repair
   int most_sweeps = 30;  ///< of moves over all vertices, until none lowers the cost
@@ -68,7 +72,7 @@ TetFrameField repaired(const TetFrameField& field, const RepairOptions& options 
                        const Monitor& monitor = {});
 
 /// Throws Error(kInput) for a mesh that `repaired` refuses: with tets without volume or duplicates, which
-/// leave gaps that no matching crosses.
+/// leave gaps that no matching crosses, or with tets that overlap.
 void check_repairable(const TetDomain& domain);
 
 /// @}

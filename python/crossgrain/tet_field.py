@@ -124,9 +124,10 @@ class TetField(_AnyField):
     def repaired(self, *, threads: int = 0, options: Optional[RepairOptions] = None, **changes: Any) -> "TetField":
         """This field with matchings that hexahedra can follow, as far as they were found, and with frames smoothed for them.
 
-        ``report["onto"]["repair"]`` tells what has changed. The mesh is the same; one that is prepared for a map
-        (`TetMesh.prepared_for_map`) leaves more room. `changes` replace members of the options. Ctrl-C cancels. Raises InputError for a mesh
-        with tets without volume, UsageError for options out of range.
+        ``report["onto"]["repair"]`` tells what has changed. The mesh is the same, but for vertices of one that was prepared for a map
+        (`TetMesh.prepared_for_map`), which leaves more room: they may move, so that arcs run straight (``moves_vertices``). `changes` replace
+        members of the options. Ctrl-C cancels. Raises InputError for a mesh with tets without volume or that overlap, UsageError for a field
+        with constraints and for options out of range.
         """
         handle = handle_of(with_changes(options, RepairOptions, changes))
         its_threads = _arrays.integer(threads, "threads")

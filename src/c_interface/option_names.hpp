@@ -150,6 +150,8 @@ template <class Visit>
 void for_each_option(RepairOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(tries);
   CROSSGRAIN_OPTION(moves_vertices);
+  CROSSGRAIN_OPTION(moving_sweeps);
+  CROSSGRAIN_OPTION(least_quality);
   CROSSGRAIN_OPTION(passes);
   CROSSGRAIN_OPTION(most_sweeps);
   CROSSGRAIN_OPTION(disturbances);

@@ -10,7 +10,12 @@
 namespace crossgrain {
 
 std::string sentence_of(const SolveReport::Onto::Repair& repair, const SolveReport::Singularity& after) {
-  if (repair.moves == 0) return fmt::format("nothing to repair; {} left", counted(repair.faults, "fault"));
+  const std::string moved = repair.moved_vertices == 0
+                                ? ""
+                                : fmt::format("; {} moved, so that arcs run straight",
+                                              counted(repair.moved_vertices, "vertex", "vertices"));
+  if (repair.moves == 0)
+    return fmt::format("no matching changed; {} left", counted(repair.faults, "fault")) + moved;
   const auto change = [](std::size_t before, std::size_t now) {
     return fmt::format("{} for {}", now, before);
   };
@@ -24,7 +29,7 @@ std::string sentence_of(const SolveReport::Onto::Repair& repair, const SolveRepo
   if (repair.bent_edges > 0)
     text += fmt::format("; the map turns otherwise than the surface along {:.3g} of its edges",
                         repair.bent_length);
-  return text;
+  return text + moved;
 }
 
 }  // namespace crossgrain

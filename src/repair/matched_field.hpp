@@ -159,7 +159,7 @@ class MatchedField {
 
 template <typename Visit>
 void MatchedField::walk_arc(std::uint32_t vertex, std::uint32_t edge, const Visit& visit) const {
-  constexpr int kLongestWay = 16;
+  constexpr int kLongestWay = 256;
   for (int step = 0; step < kLongestWay && edge != kNoEdge; ++step) {
     const auto& ends = complex_->edges()[edge].ends;
     vertex = ends[0] == vertex ? ends[1] : ends[0];

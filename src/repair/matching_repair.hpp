@@ -45,8 +45,9 @@ class MatchingRepair {
   bool flip_at(std::uint32_t vertex);
   bool flip_best(std::uint32_t face, std::uint32_t vertex);
 
-  /// Whether a change of one face may lower the cost, by what it does to its edges and to one of its
-  /// vertices; the others are taken to lose all that they cost.
+  /// Whether a change of one face is worth a try: whether it would lower the cost by what it does to its
+  /// edges and to one of its vertices, if the others lost all that they cost. Vertices farther along an arc,
+  /// which may gain too, are left out; they are tried themselves.
   bool may_gain(const FaceChange& change, std::uint32_t vertex);
 
   /// Turns random faces near a vertex, settles what they touch, and takes it back if the cost rises by more

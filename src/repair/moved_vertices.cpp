@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -16,37 +17,33 @@
 namespace crossgrain {
 namespace {
 
-/// Cosine between the normals of faces in one plane.
-constexpr double kFlatCosine = 1 - 1e-9;
-
-/// Shortest part of the way to its goal that a vertex goes.
-constexpr double kShortestPart = 0.05;
-
 /// Vertices that belong to something that must keep its shape besides the outer boundary.
 std::vector<bool> held_vertices(const TetComplex& complex) {
-  const TetMesh& mesh = complex.solid().mesh;
+  const TetSolid& solid = complex.solid();
+  const TetMesh& mesh = solid.mesh;
   std::vector<bool> held(mesh.vertices.size(), false);
-  for (const TetMesh::Edge& edge : mesh.feature_edges)
-    for (const std::uint32_t v : edge.vertices) held[v] = true;
-  // On the surface tags hold the vertices between them: those not all of whose faces have the same tag.
-  std::vector<std::size_t> tagged(mesh.vertices.size(), 0);
-  std::vector<std::optional<std::int32_t>> tags(mesh.vertices.size());
-  for (const TetMesh::Face& face : mesh.feature_faces) {
-    for (const std::uint32_t v : face.vertices) {
-      if (tags[v].value_or(face.tag) != face.tag) held[v] = true;
-      tags[v] = face.tag;
-      ++tagged[v];
+  const auto hold = [&](const auto& vertices) {
+    for (const std::uint32_t v : vertices) held[v] = true;
+  };
+  for (const TetMesh::Edge& edge : mesh.feature_edges) hold(edge.vertices);
+  for (const std::uint32_t f : complex.wall_faces()) hold(solid.inner_faces[f].vertices);
+  std::vector<std::array<std::uint32_t, 3>> inner_faces;
+  for (const TetSolid::InnerFace& face : solid.inner_faces) inner_faces.push_back(face.vertices);
+  const std::vector<std::int32_t> inner_tags = tags_of_faces(mesh, inner_faces);
+  for (std::size_t f = 0; f < inner_tags.size(); ++f)
+    if (inner_tags[f] != 0) hold(inner_faces[f]);
+  // On the surface those between tags.
+  const std::vector<std::int32_t> tags = tags_of_faces(mesh, solid.boundary);
+  if (!tags.empty()) {
+    for (std::uint32_t v = 0; v < held.size(); ++v) {
+      const auto ring = complex.ring(v);
+      for (const TetComplex::RingFace& at : ring)
+        if (tags[at.face] != tags[ring[0].face]) held[v] = true;
     }
   }
-  for (std::uint32_t v = 0; v < held.size(); ++v)
-    if (tagged[v] > 0 && tagged[v] != complex.ring(v).size()) held[v] = true;
-  std::vector<std::optional<std::int32_t>> regions(mesh.vertices.size());
-  for (std::size_t t = 0; t < mesh.regions.size(); ++t) {
-    for (const std::uint32_t v : mesh.tets[t]) {
-      if (regions[v].value_or(mesh.regions[t]) != mesh.regions[t]) held[v] = true;
-      regions[v] = mesh.regions[t];
-    }
-  }
+  if (!mesh.regions.empty())
+    for (const TetSolid::InnerFace& face : solid.inner_faces)
+      if (mesh.regions[face.tets[0]] != mesh.regions[face.tets[1]]) hold(face.vertices);
   return held;
 }
 
@@ -70,7 +67,9 @@ class Mover {
       is_line_.push_back(edge.is_branched        ? true
                          : edge.is_on_boundary() ? field.boundary_turn(e).hexahedra != 2
                                                  : field.is_singular(e));
+      has_lines_ |= is_line_.back() && (!edge.is_on_boundary() || lies_flat(edge));
     }
+    if (!has_lines_) return;
     const std::vector<bool> held = held_vertices(complex_);
     for (std::uint32_t v = 0; v < vertices_.size(); ++v)
       if (!held[v] && !complex_.edges_at(v).empty() && lies_flat(v)) movable_.push_back(v);
@@ -91,10 +90,15 @@ class Mover {
     if (!complex_.is_on_boundary(vertex)) return true;
     const auto ring = complex_.ring(vertex);
     const std::vector<Vector3>& normals = complex_.boundary_normals();
-    return std::all_of(
-               ring.begin(), ring.end(),
-               [&](const auto& at) { return dot(normals[at.face], normals[ring[0].face]) > kFlatCosine; }) &&
-           !complex_.is_pinched(vertex);
+    return !complex_.is_pinched(vertex) && std::all_of(ring.begin(), ring.end(), [&](const auto& at) {
+      return dot(normals[at.face], normals[ring[0].face]) > std::cos(options_.flat_rad);
+    });
+  }
+
+  bool lies_flat(const TetComplex::Edge& edge) const {
+    const std::vector<Vector3>& normals = complex_.boundary_normals();
+    return !edge.is_branched && dot(normals[edge.boundary_faces[0]], normals[edge.boundary_faces[1]]) >
+                                    std::cos(options_.flat_rad);
   }
 
   /// The mean of the neighbours that draw a vertex; none if it has to stay.
@@ -127,9 +131,9 @@ class Mover {
   void move(std::uint32_t vertex, const Vector3& goal) {
     const Vector3 from = vertices_[vertex];
     const double least = std::min(worst_at(vertex), options_.least_quality);
-    for (double part = 1; part > kShortestPart; part /= 2) {
+    for (double part = 1; part > options_.shortest_part; part /= 2) {
       vertices_[vertex] = from + part * (goal - from);
-      if (worst_at(vertex) >= least) return;
+      if (worst_at(vertex) >= least && has_volume_at(vertex)) return;
     }
     vertices_[vertex] = from;
   }
@@ -143,11 +147,19 @@ class Mover {
     return worst;
   }
 
+  bool has_volume_at(std::uint32_t vertex) const {
+    const auto tets = tets_at_[vertex];
+    return std::all_of(tets.begin(), tets.end(), [&](std::uint32_t t) {
+      return shape_of_tet(vertices_, complex_.solid().mesh.tets[t]) == TetShape::kPositive;
+    });
+  }
+
   const TetComplex& complex_;
   const VertexMoves& options_;
   std::vector<Vector3> vertices_;
   const ListTable tets_at_;
   std::vector<bool> is_line_;  ///< edges that are singular, or creases of the map
+  bool has_lines_ = false;     ///< besides creases of the surface
   std::vector<std::uint32_t> movable_;
 };
 

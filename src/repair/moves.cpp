@@ -27,6 +27,7 @@ class ChangedField {
     const auto around = field_.complex().around(edge);
     const auto found = std::find_if(around.begin(), around.end(),
                                     [&](const Crossing& crossing) { return crossing.face == face; });
+    if (found == around.end()) return std::nullopt;  // beside another fan of a branched edge
     std::uint8_t before = CubeGroup::kIdentity, after = CubeGroup::kIdentity;
     for (auto crossing = around.begin(); crossing != found; ++crossing)
       before = group.product(across(*crossing), before);

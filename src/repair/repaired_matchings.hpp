@@ -18,7 +18,7 @@ struct RepairedTets {
   std::vector<Quaternion> frames;
   std::size_t moves = 0;  ///< of the try that was taken
 
-  /// Edges and vertices at which no hexahedra can meet, with the nearest matchings and with these.
+  /// Edges and vertices at which no hexahedra can meet, with the matchings given and with these.
   std::size_t faults_before = 0, faults = 0;
 };
 

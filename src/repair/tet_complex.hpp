@@ -16,7 +16,7 @@ namespace crossgrain {
 /// A face of a boundary at a vertex or an edge that is none.
 inline constexpr std::uint32_t kNoFace = UINT32_MAX, kNoEdge = UINT32_MAX;
 
-/// Adds the lists of a table of lists one after the other.
+/// Lists of numbers, one after the other in one array.
 class ListTable {
  public:
   ListTable() = default;

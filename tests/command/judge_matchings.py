@@ -19,7 +19,8 @@ from judge_links import MOST_TRIANGLES, can_fill, has_sphere, least_cyclic
 from judge_mesh import IDENTITY, PRODUCTS, TetField, number_of, unit
 
 CONVEX_DEG = 15  # from this turn of the surface on, its geometry says whether an edge is convex
-NO_SENSE = 0.25  # cosine between an edge and the axis around it below which either sense is possible
+NO_SENSE = 0.25  # cosine between an edge and the axis around it below which the edge has no sense of its own
+LONGEST_WAY = 256  # edges along a line, to one with a sense
 OPEN_SECTOR_DEG, WHOLE_SECTOR_DEG = 225, 180  # angles of the surface from which a sector may, and must, have four quarters more
 
 POSSIBLE, IMPOSSIBLE, UNKNOWN = "possible", "impossible", "unknown"
@@ -236,7 +237,8 @@ class MatchedField(TetField):
             return UNKNOWN
         choices = [()]
         for edge in self.singular_at[vertex]:
-            choices = [word + (n,) for word in choices for n in self.turns[edge].valences]
+            numbers = self.valences_from(vertex, edge) if self.turns[edge].valences else ()
+            choices = [word + (n,) for word in choices for n in numbers]
         if vertex in self.rings:
             borders = self.borders(vertex) if choices else []
             return best(link(least_cyclic(border), tuple(sorted(word))) for word in choices for border in borders if min(word, default=4) > 2)
@@ -250,23 +252,17 @@ class MatchedField(TetField):
             return IMPOSSIBLE
         return {True: POSSIBLE, False: IMPOSSIBLE, None: UNKNOWN}[has_sphere(valences)]
 
-    def lines(self):
-        """Lists of edges: singular edges that go on in each other through vertices inside where just two meet."""
-        left, found = set(self.turns), []
-        while left:
-            line, waiting = [], [left.pop()]
-            while waiting:
-                line.append(edge := waiting.pop())
-                for vertex in self.edges[edge].tolist():
-                    if vertex not in self.rings and len(self.singular_at[vertex]) == 2:
-                        waiting += left & set(self.singular_at[vertex])
-                        left -= set(waiting)
-            found.append(line)
-        return found
-
-    def turning_lines(self):
-        """Lines along which no number of hexahedra is possible at all edges: their sense changes."""
-        return [line for line in self.lines() if not set.intersection(*(set(self.turns[edge].valences) for edge in line))]
+    def valences_from(self, vertex, edge):
+        """Of the first edge with a sense on the line that leaves a vertex along an edge; of that edge if there is none."""
+        first = edge
+        for _ in range(LONGEST_WAY):
+            if len(self.turns[edge].valences) == 1:
+                return self.turns[edge].valences
+            vertex = sum(self.edges[edge].tolist()) - vertex
+            if vertex in self.rings or len(self.singular_at[vertex]) != 2:
+                break
+            edge = sum(self.singular_at[vertex]) - edge
+        return self.turns[first].valences
 
     def faults(self):
         """(edges, vertices) at which there can be no hexahedra."""

@@ -81,7 +81,7 @@ TEST(MovedVertices, LeaveWallsAndTaggedEdgesAndBordersOfTags) {
   mesh.feature_faces.push_back({{box.at(4, 1, 0), box.at(5, 1, 0), box.at(5, 2, 0)}, 7});
   const TetSolid solid = solid_of(mesh);
   const TetComplex complex(solid);
-  const std::vector<Quaternion> frames(solid.mesh.tets.size(), Quaternion{1, 0, 0, 0});
+  const auto frames = frames_at_centroids(solid, TurningLine{{5.03, 2.04, 0}, {0, 0, 1}, {0, 0, 1}, 0.25});
   const std::vector<Vector3> moved = moved_vertices(MatchedField(complex, frames));
   const auto is_held = [&](std::uint32_t v) { return moved[v] == mesh.vertices[v]; };
   for (std::uint32_t y = 0; y <= 4; ++y)
@@ -94,6 +94,36 @@ TEST(MovedVertices, LeaveWallsAndTaggedEdgesAndBordersOfTags) {
   EXPECT_FALSE(is_held(on_side));
   EXPECT_EQ(moved[on_side][2], 0);
   EXPECT_NEAR(norm(moved[on_side] - Vector3{2, 2, 0}), 0, 0.05);
+}
+
+TEST(MovedVertices, LeaveTheVerticesOfInnerTaggedFacesWhateverElseIsTagged) {
+  const TetBox box{{4, 4, 4}};
+  TetMesh mesh = box.mesh(0.1);
+  std::vector<std::uint32_t> wall;
+  for (std::uint32_t x = 0; x <= 4; ++x)
+    for (std::uint32_t y = 0; y <= 4; ++y) wall.push_back(box.at(x, y, 2));
+  for (const std::uint32_t v : wall) mesh.vertices[v][2] = 2;
+  const TetSolid plain = solid_of(mesh);
+  const auto tag = [&](const std::array<std::uint32_t, 3>& face) { mesh.feature_faces.push_back({face, 9}); };
+  for (const TetSolid::InnerFace& face : plain.inner_faces) {
+    const bool on_wall = std::all_of(face.vertices.begin(), face.vertices.end(),
+                                     [&](std::uint32_t v) { return mesh.vertices[v][2] == 2; });
+    for (int times = 0; on_wall && times < 2; ++times) tag(face.vertices);
+  }
+  for (std::size_t f = 0; f < plain.boundary.size(); f += 2) tag(plain.boundary[f]);
+  const TetSolid solid = solid_of(mesh);
+  const TetComplex complex(solid);
+  const auto frames = line_along_z(solid);
+  const std::vector<Vector3> moved = moved_vertices(MatchedField(complex, frames));
+  EXPECT_NE(moved, mesh.vertices);
+  for (const std::uint32_t v : wall) EXPECT_EQ(moved[v], mesh.vertices[v]);
+}
+
+TEST(MovedVertices, StayWhereNoLineIs) {
+  const TetSolid box = solid_of(TetBox{{4, 4, 4}}.mesh(0.2));
+  const TetComplex complex(box);
+  const std::vector<Quaternion> frames(box.mesh.tets.size(), Quaternion{1, 0, 0, 0});
+  EXPECT_EQ(moved_vertices(MatchedField(complex, frames)), box.mesh.vertices);
 }
 
 }  // namespace
