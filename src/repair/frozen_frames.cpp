@@ -150,7 +150,8 @@ std::vector<Quaternion> smoothed_frames(const MatchedField& field, std::vector<Q
   std::array<Quaternion, CubeGroup::kCount> turns;
   for (std::uint8_t a = 0; a < CubeGroup::kCount; ++a) turns[a] = to_quaternion(group[a]);
   std::vector<Quaternion> next(frames.size());
-  std::vector<double> moved(frames.size());
+  std::vector<double> cosines(frames.size());  // of half the angle by which each turned
+  const double least_cosine = std::cos(0.5 * options.tolerance_rad);
   for (int sweep = 0; sweep < options.sweeps; ++sweep) {
     check_watched();
     parallel_for(frames.size(), [&](std::size_t t) {
@@ -172,10 +173,10 @@ std::vector<Quaternion> smoothed_frames(const MatchedField& field, std::vector<Q
       next[t] = normalised(sum);
       if (place[t] != UINT32_MAX) next[t] = on_faces(next[t], held[place[t]]);
       const double cosine = next[t].w * own.w + next[t].x * own.x + next[t].y * own.y + next[t].z * own.z;
-      moved[t] = 2 * std::acos(std::min(1.0, std::abs(cosine)));
+      cosines[t] = std::abs(cosine);
     });
     frames.swap(next);
-    if (*std::max_element(moved.begin(), moved.end()) < options.tolerance_rad) break;
+    if (*std::min_element(cosines.begin(), cosines.end()) > least_cosine) break;
   }
   return frames;
 }

@@ -17,6 +17,9 @@
 namespace crossgrain {
 namespace {
 
+/// Mean ratio from which no tet counts as flat (kFlatness in tets/tet_shape.hpp).
+constexpr double kSurelyPositive = 0.01;
+
 /// Vertices that belong to something that must keep its shape besides the outer boundary.
 std::vector<bool> held_vertices(const TetComplex& complex) {
   const TetSolid& solid = complex.solid();
@@ -130,10 +133,12 @@ class Mover {
   /// Goes as far as the tets at the vertex allow, or stays.
   void move(std::uint32_t vertex, const Vector3& goal) {
     const Vector3 from = vertices_[vertex];
+    if (norm(goal - from) < options_.least_step * complex_.mean_edge_length()) return;
     const double least = std::min(worst_at(vertex), options_.least_quality);
     for (double part = 1; part > options_.shortest_part; part /= 2) {
       vertices_[vertex] = from + part * (goal - from);
-      if (worst_at(vertex) >= least && has_volume_at(vertex)) return;
+      const double worst = worst_at(vertex);
+      if (worst >= least && (worst >= kSurelyPositive || has_volume_at(vertex))) return;
     }
     vertices_[vertex] = from;
   }

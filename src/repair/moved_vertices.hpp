@@ -18,6 +18,7 @@ struct VertexMoves {
   double flat_rad = 5e-5;
 
   double shortest_part = 0.05;  ///< of the way to its goal that a vertex goes
+  double least_step = 0.01;     ///< shortest way to a goal, in mean edge lengths
 };
 
 /// Returns the vertices of the field's tets after sweeps in which each goes as far as it may towards the mean
