@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Maps without flipped tets, as far as the unknowns allow.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "map/map_energy.hpp"
+
+namespace crossgrain {
+
+struct UntanglingOptions {
+  double volume_weight = 0.1;  ///< of the change of volume against that of shape
+
+  /// Largest epsilon to begin with: beyond, and with integers free, maps collapse.
+  double largest_epsilon = 0.1;
+
+  int rounds = 60;           ///< each with a smaller epsilon
+  int steps = 60;            ///< of L-BFGS in a round
+  int rounds_in_vain = 6;    ///< the end if the flips do not decrease in so many
+  double least_gain = 1e-5;  ///< of a step, relative to the energy, with which a round goes on
+  std::size_t history = 12;  ///< of L-BFGS
+};
+
+/// Columns of a map after untangling, and what is left.
+struct Untangled {
+  Eigen::VectorXd columns;
+  MapFlips flips;
+  int steps = 0;
+};
+
+/// Changes the free columns so that no tet is flipped and the map is near to a similarity in each, where it
+/// can: minimises the sum over tets of V (|J|^2 / chi^(2/3) + w (1 + d^2) / chi), with Jacobians J,
+/// determinants d, shares V of the volume, and chi = (d + sqrt(d^2 + eps^2)) / 2, for eps that goes to zero.
+///
+/// Garanzha, Kaporin, Kudryavtseva, Protais, Ray, Sokolov 2021 ("Foldover-free maps in 50 lines of code"),
+/// with steps preconditioned by the energy of the map. The same to the bit for any number of threads.
+Untangled untangled(const MapEnergy& energy, Eigen::VectorXd columns, const std::vector<std::uint32_t>& free,
+                    const UntanglingOptions& options = {});
+
+}  // namespace crossgrain
