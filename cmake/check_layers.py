@@ -69,8 +69,8 @@ def fault_in_layer(layer, path, quote, included):
         return "the library sees no more of the program with Netgen than io/tet_making/netgen_messages.hpp"
     if first in ("tbb", "oneapi") and layer != "base":
         return "oneTBB stands behind base/parallel.hpp; use parallel_for"
-    if quote == "<" and first != "crossgrain" and first not in LAYERS:
-        return None
+    if quote == "<" and (first != "crossgrain" and first not in LAYERS or STANDARD_HEADER.match(included)):
+        return None  # <map> is no layer
     if quote == "<":
         return 'headers of the project are included with ""'
     if first == "crossgrain" or first in layers_seen_by(layer):
@@ -96,7 +96,7 @@ def fault_in_outer_folder(path, root, quote, included):
     shared = [folder.with_name(SHARES[folder.name]) for folder in own if folder.name in SHARES]
     if quote == '"' and any((folder / included).is_file() for folder in own + shared):
         return None
-    if included.split("/")[0] in LAYERS or quote == '"':
+    if quote == '"' or included.split("/")[0] in LAYERS and not STANDARD_HEADER.match(included):
         return "outside src/ only public headers (crossgrain/*.hpp) may be included"
     return None
 
