@@ -101,7 +101,8 @@ DemandedSplits demanded_splits(const MapUnknowns& unknowns) {
     const auto& edges = complex.edges_of_face(f);
     if (std::any_of(edges.begin(), edges.end(), [&](std::uint32_t e) { return is_split[e]; })) continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (!integers.are_common(faces[f].tets[0], a, b, axis) || !integers.are_common(faces[f].tets[0], a, c, axis))
+      if (!integers.are_common(faces[f].tets[0], a, b, axis) ||
+          !integers.are_common(faces[f].tets[0], a, c, axis))
         continue;
       splits.faces.push_back(faces[f].vertices);
       break;

@@ -28,7 +28,7 @@ SHARED = Path(os.environ.get("CROSSGRAIN_SHARED", Path(__file__).resolve().paren
 ONTO_FILES = ["field.vtu", "onto.frames", "onto.vtu", "onto_singularities.vtu", "report.html", "report.json", "singularities.vtu", "surface.vtu"]
 ONTO_KEYS = ["boundary", "crease_deg", "dirichlet", "edge_length", "edge_length_needed", "edge_sum", "inverted_tets",
              "left_out_tets", "normal_deg", "outside_vertices", "seconds", "singular", "singularity", "start",
-             "tets", "unfollowed_share", "unused_vertices", "vertices"]
+             "tets", "unfollowed_share", "united", "unused_vertices", "vertices"]
 
 
 class OntoTest(CommandTest):

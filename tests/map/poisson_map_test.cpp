@@ -4,48 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
-#include <random>
 
-#include "repair/made_matchings.hpp"
-#include "tets/tet_meshes.hpp"
+#include "map/mapped_shapes.hpp"
 
 namespace crossgrain {
 namespace {
 
-/// A box that lies askew, with frames along its sides, each named in another way.
-struct Askew {
-  Quaternion turn = from_rotation_vector({0.4, -0.3, 0.7});
-  TetSolid solid;
-  TetComplex complex;
-  std::vector<Quaternion> frames;
-  MatchedField field;
-  CutSolid cut;
-  MapUnknowns unknowns;
-
-  explicit Askew(const std::array<std::uint32_t, 3>& cells)
-      : solid(solid_of(turned(TetBox{cells}.mesh(0.1)))),
-        complex(solid),
-        frames(named()),
-        field(complex, frames),
-        cut(field),
-        unknowns(cut) {}
-
-  TetMesh turned(TetMesh mesh) const {
-    for (Vector3& p : mesh.vertices) p = rotate(turn, p);
-    return mesh;
-  }
-  std::vector<Quaternion> named() const {
-    std::vector<Quaternion> result;
-    std::mt19937 random(3);
-    for (std::size_t t = 0; t < solid.mesh.tets.size(); ++t)
-      result.push_back(turn * to_quaternion(CubeGroup::instance()[static_cast<std::uint8_t>(random() % 24)]));
-    return result;
-  }
-};
+using testing::AskewBox;
 
 TEST(PoissonMap, OfABoxIsTheBoxInHexahedra) {
-  const Askew box({4, 3, 2});
+  const AskewBox box({4, 3, 2});
   const MapEnergy energy(box.unknowns, 0.5);
   const PoissonMap poisson(energy);
   const Eigen::VectorXd columns = poisson.columns_for(poisson.relaxed());
@@ -62,7 +32,7 @@ TEST(PoissonMap, OfABoxIsTheBoxInHexahedra) {
 }
 
 TEST(PoissonMap, HasTheLeastEnergyForItsIntegers) {
-  const Askew box({3, 3, 3});
+  const AskewBox box({3, 3, 3});
   const MapEnergy energy(box.unknowns, 1);
   const PoissonMap poisson(energy);
   const Eigen::VectorXd integers = Eigen::VectorXd::LinSpaced(6, -3, 7).array().round();
@@ -79,7 +49,7 @@ TEST(PoissonMap, HasTheLeastEnergyForItsIntegers) {
 }
 
 TEST(PoissonMap, MovesToOtherIntegersAsItWouldBeMadeForThem) {
-  const Askew box({3, 2, 2});
+  const AskewBox box({3, 2, 2});
   const MapEnergy energy(box.unknowns, 1);
   const PoissonMap poisson(energy);
   const Eigen::VectorXd one = Eigen::VectorXd::LinSpaced(6, 0, 5),
@@ -89,7 +59,7 @@ TEST(PoissonMap, MovesToOtherIntegersAsItWouldBeMadeForThem) {
 }
 
 TEST(MapFlips, CountTetsThatAreInsideOut) {
-  const Askew box({2, 2, 2});
+  const AskewBox box({2, 2, 2});
   const MapEnergy energy(box.unknowns, 1);
   const PoissonMap poisson(energy);
   const MapCoordinates map = energy.basis() * poisson.columns_for(poisson.relaxed());
