@@ -17,7 +17,7 @@ import sys
 from pathlib import Path
 
 # From the lowest up, as in CMakeLists.txt.
-LAYERS = ["base", "harmonics", "constraint", "surface", "remeshing", "tets", "grid", "field", "singularity", "repair", "map", "sampling", "measure", "solve",
+LAYERS = ["base", "harmonics", "constraint", "surface", "remeshing", "tets", "grid", "field", "singularity", "repair", "map", "hex", "sampling", "measure", "solve",
           "display", "files", "io", "page", "picture", "c_interface", "distributed"]
 
 # Layers below another in the list that it stands beside, not above.

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hexahedra out of a map to the grid.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hex/hex_mesh.hpp"
+#include "map/map_energy.hpp"
+
+namespace crossgrain {
+
+/// Hexahedra of a map, and what was left out.
+struct ExtractedHexahedra {
+  HexMesh mesh;
+
+  /// Cells of the grid that meet a tet which is flipped or flat in exact arithmetic, or of which a corner is
+  /// missing or found twice.
+  std::size_t left_out = 0;
+  std::size_t flipped_tets = 0;
+
+  bool is_complete() const { return left_out == 0 && flipped_tets == 0; }
+};
+
+/// The cells of the unit grid, pulled back to the solid by a map that has integers where hexahedra need them
+/// (IntegerGridMap).
+///
+/// Coordinates are rounded to 2^-20 first, those of one copy of each vertex, and carried to its other copies:
+/// so the map stays continuous across the cut, and every later decision is exact. A hexahedron is a connected
+/// set of pairs of a tet and an open cell that meet, joined where the cell meets the face between two tets.
+/// No line or plane of the grid that is singular crosses an open cell, so without flips such a set covers its
+/// cell just once, however thin the tets are; each of its corners is an integer point in one of these tets.
+/// Where tets are flipped the cells that meet them are left out.
+///
+/// Throws Error(kLimit) if the map is larger than kLargestCoordinate hexahedra.
+ExtractedHexahedra extracted_hexahedra(const MapUnknowns& unknowns, const MapCoordinates& map);
+
+}  // namespace crossgrain

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hex/hex_extraction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/thread_limit.hpp"
+#include "map/demanded_splits.hpp"
+#include "map/integer_grid_map.hpp"
+#include "map/mapped_shapes.hpp"
+
+namespace crossgrain {
+namespace {
+
+using testing::AskewBox;
+using Quad = std::array<std::uint32_t, 4>;
+
+constexpr std::array<std::array<std::size_t, 4>, 6> kFaces{
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+
+/// Six volumes at a corner with its three neighbours.
+double corner_volume(const HexMesh& mesh, const std::array<std::uint32_t, 8>& hexahedron,
+                     std::size_t corner) {
+  constexpr std::array<std::array<std::size_t, 3>, 8> kNeighbours{
+      {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+  const auto at = [&](std::size_t k) { return mesh.points[hexahedron[k]]; };
+  const Vector3 origin = at(corner);
+  const auto& [a, b, c] = kNeighbours[corner];
+  return dot(cross(at(a) - origin, at(b) - origin), at(c) - origin);
+}
+
+/// Numbers of vertices, edges, faces and hexahedra with alternating signs: 1 for a solid without holes.
+int euler_number(const HexMesh& mesh) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  std::set<Quad> faces;
+  std::map<Quad, int> uses;
+  for (const auto& hexahedron : mesh.hexahedra) {
+    for (const auto& face : kFaces) {
+      Quad quad{};
+      for (std::size_t k = 0; k < 4; ++k) {
+        quad[k] = hexahedron[face[k]];
+        const std::uint32_t a = hexahedron[face[k]], b = hexahedron[face[(k + 1) % 4]];
+        edges.insert({std::min(a, b), std::max(a, b)});
+      }
+      std::sort(quad.begin(), quad.end());
+      faces.insert(quad);
+      EXPECT_LE(++uses[quad], 2);
+    }
+  }
+  return static_cast<int>(mesh.points.size()) - static_cast<int>(edges.size()) +
+         static_cast<int>(faces.size()) - static_cast<int>(mesh.hexahedra.size());
+}
+
+TEST(HexExtraction, OfABoxIsItsGrid) {
+  // 3.6 by 3.3 by 2.4, in hexahedra of 0.4: 9 by 8 by 6.
+  const AskewBox box({4, 3, 3}, {0.9, 1.1, 0.8});
+  const MapEnergy energy(box.unknowns, 0.4);
+  const IntegerGridMap map = integer_grid_map(energy);
+  const ExtractedHexahedra found = extracted_hexahedra(box.unknowns, map.coordinates);
+  EXPECT_TRUE(found.is_complete());
+  EXPECT_EQ(found.mesh.hexahedra.size(), 9u * 8 * 6);
+  EXPECT_EQ(found.mesh.points.size(), 10u * 9 * 7);
+  EXPECT_EQ(euler_number(found.mesh), 1);
+  const double cell = 0.4 * (3.3 / 8) * 0.4;
+  for (const auto& hexahedron : found.mesh.hexahedra)
+    for (std::size_t k = 0; k < 8; ++k)
+      EXPECT_NEAR(corner_volume(found.mesh, hexahedron, k), cell, 1e-4 * cell);
+}
+
+TEST(HexExtraction, OfACylinderFillsItWithFourArcs) {
+  const TetSolid cylinder = solid_of(tet_cylinder(8));
+  const TetComplex complex(cylinder);
+  const RepairedTets repaired = testing::repaired_cylinder(complex);
+  const OwnedField split = split_for_map(MatchedField(complex, repaired.frames, repaired.matchings));
+  const CutSolid cut(*split.field);
+  const MapUnknowns unknowns(cut);
+  for (const double size : {0.5, 0.2}) {
+    const MapEnergy energy(unknowns, size);
+    const IntegerGridMap map = integer_grid_map(energy);
+    ASSERT_EQ(map.flips.tets, 0u);
+    const ExtractedHexahedra found = extracted_hexahedra(unknowns, map.coordinates);
+    EXPECT_TRUE(found.is_complete());
+    EXPECT_EQ(euler_number(found.mesh), 1);
+    double volume = 0;
+    for (const auto& hexahedron : found.mesh.hexahedra) {
+      double corners = 0;
+      for (std::size_t k = 0; k < 8; ++k) corners += corner_volume(found.mesh, hexahedron, k) / 8;
+      volume += corners;
+    }
+    // Straight edges cut off more of the curved side the longer they are.
+    EXPECT_NEAR(volume / volume_of_tets(cylinder.mesh), 1, 0.3 * size);
+    const auto layers = static_cast<std::size_t>(std::lround(2 / size));
+    EXPECT_EQ(found.mesh.hexahedra.size() % layers, 0u);
+  }
+}
+
+TEST(HexExtraction, LeavesOutCellsThatMeetFlippedTets) {
+  const AskewBox box({4, 4, 4});
+  const MapEnergy energy(box.unknowns, 1);
+  const PoissonMap poisson(energy);
+  Eigen::VectorXd columns = poisson.columns_for(poisson.relaxed());
+  for (double& value : columns) value = std::round(2 * value) / 2;
+  const std::size_t before =
+      extracted_hexahedra(box.unknowns, energy.basis() * columns).mesh.hexahedra.size();
+  EXPECT_EQ(before, 64u);
+  columns[poisson.continuous()[40]] += 2;  // pulls one vertex through its neighbours
+  const MapCoordinates map = energy.basis() * columns;
+  ASSERT_GT(flips_of(energy, map).tets, 0u);
+  const ExtractedHexahedra found = extracted_hexahedra(box.unknowns, map);
+  EXPECT_FALSE(found.is_complete());
+  EXPECT_EQ(found.flipped_tets, flips_of(energy, map).tets);
+  EXPECT_GT(found.mesh.hexahedra.size(), 20u);
+  EXPECT_LT(found.mesh.hexahedra.size(), 64u);
+}
+
+TEST(HexExtraction, IsTheSameForAnyNumberOfThreads) {
+  const AskewBox box({3, 3, 3}, {0.9, 1.1, 0.8});
+  const MapEnergy energy(box.unknowns, 0.4);
+  const IntegerGridMap map = integer_grid_map(energy);
+  const auto on = [&](int threads) {
+    const ThreadLimit limit(threads);
+    return extracted_hexahedra(box.unknowns, map.coordinates).mesh;
+  };
+  const HexMesh one = on(1), two = on(2);
+  EXPECT_EQ(one.points, two.points);
+  EXPECT_EQ(one.hexahedra, two.hexahedra);
+}
+
+TEST(HexExtraction, RefusesMapsThatItsNumbersCannotHold) {
+  const AskewBox box({2, 2, 2});
+  const MapEnergy energy(box.unknowns, 1e-4);
+  const PoissonMap poisson(energy);
+  EXPECT_THROW(static_cast<void>(extracted_hexahedra(
+                   box.unknowns, energy.basis() * poisson.columns_for(poisson.relaxed()))),
+               Error);
+}
+
+}  // namespace
+}  // namespace crossgrain
