@@ -16,25 +16,18 @@
 #include "crossgrain/io.hpp"
 #include "crossgrain/solve.hpp"
 #include "solve/tet_domain_data.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double quality_of(const TetMesh& mesh, const std::array<std::uint32_t, 4>& tet) {
-  std::array<Vector3, 4> p;
-  for (std::size_t k = 0; k < 4; ++k) p[k] = mesh.vertices[tet[k]];
-  double squares = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < i; ++j) squares += dot(p[i] - p[j], p[i] - p[j]);
-  const double volume = dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) / 6;
-  return 12 * std::pow(3 * volume, 2.0 / 3) / squares;
-}
-
 double worst_quality(const TetMesh& mesh) {
   double worst = 1;
-  for (const auto& tet : mesh.tets) worst = std::min(worst, quality_of(mesh, tet));
+  for (const auto& [a, b, c, d] : mesh.tets)
+    worst =
+        std::min(worst, mean_ratio({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c], mesh.vertices[d]}));
   return worst;
 }
 
