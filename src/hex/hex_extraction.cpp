@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
@@ -22,24 +22,6 @@ namespace {
 using Index = Eigen::Index;
 
 constexpr std::uint32_t kNone = UINT32_MAX;
-
-/// Numbers that are united; the name of a set is its least member.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0u); }
-
-  std::uint32_t find(std::uint32_t a) {
-    while (parents_[a] != a) a = parents_[a] = parents_[parents_[a]];
-    return a;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parents_;
-};
 
 GridPoint turned(std::uint8_t rotation, const GridPoint& p) {
   GridPoint result{};
@@ -120,10 +102,7 @@ class ExactMap {
   }
 
   GridPoint whole_part(const MapCoordinates& map, std::uint32_t tet, std::uint32_t vertex) const {
-    const auto& corners = solid_.mesh.tets[tet];
-    const auto corner =
-        static_cast<std::size_t>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
-    return rounded(map, cut_.copy_of(tet, corner));
+    return rounded(map, cut_.copy_at(tet, vertex));
   }
 
   static GridPoint rounded(const MapCoordinates& map, std::uint32_t copy) {
@@ -154,22 +133,6 @@ class ExactMap {
   const TetSolid& solid_;
   std::vector<GridPoint> translations_, points_;
 };
-
-/// The crossing of the face opposite each corner; kNoFace on the surface.
-std::vector<std::array<Crossing, 4>> crossings_of(const TetSolid& solid) {
-  std::vector<std::array<Crossing, 4>> crossings(solid.mesh.tets.size());
-  for (auto& of_tet : crossings) of_tet.fill({kNoFace, false});
-  for (std::uint32_t f = 0; f < solid.inner_faces.size(); ++f) {
-    const auto& [vertices, sides] = solid.inner_faces[f];
-    for (std::size_t side = 0; side < 2; ++side) {
-      const auto& corners = solid.mesh.tets[sides[side]];
-      for (std::size_t k = 0; k < 4; ++k)
-        if (std::find(vertices.begin(), vertices.end(), corners[k]) == vertices.end())
-          crossings[sides[side]][k] = {f, side == 1};
-    }
-  }
-  return crossings;
-}
 
 std::array<GridPoint, 3> face_opposite(const std::array<GridPoint, 4>& corners, std::size_t k) {
   return {corners[(k + 1) % 4], corners[(k + 2) % 4], corners[(k + 3) % 4]};
@@ -259,7 +222,7 @@ class Extraction {
   ExtractedHexahedra result() {
     ExtractedHexahedra result;
     for (const TetPart& part : parts_) result.flipped_tets += part.volume <= 0;
-    Sets cells(first_cells_.back()), vertices(first_vertices_.back());
+    DisjointSets cells(first_cells_.back()), vertices(first_vertices_.back());
     join(cells, vertices);
     add_hexahedra(cells, vertices, result);
     return result;
@@ -280,7 +243,7 @@ class Extraction {
     return first_vertices_[tet] + static_cast<std::uint32_t>(found - vertices.begin());
   }
 
-  void join(Sets& cells, Sets& vertices) const {
+  void join(DisjointSets& cells, DisjointSets& vertices) const {
     for (std::uint32_t t = 0; t < tets_; ++t) {
       for (std::size_t k = 0; k < 4; ++k) {
         const Crossing crossing = crossings_[t][k];
@@ -289,27 +252,22 @@ class Extraction {
         for (std::uint32_t c = 0; c < parts_[t].cells.size(); ++c) {
           if (!parts_[t].cells[c].meets_face[k]) continue;
           const std::uint32_t beyond = cell_in(next, map_.carried_cell(parts_[t].cells[c].low, crossing));
-          if (beyond != kNone) cells.unite(first_cells_[t] + c, beyond);
+          if (beyond != kNone) cells.join(first_cells_[t] + c, beyond);
         }
         for (std::uint32_t v = 0; v < parts_[t].vertices.size(); ++v) {
           if (parts_[t].vertices[v].weights[k] != 0) continue;
           const std::uint32_t beyond = vertex_in(next, map_.carried(parts_[t].vertices[v].at, crossing));
-          if (beyond != kNone) vertices.unite(first_vertices_[t] + v, beyond);
+          if (beyond != kNone) vertices.join(first_vertices_[t] + v, beyond);
         }
       }
     }
   }
 
-  void add_hexahedra(Sets& cells, Sets& vertices, ExtractedHexahedra& result) const {
-    struct Found {
-      std::array<std::uint32_t, 8> corners;
-      bool is_whole = true;
-    };
-    std::map<std::uint32_t, Found> hexahedra;
+  void add_hexahedra(DisjointSets& cells, DisjointSets& vertices, ExtractedHexahedra& result) const {
     std::map<std::uint32_t, std::vector<std::pair<std::uint32_t, std::uint32_t>>> pieces;
     for (std::uint32_t t = 0; t < tets_; ++t)
       for (std::uint32_t c = 0; c < parts_[t].cells.size(); ++c)
-        pieces[cells.find(first_cells_[t] + c)].push_back({t, c});
+        pieces[cells.root(first_cells_[t] + c)].push_back({t, c});
     std::map<std::uint32_t, std::uint32_t> numbers;
     for (const auto& [name, of_cell] : pieces) {
       const std::optional<std::array<std::uint32_t, 8>> corners = corners_of(of_cell, vertices);
@@ -331,7 +289,7 @@ class Extraction {
   /// The vertices at the corners of a cell. Names differ from tet to tet, so each piece is brought to those
   /// of the first through the faces that join them.
   std::optional<std::array<std::uint32_t, 8>> corners_of(
-      const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pieces, Sets& vertices) const {
+      const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pieces, DisjointSets& vertices) const {
     std::map<std::uint32_t, std::uint8_t> names;  // of tet: rotation from the first
     std::set<std::uint32_t> tets;
     for (const auto& [t, c] : pieces) {
@@ -370,7 +328,7 @@ class Extraction {
   }
 
   /// Fills in the corners of a cell that lie in a tet; false if one of them is another vertex than before.
-  bool take_corners(std::uint32_t tet, const GridPoint& low, std::uint8_t back, Sets& vertices,
+  bool take_corners(std::uint32_t tet, const GridPoint& low, std::uint8_t back, DisjointSets& vertices,
                     std::array<std::uint32_t, 8>& corners) const {
     // Corners by their coordinates in the names of the first tet: right-handed around the lower face.
     constexpr std::array<std::uint8_t, 8> kOrder{0, 1, 3, 2, 4, 5, 7, 6};
@@ -383,7 +341,7 @@ class Extraction {
       const GridPoint first = turned(back, half);
       const auto place = static_cast<std::size_t>((first[0] > 0) + 2 * (first[1] > 0) + 4 * (first[2] > 0));
       std::uint32_t& corner = corners[kOrder[place]];
-      const std::uint32_t vertex = vertices.find(found);
+      const std::uint32_t vertex = vertices.root(found);
       if (corner != kNone && corner != vertex) return false;
       corner = vertex;
     }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "map/arc_lengths.hpp"
 
-#include <algorithm>
-
 namespace crossgrain {
 namespace {
 
@@ -10,12 +8,10 @@ namespace {
 LinearForm along_axis(const MapUnknowns& unknowns, std::uint32_t edge) {
   const CutSolid& cut = unknowns.cut();
   const TetComplex::Edge& its = cut.field().complex().edges()[edge];
-  const auto& corners = cut.field().complex().solid().mesh.tets[its.first_tet];
   const SignedAxis axis =
       CubeGroup::instance().image(cut.names_of(its.first_tet), cut.field().turn_around(edge).axis);
   const auto at = [&](std::uint32_t vertex) -> const LinearForm& {
-    const auto corner = std::find(corners.begin(), corners.end(), vertex) - corners.begin();
-    return unknowns.point(cut.copy_of(its.first_tet, static_cast<std::size_t>(corner)))[axis % 3];
+    return unknowns.point(cut.copy_at(its.first_tet, vertex))[axis % 3];
   };
   return multiplied(added(at(its.ends[1]), at(its.ends[0]), -1), axis < 3 ? 1 : -1);
 }

@@ -5,33 +5,14 @@
 #include <cassert>
 #include <cstdlib>
 #include <deque>
-#include <numeric>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
-
-/// Sets of numbers that are united; the name of a set is its least number.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parents_(count) {
-    std::iota(parents_.begin(), parents_.end(), 0u);
-  }
-
-  std::uint32_t find(std::uint32_t a) {
-    while (parents_[a] != a) a = parents_[a] = parents_[parents_[a]];
-    return a;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parents_;
-};
 
 /// Inner faces of each tet.
 ListTable faces_of_tets(const TetSolid& solid) {
@@ -39,10 +20,6 @@ ListTable faces_of_tets(const TetSolid& solid) {
   for (std::uint32_t f = 0; f < solid.inner_faces.size(); ++f)
     for (const std::uint32_t tet : solid.inner_faces[f].tets) pairs.push_back({tet, f});
   return {solid.mesh.tets.size(), pairs};
-}
-
-std::size_t corner_of(const std::array<std::uint32_t, 4>& tet, std::uint32_t vertex) {
-  return static_cast<std::size_t>(std::find(tet.begin(), tet.end(), vertex) - tet.begin());
 }
 
 }  // namespace
@@ -170,6 +147,10 @@ void CutSolid::find_sheets(const std::vector<std::uint8_t>& is_joined) {
   }
 }
 
+std::uint32_t CutSolid::copy_at(std::uint32_t tet, std::uint32_t vertex) const {
+  return copies_[tet][corner_of(field_->complex().solid().mesh.tets[tet], vertex)];
+}
+
 SheetWord CutSolid::word_around(std::uint32_t inner_edge) const {
   SheetWord word;
   for (const Crossing& crossing : field_->complex().around(inner_edge)) add_step(word, step_across(crossing));
@@ -189,7 +170,7 @@ void CutSolid::find_copies() {
       for (std::size_t side = 0; side < 2; ++side)
         corners[side] = static_cast<std::uint32_t>(4 * sides[side] + corner_of(tets[sides[side]], v));
       if (!is_cut(f)) {
-        sets.unite(corners[0], corners[1]);
+        sets.join(corners[0], corners[1]);
       } else {
         joins.push_back(corners);
         steps.push_back(steps_[f]);
@@ -200,7 +181,7 @@ void CutSolid::find_copies() {
   copies_.resize(tets.size());
   std::uint32_t count = 0;
   for (std::uint32_t corner = 0; corner < 4 * tets.size(); ++corner) {
-    std::uint32_t& number = numbers[sets.find(corner)];
+    std::uint32_t& number = numbers[sets.root(corner)];
     if (number == UINT32_MAX) number = count++;
     copies_[corner / 4][corner % 4] = number;
   }

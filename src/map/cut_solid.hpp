@@ -53,6 +53,7 @@ class CutSolid {
   /// Copies of vertices: the corners of tets at a vertex that hang together without the cut.
   std::size_t copies() const { return first_copies_.size(); }
   std::uint32_t copy_of(std::uint32_t tet, std::size_t corner) const { return copies_[tet][corner]; }
+  std::uint32_t copy_at(std::uint32_t tet, std::uint32_t vertex) const;  ///< a vertex of the tet
   const std::vector<std::array<std::uint32_t, 4>>& copies_of_tets() const { return copies_; }
 
   /// The copy of the same vertex from which a word leads to this one.

@@ -16,8 +16,7 @@ namespace {
 /// Says which coordinates of corners of a tet are one integer.
 class CommonIntegers {
  public:
-  explicit CommonIntegers(const MapUnknowns& unknowns)
-      : unknowns_(unknowns), tets_(unknowns.cut().field().complex().solid().mesh.tets) {}
+  explicit CommonIntegers(const MapUnknowns& unknowns) : unknowns_(unknowns) {}
 
   bool are_common(std::uint32_t tet, std::uint32_t a, std::uint32_t b, std::size_t axis) const {
     const LinearForm& form = of(tet, a)[axis];
@@ -32,12 +31,10 @@ class CommonIntegers {
 
  private:
   const MapPoint& of(std::uint32_t tet, std::uint32_t vertex) const {
-    const auto corner = std::find(tets_[tet].begin(), tets_[tet].end(), vertex) - tets_[tet].begin();
-    return unknowns_.point(unknowns_.cut().copy_of(tet, static_cast<std::size_t>(corner)));
+    return unknowns_.point(unknowns_.cut().copy_at(tet, vertex));
   }
 
   const MapUnknowns& unknowns_;
-  const std::vector<std::array<std::uint32_t, 4>>& tets_;
 };
 
 /// How many coordinates an edge may have in common.

@@ -17,10 +17,6 @@ MapPoint turned(std::uint8_t rotation, const MapPoint& point) {
   return result;
 }
 
-std::size_t corner_of(const std::array<std::uint32_t, 4>& tet, std::uint32_t vertex) {
-  return static_cast<std::size_t>(std::find(tet.begin(), tet.end(), vertex) - tet.begin());
-}
-
 }  // namespace
 
 MapUnknowns::MapUnknowns(const CutSolid& cut)
@@ -96,14 +92,13 @@ void MapUnknowns::impose_regular_edges() {
 
 void MapUnknowns::impose_singular_edges() {
   const TetComplex& complex = cut_->field().complex();
-  const std::vector<std::array<std::uint32_t, 4>>& tets = complex.solid().mesh.tets;
   std::set<std::pair<std::uint32_t, SheetWord>> done;
   for (std::uint32_t e = 0; e < complex.edges().size(); ++e) {
     if (!cut_->is_singular(e)) continue;
     const TetComplex::Edge& edge = complex.edges()[e];
     const SheetWord word = cut_->word_around(e);
     for (const std::uint32_t vertex : edge.ends) {
-      const std::uint32_t copy = cut_->copy_of(edge.first_tet, corner_of(tets[edge.first_tet], vertex));
+      const std::uint32_t copy = cut_->copy_at(edge.first_tet, vertex);
       if (!done.insert({copy, word}).second) continue;
       const MapPoint point = raw_point(copy);
       const Transition& around = transition(word);
@@ -122,8 +117,7 @@ void MapUnknowns::impose_surface() {
     const std::size_t axis = normal_axes_[f] % 3;
     std::array<LinearForm, 3> constant;
     for (std::size_t k = 0; k < 3; ++k)
-      constant[k] =
-          raw_point(cut_->copy_of(tet, corner_of(solid.mesh.tets[tet], solid.boundary[f][k])))[axis];
+      constant[k] = raw_point(cut_->copy_at(tet, solid.boundary[f][k]))[axis];
     for (std::size_t k = 1; k < 3; ++k) elimination_.impose(added(constant[k], constant[0], -1));
   }
 }
@@ -157,14 +151,12 @@ void MapUnknowns::find_integers() {
   const TetSolid& solid = complex.solid();
   for (std::uint32_t f = 0; f < solid.boundary.size(); ++f) {
     const std::uint32_t tet = solid.boundary_tets[f];
-    mark(points_[cut_->copy_of(tet, corner_of(solid.mesh.tets[tet], solid.boundary[f][0]))]
-                [normal_axes_[f] % 3]);
+    mark(points_[cut_->copy_at(tet, solid.boundary[f][0])][normal_axes_[f] % 3]);
   }
   for (std::uint32_t e = 0; e < complex.edges().size(); ++e) {
     if (!cut_->is_singular(e)) continue;
     const TetComplex::Edge& edge = complex.edges()[e];
-    const MapPoint& point =
-        points_[cut_->copy_of(edge.first_tet, corner_of(solid.mesh.tets[edge.first_tet], edge.ends[0]))];
+    const MapPoint& point = points_[cut_->copy_at(edge.first_tet, edge.ends[0])];
     const int axis = axis_of_edge(e);
     for (int k = 0; k < 3; ++k)
       if (k != axis) mark(point[static_cast<std::size_t>(k)]);

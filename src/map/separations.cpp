@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
@@ -32,14 +33,12 @@ constexpr double kInside = 1e-4;
 class RayWalk {
  public:
   RayWalk(const MapUnknowns& unknowns, const Eigen::VectorXd& columns, const MapCoordinates& map)
-      : unknowns_(unknowns), cut_(unknowns.cut()), columns_(columns), map_(map) {
+      : unknowns_(unknowns),
+        cut_(unknowns.cut()),
+        columns_(columns),
+        map_(map),
+        beside_(crossings_of(cut_.field().complex().solid())) {
     const TetSolid& solid = cut_.field().complex().solid();
-    beside_.resize(solid.mesh.tets.size());
-    for (auto& sides : beside_) sides.fill({kNoFace, false});
-    for (std::uint32_t f = 0; f < solid.inner_faces.size(); ++f)
-      for (std::size_t side = 0; side < 2; ++side)
-        beside_[solid.inner_faces[f].tets[side]]
-               [opposite(solid.inner_faces[f].tets[side], solid.inner_faces[f].vertices)] = {f, side == 1};
     surface_.resize(solid.mesh.tets.size());
     for (auto& faces : surface_) faces.fill(kNoFace);
     for (std::uint32_t f = 0; f < solid.boundary.size(); ++f)
@@ -51,10 +50,7 @@ class RayWalk {
   }
 
   std::size_t opposite(std::uint32_t tet, const std::array<std::uint32_t, 3>& face) const {
-    const auto& corners = cut_.field().complex().solid().mesh.tets[tet];
-    std::size_t k = 0;
-    while (std::find(face.begin(), face.end(), corners[k]) != face.end()) ++k;
-    return k;
+    return corner_opposite(cut_.field().complex().solid().mesh.tets[tet], face);
   }
 
   /// The distance to the face of the surface that a ray reaches; none if it is lost.
@@ -178,11 +174,9 @@ std::vector<Ray> rays_from_arcs(const MapUnknowns& unknowns, const RayWalk& walk
     if (!cut.is_singular(e)) continue;
     for (const Crossing& crossing : complex.around(e)) {
       const std::uint32_t tet = solid.inner_faces[crossing.face].tets[crossing.reversed ? 1 : 0];
-      const auto& corners = solid.mesh.tets[tet];
       std::array<std::size_t, 2> ends{};
       for (std::size_t k = 0; k < 2; ++k)
-        ends[k] = static_cast<std::size_t>(
-            std::find(corners.begin(), corners.end(), complex.edges()[e].ends[k]) - corners.begin());
+        ends[k] = corner_of(solid.mesh.tets[tet], complex.edges()[e].ends[k]);
       Eigen::Vector3d centre{0, 0, 0};
       for (std::size_t k = 0; k < 4; ++k) centre += walk.corner(tet, k) / 4;
       const Eigen::Vector3d middle = 0.5 * (walk.corner(tet, ends[0]) + walk.corner(tet, ends[1]));

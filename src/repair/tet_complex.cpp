@@ -99,6 +99,17 @@ ListTable::ListTable(std::size_t lists, std::span<const std::array<std::uint32_t
   for (const auto& [list, entry] : pairs) entries_[next[list]++] = entry;
 }
 
+std::vector<std::array<Crossing, 4>> crossings_of(const TetSolid& solid) {
+  std::vector<std::array<Crossing, 4>> crossings(solid.mesh.tets.size());
+  for (auto& of_tet : crossings) of_tet.fill({kNoFace, false});
+  for (std::uint32_t f = 0; f < solid.inner_faces.size(); ++f) {
+    const auto& [vertices, sides] = solid.inner_faces[f];
+    for (std::size_t side = 0; side < 2; ++side)
+      crossings[sides[side]][corner_opposite(solid.mesh.tets[sides[side]], vertices)] = {f, side == 1};
+  }
+  return crossings;
+}
+
 TetComplex::TetComplex(const TetSolid& solid, const InnerFeatures& features) : solid_(&solid) {
   for (const auto& [a, b, c] : features.faces)
     if (const std::uint32_t face = inner_face(solid, sorted_face(a, b, c)); face != kNoFace)

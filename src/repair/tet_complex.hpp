@@ -38,6 +38,9 @@ struct Crossing {
   bool reversed;       ///< from the second tet of the face to the first
 };
 
+/// For each tet the way through the face opposite each corner; kNoFace on the surface.
+std::vector<std::array<Crossing, 4>> crossings_of(const TetSolid& solid);
+
 /// The edges, faces and stars of a solid. `solid` must outlive it and have no flat tets (kNoTet) beside inner
 /// faces.
 class TetComplex {

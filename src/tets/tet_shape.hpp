@@ -2,7 +2,9 @@
 // Orientation of a tet, and whether it has volume.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +29,19 @@ TetShape shape_of_tet(const std::vector<Vector3>& vertices, const std::array<std
 /// 12 (3 V)^(2/3) over the sum of squared edges, with the sign of the volume V: 1 for a regular tet, 0 for a
 /// flat one.
 double mean_ratio(const std::array<Vector3, 4>& corners);
+
+/// The place of a vertex among the corners of a tet, 4 if it is none.
+inline std::size_t corner_of(const std::array<std::uint32_t, 4>& tet, std::uint32_t vertex) {
+  return static_cast<std::size_t>(std::find(tet.begin(), tet.end(), vertex) - tet.begin());
+}
+
+/// The corner of a tet that is no vertex of one of its faces.
+inline std::size_t corner_opposite(const std::array<std::uint32_t, 4>& tet,
+                                   const std::array<std::uint32_t, 3>& face) {
+  std::size_t k = 0;
+  while (std::find(face.begin(), face.end(), tet[k]) != face.end()) ++k;
+  return k;
+}
 
 /// Vertices of the face opposite each corner, outward by the right-hand rule for a positive tet.
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kFaceCorners = {
