@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Hexahedral meshes as other programs write them, and what is wrong with them."""
 
+import sys
 from pathlib import Path
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "command"))
+from poisson_map import medit_sections  # noqa: E402
 
 # Corners of a hexahedron: a quadrilateral 0 1 2 3, and 4 5 6 7 opposite. At each corner its three neighbours, right-handed.
 CORNERS = np.array([(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3)])
@@ -133,16 +137,6 @@ def corners_of(faces):
 
 
 def read_medit_hexahedra(path):
-    widths = {"Vertices": 4, "Hexahedra": 9, "Tetrahedra": 5, "Prisms": 7, "Pyramids": 6, "Quadrilaterals": 5, "Triangles": 4,
-              "Edges": 3}
-    words, at, found = Path(path).read_text().split(), 0, {}
-    while at < len(words):
-        width = widths.get(words[at])
-        if width is None:
-            at += 1
-            continue
-        count = int(words[at + 1])
-        found[words[at]] = np.array(words[at + 2:at + 2 + count * width], float).reshape(count, width)
-        at += 2 + count * width
+    found = medit_sections(path)
     others = sum(len(found.get(kind, ())) for kind in ("Tetrahedra", "Prisms", "Pyramids"))
     return HexMesh(found["Vertices"][:, :3], found.get("Hexahedra", np.zeros((0, 9)))[:, :8].astype(int) - 1, others)

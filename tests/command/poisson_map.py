@@ -33,11 +33,11 @@ OFF_AXIS_DEG = 10
 CREASE_DEG = 35
 LEAST_DETERMINANT = 1e-9  # rounding of tets that are flat in the map is 1e-13
 SECTIONS = {"Vertices": 4, "Corners": 1, "RequiredVertices": 1, "Edges": 3, "Ridges": 1, "RequiredEdges": 1, "Triangles": 4,
-            "RequiredTriangles": 1, "Quadrilaterals": 5, "Tetrahedra": 5}
+            "RequiredTriangles": 1, "Quadrilaterals": 5, "Tetrahedra": 5, "Prisms": 7, "Pyramids": 6, "Hexahedra": 9}
 
 
-def read_medit(path):
-    """Points, and tets numbered from 0."""
+def medit_sections(path):
+    """The rows of each section of a Medit file as floats, by keyword; tags are the last column, vertices count from 1."""
     words = Path(path).read_text().split()
     found, at = {}, 0
     while at < len(words):
@@ -48,6 +48,12 @@ def read_medit(path):
         count = int(words[at + 1])
         found[words[at]] = np.array(words[at + 2:at + 2 + count * width], float).reshape(count, width)
         at += 2 + count * width
+    return found
+
+
+def read_medit(path):
+    """Points, and tets numbered from 0."""
+    found = medit_sections(path)
     return found["Vertices"][:, :3], found["Tetrahedra"][:, :4].astype(int) - 1
 
 

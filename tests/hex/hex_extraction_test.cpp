@@ -74,17 +74,12 @@ TEST(HexExtraction, OfABoxIsItsGrid) {
 }
 
 TEST(HexExtraction, OfACylinderFillsItWithFourArcs) {
-  const TetSolid cylinder = solid_of(tet_cylinder(8));
-  const TetComplex complex(cylinder);
-  const RepairedTets repaired = testing::repaired_cylinder(complex);
-  const OwnedField split = split_for_map(MatchedField(complex, repaired.frames, repaired.matchings));
-  const CutSolid cut(*split.field);
-  const MapUnknowns unknowns(cut);
+  const testing::ArcedCylinder cylinder;
   for (const double size : {0.5, 0.2}) {
-    const MapEnergy energy(unknowns, size);
+    const MapEnergy energy(cylinder.unknowns, size);
     const IntegerGridMap map = integer_grid_map(energy);
     ASSERT_EQ(map.flips.tets, 0u);
-    const ExtractedHexahedra found = extracted_hexahedra(unknowns, map.coordinates);
+    const ExtractedHexahedra found = extracted_hexahedra(cylinder.unknowns, map.coordinates);
     EXPECT_TRUE(found.is_complete());
     EXPECT_EQ(euler_number(found.mesh), 1);
     double volume = 0;
@@ -94,7 +89,7 @@ TEST(HexExtraction, OfACylinderFillsItWithFourArcs) {
       volume += corners;
     }
     // Straight edges cut off more of the curved side the longer they are.
-    EXPECT_NEAR(volume / volume_of_tets(cylinder.mesh), 1, 0.3 * size);
+    EXPECT_NEAR(volume / volume_of_tets(cylinder.given.mesh), 1, 0.3 * size);
     const auto layers = static_cast<std::size_t>(std::lround(2 / size));
     EXPECT_EQ(found.mesh.hexahedra.size() % layers, 0u);
   }

@@ -13,22 +13,18 @@ namespace crossgrain {
 namespace {
 
 TEST(ArcLengths, OfTheArcsOfACylinderAreItsLength) {
-  const TetSolid cylinder = solid_of(tet_cylinder(8));
-  const TetComplex complex(cylinder);
-  const RepairedTets repaired = testing::repaired_cylinder(complex);
-  const MatchedField field(complex, repaired.frames, repaired.matchings);
-  const CutSolid cut(field);
-  const MapUnknowns unknowns(cut);
-  const MapEnergy energy(unknowns, 0.1);
+  const testing::ArcedCylinder cylinder;
+  const MapEnergy energy(cylinder.unknowns, 0.1);
   const PoissonMap poisson(energy);
   const Eigen::VectorXd columns = poisson.columns_for(poisson.relaxed());
-  const std::vector<LinearForm> lengths = arc_lengths(unknowns, repaired_graph(field));
+  const std::vector<LinearForm> lengths =
+      arc_lengths(cylinder.unknowns, repaired_graph(*cylinder.split.field));
   ASSERT_EQ(lengths.size(), 4u);
   for (const LinearForm& length : lengths) {
     double sum = 0;
     for (const auto& [column, factor] : length.terms) sum += static_cast<double>(factor) * columns[column];
     EXPECT_NEAR(sum, 20, 0.1);
-    EXPECT_TRUE(unknowns.is_integer(length));
+    EXPECT_TRUE(cylinder.unknowns.is_integer(length));
   }
 }
 

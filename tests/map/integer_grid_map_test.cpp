@@ -23,10 +23,7 @@ double off_integers(const MapEnergy& energy, const MapCoordinates& map) {
   const TetComplex& complex = cut.field().complex();
   const TetSolid& solid = complex.solid();
   const auto at = [&](std::uint32_t tet, std::uint32_t vertex) -> Eigen::Vector3d {
-    const auto& corners = solid.mesh.tets[tet];
-    const auto corner =
-        static_cast<std::size_t>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
-    return map.segment<3>(static_cast<Eigen::Index>(3 * cut.copy_of(tet, corner)));
+    return map.segment<3>(static_cast<Eigen::Index>(3 * cut.copy_at(tet, vertex)));
   };
   double most = 0;
   const auto take = [&](double value) { most = std::max(most, std::abs(value - std::round(value))); };
@@ -71,14 +68,9 @@ TEST(IntegerGridMap, OfABoxHasNoFlipsAndAllIntegers) {
 }
 
 TEST(IntegerGridMap, OfACylinderHasItsFourArcsOnIntegerLines) {
-  const TetSolid cylinder = solid_of(tet_cylinder(8));
-  const TetComplex complex(cylinder);
-  const RepairedTets repaired = testing::repaired_cylinder(complex);
-  const OwnedField split = split_for_map(MatchedField(complex, repaired.frames, repaired.matchings));
-  const CutSolid cut(*split.field);
-  const MapUnknowns unknowns(cut);
+  const testing::ArcedCylinder cylinder;
   for (const double size : {0.4, 0.2, 0.11}) {
-    const MapEnergy energy(unknowns, size);
+    const MapEnergy energy(cylinder.unknowns, size);
     const IntegerGridMap map = integer_grid_map(energy);
     EXPECT_EQ(map.flips.tets, 0u) << size;
     EXPECT_EQ(map.missing, 0) << size;

@@ -9,17 +9,13 @@
 
 #include "repair/made_matchings.hpp"
 #include "tets/tet_meshes.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
 
 using testing::random_tet_frames;
 using testing::turn_random_faces;
-
-std::size_t corner_of(const TetSolid& solid, std::uint32_t tet, std::uint32_t vertex) {
-  const auto& corners = solid.mesh.tets[tet];
-  return static_cast<std::size_t>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
-}
 
 Eigen::Matrix3d matrix_of(std::uint8_t rotation) {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
@@ -41,7 +37,7 @@ Eigen::MatrixXd equations_of(const MatchedField& field) {
     return rows.emplace_back(Eigen::RowVectorXd::Zero(12 * tets + 3 * faces));
   };
   const auto column = [&](std::uint32_t tet, std::uint32_t vertex, Eigen::Index k) {
-    return static_cast<Eigen::Index>(12 * tet + 3 * corner_of(solid, tet, vertex)) + k;
+    return static_cast<Eigen::Index>(12 * tet + 3 * corner_of(solid.mesh.tets[tet], vertex)) + k;
   };
   for (std::uint32_t f = 0; f < solid.inner_faces.size(); ++f) {
     const auto& [vertices, sides] = solid.inner_faces[f];
@@ -94,7 +90,8 @@ Eigen::VectorXd with_translations(const MatchedField& field, const Eigen::Vector
   for (std::uint32_t f = 0; f < solid.inner_faces.size(); ++f) {
     const auto& [vertices, sides] = solid.inner_faces[f];
     const auto at = [&](std::uint32_t tet) -> Eigen::Vector3d {
-      return corners.segment<3>(static_cast<Eigen::Index>(12 * tet + 3 * corner_of(solid, tet, vertices[0])));
+      return corners.segment<3>(
+          static_cast<Eigen::Index>(12 * tet + 3 * corner_of(solid.mesh.tets[tet], vertices[0])));
     };
     all.segment<3>(corners.size() + 3 * static_cast<Eigen::Index>(f)) =
         at(sides[1]) - matrix_of(field.matching(f)) * at(sides[0]);

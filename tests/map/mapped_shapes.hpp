@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "map/demanded_splits.hpp"
 #include "map/map_unknowns.hpp"
 #include "repair/made_matchings.hpp"
 #include "repair/repaired_matchings.hpp"
@@ -60,7 +61,6 @@ struct AskewBox : MappedSolid {
   }
 };
 
-/// A cylinder of radius 1 and height 2 with repaired matchings: four arcs along it.
 inline RepairedTets repaired_cylinder(const TetComplex& complex) {
   const auto frames = frames_at_centroids(complex.solid(), [](const Vector3& p) {
     // Straight near the axis, along the radius at the surface: four lines between.
@@ -70,5 +70,18 @@ inline RepairedTets repaired_cylinder(const TetComplex& complex) {
   });
   return repaired_tets(MatchedField(complex, frames), {});
 }
+
+/// A cylinder of radius 1 and height 2 with repaired matchings, four arcs along it, and tets split for a map.
+struct ArcedCylinder {
+  TetSolid given = solid_of(tet_cylinder(8));
+  TetComplex complex{given};
+  RepairedTets repaired = repaired_cylinder(complex);
+  OwnedField split = split_for_map(MatchedField(complex, repaired.frames, repaired.matchings));
+  CutSolid cut{*split.field};
+  MapUnknowns unknowns{cut};
+
+  ArcedCylinder() = default;
+  ArcedCylinder(const ArcedCylinder&) = delete;
+};
 
 }  // namespace crossgrain::testing

@@ -39,13 +39,8 @@ TEST(Separations, OfABoxAreItsThreeSides) {
 }
 
 TEST(Separations, KeepTheArcsOfACylinderFromItsSurfaceAndFromEachOther) {
-  const TetSolid cylinder = solid_of(tet_cylinder(8));
-  const TetComplex complex(cylinder);
-  const RepairedTets repaired = testing::repaired_cylinder(complex);
-  const MatchedField field(complex, repaired.frames, repaired.matchings);
-  const CutSolid cut(field);
-  const MapUnknowns unknowns(cut);
-  const MapEnergy energy(unknowns, 0.1);
+  const testing::ArcedCylinder cylinder;
+  const MapEnergy energy(cylinder.unknowns, 0.1);
   const PoissonMap poisson(energy);
   const Separations separations = separations_in(poisson);
   EXPECT_GE(separations.size(), 4u);
