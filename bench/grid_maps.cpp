@@ -19,8 +19,8 @@
 #include "crossgrain/io.hpp"
 #include "crossgrain/tet_frame_field.hpp"
 #include "hex/hex_extraction.hpp"
-#include "map/demanded_splits.hpp"
 #include "map/integer_grid_map.hpp"
+#include "reduction/demanded_splits.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
 

@@ -5,6 +5,7 @@
 # What pkg-config calls the libraries that components link; what begins with - or / is for the linker.
 set(pkg_config_of_TBB::tbb tbb)
 set(pkg_config_of_fmt::fmt fmt)
+set(pkg_config_of_METIS::METIS -lmetis)
 set(pkg_config_of_ZLIB::ZLIB zlib)
 set(pkg_config_of_PkgConfig::libdeflate libdeflate)
 set(pkg_config_of_PNG::PNG libpng)
@@ -63,6 +64,7 @@ endfunction()
 
 set(description_of_core "Volumetric frame fields: meshes in, fields out (C++20)")
 set(description_of_files "Files of Crossgrain as bytes (C++20)")
+set(description_of_hex "Hexahedra along frame fields of Crossgrain (C++20)")
 set(description_of_io "Reading models, writing fields of Crossgrain (C++20)")
 set(description_of_page "Pages that show fields of Crossgrain in a browser (C++20)")
 set(description_of_picture "Pictures of fields of Crossgrain (C++20)")

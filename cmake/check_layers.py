@@ -17,11 +17,11 @@ import sys
 from pathlib import Path
 
 # From the lowest up, as in CMakeLists.txt.
-LAYERS = ["base", "harmonics", "constraint", "surface", "remeshing", "tets", "grid", "field", "singularity", "repair", "map", "hex", "sampling", "measure", "solve",
-          "display", "files", "io", "page", "picture", "c_interface", "distributed"]
+LAYERS = ["base", "harmonics", "constraint", "surface", "remeshing", "tets", "grid", "field", "singularity", "matching", "reduction", "repair", "sampling", "measure", "solve",
+          "display", "map", "hex", "files", "io", "page", "picture", "c_interface", "distributed"]
 
 # Layers below another in the list that it stands beside, not above.
-BESIDE = {"picture": ["io", "page"]}
+BESIDE = {"files": ["map", "hex"], "io": ["map", "hex"], "page": ["map", "hex"], "picture": ["io", "page", "map", "hex"]}
 
 # The folder of src/ with OpenCASCADE in it.
 CAD_PROGRAM = "io/cad/program/"

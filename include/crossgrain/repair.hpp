@@ -21,8 +21,9 @@ struct RepairWeights {
 
 /// How matchings are repaired. Weights and tolerances are dimensionless; docs/notes/repair.md has the sweeps.
 struct RepairOptions {
-  /// Tried each from the field as it is. The result is the one with the fewest faults, and of these the one
-  /// that costs least by the first weights.
+  /// Tried each from the field as it is. The result is the one with the fewest faults, of these the one
+  /// with the fewest arcs that no map can give a length (an arc from a face of the surface to another point
+  /// of it), and of these the one that costs least by the first weights.
   std::vector<RepairWeights> tries = {{1, 1, 200},    {3, 5, 200},   {3, 2, 200},
                                       {10, 0.5, 200}, {1, 0.3, 200}, {0, 0.05, 200}};
 

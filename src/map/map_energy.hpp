@@ -6,7 +6,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "map/map_unknowns.hpp"
+#include "reduction/map_unknowns.hpp"
 
 namespace crossgrain {
 

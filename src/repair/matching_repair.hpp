@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "repair/matched_field.hpp"
+#include "matching/matched_field.hpp"
 #include "repair/moves.hpp"
 #include "repair/repair_cost.hpp"
 

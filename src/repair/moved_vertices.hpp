@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "crossgrain/types.hpp"
-#include "repair/matched_field.hpp"
+#include "matching/matched_field.hpp"
 
 namespace crossgrain {
 

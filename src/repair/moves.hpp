@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "repair/matched_field.hpp"
+#include "matching/matched_field.hpp"
 
 namespace crossgrain {
 

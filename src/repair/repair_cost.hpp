@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "crossgrain/repair.hpp"
-#include "repair/matched_field.hpp"
+#include "matching/matched_field.hpp"
 
 namespace crossgrain {
 

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "matching/matched_field.hpp"
+#include "reduction/arc_lengths.hpp"
 #include "repair/frozen_frames.hpp"
-#include "repair/matched_field.hpp"
 #include "repair/matching_repair.hpp"
 #include "repair/repair_cost.hpp"
 
@@ -37,20 +39,23 @@ double cost_of(const MatchedField& field, const RepairWeights& weights) {
   return sum;
 }
 
-/// A try with its cost by the first weights. The field refers to the frames.
+/// A try with what is wrong with it, and its cost by the first weights. The field refers to the frames.
 struct Try {
   RepairedTets tets;
   RepairWeights weights;
   std::optional<MatchedField> field;
+  std::size_t zero_lengths = 0;  ///< arcs_of_length_zero
   double cost = 0;
 
   bool operator<(const Try& other) const {
-    return std::pair(tets.faults, cost) < std::pair(other.tets.faults, other.cost);
+    return std::tuple(tets.faults, zero_lengths, cost) <
+           std::tuple(other.tets.faults, other.zero_lengths, other.cost);
   }
 };
 
 void judge(Try& what, const RepairOptions& options) {
   what.tets.faults = faults_of(*what.field);
+  what.zero_lengths = arcs_of_length_zero(*what.field);
   what.cost = cost_of(*what.field, options.tries.front());
 }
 

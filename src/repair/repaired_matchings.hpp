@@ -7,7 +7,7 @@
 
 #include "base/quaternion.hpp"
 #include "crossgrain/repair.hpp"
-#include "repair/matched_field.hpp"
+#include "matching/matched_field.hpp"
 #include "singularity/matching.hpp"
 
 namespace crossgrain {

@@ -7,7 +7,7 @@
 #include "base/instruction_set.hpp"
 #include "base/parallel.hpp"
 #include "harmonics/refined_frame.hpp"
-#include "repair/repaired_graph.hpp"
+#include "matching/repaired_graph.hpp"
 #include "singularity/singularity_graph.hpp"
 #include "singularity/tet_matchings.hpp"
 

@@ -28,7 +28,7 @@ struct TetField {
 /// The matchings of a field across TetSolid::inner_faces: its own, or the nearest.
 std::vector<CubeRotation> matchings_of(const TetSolid& solid, const TetField& field);
 
-/// The singular graph of a field on tets; that of a repaired field is exact (repair/repaired_graph.hpp).
+/// The singular graph of a field on tets; that of a repaired field is exact (matching/repaired_graph.hpp).
 SingularityGraph graph_of(const TetSolid& solid, const TetField& field,
                           const SingularityOptions& options = {});
 

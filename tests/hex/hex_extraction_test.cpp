@@ -11,9 +11,9 @@
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/thread_limit.hpp"
-#include "map/demanded_splits.hpp"
+#include "map/arced_cylinder.hpp"
 #include "map/integer_grid_map.hpp"
-#include "map/mapped_shapes.hpp"
+#include "reduction/demanded_splits.hpp"
 
 namespace crossgrain {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "map/arc_lengths.hpp"
+#include "reduction/arc_lengths.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "map/mapped_shapes.hpp"
+#include "map/arced_cylinder.hpp"
 #include "map/poisson_map.hpp"
-#include "repair/repaired_graph.hpp"
+#include "matching/repaired_graph.hpp"
 
 namespace crossgrain {
 namespace {

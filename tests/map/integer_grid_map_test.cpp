@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "crossgrain/thread_limit.hpp"
-#include "map/demanded_splits.hpp"
-#include "map/mapped_shapes.hpp"
+#include "map/arced_cylinder.hpp"
+#include "reduction/demanded_splits.hpp"
 
 namespace crossgrain {
 namespace {

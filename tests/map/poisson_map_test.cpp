@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "map/mapped_shapes.hpp"
+#include "reduction/mapped_shapes.hpp"
 
 namespace crossgrain {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "map/mapped_shapes.hpp"
+#include "map/arced_cylinder.hpp"
 
 namespace crossgrain {
 namespace {

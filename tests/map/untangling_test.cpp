@@ -7,7 +7,7 @@
 
 #include "crossgrain/thread_limit.hpp"
 #include "map/poisson_map.hpp"
-#include "repair/made_matchings.hpp"
+#include "matching/made_matchings.hpp"
 #include "tets/tet_meshes.hpp"
 
 namespace crossgrain {

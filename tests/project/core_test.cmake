@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# Where Embree, libpng, zlib, meshoptimizer and nlohmann_json cannot be found, Crossgrain's core can be configured,
+# Where METIS, Embree, libpng, zlib, meshoptimizer and nlohmann_json cannot be found, Crossgrain's core can be configured,
 # installed from BUILD_DIR, found, linked and run.
 
 file(REMOVE_RECURSE "${WORK_DIR}")
-foreach(package embree PNG ZLIB meshoptimizer nlohmann_json)
+foreach(package METIS embree PNG ZLIB meshoptimizer nlohmann_json)
   list(APPEND hidden "-DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON")
 endforeach()
 set(compiler "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}" "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}")

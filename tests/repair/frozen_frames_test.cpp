@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "crossgrain/thread_limit.hpp"
+#include "matching/made_matchings.hpp"
 #include "measure/made_tets.hpp"
-#include "repair/made_matchings.hpp"
 #include "tets/tet_meshes.hpp"
 
 namespace crossgrain {

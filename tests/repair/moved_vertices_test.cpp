@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "repair/made_matchings.hpp"
+#include "matching/made_matchings.hpp"
 #include "tets/tet_meshes.hpp"
 #include "tets/tet_shape.hpp"
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "crossgrain/thread_limit.hpp"
-#include "repair/made_matchings.hpp"
+#include "matching/made_matchings.hpp"
+#include "matching/repaired_graph.hpp"
 #include "repair/matching_repair.hpp"
-#include "repair/repaired_graph.hpp"
 #include "tets/tet_meshes.hpp"
 
 namespace crossgrain {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/quaternion.hpp"
-#include "map/map_unknowns.hpp"
+#include "reduction/map_unknowns.hpp"
 #include "tets/tet_solid.hpp"
 
 namespace crossgrain {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "map/demanded_splits.hpp"
+#include "reduction/demanded_splits.hpp"
 
 #include <gtest/gtest.h>
 
-#include "map/mapped_shapes.hpp"
+#include "reduction/mapped_shapes.hpp"
 
 namespace crossgrain {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "repair/tet_complex.hpp"
+#include "matching/tet_complex.hpp"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 
 #include "base/quaternion.hpp"
 #include "base/vector3.hpp"
-#include "repair/tet_complex.hpp"
+#include "matching/tet_complex.hpp"
 #include "singularity/cube_group.hpp"
 #include "singularity/matching.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "map/map_unknowns.hpp"
+#include "reduction/map_unknowns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <random>
 
-#include "repair/made_matchings.hpp"
+#include "matching/made_matchings.hpp"
 #include "tets/tet_meshes.hpp"
 #include "tets/tet_shape.hpp"
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
-#include "map/cut_solid.hpp"
-#include "map/integer_elimination.hpp"
+#include "reduction/cut_solid.hpp"
+#include "reduction/integer_elimination.hpp"
 
 namespace crossgrain {
 

@@ -4,7 +4,7 @@
 
 #include "crossgrain/report.hpp"
 #include "crossgrain/singularity_graph.hpp"
-#include "repair/matched_field.hpp"
+#include "matching/matched_field.hpp"
 
 namespace crossgrain {
 

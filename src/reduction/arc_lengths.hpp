@@ -2,10 +2,11 @@
 // Lengths of singular arcs in a map.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "crossgrain/singularity_graph.hpp"
-#include "map/map_unknowns.hpp"
+#include "reduction/map_unknowns.hpp"
 
 namespace crossgrain {
 
@@ -14,5 +15,9 @@ namespace crossgrain {
 /// another point of the same face. `graph` is that of the matchings (repaired_graph); arcs without an axis or
 /// of changing sense get zero.
 std::vector<LinearForm> arc_lengths(const MapUnknowns& unknowns, const SingularityGraph& graph);
+
+/// Of a field: how many of its arcs have an axis, and a length that is the zero form. SIZE_MAX if the
+/// equations of its map cannot be solved in double precision.
+std::size_t arcs_of_length_zero(const MatchedField& field);
 
 }  // namespace crossgrain

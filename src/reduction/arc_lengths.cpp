@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "map/arc_lengths.hpp"
+#include "reduction/arc_lengths.hpp"
+
+#include <cstdint>
+
+#include "crossgrain/error.hpp"
+#include "matching/repaired_graph.hpp"
 
 namespace crossgrain {
 namespace {
@@ -33,6 +38,22 @@ std::vector<LinearForm> arc_lengths(const MapUnknowns& unknowns, const Singulari
     }
   }
   return lengths;
+}
+
+std::size_t arcs_of_length_zero(const MatchedField& field) {
+  const SingularityGraph graph = repaired_graph(field);
+  const CutSolid cut(field);
+  std::vector<LinearForm> lengths;
+  try {
+    lengths = arc_lengths(MapUnknowns(cut), graph);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kLimit) throw;
+    return SIZE_MAX;
+  }
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < lengths.size(); ++k)
+    count += graph.arcs[k].type == SingularityGraph::ArcType::kRegular && lengths[k].is_zero();
+  return count;
 }
 
 }  // namespace crossgrain

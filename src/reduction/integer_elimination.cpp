@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "map/integer_elimination.hpp"
+#include "reduction/integer_elimination.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "map/cut_solid.hpp"
+#include "reduction/cut_solid.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "repair/made_matchings.hpp"
+#include "matching/made_matchings.hpp"
 #include "tets/tet_meshes.hpp"
 
 namespace crossgrain {

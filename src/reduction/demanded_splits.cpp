@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "map/demanded_splits.hpp"
+#include "reduction/demanded_splits.hpp"
 
 #include <algorithm>
 #include <map>

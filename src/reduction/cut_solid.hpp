@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "repair/matched_field.hpp"
-#include "repair/tet_complex.hpp"
+#include "matching/matched_field.hpp"
+#include "matching/tet_complex.hpp"
 
 namespace crossgrain {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "repair/matched_field.hpp"
+#include "matching/matched_field.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "repair/made_matchings.hpp"
+#include "matching/made_matchings.hpp"
 #include "singularity/surface_hexahedra.hpp"
 #include "singularity/tet_matchings.hpp"
 #include "tets/tet_meshes.hpp"

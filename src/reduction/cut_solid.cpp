@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "map/cut_solid.hpp"
+#include "reduction/cut_solid.hpp"
 
 #include <algorithm>
 #include <cassert>

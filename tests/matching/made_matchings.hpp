@@ -9,7 +9,7 @@
 #include "base/quaternion.hpp"
 #include "field/field_state.hpp"
 #include "field/made_grid.hpp"
-#include "repair/matched_field.hpp"
+#include "matching/matched_field.hpp"
 
 namespace crossgrain::testing {
 

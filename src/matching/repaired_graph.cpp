@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "repair/repaired_graph.hpp"
+#include "matching/repaired_graph.hpp"
 
 #include <algorithm>
 #include <array>

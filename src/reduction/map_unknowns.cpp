@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "map/map_unknowns.hpp"
+#include "reduction/map_unknowns.hpp"
 
 #include <algorithm>
 #include <set>

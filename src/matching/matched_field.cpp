@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "repair/matched_field.hpp"
+#include "matching/matched_field.hpp"
 
 #include <algorithm>
 #include <cassert>
