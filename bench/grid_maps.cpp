@@ -58,8 +58,8 @@ void write_map(const std::filesystem::path& path, const MapUnknowns& unknowns, c
 
 void write_hexahedra(const std::filesystem::path& path, const HexMesh& mesh, double scale) {
   std::ofstream out(path);
-  out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << mesh.points.size() << '\n';
-  for (const Vector3& p : mesh.points)
+  out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << mesh.vertices.size() << '\n';
+  for (const Vector3& p : mesh.vertices)
     out << fmt::format("{:.17g} {:.17g} {:.17g} 0\n", scale * p[0], scale * p[1], scale * p[2]);
   out << "Hexahedra\n" << mesh.hexahedra.size() << '\n';
   for (const auto& hexahedron : mesh.hexahedra) {

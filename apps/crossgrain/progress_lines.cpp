@@ -47,7 +47,8 @@ std::string level_text(const Progress& progress, double seconds) {
 
 std::string phase_text(const Progress& progress) {
   if (progress.cells == 0) return name_of(progress.phase);
-  const bool is_tets = progress.phase == Phase::kTets || progress.phase == Phase::kRepair;
+  const bool is_tets = progress.phase == Phase::kTets || progress.phase == Phase::kRepair ||
+                       progress.phase == Phase::kHexahedra;
   std::string text =
       fmt::format("{}: {} {}", name_of(progress.phase), progress.cells, is_tets ? "vertices" : "cells");
   if (progress.sweep > 0) text += fmt::format(", sweep {}", progress.sweep);

@@ -238,7 +238,8 @@ typedef enum crossgrain_phase {
   CROSSGRAIN_ON_TETS = 4,  /**< finishes the field on a tet mesh */
   CROSSGRAIN_WRITING = 5,
   CROSSGRAIN_MAKING_TETS = 6, /**< cuts a solid into tets */
-  CROSSGRAIN_REPAIRING = 7    /**< changes matchings of a field on tets until hexahedra can follow */
+  CROSSGRAIN_REPAIRING = 7,   /**< changes matchings of a field on tets until hexahedra can follow */
+  CROSSGRAIN_HEXAHEDRA = 8    /**< maps a repaired field to the grid, and makes hexahedra */
 } crossgrain_phase;
 
 typedef struct crossgrain_progress {

@@ -22,7 +22,8 @@ enum class Phase : int {
   kTets,      ///< finishes the field on a tet mesh
   kWrite,     ///< writes files
   kMakeTets,  ///< cuts a solid into tets
-  kRepair     ///< changes matchings of a field on tets until hexahedra can follow
+  kRepair,    ///< changes matchings of a field on tets until hexahedra can follow
+  kHexahedra  ///< maps a repaired field to the grid, and makes hexahedra
 };
 
 /// Returns a name for display: "grid".
@@ -32,7 +33,7 @@ const char* name_of(Phase phase);
 struct Progress {
   Phase phase;
   int depth;          ///< octree depth of the current level, 0 if there is none
-  std::size_t cells;  ///< active cells of that level; in kTets and kRepair vertices of the mesh
+  std::size_t cells;  ///< active cells of that level; in kTets, kRepair and kHexahedra vertices of the mesh
   int sweep;          ///< sweeps done on that level
 
   /// Energy after that sweep, in the degree of the solve, including what the report calls unavoidable; in

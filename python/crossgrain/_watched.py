@@ -17,7 +17,7 @@ from ._library import library, made
 class Progress:
     """What a computation is at."""
 
-    PHASES = ("read", "grid", "solve", "analysis", "tets", "write", "make tets", "repair")
+    PHASES = ("read", "grid", "solve", "analysis", "tets", "write", "make tets", "repair", "hexahedra")
 
     def __init__(self, content: Any):
         self.phase: str = self.PHASES[content.phase]

@@ -9,8 +9,9 @@
 namespace crossgrain {
 
 const char* name_of(Phase phase) {
-  constexpr std::array kNames{"read", "grid", "solve", "analysis", "tets", "write", "make tets", "repair"};
-  return name_among<Phase::kRepair>(kNames, phase);
+  constexpr std::array kNames{"read",  "grid",      "solve",  "analysis", "tets",
+                              "write", "make tets", "repair", "hexahedra"};
+  return name_among<Phase::kHexahedra>(kNames, phase);
 }
 
 void Monitor::check() const {

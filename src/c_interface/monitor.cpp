@@ -8,6 +8,7 @@ namespace crossgrain {
 namespace {
 
 static_assert(static_cast<int>(Phase::kRepair) == CROSSGRAIN_REPAIRING);
+static_assert(static_cast<int>(Phase::kHexahedra) == CROSSGRAIN_HEXAHEDRA);
 
 crossgrain_progress passed_on(const Progress& progress) {
   crossgrain_progress result{};

@@ -161,6 +161,10 @@ std::array<Int128, 4> weights_of(const std::array<GridPoint, 4>& corners, const 
           six_volumes(a, b, c, point)};
 }
 
+bool is_inside(const std::array<Int128, 4>& weights) {
+  return std::all_of(weights.begin(), weights.end(), [](Int128 weight) { return weight >= 0; });
+}
+
 std::int64_t floor_to_unit(std::int64_t x) {
   const std::int64_t rest = ((x % kGridUnit) + kGridUnit) % kGridUnit;
   return x - rest;
@@ -181,9 +185,6 @@ void for_each_grid_point(const std::array<GridPoint, 4>& corners, const Visit& v
 TetPart part_of(const std::array<GridPoint, 4>& corners) {
   TetPart part;
   part.volume = six_volumes(corners[0], corners[1], corners[2], corners[3]);
-  const auto is_inside = [](const std::array<Int128, 4>& weights) {
-    return std::all_of(weights.begin(), weights.end(), [](Int128 weight) { return weight >= 0; });
-  };
   for_each_grid_point(corners, [&](const GridPoint& point) {
     TetPart::Cell cell{point, {}};
     bool meets = false;
@@ -278,12 +279,22 @@ class Extraction {
       std::array<std::uint32_t, 8> hexahedron{};
       for (std::size_t k = 0; k < 8; ++k) {
         const auto [known, is_new] =
-            numbers.try_emplace((*corners)[k], static_cast<std::uint32_t>(result.mesh.points.size()));
-        if (is_new) result.mesh.points.push_back(place_of((*corners)[k]));
+            numbers.try_emplace((*corners)[k], static_cast<std::uint32_t>(result.mesh.vertices.size()));
+        if (is_new) add_vertex((*corners)[k], result);
         hexahedron[k] = known->second;
       }
       result.mesh.hexahedra.push_back(hexahedron);
+      result.centre_tets.push_back(tet_at_centre(of_cell));
     }
+  }
+
+  std::uint32_t tet_at_centre(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pieces) const {
+    for (const auto& [t, c] : pieces) {
+      GridPoint centre = parts_[t].cells[c].low;
+      for (std::int64_t& x : centre) x += kGridUnit / 2;
+      if (is_inside(weights_of(map_.corners(t), centre))) return t;
+    }
+    return pieces.front().first;
   }
 
   /// The vertices at the corners of a cell. Names differ from tet to tet, so each piece is brought to those
@@ -348,16 +359,24 @@ class Extraction {
     return true;
   }
 
-  Vector3 place_of(std::uint32_t vertex) const {
+  void add_vertex(std::uint32_t vertex, ExtractedHexahedra& result) const {
     const auto tet =
         static_cast<std::size_t>(std::upper_bound(first_vertices_.begin(), first_vertices_.end(), vertex) -
                                  first_vertices_.begin() - 1);
     const TetPart::Vertex& found = parts_[tet].vertices[vertex - first_vertices_[tet]];
+    const TetMesh& mesh = map_.solid().mesh;
     Vector3 place{0, 0, 0};
-    for (std::size_t k = 0; k < 4; ++k)
+    Carrier carrier{.tet = static_cast<std::uint32_t>(tet)};
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (found.weights[k] == 0) continue;
+      const std::uint32_t corner = mesh.tets[tet][k];
       place += static_cast<double>(found.weights[k]) / static_cast<double>(parts_[tet].volume) *
-               map_.solid().mesh.vertices[map_.solid().mesh.tets[tet][k]];
-    return place;
+               mesh.vertices[corner];
+      carrier.vertices[carrier.count++] = corner;
+    }
+    std::sort(carrier.vertices.begin(), carrier.vertices.end());
+    result.mesh.vertices.push_back(place);
+    result.carriers.push_back(carrier);
   }
 
   const ExactMap& map_;

@@ -2,18 +2,32 @@
 // Hexahedra out of a map to the grid.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "hex/hex_mesh.hpp"
+#include "crossgrain/hex_mesh.hpp"
 #include "map/map_energy.hpp"
 
 namespace crossgrain {
 
+/// Where a vertex of hexahedra is in the tets: the vertices of the face, edge or tet that has it inside,
+/// ascending, or the one that it is.
+struct Carrier {
+  std::uint32_t tet;  ///< one of those at it
+  std::array<std::uint32_t, 4> vertices{UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX};
+  std::uint8_t count = 0;
+
+  std::span<const std::uint32_t> used() const { return {vertices.data(), count}; }
+};
+
 /// Hexahedra of a map, and what was left out.
 struct ExtractedHexahedra {
-  HexMesh mesh;
+  HexMesh mesh;                            ///< vertices and hexahedra
+  std::vector<Carrier> carriers;           ///< of the vertices
+  std::vector<std::uint32_t> centre_tets;  ///< of the hexahedra: the tet at the middle of the cell
 
   /// Cells of the grid that meet a tet which is flipped or flat in exact arithmetic, or of which a corner is
   /// missing or found twice.

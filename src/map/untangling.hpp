@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "map/descent.hpp"
 #include "map/map_energy.hpp"
 
 namespace crossgrain {
@@ -17,11 +18,9 @@ struct UntanglingOptions {
   /// Largest epsilon to begin with: beyond, and with integers free, maps collapse.
   double largest_epsilon = 0.1;
 
-  int rounds = 60;           ///< each with a smaller epsilon
-  int steps = 60;            ///< of L-BFGS in a round
-  int rounds_in_vain = 6;    ///< the end if the flips do not decrease in so many
-  double least_gain = 1e-5;  ///< of a step, relative to the energy, with which a round goes on
-  std::size_t history = 12;  ///< of L-BFGS
+  int rounds = 60;         ///< each with a smaller epsilon
+  int rounds_in_vain = 6;  ///< the end if the flips do not decrease in so many
+  DescentOptions descent;  ///< of a round
 };
 
 /// Columns of a map after untangling, and what is left.

@@ -285,6 +285,14 @@ VertexState MatchedField::vertex_state(std::uint32_t vertex) const {
   return is_unknown ? VertexState::kUnknown : VertexState::kImpossible;
 }
 
+bool MatchedField::is_map_corner(std::uint32_t vertex) const {
+  const std::optional<Border> border = border_of(vertex);
+  if (!border) return true;
+  constexpr int kStraight = 2;  // quarter turns
+  return !border->creases.empty() &&
+         (border->creases.size() != 2 || border->sectors[0] != kStraight || border->sectors[1] != kStraight);
+}
+
 std::uint32_t MatchedField::edge_beyond(std::uint32_t vertex, std::uint32_t edge) const {
   if (complex_->is_on_boundary(vertex)) return kNoEdge;
   std::uint32_t beyond = kNoEdge;

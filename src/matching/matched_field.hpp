@@ -117,6 +117,10 @@ class MatchedField {
   /// crease and as many quarter turns between creases as the map has there (singularity/vertex_link.hpp).
   VertexState vertex_state(std::uint32_t vertex) const;
 
+  /// Whether a map has a corner of the solid at a vertex of the boundary: edges there that are bent in the
+  /// map (other than two hexahedra), unless these are two that go straight on.
+  bool is_map_corner(std::uint32_t vertex) const;
+
   /// Numbers of hexahedra of the singular edges at a vertex, and of the edges of the boundary around it, in
   /// cyclic order without those of 2.
   std::vector<int> valences_at(std::uint32_t vertex) const;

@@ -29,7 +29,7 @@ double corner_volume(const HexMesh& mesh, const std::array<std::uint32_t, 8>& he
                      std::size_t corner) {
   constexpr std::array<std::array<std::size_t, 3>, 8> kNeighbours{
       {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
-  const auto at = [&](std::size_t k) { return mesh.points[hexahedron[k]]; };
+  const auto at = [&](std::size_t k) { return mesh.vertices[hexahedron[k]]; };
   const Vector3 origin = at(corner);
   const auto& [a, b, c] = kNeighbours[corner];
   return dot(cross(at(a) - origin, at(b) - origin), at(c) - origin);
@@ -53,7 +53,7 @@ int euler_number(const HexMesh& mesh) {
       EXPECT_LE(++uses[quad], 2);
     }
   }
-  return static_cast<int>(mesh.points.size()) - static_cast<int>(edges.size()) +
+  return static_cast<int>(mesh.vertices.size()) - static_cast<int>(edges.size()) +
          static_cast<int>(faces.size()) - static_cast<int>(mesh.hexahedra.size());
 }
 
@@ -65,7 +65,7 @@ TEST(HexExtraction, OfABoxIsItsGrid) {
   const ExtractedHexahedra found = extracted_hexahedra(box.unknowns, map.coordinates);
   EXPECT_TRUE(found.is_complete());
   EXPECT_EQ(found.mesh.hexahedra.size(), 9u * 8 * 6);
-  EXPECT_EQ(found.mesh.points.size(), 10u * 9 * 7);
+  EXPECT_EQ(found.mesh.vertices.size(), 10u * 9 * 7);
   EXPECT_EQ(euler_number(found.mesh), 1);
   const double cell = 0.4 * (3.3 / 8) * 0.4;
   for (const auto& hexahedron : found.mesh.hexahedra)
@@ -123,7 +123,7 @@ TEST(HexExtraction, IsTheSameForAnyNumberOfThreads) {
     return extracted_hexahedra(box.unknowns, map.coordinates).mesh;
   };
   const HexMesh one = on(1), two = on(2);
-  EXPECT_EQ(one.points, two.points);
+  EXPECT_EQ(one.vertices, two.vertices);
   EXPECT_EQ(one.hexahedra, two.hexahedra);
 }
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faces and edges of hexahedra.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "crossgrain/hex_mesh.hpp"
+
+namespace crossgrain {
+
+/// Corners of the six faces of a hexahedron, outward by the right-hand rule.
+inline constexpr std::array<std::array<std::uint8_t, 4>, 6> kHexFaces{
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+
+inline constexpr std::array<std::array<std::uint8_t, 2>, 12> kHexEdges{
+    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+
+/// The three corners next to each corner of a hexahedron, right-handed.
+inline constexpr std::array<std::array<std::uint8_t, 3>, 8> kHexNeighbours{
+    {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+
+/// A face of one hexahedron.
+struct HexSide {
+  std::array<std::uint32_t, 4> vertices;  ///< outward
+  std::uint32_t hexahedron;
+};
+
+/// How hexahedra hang together.
+struct HexTopology {
+  std::vector<HexSide> boundary;  ///< faces of only one hexahedron, in the order of these
+
+  std::size_t crowded_faces = 0;  ///< faces of more than two hexahedra, or on the same side of two
+  std::size_t open_edges = 0;     ///< edges at which the boundary is no closed surface: not two of its faces
+  std::size_t pinched_vertices = 0;  ///< at which more than one fan of boundary faces meet
+
+  /// Number of edges inside by how many hexahedra are around them, and of edges of the boundary.
+  std::map<int, std::size_t> inner_valences, boundary_valences;
+
+  bool is_closed() const { return crowded_faces == 0 && open_edges == 0; }
+};
+
+HexTopology topology_of(const HexMesh& mesh);
+
+}  // namespace crossgrain

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shape and size of hexahedra.
+#pragma once
+
+#include <vector>
+
+#include "crossgrain/hex_mesh.hpp"
+
+namespace crossgrain {
+
+/// The scaled Jacobian of each hexahedron: the least, over its eight corners, of the determinant of the unit
+/// vectors along the three edges there; 1 for a cube, at most 0 if the hexahedron is inverted at a corner. An
+/// edge without length makes it 0. (Knupp 2000; Verdict's measure but for its further value at the centre.)
+std::vector<double> scaled_jacobians(const HexMesh& mesh);
+
+/// Volumes of hexahedra with trilinear sides, exact to rounding.
+std::vector<double> volumes_of(const HexMesh& mesh);
+
+/// Area of the boundary: of each face the mean of its two cuts into triangles.
+double boundary_area(const HexMesh& mesh);
+
+}  // namespace crossgrain

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hex/hex_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "base/vector3.hpp"
+#include "hex/hex_faces.hpp"
+#include "hex/hex_quality.hpp"
+#include "surface/bvh.hpp"
+
+namespace crossgrain {
+namespace {
+
+Vector3 centre_of(const HexMesh& mesh, std::size_t hexahedron) {
+  Vector3 sum{0, 0, 0};
+  for (const std::uint32_t v : mesh.hexahedra[hexahedron]) sum += mesh.vertices[v];
+  return 0.125 * sum;
+}
+
+double volume_of(const TetMesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c, d] : mesh.tets) {
+    const std::vector<Vector3>& v = mesh.vertices;
+    sum += dot(cross(v[b] - v[a], v[c] - v[a]), v[d] - v[a]) / 6;
+  }
+  return sum;
+}
+
+/// Each face as four triangles around its centroid.
+TriangleMesh triangles_of(const HexMesh& mesh) {
+  TriangleMesh triangles;
+  triangles.vertices = mesh.vertices;
+  for (const HexMesh::Face& face : mesh.boundary) {
+    Vector3 centre{0, 0, 0};
+    for (const std::uint32_t v : face.vertices) centre += 0.25 * mesh.vertices[v];
+    const auto middle = static_cast<std::uint32_t>(triangles.vertices.size());
+    triangles.vertices.push_back(centre);
+    for (std::size_t k = 0; k < 4; ++k)
+      triangles.triangles.push_back({face.vertices[k], face.vertices[(k + 1) % 4], middle});
+  }
+  return triangles;
+}
+
+std::vector<double> distances_to(const TriangleBvh& tree, const std::vector<Vector3>& points) {
+  std::vector<double> distances(points.size());
+  parallel_for(points.size(),
+               [&](std::size_t k) { distances[k] = std::sqrt(tree.nearest(points[k]).squared_distance); });
+  return distances;
+}
+
+void measure_distances(const HexMesh& mesh, const Surface& model, HexReport& report) {
+  std::vector<std::uint32_t> used;
+  for (const HexMesh::Face& face : mesh.boundary)
+    used.insert(used.end(), face.vertices.begin(), face.vertices.end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  std::vector<Vector3> points;
+  for (const std::uint32_t v : used) points.push_back(mesh.vertices[v]);
+  const std::vector<double> distances = distances_to(TriangleBvh(model), points);
+  report.largest_distance = *std::max_element(distances.begin(), distances.end());
+  report.mean_distance =
+      std::accumulate(distances.begin(), distances.end(), 0.0) / static_cast<double>(distances.size());
+
+  points.clear();
+  for (const auto& triangle : model.mesh.triangles) {
+    for (const std::uint32_t v : triangle) points.push_back(model.mesh.vertices[v]);
+    points.push_back((1.0 / 3) *
+                     (points[points.size() - 1] + points[points.size() - 2] + points[points.size() - 3]));
+  }
+  const Surface own = prepare_surface(CheckedMesh::derived(triangles_of(mesh)));
+  const std::vector<double> of_model = distances_to(TriangleBvh(own), points);
+  report.largest_distance_of_model = *std::max_element(of_model.begin(), of_model.end());
+}
+
+}  // namespace
+
+HexReport::Quality quality_of(const HexMesh& mesh) {
+  HexReport::Quality quality;
+  std::vector<double> values = scaled_jacobians(mesh);
+  if (values.empty()) return quality;
+  const auto worst = std::min_element(values.begin(), values.end());
+  quality.least = *worst;
+  quality.worst_place = centre_of(mesh, static_cast<std::size_t>(worst - values.begin()));
+  for (const double value : values) {
+    quality.mean += value / static_cast<double>(values.size());
+    quality.inverted += !(value > 0);
+    quality.below_tenth += value < 0.1;
+    quality.below_fifth += value < 0.2;
+  }
+  const auto hundredth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 100);
+  std::nth_element(values.begin(), hundredth, values.end());
+  quality.one_percent = *hundredth;
+  return quality;
+}
+
+void measure(const HexMesh& mesh, const TetSolid& model, HexReport& report) {
+  report.hexahedra = mesh.hexahedra.size();
+  report.vertices = mesh.vertices.size();
+  const HexTopology topology = topology_of(mesh);
+  report.crowded_faces = topology.crowded_faces;
+  report.open_edges = topology.open_edges;
+  report.pinched_vertices = topology.pinched_vertices;
+  report.inner_valences = topology.inner_valences;
+  report.boundary_valences = topology.boundary_valences;
+  report.quality = quality_of(mesh);
+  const std::vector<double> volumes = volumes_of(mesh);
+  report.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  report.area = boundary_area(mesh);
+  report.model_volume = volume_of(model.mesh);
+  TriangleMesh surface;
+  surface.vertices = model.mesh.vertices;
+  surface.triangles = model.boundary;
+  const Surface prepared = prepare_surface(CheckedMesh::derived(std::move(surface)));
+  report.model_area = std::accumulate(prepared.areas.begin(), prepared.areas.end(), 0.0);
+  if (!mesh.boundary.empty()) measure_distances(mesh, prepared, report);
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crossgrain/hexahedra.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+#include "base/names.hpp"
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/thread_limit.hpp"
+#include "hex/followed_field.hpp"
+#include "hex/hex_extraction.hpp"
+#include "hex/hex_faces.hpp"
+#include "hex/hex_report.hpp"
+#include "hex/hex_smoothing.hpp"
+#include "hex/surface_feet.hpp"
+#include "solve/tet_domain_data.hpp"
+#include "solve/tet_field.hpp"
+
+namespace crossgrain {
+namespace {
+
+void check(const HexOptions& options) {
+  const auto demand = [](bool holds, const char* what) {
+    if (!holds) throw Error(ErrorKind::kUsage, {"", "hexahedra", what});
+  };
+  demand(options.size >= 0 && std::isfinite(options.size), "their size must be a number from 0");
+  demand(options.size > 0 || (options.cells > 0 && std::isfinite(options.cells)),
+         "there must be a positive number of them along the longest side");
+  demand(options.finer_sizes >= 0 && options.finer_share > 0 && options.finer_share < 1,
+         "finer sizes must be shares between 0 and 1");
+}
+
+/// A map with the hexahedra in it.
+struct Mapped {
+  IntegerGridMap map;
+  ExtractedHexahedra hexahedra;
+  bool is_complete = false;
+};
+
+/// A field that an attempt was made on.
+struct Candidate {
+  std::vector<RepairWeights> tries;
+  TetFrameField field;
+  std::unique_ptr<FollowedField> followed;
+  HexAttempt attempt;
+  std::optional<Mapped> mapped;
+
+  /// Less is better.
+  auto rank() const {
+    constexpr std::size_t kMany = SIZE_MAX;
+    return std::tuple(!mapped || !mapped->is_complete, attempt.faults, attempt.arcs_without_length,
+                      attempt.flips.value_or(kMany));
+  }
+};
+
+/// Finds the repair that a map can follow.
+class Search {
+ public:
+  Search(const TetFrameField& given, const HexOptions& options, const Monitor& monitor)
+      : given_(given), options_(options), monitor_(monitor) {
+    const double longest = longest_side(given.domain().data().box);
+    report_.size = options.size > 0 ? options.size : longest / options.cells;
+  }
+
+  /// The best candidate, with a map.
+  Candidate best();
+
+  HexReport& report() { return report_; }
+
+ private:
+  std::vector<RepairOptions> repairs() const;
+  std::optional<Candidate> candidate(const RepairOptions* repair);
+  void follow(Candidate& candidate);
+  void map(Candidate& candidate, double size);
+  bool is_known(const TetFrameField& field) const;
+
+  const TetFrameField& given_;
+  const HexOptions& options_;
+  const Monitor& monitor_;
+  HexReport report_;
+  std::vector<std::vector<CubeRotation>> known_;
+};
+
+std::vector<RepairOptions> Search::repairs() const {
+  std::vector<RepairOptions> repairs{options_.repair};
+  const auto add = [&](const RepairWeights& weights) {
+    RepairOptions single = options_.repair;
+    single.tries = {weights};
+    repairs.push_back(single);
+  };
+  for (const RepairWeights& weights : options_.more_tries) add(weights);
+  if (options_.repair.tries.size() > 1)
+    for (const RepairWeights& weights : options_.repair.tries) add(weights);
+  return repairs;
+}
+
+bool Search::is_known(const TetFrameField& field) const {
+  return std::find(known_.begin(), known_.end(), field.data().matchings) != known_.end();
+}
+
+/// None if its matchings were tried before.
+std::optional<Candidate> Search::candidate(const RepairOptions* repair) {
+  Stopwatch stopwatch;
+  stopwatch.start();
+  Candidate result{{}, repair ? repaired(given_, *repair, monitor_) : given_, nullptr, {}, {}};
+  report_.repair_seconds += result.attempt.seconds = stopwatch.restart();
+  if (is_known(result.field)) return std::nullopt;
+  known_.push_back(result.field.data().matchings);
+  if (repair) result.attempt.tries = repair->tries;
+  const auto& onto = result.field.report().onto;
+  if (onto && onto->repair) result.attempt.faults = onto->repair->faults;
+  monitor_.report({Phase::kHexahedra, 0, result.field.domain().data().solid.mesh.vertices.size(), 0, NAN});
+  result.followed = std::make_unique<FollowedField>(result.field);
+  result.attempt.arcs_without_length = result.followed->arcs_without_length();
+  const double seconds = stopwatch.restart();
+  result.attempt.seconds += seconds;
+  report_.map_seconds += seconds;
+  return result;
+}
+
+void Search::map(Candidate& candidate, double size) {
+  Stopwatch stopwatch;
+  stopwatch.start();
+  HexAttempt& attempt = candidate.attempt;
+  attempt.size = size;
+  candidate.mapped.emplace();
+  Mapped& mapped = *candidate.mapped;
+  mapped.map = candidate.followed->map_of_size(size, {});
+  double seconds = stopwatch.restart();
+  report_.map_seconds += seconds;
+  attempt.seconds += seconds;
+  mapped.hexahedra = extracted_hexahedra(candidate.followed->unknowns(), mapped.map.coordinates);
+  attempt.seamless_flips = mapped.map.untangled.tets;
+  attempt.flips = mapped.hexahedra.flipped_tets;
+  attempt.hexahedra = mapped.hexahedra.mesh.hexahedra.size();
+  mapped.is_complete = mapped.hexahedra.is_complete() && topology_of(mapped.hexahedra.mesh).is_closed() &&
+                       attempt.hexahedra > 0;
+  seconds = stopwatch.restart();
+  report_.extraction_seconds += seconds;
+  attempt.seconds += seconds;
+}
+
+/// Maps at the size that was asked for, and at smaller ones if only whole numbers are in the way.
+void Search::follow(Candidate& candidate) {
+  double size = report_.size;
+  map(candidate, size);
+  for (int k = 0; k < options_.finer_sizes && !candidate.mapped->is_complete &&
+                  candidate.attempt.seamless_flips == std::size_t{0};
+       ++k) {
+    report_.attempts.push_back(candidate.attempt);
+    map(candidate, size *= options_.finer_share);
+  }
+}
+
+Candidate Search::best() {
+  std::vector<RepairOptions> repairs;
+  if (!given_.data().is_repaired()) repairs = this->repairs();
+  std::optional<Candidate> best;
+  const auto take = [&](std::optional<Candidate> next) {
+    if (!next) return;
+    // Arcs without length say that there is no map.
+    if (next->attempt.arcs_without_length == 0) follow(*next);
+    report_.attempts.push_back(next->attempt);
+    if (best && !(next->rank() < best->rank())) return;
+    best = std::move(next);
+    report_.best_attempt = report_.attempts.size() - 1;
+  };
+  if (repairs.empty()) take(candidate(nullptr));
+  for (const RepairOptions& repair : repairs) {
+    take(candidate(&repair));
+    if (best->mapped && best->mapped->is_complete) break;
+  }
+  if (!best->mapped) {
+    map(*best, report_.size);
+    report_.attempts[report_.best_attempt] = best->attempt;
+  }
+  return std::move(*best);
+}
+
+/// Tags of the faces of the boundary, and regions of hexahedra.
+void add_tags(const TetSolid& solid, const MapSurface& surface, const std::vector<Foot>& feet,
+              const std::vector<std::uint32_t>& centre_tets, HexMesh& mesh) {
+  for (const HexSide& side : topology_of(mesh).boundary) mesh.boundary.push_back({side.vertices, 0});
+  if (!solid.mesh.regions.empty())
+    for (const std::uint32_t tet : centre_tets) mesh.regions.push_back(solid.mesh.regions[tet]);
+  const std::vector<std::int32_t> tags = tags_of_faces(solid.mesh, solid.boundary);
+  if (tags.empty()) return;
+  for (HexMesh::Face& face : mesh.boundary) {
+    Vector3 centre{0, 0, 0};
+    for (const std::uint32_t v : face.vertices) centre += 0.25 * mesh.vertices[v];
+    const auto of_face = std::find_if(face.vertices.begin(), face.vertices.end(),
+                                      [&](std::uint32_t v) { return feet[v].kind == Foot::Kind::kFace; });
+    const MapSurface::Place place = of_face == face.vertices.end() ? surface.nearest_of_all(centre)
+                                                                   : surface.nearest(feet[*of_face], centre);
+    face.tag = tags[place.face];
+  }
+}
+
+/// Why the result is not whole, and what to try.
+void explain(const Candidate& best, HexReport& report) {
+  const HexAttempt& attempt = best.attempt;
+  const auto& onto = best.field.report().onto;
+  if (report.outcome == HexOutcome::kAllHex) return;
+  if (attempt.faults > 0) {
+    report.reason = fmt::format("no map: {} where no hexahedra can meet{}", counted(attempt.faults, "place"),
+                                onto && onto->singularity.edges > 0 ? "" : "");
+    report.remedy = "other tets (--tets --size), or round off the sharp corner that `check` names";
+  } else if (attempt.arcs_without_length > 0) {
+    report.reason = fmt::format("no map: {} without length, from a face of the surface to the same one",
+                                counted(attempt.arcs_without_length, "singular arc"));
+    report.remedy = "other tets";
+  } else if (attempt.seamless_flips.value_or(0) > 0) {
+    report.reason =
+        fmt::format("no map: {} stay inverted", counted(attempt.seamless_flips.value_or(0), "tet"));
+    report.remedy = "other tets";
+  } else if (attempt.flips.value_or(0) > 0) {
+    report.reason = fmt::format("whole numbers of hexahedra fold {}", counted(*attempt.flips, "tet"));
+    report.remedy = "a smaller size";
+  } else if (report.quality.inverted > 0) {
+    report.reason = fmt::format("{} inverted", counted(report.quality.inverted, "hexahedron", "hexahedra"));
+    report.remedy = "a smaller size";
+  } else {
+    report.reason = "the hexahedra do not close up";
+    report.remedy = "another size";
+  }
+}
+
+}  // namespace
+
+const char* name_of(HexOutcome outcome) {
+  switch (outcome) {
+    case HexOutcome::kAllHex:
+      return "all-hex";
+    case HexOutcome::kPartial:
+      return "partial";
+    case HexOutcome::kNone:
+      return "none";
+  }
+  return "";
+}
+
+Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const Monitor& monitor) {
+  check(options);
+  check_repairable(field.domain());
+  const ThreadLimit limit(options.threads);
+  const WatchedLoops watched(monitor, Stops::kHeeded);
+  Search search(field, options, monitor);
+  Candidate best = search.best();
+  HexReport report = std::move(search.report());
+  report.used_size = best.attempt.size;
+  Stopwatch stopwatch;
+  stopwatch.start();
+  const FollowedField& followed = *best.followed;
+  const ExtractedHexahedra& extracted = best.mapped->hexahedra;
+  const MapSurface surface(followed.matched());
+  std::vector<Foot> feet;
+  for (const Carrier& carrier : extracted.carriers) feet.push_back(surface.foot_of(carrier));
+  report.quality_before = quality_of(extracted.mesh);
+  HexMesh mesh = smoothed(extracted.mesh, surface, feet, report.used_size);
+  report.smoothing_seconds = stopwatch.restart();
+
+  mesh.unit = field.domain().mesh().unit;
+  add_tags(followed.solid(), surface, feet, extracted.centre_tets, mesh);
+  report.left_out = extracted.left_out;
+  measure(mesh, followed.solid(), report);
+  report.outcome = mesh.hexahedra.empty()                                     ? HexOutcome::kNone
+                   : best.mapped->is_complete && report.quality.inverted == 0 ? HexOutcome::kAllHex
+                                                                              : HexOutcome::kPartial;
+  explain(best, report);
+  report.analysis_seconds = stopwatch.restart();
+  return {std::move(mesh), std::move(report), std::move(best.field)};
+}
+
+std::string sentence_of(const HexReport& report) {
+  if (report.outcome == HexOutcome::kNone) return report.reason;
+  const Vector3& at = report.quality.worst_place;
+  return fmt::format("{}, {}, worst scaled Jacobian {:.2f} at {:.4g} {:.4g} {:.4g}, mean {:.2f}",
+                     name_of(report.outcome), counted(report.hexahedra, "hexahedron", "hexahedra"),
+                     report.quality.least, at[0], at[1], at[2], report.quality.mean);
+}
+
+}  // namespace crossgrain
