@@ -9,8 +9,8 @@
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
-#include "hex/hex_faces.hpp"
-#include "hex/hex_quality.hpp"
+#include "measure/hex_faces.hpp"
+#include "measure/hex_quality.hpp"
 #include "surface/bvh.hpp"
 
 namespace crossgrain {

@@ -7,9 +7,9 @@
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
-#include "hex/hex_faces.hpp"
-#include "hex/hex_quality.hpp"
 #include "map/foldover.hpp"
+#include "measure/hex_faces.hpp"
+#include "measure/hex_quality.hpp"
 
 namespace crossgrain {
 namespace {

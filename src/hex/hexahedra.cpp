@@ -17,10 +17,10 @@
 #include "crossgrain/thread_limit.hpp"
 #include "hex/followed_field.hpp"
 #include "hex/hex_extraction.hpp"
-#include "hex/hex_faces.hpp"
 #include "hex/hex_report.hpp"
 #include "hex/hex_smoothing.hpp"
 #include "hex/surface_feet.hpp"
+#include "measure/hex_faces.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hex/hex_quality.hpp"
+#include "measure/hex_quality.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
-#include "hex/hex_faces.hpp"
+#include "measure/hex_faces.hpp"
 
 namespace crossgrain {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hex/hex_faces.hpp"
+#include "measure/hex_faces.hpp"
 
 #include <algorithm>
 #include <unordered_map>
