@@ -65,7 +65,8 @@ class IntegerSearch {
   IntegerSearch(const PoissonMap& poisson, const Eigen::VectorXd& relaxed, const Separations& separations,
                 double penalty, Eigen::VectorXd integers)
       : schur_(poisson.schur()), relaxed_(relaxed), integers_(std::move(integers)) {
-    penalty_ = penalty * std::max(1.0, schur_.size() > 0 ? schur_.diagonal().maxCoeff() : 0);
+    penalties_.assign(separations.size(),
+                      penalty * std::max(1.0, schur_.size() > 0 ? schur_.diagonal().maxCoeff() : 0));
     std::vector<Index> place(poisson.energy().unknowns().columns(), -1);
     for (std::size_t k = 0; k < poisson.integers().size(); ++k)
       place[poisson.integers()[k]] = static_cast<Index>(k);
@@ -93,7 +94,7 @@ class IntegerSearch {
       for (const auto& [s, factor] : in_[static_cast<std::size_t>(one.integer)]) longer[s] += factor * one.by;
     }
     for (const auto& [s, by] : longer)
-      gain += penalty_ * (std::max(0.0, 1 - lengths_[s] - by) - std::max(0.0, 1 - lengths_[s]));
+      gain += penalties_[s] * (std::max(0.0, 1 - lengths_[s] - by) - std::max(0.0, 1 - lengths_[s]));
     return gain;
   }
 
@@ -108,6 +109,18 @@ class IntegerSearch {
         lengths_[s] += factor * one.by;
     }
     return true;
+  }
+
+  /// Doubles the penalties of separations that are too short, and returns the integers in them, ascending.
+  std::vector<Index> press() {
+    std::vector<Index> pressed;
+    for (std::size_t k = 0; k < in_.size(); ++k)
+      if (std::any_of(in_[k].begin(), in_[k].end(),
+                      [&](const Part& p) { return lengths_[p.separation] < 1; }))
+        pressed.push_back(static_cast<Index>(k));
+    for (std::size_t s = 0; s < lengths_.size(); ++s)
+      if (lengths_[s] < 1) penalties_[s] *= 2;
+    return pressed;
   }
 
   double cost() const { return (integers_ - relaxed_).dot(slope_); }
@@ -126,9 +139,8 @@ class IntegerSearch {
   const Eigen::MatrixXd& schur_;
   const Eigen::VectorXd& relaxed_;
   Eigen::VectorXd integers_, slope_;
-  double penalty_;
-  std::vector<double> lengths_;
-  std::vector<std::vector<Part>> in_;  ///< separations of each integer
+  std::vector<double> penalties_, lengths_;  ///< of separations
+  std::vector<std::vector<Part>> in_;        ///< separations of each integer
 };
 
 bool change_pairs(IntegerSearch& search, const std::vector<Index>& free) {
@@ -144,19 +156,49 @@ bool change_pairs(IntegerSearch& search, const std::vector<Index>& free) {
   return any;
 }
 
+bool change_singles(IntegerSearch& search, const std::vector<Index>& integers) {
+  bool any = false;
+  for (const Index k : integers)
+    for (const double by : {-1.0, 1.0}) any |= search.accept({{k, by}});
+  return any;
+}
+
+/// Changes until none lowers the cost.
+void settle(IntegerSearch& search, const std::vector<Index>& free, const QuantisationOptions& options) {
+  for (int sweep = 0; sweep < options.sweeps; ++sweep) {
+    check_watched();
+    if (change_singles(search, free)) continue;
+    if (free.size() > options.most_for_pairs || !change_pairs(search, free)) break;
+  }
+}
+
+/// Leaves local minima in which separations are too short: raises their penalties until they give way
+/// (Morris 1993, "The breakout method").
+void break_out(IntegerSearch& search, const std::vector<Index>& free, const QuantisationOptions& options) {
+  for (int round = 0; round < options.breakouts && search.missing() > 0; ++round) {
+    check_watched();
+    std::vector<Index> pressed = search.press();
+    std::erase_if(pressed, [&](Index k) { return !std::binary_search(free.begin(), free.end(), k); });
+    bool any = change_singles(search, pressed);
+    for (const Index a : pressed)
+      for (const Index b : free)
+        for (const double one : {-1.0, 1.0})
+          for (const double other : {-1.0, 1.0})
+            if (a != b && !any) any |= search.accept({{a, one}, {b, other}});
+    if (any) change_singles(search, free);
+  }
+}
+
 }  // namespace
 
 Quantised quantised(const PoissonMap& poisson, const Eigen::VectorXd& relaxed, const Separations& separations,
                     const QuantisationOptions& options) {
   const std::vector<Index> free = free_integers(poisson);
   IntegerSearch search(poisson, relaxed, separations, options.penalty, rounded_in_turn(poisson, relaxed));
-  for (int sweep = 0; sweep < options.sweeps; ++sweep) {
-    check_watched();
-    bool any = false;
-    for (const Index k : free)
-      for (const double by : {-1.0, 1.0}) any |= search.accept({{k, by}});
-    if (!any && free.size() <= options.most_for_pairs) any = change_pairs(search, free);
-    if (!any) break;
+  settle(search, free, options);
+  if (search.missing() > 0) {
+    break_out(search, free, options);
+    settle(search, free, options);
   }
   return {search.integers(), search.cost(), search.missing()};
 }

@@ -15,6 +15,7 @@ struct QuantisationOptions {
   /// Schur complement's diagonal.
   double penalty = 10;
 
+  int breakouts = 200;               ///< rounds with higher penalties, while separations are too short
   int sweeps = 50;                   ///< of single changes by 1, until none helps
   std::size_t most_for_pairs = 400;  ///< integers up to which pairs of changes are tried too
 };

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "map/line_separations.hpp"
 #include "tets/tet_shape.hpp"
 
 namespace crossgrain {
@@ -194,7 +195,7 @@ std::vector<Ray> rays_from_arcs(const MapUnknowns& unknowns, const RayWalk& walk
 }  // namespace
 
 Separations separations_of(const MapUnknowns& unknowns, const Eigen::VectorXd& columns,
-                           const MapCoordinates& map) {
+                           const MapCoordinates& map, const SeparationOptions& options) {
   const RayWalk walk(unknowns, columns, map);
   std::vector<Ray> rays = rays_from_surface(unknowns, walk);
   for (Ray& ray : rays_from_arcs(unknowns, walk)) rays.push_back(std::move(ray));
@@ -208,9 +209,14 @@ Separations separations_of(const MapUnknowns& unknowns, const Eigen::VectorXd& c
   };
   std::set<LinearForm, decltype(less)> known(less);
   Separations separations;
+  const auto add = [&](const LinearForm& distance) {
+    if (!distance.is_zero() && unknowns.is_integer(distance) && known.insert(distance).second)
+      separations.push_back(distance);
+  };
   for (const std::optional<LinearForm>& distance : distances)
-    if (distance && !distance->is_zero() && unknowns.is_integer(*distance) && known.insert(*distance).second)
-      separations.push_back(*distance);
+    if (distance) add(*distance);
+  for (const LinearForm& length : line_lengths(unknowns, columns)) add(length);
+  for (const LinearForm& gap : line_gaps(unknowns, columns, map, options)) add(gap);
   return separations;
 }
 

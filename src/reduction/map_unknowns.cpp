@@ -6,7 +6,6 @@
 #include <utility>
 
 namespace crossgrain {
-namespace {
 
 MapPoint turned(std::uint8_t rotation, const MapPoint& point) {
   MapPoint result;
@@ -16,8 +15,6 @@ MapPoint turned(std::uint8_t rotation, const MapPoint& point) {
   }
   return result;
 }
-
-}  // namespace
 
 MapUnknowns::MapUnknowns(const CutSolid& cut)
     : cut_(&cut),
