@@ -34,12 +34,12 @@ void add_row(const std::string& name, const TetFrameField& field, double cells, 
       r.largest_distance_of_model / r.size, r.crowded_faces, r.open_edges, r.pinched_vertices,
       solve_seconds + stopwatch.restart(), r.reason);
   for (const HexAttempt& a : r.attempts)
-    fmt::print(
-        stderr,
-        "   {} {:g},{:g}: size {:.3g} faults {} without length {} flips {} -> {} hexahedra {} in {:.2f} s\n",
-        a.tries.size(), a.tries.empty() ? 0 : a.tries[0].end, a.tries.empty() ? 0 : a.tries[0].crease, a.size,
-        a.faults, a.arcs_without_length, a.seamless_flips ? std::to_string(*a.seamless_flips) : "-",
-        a.flips ? std::to_string(*a.flips) : "-", a.hexahedra, a.seconds);
+    fmt::print(stderr,
+               "   repair {}: size {:.3g}, {} faults, {} arcs without length, flips {} -> {}, {} hexahedra, "
+               "{:.2f} s\n",
+               a.repair, a.size, a.faults, a.arcs_without_length,
+               a.seamless_flips ? std::to_string(*a.seamless_flips) : "-",
+               a.flips ? std::to_string(*a.flips) : "-", a.hexahedra, a.seconds);
   std::fflush(stdout);
 }
 

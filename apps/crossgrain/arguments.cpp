@@ -42,15 +42,23 @@ void check_arguments(TetsArguments& arguments, const CLI::App* command) {
     arguments.output = std::filesystem::path(arguments.model).stem().string() + ".mesh";
 }
 
-void check_arguments(SolveArguments& arguments, const CLI::App* command) {
+/// Checks what `solve` and `hex` share, and names the folder after the model if the user has not.
+void check_model(SolveArguments& arguments, const CLI::App* command, const char* extension) {
   if (arguments.model.empty()) refuse("MODEL is empty", command);
   if (command->count("--output") > 0 && arguments.output.empty())
     refuse("the folder of -o is empty", command);
+  if (arguments.glue && !is_cad_file(arguments.model))
+    refuse("--glue is for CAD files (STEP, IGES, BREP); glue meshes where they are made", command);
+  arguments.is_output_named = !arguments.output.empty();
+  if (!arguments.is_output_named)
+    arguments.output = std::filesystem::path(arguments.model).stem().string() + extension;
+}
+
+void check_solve(SolveArguments& arguments, const CLI::App* command) {
+  check_model(arguments, command, ".frames");
   if (command->count("--onto") > 0 && arguments.onto.empty()) refuse("the file of --onto is empty", command);
   if (command->count("--constraints") > 0 && arguments.constraints.empty())
     refuse("the file of --constraints is empty", command);
-  if (arguments.glue && !is_cad_file(arguments.model))
-    refuse("--glue is for CAD files (STEP, IGES, BREP); glue meshes where they are made", command);
   if (arguments.makes_tets && is_tet_file(arguments.model))
     refuse("MODEL is a tet mesh, which --tets is not for; give a surface or a CAD file", command);
   const bool is_tets = solves_tets(arguments);
@@ -70,9 +78,15 @@ void check_arguments(SolveArguments& arguments, const CLI::App* command) {
   const std::vector<std::string>& formats = arguments.output_options.formats;
   if (command->count("--hex-size") > 0 && std::find(formats.begin(), formats.end(), "fra") == formats.end())
     refuse("--hex-size is for the axes in onto.fra; add --write fra", command);
-  arguments.is_output_named = !arguments.output.empty();
-  if (!arguments.is_output_named)
-    arguments.output = std::filesystem::path(arguments.model).stem().string() + ".frames";
+}
+
+/// Sets what `hex` needs of a solve.
+void check_hex(SolveArguments& arguments, const CLI::App* command) {
+  if (is_tet_file(arguments.model) && command->count("--tet-size") > 0)
+    refuse("MODEL is a tet mesh, which --tet-size is not for; give a surface or a CAD file", command);
+  check_model(arguments, command, ".hexahedra");
+  arguments.makes_tets = !is_tet_file(arguments.model);
+  arguments.prepare = true;
 }
 
 void check_arguments(const SpectrumArguments& arguments, const CLI::App* command) {
@@ -161,8 +175,12 @@ Arguments parse_arguments(int argc, char** argv) {
   if (argc > 1 && argv[1][0] != '-') command_of(line.app, argv[1]);
   if (parse(line.app, argc, argv)) return Finished{0};
   if (*line.solve_command) {
-    check_arguments(line.solve, line.solve_command);
+    check_solve(line.solve, line.solve_command);
     return line.solve;
+  }
+  if (*line.hex_command) {
+    check_hex(line.hex, line.hex_command);
+    return line.hex;
   }
   if (*line.help_command) {
     // App::help would print that of the command that was parsed.
@@ -201,7 +219,7 @@ Arguments parse_arguments(int argc, char** argv) {
 Arguments parse_arguments_of_processes(int argc, char** argv) {
   CommandLineOfProcesses line;
   if (parse(line.app, argc, argv)) return Finished{0};
-  check_arguments(line.solve, line.solve_command);
+  check_solve(line.solve, line.solve_command);
   return line.solve;
 }
 

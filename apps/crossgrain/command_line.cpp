@@ -10,7 +10,8 @@ namespace {
 constexpr const char* kFooter =
     "Exit codes: 0 done; 2 wrong usage; 3 bad input; 4 output cannot be written;\n"
     "5 a stated limit is exceeded: memory, or the sweeps of a solve, which still writes\n"
-    "its field; 130 interrupted: the first Ctrl-C writes the last finished level of a\n"
+    "its field; 6 no mesh of hexahedra fills the model, the best part of one is written;\n"
+    "130 interrupted: the first Ctrl-C writes the last finished level of a\n"
     "solve, a second one discards it.";
 
 constexpr const char* kFooterOfProcesses =
@@ -27,6 +28,7 @@ CommandLine::CommandLine() : app("Volumetric octahedral frame fields", "crossgra
   app.footer(kFooter);
   app.require_subcommand(0, 1);
   solve_command = add_solve(app, solve);
+  hex_command = add_hex(app, hex);
   tets_command = add_tets(app, tets);
   sample_command = add_sample(app, sample);
   spectrum_command = add_spectrum(app, spectrum);

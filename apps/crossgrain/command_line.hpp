@@ -17,6 +17,7 @@ struct CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
 
   SolveArguments solve;
+  SolveArguments hex;
   TetsArguments tets;
   SampleArguments sample;
   SpectrumArguments spectrum;
@@ -28,6 +29,7 @@ struct CommandLine {
 
   CLI::App app;
   CLI::App* solve_command;
+  CLI::App* hex_command;
   CLI::App* tets_command;
   CLI::App* sample_command;
   CLI::App* spectrum_command;

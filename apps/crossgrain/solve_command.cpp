@@ -15,6 +15,7 @@
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/field_parts.hpp"
+#include "crossgrain/hexahedra.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/page.hpp"
 #include "crossgrain/read_limits.hpp"
@@ -40,8 +41,12 @@ double seconds_since(Clock::time_point start) {
 
 using Warn = std::function<void(const Warning& warning)>;
 
+/// No mesh of hexahedra fills the model.
+constexpr int kNotAllHex = 6;
+
 int exit_code_after(const SolveReport& report) {
   if (report.unfinished) return exit_code_of(ErrorKind::kInterrupted);
+  if (report.hexahedra && report.hexahedra->outcome != HexOutcome::kAllHex) return kNotAllHex;
   const auto& warnings = report.warnings;
   return std::any_of(warnings.begin(), warnings.end(), is_unsettled) ? exit_code_of(ErrorKind::kLimit) : 0;
 }
@@ -54,6 +59,11 @@ void print_warning(Warning warning, const std::string& model) {
 TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
   TetMakingOptions options;
   options.size = arguments.tet_size;
+  if (arguments.hexahedra && options.size == 0) {
+    options.size = arguments.hexahedra->size;
+    options.edges = std::max(options.edges, arguments.hexahedra->size > 0 ? 0 : arguments.hexahedra->cells);
+    options.at_least_edges = true;
+  }
   options.creases = arguments.options.creases;
   options.max_memory_bytes = arguments.options.max_memory_bytes;
   options.read_seconds = arguments.read_seconds;
@@ -198,7 +208,7 @@ Inputs read_inputs(const SolveArguments& arguments, const Monitor& monitor, cons
   // Whoever names a field to start from wants what that becomes.
   if (!arguments.from.empty()) inputs.options.onto.other_starts.clear();
   inputs.domain = read_domain(arguments, monitor, warn);
-  if (inputs.domain && arguments.repair)
+  if (inputs.domain && (arguments.repair || arguments.hexahedra))
     naming(arguments.onto.empty() ? arguments.model : arguments.onto,
            [&] { check_repairable(*inputs.domain); });
   if (inputs.domain) inputs.options = sized_for(*inputs.domain, std::move(inputs.options));
@@ -248,6 +258,11 @@ SolveReport solve_and_write(const SolveArguments& arguments,
   const FrameField& field = to_write.cells.value();
   std::optional<TetFrameField> tet_field;
   if (domain) tet_field = carried(arguments, options, field, *domain, monitor, leave_line);
+  std::optional<Hexahedra> made;
+  if (tet_field && arguments.hexahedra) {
+    made = hexahedra(*tet_field, *arguments.hexahedra, monitor);
+    tet_field = made->field;
+  }
 
   monitor.report({Phase::kWrite, 0, 0, 0, 0});
   OutputOptions output_options = arguments.output_options;
@@ -256,6 +271,10 @@ SolveReport solve_and_write(const SolveArguments& arguments,
   // it would be lost.
   if (output_options.foreign_files == ForeignFiles::kRefuse)
     output_options.foreign_files = ForeignFiles::kKeep;
+  if (made) {
+    for (CompanionFile& file : hexahedra_files(std::make_shared<const HexMesh>(std::move(made->mesh))))
+      output_options.companions.push_back(std::move(file));
+  }
   if (arguments.page)
     output_options.companions.push_back(tet_field ? page_of(*tet_field) : page_of(to_write.shown.value()));
   SolveReport report = tet_field ? tet_field->report() : field.report();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "crossgrain/finding.hpp"
+#include "crossgrain/hex_report.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/statistics.hpp"
@@ -330,6 +331,8 @@ struct SolveReport {
     std::optional<Repair> repair;
   };
   std::optional<Onto> onto;  ///< set only if there is a tet mesh
+
+  std::optional<HexReport> hexahedra;  ///< set only if they were made (crossgrain/hexahedra.hpp)
 
   /// A file of the folder without a mark, because its format has no comments. The next `write_field` knows it
   /// by this entry and may replace it (OutputOptions::foreign_files).

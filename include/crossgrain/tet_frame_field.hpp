@@ -71,6 +71,9 @@ class TetFrameField {
   /// grid only provides a starting field, so its resolution warnings are left out.
   const SolveReport& report() const { return *report_; }
 
+  /// The same field with another report.
+  TetFrameField with_report(SolveReport report) const;
+
   /// The representation behind the field, for the library itself.
   const TetField& data() const { return *field_; }
 

@@ -52,6 +52,9 @@ struct TetMakingOptions {
   double size = 0;
   double edges = 20;
 
+  /// Whether there are so many edges along the longest side even where `size` is larger.
+  bool at_least_edges = false;
+
   TetMaker maker = TetMaker::kAutomatic;
 
   RemeshingOptions triangles;

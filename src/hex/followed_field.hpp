@@ -2,11 +2,10 @@
 // A repaired field as maps follow it.
 #pragma once
 
-#include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "crossgrain/tet_frame_field.hpp"
-#include "map/integer_grid_map.hpp"
 #include "reduction/demanded_splits.hpp"
 
 namespace crossgrain {
@@ -21,15 +20,11 @@ class FollowedField {
   const TetSolid& solid() const { return *split_.solid; }
   const MapUnknowns& unknowns() const { return *unknowns_; }
 
-  /// Arcs that no map gives a length (arcs_of_length_zero).
-  std::size_t arcs_without_length() const { return arcs_without_length_; }
-
-  IntegerGridMap map_of_size(double size, const GridMapOptions& options) const {
-    return integer_grid_map(MapEnergy(*unknowns_, size), options);
-  }
+  /// Middles of the arcs that no map gives a length (arcs_of_length_zero).
+  const std::vector<Vector3>& arcs_without_length() const { return arcs_without_length_; }
 
  private:
-  std::size_t arcs_without_length_ = 0;
+  std::vector<Vector3> arcs_without_length_;
   OwnedField split_;
   std::unique_ptr<CutSolid> cut_;
   std::unique_ptr<MapUnknowns> unknowns_;

@@ -20,6 +20,7 @@
 #include "hex/hex_report.hpp"
 #include "hex/hex_smoothing.hpp"
 #include "hex/surface_feet.hpp"
+#include "map/integer_grid_map.hpp"
 #include "measure/hex_faces.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
@@ -41,13 +42,13 @@ void check(const HexOptions& options) {
 /// A map with the hexahedra in it.
 struct Mapped {
   IntegerGridMap map;
+  std::vector<double> determinants;  ///< of its Jacobians
   ExtractedHexahedra hexahedra;
   bool is_complete = false;
 };
 
 /// A field that an attempt was made on.
 struct Candidate {
-  std::vector<RepairWeights> tries;
   TetFrameField field;
   std::unique_ptr<FollowedField> followed;
   HexAttempt attempt;
@@ -110,16 +111,16 @@ bool Search::is_known(const TetFrameField& field) const {
 std::optional<Candidate> Search::candidate(const RepairOptions* repair) {
   Stopwatch stopwatch;
   stopwatch.start();
-  Candidate result{{}, repair ? repaired(given_, *repair, monitor_) : given_, nullptr, {}, {}};
+  Candidate result{repair ? repaired(given_, *repair, monitor_) : given_, nullptr, {}, {}};
   report_.repair_seconds += result.attempt.seconds = stopwatch.restart();
   if (is_known(result.field)) return std::nullopt;
+  result.attempt.repair = known_.size();
   known_.push_back(result.field.data().matchings);
-  if (repair) result.attempt.tries = repair->tries;
   const auto& onto = result.field.report().onto;
   if (onto && onto->repair) result.attempt.faults = onto->repair->faults;
   monitor_.report({Phase::kHexahedra, 0, result.field.domain().data().solid.mesh.vertices.size(), 0, NAN});
   result.followed = std::make_unique<FollowedField>(result.field);
-  result.attempt.arcs_without_length = result.followed->arcs_without_length();
+  result.attempt.arcs_without_length = result.followed->arcs_without_length().size();
   const double seconds = stopwatch.restart();
   result.attempt.seconds += seconds;
   report_.map_seconds += seconds;
@@ -133,7 +134,9 @@ void Search::map(Candidate& candidate, double size) {
   attempt.size = size;
   candidate.mapped.emplace();
   Mapped& mapped = *candidate.mapped;
-  mapped.map = candidate.followed->map_of_size(size, {});
+  const MapEnergy energy(candidate.followed->unknowns(), size);
+  mapped.map = integer_grid_map(energy);
+  mapped.determinants = determinants_of(energy, mapped.map.coordinates);
   double seconds = stopwatch.restart();
   report_.map_seconds += seconds;
   attempt.seconds += seconds;
@@ -174,9 +177,11 @@ Candidate Search::best() {
     report_.best_attempt = report_.attempts.size() - 1;
   };
   if (repairs.empty()) take(candidate(nullptr));
-  for (const RepairOptions& repair : repairs) {
-    take(candidate(&repair));
+  const std::size_t tets = given_.domain().mesh().tets.size();
+  for (std::size_t k = 0; k < repairs.size(); ++k) {
+    take(candidate(&repairs[k]));
     if (best->mapped && best->mapped->is_complete) break;
+    if ((k + 1) * tets >= options_.search_tets) break;
   }
   if (!best->mapped) {
     map(*best, report_.size);
@@ -204,48 +209,71 @@ void add_tags(const TetSolid& solid, const MapSurface& surface, const std::vecto
   }
 }
 
-/// Why the result is not whole, and what to try.
+std::vector<Vector3> places_of_faults(const SolveReport::Singularity& graph) {
+  std::vector<Vector3> places;
+  for (const auto& corner : graph.corner_list)
+    if (corner.verdict == Verdict::kNotMeshable) places.push_back(corner.place);
+  for (const auto& node : graph.node_list)
+    if (node.verdict == Verdict::kNotMeshable) places.push_back(node.place);
+  for (const auto& arc : graph.arc_list)
+    if (arc.verdict == Verdict::kNotMeshable) places.push_back(arc.place);
+  return places;
+}
+
+/// Centres of the tets that a map flips, the most inverted first.
+std::vector<Vector3> places_of_flips(const TetSolid& solid, const std::vector<double>& determinants) {
+  std::vector<std::pair<double, std::size_t>> flipped;
+  for (std::size_t t = 0; t < determinants.size(); ++t)
+    if (!(determinants[t] > 0)) flipped.emplace_back(determinants[t], t);
+  std::sort(flipped.begin(), flipped.end());
+  std::vector<Vector3> places;
+  for (const auto& [determinant, t] : flipped) {
+    Vector3 centre{0, 0, 0};
+    for (const std::uint32_t v : solid.mesh.tets[t]) centre += 0.25 * solid.mesh.vertices[v];
+    places.push_back(centre);
+  }
+  return places;
+}
+
+/// Says why the result is not whole, where, and what to try.
 void explain(const Candidate& best, HexReport& report) {
-  const HexAttempt& attempt = best.attempt;
-  const auto& onto = best.field.report().onto;
   if (report.outcome == HexOutcome::kAllHex) return;
+  const HexAttempt& attempt = best.attempt;
+  const std::size_t flips = attempt.flips.value_or(0);
   if (attempt.faults > 0) {
-    report.reason = fmt::format("no map: {} where no hexahedra can meet{}", counted(attempt.faults, "place"),
-                                onto && onto->singularity.edges > 0 ? "" : "");
-    report.remedy = "other tets (--tets --size), or round off the sharp corner that `check` names";
+    report.places = places_of_faults(best.field.report().onto->singularity);
+    report.reason = fmt::format("no map: no hexahedra can meet at {}",
+                                counted(attempt.faults, "edge or vertex", "edges and vertices"));
+    report.remedy = "tets of another size, or a model without its sharpest corners";
   } else if (attempt.arcs_without_length > 0) {
-    report.reason = fmt::format("no map: {} without length, from a face of the surface to the same one",
-                                counted(attempt.arcs_without_length, "singular arc"));
-    report.remedy = "other tets";
-  } else if (attempt.seamless_flips.value_or(0) > 0) {
+    report.places = best.followed->arcs_without_length();
     report.reason =
-        fmt::format("no map: {} stay inverted", counted(attempt.seamless_flips.value_or(0), "tet"));
-    report.remedy = "other tets";
-  } else if (attempt.flips.value_or(0) > 0) {
-    report.reason = fmt::format("whole numbers of hexahedra fold {}", counted(*attempt.flips, "tet"));
-    report.remedy = "a smaller size";
+        fmt::format("no map: {} would have no length, since both ends are on one layer of hexahedra",
+                    counted(attempt.arcs_without_length, "singular arc"));
+    report.remedy = "tets of another size";
+  } else if (attempt.seamless_flips.value_or(0) > 0 || flips > 0) {
+    report.places = places_of_flips(best.followed->solid(), best.mapped->determinants);
+    const bool by_rounding = attempt.seamless_flips == std::size_t{0};
+    report.reason = fmt::format("no map: {} stay inverted{}", counted(flips, "tet"),
+                                by_rounding ? " with whole numbers of hexahedra" : "");
+    report.remedy = by_rounding ? "a smaller size of hexahedra" : "tets of another size";
   } else if (report.quality.inverted > 0) {
-    report.reason = fmt::format("{} inverted", counted(report.quality.inverted, "hexahedron", "hexahedra"));
-    report.remedy = "a smaller size";
+    report.places = {report.quality.worst_place};
+    report.reason =
+        fmt::format("{} inverted", counted(report.quality.inverted, "hexahedron is", "hexahedra are"));
+    report.remedy = "a smaller size of hexahedra";
   } else {
     report.reason = "the hexahedra do not close up";
-    report.remedy = "another size";
+    report.remedy = "another size of hexahedra";
   }
+  if (report.places.size() > HexReport::kMostPlaces) report.places.resize(HexReport::kMostPlaces);
+  if (report.places.empty()) return;
+  const Vector3& at = report.places.front();
+  report.reason += fmt::format("{} at {:.4g} {:.4g} {:.4g}", report.places.size() > 1 ? ", the first" : ",",
+                               at[0], at[1], at[2]);
 }
 
 }  // namespace
-
-const char* name_of(HexOutcome outcome) {
-  switch (outcome) {
-    case HexOutcome::kAllHex:
-      return "all-hex";
-    case HexOutcome::kPartial:
-      return "partial";
-    case HexOutcome::kNone:
-      return "none";
-  }
-  return "";
-}
 
 Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const Monitor& monitor) {
   check(options);
@@ -276,15 +304,9 @@ Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const
                                                                               : HexOutcome::kPartial;
   explain(best, report);
   report.analysis_seconds = stopwatch.restart();
-  return {std::move(mesh), std::move(report), std::move(best.field)};
-}
-
-std::string sentence_of(const HexReport& report) {
-  if (report.outcome == HexOutcome::kNone) return report.reason;
-  const Vector3& at = report.quality.worst_place;
-  return fmt::format("{}, {}, worst scaled Jacobian {:.2f} at {:.4g} {:.4g} {:.4g}, mean {:.2f}",
-                     name_of(report.outcome), counted(report.hexahedra, "hexahedron", "hexahedra"),
-                     report.quality.least, at[0], at[1], at[2], report.quality.mean);
+  SolveReport whole = best.field.report();
+  whole.hexahedra = report;
+  return {std::move(mesh), std::move(report), best.field.with_report(std::move(whole))};
 }
 
 }  // namespace crossgrain

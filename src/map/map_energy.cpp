@@ -94,10 +94,16 @@ Eigen::Matrix3d MapEnergy::jacobian(const MapCoordinates& map, std::size_t tet) 
   return size_ * corners * gradients_[tet].transpose();
 }
 
+std::vector<double> determinants_of(const MapEnergy& energy, const MapCoordinates& map) {
+  std::vector<double> determinants(energy.unknowns().cut().copies_of_tets().size());
+  parallel_for(determinants.size(),
+               [&](std::size_t t) { determinants[t] = energy.jacobian(map, t).determinant(); });
+  return determinants;
+}
+
 MapFlips flips_of(const MapEnergy& energy, const MapCoordinates& map, double least) {
-  const std::size_t count = energy.unknowns().cut().copies_of_tets().size();
-  std::vector<double> determinants(count);
-  parallel_for(count, [&](std::size_t t) { determinants[t] = energy.jacobian(map, t).determinant(); });
+  const std::vector<double> determinants = determinants_of(energy, map);
+  const std::size_t count = determinants.size();
   MapFlips flips;
   double all = 0;
   for (std::size_t t = 0; t < count; ++t) {

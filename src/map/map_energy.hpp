@@ -56,6 +56,9 @@ struct MapFlips {
   double least_determinant = 0;  ///< of the Jacobians; 1 where the map follows the frames
 };
 
+/// The determinants of the Jacobians of all tets.
+std::vector<double> determinants_of(const MapEnergy& energy, const MapCoordinates& map);
+
 /// Counts tets with determinants of at most `least`.
 MapFlips flips_of(const MapEnergy& energy, const MapCoordinates& map, double least = 1e-9);
 

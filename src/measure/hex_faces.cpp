@@ -2,7 +2,7 @@
 #include "measure/hex_faces.hpp"
 
 #include <algorithm>
-#include <unordered_map>
+#include <map>
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
@@ -114,7 +114,8 @@ HexTopology topology_of(const HexMesh& mesh) {
     std::size_t end = k;
     while (end < uses.size() && uses[end] == uses[k]) ++end;
     auto& valences = outer.contains(uses[k]) ? topology.boundary_valences : topology.inner_valences;
-    ++valences[static_cast<int>(end - k)];
+    if (valences.size() <= end - k) valences.resize(end - k + 1, 0);
+    ++valences[end - k];
     k = end;
   }
   return topology;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include "crossgrain/hex_mesh.hpp"
@@ -37,8 +36,8 @@ struct HexTopology {
   std::size_t open_edges = 0;     ///< edges at which the boundary is no closed surface: not two of its faces
   std::size_t pinched_vertices = 0;  ///< at which more than one fan of boundary faces meet
 
-  /// Number of edges inside by how many hexahedra are around them, and of edges of the boundary.
-  std::map<int, std::size_t> inner_valences, boundary_valences;
+  /// Number of edges with k hexahedra around them, at index k: of edges inside, and of the boundary.
+  std::vector<std::size_t> inner_valences, boundary_valences;
 
   bool is_closed() const { return crowded_faces == 0 && open_edges == 0; }
 };

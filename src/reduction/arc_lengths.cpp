@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reduction/arc_lengths.hpp"
 
-#include <cstdint>
-
-#include "crossgrain/error.hpp"
-#include "matching/repaired_graph.hpp"
-
 namespace crossgrain {
 namespace {
 
@@ -40,20 +35,13 @@ std::vector<LinearForm> arc_lengths(const MapUnknowns& unknowns, const Singulari
   return lengths;
 }
 
-std::size_t arcs_of_length_zero(const MatchedField& field) {
-  const SingularityGraph graph = repaired_graph(field);
+std::vector<std::size_t> arcs_of_length_zero(const MatchedField& field, const SingularityGraph& graph) {
   const CutSolid cut(field);
-  std::vector<LinearForm> lengths;
-  try {
-    lengths = arc_lengths(MapUnknowns(cut), graph);
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kLimit) throw;
-    return SIZE_MAX;
-  }
-  std::size_t count = 0;
+  const std::vector<LinearForm> lengths = arc_lengths(MapUnknowns(cut), graph);
+  std::vector<std::size_t> arcs;
   for (std::size_t k = 0; k < lengths.size(); ++k)
-    count += graph.arcs[k].type == SingularityGraph::ArcType::kRegular && lengths[k].is_zero();
-  return count;
+    if (graph.arcs[k].type == SingularityGraph::ArcType::kRegular && lengths[k].is_zero()) arcs.push_back(k);
+  return arcs;
 }
 
 }  // namespace crossgrain

@@ -16,8 +16,8 @@ namespace crossgrain {
 /// of changing sense get zero.
 std::vector<LinearForm> arc_lengths(const MapUnknowns& unknowns, const SingularityGraph& graph);
 
-/// Of a field: how many of its arcs have an axis, and a length that is the zero form. SIZE_MAX if the
-/// equations of its map cannot be solved in double precision.
-std::size_t arcs_of_length_zero(const MatchedField& field);
+/// Of a field: the arcs of its graph that have an axis, and a length that is the zero form. Throws
+/// Error(kLimit) as MapUnknowns does.
+std::vector<std::size_t> arcs_of_length_zero(const MatchedField& field, const SingularityGraph& graph);
 
 }  // namespace crossgrain

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "crossgrain/error.hpp"
 #include "matching/matched_field.hpp"
+#include "matching/repaired_graph.hpp"
 #include "reduction/arc_lengths.hpp"
 #include "repair/frozen_frames.hpp"
 #include "repair/matching_repair.hpp"
@@ -39,6 +41,16 @@ double cost_of(const MatchedField& field, const RepairWeights& weights) {
   return sum;
 }
 
+/// How many arcs no map gives a length; SIZE_MAX if its equations have no solution in double precision.
+std::size_t zero_lengths_of(const MatchedField& field) {
+  try {
+    return arcs_of_length_zero(field, repaired_graph(field)).size();
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kLimit) throw;
+    return SIZE_MAX;
+  }
+}
+
 /// A try with what is wrong with it, and its cost by the first weights. The field refers to the frames.
 struct Try {
   RepairedTets tets;
@@ -55,7 +67,7 @@ struct Try {
 
 void judge(Try& what, const RepairOptions& options) {
   what.tets.faults = faults_of(*what.field);
-  what.zero_lengths = arcs_of_length_zero(*what.field);
+  what.zero_lengths = zero_lengths_of(*what.field);
   what.cost = cost_of(*what.field, options.tries.front());
 }
 

@@ -40,6 +40,12 @@ TetFrameField::TetFrameField(FrameField grid, TetDomain domain, std::shared_ptr<
   lines_->graph = std::move(lines);
 }
 
+TetFrameField TetFrameField::with_report(SolveReport report) const {
+  TetFrameField result = *this;
+  result.report_ = std::make_shared<const SolveReport>(std::move(report));
+  return result;
+}
+
 Frame TetFrameField::vertex_frame(std::size_t index) const {
   check_index(index, field_->vertex_frames.size(), "vertex");
   return orthonormal_frame(field_->vertex_frames[index]);

@@ -33,7 +33,8 @@ class JsonWriter {
   }
 
   /// Writes an optional number; null if there is none.
-  void member(const char* key, const std::optional<double>& value) {
+  template <class T>
+  void member(const char* key, const std::optional<T>& value) {
     json_[key] = value ? Json(*value) : Json(nullptr);
   }
 
@@ -114,7 +115,8 @@ class JsonReader {
     }
   }
 
-  void member(const char* key, std::optional<double>& value) {
+  template <class T>
+  void member(const char* key, std::optional<T>& value) {
     value.reset();
     if (!require(key).is_null()) member(key, value.emplace());
   }

@@ -200,6 +200,68 @@ void describe_onto(File& file, Onto& onto) {
                        [](auto& inner, auto& repair) { describe_repair(inner, repair); });
 }
 
+template <class File, class Quality>
+void describe_scaled_jacobian(File& file, const char* key, Quality& quality) {
+  file.object(key, [&](auto& inner) {
+    inner.member("min", quality.least);
+    inner.member("one_percent", quality.one_percent);
+    inner.member("mean", quality.mean);
+    inner.member("worst_place", quality.worst_place);
+    inner.member("inverted", quality.inverted);
+    inner.member("below_tenth", quality.below_tenth);
+    inner.member("below_fifth", quality.below_fifth);
+  });
+}
+
+template <class File, class Attempt>
+void describe_attempt(File& file, Attempt& attempt) {
+  file.member("repair", attempt.repair);
+  file.member("size", attempt.size);
+  file.member("faults", attempt.faults);
+  file.member("arcs_without_length", attempt.arcs_without_length);
+  file.member("seamless_flips", attempt.seamless_flips);
+  file.member("flips", attempt.flips);
+  file.member("hexahedra", attempt.hexahedra);
+  file.member("seconds", attempt.seconds);
+}
+
+template <class File, class Hexahedra>
+void describe_hex_mesh(File& file, Hexahedra& hexahedra) {
+  file.name("outcome", hexahedra.outcome);
+  file.text("reason", hexahedra.reason);
+  file.text("remedy", hexahedra.remedy);
+  file.member("places", hexahedra.places);
+  file.member("size", hexahedra.size);
+  file.member("used_size", hexahedra.used_size);
+  file.member("hexahedra", hexahedra.hexahedra);
+  file.member("vertices", hexahedra.vertices);
+  file.member("left_out", hexahedra.left_out);
+  file.member("crowded_faces", hexahedra.crowded_faces);
+  file.member("open_edges", hexahedra.open_edges);
+  file.member("pinched_vertices", hexahedra.pinched_vertices);
+  file.member("volume", hexahedra.volume);
+  file.member("model_volume", hexahedra.model_volume);
+  file.member("area", hexahedra.area);
+  file.member("model_area", hexahedra.model_area);
+  file.member("largest_distance", hexahedra.largest_distance);
+  file.member("mean_distance", hexahedra.mean_distance);
+  file.member("largest_distance_of_model", hexahedra.largest_distance_of_model);
+  describe_scaled_jacobian(file, "scaled_jacobian", hexahedra.quality);
+  describe_scaled_jacobian(file, "scaled_jacobian_before", hexahedra.quality_before);
+  file.member("inner_valences", hexahedra.inner_valences);
+  file.member("boundary_valences", hexahedra.boundary_valences);
+  file.list("attempts", hexahedra.attempts,
+            [](auto& list, auto& attempt) { describe_attempt(list, attempt); });
+  file.member("best_attempt", hexahedra.best_attempt);
+  file.object("seconds", [&](auto& seconds) {
+    seconds.member("repair", hexahedra.repair_seconds);
+    seconds.member("map", hexahedra.map_seconds);
+    seconds.member("extraction", hexahedra.extraction_seconds);
+    seconds.member("smoothing", hexahedra.smoothing_seconds);
+    seconds.member("analysis", hexahedra.analysis_seconds);
+  });
+}
+
 template <class File, class Report>
 void describe_cost(File& file, Report& report) {
   file.object("seconds", [&](auto& seconds) {
@@ -403,6 +465,8 @@ void describe_doubts(File& file, Report& report) {
   file.optional_object("unfinished", report.unfinished,
                        [](auto& inner, auto& unfinished) { describe_unfinished(inner, unfinished); });
   file.optional_object("onto", report.onto, [](auto& inner, auto& onto) { describe_onto(inner, onto); });
+  file.optional_object("hexahedra", report.hexahedra,
+                       [](auto& inner, auto& hexahedra) { describe_hex_mesh(inner, hexahedra); });
   describe_unmarked_files(file, report);
   file.list("warnings", report.warnings,
             [](auto& inner, auto& warning) { describe_warning(inner, warning); });

@@ -75,7 +75,10 @@ constexpr double kTetsPerCube = 6 * 1.4142135623730951;
 /// Returns the size of the tets. Throws if there would be too many.
 double size_for(const TriangleMesh& mesh, const TetMakingOptions& options) {
   const double longest = longest_side(box_of_solid_triangles(mesh));
-  const double size = options.size > 0 ? options.size : longest / options.edges;
+  const double of_edges = longest / options.edges;
+  const double size = options.size == 0       ? of_edges
+                      : options.at_least_edges ? std::min(options.size, of_edges)
+                                               : options.size;
   double volume = 0, area = 0;
   for (const auto& triangle : mesh.triangles) {
     const auto [a, b, c] = corners_of(triangle, mesh.vertices);

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options of `solve` that `hex` has too.
+#pragma once
+
+#include "arguments.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace crossgrain::app {
+
+void add_folder(CLI::App& command, SolveArguments& arguments, const char* help);
+
+/// Creases, threads, memory, seed, and how solids are read.
+void add_run_options(CLI::App& command, SolveArguments& arguments);
+
+/// --write.
+void add_formats(CLI::App& command, OutputOptions& options);
+
+/// What is printed, and whether a page is written.
+void add_talk(CLI::App& command, SolveArguments& arguments);
+
+}  // namespace crossgrain::app

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <array>
+
+#include "base/names.hpp"
+#include "crossgrain/hex_report.hpp"
+#include "crossgrain/message.hpp"
+
+namespace crossgrain {
+
+const char* name_of(HexOutcome outcome) {
+  constexpr std::array kNames{"all-hex", "partial", "none"};
+  return name_among<HexOutcome::kNone>(kNames, outcome);
+}
+
+std::string sentence_of(const HexReport& report) {
+  std::string text = name_of(report.outcome);
+  if (report.hexahedra > 0) {
+    const Vector3& at = report.quality.worst_place;
+    text = fmt::format("{}, {}, worst scaled Jacobian {:.2f} at {:.4g} {:.4g} {:.4g}, {:.2f} in the mean",
+                       text, counted(report.hexahedra, "hexahedron", "hexahedra"), report.quality.least,
+                       at[0], at[1], at[2], report.quality.mean);
+  }
+  return report.reason.empty() ? text : fmt::format("{}: {}; try {}", text, report.reason, report.remedy);
+}
+
+}  // namespace crossgrain
