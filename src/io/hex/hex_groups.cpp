@@ -57,7 +57,7 @@ std::vector<BoundarySide> sides_of_boundary(const HexMesh& mesh) {
   }
   for (std::size_t k = 0; k < sides.size(); ++k)
     if (sides[k].face == kNoFace)
-      throw Error(ErrorKind::kUsage, {"", "face " + std::to_string(k) + " of the boundary (counted from 0)",
+      throw Error(ErrorKind::kUsage, {"", "boundary face " + std::to_string(k) + " (counted from 0)",
                                       "is no face of a hexahedron"});
   return sides;
 }
