@@ -41,6 +41,18 @@ TEST(HexFiles, AreReadByMeshioWithTheirGroupsAndSets) {
   EXPECT_EQ(code, 0);
 }
 
+TEST(HexFiles, AreReadByAnIndependentReaderOfVtu) {
+  if (std::system("/usr/bin/python3 -c pass") != 0) GTEST_SKIP() << "no /usr/bin/python3";
+  const TemporaryFolder folder;
+  for (const HexMesh& mesh : {made_bricks({8, 2, 2}, {80, 10, 10}), HexMesh{}}) {
+    const auto path = folder.path() / "beam.vtu";
+    write_hexahedra(mesh, path);
+    const std::string command = fmt::format("/usr/bin/python3 {}/check_vtu.py {} > /dev/null",
+                                            CROSSGRAIN_IO_TEST_FOLDER, path.string());
+    EXPECT_EQ(std::system(command.c_str()), 0);
+  }
+}
+
 /// A cantilever within 5 % of the beam of Euler and Bernoulli; pressure on the surfaces of all faces.
 TEST(HexFiles, RunInCalculix) {
   const int code = checked_with("calculix");
