@@ -7,7 +7,7 @@ set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 build="$root/build/test"
 
-"$root/cmake/install_packages.sh" build test cad netgen gmsh browser mpi shells packages chroot reference
+"$root/cmake/install_packages.sh" build test cad netgen gmsh hexahedra browser mpi shells packages chroot reference
 command -v npm >/dev/null || "$root/cmake/install_packages.sh" npm
 
 launcher=""

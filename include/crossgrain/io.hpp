@@ -15,6 +15,7 @@
 
 #include "crossgrain/constraints.hpp"
 #include "crossgrain/frame_field.hpp"
+#include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/report.hpp"
@@ -113,6 +114,18 @@ void write_tets(const TetMesh& mesh, const std::filesystem::path& path, const Mo
 /// Throws what `write_tets` would if it could not write; leaves no trace. Call before making tets to fail
 /// early.
 void check_tets_output(const std::filesystem::path& path);
+
+/// Writes hexahedra in the format of the extension (docs/formats.md): VTK (.vtu) with their scaled Jacobian
+/// and region; Medit (.mesh), Gmsh 4.1 (.msh) or Abaqus and CalculiX (.inp) with regions and with the
+/// boundary by its tags. Vertices and hexahedra keep their order. The file appears complete or not at all.
+/// Throws Error(kUsage) for other extensions, and for a mesh with corners that are no vertices, with a region
+/// for some hexahedra only or with boundary faces that are no faces of hexahedra; Error(kOutput) and
+/// Error(kInterrupted).
+void write_hexahedra(const HexMesh& mesh, const std::filesystem::path& path, const Monitor& monitor = {});
+
+/// Throws what `write_hexahedra` would if it could not write; leaves no trace. Call before making hexahedra
+/// to fail early.
+void check_hexahedra_path(const std::filesystem::path& path);
 
 /// Returns whether the extension of a file is one of a CAD file.
 bool is_cad_file(const std::filesystem::path& path);

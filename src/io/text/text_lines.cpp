@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/text/text_lines.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <string>
@@ -29,6 +31,12 @@ char* put_number(char* out, double number, char behind) {
 
 char* put_integer(char* out, std::int64_t number, char behind) {
   out = std::to_chars(out, out + kIntegerBytes, number).ptr;
+  *out++ = behind;
+  return out;
+}
+
+char* put_shortest(char* out, double number, char behind) {
+  out = fmt::format_to(out, "{}", number);
   *out++ = behind;
   return out;
 }

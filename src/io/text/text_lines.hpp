@@ -22,6 +22,9 @@ inline constexpr std::size_t kIntegerBytes = 21;
 char* put_number(char* out, double number, char behind);
 char* put_integer(char* out, std::int64_t number, char behind);
 
+/// Writes a number with the fewest digits that restore the same bits, and a separator: at most kNumberBytes.
+char* put_shortest(char* out, double number, char behind);
+
 /// Writes the text of `items` items in order. put(item, out) formats one item in at most `most_bytes` bytes
 /// and returns its end; it is called from several threads at once. Uses about 10 MB at a time. Throws
 /// Error(kInterrupted).
