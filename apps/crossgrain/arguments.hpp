@@ -32,9 +32,9 @@ struct SolveArguments {
   TetTagOptions tags;
   bool prepare = false;  ///< whether tets are split for a map
   OutputOptions output_options;
-  bool page = true;     ///< whether to write report.html
+  bool page = true;                     ///< whether to write report.html
   std::optional<HexOptions> hexahedra;  ///< whether and how to make hexahedra, as `hex` does
-  bool repair = false;  ///< whether to repair the matchings of the field on tets
+  bool repair = false;                  ///< whether to repair the matchings of the field on tets
   double read_seconds = ReadOptions().read_seconds;
   bool verbose = false;  ///< whether the summary tells of the grid that a field on tets started from
   bool glue = false;

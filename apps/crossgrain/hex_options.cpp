@@ -12,17 +12,18 @@ CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
       "hex", "Meshes a solid with hexahedra: solves a field on tets, and makes the mesh that follows it");
   HexOptions& options = arguments.hexahedra.emplace();
   command
-      ->add_option("MODEL", arguments.model,
-                   "A STEP, IGES or BREP file, a closed surface in an STL, OBJ, PLY or OFF file, or a tet mesh "
-                   "(Medit .mesh or .meshb, Gmsh .msh, VTK .vtk or .vtu)")
+      ->add_option(
+          "MODEL", arguments.model,
+          "A STEP, IGES or BREP file, a closed surface in an STL, OBJ, PLY or OFF file, or a tet mesh "
+          "(Medit .mesh or .meshb, Gmsh .msh, VTK .vtk or .vtu)")
       ->required()
       ->type_name("");
   add_folder(*command, arguments, "Folder to write (default: MODEL-stem.hexahedra here)");
-  CLI::Option* size = command
-                          ->add_option("--size", options.size,
-                                       "Edge of the hexahedra, in model units (default: see --cells)")
-                          ->check(fault_of_length)
-                          ->type_name("X");
+  CLI::Option* size =
+      command
+          ->add_option("--size", options.size, "Edge of the hexahedra, in model units (default: see --cells)")
+          ->check(fault_of_length)
+          ->type_name("X");
   command
       ->add_option("--cells", options.cells,
                    "Number of hexahedra along the longest side instead (default 20)")

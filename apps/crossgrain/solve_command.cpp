@@ -271,10 +271,7 @@ SolveReport solve_and_write(const SolveArguments& arguments,
   // it would be lost.
   if (output_options.foreign_files == ForeignFiles::kRefuse)
     output_options.foreign_files = ForeignFiles::kKeep;
-  if (made) {
-    for (CompanionFile& file : hexahedra_files(std::make_shared<const HexMesh>(std::move(made->mesh))))
-      output_options.companions.push_back(std::move(file));
-  }
+  if (made) output_options.hexahedra = std::make_shared<const HexMesh>(std::move(made->mesh));
   if (arguments.page)
     output_options.companions.push_back(tet_field ? page_of(*tet_field) : page_of(to_write.shown.value()));
   SolveReport report = tet_field ? tet_field->report() : field.report();

@@ -10,8 +10,7 @@
 namespace crossgrain::app {
 
 void add_folder(CLI::App& command, SolveArguments& arguments, const char* help) {
-  command.add_option("-o,--output", arguments.output, help)
-      ->type_name("DIR");
+  command.add_option("-o,--output", arguments.output, help)->type_name("DIR");
   command.add_flag_callback(
       "--force", [&arguments] { arguments.output_options.foreign_files = ForeignFiles::kReplace; },
       "Write to the folder even if it holds files that Crossgrain did not write, and replace those with "
@@ -47,12 +46,12 @@ void add_run_options(CLI::App& command, SolveArguments& arguments) {
       ->check(fault_of_seed)
       ->type_name("N");
   command.add_flag("--union", options.unite_solids,
-                    "Treat several solids as one: ignore the faces between them");
+                   "Treat several solids as one: ignore the faces between them");
   command.add_flag("--glue", arguments.glue,
-                    "Make the solids of a CAD file share the faces where they touch");
+                   "Make the solids of a CAD file share the faces where they touch");
   command
       .add_option("--read-seconds", arguments.read_seconds,
-                   "Time limit for reading a CAD file, to which 10 s per megabyte are added (default 60)")
+                  "Time limit for reading a CAD file, to which 10 s per megabyte are added (default 60)")
       ->check(fault_of_length)
       ->type_name("SECONDS");
 }
@@ -77,9 +76,9 @@ void add_formats(CLI::App& command, OutputOptions& options) {
 void add_talk(CLI::App& command, SolveArguments& arguments) {
   command.add_flag("--quiet", arguments.quiet, "Print no summary and no progress");
   command.add_flag("--progress", arguments.progress,
-                    "Show progress on standard error even if it is not a terminal");
+                   "Show progress on standard error even if it is not a terminal");
   command.add_flag("!--no-report", arguments.page,
-                    "Write no report.html, the page that shows the field; report.json is always written");
+                   "Write no report.html, the page that shows the field; report.json is always written");
 }
 
 }  // namespace crossgrain::app

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -86,11 +87,12 @@ std::string hexahedra_rows(const HexReport& hexahedra) {
   if (hexahedra.hexahedra == 0) return text;
   const auto percent = [](double ratio) { return fmt::format("{:+.2f} %", 100 * (ratio - 1)); };
   return text +
-         row("fit", fmt::format("volume {}, area {}; vertices within {:.3g} of the surface, the surface within "
-                                "{:.3g} of the hexahedra, which are {:.3g} in size",
-                                percent(hexahedra.volume / hexahedra.model_volume),
-                                percent(hexahedra.area / hexahedra.model_area), hexahedra.largest_distance,
-                                hexahedra.largest_distance_of_model, hexahedra.used_size)) +
+         row("fit",
+             fmt::format("volume {}, area {}; vertices within {:.3g} of the surface, the surface within "
+                         "{:.3g} of the hexahedra, which are {:.3g} in size",
+                         percent(hexahedra.volume / hexahedra.model_volume),
+                         percent(hexahedra.area / hexahedra.model_area), hexahedra.largest_distance,
+                         hexahedra.largest_distance_of_model, hexahedra.used_size)) +
          (hexahedra.used_size < hexahedra.size
               ? row("size", fmt::format("{:.3g} instead of {:.3g}, with which whole numbers of hexahedra "
                                         "leave some inverted",
@@ -127,12 +129,12 @@ std::string tets_energy_row(const SolveReport::Onto& onto) {
 }
 
 std::string files_row(const SolveReport& report, const SolveArguments& arguments) {
-  std::vector<std::string> names = result_files(arguments.output_options, report.onto.has_value());
+  OutputOptions written = arguments.output_options;
+  if (report.hexahedra) written.hexahedra = std::make_shared<const HexMesh>();
+  std::vector<std::string> names = result_files(written, report.onto.has_value());
   if (arguments.page) names.insert(names.begin(), kPageFile);
   for (std::string& name : names)
     if (name == kCellsFile && is_in_pieces(arguments.output)) name = kPiecesFile;
-  if (report.hexahedra)
-    for (const std::string& name : hexahedra_file_names()) names.push_back(name);
   return row("result", fmt::format("{}: {}", arguments.output, fmt::join(names, ", ")));
 }
 
@@ -169,8 +171,8 @@ std::string warning_rows(const SolveReport& report, const SolveArguments& argume
 }  // namespace
 
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
-  std::string text = report.hexahedra ? hexahedra_rows(*report.hexahedra) : "";
-  text += answer_rows(report, arguments) + model_row(report);
+  std::string text = (report.hexahedra ? hexahedra_rows(*report.hexahedra) : answer_rows(report, arguments)) +
+                     model_row(report);
   if (report.onto) {
     text += tets_rows(*report.onto);
     if (arguments.verbose) text += "the grid that the tets started from:\n" + grid_rows(report);

@@ -208,6 +208,9 @@ struct OutputOptions {
   /// format "fra"): they are written with the length 1 / hex_size.
   double hex_size = 1;
 
+  /// Hexahedra to write as hexahedra.vtu, .mesh, .msh and .inp (`write_hexahedra`); null for none.
+  std::shared_ptr<const HexMesh> hexahedra = {};
+
   /// Further files to write, such as the page that shows the field in a browser (`page_of`).
   std::vector<CompanionFile> companions = {};
 

@@ -49,6 +49,17 @@ const MeshFormat<HexOutput>& hex_format_of(const std::filesystem::path& path) {
 HexOutput::HexOutput(const HexMesh& shown)
     : mesh(checked(shown)), sides(sides_of_boundary(shown)), groups(groups_of(shown)) {}
 
+std::vector<std::string> hexahedra_file_names() {
+  std::vector<std::string> names;
+  for (const MeshFormat<HexOutput>& format : kFormats)
+    names.push_back("hexahedra" + std::string(format.extension));
+  return names;
+}
+
+void write_hexahedra_file(OutputFile& file, const HexOutput& output, const Monitor& monitor) {
+  hex_format_of(file.name()).write(file, output, monitor);
+}
+
 void write_hexahedra(const HexMesh& mesh, const std::filesystem::path& path, const Monitor& monitor) {
   const MeshFormat<HexOutput>& format = hex_format_of(path);
   write_mesh(format, HexOutput(mesh), path, monitor);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,12 @@ struct HexOutput {
   std::vector<BoundarySide> sides;  ///< of HexMesh::boundary
   HexGroups groups;
 };
+
+/// hexahedra.vtu and so on: the files of hexahedra in the folder of a field, each of one format.
+std::vector<std::string> hexahedra_file_names();
+
+/// Writes one of them to a file of its name.
+void write_hexahedra_file(OutputFile& file, const HexOutput& output, const Monitor& monitor);
 
 /// Points, hexahedra with their scaled Jacobian and region, in VTK's XML.
 void write_vtu_hexahedra(OutputFile& file, const HexOutput& output, const Monitor& monitor);

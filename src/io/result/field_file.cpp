@@ -13,6 +13,7 @@
 #include "crossgrain/io.hpp"
 #include "field/field_data.hpp"
 #include "files/output_folder.hpp"
+#include "io/hex/hex_writers.hpp"
 #include "io/json/json_file.hpp"
 #include "io/result/cell_file.hpp"
 #include "io/result/field_arrays.hpp"
@@ -61,6 +62,18 @@ std::shared_ptr<FolderReservation> check_field_folder(const std::filesystem::pat
 
 namespace {
 
+/// Writes the files of hexahedra, or removes earlier ones.
+void add_hexahedra(const HexMesh* mesh, OutputFolder& output, const Monitor& monitor) {
+  std::optional<HexOutput> shown;
+  if (mesh) shown.emplace(*mesh);
+  for (const std::string& name : hexahedra_file_names()) {
+    if (shown)
+      write_hexahedra_file(output.create(name), *shown, monitor);
+    else
+      output.remove_at_commit(name);
+  }
+}
+
 /// Writes a folder; the cells by `write_cells`. By a field that processes share, these are called before all
 /// else, since they exchange messages.
 SolveReport write_folder(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
@@ -89,6 +102,7 @@ SolveReport write_folder(const FrameField& field, SolveReport report, const std:
           output.remove_at_commit(kSurfaceFile);
         report.unmarked_files.clear();
         add_files(output, report);
+        add_hexahedra(options.hexahedra.get(), output, monitor);
       },
       [&] {
         for (const CompanionFile& companion : options.companions)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/result/tet_files.hpp"
+#include "io/hex/hex_writers.hpp"
 
 #include <fmt/format.h>
 
@@ -65,6 +66,8 @@ std::vector<std::string> result_files(const OutputOptions& options, bool on_tets
   names.insert(names.end(), {kCellsFile, kSingularityFile, kSurfaceFile});
   for (const TetFile& file : kFiles)
     if (on_tets && is_asked_for(file, options.formats)) names.push_back(file.name);
+  if (options.hexahedra)
+    for (std::string& name : hexahedra_file_names()) names.push_back(std::move(name));
   names.push_back(kReportFile);
   return names;
 }
@@ -73,6 +76,7 @@ std::vector<std::string> all_result_files() {
   std::vector<std::string> names{kPageFile,        kStreamlinesFile, kCellsFile, kPiecesFile,
                                  kSingularityFile, kSurfaceFile,     kReportFile};
   for (const TetFile& file : kFiles) names.push_back(file.name);
+  for (std::string& name : hexahedra_file_names()) names.push_back(std::move(name));
   return names;
 }
 

@@ -76,7 +76,7 @@ constexpr double kTetsPerCube = 6 * 1.4142135623730951;
 double size_for(const TriangleMesh& mesh, const TetMakingOptions& options) {
   const double longest = longest_side(box_of_solid_triangles(mesh));
   const double of_edges = longest / options.edges;
-  const double size = options.size == 0       ? of_edges
+  const double size = options.size == 0        ? of_edges
                       : options.at_least_edges ? std::min(options.size, of_edges)
                                                : options.size;
   double volume = 0, area = 0;
