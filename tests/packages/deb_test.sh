@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Installs the Debian packages in a clean Debian 12 without a compiler, solves and draws, also by Python and by several
-# processes; then installs a compiler, and builds the installed examples through CMake, and one of them and a program in C
-# through pkg-config. Usage: deb_test.sh SOURCE_DIR WORK_DIR DEBS CAD_FILES
+# processes; then installs a compiler, and builds the installed examples and a program that makes hexahedra through CMake,
+# and one example and a program in C through pkg-config. Usage: deb_test.sh SOURCE_DIR WORK_DIR DEBS CAD_FILES
 set -euo pipefail
 
 source_dir="$1" work="$2" debs="$3" cad_files="$4"
@@ -58,10 +58,14 @@ start="$EPOCHREALTIME"
 install_in "$chroot" g++ cmake make pkg-config $(packages libcrossgrain-dev)
 echo "compiler installed in $(seconds_since "$start") s"
 cp "$source_dir/tests/project/consumer/main.c" "$chroot/work/"
+cp -r "$source_dir/tests/project/hex_consumer" "$chroot/work/"
 in_chroot "$chroot" sh -ec '
   cmake -S /usr/share/crossgrain/examples -B /tmp/examples >/dev/null
   cmake --build /tmp/examples -j2 >/dev/null
   ctest --test-dir /tmp/examples -Q || ctest --test-dir /tmp/examples --rerun-failed --output-on-failure
+  cmake -S /work/hex_consumer -B /tmp/hexahedra >/dev/null
+  cmake --build /tmp/hexahedra >/dev/null
+  /tmp/hexahedra/hex_consumer
   for module in /usr/lib/*/pkgconfig/crossgrain*.pc; do pkg-config --validate "$module"; done
   g++ -std=c++20 /usr/share/crossgrain/examples/solve_from_arrays.cpp -o /tmp/example $(pkg-config --cflags --libs crossgrain)
   /tmp/example
