@@ -82,9 +82,9 @@ configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/crossgrain-config.cma
 # Before 1.0 a new minor version may break what was there.
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/crossgrain-config-version.cmake"
                                  COMPATIBILITY SameMinorVersion)
-# Only users of the static library link METIS themselves.
+# Only users of the static library link SCOTCH themselves.
 if(TARGET crossgrain-hex AND NOT BUILD_SHARED_LIBS)
-  install(FILES "${PROJECT_SOURCE_DIR}/cmake/FindMETIS.cmake" DESTINATION "${package_dir}" COMPONENT hex)
+  install(FILES "${PROJECT_SOURCE_DIR}/cmake/FindScotch.cmake" DESTINATION "${package_dir}" COMPONENT hex)
 endif()
 install(FILES "${PROJECT_BINARY_DIR}/crossgrain-config.cmake" "${PROJECT_BINARY_DIR}/crossgrain-config-version.cmake"
         DESTINATION "${package_dir}" COMPONENT ${development_of_core})

@@ -5,7 +5,7 @@
 # What pkg-config calls the libraries that components link; what begins with - or / is for the linker.
 set(pkg_config_of_TBB::tbb tbb)
 set(pkg_config_of_fmt::fmt fmt)
-set(pkg_config_of_METIS::METIS -lmetis)
+set(pkg_config_of_Scotch::scotch -lscotch -lscotcherr)
 set(pkg_config_of_ZLIB::ZLIB zlib)
 set(pkg_config_of_PkgConfig::libdeflate libdeflate)
 set(pkg_config_of_PNG::PNG libpng)

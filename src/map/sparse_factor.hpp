@@ -8,11 +8,12 @@
 
 namespace crossgrain {
 
-/// L D L^T of a symmetric positive definite matrix, with rows in METIS's order of nested dissection: on
-/// meshes in space the factor has a quarter of the entries of a minimum-degree order.
+/// L D L^T of a symmetric positive definite matrix of a mesh, with rows in SCOTCH's order of nested
+/// dissection: the factor of large ones has half the entries or fewer of those of a minimum-degree order.
+/// (METIS finds as good an order, but takes over the signals and the random numbers of the process.)
 class SparseFactor {
  public:
-  /// Reads the lower triangle. Throws Error(kLimit) if the matrix is not positive definite.
+  /// Takes all entries of both triangles. Throws Error(kLimit) if the matrix is not positive definite.
   explicit SparseFactor(const Eigen::SparseMatrix<double>& matrix);
   ~SparseFactor();
   SparseFactor(SparseFactor&&) noexcept;

@@ -26,4 +26,4 @@ outside="$(in_chroot "$chroot" sh -c 'find "/any folder" -type f \( -path "*/bin
   awk '$2 == "=>" && $3 !~ /folder/ && $3 != "/any" { print $1, $3 }' | sort -u)"
 others="$(echo "$outside" | grep -vE '^(libc|libm|libpthread|libdl|librt)\.so\.[0-9]+ ' || true)"
 [ -z "$others" ] || fail "these come from the system: $others"
-if grep -w GPL "$chroot/any folder/$name/README" | grep -vE 'Exception|exception'; then fail "there is a package under the GPL"; fi
+if grep GPL "$chroot/any folder/$name/README" | grep -vE 'Exception|exception'; then fail "there is a package under the GPL"; fi
