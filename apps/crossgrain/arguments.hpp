@@ -28,6 +28,7 @@ struct SolveArguments {
   std::string restart;      ///< folder to go on from; empty for none
   bool makes_tets = false;  ///< whether the model is cut into tets first, which are solved
   double tet_size = 0;      ///< their largest edge; 0 for the default
+  double tet_share = 1;     ///< by which it is multiplied
   SolveOptions options;
   TetTagOptions tags;
   bool prepare = false;  ///< whether tets are split for a map

@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -56,6 +58,10 @@ void print_warning(Warning warning, const std::string& model) {
   print_message("warning: " + line_of(warning, Command::kSolve));
 }
 
+/// Sizes of made tets that `hex` tries until hexahedra fill the model, relative to the first. Coarser tets
+/// make shorter work, and often simpler singular graphs (docs/notes/hexahedra.md).
+constexpr std::array kTetShares{1.0, 1.4, 2.0};
+
 TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
   TetMakingOptions options;
   options.size = arguments.tet_size;
@@ -64,6 +70,8 @@ TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
     options.edges = std::max(options.edges, arguments.hexahedra->size > 0 ? 0 : arguments.hexahedra->cells);
     options.at_least_edges = true;
   }
+  options.size *= arguments.tet_share;
+  options.edges /= arguments.tet_share;
   options.creases = arguments.options.creases;
   options.max_memory_bytes = arguments.options.max_memory_bytes;
   options.read_seconds = arguments.read_seconds;
@@ -239,29 +247,73 @@ ToWrite gathered_to_write(FrameField field, const SolveArguments& arguments, boo
   return {field, arguments.page ? thinned_from_parts(field, kMostCellsOfPage) : std::nullopt};
 }
 
+/// What was read, solved, and made of it.
+struct Solved {
+  double read_seconds = 0;
+  bool has_tets = false;
+  ToWrite to_write;
+  std::optional<TetFrameField> tet_field;
+  std::optional<Hexahedra> made;
+
+  bool is_all_hex() const { return made && made->report.outcome == HexOutcome::kAllHex; }
+
+  /// By how much the volume of the hexahedra misses that of the model, relative to it.
+  double volume_missed() const {
+    return made ? std::abs(made->report.volume / made->report.model_volume - 1) : HUGE_VAL;
+  }
+};
+
+/// Reads, solves, transfers the field to the tets if there are any, and makes hexahedra if they are asked
+/// for.
+Solved solved(const SolveArguments& arguments, Clock::time_point start, const Monitor& monitor,
+              const Warn& warn, const std::function<void()>& leave_line, const SolveOnGrid& on_grid) {
+  Solved result;
+  monitor.report({Phase::kRead, 0, 0, 0, 0});
+  const auto [options, domain, mesh] = read_inputs(arguments, monitor, warn);
+  result.read_seconds = seconds_since(start);
+  result.has_tets = domain.has_value();
+  monitor.check_stop();
+  result.to_write = gathered_to_write(solve_model(arguments, options, mesh, monitor, on_grid).value(),
+                                      arguments, result.has_tets);
+  if (domain)
+    result.tet_field =
+        carried(arguments, options, result.to_write.cells.value(), *domain, monitor, leave_line);
+  if (result.tet_field && arguments.hexahedra) {
+    result.made = hexahedra(*result.tet_field, *arguments.hexahedra, monitor);
+    result.tet_field = result.made->field;
+  }
+  return result;
+}
+
+/// The same with tets of other sizes until hexahedra fill the model, if they are made of it; otherwise the
+/// one whose hexahedra miss the least volume.
+Solved solved_with_best_tets(SolveArguments arguments, Clock::time_point start, const Monitor& monitor,
+                             const Warn& warn, const std::function<void()>& leave_line,
+                             const SolveOnGrid& on_grid) {
+  Solved best = solved(arguments, start, monitor, warn, leave_line, on_grid);
+  if (!arguments.hexahedra || !arguments.makes_tets || !best.made) return best;
+  for (std::size_t k = 1; k < kTetShares.size() && !best.is_all_hex(); ++k) {
+    arguments.tet_share = kTetShares[k];
+    Solved next = solved(
+        arguments, start, monitor, [](const Warning&) {}, leave_line, on_grid);
+    next.read_seconds = best.read_seconds;
+    if (next.is_all_hex() || next.volume_missed() < best.volume_missed()) best = std::move(next);
+  }
+  return best;
+}
+
 /// Solves, transfers the field to the tets if there are any, and writes all files. Warnings from reading go
 /// to `warn` before the solve.
 SolveReport solve_and_write(const SolveArguments& arguments,
                             const std::shared_ptr<FolderReservation>& reservation, Clock::time_point start,
                             const Monitor& monitor, const Warn& warn, const std::function<void()>& leave_line,
                             const SolveOnGrid& on_grid) {
-  monitor.report({Phase::kRead, 0, 0, 0, 0});
-  const auto [options, domain, mesh] = read_inputs(arguments, monitor, warn);
-  const double read_seconds = seconds_since(start);
-  monitor.check_stop();
+  Solved solved = solved_with_best_tets(arguments, start, monitor, warn, leave_line, on_grid);
+  const auto& [read_seconds, has_tets, to_write, tet_field, made] = solved;
+  const FrameField& field = to_write.cells.value();
   if (const auto replaced = replaced_model(arguments); replaced && !arguments.quiet) {
     leave_line();
     print_message(arguments.output + ": the field of " + *replaced + " will be replaced");
-  }
-  const ToWrite to_write = gathered_to_write(solve_model(arguments, options, mesh, monitor, on_grid).value(),
-                                             arguments, domain.has_value());
-  const FrameField& field = to_write.cells.value();
-  std::optional<TetFrameField> tet_field;
-  if (domain) tet_field = carried(arguments, options, field, *domain, monitor, leave_line);
-  std::optional<Hexahedra> made;
-  if (tet_field && arguments.hexahedra) {
-    made = hexahedra(*tet_field, *arguments.hexahedra, monitor);
-    tet_field = made->field;
   }
 
   monitor.report({Phase::kWrite, 0, 0, 0, 0});
@@ -271,7 +323,7 @@ SolveReport solve_and_write(const SolveArguments& arguments,
   // it would be lost.
   if (output_options.foreign_files == ForeignFiles::kRefuse)
     output_options.foreign_files = ForeignFiles::kKeep;
-  if (made) output_options.hexahedra = std::make_shared<const HexMesh>(std::move(made->mesh));
+  if (made) output_options.hexahedra = std::make_shared<const HexMesh>(made->mesh);
   if (arguments.page)
     output_options.companions.push_back(tet_field ? page_of(*tet_field) : page_of(to_write.shown.value()));
   SolveReport report = tet_field ? tet_field->report() : field.report();
@@ -285,7 +337,7 @@ SolveReport solve_and_write(const SolveArguments& arguments,
   }
   if (tet_field) return write_field(*tet_field, report, arguments.output, monitor, output_options);
   output_options.formats.clear();  // these are for fields on tets
-  if (domain) mark_tets_missing(report);
+  if (has_tets) mark_tets_missing(report);
   return write_field(field, report, arguments.output, monitor, output_options);
 }
 

@@ -39,6 +39,24 @@ void check(const HexOptions& options) {
          "finer sizes must be shares between 0 and 1");
 }
 
+std::vector<Foot> feet_of(const MapSurface& surface, const std::vector<Carrier>& carriers) {
+  std::vector<Foot> feet;
+  for (const Carrier& carrier : carriers) feet.push_back(surface.foot_of(carrier));
+  return feet;
+}
+
+/// Whether hexahedra close up to a surface, and all of that is on the surface of the model.
+bool fill_the_model(const ExtractedHexahedra& hexahedra, const MapSurface& surface) {
+  if (!hexahedra.is_complete() || hexahedra.mesh.hexahedra.empty()) return false;
+  const HexTopology topology = topology_of(hexahedra.mesh);
+  const std::vector<Foot> feet = feet_of(surface, hexahedra.carriers);
+  return topology.is_closed() &&
+         std::all_of(topology.boundary.begin(), topology.boundary.end(), [&](const HexSide& side) {
+           return std::all_of(side.vertices.begin(), side.vertices.end(),
+                              [&](std::uint32_t v) { return feet[v].kind != Foot::Kind::kInside; });
+         });
+}
+
 /// A map with the hexahedra in it.
 struct Mapped {
   IntegerGridMap map;
@@ -144,8 +162,7 @@ void Search::map(Candidate& candidate, double size) {
   attempt.seamless_flips = mapped.map.untangled.tets;
   attempt.flips = mapped.hexahedra.flipped_tets;
   attempt.hexahedra = mapped.hexahedra.mesh.hexahedra.size();
-  mapped.is_complete = mapped.hexahedra.is_complete() && topology_of(mapped.hexahedra.mesh).is_closed() &&
-                       attempt.hexahedra > 0;
+  mapped.is_complete = fill_the_model(mapped.hexahedra, MapSurface(candidate.followed->matched()));
   seconds = stopwatch.restart();
   report_.extraction_seconds += seconds;
   attempt.seconds += seconds;
@@ -155,8 +172,9 @@ void Search::map(Candidate& candidate, double size) {
 void Search::follow(Candidate& candidate) {
   double size = report_.size;
   map(candidate, size);
-  for (int k = 0; k < options_.finer_sizes && !candidate.mapped->is_complete &&
-                  candidate.attempt.seamless_flips == std::size_t{0};
+  for (int k = 0;
+       k < options_.finer_sizes && !candidate.mapped->is_complete &&
+       candidate.attempt.seamless_flips == std::size_t{0} && candidate.attempt.flips != std::size_t{0};
        ++k) {
     report_.attempts.push_back(candidate.attempt);
     map(candidate, size *= options_.finer_share);
@@ -289,8 +307,7 @@ Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const
   const FollowedField& followed = *best.followed;
   const ExtractedHexahedra& extracted = best.mapped->hexahedra;
   const MapSurface surface(followed.matched());
-  std::vector<Foot> feet;
-  for (const Carrier& carrier : extracted.carriers) feet.push_back(surface.foot_of(carrier));
+  const std::vector<Foot> feet = feet_of(surface, extracted.carriers);
   report.quality_before = quality_of(extracted.mesh);
   HexMesh mesh = smoothed(extracted.mesh, surface, feet, report.used_size);
   report.smoothing_seconds = stopwatch.restart();
