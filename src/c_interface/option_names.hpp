@@ -123,6 +123,7 @@ template <class Visit>
 void for_each_option(TetMakingOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(size);
   CROSSGRAIN_OPTION(edges);
+  CROSSGRAIN_OPTION(at_least_edges);
   CROSSGRAIN_OPTION(maker);
   CROSSGRAIN_OPTION(triangles.edges_per_circle);
   CROSSGRAIN_OPTION(triangles.smallest_share);

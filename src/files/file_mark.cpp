@@ -34,10 +34,16 @@ bool has_mark(const std::filesystem::path& path) {
   return holds_mark(beginning_of(path));
 }
 
+std::string text_mark(std::string_view content, const std::string& solve, std::string_view prefix) {
+  std::string text = std::string(prefix) + std::string(kTextMark) + std::string(content) + "\n";
+  if (!solve.empty()) text += std::string(prefix) + std::string(kTextSolve) + solve + "\n";
+  return text;
+}
+
 std::optional<std::string> marked_solve(const std::filesystem::path& path) {
   const std::string bytes = beginning_of(path);
   if (!holds_mark(bytes)) return std::nullopt;
-  for (const std::string_view words : {kXmlSolve, kHtmlSolve, kJsonSolve}) {
+  for (const std::string_view words : {kXmlSolve, kHtmlSolve, kJsonSolve, kTextSolve}) {
     const std::size_t at = bytes.find(words);
     if (at != std::string::npos) return bytes.substr(at + words.size(), kSolveBytes);
   }

@@ -26,7 +26,12 @@ inline constexpr std::string_view kPngMark{"Software\0Crossgrain", 19};
 inline constexpr std::string_view kXmlSolve = "<!-- solve ";
 inline constexpr std::string_view kHtmlSolve = R"(<meta name="crossgrain-solve" content=")";
 inline constexpr std::string_view kJsonSolve = R"("solve": ")";
+inline constexpr std::string_view kTextSolve = "# solve ";
 inline constexpr std::size_t kSolveBytes = 16;
+
+/// Lines of a file of text with the mark, what the file has, and its solve unless that is empty; each begins
+/// with what makes it a comment where that is more than #.
+std::string text_mark(std::string_view content, const std::string& solve, std::string_view prefix = {});
 
 /// Mark and solve end this many bytes of the beginning.
 inline constexpr std::size_t kMarkedBytes = 1024;

@@ -55,8 +55,8 @@ class GmshMeshWriter {
   }
 
   void write() {
-    file_.write(fmt::format("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\n{}{}\n$EndComments\n",
-                            kTextMark, kHexContent));
+    file_.write(fmt::format("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\n{}$EndComments\n",
+                            text_mark(kHexContent, file_.solve())));
     write_names();
     write_entities();
     write_nodes();

@@ -19,8 +19,8 @@ namespace crossgrain {
 /// Writes the header, with the mark and a comment on the content, and the vertices.
 inline void begin_medit(OutputFile& file, std::string_view content, const std::vector<Vector3>& vertices,
                         const Monitor& monitor) {
-  file.write(fmt::format("MeshVersionFormatted 2\n{}{}\n\nDimension 3\n\nVertices\n{}\n", kTextMark, content,
-                         vertices.size()));
+  file.write(fmt::format("MeshVersionFormatted 2\n{}\nDimension 3\n\nVertices\n{}\n",
+                         text_mark(content, file.solve()), vertices.size()));
   const auto put = [&](std::size_t v, char* out) {
     for (const double coordinate : vertices[v]) out = put_shortest(out, coordinate, ' ');
     return put_integer(out, 0, '\n');

@@ -114,6 +114,10 @@ void add_surface(const SolvedSurface& surface, ContentSum& sum) {
 
 void add_options(const OutputOptions& options, ContentSum& sum) {
   sum.add_value(options.level.value_or(-1));
+  if (options.hexahedra) {
+    sum.add(options.hexahedra->vertices);
+    sum.add(options.hexahedra->hexahedra);
+  }
   if (!options.clip) return;
   for (const Vector3& corner : {options.clip->low, options.clip->high})
     for (const double x : corner) sum.add_value(x);

@@ -1,0 +1,102 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""`crossgrain hex`, judged from the files that it writes."""
+
+import json
+import unittest
+
+import numpy as np
+
+from program import CommandTest, box_triangles, medit_text, stl_bytes, tet_box, tilt
+
+USAGE, INPUT, OUTPUT, NOT_ALL_HEX = 2, 3, 4, 6
+FILES = [f"hexahedra.{ending}" for ending in ("inp", "mesh", "msh", "vtu")]
+
+# Corners of a hexahedron with their three neighbours, right-handed.
+NEIGHBOURS = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
+
+
+def medit_section(path, name, width):
+    words = path.read_text().split()
+    at = words.index(name)
+    count = int(words[at + 1])
+    return np.array(words[at + 2:at + 2 + count * width], dtype=float).reshape(count, width)
+
+
+def scaled_jacobians(vertices, hexahedra):
+    corners = vertices[hexahedra]
+    least = np.full(len(hexahedra), np.inf)
+    for k, neighbours in enumerate(NEIGHBOURS):
+        edges = corners[:, neighbours] - corners[:, k:k + 1]
+        edges /= np.linalg.norm(edges, axis=2, keepdims=True)
+        least = np.minimum(least, np.linalg.det(edges))
+    return least
+
+
+class HexTest(CommandTest):
+    def hexahedra(self, *arguments, code=0):
+        """The section of the report about hexahedra, and the mesh."""
+        self.result = self.run_here("hex", *arguments, "-o", "out", "--no-report")
+        self.assertEqual(self.result.returncode, code, self.result.stderr)
+        self.report = json.loads((self.folder / "out/report.json").read_text())
+        mesh = self.folder / "out/hexahedra.mesh"
+        self.vertices = medit_section(mesh, "Vertices", 4)[:, :3]
+        self.corners = medit_section(mesh, "Hexahedra", 9)[:, :8].astype(int) - 1
+        return self.report["hexahedra"]
+
+    def write_box(self):
+        vertices, tets = tet_box()
+        self.write("box.mesh", medit_text(vertices @ tilt(), tets))
+
+    def test_a_box_of_tets_becomes_its_bricks(self):
+        self.write_box()
+        made = self.hexahedra("box.mesh", "--size", "0.25")
+        self.assertEqual(made["outcome"], "all-hex")
+        self.assertEqual(made["hexahedra"], 8 * 4 * 6)
+        self.assertEqual(len(self.corners), 8 * 4 * 6)
+        self.assertAlmostEqual(made["volume"], 3.0, places=6)
+        self.assertIn("hexahedra  all-hex, 192 hexahedra, worst scaled Jacobian 1.00", self.result.stdout)
+        self.assertEqual(sorted(set(FILES) & {path.name for path in (self.folder / "out").iterdir()}), FILES)
+
+    def test_the_report_has_the_shapes_of_the_file(self):
+        self.write("box.stl", stl_bytes(box_triangles()))
+        made = self.hexahedra("box.stl", "--cells", "5")
+        quality = scaled_jacobians(self.vertices, self.corners)
+        self.assertEqual(made["hexahedra"], len(quality))
+        self.assertAlmostEqual(made["scaled_jacobian"]["min"], quality.min(), places=9)
+        self.assertAlmostEqual(made["scaled_jacobian"]["mean"], quality.mean(), places=9)
+        self.assertEqual(made["scaled_jacobian"]["inverted"], 0)
+
+    def test_a_later_solve_removes_the_hexahedra(self):
+        self.write_box()
+        self.hexahedra("box.mesh", "--cells", "4")
+        self.assert_succeeds(self.run_here("solve", "box.mesh", "-o", "out", "--no-report", "--quiet"))
+        self.assertFalse(set(FILES) & {path.name for path in (self.folder / "out").iterdir()})
+        self.assertNotIn("hexahedra", json.loads((self.folder / "out/report.json").read_text()))
+
+    def test_the_result_is_the_same_with_one_thread(self):
+        self.write("box.stl", stl_bytes(box_triangles()))
+        self.hexahedra("box.stl", "--cells", "6", "--threads", "1")
+        one = (self.folder / "out/hexahedra.mesh").read_bytes()
+        self.hexahedra("box.stl", "--cells", "6")
+        self.assertEqual((self.folder / "out/hexahedra.mesh").read_bytes(), one)
+
+    def test_other_commands_take_the_folder(self):
+        self.write_box()
+        self.hexahedra("box.mesh", "--cells", "4")
+        self.assert_succeeds(self.run_here("check", "out"))
+        self.assert_succeeds(self.run_here("sample", "out", "0", "0", "0"))
+
+    def test_wrong_use_is_one_line(self):
+        self.write_box()
+        self.assert_fails(self.run_here("hex", "box.mesh", "--size", "1", "--cells", "3"), USAGE, "--size")
+        self.assert_fails(self.run_here("hex", "box.mesh", "--tet-size", "1"), USAGE, "--tet-size")
+        self.assert_fails(self.run_here("hex", "box.mesh", "--size", "0"), USAGE, "--size")
+        self.assert_fails(self.run_here("hex", "none.stl"), INPUT, "none.stl", "no such file")
+        (self.folder / "other").mkdir()
+        self.write("other/thing", "")
+        self.assert_fails(self.run_here("hex", "box.mesh", "-o", "other"), OUTPUT, "other")
+
+
+if __name__ == "__main__":
+    unittest.main()
