@@ -64,7 +64,8 @@ struct HexReport {
   struct Quality {
     double least = 0, one_percent = 0, mean = 0;
     Vector3 worst_place{0, 0, 0};  ///< the centre of the worst hexahedron
-    std::size_t inverted = 0, below_tenth = 0, below_fifth = 0;
+    std::size_t inverted = 0;      ///< inverted or flat: not above 1e-6
+    std::size_t below_tenth = 0, below_fifth = 0;
   };
 
   /// Scaled Jacobians: of each hexahedron the least, over its corners, of the determinant of the unit vectors

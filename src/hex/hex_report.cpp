@@ -80,6 +80,7 @@ void measure_distances(const HexMesh& mesh, const Surface& model, HexReport& rep
 }  // namespace
 
 HexReport::Quality quality_of(const HexMesh& mesh) {
+  constexpr double kFlat = 1e-6;  // beyond rounding
   HexReport::Quality quality;
   std::vector<double> values = scaled_jacobians(mesh);
   if (values.empty()) return quality;
@@ -88,7 +89,7 @@ HexReport::Quality quality_of(const HexMesh& mesh) {
   quality.worst_place = centre_of(mesh, static_cast<std::size_t>(worst - values.begin()));
   for (const double value : values) {
     quality.mean += value / static_cast<double>(values.size());
-    quality.inverted += !(value > 0);
+    quality.inverted += !(value > kFlat);
     quality.below_tenth += value < 0.1;
     quality.below_fifth += value < 0.2;
   }

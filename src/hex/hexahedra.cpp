@@ -46,10 +46,9 @@ std::vector<Foot> feet_of(const MapSurface& surface, const std::vector<Carrier>&
 }
 
 /// Whether hexahedra close up to a surface, and all of that is on the surface of the model.
-bool fill_the_model(const ExtractedHexahedra& hexahedra, const MapSurface& surface) {
+bool fill_the_model(const ExtractedHexahedra& hexahedra, const std::vector<Foot>& feet) {
   if (!hexahedra.is_complete() || hexahedra.mesh.hexahedra.empty()) return false;
   const HexTopology topology = topology_of(hexahedra.mesh);
-  const std::vector<Foot> feet = feet_of(surface, hexahedra.carriers);
   return topology.is_closed() &&
          std::all_of(topology.boundary.begin(), topology.boundary.end(), [&](const HexSide& side) {
            return std::all_of(side.vertices.begin(), side.vertices.end(),
@@ -62,7 +61,12 @@ struct Mapped {
   IntegerGridMap map;
   std::vector<double> determinants;  ///< of its Jacobians
   ExtractedHexahedra hexahedra;
-  bool is_complete = false;
+  std::vector<Foot> feet;  ///< of their vertices
+  HexMesh smoothed;
+  HexReport::Quality quality;
+  bool fills = false;
+
+  bool is_complete() const { return fills && quality.inverted == 0; }
 };
 
 /// A field that an attempt was made on.
@@ -75,8 +79,8 @@ struct Candidate {
   /// Less is better.
   auto rank() const {
     constexpr std::size_t kMany = SIZE_MAX;
-    return std::tuple(!mapped || !mapped->is_complete, attempt.faults, attempt.arcs_without_length,
-                      attempt.flips.value_or(kMany));
+    return std::tuple(!mapped || !mapped->is_complete(), !mapped || !mapped->fills, attempt.faults,
+                      attempt.arcs_without_length, attempt.flips.value_or(kMany));
   }
 };
 
@@ -162,9 +166,16 @@ void Search::map(Candidate& candidate, double size) {
   attempt.seamless_flips = mapped.map.untangled.tets;
   attempt.flips = mapped.hexahedra.flipped_tets;
   attempt.hexahedra = mapped.hexahedra.mesh.hexahedra.size();
-  mapped.is_complete = fill_the_model(mapped.hexahedra, MapSurface(candidate.followed->matched()));
+  const MapSurface surface(candidate.followed->matched());
+  mapped.feet = feet_of(surface, mapped.hexahedra.carriers);
+  mapped.fills = fill_the_model(mapped.hexahedra, mapped.feet);
   seconds = stopwatch.restart();
   report_.extraction_seconds += seconds;
+  attempt.seconds += seconds;
+  mapped.smoothed = smoothed(mapped.hexahedra.mesh, surface, mapped.feet, size);
+  mapped.quality = quality_of(mapped.smoothed);
+  seconds = stopwatch.restart();
+  report_.smoothing_seconds += seconds;
   attempt.seconds += seconds;
 }
 
@@ -173,7 +184,7 @@ void Search::follow(Candidate& candidate) {
   double size = report_.size;
   map(candidate, size);
   for (int k = 0;
-       k < options_.finer_sizes && !candidate.mapped->is_complete &&
+       k < options_.finer_sizes && !candidate.mapped->is_complete() &&
        candidate.attempt.seamless_flips == std::size_t{0} && candidate.attempt.flips != std::size_t{0};
        ++k) {
     report_.attempts.push_back(candidate.attempt);
@@ -198,7 +209,7 @@ Candidate Search::best() {
   const std::size_t tets = given_.domain().mesh().tets.size();
   for (std::size_t k = 0; k < repairs.size(); ++k) {
     take(candidate(&repairs[k]));
-    if (best->mapped && best->mapped->is_complete) break;
+    if (best->mapped && best->mapped->is_complete()) break;
     if ((k + 1) * tets >= options_.search_tets) break;
   }
   if (!best->mapped) {
@@ -307,18 +318,16 @@ Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const
   const FollowedField& followed = *best.followed;
   const ExtractedHexahedra& extracted = best.mapped->hexahedra;
   const MapSurface surface(followed.matched());
-  const std::vector<Foot> feet = feet_of(surface, extracted.carriers);
   report.quality_before = quality_of(extracted.mesh);
-  HexMesh mesh = smoothed(extracted.mesh, surface, feet, report.used_size);
-  report.smoothing_seconds = stopwatch.restart();
+  HexMesh mesh = std::move(best.mapped->smoothed);
 
   mesh.unit = field.domain().mesh().unit;
-  add_tags(followed.solid(), surface, feet, extracted.centre_tets, mesh);
+  add_tags(followed.solid(), surface, best.mapped->feet, extracted.centre_tets, mesh);
   report.left_out = extracted.left_out;
   measure(mesh, followed.solid(), report);
-  report.outcome = mesh.hexahedra.empty()                                     ? HexOutcome::kNone
-                   : best.mapped->is_complete && report.quality.inverted == 0 ? HexOutcome::kAllHex
-                                                                              : HexOutcome::kPartial;
+  report.outcome = mesh.hexahedra.empty()       ? HexOutcome::kNone
+                   : best.mapped->is_complete() ? HexOutcome::kAllHex
+                                                : HexOutcome::kPartial;
   explain(best, report);
   report.analysis_seconds = stopwatch.restart();
   SolveReport whole = best.field.report();

@@ -79,7 +79,8 @@ TEST(Phase, HasANameForDisplay) {
   EXPECT_STREQ(name_of(Phase::kWrite), "write");
   EXPECT_STREQ(name_of(Phase::kMakeTets), "make tets");
   EXPECT_STREQ(name_of(Phase::kRepair), "repair");
-  EXPECT_STREQ(name_of(static_cast<Phase>(8)), "");
+  EXPECT_STREQ(name_of(Phase::kHexahedra), "hexahedra");
+  EXPECT_STREQ(name_of(static_cast<Phase>(9)), "");
 }
 
 TEST(Monitor, WithoutListenerTakesReportsToo) {

@@ -19,7 +19,7 @@ from pathlib import Path
 from program import CommandTest, run
 
 DOCUMENTS = Path(os.environ.get("CROSSGRAIN_DOCUMENTS", ""))
-COMMANDS = ["solve", "sample", "spectrum", "check", "streamlines", "tets", "render", "view"]
+COMMANDS = ["solve", "sample", "spectrum", "check", "hex", "streamlines", "tets", "render", "view"]
 WAIT_S = 20
 
 
