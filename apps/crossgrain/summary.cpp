@@ -82,8 +82,11 @@ std::string tets_rows(const SolveReport::Onto& onto) {
          angles_row("creases", onto.crease_deg, "their faces");
 }
 
-std::string hexahedra_rows(const HexReport& hexahedra) {
+std::string hexahedra_rows(const SolveReport& report) {
+  const HexReport& hexahedra = *report.hexahedra;
   std::string text = row("hexahedra", sentence_of(hexahedra));
+  if (report.regions.size() > 1)
+    text += row("regions", "meshed as one: hexahedra may reach across the faces between them");
   if (hexahedra.hexahedra == 0) return text;
   const auto percent = [](double ratio) { return fmt::format("{:+.2f} %", 100 * (ratio - 1)); };
   return text +
@@ -171,8 +174,8 @@ std::string warning_rows(const SolveReport& report, const SolveArguments& argume
 }  // namespace
 
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
-  std::string text = (report.hexahedra ? hexahedra_rows(*report.hexahedra) : answer_rows(report, arguments)) +
-                     model_row(report);
+  std::string text =
+      (report.hexahedra ? hexahedra_rows(report) : answer_rows(report, arguments)) + model_row(report);
   if (report.onto) {
     text += tets_rows(*report.onto);
     if (arguments.verbose) text += "the grid that the tets started from:\n" + grid_rows(report);

@@ -81,6 +81,19 @@ class HexTest(CommandTest):
         self.hexahedra("box.stl", "--cells", "6")
         self.assertEqual((self.folder / "out/hexahedra.mesh").read_bytes(), one)
 
+    def test_regions_are_kept_and_said_to_be_meshed_as_one(self):
+        vertices, tets = tet_box()
+        regions = 1 + (vertices[tets].mean(axis=1)[:, 0] > vertices[:, 0].mean())
+        head, rows = medit_text(vertices, tets).split("Tetrahedra\n")
+        count, *rows = rows.splitlines()
+        for k, region in enumerate(regions):
+            rows[k] = " ".join([*rows[k].split()[:4], str(region)])
+        self.write("two.mesh", head + "Tetrahedra\n" + "\n".join([count, *rows]) + "\n")
+        self.hexahedra("two.mesh", "--size", "0.25")
+        self.assertIn("regions    meshed as one", self.result.stdout)
+        of_hexahedra = medit_section(self.folder / "out/hexahedra.mesh", "Hexahedra", 9)[:, 8]
+        self.assertEqual([np.count_nonzero(of_hexahedra == k) for k in (1, 2)], [96, 96])
+
     def test_other_commands_take_the_folder(self):
         self.write_box()
         self.hexahedra("box.mesh", "--cells", "4")

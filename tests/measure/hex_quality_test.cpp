@@ -53,8 +53,7 @@ TEST(HexQuality, IsNegativeWhereACornerIsPushedThroughTheOppositeFace) {
 }
 
 TEST(HexQuality, VolumesAreThoseOfTheTrilinearMap) {
-  // x y z of the unit cube to (x + y z / 2, y, z + x y / 4): the determinant is 1 - x y (y / 8) ... by hand:
-  // columns (1, 0, y/4), (z/2, 1, x/4), (y/2, 0, 1): 1 - y^2 / 8, of integral 1 - 1/24.
+  // (x + y z / 2, y, z + x y / 4) has the determinant 1 - y^2 / 8, of integral 1 - 1/24.
   HexMesh mesh = bricks(1, 1, 1);
   for (Vector3& p : mesh.vertices) p = {p[0] + p[1] * p[2] / 2, p[1], p[2] + p[0] * p[1] / 4};
   EXPECT_NEAR(volumes_of(mesh)[0], 1 - 1.0 / 24, 1e-14);
