@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdlib>
 #include <map>
 #include <optional>
 #include <set>
@@ -13,201 +11,54 @@
 #include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
-#include "crossgrain/error.hpp"
+#include "hex/exact_map.hpp"
 #include "hex/grid_point.hpp"
 
 namespace crossgrain {
 namespace {
 
-using Index = Eigen::Index;
-
 constexpr std::uint32_t kNone = UINT32_MAX;
 
-GridPoint turned(std::uint8_t rotation, const GridPoint& p) {
-  GridPoint result{};
-  for (SignedAxis k = 0; k < 3; ++k) {
-    const SignedAxis image = CubeGroup::instance().image(rotation, k);
-    result[image % 3] = image < 3 ? p[k] : -p[k];
-  }
-  return result;
+/// Whether, and how, a tet covers a point: 1 or -1 for a tet that is flipped; none if the point is on its
+/// boundary.
+std::optional<int> cover(const std::array<GridPoint, 4>& corners, const GridPoint& point) {
+  const std::array<Int128, 4> weights = weights_of(corners, point);
+  const auto [least, most] = std::minmax_element(weights.begin(), weights.end());
+  if (*least > 0) return 1;
+  if (*most < 0) return -1;
+  if (*least < 0 && *most > 0) return 0;
+  return std::nullopt;
 }
 
-/// A map in exact numbers.
-class ExactMap {
- public:
-  ExactMap(const MapUnknowns& unknowns, const MapCoordinates& map)
-      : cut_(unknowns.cut()), solid_(cut_.field().complex().solid()) {
-    if (map.size() > 0 && map.cwiseAbs().maxCoeff() > kLargestCoordinate)
-      throw Error(ErrorKind::kLimit, "the map has more hexahedra along an axis than its numbers hold");
-    find_translations(map);
-    round_points(map);
-  }
+/// Number of the corner of a hexahedron (kHexFaces) that a vector from its centre points to.
+std::size_t corner_towards(const GridPoint& half) {
+  constexpr std::array<std::uint8_t, 8> kOrder{0, 1, 3, 2, 4, 5, 7, 6};
+  return kOrder[static_cast<std::size_t>((half[0] > 0) + 2 * (half[1] > 0) + 4 * (half[2] > 0))];
+}
 
-  const CutSolid& cut() const { return cut_; }
-  const TetSolid& solid() const { return solid_; }
+GridPoint towards(std::uint8_t k) {
+  return {k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1};
+}
 
-  std::array<GridPoint, 4> corners(std::uint32_t tet) const {
-    std::array<GridPoint, 4> result{};
-    for (std::size_t k = 0; k < 4; ++k) result[k] = points_[cut_.copy_of(tet, k)];
-    return result;
-  }
-
-  /// A point in the names beyond a face.
-  GridPoint carried(const GridPoint& point, const Crossing& crossing) const {
-    return step(point, cut_.step_across(crossing));
-  }
-
-  /// The same for a cell, by its lowest corner.
-  GridPoint carried_cell(const GridPoint& low, const Crossing& crossing) const {
-    GridPoint high = low;
-    for (std::int64_t& x : high) x += kGridUnit;
-    const GridPoint a = carried(low, crossing), b = carried(high, crossing);
-    return {std::min(a[0], b[0]), std::min(a[1], b[1]), std::min(a[2], b[2])};
-  }
-
- private:
-  GridPoint step(const GridPoint& point, SheetStep step) const {
-    if (step == 0) return point;
-    const auto sheet = static_cast<std::size_t>(std::abs(step) - 1);
-    const CubeGroup& group = CubeGroup::instance();
-    const GridPoint& translation = translations_[sheet];
-    GridPoint result = point;
-    if (step > 0) {
-      result = turned(cut_.rotation(sheet), result);
-      for (std::size_t k = 0; k < 3; ++k) result[k] += translation[k];
-      return result;
-    }
-    for (std::size_t k = 0; k < 3; ++k) result[k] -= translation[k];
-    return turned(group.inverse_of(cut_.rotation(sheet)), result);
-  }
-
-  /// Of each sheet, from any of its faces: translations of a map to the grid are whole.
-  void find_translations(const MapCoordinates& map) {
-    translations_.resize(cut_.sheets());
-    std::vector<bool> is_known(cut_.sheets(), false);
-    for (std::uint32_t f = 0; f < solid_.inner_faces.size(); ++f) {
-      const SheetStep step = cut_.step_across({f, false});
-      if (step == 0 || is_known[static_cast<std::size_t>(std::abs(step) - 1)]) continue;
-      const auto sheet = static_cast<std::size_t>(std::abs(step) - 1);
-      is_known[sheet] = true;
-      const auto& [vertices, sides] = solid_.inner_faces[f];
-      const std::uint32_t from = sides[step > 0 ? 0 : 1], to = sides[step > 0 ? 1 : 0];
-      const GridPoint before = whole_part(map, from, vertices[0]), after = whole_part(map, to, vertices[0]);
-      // Both are rounded to 2^-20; their difference is a whole number but for that.
-      const GridPoint there = turned(cut_.rotation(sheet), before);
-      for (std::size_t k = 0; k < 3; ++k)
-        translations_[sheet][k] = kGridUnit * std::llround(static_cast<double>(after[k] - there[k]) /
-                                                           static_cast<double>(kGridUnit));
-    }
-  }
-
-  GridPoint whole_part(const MapCoordinates& map, std::uint32_t tet, std::uint32_t vertex) const {
-    return rounded(map, cut_.copy_at(tet, vertex));
-  }
-
-  static GridPoint rounded(const MapCoordinates& map, std::uint32_t copy) {
-    GridPoint point{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double value = map[static_cast<Index>(3 * copy) + static_cast<Index>(k)];
-      // Integers of the map are so to about 1e-9, far below half a step.
-      point[k] = std::llround(value * static_cast<double>(kGridUnit));
-    }
-    return point;
-  }
-
-  void round_points(const MapCoordinates& map) {
-    points_.resize(cut_.copies());
-    for (std::uint32_t copy = 0; copy < points_.size(); ++copy) {
-      const std::uint32_t first = cut_.first_copy(copy);  // comes before its other copies
-      if (first == copy) {
-        points_[copy] = rounded(map, copy);
-        continue;
-      }
-      GridPoint point = points_[first];
-      for (const SheetStep s : cut_.word_to(copy)) point = step(point, s);
-      points_[copy] = point;
-    }
-  }
-
-  const CutSolid& cut_;
-  const TetSolid& solid_;
-  std::vector<GridPoint> translations_, points_;
+/// A cell of the grid in a tet, by its index in the part of that.
+struct Piece {
+  std::uint32_t tet, cell;
 };
 
-std::array<GridPoint, 3> face_opposite(const std::array<GridPoint, 4>& corners, std::size_t k) {
-  return {corners[(k + 1) % 4], corners[(k + 2) % 4], corners[(k + 3) % 4]};
-}
-
-/// What a tet has of the grid.
-struct TetPart {
-  struct Cell {
-    GridPoint low;
-    std::array<bool, 4> meets_face;  ///< opposite each corner
-    bool operator<(const Cell& other) const { return low < other.low; }
-  };
-  struct Vertex {
-    GridPoint at;
-    std::array<Int128, 4> weights;  ///< six volumes, by corner
-    bool operator<(const Vertex& other) const { return at < other.at; }
-  };
-  Int128 volume = 0;
-  std::vector<Cell> cells;       ///< ascending
-  std::vector<Vertex> vertices;  ///< ascending
+/// Connected pieces of cells.
+struct Component {
+  std::vector<Piece> pieces;
+  std::vector<std::uint8_t> names;  ///< of each piece: rotation from the names of the first
+  std::optional<int> degree;        ///< how often they cover their cell; none if they do in no one way
+  std::uint32_t centre_tet = 0;     ///< near the middle of the cell
 };
-
-std::array<Int128, 4> weights_of(const std::array<GridPoint, 4>& corners, const GridPoint& point) {
-  const auto& [a, b, c, d] = corners;
-  return {six_volumes(point, b, c, d), six_volumes(a, point, c, d), six_volumes(a, b, point, d),
-          six_volumes(a, b, c, point)};
-}
-
-bool is_inside(const std::array<Int128, 4>& weights) {
-  return std::all_of(weights.begin(), weights.end(), [](Int128 weight) { return weight >= 0; });
-}
-
-std::int64_t floor_to_unit(std::int64_t x) {
-  const std::int64_t rest = ((x % kGridUnit) + kGridUnit) % kGridUnit;
-  return x - rest;
-}
-
-template <class Visit>
-void for_each_grid_point(const std::array<GridPoint, 4>& corners, const Visit& visit) {
-  GridPoint low = corners[0], high = corners[0];
-  for (const GridPoint& corner : corners)
-    for (std::size_t k = 0; k < 3; ++k)
-      low[k] = std::min(low[k], corner[k]), high[k] = std::max(high[k], corner[k]);
-  for (std::int64_t& x : low) x = floor_to_unit(x);
-  for (std::int64_t x = low[0]; x <= high[0]; x += kGridUnit)
-    for (std::int64_t y = low[1]; y <= high[1]; y += kGridUnit)
-      for (std::int64_t z = low[2]; z <= high[2]; z += kGridUnit) visit(GridPoint{x, y, z});
-}
-
-TetPart part_of(const std::array<GridPoint, 4>& corners) {
-  TetPart part;
-  part.volume = six_volumes(corners[0], corners[1], corners[2], corners[3]);
-  for_each_grid_point(corners, [&](const GridPoint& point) {
-    TetPart::Cell cell{point, {}};
-    bool meets = false;
-    for (std::size_t k = 0; k < 4; ++k)
-      meets |= cell.meets_face[k] = meets_open_cell(face_opposite(corners, k), point);
-    if (part.volume > 0) {
-      const std::array<Int128, 4> weights = weights_of(corners, point);
-      if (is_inside(weights)) part.vertices.push_back({point, weights});
-      GridPoint centre = point;
-      for (std::int64_t& x : centre) x += kGridUnit / 2;
-      meets = meets || is_inside(weights_of(corners, centre));
-    }
-    if (meets) part.cells.push_back(cell);
-  });
-  return part;
-}
 
 /// Numbers the cells, or the vertices, of all tets one after the other.
 class Extraction {
  public:
   explicit Extraction(const ExactMap& map)
       : map_(map),
-        tets_(map.solid().mesh.tets.size()),
+        tets_(static_cast<std::uint32_t>(map.solid().mesh.tets.size())),
         crossings_(crossings_of(map.solid())),
         parts_(tets_),
         first_cells_(tets_ + 1, 0),
@@ -221,12 +72,14 @@ class Extraction {
   }
 
   ExtractedHexahedra result() {
-    ExtractedHexahedra result;
-    for (const TetPart& part : parts_) result.flipped_tets += part.volume <= 0;
-    DisjointSets cells(first_cells_.back()), vertices(first_vertices_.back());
-    join(cells, vertices);
-    add_hexahedra(cells, vertices, result);
-    return result;
+    find_components();
+    parallel_for(components_.size(), [&](std::size_t c) { find_degree(components_[c]); });
+    DisjointSets corners(first_vertices_.back() + static_cast<std::uint32_t>(8 * components_.size()));
+    join_vertices(corners);
+    for (std::uint32_t c = 0; c < components_.size(); ++c)
+      if (is_hexahedron(c)) join_corners(c, corners);
+    for (std::uint32_t t = 0; t < tets_; ++t) join_neighbours(t, corners);
+    return hexahedra(corners);
   }
 
  private:
@@ -234,7 +87,7 @@ class Extraction {
     const auto& cells = parts_[tet].cells;
     const auto found = std::lower_bound(cells.begin(), cells.end(), TetPart::Cell{low, {}});
     if (found == cells.end() || found->low != low) return kNone;
-    return first_cells_[tet] + static_cast<std::uint32_t>(found - cells.begin());
+    return static_cast<std::uint32_t>(found - cells.begin());
   }
 
   std::uint32_t vertex_in(std::uint32_t tet, const GridPoint& at) const {
@@ -244,119 +97,217 @@ class Extraction {
     return first_vertices_[tet] + static_cast<std::uint32_t>(found - vertices.begin());
   }
 
-  void join(DisjointSets& cells, DisjointSets& vertices) const {
+  std::uint32_t tet_beyond(const Crossing& crossing) const {
+    return map_.solid().inner_faces[crossing.face].tets[crossing.reversed ? 0 : 1];
+  }
+
+  /// Visits the ways through faces that join a cell of a tet to the same cell beyond.
+  template <class Visit>
+  void for_each_way(const Piece& piece, const Visit& visit) const {
+    const TetPart::Cell& cell = parts_[piece.tet].cells[piece.cell];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Crossing crossing = crossings_[piece.tet][k];
+      if (crossing.face == kNoFace || !cell.meets_face[k]) continue;
+      const std::uint32_t next = tet_beyond(crossing);
+      const std::uint32_t beyond = cell_in(next, map_.carried_cell(cell.low, crossing));
+      if (beyond != kNone) visit(crossing, Piece{next, beyond});
+    }
+  }
+
+  std::uint32_t number_of(const Piece& piece) const { return first_cells_[piece.tet] + piece.cell; }
+
+  void find_components() {
+    DisjointSets cells(first_cells_.back());
+    std::vector<Piece> all;
+    for (std::uint32_t t = 0; t < tets_; ++t)
+      for (std::uint32_t c = 0; c < parts_[t].cells.size(); ++c) all.push_back({t, c});
+    for (const Piece& piece : all)
+      for_each_way(piece, [&](const Crossing&, const Piece& beyond) {
+        cells.join(number_of(piece), number_of(beyond));
+      });
+    component_of_.resize(all.size());
+    for (const Piece& piece : all) {
+      const std::uint32_t number = number_of(piece), root = cells.root(number);
+      if (root == number) {  // comes before the others
+        component_of_[number] = static_cast<std::uint32_t>(components_.size());
+        components_.emplace_back();
+      }
+      component_of_[number] = component_of_[root];
+      components_[component_of_[number]].pieces.push_back(piece);
+    }
+  }
+
+  /// Brings the pieces of a component to the names of the first, and counts how often they cover a point of
+  /// their cell.
+  void find_degree(Component& component) const {
+    // A few points near the centre, until one is on no face of a tet.
+    for (const std::int64_t k : {0, 1, 2, 3, 4, 5, 6, 7}) {
+      GridPoint point = parts_[component.pieces[0].tet].cells[component.pieces[0].cell].low;
+      const GridPoint off{1237 * k, 2741 * k + 11 * k * k, 4127 * k - 17 * k * k};
+      for (std::size_t axis = 0; axis < 3; ++axis) point[axis] += kGridUnit / 2 + off[axis];
+      const std::optional<std::vector<GridPoint>> points = points_in_pieces(component, point);
+      if (!points) return;  // the cell goes around something and comes back turned
+      if (count_covers(component, *points)) return;
+    }
+  }
+
+  std::optional<std::vector<GridPoint>> points_in_pieces(Component& component, const GridPoint& point) const {
+    std::map<std::uint32_t, std::size_t> places;
+    for (std::size_t k = 0; k < component.pieces.size(); ++k) places[number_of(component.pieces[k])] = k;
+    std::vector<GridPoint> points(component.pieces.size());
+    std::vector<bool> is_known(points.size(), false);
+    component.names.assign(points.size(), CubeGroup::kIdentity);
+    points[0] = point;
+    is_known[0] = true;
+    std::vector<std::size_t> reached{0};
+    bool agrees = true;
+    for (std::size_t r = 0; r < reached.size(); ++r) {
+      const std::size_t from = reached[r];
+      for_each_way(component.pieces[from], [&](const Crossing& crossing, const Piece& beyond) {
+        const std::size_t to = places.at(number_of(beyond));
+        const GridPoint there = map_.carried(points[from], crossing);
+        const std::uint8_t name =
+            CubeGroup::instance().product(map_.rotation_across(crossing), component.names[from]);
+        if (is_known[to]) {
+          agrees = agrees && points[to] == there && component.names[to] == name;
+          return;
+        }
+        is_known[to] = true;
+        points[to] = there;
+        component.names[to] = name;
+        reached.push_back(to);
+      });
+    }
+    if (!agrees) return std::nullopt;
+    return points;
+  }
+
+  bool count_covers(Component& component, const std::vector<GridPoint>& points) const {
+    int degree = 0;
+    component.centre_tet = component.pieces[0].tet;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const std::uint32_t tet = component.pieces[k].tet;
+      if (parts_[tet].volume == 0) continue;
+      const std::optional<int> here = cover(map_.corners(tet), points[k]);
+      if (!here) return false;
+      if (*here > 0) component.centre_tet = tet;
+      degree += *here;
+    }
+    component.degree = degree;
+    return true;
+  }
+
+  bool is_hexahedron(std::uint32_t component) const { return components_[component].degree == 1; }
+
+  std::uint32_t corner(std::uint32_t component, std::size_t k) const {
+    return first_vertices_.back() + static_cast<std::uint32_t>(8 * component + k);
+  }
+
+  /// Joins what different tets have of a vertex.
+  void join_vertices(DisjointSets& corners) const {
     for (std::uint32_t t = 0; t < tets_; ++t) {
       for (std::size_t k = 0; k < 4; ++k) {
         const Crossing crossing = crossings_[t][k];
         if (crossing.face == kNoFace || crossing.reversed) continue;
-        const std::uint32_t next = map_.solid().inner_faces[crossing.face].tets[1];
-        for (std::uint32_t c = 0; c < parts_[t].cells.size(); ++c) {
-          if (!parts_[t].cells[c].meets_face[k]) continue;
-          const std::uint32_t beyond = cell_in(next, map_.carried_cell(parts_[t].cells[c].low, crossing));
-          if (beyond != kNone) cells.join(first_cells_[t] + c, beyond);
-        }
         for (std::uint32_t v = 0; v < parts_[t].vertices.size(); ++v) {
           if (parts_[t].vertices[v].weights[k] != 0) continue;
-          const std::uint32_t beyond = vertex_in(next, map_.carried(parts_[t].vertices[v].at, crossing));
-          if (beyond != kNone) vertices.join(first_vertices_[t] + v, beyond);
+          const std::uint32_t beyond =
+              vertex_in(tet_beyond(crossing), map_.carried(parts_[t].vertices[v].at, crossing));
+          if (beyond != kNone) corners.join(first_vertices_[t] + v, beyond);
         }
       }
     }
   }
 
-  void add_hexahedra(DisjointSets& cells, DisjointSets& vertices, ExtractedHexahedra& result) const {
-    std::map<std::uint32_t, std::vector<std::pair<std::uint32_t, std::uint32_t>>> pieces;
-    for (std::uint32_t t = 0; t < tets_; ++t)
-      for (std::uint32_t c = 0; c < parts_[t].cells.size(); ++c)
-        pieces[cells.root(first_cells_[t] + c)].push_back({t, c});
+  /// Joins the corners of a hexahedron to the vertices there.
+  void join_corners(std::uint32_t number, DisjointSets& corners) const {
+    const Component& component = components_[number];
+    for (std::size_t p = 0; p < component.pieces.size(); ++p) {
+      const auto& [tet, cell] = component.pieces[p];
+      const std::uint8_t back = CubeGroup::instance().inverse_of(component.names[p]);
+      for (std::uint8_t k = 0; k < 8; ++k) {
+        GridPoint at = parts_[tet].cells[cell].low;
+        for (std::size_t axis = 0; axis < 3; ++axis) at[axis] += towards(k)[axis] > 0 ? kGridUnit : 0;
+        const std::uint32_t found = vertex_in(tet, at);
+        if (found != kNone) corners.join(found, corner(number, corner_towards(turned(back, towards(k)))));
+      }
+    }
+  }
+
+  /// Joins the corners of hexahedra on either side of a face that a tet meets: a tet that meets two open
+  /// cells meets the open face between them too.
+  void join_neighbours(std::uint32_t tet, DisjointSets& corners) const {
+    const auto& cells = parts_[tet].cells;
+    for (std::uint32_t c = 0; c < cells.size(); ++c) {
+      if (!is_hexahedron(component_of_[first_cells_[tet] + c])) continue;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        GridPoint low = cells[c].low;
+        low[axis] += kGridUnit;
+        const std::uint32_t next = cell_in(tet, low);
+        if (next == kNone || !is_hexahedron(component_of_[first_cells_[tet] + next])) continue;
+        for (std::uint8_t k = 0; k < 8; ++k) {
+          if (towards(k)[axis] < 0) continue;
+          GridPoint beyond = towards(k);
+          beyond[axis] = -1;
+          corners.join(corner_in({tet, c}, towards(k)), corner_in({tet, next}, beyond));
+        }
+      }
+    }
+  }
+
+  std::uint32_t corner_in(const Piece& piece, const GridPoint& half) const {
+    const std::uint32_t number = component_of_[number_of(piece)];
+    const Component& component = components_[number];
+    const auto place = std::lower_bound(
+        component.pieces.begin(), component.pieces.end(), piece,
+        [](const Piece& a, const Piece& b) { return a.tet != b.tet ? a.tet < b.tet : a.cell < b.cell; });
+    const std::uint8_t name = component.names[static_cast<std::size_t>(place - component.pieces.begin())];
+    return corner(number, corner_towards(turned(CubeGroup::instance().inverse_of(name), half)));
+  }
+
+  ExtractedHexahedra hexahedra(DisjointSets& corners) const {
+    ExtractedHexahedra result;
+    for (const TetPart& part : parts_) result.flipped_tets += part.volume <= 0;
+    const std::vector<std::uint32_t> places = places_of(corners);
     std::map<std::uint32_t, std::uint32_t> numbers;
-    for (const auto& [name, of_cell] : pieces) {
-      const std::optional<std::array<std::uint32_t, 8>> corners = corners_of(of_cell, vertices);
-      if (!corners) {
+    for (std::uint32_t c = 0; c < components_.size(); ++c) {
+      if (components_[c].degree == 0) continue;
+      std::array<std::uint32_t, 8> hexahedron{};
+      for (std::size_t k = 0; k < 8; ++k) hexahedron[k] = corners.root(corner(c, k));
+      const std::set<std::uint32_t> different(hexahedron.begin(), hexahedron.end());
+      if (!is_hexahedron(c) || different.size() < 8 || *different.rbegin() >= first_vertices_.back()) {
         ++result.left_out;
         continue;
       }
-      std::array<std::uint32_t, 8> hexahedron{};
-      for (std::size_t k = 0; k < 8; ++k) {
+      for (std::uint32_t& vertex : hexahedron) {
         const auto [known, is_new] =
-            numbers.try_emplace((*corners)[k], static_cast<std::uint32_t>(result.mesh.vertices.size()));
-        if (is_new) add_vertex((*corners)[k], result);
-        hexahedron[k] = known->second;
+            numbers.try_emplace(vertex, static_cast<std::uint32_t>(result.mesh.vertices.size()));
+        if (is_new) add_vertex(places[vertex], result);
+        vertex = known->second;
       }
       result.mesh.hexahedra.push_back(hexahedron);
-      result.centre_tets.push_back(tet_at_centre(of_cell));
+      result.centre_tets.push_back(components_[c].centre_tet);
     }
+    return result;
   }
 
-  std::uint32_t tet_at_centre(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pieces) const {
-    for (const auto& [t, c] : pieces) {
-      GridPoint centre = parts_[t].cells[c].low;
-      for (std::int64_t& x : centre) x += kGridUnit / 2;
-      if (is_inside(weights_of(map_.corners(t), centre))) return t;
-    }
-    return pieces.front().first;
-  }
-
-  /// The vertices at the corners of a cell. Names differ from tet to tet, so each piece is brought to those
-  /// of the first through the faces that join them.
-  std::optional<std::array<std::uint32_t, 8>> corners_of(
-      const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pieces, DisjointSets& vertices) const {
-    std::map<std::uint32_t, std::uint8_t> names;  // of tet: rotation from the first
-    std::set<std::uint32_t> tets;
-    for (const auto& [t, c] : pieces) {
-      if (parts_[t].volume <= 0) return std::nullopt;
-      if (!tets.insert(t).second) return std::nullopt;  // the cell meets a tet in two ways
-    }
-    std::map<std::uint32_t, GridPoint> lows;
-    for (const auto& [t, c] : pieces) lows.emplace(t, parts_[t].cells[c].low);
-    std::array<std::uint32_t, 8> corners;
-    corners.fill(kNone);
-    std::vector<std::uint32_t> reached{pieces.front().first};
-    names[reached[0]] = CubeGroup::kIdentity;
-    const CubeGroup& group = CubeGroup::instance();
-    for (std::size_t k = 0; k < reached.size(); ++k) {
-      const std::uint32_t t = reached[k];
-      if (!take_corners(t, lows.at(t), group.inverse_of(names.at(t)), vertices, corners)) return std::nullopt;
-      for (std::size_t side = 0; side < 4; ++side) {
-        const Crossing crossing = crossings_[t][side];
-        if (crossing.face == kNoFace || !meets_open_cell(face_opposite(map_.corners(t), side), lows.at(t)))
-          continue;
-        const std::uint32_t next = map_.solid().inner_faces[crossing.face].tets[crossing.reversed ? 0 : 1];
-        if (!lows.contains(next) || names.contains(next)) continue;
-        names[next] = group.product(rotation_across(crossing), names.at(t));
-        reached.push_back(next);
+  /// For each root, the vertex whose place it takes: where there are several, since the map folds, one on a
+  /// vertex, edge or face of a tet, which what is on the surface has, and in a tet that is not flipped.
+  std::vector<std::uint32_t> places_of(DisjointSets& corners) const {
+    std::vector<std::uint32_t> places(first_vertices_.back(), kNone);
+    std::vector<std::pair<int, bool>> ranks(places.size());
+    for (std::uint32_t t = 0; t < tets_; ++t) {
+      for (std::uint32_t v = 0; v < parts_[t].vertices.size(); ++v) {
+        const auto& weights = parts_[t].vertices[v].weights;
+        const std::pair rank(static_cast<int>(4 - std::count(weights.begin(), weights.end(), 0)),
+                             parts_[t].volume < 0);
+        const std::uint32_t number = first_vertices_[t] + v, root = corners.root(number);
+        if (places[root] != kNone && ranks[root] <= rank) continue;
+        places[root] = number;
+        ranks[root] = rank;
       }
     }
-    if (std::find(corners.begin(), corners.end(), kNone) != corners.end()) return std::nullopt;
-    return corners;
-  }
-
-  std::uint8_t rotation_across(const Crossing& crossing) const {
-    const SheetStep step = map_.cut().step_across(crossing);
-    if (step == 0) return CubeGroup::kIdentity;
-    const std::uint8_t own = map_.cut().rotation(static_cast<std::size_t>(std::abs(step) - 1));
-    return step > 0 ? own : CubeGroup::instance().inverse_of(own);
-  }
-
-  /// Fills in the corners of a cell that lie in a tet; false if one of them is another vertex than before.
-  bool take_corners(std::uint32_t tet, const GridPoint& low, std::uint8_t back, DisjointSets& vertices,
-                    std::array<std::uint32_t, 8>& corners) const {
-    // Corners by their coordinates in the names of the first tet: right-handed around the lower face.
-    constexpr std::array<std::uint8_t, 8> kOrder{0, 1, 3, 2, 4, 5, 7, 6};
-    for (std::uint8_t k = 0; k < 8; ++k) {
-      const GridPoint half{k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1};
-      GridPoint at = low;
-      for (std::size_t axis = 0; axis < 3; ++axis) at[axis] += half[axis] > 0 ? kGridUnit : 0;
-      const std::uint32_t found = vertex_in(tet, at);
-      if (found == kNone) continue;
-      const GridPoint first = turned(back, half);
-      const auto place = static_cast<std::size_t>((first[0] > 0) + 2 * (first[1] > 0) + 4 * (first[2] > 0));
-      std::uint32_t& corner = corners[kOrder[place]];
-      const std::uint32_t vertex = vertices.root(found);
-      if (corner != kNone && corner != vertex) return false;
-      corner = vertex;
-    }
-    return true;
+    return places;
   }
 
   void add_vertex(std::uint32_t vertex, ExtractedHexahedra& result) const {
@@ -380,10 +331,12 @@ class Extraction {
   }
 
   const ExactMap& map_;
-  std::size_t tets_;
+  std::uint32_t tets_;
   std::vector<std::array<Crossing, 4>> crossings_;
   std::vector<TetPart> parts_;
   std::vector<std::uint32_t> first_cells_, first_vertices_;
+  std::vector<Component> components_;
+  std::vector<std::uint32_t> component_of_;  ///< of each cell in a tet
 };
 
 }  // namespace

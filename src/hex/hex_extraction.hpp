@@ -29,23 +29,24 @@ struct ExtractedHexahedra {
   std::vector<Carrier> carriers;           ///< of the vertices
   std::vector<std::uint32_t> centre_tets;  ///< of the hexahedra: the tet at the middle of the cell
 
-  /// Cells of the grid that meet a tet which is flipped or flat in exact arithmetic, or of which a corner is
-  /// missing or found twice.
+  /// Cells of the grid that the map covers, but not just once, or of which a corner is missing.
   std::size_t left_out = 0;
-  std::size_t flipped_tets = 0;
+  std::size_t flipped_tets = 0;  ///< flat ones among them, in exact arithmetic
 
-  bool is_complete() const { return left_out == 0 && flipped_tets == 0; }
+  bool is_complete() const { return left_out == 0; }
 };
 
 /// The cells of the unit grid, pulled back to the solid by a map that has integers where hexahedra need them
 /// (IntegerGridMap).
 ///
-/// Coordinates are rounded to 2^-20 first, those of one copy of each vertex, and carried to its other copies:
-/// so the map stays continuous across the cut, and every later decision is exact. A hexahedron is a connected
-/// set of pairs of a tet and an open cell that meet, joined where the cell meets the face between two tets.
-/// No line or plane of the grid that is singular crosses an open cell, so without flips such a set covers its
-/// cell just once, however thin the tets are; each of its corners is an integer point in one of these tets.
-/// Where tets are flipped the cells that meet them are left out.
+/// Coordinates are rounded to 2^-20 (ExactMap), and every decision is exact. A hexahedron is a connected set
+/// of pairs of a tet and an open cell that meet, joined where the cell meets the face between two tets, whose
+/// tets cover the cell once in sum: those that are flipped count -1. Nothing of the surface is mapped into an
+/// open cell, so the sum is the same at each of its points. Without flips each such set covers its cell just
+/// once, however thin the tets are, since no singular edge meets an open cell, and each of its corners is an
+/// integer point in one of its tets. Where the map folds, a set that covers its cell 0 times in sum is no
+/// hexahedron, and several integer points in the tets of one corner are one vertex (Lyon, Bommes, Kobbelt
+/// 2016, "HexEx", do so too, along edges).
 ///
 /// Throws Error(kLimit) if the map is larger than kLargestCoordinate hexahedra.
 ExtractedHexahedra extracted_hexahedra(const MapUnknowns& unknowns, const MapCoordinates& map);

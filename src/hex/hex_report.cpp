@@ -80,7 +80,6 @@ void measure_distances(const HexMesh& mesh, const Surface& model, HexReport& rep
 }  // namespace
 
 HexReport::Quality quality_of(const HexMesh& mesh) {
-  constexpr double kFlat = 1e-6;  // beyond rounding
   HexReport::Quality quality;
   std::vector<double> values = scaled_jacobians(mesh);
   if (values.empty()) return quality;
@@ -89,7 +88,7 @@ HexReport::Quality quality_of(const HexMesh& mesh) {
   quality.worst_place = centre_of(mesh, static_cast<std::size_t>(worst - values.begin()));
   for (const double value : values) {
     quality.mean += value / static_cast<double>(values.size());
-    quality.inverted += !(value > kFlat);
+    quality.inverted += is_inverted(value);
     quality.below_tenth += value < 0.1;
     quality.below_fifth += value < 0.2;
   }

@@ -70,8 +70,12 @@ class Freedom {
 /// The energy of a mesh in sizes of hexahedra.
 class ShapeEnergy {
  public:
-  ShapeEnergy(const HexMesh& mesh, double size, double volume_weight)
-      : mesh_(mesh), scale_(1 / size), volume_weight_(volume_weight), terms_(mesh.hexahedra.size()) {
+  ShapeEnergy(const HexMesh& mesh, double size, double volume_weight, double power)
+      : mesh_(mesh),
+        scale_(1 / size),
+        volume_weight_(volume_weight),
+        power_(power),
+        terms_(mesh.hexahedra.size()) {
     std::vector<std::array<std::uint32_t, 2>> uses;
     for (std::uint32_t h = 0; h < mesh.hexahedra.size(); ++h)
       for (std::uint32_t k = 0; k < 8; ++k) uses.push_back({mesh.hexahedra[h][k], 8 * h + k});
@@ -95,8 +99,10 @@ class ShapeEnergy {
     return weight * sum;
   }
 
-  double least_determinant(const std::vector<Vector3>& places) const {
+  double least_determinant() const {
     double least = 1;
+    std::vector<Vector3> places;
+    for (const Vector3& place : mesh_.vertices) places.push_back(scale_ * place);
     for (std::size_t h = 0; h < terms_.size(); ++h)
       for (std::size_t k = 0; k < 8; ++k) {
         const auto [a, b, c] = edges(places, h, k);
@@ -135,12 +141,15 @@ class ShapeEnergy {
       const auto [chi, slope] = regularised(determinant, epsilon);
       const double squares = dot(a, a) + dot(b, b) + dot(c, c), root = std::cbrt(chi * chi);
       const double volumes = volume_weight_ * (1 + determinant * determinant) / chi;
-      term.value += squares / root + volumes;
+      // Relative to a cube of the size, so that no power is out of range for it.
+      const double cube = 3 + 2 * volume_weight_, share = (squares / root + volumes) / cube;
+      const double raised = std::pow(share, power_ - 1), outer = power_ * raised;
+      term.value += cube * share * raised;
       const double by_determinant = -2.0 / 3 * squares / (root * chi) * slope +
                                     2 * volume_weight_ * determinant / chi - volumes / chi * slope;
       const std::array<Vector3, 3> own{a, b, c};
       for (std::size_t n = 0; n < 3; ++n) {
-        const Vector3 by_edge = (2 / root) * own[n] + by_determinant * cofactors[n];
+        const Vector3 by_edge = outer * ((2 / root) * own[n] + by_determinant * cofactors[n]);
         term.gradient[kHexNeighbours[k][n]] += by_edge;
         term.gradient[k] += -by_edge;
       }
@@ -149,38 +158,93 @@ class ShapeEnergy {
   }
 
   const HexMesh& mesh_;
-  double scale_, volume_weight_;
+  double scale_, volume_weight_, power_;
   ListTable uses_;  ///< 8 times the hexahedron, and the corner
   std::vector<Term> terms_;
 };
 
-double score_of(const HexMesh& mesh, double good_enough) {
+/// What decides between two meshes: more is better.
+struct Score {
+  std::size_t good = 0;  ///< hexahedra that are not inverted
+  double shape = 0;
+};
+
+Score score_of(const HexMesh& mesh, const HexSmoothingOptions& options) {
   const std::vector<double> quality = scaled_jacobians(mesh);
+  Score score;
   double least = 1, sum = 0;
-  for (const double q : quality) least = std::min(least, q), sum += q;
-  constexpr double kMeanWeight = 0.2;
-  return std::min(least, good_enough) + kMeanWeight * sum / static_cast<double>(quality.size());
+  for (const double q : quality) {
+    least = std::min(least, q);
+    sum += q;
+    score.good += !is_inverted(q);
+  }
+  score.shape =
+      std::min(least, options.good_enough) + options.mean_weight * sum / static_cast<double>(quality.size());
+  return score;
 }
 
-}  // namespace
+/// Vertices of inverted hexahedra.
+std::vector<bool> in_inverted(const HexMesh& mesh) {
+  const std::vector<double> quality = scaled_jacobians(mesh);
+  std::vector<bool> result(mesh.vertices.size(), false);
+  for (std::size_t h = 0; h < quality.size(); ++h)
+    if (is_inverted(quality[h]))
+      for (const std::uint32_t v : mesh.hexahedra[h]) result[v] = true;
+  return result;
+}
 
-HexMesh smoothed(HexMesh mesh, const MapSurface& surface, const std::vector<Foot>& feet, double size,
-                 const HexSmoothingOptions& options) {
-  if (mesh.hexahedra.empty()) return mesh;
-  HexMesh best = mesh;
-  double best_score = score_of(mesh, options.good_enough);
-  ShapeEnergy energy(mesh, size, options.volume_weight);
-  const auto least_now = [&] {
-    const Freedom none(mesh, surface, std::vector<Foot>(feet.size(), Foot{Foot::Kind::kCorner, 0}));
-    return energy.least_determinant(energy.moved(none, Eigen::VectorXd()));
-  };
-  const double least = least_now();
+/// Moves the vertices of a mesh in rounds.
+class Smoothing {
+ public:
+  Smoothing(HexMesh mesh, const MapSurface& surface, const std::vector<Foot>& feet, double size,
+            const HexSmoothingOptions& options)
+      : best(std::move(mesh)),
+        surface_(surface),
+        feet_(feet),
+        size_(size),
+        options_(options),
+        best_score_(score_of(best, options)) {}
+
+  HexMesh best;
+
+  bool is_valid() const { return best_score_.good == best.hexahedra.size(); }
+
+  /// Rounds from the best mesh on; vertices that are `loose` may leave the surface.
+  void run(double power, const std::vector<bool>& loose);
+
+ private:
+  Foot foot(std::size_t vertex, const std::vector<bool>& loose) const {
+    return loose[vertex] ? Foot{} : feet_[vertex];
+  }
+  Vector3 held(std::size_t vertex, const Vector3& point, bool is_loose) const;
+
+  const MapSurface& surface_;
+  const std::vector<Foot>& feet_;
+  double size_;
+  const HexSmoothingOptions& options_;
+  Score best_score_;
+};
+
+Vector3 Smoothing::held(std::size_t vertex, const Vector3& point, bool is_loose) const {
+  const Vector3 nearest = surface_.nearest(feet_[vertex], point).point;
+  if (!is_loose) return nearest;
+  const Vector3 off = point - nearest;
+  const double length = norm(off), most = options_.slack * size_;
+  return length <= most ? point : nearest + (most / length) * off;
+}
+
+void Smoothing::run(double power, const std::vector<bool>& loose) {
+  HexMesh mesh = best;
+  ShapeEnergy energy(mesh, size_, options_.volume_weight, power);
+  const double least = energy.least_determinant();
   constexpr double kShare = 0.2, kWithoutFlips = 0.01;
   double epsilon =
-      std::min(options.largest_epsilon, least < 0 ? std::max(1e-6, kShare * -least) : kWithoutFlips);
+      std::min(options_.largest_epsilon, least < 0 ? std::max(1e-6, kShare * -least) : kWithoutFlips);
+  std::vector<Foot> feet;
+  for (std::size_t v = 0; v < feet_.size(); ++v) feet.push_back(foot(v, loose));
   int in_vain = 0;
-  for (int round = 0; round < options.rounds && in_vain < options.rounds_in_vain; ++round) {
-    const Freedom freedom(mesh, surface, feet);
+  for (int round = 0; round < options_.rounds && in_vain < options_.rounds_in_vain; ++round) {
+    const Freedom freedom(mesh, surface_, feet);
     const Descent descent =
         minimised([&](const Eigen::VectorXd& x,
                       Eigen::VectorXd& gradient) { return energy(freedom, x, epsilon, gradient); },
@@ -188,17 +252,31 @@ HexMesh smoothed(HexMesh mesh, const MapSurface& surface, const std::vector<Foot
                   [&](const Eigen::VectorXd& gradient) -> Eigen::VectorXd {
                     return 0.25 * static_cast<double>(mesh.hexahedra.size()) * gradient;
                   },
-                  Eigen::VectorXd::Zero(freedom.size()), options.descent);
+                  Eigen::VectorXd::Zero(freedom.size()), options_.descent);
     parallel_for(mesh.vertices.size(), [&](std::size_t v) {
-      mesh.vertices[v] =
-          surface.nearest(feet[v], mesh.vertices[v] + size * freedom.move_of(v, descent.x)).point;
+      mesh.vertices[v] = held(v, mesh.vertices[v] + size_ * freedom.move_of(v, descent.x), loose[v]);
     });
-    const double score = score_of(mesh, options.good_enough);
-    in_vain = score > best_score + options.least_gain ? 0 : in_vain + 1;
-    if (score > best_score) best_score = score, best = mesh;
-    epsilon = next_epsilon(least_now(), epsilon, descent.first_value, descent.value);
+    const Score score = score_of(mesh, options_);
+    const bool is_gain =
+        score.good > best_score_.good ||
+        (score.good == best_score_.good && score.shape > best_score_.shape + options_.least_gain);
+    in_vain = is_gain ? 0 : in_vain + 1;
+    if (is_gain) best_score_ = score, best = mesh;
+    epsilon = next_epsilon(energy.least_determinant(), epsilon, descent.first_value, descent.value);
   }
-  return best;
+}
+
+}  // namespace
+
+HexMesh smoothed(HexMesh mesh, const MapSurface& surface, const std::vector<Foot>& feet, double size,
+                 const HexSmoothingOptions& options) {
+  if (mesh.hexahedra.empty()) return mesh;
+  Smoothing smoothing(std::move(mesh), surface, feet, size, options);
+  const std::vector<bool> none(feet.size(), false);
+  for (const double power : options.powers) smoothing.run(power, none);
+  if (!smoothing.is_valid() && options.slack > 0)
+    for (const double power : options.powers) smoothing.run(power, in_inverted(smoothing.best));
+  return std::move(smoothing.best);
 }
 
 }  // namespace crossgrain

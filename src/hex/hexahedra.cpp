@@ -79,8 +79,9 @@ struct Candidate {
   /// Less is better.
   auto rank() const {
     constexpr std::size_t kMany = SIZE_MAX;
-    return std::tuple(!mapped || !mapped->is_complete(), !mapped || !mapped->fills, attempt.faults,
-                      attempt.arcs_without_length, attempt.flips.value_or(kMany));
+    return std::tuple(!mapped || !mapped->is_complete(), !mapped || !mapped->fills,
+                      mapped ? mapped->quality.inverted : kMany, attempt.faults, attempt.arcs_without_length,
+                      attempt.flips.value_or(kMany));
   }
 };
 
@@ -199,7 +200,7 @@ Candidate Search::best() {
   const auto take = [&](std::optional<Candidate> next) {
     if (!next) return;
     // Arcs without length say that there is no map.
-    if (next->attempt.arcs_without_length == 0) follow(*next);
+    if (next->attempt.arcs_without_length == 0 || report_.attempts.empty()) follow(*next);
     report_.attempts.push_back(next->attempt);
     if (best && !(next->rank() < best->rank())) return;
     best = std::move(next);

@@ -13,6 +13,12 @@ namespace crossgrain {
 /// edge without length makes it 0. (Knupp 2000; Verdict's measure but for its further value at the centre.)
 std::vector<double> scaled_jacobians(const HexMesh& mesh);
 
+/// Whether a scaled Jacobian is of an inverted or flat hexahedron, beyond rounding.
+inline bool is_inverted(double scaled_jacobian) {
+  constexpr double kFlat = 1e-6;
+  return !(scaled_jacobian > kFlat);
+}
+
 /// Volumes of hexahedra with trilinear sides, exact to rounding.
 std::vector<double> volumes_of(const HexMesh& mesh);
 

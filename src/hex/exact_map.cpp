@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hex/exact_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "crossgrain/error.hpp"
+
+namespace crossgrain {
+namespace {
+
+using Index = Eigen::Index;
+
+GridPoint rounded(const MapCoordinates& map, std::uint32_t copy) {
+  GridPoint point{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double value = map[static_cast<Index>(3 * copy) + static_cast<Index>(k)];
+    // Integers of the map are so to about 1e-9, far below half a step.
+    point[k] = std::llround(value * static_cast<double>(kGridUnit));
+  }
+  return point;
+}
+
+bool is_inside(const std::array<Int128, 4>& weights, Int128 volume) {
+  return volume != 0 && std::all_of(weights.begin(), weights.end(),
+                                    [&](Int128 weight) { return volume > 0 ? weight >= 0 : weight <= 0; });
+}
+
+std::int64_t floor_to_unit(std::int64_t x) {
+  const std::int64_t rest = ((x % kGridUnit) + kGridUnit) % kGridUnit;
+  return x - rest;
+}
+
+template <class Visit>
+void for_each_grid_point(const std::array<GridPoint, 4>& corners, const Visit& visit) {
+  GridPoint low = corners[0], high = corners[0];
+  for (const GridPoint& corner : corners)
+    for (std::size_t k = 0; k < 3; ++k)
+      low[k] = std::min(low[k], corner[k]), high[k] = std::max(high[k], corner[k]);
+  for (std::int64_t& x : low) x = floor_to_unit(x);
+  for (std::int64_t x = low[0]; x <= high[0]; x += kGridUnit)
+    for (std::int64_t y = low[1]; y <= high[1]; y += kGridUnit)
+      for (std::int64_t z = low[2]; z <= high[2]; z += kGridUnit) visit(GridPoint{x, y, z});
+}
+
+std::array<GridPoint, 3> face_opposite(const std::array<GridPoint, 4>& corners, std::size_t k) {
+  return {corners[(k + 1) % 4], corners[(k + 2) % 4], corners[(k + 3) % 4]};
+}
+
+}  // namespace
+
+GridPoint turned(std::uint8_t rotation, const GridPoint& p) {
+  GridPoint result{};
+  for (SignedAxis k = 0; k < 3; ++k) {
+    const SignedAxis image = CubeGroup::instance().image(rotation, k);
+    result[image % 3] = image < 3 ? p[k] : -p[k];
+  }
+  return result;
+}
+
+ExactMap::ExactMap(const MapUnknowns& unknowns, const MapCoordinates& map)
+    : cut_(unknowns.cut()), solid_(cut_.field().complex().solid()) {
+  if (map.size() > 0 && map.cwiseAbs().maxCoeff() > kLargestCoordinate)
+    throw Error(ErrorKind::kLimit, "the map has more hexahedra along an axis than its numbers hold");
+  find_translations(map);
+  round_points(map);
+}
+
+std::array<GridPoint, 4> ExactMap::corners(std::uint32_t tet) const {
+  std::array<GridPoint, 4> result{};
+  for (std::size_t k = 0; k < 4; ++k) result[k] = points_[cut_.copy_of(tet, k)];
+  return result;
+}
+
+GridPoint ExactMap::carried(const GridPoint& point, const Crossing& crossing) const {
+  return step(point, cut_.step_across(crossing));
+}
+
+GridPoint ExactMap::carried_cell(const GridPoint& low, const Crossing& crossing) const {
+  GridPoint high = low;
+  for (std::int64_t& x : high) x += kGridUnit;
+  const GridPoint a = carried(low, crossing), b = carried(high, crossing);
+  return {std::min(a[0], b[0]), std::min(a[1], b[1]), std::min(a[2], b[2])};
+}
+
+std::uint8_t ExactMap::rotation_across(const Crossing& crossing) const {
+  const SheetStep step = cut_.step_across(crossing);
+  if (step == 0) return CubeGroup::kIdentity;
+  const std::uint8_t own = cut_.rotation(static_cast<std::size_t>(std::abs(step) - 1));
+  return step > 0 ? own : CubeGroup::instance().inverse_of(own);
+}
+
+GridPoint ExactMap::step(const GridPoint& point, SheetStep step) const {
+  if (step == 0) return point;
+  const auto sheet = static_cast<std::size_t>(std::abs(step) - 1);
+  const GridPoint& translation = translations_[sheet];
+  GridPoint result = point;
+  if (step > 0) {
+    result = turned(cut_.rotation(sheet), result);
+    for (std::size_t k = 0; k < 3; ++k) result[k] += translation[k];
+    return result;
+  }
+  for (std::size_t k = 0; k < 3; ++k) result[k] -= translation[k];
+  return turned(CubeGroup::instance().inverse_of(cut_.rotation(sheet)), result);
+}
+
+/// Finds the translation of each sheet from any of its faces: those of a map to the grid are whole.
+void ExactMap::find_translations(const MapCoordinates& map) {
+  translations_.resize(cut_.sheets());
+  std::vector<bool> is_known(cut_.sheets(), false);
+  for (std::uint32_t f = 0; f < solid_.inner_faces.size(); ++f) {
+    const SheetStep step = cut_.step_across({f, false});
+    if (step == 0 || is_known[static_cast<std::size_t>(std::abs(step) - 1)]) continue;
+    const auto sheet = static_cast<std::size_t>(std::abs(step) - 1);
+    is_known[sheet] = true;
+    const auto& [vertices, sides] = solid_.inner_faces[f];
+    const std::uint32_t from = sides[step > 0 ? 0 : 1], to = sides[step > 0 ? 1 : 0];
+    const GridPoint before = rounded(map, cut_.copy_at(from, vertices[0])),
+                    after = rounded(map, cut_.copy_at(to, vertices[0]));
+    // Both are rounded to 2^-20; their difference is a whole number but for that.
+    const GridPoint there = turned(cut_.rotation(sheet), before);
+    for (std::size_t k = 0; k < 3; ++k)
+      translations_[sheet][k] =
+          kGridUnit * std::llround(static_cast<double>(after[k] - there[k]) / static_cast<double>(kGridUnit));
+  }
+}
+
+void ExactMap::round_points(const MapCoordinates& map) {
+  points_.resize(cut_.copies());
+  for (std::uint32_t copy = 0; copy < points_.size(); ++copy) {
+    const std::uint32_t first = cut_.first_copy(copy);  // comes before its other copies
+    if (first == copy) {
+      points_[copy] = rounded(map, copy);
+      continue;
+    }
+    GridPoint point = points_[first];
+    for (const SheetStep s : cut_.word_to(copy)) point = step(point, s);
+    points_[copy] = point;
+  }
+}
+
+std::array<Int128, 4> weights_of(const std::array<GridPoint, 4>& corners, const GridPoint& point) {
+  const auto& [a, b, c, d] = corners;
+  return {six_volumes(point, b, c, d), six_volumes(a, point, c, d), six_volumes(a, b, point, d),
+          six_volumes(a, b, c, point)};
+}
+
+TetPart part_of(const std::array<GridPoint, 4>& corners) {
+  TetPart part;
+  part.volume = six_volumes(corners[0], corners[1], corners[2], corners[3]);
+  for_each_grid_point(corners, [&](const GridPoint& point) {
+    TetPart::Cell cell{point, {}};
+    bool meets = false;
+    for (std::size_t k = 0; k < 4; ++k)
+      meets |= cell.meets_face[k] = meets_open_cell(face_opposite(corners, k), point);
+    const std::array<Int128, 4> weights = weights_of(corners, point);
+    if (is_inside(weights, part.volume)) part.vertices.push_back({point, weights});
+    GridPoint centre = point;
+    for (std::int64_t& x : centre) x += kGridUnit / 2;
+    meets = meets || is_inside(weights_of(corners, centre), part.volume);
+    if (meets) part.cells.push_back(cell);
+  });
+  return part;
+}
+
+}  // namespace crossgrain
