@@ -22,18 +22,23 @@ struct HexOptions {
   double size = 0;
   double cells = 20;
 
-  /// The repair, of a field that has none. If no map can follow its result, the repairs of single tries
-  /// follow, those of `more_tries` first.
+  /// The repair, of a field that has none: maps follow its tries and `more_tries`, the best first, until one
+  /// fills the model.
   RepairOptions repair = {};
-  std::vector<RepairWeights> more_tries = {{0, 0.05, 200}, {0.3, 0.1, 200}, {3, 0.1, 200}};
+  std::vector<RepairWeights> more_tries = {{0.3, 0.1, 200}, {3, 0.1, 200}};
 
-  /// No further repair is tried once those before have had so many tets together.
+  /// So many maps at most, and no more than have `search_tets` tets together; at least one.
+  std::size_t most_maps = 4;
   std::size_t search_tets = 120000;
 
   /// Where a map exists but whole numbers of hexahedra of this size fold it: smaller sizes that are tried,
   /// each this share of the last.
   int finer_sizes = 2;
   double finer_share = 0.7;
+
+  /// Hexahedra that close up do not fill the model if its surface is farther from theirs, in sizes of
+  /// hexahedra: something is cut off, or filled up, that a finer mesh would show.
+  double largest_gap = 1.5;
 
   int threads = 0;  ///< 0 for all; the result does not depend on it
 };

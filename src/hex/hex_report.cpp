@@ -66,18 +66,25 @@ void measure_distances(const HexMesh& mesh, const Surface& model, HexReport& rep
   report.mean_distance =
       std::accumulate(distances.begin(), distances.end(), 0.0) / static_cast<double>(distances.size());
 
-  points.clear();
-  for (const auto& triangle : model.mesh.triangles) {
-    for (const std::uint32_t v : triangle) points.push_back(model.mesh.vertices[v]);
-    points.push_back((1.0 / 3) *
-                     (points[points.size() - 1] + points[points.size() - 2] + points[points.size() - 3]));
-  }
-  const Surface own = prepare_surface(CheckedMesh::derived(triangles_of(mesh)));
-  const std::vector<double> of_model = distances_to(TriangleBvh(own), points);
-  report.largest_distance_of_model = *std::max_element(of_model.begin(), of_model.end());
+  report.largest_distance_of_model = largest_distance_to(mesh, model.mesh);
 }
 
 }  // namespace
+
+double largest_distance_to(const HexMesh& mesh, const TriangleMesh& surface) {
+  std::vector<Vector3> points;
+  for (const auto& triangle : surface.triangles) {
+    Vector3 centroid{0, 0, 0};
+    for (const std::uint32_t v : triangle) {
+      points.push_back(surface.vertices[v]);
+      centroid += (1.0 / 3) * surface.vertices[v];
+    }
+    points.push_back(centroid);
+  }
+  const Surface own = prepare_surface(CheckedMesh::derived(triangles_of(mesh)));
+  const std::vector<double> distances = distances_to(TriangleBvh(own), points);
+  return distances.empty() ? 0 : *std::max_element(distances.begin(), distances.end());
+}
 
 HexReport::Quality quality_of(const HexMesh& mesh) {
   HexReport::Quality quality;

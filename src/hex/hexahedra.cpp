@@ -22,6 +22,7 @@
 #include "hex/surface_feet.hpp"
 #include "map/integer_grid_map.hpp"
 #include "measure/hex_faces.hpp"
+#include "solve/repair_search.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
 
@@ -37,6 +38,8 @@ void check(const HexOptions& options) {
          "there must be a positive number of them along the longest side");
   demand(options.finer_sizes >= 0 && options.finer_share > 0 && options.finer_share < 1,
          "finer sizes must be shares between 0 and 1");
+  demand(options.most_maps > 0, "there must be a map");
+  demand(options.largest_gap > 0, "the largest gap must be positive");
 }
 
 std::vector<Foot> feet_of(const MapSurface& surface, const std::vector<Carrier>& carriers) {
@@ -45,15 +48,14 @@ std::vector<Foot> feet_of(const MapSurface& surface, const std::vector<Carrier>&
   return feet;
 }
 
-/// Whether hexahedra close up to a surface, and all of that is on the surface of the model.
-bool fill_the_model(const ExtractedHexahedra& hexahedra, const std::vector<Foot>& feet) {
-  if (!hexahedra.is_complete() || hexahedra.mesh.hexahedra.empty()) return false;
-  const HexTopology topology = topology_of(hexahedra.mesh);
-  return topology.is_closed() &&
-         std::all_of(topology.boundary.begin(), topology.boundary.end(), [&](const HexSide& side) {
-           return std::all_of(side.vertices.begin(), side.vertices.end(),
-                              [&](std::uint32_t v) { return feet[v].kind != Foot::Kind::kInside; });
-         });
+/// Whether hexahedra close up to a surface, and all vertices of that belong on the surface of the model.
+bool close_on_the_surface(const ExtractedHexahedra& hexahedra, const HexTopology& topology,
+                          const std::vector<Foot>& feet) {
+  if (!hexahedra.is_complete() || hexahedra.mesh.hexahedra.empty() || !topology.is_closed()) return false;
+  return std::all_of(topology.boundary.begin(), topology.boundary.end(), [&](const HexSide& side) {
+    return std::all_of(side.vertices.begin(), side.vertices.end(),
+                       [&](std::uint32_t v) { return feet[v].kind != Foot::Kind::kInside; });
+  });
 }
 
 /// A map with the hexahedra in it.
@@ -79,9 +81,10 @@ struct Candidate {
   /// Less is better.
   auto rank() const {
     constexpr std::size_t kMany = SIZE_MAX;
-    return std::tuple(!mapped || !mapped->is_complete(), !mapped || !mapped->fills,
-                      mapped ? mapped->quality.inverted : kMany, attempt.faults, attempt.arcs_without_length,
-                      attempt.flips.value_or(kMany));
+    const bool fills = mapped && mapped->fills;
+    return std::tuple(!mapped || !mapped->is_complete(), !fills,
+                      mapped ? mapped->hexahedra.left_out + mapped->quality.inverted : kMany, attempt.faults,
+                      attempt.arcs_without_length);
   }
 };
 
@@ -100,54 +103,46 @@ class Search {
   HexReport& report() { return report_; }
 
  private:
-  std::vector<RepairOptions> repairs() const;
-  std::optional<Candidate> candidate(const RepairOptions* repair);
+  void take(TetFrameField field, double repair_seconds);
   void follow(Candidate& candidate);
   void map(Candidate& candidate, double size);
-  bool is_known(const TetFrameField& field) const;
+  void take(const RepairSearch& search, const RepairTry& one);
+  void try_repairs();
+  bool is_complete() const { return best_ && best_->mapped && best_->mapped->is_complete(); }
 
   const TetFrameField& given_;
   const HexOptions& options_;
   const Monitor& monitor_;
   HexReport report_;
-  std::vector<std::vector<CubeRotation>> known_;
+  std::optional<Candidate> best_;
+  std::size_t candidates_ = 0, maps_left_ = 1, fields_left_ = 1;
+  std::vector<std::vector<CubeRotation>> taken_;
 };
 
-std::vector<RepairOptions> Search::repairs() const {
-  std::vector<RepairOptions> repairs{options_.repair};
-  const auto add = [&](const RepairWeights& weights) {
-    RepairOptions single = options_.repair;
-    single.tries = {weights};
-    repairs.push_back(single);
-  };
-  for (const RepairWeights& weights : options_.more_tries) add(weights);
-  if (options_.repair.tries.size() > 1)
-    for (const RepairWeights& weights : options_.repair.tries) add(weights);
-  return repairs;
-}
-
-bool Search::is_known(const TetFrameField& field) const {
-  return std::find(known_.begin(), known_.end(), field.data().matchings) != known_.end();
-}
-
-/// None if its matchings were tried before.
-std::optional<Candidate> Search::candidate(const RepairOptions* repair) {
+/// Makes hexahedra of a field, and keeps them if they are the best so far.
+void Search::take(TetFrameField field, double repair_seconds) {
   Stopwatch stopwatch;
   stopwatch.start();
-  Candidate result{repair ? repaired(given_, *repair, monitor_) : given_, nullptr, {}, {}};
-  report_.repair_seconds += result.attempt.seconds = stopwatch.restart();
-  if (is_known(result.field)) return std::nullopt;
-  result.attempt.repair = known_.size();
-  known_.push_back(result.field.data().matchings);
-  const auto& onto = result.field.report().onto;
-  if (onto && onto->repair) result.attempt.faults = onto->repair->faults;
-  monitor_.report({Phase::kHexahedra, 0, result.field.domain().data().solid.mesh.vertices.size(), 0, NAN});
-  result.followed = std::make_unique<FollowedField>(result.field);
-  result.attempt.arcs_without_length = result.followed->arcs_without_length().size();
+  monitor_.report({Phase::kHexahedra, 0, field.domain().data().solid.mesh.vertices.size(), 0, NAN});
+  Candidate next{std::move(field), nullptr, {}, {}};
+  next.attempt.repair = candidates_++;
+  const auto& onto = next.field.report().onto;
+  if (onto && onto->repair) next.attempt.faults = onto->repair->faults;
+  next.followed = std::make_unique<FollowedField>(next.field);
+  next.attempt.arcs_without_length = next.followed->arcs_without_length().size();
   const double seconds = stopwatch.restart();
-  result.attempt.seconds += seconds;
+  next.attempt.seconds = repair_seconds + seconds;
+  report_.repair_seconds += repair_seconds;
   report_.map_seconds += seconds;
-  return result;
+  // Arcs without length say that there is no map.
+  if (next.attempt.arcs_without_length == 0 && maps_left_ > 0) {
+    --maps_left_;
+    follow(next);
+  }
+  report_.attempts.push_back(next.attempt);
+  if (best_ && !(next.rank() < best_->rank())) return;
+  best_ = std::move(next);
+  report_.best_attempt = report_.attempts.size() - 1;
 }
 
 void Search::map(Candidate& candidate, double size) {
@@ -169,12 +164,17 @@ void Search::map(Candidate& candidate, double size) {
   attempt.hexahedra = mapped.hexahedra.mesh.hexahedra.size();
   const MapSurface surface(candidate.followed->matched());
   mapped.feet = feet_of(surface, mapped.hexahedra.carriers);
-  mapped.fills = fill_the_model(mapped.hexahedra, mapped.feet);
+  const HexTopology topology = topology_of(mapped.hexahedra.mesh);
   seconds = stopwatch.restart();
   report_.extraction_seconds += seconds;
   attempt.seconds += seconds;
   mapped.smoothed = smoothed(mapped.hexahedra.mesh, surface, mapped.feet, size);
+  for (const HexSide& side : topology.boundary) mapped.smoothed.boundary.push_back({side.vertices, 0});
   mapped.quality = quality_of(mapped.smoothed);
+  const TetSolid& solid = candidate.followed->solid();
+  mapped.fills = close_on_the_surface(mapped.hexahedra, topology, mapped.feet) &&
+                 largest_distance_to(mapped.smoothed, {solid.mesh.vertices, solid.boundary}) <=
+                     options_.largest_gap * size;
   seconds = stopwatch.restart();
   report_.smoothing_seconds += seconds;
   attempt.seconds += seconds;
@@ -193,37 +193,63 @@ void Search::follow(Candidate& candidate) {
   }
 }
 
-Candidate Search::best() {
-  std::vector<RepairOptions> repairs;
-  if (!given_.data().is_repaired()) repairs = this->repairs();
-  std::optional<Candidate> best;
-  const auto take = [&](std::optional<Candidate> next) {
-    if (!next) return;
-    // Arcs without length say that there is no map.
-    if (next->attempt.arcs_without_length == 0 || report_.attempts.empty()) follow(*next);
-    report_.attempts.push_back(next->attempt);
-    if (best && !(next->rank() < best->rank())) return;
-    best = std::move(next);
-    report_.best_attempt = report_.attempts.size() - 1;
-  };
-  if (repairs.empty()) take(candidate(nullptr));
-  const std::size_t tets = given_.domain().mesh().tets.size();
-  for (std::size_t k = 0; k < repairs.size(); ++k) {
-    take(candidate(&repairs[k]));
-    if (best->mapped && best->mapped->is_complete()) break;
-    if ((k + 1) * tets >= options_.search_tets) break;
-  }
-  if (!best->mapped) {
-    map(*best, report_.size);
-    report_.attempts[report_.best_attempt] = best->attempt;
-  }
-  return std::move(*best);
+/// Takes a try, unless its matchings were taken before.
+void Search::take(const RepairSearch& search, const RepairTry& one) {
+  if (is_complete() || maps_left_ == 0 || fields_left_ == 0) return;
+  if (std::find(taken_.begin(), taken_.end(), one.tets.matchings) != taken_.end()) return;
+  taken_.push_back(one.tets.matchings);
+  --fields_left_;
+  Stopwatch stopwatch;
+  stopwatch.start();
+  TetFrameField field = search.field_of(one);
+  take(std::move(field), stopwatch.restart());
 }
 
-/// Tags of the faces of the boundary, and regions of hexahedra.
+/// Maps tries without faults in which all arcs have a length, the best first; then what faults become when
+/// they wander. A fault may be too small to matter: the best try with some is mapped too.
+void Search::try_repairs() {
+  RepairOptions options = options_.repair;
+  options.tries.insert(options.tries.end(), options_.more_tries.begin(), options_.more_tries.end());
+  Stopwatch stopwatch;
+  stopwatch.start();
+  const std::size_t most =
+      std::max<std::size_t>(1, options_.search_tets / given_.domain().mesh().tets.size());
+  maps_left_ = std::min(most, options_.most_maps);
+  fields_left_ = 2 * most;
+  const RepairSearch search(given_, options, monitor_);
+  const std::vector<RepairTry> tries = search.tries();
+  report_.repair_seconds += stopwatch.restart();
+  const auto has_lengths = [](const RepairTry& one) { return one.zero_lengths == 0; };
+  for (const RepairTry& one : tries)
+    if (one.tets.faults == 0 && has_lengths(one)) take(search, one);
+  if (const auto best = std::find_if(tries.begin(), tries.end(), has_lengths); best != tries.end())
+    take(search, *best);
+  if (is_complete() || maps_left_ == 0) return;
+  stopwatch.restart();
+  const std::vector<RepairTry> wandered = search.wandered(tries);
+  report_.repair_seconds += stopwatch.restart();
+  // Arcs may get a length when vertices move.
+  for (const std::vector<RepairTry>* some : {&wandered, &tries})
+    for (const RepairTry& one : *some)
+      if (one.tets.faults == 0) take(search, one);
+  if (!best_) take(search, tries.front());
+}
+
+Candidate Search::best() {
+  if (given_.data().is_repaired())
+    take(given_, 0);
+  else
+    try_repairs();
+  if (!best_->mapped) {
+    map(*best_, report_.size);
+    report_.attempts[report_.best_attempt] = best_->attempt;
+  }
+  return std::move(*best_);
+}
+
+/// Adds tags of the faces of the boundary, and regions of hexahedra.
 void add_tags(const TetSolid& solid, const MapSurface& surface, const std::vector<Foot>& feet,
               const std::vector<std::uint32_t>& centre_tets, HexMesh& mesh) {
-  for (const HexSide& side : topology_of(mesh).boundary) mesh.boundary.push_back({side.vertices, 0});
   if (!solid.mesh.regions.empty())
     for (const std::uint32_t tet : centre_tets) mesh.regions.push_back(solid.mesh.regions[tet]);
   const std::vector<std::int32_t> tags = tags_of_faces(solid.mesh, solid.boundary);

@@ -116,7 +116,7 @@ Untangled untangled(const MapEnergy& energy, Eigen::VectorXd columns, const std:
   constexpr double kShare = 0.2, kWithoutFlips = 0.01;
   double epsilon =
       std::min(options.largest_epsilon, least < 0 ? std::max(1e-6, kShare * -least) : kWithoutFlips);
-  std::size_t fewest = result.flips.tets;
+  std::size_t before = result.flips.tets;
   int in_vain = 0;
   for (int round = 0; round < options.rounds && in_vain < options.rounds_in_vain; ++round) {
     const Descent descent =
@@ -128,8 +128,10 @@ Untangled untangled(const MapEnergy& energy, Eigen::VectorXd columns, const std:
     result.steps += descent.steps;
     result.flips = flips_of(energy, distortion.map(x));
     if (result.flips.tets == 0) break;
-    in_vain = result.flips.tets < fewest ? 0 : in_vain + 1;
-    fewest = std::min(fewest, result.flips.tets);
+    const bool falls =
+        static_cast<double>(result.flips.tets) <= (1 - options.least_fall) * static_cast<double>(before);
+    in_vain = falls ? 0 : in_vain + 1;
+    if (falls) before = result.flips.tets;
     epsilon = next_epsilon(result.flips.least_determinant, epsilon, descent.first_value, descent.value);
   }
   for (std::size_t k = 0; k < free.size(); ++k) columns[free[k]] = x[static_cast<Index>(k)];

@@ -97,16 +97,16 @@ void wander(Try& what, const RepairOptions& options) {
   }
 }
 
-}  // namespace
+template <typename Body>
+void for_each_try(std::vector<Try>& tries, std::size_t count, const Body& body) {
+  parallel_for(
+      count, [&](std::size_t k) { body(tries[k], k); }, /*grain=*/1);
+}
 
-RepairedTets repaired_tets(const MatchedField& given, const RepairOptions& options) {
-  const std::size_t faults_before = faults_of(given);
+/// All tries with the frames given, the best first.
+std::vector<Try> ranked_tries(const MatchedField& given, const RepairOptions& options) {
   std::vector<Try> tries(options.tries.size());
-  const auto for_each_try = [&](std::size_t count, const auto& body) {
-    parallel_for(
-        count, [&](std::size_t k) { body(tries[k], k); }, /*grain=*/1);
-  };
-  for_each_try(tries.size(), [&](Try& one, std::size_t k) {
+  for_each_try(tries, tries.size(), [&](Try& one, std::size_t k) {
     one.weights = options.tries[k];
     one.tets.frames.assign(given.frames().begin(), given.frames().end());
     one.field = given.with_frames(one.tets.frames);
@@ -116,20 +116,64 @@ RepairedTets repaired_tets(const MatchedField& given, const RepairOptions& optio
     judge(one, options);
   });
   std::stable_sort(tries.begin(), tries.end());
+  return tries;
+}
+
+RepairedTets result_of(Try& what, const MatchedField& given) {
+  what.tets.matchings = what.field->matchings();
+  what.tets.faults_before = faults_of(given);
+  return std::move(what.tets);
+}
+
+std::vector<RepairTry> results_of(std::vector<Try> tries, const MatchedField& given) {
+  std::stable_sort(tries.begin(), tries.end());
+  std::vector<RepairTry> results;
+  for (Try& one : tries) {
+    RepairTry& result = results.emplace_back();
+    result.weights = one.weights;
+    result.zero_lengths = one.zero_lengths;
+    result.tets = result_of(one, given);
+  }
+  return results;
+}
+
+}  // namespace
+
+std::vector<RepairTry> repair_tries(const MatchedField& given, const RepairOptions& options) {
+  std::vector<Try> tries = ranked_tries(given, options);
+  for_each_try(tries, tries.size(), [&](Try& one, std::size_t) { finish(one, options); });
+  return results_of(std::move(tries), given);
+}
+
+std::vector<RepairTry> wandered_tries(const MatchedField& given, std::vector<RepairTry> tries,
+                                      const RepairOptions& options) {
+  std::erase_if(tries, [](const RepairTry& one) { return one.tets.faults == 0; });
+  std::vector<Try> wandering(tries.size());
+  for_each_try(wandering, wandering.size(), [&](Try& one, std::size_t k) {
+    one.weights = tries[k].weights;
+    one.tets = tries[k].tets;
+    one.field = given.with_frames(one.tets.frames);
+    for (std::uint32_t f = 0; f < one.tets.matchings.size(); ++f)
+      one.field->set_matching(f, CubeGroup::instance().number_of(one.tets.matchings[f]));
+    wander(one, options);
+  });
+  return results_of(std::move(wandering), given);
+}
+
+RepairedTets repaired_tets(const MatchedField& given, const RepairOptions& options) {
+  std::vector<Try> tries = ranked_tries(given, options);
   finish(tries.front(), options);
   Try* best = &tries.front();
   if (best->tets.faults > 0) {
     const auto finalists =
         std::clamp<std::size_t>(static_cast<std::size_t>(options.finalists), 1, tries.size());
-    for_each_try(finalists, [&](Try& one, std::size_t k) {
+    for_each_try(tries, finalists, [&](Try& one, std::size_t k) {
       if (k > 0) finish(one, options);
       wander(one, options);
     });
     best = &*std::min_element(tries.begin(), tries.begin() + static_cast<std::ptrdiff_t>(finalists));
   }
-  best->tets.matchings = best->field->matchings();
-  best->tets.faults_before = faults_before;
-  return std::move(best->tets);
+  return result_of(*best, given);
 }
 
 RepairedTets smoothed_tets(const MatchedField& given, std::size_t known_faults,

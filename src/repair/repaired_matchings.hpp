@@ -26,6 +26,22 @@ struct RepairedTets {
 /// `known_faults`.
 RepairedTets smoothed_tets(const MatchedField& given, std::size_t known_faults, const RepairOptions& options);
 
+/// A repair with one set of weights.
+struct RepairTry {
+  RepairWeights weights;
+  RepairedTets tets;
+  std::size_t zero_lengths = 0;  ///< arcs_of_length_zero
+};
+
+/// Returns all tries, each with frames smoothed for it, the best first, as RepairOptions::tries ranks them;
+/// faults do not wander. The tries share the threads.
+std::vector<RepairTry> repair_tries(const MatchedField& given, const RepairOptions& options);
+
+/// Returns those of the tries that have faults after these have wandered (RepairOptions::wanderings), the
+/// best first.
+std::vector<RepairTry> wandered_tries(const MatchedField& given, std::vector<RepairTry> tries,
+                                      const RepairOptions& options);
+
 /// Returns the best of the tries (RepairOptions::tries), with frames smoothed for it.
 RepairedTets repaired_tets(const MatchedField& given, const RepairOptions& options);
 

@@ -19,6 +19,7 @@
 #include "repair/moved_vertices.hpp"
 #include "repair/repair_cost.hpp"
 #include "repair/repaired_matchings.hpp"
+#include "solve/repair_search.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
 #include "solve/used_features.hpp"
@@ -194,6 +195,10 @@ void check_rings(const TetComplex& complex) {
     if (edge.is_branched && !edge.is_on_boundary()) refuse_overlap();
 }
 
+bool is_united(const TetFrameField& field) {
+  return field.report().onto && field.report().onto->united;
+}
+
 }  // namespace
 
 void check_repairable(const TetDomain& domain) {
@@ -205,30 +210,54 @@ void check_repairable(const TetDomain& domain) {
                                     "mesh the part again before a repair"});
 }
 
-TetFrameField repaired(const TetFrameField& field, const RepairOptions& options, const Monitor& monitor) {
-  const TetDomainData& given = field.domain().data();
+RepairSearch::RepairSearch(const TetFrameField& field, const RepairOptions& options, const Monitor& monitor)
+    : field_(&field),
+      options_(&options),
+      matchings_(matchings_of(field.domain().data().solid, field.data())),
+      used_(field.domain().data(), is_united(field)),
+      complex_(field.domain().data().solid, used_.features()) {
   check(options);
   check_repairable(field.domain());
   if (field.report().constraints)
     throw Error(ErrorKind::kUsage, {"", "the repair", "smoothed frames would leave the field's constraints"});
-  const WatchedLoops watched(monitor, Stops::kHeeded);
-  monitor.report({Phase::kRepair, 0, given.solid.mesh.vertices.size(), 0, std::nan("")});
-  Stopwatch stopwatch;
-  stopwatch.start();
-  const std::vector<Quaternion>& former_frames = field.data().tet_frames;
-  const std::vector<CubeRotation> former_matchings = matchings_of(given.solid, field.data());
-  const bool united = field.report().onto && field.report().onto->united;
-  const InnerFeatures features = UsedFeatures(given, united).features();
-  const TetComplex given_complex(given.solid, features);
-  check_rings(given_complex);
-  Repaired found{field.domain(),
-                 repaired_tets(MatchedField(given_complex, former_frames, former_matchings), options)};
+  check_rings(complex_);
+  monitor.report({Phase::kRepair, 0, field.domain().data().solid.mesh.vertices.size(), 0, std::nan("")});
+}
+
+MatchedField RepairSearch::given() const {
+  return {complex_, field_->data().tet_frames, matchings_};
+}
+
+std::vector<RepairTry> RepairSearch::tries() const {
+  return repair_tries(given(), *options_);
+}
+
+std::vector<RepairTry> RepairSearch::wandered(std::vector<RepairTry> tries) const {
+  return wandered_tries(given(), std::move(tries), *options_);
+}
+
+TetFrameField RepairSearch::field_of(RepairTry one) const {
+  RepairOptions single = *options_;
+  single.tries = {one.weights};
+  return completed(std::move(one.tets), single);
+}
+
+TetFrameField RepairSearch::best() const {
+  return completed(repaired_tets(given(), *options_), *options_);
+}
+
+TetFrameField RepairSearch::completed(RepairedTets repaired_tets, const RepairOptions& options) const {
+  const TetFrameField& field = *field_;
+  const TetDomainData& given = field.domain().data();
+  const InnerFeatures features = used_.features();
+  Repaired found{field.domain(), std::move(repaired_tets)};
   if (options.moves_vertices && given.preparation)
     found = with_moved_vertices(std::move(found), features, options);
 
+  const std::vector<Quaternion>& former_frames = field.data().tet_frames;
   const TetDomainData& tets = found.domain.data();
   const TetComplex complex(tets.solid, features);
-  const UsedFeatures used(tets, united);
+  const UsedFeatures used(tets, is_united(field));
   auto result = std::make_shared<TetField>();
   result->matchings = std::move(found.tets.matchings);
   result->tet_frames = std::move(found.tets.frames);
@@ -244,8 +273,8 @@ TetFrameField repaired(const TetFrameField& field, const RepairOptions& options,
   repair.moved_vertices = moved_between(given.solid.mesh, tets.solid.mesh);
   repair.faults_before = found.tets.faults_before;
   repair.faults = found.tets.faults;
-  for (std::size_t f = 0; f < former_matchings.size(); ++f)
-    repair.changed_faces += !(former_matchings[f] == result->matchings[f]);
+  for (std::size_t f = 0; f < matchings_.size(); ++f)
+    repair.changed_faces += !(matchings_[f] == result->matchings[f]);
   compare(complex, field.singularities(), *lines, repair);
   count_bent_edges(matched, repair);
   repair.energy = evaluate_cell_field(tets.solid, result->tet_frames).dirichlet;
@@ -261,10 +290,19 @@ TetFrameField repaired(const TetFrameField& field, const RepairOptions& options,
   onto.feature_edge_deg = angles_along(tets.solid, features.edges, result->vertex_frames);
   onto.singularity = repaired_summary(matched, *lines);
   onto.unfollowed_share = unfollowed_share(tets.solid, result->tet_frames, AnswerOptions{}.unfollowed_deg);
-  repair.seconds = stopwatch.restart();
   onto.repair = repair;
   report.answer = answer_of(report);
   return {field.grid(), std::move(found.domain), std::move(result), std::move(report), std::move(lines)};
+}
+
+TetFrameField repaired(const TetFrameField& field, const RepairOptions& options, const Monitor& monitor) {
+  const WatchedLoops watched(monitor, Stops::kHeeded);
+  Stopwatch stopwatch;
+  stopwatch.start();
+  TetFrameField result = RepairSearch(field, options, monitor).best();
+  SolveReport report = result.report();
+  report.onto->repair->seconds = stopwatch.restart();
+  return result.with_report(std::move(report));
 }
 
 }  // namespace crossgrain

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Repairs of a field, one after the other.
+#pragma once
+
+#include <vector>
+
+#include "crossgrain/repair.hpp"
+#include "matching/matched_field.hpp"
+#include "matching/tet_complex.hpp"
+#include "repair/repaired_matchings.hpp"
+#include "solve/used_features.hpp"
+
+namespace crossgrain {
+
+/// The repairs of a field with each of RepairOptions::tries, for whoever needs another than the best. The
+/// field and the options must outlive it. Interrupted as watched loops say.
+class RepairSearch {
+ public:
+  /// Throws as `repaired`.
+  RepairSearch(const TetFrameField& field, const RepairOptions& options, const Monitor& monitor);
+
+  /// The best first.
+  std::vector<RepairTry> tries() const;
+
+  /// Those of them that have faults, after these have wandered.
+  std::vector<RepairTry> wandered(std::vector<RepairTry> tries) const;
+
+  /// The field of one of them. Its report has no seconds of the repair.
+  TetFrameField field_of(RepairTry one) const;
+
+  /// The result of `repaired`: the best of the tries, or what wandering faults make of it.
+  TetFrameField best() const;
+
+ private:
+  MatchedField given() const;
+  TetFrameField completed(RepairedTets tets, const RepairOptions& options) const;
+
+  const TetFrameField* field_;
+  const RepairOptions* options_;
+  std::vector<CubeRotation> matchings_;
+  UsedFeatures used_;
+  TetComplex complex_;
+};
+
+}  // namespace crossgrain
