@@ -33,7 +33,7 @@ struct HexMeshingOptions {
   /// How tags of given tets are read.
   TetTagOptions tags;
 
-  /// The field that the hexahedra follow. Its number of threads is that of all steps.
+  /// The field that the hexahedra follow, without constraints. Its number of threads is that of all steps.
   SolveOptions solve;
 
   /// Hears of what reading the model or making its first tets found, before the solve; the report has all of

@@ -14,12 +14,18 @@
 #include "crossgrain/repair.hpp"
 #include "crossgrain/solve.hpp"
 #include "crossgrain/thread_limit.hpp"
+#include "hex/hex_options.hpp"
 #include "solve/tet_domain_data.hpp"
 
 namespace crossgrain {
 namespace {
 
+/// Throws before the work for options that are out of range.
 void check(const HexMeshingOptions& options) {
+  check_options(options.hexahedra);
+  if (!options.solve.constraints.empty())
+    throw Error(ErrorKind::kUsage,
+                {"", "hexahedra", "their field takes no constraints, which a repair would leave"});
   const auto is_share = [](double share) { return share > 0 && std::isfinite(share); };
   if (options.tet_shares.empty() ||
       !std::all_of(options.tet_shares.begin(), options.tet_shares.end(), is_share))
@@ -161,6 +167,7 @@ Error named(const Error& error, const std::filesystem::path& model) {
 /// Returns hexahedra in the tets that `make` gives.
 template <class Make>
 Hexahedra in_tets(const Make& make, const HexMeshingOptions& options, const Monitor& monitor) {
+  check(options);
   const ThreadLimit limit(options.solve.threads);
   Stopwatch stopwatch;
   stopwatch.start();

@@ -168,12 +168,19 @@ TEST_F(HexMeshingOfTets, PreparesOnlyThoseThatAreNot) {
   EXPECT_TRUE(given.field.domain().preparation());
 }
 
-TEST_F(HexMeshingOfTets, RefusesConstraintsAndWrongOptions) {
-  const TetDomain tets(TetBox{{2, 2, 2}}.mesh());
+TEST_F(HexMeshingOfTets, RefusesConstraints) {
   HexMeshingOptions options;
   options.solve.constraints.points.push_back({{1, 1, 1}, {{1, 0, 0}}});
-  EXPECT_EQ(kind_of_failure(tets, options), ErrorKind::kUsage);
-  EXPECT_EQ(kind_of_failure(tets, of_size(-1)), ErrorKind::kUsage);
+  EXPECT_EQ(kind_of_failure(TetDomain(TetBox{{2, 2, 2}}.mesh()), options), ErrorKind::kUsage);
+}
+
+TEST_F(HexMeshingOfTets, RefusesWrongOptionsBeforeAnyWork) {
+  bool has_begun = false;
+  const Monitor monitor([&](const Progress&) { has_begun = true; });
+  HexMeshingOptions options;
+  options.hexahedra.cells = 0;
+  EXPECT_EQ(kind_of_failure(TetDomain(TetBox{{2, 2, 2}}.mesh()), options, monitor), ErrorKind::kUsage);
+  EXPECT_FALSE(has_begun);
 }
 
 TEST_F(HexMeshingOfTets, EndsWhenTheMonitorIsStopped) {
