@@ -66,6 +66,7 @@ set(description_of_core "Volumetric frame fields: meshes in, fields out (C++20)"
 set(description_of_files "Files of Crossgrain as bytes (C++20)")
 set(description_of_hex "Hexahedra along frame fields of Crossgrain (C++20)")
 set(description_of_io "Reading models, writing fields of Crossgrain (C++20)")
+set(description_of_meshing "Models to hexahedra with Crossgrain (C++20)")
 set(description_of_page "Pages that show fields of Crossgrain in a browser (C++20)")
 set(description_of_picture "Pictures of fields of Crossgrain (C++20)")
 set(description_of_processes "Crossgrain by several processes, through MPI (C++20)")

@@ -18,10 +18,10 @@ from pathlib import Path
 
 # From the lowest up, as in CMakeLists.txt.
 LAYERS = ["base", "harmonics", "constraint", "surface", "remeshing", "tets", "grid", "field", "singularity", "matching", "reduction", "repair", "sampling", "measure", "solve",
-          "display", "map", "hex", "files", "io", "page", "picture", "c_interface", "distributed"]
+          "display", "map", "hex", "files", "io", "meshing", "page", "picture", "c_interface", "distributed"]
 
 # Layers below another in the list that it stands beside, not above.
-BESIDE = {"files": ["map", "hex"], "io": ["map", "hex"], "page": ["map", "hex"], "picture": ["io", "page", "map", "hex"]}
+BESIDE = {"files": ["map", "hex"], "io": ["map", "hex"], "page": ["map", "hex", "meshing"], "picture": ["io", "page", "map", "hex", "meshing"]}
 
 # The folder of src/ with OpenCASCADE in it.
 CAD_PROGRAM = "io/cad/program/"

@@ -111,14 +111,16 @@ OPTIONS = {
     "streamlines.hpp": ["StreamlineOptions"],
     "picture.hpp": ["PictureOptions"],
     "tet_making.hpp": ["RemeshingOptions", "TetMakingOptions"],
+    "hexahedra.hpp": ["HexOptions"],
+    "hex_meshing.hpp": ["HexMeshingOptions"],
 }
 KINDS = {"SolveOptions": "SOLVE_OPTIONS", "ReadOptions": "READ_OPTIONS", "TetTagOptions": "TAG_OPTIONS", "OutputOptions": "OUTPUT_OPTIONS",
          "SingularityOptions": "SINGULARITY_OPTIONS", "AnswerOptions": "ANSWER_OPTIONS", "StreamlineOptions": "STREAMLINE_OPTIONS",
          "PictureOptions": "PICTURE_OPTIONS", "MapPreparationOptions": "PREPARATION_OPTIONS", "RepairOptions": "REPAIR_OPTIONS",
-         "TetMakingOptions": "TET_MAKING_OPTIONS"}
+         "TetMakingOptions": "TET_MAKING_OPTIONS", "HexOptions": "HEX_OPTIONS", "HexMeshingOptions": "HEX_MESHING_OPTIONS"}
 
 # Members that Python passes in another way.
-LEFT_OUT = {"constraints", "companions", "hexahedra", "reservation"}
+LEFT_OUT = {"SolveOptions": {"constraints"}, "OutputOptions": {"companions", "hexahedra", "reservation"}}
 ADDED = {"OutputOptions": [("page", "bool", "False", "Whether report.html, the page that shows the field in a browser, is written too.")]}
 
 # Names of enumerations, as in src/c_interface/option_value.hpp.
@@ -137,7 +139,7 @@ TYPES = {
     "std::optional<Cut>": "Union[None, str, Tuple[Union[int, str], Optional[float]]]",
     "std::optional<std::array<double, 2>>": "Optional[Sequence[float]]",
     "std::array<bool, 3>": "Sequence[bool]", "std::vector<std::string>": "Sequence[str]", "std::vector<OtherStart>": "Sequence[OtherStart]",
-    "std::vector<RepairWeights>": "Sequence[RepairWeights]",
+    "std::vector<RepairWeights>": "Sequence[RepairWeights]", "std::vector<double>": "Sequence[float]",
 }
 # What Python takes for a type, added to the comment.
 NOTES = {
@@ -264,7 +266,7 @@ def options_of(include):
             if name in KINDS:
                 yield f"    _kind = c.{KINDS[name]}\n"
             for declared, member, default, its_comment in options_members(struct_body(text, name)):
-                if member in LEFT_OUT:
+                if member in LEFT_OUT.get(name, ()):
                     continue
                 if declared in NAMES:
                     its_comment += " One of " + ", ".join(f"'{value}'" for value in NAMES[declared].values()) + "."

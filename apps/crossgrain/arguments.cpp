@@ -86,7 +86,6 @@ void check_hex(SolveArguments& arguments, const CLI::App* command) {
     refuse("MODEL is a tet mesh, which --tet-size is not for; give a surface or a CAD file", command);
   check_model(arguments, command, ".hexahedra");
   arguments.makes_tets = !is_tet_file(arguments.model);
-  arguments.prepare = true;
 }
 
 void check_arguments(const SpectrumArguments& arguments, const CLI::App* command) {

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "crossgrain/hexahedra.hpp"
+#include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/picture.hpp"
@@ -28,14 +28,14 @@ struct SolveArguments {
   std::string restart;      ///< folder to go on from; empty for none
   bool makes_tets = false;  ///< whether the model is cut into tets first, which are solved
   double tet_size = 0;      ///< their largest edge; 0 for the default
-  double tet_share = 1;     ///< by which it is multiplied
   SolveOptions options;
   TetTagOptions tags;
   bool prepare = false;  ///< whether tets are split for a map
   OutputOptions output_options;
-  bool page = true;                     ///< whether to write report.html
-  std::optional<HexOptions> hexahedra;  ///< whether and how to make hexahedra, as `hex` does
-  bool repair = false;                  ///< whether to repair the matchings of the field on tets
+  bool page = true;  ///< whether to write report.html
+  /// Whether and how to make hexahedra, as `hex` does; `options` and `tags` replace its own.
+  std::optional<HexMeshingOptions> hexahedra;
+  bool repair = false;  ///< whether to repair the matchings of the field on tets
   double read_seconds = ReadOptions().read_seconds;
   bool verbose = false;  ///< whether the summary tells of the grid that a field on tets started from
   bool glue = false;

@@ -10,7 +10,7 @@ namespace crossgrain::app {
 CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "hex", "Meshes a solid with hexahedra: solves a field on tets, and makes the mesh that follows it");
-  HexOptions& options = arguments.hexahedra.emplace();
+  HexMeshingOptions& options = arguments.hexahedra.emplace();
   command
       ->add_option(
           "MODEL", arguments.model,
@@ -19,19 +19,19 @@ CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
       ->required()
       ->type_name("");
   add_folder(*command, arguments, "Folder to write (default: MODEL-stem.hexahedra here)");
-  CLI::Option* size =
-      command
-          ->add_option("--size", options.size, "Edge of the hexahedra, in model units (default: see --cells)")
-          ->check(fault_of_length)
-          ->type_name("X");
+  CLI::Option* size = command
+                          ->add_option("--size", options.hexahedra.size,
+                                       "Edge of the hexahedra, in model units (default: see --cells)")
+                          ->check(fault_of_length)
+                          ->type_name("X");
   command
-      ->add_option("--cells", options.cells,
+      ->add_option("--cells", options.hexahedra.cells,
                    "Number of hexahedra along the longest side instead (default 20)")
       ->check(CLI::Range(1.0, 4000.0))
       ->excludes(size)
       ->type_name("N");
   command
-      ->add_option("--tet-size", arguments.tet_size,
+      ->add_option("--tet-size", options.tets.size,
                    "Largest edge of the tets that are made of a surface or CAD file (default: that of the "
                    "hexahedra, at most 1/20 of the longest side)")
       ->check(fault_of_length)

@@ -3,9 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -17,7 +15,7 @@
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/field_parts.hpp"
-#include "crossgrain/hexahedra.hpp"
+#include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/page.hpp"
 #include "crossgrain/read_limits.hpp"
@@ -58,20 +56,9 @@ void print_warning(Warning warning, const std::string& model) {
   print_message("warning: " + line_of(warning, Command::kSolve));
 }
 
-/// Sizes of made tets that `hex` tries until hexahedra fill the model, relative to the first. Coarser tets
-/// make shorter work, and often simpler singular graphs (docs/notes/hexahedra.md).
-constexpr std::array kTetShares{1.0, 1.4, 2.0};
-
 TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
   TetMakingOptions options;
   options.size = arguments.tet_size;
-  if (arguments.hexahedra && options.size == 0) {
-    options.size = arguments.hexahedra->size;
-    options.edges = std::max(options.edges, arguments.hexahedra->size > 0 ? 0 : arguments.hexahedra->cells);
-    options.at_least_edges = true;
-  }
-  options.size *= arguments.tet_share;
-  options.edges /= arguments.tet_share;
   options.creases = arguments.options.creases;
   options.max_memory_bytes = arguments.options.max_memory_bytes;
   options.read_seconds = arguments.read_seconds;
@@ -216,7 +203,7 @@ Inputs read_inputs(const SolveArguments& arguments, const Monitor& monitor, cons
   // Whoever names a field to start from wants what that becomes.
   if (!arguments.from.empty()) inputs.options.onto.other_starts.clear();
   inputs.domain = read_domain(arguments, monitor, warn);
-  if (inputs.domain && (arguments.repair || arguments.hexahedra))
+  if (inputs.domain && arguments.repair)
     naming(arguments.onto.empty() ? arguments.model : arguments.onto,
            [&] { check_repairable(*inputs.domain); });
   if (inputs.domain) inputs.options = sized_for(*inputs.domain, std::move(inputs.options));
@@ -254,17 +241,24 @@ struct Solved {
   ToWrite to_write;
   std::optional<TetFrameField> tet_field;
   std::optional<Hexahedra> made;
-
-  bool is_all_hex() const { return made && made->report.outcome == HexOutcome::kAllHex; }
-
-  /// By how much the volume of the hexahedra misses that of the model, relative to it.
-  double volume_missed() const {
-    return made ? std::abs(made->report.volume / made->report.model_volume - 1) : HUGE_VAL;
-  }
 };
 
-/// Reads, solves, transfers the field to the tets if there are any, and makes hexahedra if they are asked
-/// for.
+/// Makes hexahedra of the model.
+Solved meshed(const SolveArguments& arguments, const Monitor& monitor, const Warn& warn) {
+  monitor.report({Phase::kRead, 0, 0, 0, 0});
+  HexMeshingOptions options = *arguments.hexahedra;
+  options.tags = arguments.tags;
+  options.solve = arguments.options;
+  if (arguments.page) keep_forms_for_page(options.solve);
+  options.tets.read_seconds = arguments.read_seconds;
+  options.tets.glue = arguments.glue;
+  options.on_warning = warn;
+  const Hexahedra made = make_hexahedra(std::filesystem::path(arguments.model), options, monitor);
+  const FrameField& grid = made.field.grid();
+  return {made.field.report().seconds.read, true, {grid, grid}, made.field, made};
+}
+
+/// Reads, solves, and transfers the field to the tets if there are any.
 Solved solved(const SolveArguments& arguments, Clock::time_point start, const Monitor& monitor,
               const Warn& warn, const std::function<void()>& leave_line, const SolveOnGrid& on_grid) {
   Solved result;
@@ -278,28 +272,7 @@ Solved solved(const SolveArguments& arguments, Clock::time_point start, const Mo
   if (domain)
     result.tet_field =
         carried(arguments, options, result.to_write.cells.value(), *domain, monitor, leave_line);
-  if (result.tet_field && arguments.hexahedra) {
-    result.made = hexahedra(*result.tet_field, *arguments.hexahedra, monitor);
-    result.tet_field = result.made->field;
-  }
   return result;
-}
-
-/// The same with tets of other sizes until hexahedra fill the model, if they are made of it; otherwise the
-/// one whose hexahedra miss the least volume.
-Solved solved_with_best_tets(SolveArguments arguments, Clock::time_point start, const Monitor& monitor,
-                             const Warn& warn, const std::function<void()>& leave_line,
-                             const SolveOnGrid& on_grid) {
-  Solved best = solved(arguments, start, monitor, warn, leave_line, on_grid);
-  if (!arguments.hexahedra || !arguments.makes_tets || !best.made) return best;
-  for (std::size_t k = 1; k < kTetShares.size() && !best.is_all_hex(); ++k) {
-    arguments.tet_share = kTetShares[k];
-    Solved next = solved(
-        arguments, start, monitor, [](const Warning&) {}, leave_line, on_grid);
-    next.read_seconds = best.read_seconds;
-    if (next.is_all_hex() || next.volume_missed() < best.volume_missed()) best = std::move(next);
-  }
-  return best;
 }
 
 /// Solves, transfers the field to the tets if there are any, and writes all files. Warnings from reading go
@@ -308,8 +281,9 @@ SolveReport solve_and_write(const SolveArguments& arguments,
                             const std::shared_ptr<FolderReservation>& reservation, Clock::time_point start,
                             const Monitor& monitor, const Warn& warn, const std::function<void()>& leave_line,
                             const SolveOnGrid& on_grid) {
-  Solved solved = solved_with_best_tets(arguments, start, monitor, warn, leave_line, on_grid);
-  const auto& [read_seconds, has_tets, to_write, tet_field, made] = solved;
+  const auto [read_seconds, has_tets, to_write, tet_field, made] =
+      arguments.hexahedra ? meshed(arguments, monitor, warn)
+                          : solved(arguments, start, monitor, warn, leave_line, on_grid);
   const FrameField& field = to_write.cells.value();
   if (const auto replaced = replaced_model(arguments); replaced && !arguments.quiet) {
     leave_line();
@@ -382,7 +356,8 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
       lines.show(progress);
     };
     Monitor monitor(show, expect);
-    if (!together) monitor.allow_stops();
+    // A field without hexahedra is no part of a mesh.
+    if (!together && !arguments.hexahedra) monitor.allow_stops();
     const Interruption interruption(monitor, lines.is_moving());
     const auto warn = [&](const Warning& warning) {
       lines.end_line();

@@ -82,11 +82,21 @@ std::string tets_rows(const SolveReport::Onto& onto) {
          angles_row("creases", onto.crease_deg, "their faces");
 }
 
+/// Says which of several sizes of tets made the mesh.
+std::string tries_row(const std::vector<TriedTets>& tried) {
+  if (tried.size() < 2) return "";
+  const auto used =
+      std::find_if(tried.begin(), tried.end(), [](const TriedTets& tets) { return tets.is_used; });
+  return row("tries", fmt::format("{}, of which {:.3g} is used",
+                                  counted(tried.size(), "size of tets", "sizes of tets"), used->size));
+}
+
 std::string hexahedra_rows(const SolveReport& report) {
   const HexReport& hexahedra = *report.hexahedra;
   std::string text = row("hexahedra", sentence_of(hexahedra));
   if (report.regions.size() > 1)
     text += row("regions", "meshed as one: hexahedra may reach across the faces between them");
+  text += tries_row(hexahedra.tried_tets);
   if (hexahedra.hexahedra == 0) return text;
   const auto percent = [](double ratio) { return fmt::format("{:+.2f} %", 100 * (ratio - 1)); };
   return text +

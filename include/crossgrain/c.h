@@ -104,6 +104,8 @@ typedef struct crossgrain_domain crossgrain_domain;
 typedef struct crossgrain_field crossgrain_field;
 /** A field on the vertices and tets of a mesh. */
 typedef struct crossgrain_tet_field crossgrain_tet_field;
+/** A mesh of hexahedra, with the field that it follows. */
+typedef struct crossgrain_hexahedra crossgrain_hexahedra;
 /** How frames of neighbouring tets go on in each other. */
 typedef struct crossgrain_matchings crossgrain_matchings;
 /** The singular graph of a field. */
@@ -129,6 +131,7 @@ CROSSGRAIN_API void crossgrain_tets_free(crossgrain_tets* tets);
 CROSSGRAIN_API void crossgrain_domain_free(crossgrain_domain* domain);
 CROSSGRAIN_API void crossgrain_field_free(crossgrain_field* field);
 CROSSGRAIN_API void crossgrain_tet_field_free(crossgrain_tet_field* field);
+CROSSGRAIN_API void crossgrain_hexahedra_free(crossgrain_hexahedra* hexahedra);
 CROSSGRAIN_API void crossgrain_matchings_free(crossgrain_matchings* matchings);
 CROSSGRAIN_API void crossgrain_graph_free(crossgrain_graph* graph);
 CROSSGRAIN_API void crossgrain_answer_free(crossgrain_answer* answer);
@@ -162,6 +165,8 @@ typedef enum crossgrain_options_kind {
   CROSSGRAIN_PREPARATION_OPTIONS = 8, /**< MapPreparationOptions */
   CROSSGRAIN_TET_MAKING_OPTIONS = 9,  /**< TetMakingOptions */
   CROSSGRAIN_REPAIR_OPTIONS = 10, /**< RepairOptions; "tries" takes three numbers each: end, crease, corner */
+  CROSSGRAIN_HEX_OPTIONS = 11,    /**< HexOptions; "more_tries" takes numbers as "repair.tries" does */
+  CROSSGRAIN_HEX_MESHING_OPTIONS = 12, /**< HexMeshingOptions */
   CROSSGRAIN_NO_OPTIONS = 2147483647 /**< none; so that a function may be asked for any int, and refuse it */
 } crossgrain_options_kind;
 
@@ -205,7 +210,8 @@ CROSSGRAIN_API crossgrain_status crossgrain_options_get_text(const crossgrain_op
                                                              const char* name, char** out,
                                                              crossgrain_error** error);
 
-/** Copies constraints into options of a solve (SolveOptions::constraints). */
+/** Copies constraints into options of a solve (SolveOptions::constraints). Here and below, options of kind
+ * CROSSGRAIN_HEX_MESHING_OPTIONS have those of a solve inside. */
 CROSSGRAIN_API crossgrain_status crossgrain_options_set_constraints(crossgrain_options* options,
                                                                     const crossgrain_constraints* constraints,
                                                                     crossgrain_error** error);
@@ -724,6 +730,86 @@ CROSSGRAIN_API crossgrain_status crossgrain_tet_field_render(
 /** The formats that the option "formats" of CROSSGRAIN_OUTPUT_OPTIONS names; NULL beyond the last. */
 CROSSGRAIN_API const char* crossgrain_format_name(size_t index);
 CROSSGRAIN_API const char* crossgrain_format_description(size_t index);
+
+/** @} */
+/** \defgroup c_hexahedra Hexahedra
+ * @{ */
+
+/** Meshes a model with hexahedra (make_hexahedra): in a file (a CAD file, a closed surface or tets), inside a
+ * closed surface in memory, or in given tets, which are prepared for a map unless they are so already.
+ * `options` of kind CROSSGRAIN_HEX_MESHING_OPTIONS, or NULL. A mesh that does not fill the model is a result
+ * too: see crossgrain_hexahedra_outcome. */
+CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_make(const char* path,
+                                                           const crossgrain_options* options,
+                                                           crossgrain_monitor* monitor,
+                                                           crossgrain_hexahedra** out,
+                                                           crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_make_inside(const crossgrain_mesh* surface,
+                                                                  const crossgrain_options* options,
+                                                                  crossgrain_monitor* monitor,
+                                                                  crossgrain_hexahedra** out,
+                                                                  crossgrain_error** error);
+CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_make_in_tets(const crossgrain_domain* domain,
+                                                                   const crossgrain_options* options,
+                                                                   crossgrain_monitor* monitor,
+                                                                   crossgrain_hexahedra** out,
+                                                                   crossgrain_error** error);
+
+/** Hexahedra that follow a field on tets (hexahedra), which were prepared for a map before. `options` of kind
+ * CROSSGRAIN_HEX_OPTIONS, or NULL. */
+CROSSGRAIN_API crossgrain_status crossgrain_tet_field_hexahedra(const crossgrain_tet_field* field,
+                                                                const crossgrain_options* options,
+                                                                crossgrain_monitor* monitor,
+                                                                crossgrain_hexahedra** out,
+                                                                crossgrain_error** error);
+
+/** What became of the hexahedra (HexOutcome). */
+typedef enum crossgrain_hex_outcome {
+  CROSSGRAIN_ALL_HEX = 0,     /**< they fill the model, and none is inverted */
+  CROSSGRAIN_PARTIAL_HEX = 1, /**< some are left out or inverted; the report says why */
+  CROSSGRAIN_NO_HEX = 2       /**< none were found */
+} crossgrain_hex_outcome;
+CROSSGRAIN_API crossgrain_hex_outcome crossgrain_hexahedra_outcome(const crossgrain_hexahedra* hexahedra);
+
+/** The outcome in one line. */
+CROSSGRAIN_API const char* crossgrain_hexahedra_sentence(const crossgrain_hexahedra* hexahedra);
+
+/** The arrays of the mesh (HexMesh): 3 numbers a vertex; 8 vertices a hexahedron, in the order of VTK, and
+ * its scaled Jacobian and region; 4 vertices a face of the boundary, outward, and its tag. Regions are NULL
+ * if the model has none. */
+CROSSGRAIN_API size_t crossgrain_hexahedra_vertex_count(const crossgrain_hexahedra* hexahedra);
+CROSSGRAIN_API size_t crossgrain_hexahedra_count(const crossgrain_hexahedra* hexahedra);
+CROSSGRAIN_API size_t crossgrain_hexahedra_face_count(const crossgrain_hexahedra* hexahedra);
+CROSSGRAIN_API const double* crossgrain_hexahedra_vertices(const crossgrain_hexahedra* hexahedra);
+CROSSGRAIN_API const uint32_t* crossgrain_hexahedra_corners(const crossgrain_hexahedra* hexahedra);
+CROSSGRAIN_API const double* crossgrain_hexahedra_scaled_jacobians(const crossgrain_hexahedra* hexahedra);
+CROSSGRAIN_API const int32_t* crossgrain_hexahedra_regions(const crossgrain_hexahedra* hexahedra);
+CROSSGRAIN_API const uint32_t* crossgrain_hexahedra_faces(const crossgrain_hexahedra* hexahedra);
+CROSSGRAIN_API const int32_t* crossgrain_hexahedra_face_tags(const crossgrain_hexahedra* hexahedra);
+CROSSGRAIN_API const char* crossgrain_hexahedra_unit(const crossgrain_hexahedra* hexahedra);
+
+/** The repaired field that the hexahedra follow, on tets. */
+CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_field(const crossgrain_hexahedra* hexahedra,
+                                                            crossgrain_tet_field** out,
+                                                            crossgrain_error** error);
+
+/** The report of that field, with the section "hexahedra" (docs/report.md). */
+CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_report(const crossgrain_hexahedra* hexahedra,
+                                                             char** json, crossgrain_error** error);
+
+/** Writes the mesh in the format of the extension: .vtu, .mesh, .msh or .inp (write_hexahedra). */
+CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_write(const crossgrain_hexahedra* hexahedra,
+                                                            const char* path, crossgrain_monitor* monitor,
+                                                            crossgrain_error** error);
+
+/** Writes the folder that `crossgrain hex` writes: the field on tets and the mesh in all formats. Arguments
+ * as of crossgrain_field_write. */
+CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_write_folder(const crossgrain_hexahedra* hexahedra,
+                                                                   const char* folder,
+                                                                   const crossgrain_options* options,
+                                                                   const char* model, double read_seconds,
+                                                                   crossgrain_monitor* monitor, char** json,
+                                                                   crossgrain_error** error);
 
 /** @} */
 /** \defgroup c_singularities Singular graph and answer

@@ -36,6 +36,18 @@ struct HexAttempt {
   double seconds = 0;
 };
 
+/// Tets that were made of a model, and what became of them.
+struct TriedTets {
+  double size = 0;       ///< largest edge that was asked for; 0 if they could not be made
+  std::size_t tets = 0;  ///< as solved: after splits for the map
+  HexOutcome outcome = HexOutcome::kNone;
+  std::size_t hexahedra = 0;
+  bool is_used = false;      ///< whether the mesh follows the field on these
+  std::string failure = {};  ///< the error that ended this try; empty without one
+  double tet_seconds = 0;    ///< for making them
+  double seconds = 0;        ///< for all of it
+};
+
 /// Numbers of a mesh of hexahedra. Lengths in the unit of the model.
 struct HexReport {
   static constexpr std::size_t kMostPlaces = 20;
@@ -77,6 +89,10 @@ struct HexReport {
 
   std::vector<HexAttempt> attempts;
   std::size_t best_attempt = 0;  ///< that made the mesh
+
+  /// Tets that were made (make_hexahedra); the attempts above are on those that are used. Empty for tets that
+  /// were given.
+  std::vector<TriedTets> tried_tets = {};
 
   /// Seconds of the steps: repairs, maps, extraction, smoothing, and the numbers above.
   double repair_seconds = 0, map_seconds = 0, extraction_seconds = 0, smoothing_seconds = 0,

@@ -9,7 +9,11 @@ surface.
     >>> print(field.check())
     >>> field.write("part.frames")
 
-`solve` and `solve_onto` make fields, `read` reads them. See `Field` and `TetField` for what to do with them.
+`solve` and `solve_onto` make fields, `read` reads them. See `Field` and `TetField` for what to do with them. `hex` meshes a model with
+hexahedra, which are a `HexMesh`:
+
+    >>> mesh = cg.hex("part.step", size=2)
+    >>> mesh.points, mesh.cells, mesh.quality         # (n, 3), (m, 8), (m,)
 """
 
 from ._library import library as _library_of_c
@@ -17,8 +21,9 @@ from ._watched import Progress
 from .constraints import Constraints, read_constraints
 from .errors import Error, InputError, InternalError, Interrupted, LimitError, OutputError, UsageError
 from .field import CONSTRAINT_CLASSES, Field, Samples
+from .hex_mesh import HexMesh, hex  # pylint: disable=redefined-builtin
 from .models import Crease, Surface, TetMesh, make_tets, read_surface, read_tets
-from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, KeptFormOptions, MapPreparationOptions, OntoOptions, OtherStart, OutputOptions,
+from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, HexMeshingOptions, HexOptions, KeptFormOptions, MapPreparationOptions, OntoOptions, OtherStart, OutputOptions,
                       PictureOptions, ReadOptions, RefinementOptions, RemeshingOptions, RepairOptions, RepairWeights,
                       SingularityOptions, SolveOptions, SolverOptions,
                       StreamlineOptions, TetMakingOptions, TetTagOptions)
@@ -32,10 +37,10 @@ __version__ = _library_of_c.crossgrain_version().decode()
 
 __all__ = [
     "Answer", "AnswerOptions", "Arc", "CONSTRAINT_CLASSES", "CalmFieldOptions", "Constraints", "Crease", "CreaseAngles", "Error",
-    "FadingCreases", "Field", "InputError", "InternalError", "Interrupted", "KeptFormOptions", "LimitError", "MapPreparationOptions", "Matchings", "Node",
+    "FadingCreases", "Field", "HexMesh", "HexMeshingOptions", "HexOptions", "InputError", "InternalError", "Interrupted", "KeptFormOptions", "LimitError", "MapPreparationOptions", "Matchings", "Node",
     "OntoOptions", "OtherStart", "OutputError", "OutputOptions", "PictureOptions", "Progress", "ReadOptions", "Reason", "RefinementOptions",
     "RemeshingOptions", "RepairOptions", "RepairWeights",
     "Samples", "SingularityGraph", "SingularityOptions", "SolveOptions", "SolverOptions", "Spectrum", "Streamline", "StreamlineOptions",
-    "Streamlines", "Surface", "TetField", "TetMakingOptions", "TetMesh", "TetTagOptions", "UsageError", "carry_onto", "coefficients", "is_clipped", "make_tets", "read",
+    "Streamlines", "Surface", "TetField", "TetMakingOptions", "TetMesh", "TetTagOptions", "UsageError", "carry_onto", "coefficients", "hex", "is_clipped", "make_tets", "read",
     "read_constraints", "read_singularities", "read_streamlines", "read_surface", "read_tets", "solve", "solve_onto", "spectrum",
 ]

@@ -16,8 +16,8 @@ from .options import OtherStart, RepairWeights, SolveOptions
 
 _AXES = {"x": 0, "y": 1, "z": 2}
 
-# Options that are lists of structs, which have only numbers.
-_LISTS = {"onto.other_starts": OtherStart, "tries": RepairWeights}
+# Options that are lists of structs, which have only numbers, by their own names.
+_LISTS = {"other_starts": OtherStart, "tries": RepairWeights, "more_tries": RepairWeights}
 
 
 def flattened(options: Any, prefix: str = "") -> Iterator[Tuple[str, Any]]:
@@ -39,9 +39,10 @@ def _numbers_of(name: str, value: Any) -> Any:
     if name == "cut":
         axis, position = (value, None) if isinstance(value, str) else value
         return [_AXES.get(axis, axis), math.nan if position is None else position]
-    if name in _LISTS:
-        if not all(isinstance(item, _LISTS[name]) for item in value):
-            raise TypeError(f"the option {name} takes a list of {_LISTS[name].__name__}, not {value!r}")
+    listed = _LISTS.get(name.split(".")[-1])
+    if listed is not None:
+        if not all(isinstance(item, listed) for item in value):
+            raise TypeError(f"the option {name} takes a list of {listed.__name__}, not {value!r}")
         return [number for item in value for number in dataclasses.astuple(item)]
     return value
 
@@ -117,9 +118,9 @@ def unless_none(**changes: Any) -> "dict[str, Any]":
     return {name: value for name, value in changes.items() if value is not None}
 
 
-def solve_handle(options: SolveOptions, constraints: Any) -> Handle:
-    """The options of a solve with constraints, and the forms that the page shows."""
-    handle = handle_of(options, SolveOptions)
+def solve_handle(options: Any, constraints: Any, kind: type = SolveOptions) -> Handle:
+    """The options of a solve, or those of a kind with a solve inside, with constraints, and the forms that the page shows."""
+    handle = handle_of(options, kind)
     if constraints is not None:
         with constraints._lock:
             call("options_set_constraints", handle, constraints._handle)

@@ -318,7 +318,7 @@ def make_tets(model: Any, triangles: Any = None, *, size: Optional[float] = None
     chosen = with_changes(options, TetMakingOptions, unless_none(size=size, edges=edges, maker=maker))
     handle = handle_of(chosen, TetMakingOptions)
     tets = TetMesh.__new__(TetMesh)
-    if triangles is None and isinstance(model, (str, bytes, os.PathLike)):
+    if triangles is None and is_path(model):
         encoded = path_bytes(model)
         tets.path = os.fsdecode(encoded)
         mesh = watched(lambda monitor: made("tets", "tets_make", encoded, handle, monitor.handle))
@@ -406,7 +406,7 @@ def surface_of(model: Any, triangles: Any, read: "Any") -> Surface:
         return Surface(model, triangles)
     if isinstance(model, Surface):
         return model
-    if isinstance(model, (str, bytes, os.PathLike)):
+    if is_path(model):
         return _read_surface(model, read())
     if is_meshio(model):
         return _surface_of_meshio(model)
@@ -421,7 +421,7 @@ def tets_of(model: Any, cells: Any, max_memory_bytes: int = 0) -> TetMesh:
         return TetMesh(model, cells)
     if isinstance(model, TetMesh):
         return model
-    if isinstance(model, (str, bytes, os.PathLike)):
+    if is_path(model):
         return read_tets(model, max_memory_bytes=max_memory_bytes)
     if is_meshio(model):
         if not has_tets(model):
@@ -430,9 +430,14 @@ def tets_of(model: Any, cells: Any, max_memory_bytes: int = 0) -> TetMesh:
     raise _no_model("tets are a path, two arrays (points and cells), a mesh of meshio or a TetMesh", model)
 
 
+def is_path(model: Any) -> bool:
+    """Whether a model is a file."""
+    return isinstance(model, (str, bytes, os.PathLike))
+
+
 def is_of_tets(model: Any) -> bool:
     """Whether a model without triangles of its own is one of tets."""
-    if isinstance(model, (str, bytes, os.PathLike)):
+    if is_path(model):
         return bool(library.crossgrain_is_tet_file(path_bytes(model)))
     return isinstance(model, TetMesh) or (is_meshio(model) and has_tets(model))
 

@@ -4,18 +4,22 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any, Dict, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
 
 import numpy as np
 
 from . import _arrays
 from ._library import Handle, array_view, call, frozen, library, made
-from ._options import handle_of, with_changes
+from ._options import handle_of, unless_none, with_changes
+from ._progress import ProgressOption, listener
 from ._watched import watched
 from .field import Field, _AnyField
 from .models import TetMesh
-from .options import RepairOptions, StreamlineOptions
+from .options import HexOptions, RepairOptions, StreamlineOptions
 from .streamlines import Streamlines, traced
+
+if TYPE_CHECKING:
+    from .hex_mesh import HexMesh
 
 
 class Matchings:
@@ -133,6 +137,21 @@ class TetField(_AnyField):
         its_threads = _arrays.integer(threads, "threads")
         field = watched(lambda monitor: made("tet_field", "tet_field_repaired", self._handle, handle, its_threads, monitor.handle))
         return TetField(field, *self._model)
+
+    def hexahedra(self, *, size: Optional[float] = None, cells: Optional[float] = None, threads: Optional[int] = None,
+                  options: Optional[HexOptions] = None, progress: ProgressOption = None, **changes: Any) -> "HexMesh":
+        """Hexahedra that fill the tets and follow the frames. The field should be on tets that were prepared for a map
+        (`TetMesh.prepared_for_map`); it is repaired first, unless it is so already.
+
+        `size` is their edge in model units, `cells` their number along the longest side instead, 20 by default; `changes` replace other
+        members of the options. `crossgrain.hex` does all from a model. Raises as `repaired`.
+        """
+        from .hex_mesh import HexMesh, sized
+        chosen = with_changes(sized(with_changes(options, HexOptions, unless_none(threads=threads)), size, cells), HexOptions, changes)
+        handle = handle_of(chosen)
+        with listener(progress) as hear:
+            made_here = watched(lambda monitor: made("hexahedra", "tet_field_hexahedra", self._handle, handle, monitor.handle), hear)
+        return HexMesh(made_here, *self._model)
 
     def streamlines(self, seeds: Any = None, *, on: Optional[str] = None, count: int = 100, position: Optional[float] = None,
                     threads: int = 0, options: Optional[StreamlineOptions] = None, **changes: Any) -> Streamlines:

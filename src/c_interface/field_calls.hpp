@@ -34,8 +34,8 @@ OutputOptions output_options_for(const Field& field, const crossgrain_options* h
 
 /// Writes a field with the name of its model; `json` may be null.
 template <class Field>
-void write_result(const Field& field, const char* folder, const crossgrain_options* options,
-                  const char* model, double read_seconds, crossgrain_monitor* monitor, char** json) {
+void write_result(const Field& field, const char* folder, const OutputOptions& options, const char* model,
+                  double read_seconds, crossgrain_monitor* monitor, char** json) {
   SolveReport report = field.report();
   if (model != nullptr) report.model.path = model;
   report.seconds.read += read_seconds;
@@ -44,8 +44,8 @@ void write_result(const Field& field, const char* folder, const crossgrain_optio
     report.seconds.total =
         report.seconds.grid + report.seconds.solve + (report.onto ? report.onto->seconds : 0);
   report.seconds.total += read_seconds;
-  const SolveReport written = write_field(field, std::move(report), &given(folder, "folder"),
-                                          monitor_of(monitor), output_options_for(field, options));
+  const SolveReport written =
+      write_field(field, std::move(report), &given(folder, "folder"), monitor_of(monitor), options);
   if (json != nullptr) *json = copy_of(report_json(written));
 }
 

@@ -225,7 +225,8 @@ crossgrain_status crossgrain_field_write(const crossgrain_field* field, const ch
                                          double read_seconds, crossgrain_monitor* monitor, char** json,
                                          crossgrain_error** error) {
   return guarded(error, [&] {
-    write_result(given(field, "field").field, folder, options, model, read_seconds, monitor, json);
+    const auto& written = given(field, "field").field;
+    write_result(written, folder, output_options_for(written, options), model, read_seconds, monitor, json);
   });
 }
 

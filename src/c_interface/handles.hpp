@@ -19,7 +19,8 @@ struct crossgrain_options {
   std::variant<crossgrain::SolveOptions, crossgrain::ReadOptions, crossgrain::TetTagOptions,
                crossgrain::OutputChoices, crossgrain::SingularityOptions, crossgrain::AnswerOptions,
                crossgrain::StreamlineOptions, crossgrain::PictureOptions, crossgrain::MapPreparationOptions,
-               crossgrain::TetMakingOptions, crossgrain::RepairOptions>
+               crossgrain::TetMakingOptions, crossgrain::RepairOptions, crossgrain::HexOptions,
+               crossgrain::HexMeshingOptions>
       values;
 };
 
@@ -60,6 +61,15 @@ struct crossgrain_field {
 
 struct crossgrain_tet_field {
   crossgrain::TetFrameField field;
+};
+
+struct crossgrain_hexahedra {
+  explicit crossgrain_hexahedra(crossgrain::Hexahedra its_hexahedra);
+  crossgrain::Hexahedra made;
+  std::string sentence;
+  std::vector<double> scaled_jacobians;
+  std::vector<std::uint32_t> faces;  ///< of made.mesh.boundary, row by row
+  std::vector<std::int32_t> tags;
 };
 
 /// Row by row.
@@ -118,7 +128,8 @@ namespace crossgrain {
 /// Returns the options of a handle, or the defaults if it is null. Throws Error(kUsage) for another kind.
 template <class Options>
 const Options& options_or_defaults(const crossgrain_options* handle) {
-  static const Options defaults{};
+  // Not {}: GCC 12 warns of uninitialised members of nested structs then.
+  static const Options defaults = Options();
   if (handle == nullptr) return defaults;
   const auto* const options = std::get_if<Options>(&handle->values);
   if (options == nullptr) throw Error(ErrorKind::kUsage, "the options are of another kind");

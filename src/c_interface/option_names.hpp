@@ -3,7 +3,10 @@
 // order of the header.
 #pragma once
 
+#include <string>
+
 #include "c_interface/output_choices.hpp"
+#include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/picture.hpp"
@@ -17,6 +20,14 @@ namespace crossgrain {
 
 /// The name of a member is its name in C++.
 #define CROSSGRAIN_OPTION(member) visit(#member, options.member)
+
+/// Those of an inner struct with a list of its own, as `name`.member.
+template <class Options, class Visit>
+void for_each_inner_option(const char* name, Options& options, const Visit& visit) {
+  for_each_option(options, [&](const char* inner, auto& member) {
+    visit((std::string(name) + "." + inner).c_str(), member);
+  });
+}
 
 template <class Visit>
 void for_each_option(SolveOptions& options, const Visit& visit) {
@@ -163,6 +174,29 @@ void for_each_option(RepairOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(seed);
   CROSSGRAIN_OPTION(smoothing_sweeps);
   CROSSGRAIN_OPTION(smoothing_rad);
+}
+
+template <class Visit>
+void for_each_option(HexOptions& options, const Visit& visit) {
+  CROSSGRAIN_OPTION(size);
+  CROSSGRAIN_OPTION(cells);
+  for_each_inner_option("repair", options.repair, visit);
+  CROSSGRAIN_OPTION(more_tries);
+  CROSSGRAIN_OPTION(most_maps);
+  CROSSGRAIN_OPTION(search_tets);
+  CROSSGRAIN_OPTION(finer_sizes);
+  CROSSGRAIN_OPTION(finer_share);
+  CROSSGRAIN_OPTION(largest_gap);
+  CROSSGRAIN_OPTION(threads);
+}
+
+template <class Visit>
+void for_each_option(HexMeshingOptions& options, const Visit& visit) {
+  for_each_inner_option("hexahedra", options.hexahedra, visit);
+  for_each_inner_option("tets", options.tets, visit);
+  CROSSGRAIN_OPTION(tet_shares);
+  for_each_inner_option("tags", options.tags, visit);
+  for_each_inner_option("solve", options.solve, visit);
 }
 
 template <class Visit>

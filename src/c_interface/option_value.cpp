@@ -163,6 +163,16 @@ OptionContent OptionOf<std::array<bool, 3>>::content(const std::array<bool, 3>& 
   return std::vector<double>(member.begin(), member.end());
 }
 
+std::vector<double> OptionOf<std::vector<double>>::of(const OptionValue& value) {
+  const auto* const numbers = std::get_if<std::vector<double>>(&value);
+  if (numbers == nullptr) refuse("a list of numbers");
+  return *numbers;
+}
+
+OptionContent OptionOf<std::vector<double>>::content(const std::vector<double>& member) {
+  return member;
+}
+
 namespace {
 
 /// Returns the numbers of a list of things that have three each.

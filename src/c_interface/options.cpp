@@ -35,7 +35,7 @@ Values defaults_of(crossgrain_options_kind kind) {
 }
 
 struct NamedType {
-  const char* name;
+  std::string name;
   crossgrain_option_type type;
 };
 
@@ -127,7 +127,9 @@ Part part_of(const crossgrain_options* options, const char* name) {
 }
 
 SolveOptions& solve_options(crossgrain_options* options) {
-  auto* const found = std::get_if<SolveOptions>(&given(options, "options").values);
+  Values& values = given(options, "options").values;
+  if (auto* const meshing = std::get_if<HexMeshingOptions>(&values)) return meshing->solve;
+  auto* const found = std::get_if<SolveOptions>(&values);
   if (found == nullptr) throw Error(ErrorKind::kUsage, "the options are not those of a solve");
   return *found;
 }
@@ -153,7 +155,7 @@ size_t crossgrain_options_count(crossgrain_options_kind kind) {
 const char* crossgrain_options_name(crossgrain_options_kind kind, size_t index) {
   return value_or<const char*>(nullptr, [&] {
     const auto& all = options_of(kind);
-    return index < all.size() ? all[index].name : nullptr;
+    return index < all.size() ? all[index].name.c_str() : nullptr;
   });
 }
 

@@ -176,7 +176,8 @@ crossgrain_status crossgrain_tet_field_write(const crossgrain_tet_field* field, 
                                              double read_seconds, crossgrain_monitor* monitor, char** json,
                                              crossgrain_error** error) {
   return guarded(error, [&] {
-    write_result(given(field, "field").field, folder, options, model, read_seconds, monitor, json);
+    const auto& written = given(field, "field").field;
+    write_result(written, folder, output_options_for(written, options), model, read_seconds, monitor, json);
   });
 }
 

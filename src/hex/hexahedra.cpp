@@ -17,6 +17,7 @@
 #include "crossgrain/thread_limit.hpp"
 #include "hex/followed_field.hpp"
 #include "hex/hex_extraction.hpp"
+#include "hex/hex_options.hpp"
 #include "hex/hex_report.hpp"
 #include "hex/hex_smoothing.hpp"
 #include "hex/surface_feet.hpp"
@@ -28,19 +29,6 @@
 
 namespace crossgrain {
 namespace {
-
-void check(const HexOptions& options) {
-  const auto demand = [](bool holds, const char* what) {
-    if (!holds) throw Error(ErrorKind::kUsage, {"", "hexahedra", what});
-  };
-  demand(options.size >= 0 && std::isfinite(options.size), "their size must be a number from 0");
-  demand(options.size > 0 || (options.cells > 0 && std::isfinite(options.cells)),
-         "there must be a positive number of them along the longest side");
-  demand(options.finer_sizes >= 0 && options.finer_share > 0 && options.finer_share < 1,
-         "finer sizes must be shares between 0 and 1");
-  demand(options.most_maps > 0, "there must be a map");
-  demand(options.largest_gap > 0, "the largest gap must be positive");
-}
 
 std::vector<Foot> feet_of(const MapSurface& surface, const std::vector<Carrier>& carriers) {
   std::vector<Foot> feet;
@@ -332,7 +320,7 @@ void explain(const Candidate& best, HexReport& report) {
 }  // namespace
 
 Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const Monitor& monitor) {
-  check(options);
+  check_options(options);
   check_repairable(field.domain());
   const ThreadLimit limit(options.threads);
   const WatchedLoops watched(monitor, Stops::kHeeded);

@@ -248,7 +248,7 @@ TEST(ErrorsTellWhatIsWrongAndWhere) {
 
 TEST(EveryOptionKeepsWhatItHas) {
   size_t all = 0;
-  for (int k = CROSSGRAIN_SOLVE_OPTIONS; k <= CROSSGRAIN_REPAIR_OPTIONS; ++k) {
+  for (int k = CROSSGRAIN_SOLVE_OPTIONS; k <= CROSSGRAIN_HEX_MESHING_OPTIONS; ++k) {
     const crossgrain_options_kind kind = (crossgrain_options_kind)k;
     crossgrain_options* options = NULL;
     OK(crossgrain_options_new(kind, &options, &g_error));
@@ -800,6 +800,83 @@ TEST(AMeshHasAllThatItWasGiven) {
   CHECK(crossgrain_format_name(1000) == NULL);
 }
 
+static crossgrain_options* of_hexahedra(crossgrain_options_kind kind, const char* name, double size) {
+  crossgrain_options* options = NULL;
+  OK(crossgrain_options_new(kind, &options, &g_error));
+  OK(crossgrain_options_set_number(options, name, size, &g_error));
+  return options;
+}
+
+TEST(HexahedraFillACubeOfTets) {
+  crossgrain_domain* domain = cube_of_tets(3);
+  crossgrain_options* options = of_hexahedra(CROSSGRAIN_HEX_MESHING_OPTIONS, "hexahedra.size", 0.5);
+  crossgrain_hexahedra* hexahedra = NULL;
+  OK(crossgrain_hexahedra_make_in_tets(domain, options, NULL, &hexahedra, &g_error));
+  CHECK(crossgrain_hexahedra_outcome(hexahedra) == CROSSGRAIN_ALL_HEX);
+  CHECK(strstr(crossgrain_hexahedra_sentence(hexahedra), "all-hex, 8 hexahedra") != NULL);
+  CHECK(crossgrain_hexahedra_count(hexahedra) == 8 && crossgrain_hexahedra_vertex_count(hexahedra) == 27);
+  CHECK(crossgrain_hexahedra_face_count(hexahedra) == 24);
+  const double* vertices = crossgrain_hexahedra_vertices(hexahedra);
+  for (int i = 0; i < 3 * 27; ++i) CHECK(fabs(2 * vertices[i] - round(2 * vertices[i])) < 1e-6);
+  for (int i = 0; i < 8; ++i) CHECK(crossgrain_hexahedra_scaled_jacobians(hexahedra)[i] > 0.999);
+  for (int i = 0; i < 8 * 8; ++i) CHECK(crossgrain_hexahedra_corners(hexahedra)[i] < 27);
+  for (int i = 0; i < 4 * 24; ++i) CHECK(crossgrain_hexahedra_faces(hexahedra)[i] < 27);
+  CHECK(crossgrain_hexahedra_face_tags(hexahedra)[23] == 0);
+  CHECK(crossgrain_hexahedra_regions(hexahedra) == NULL && crossgrain_hexahedra_unit(hexahedra)[0] == 0);
+  char* json = NULL;
+  OK(crossgrain_hexahedra_report(hexahedra, &json, &g_error));
+  CHECK(strstr(json, "\"outcome\": \"all-hex\"") != NULL);
+  crossgrain_text_free(json);
+  crossgrain_hexahedra_free(hexahedra);
+  crossgrain_options_free(options);
+  crossgrain_domain_free(domain);
+}
+
+TEST(HexahedraAreWrittenAloneAndWithTheirField) {
+  crossgrain_domain* domain = cube_of_tets(3);
+  crossgrain_options* options = of_hexahedra(CROSSGRAIN_HEX_MESHING_OPTIONS, "hexahedra.cells", 2);
+  crossgrain_hexahedra* hexahedra = NULL;
+  OK(crossgrain_hexahedra_make_in_tets(domain, options, NULL, &hexahedra, &g_error));
+  OK(crossgrain_hexahedra_write(hexahedra, "cube.msh", NULL, &g_error));
+  CHECK(exists("cube.msh"));
+  FAILS(CROSSGRAIN_USAGE, "cube.stl", crossgrain_hexahedra_write(hexahedra, "cube.stl", NULL, &g_error));
+  OK(crossgrain_hexahedra_write_folder(hexahedra, "cube.hexahedra", NULL, "cube.mesh", 0, NULL, NULL,
+                                       &g_error));
+  CHECK(exists("cube.hexahedra/hexahedra.inp") && exists("cube.hexahedra/onto.vtu"));
+  crossgrain_tet_field* field = NULL;
+  OK(crossgrain_hexahedra_field(hexahedra, &field, &g_error));
+  crossgrain_hexahedra_free(hexahedra);
+  crossgrain_domain* repaired = NULL;
+  OK(crossgrain_tet_field_domain(field, &repaired, &g_error));
+  CHECK(crossgrain_domain_parents(repaired) != NULL); /* prepared for a map */
+  crossgrain_domain_free(repaired);
+  crossgrain_tet_field_free(field);
+  crossgrain_options_free(options);
+  crossgrain_domain_free(domain);
+}
+
+TEST(HexahedraFollowAFieldThatIsThere) {
+  crossgrain_domain *domain = cube_of_tets(3), *prepared = NULL;
+  OK(crossgrain_domain_prepared_for_map(domain, NULL, &prepared, &g_error));
+  crossgrain_tet_field* field = NULL;
+  OK(crossgrain_solve_onto(prepared, NULL, NULL, &field, &g_error));
+  crossgrain_options* options = of_hexahedra(CROSSGRAIN_HEX_OPTIONS, "size", 0.5);
+  crossgrain_hexahedra* hexahedra = NULL;
+  OK(crossgrain_tet_field_hexahedra(field, options, NULL, &hexahedra, &g_error));
+  CHECK(crossgrain_hexahedra_count(hexahedra) == 8);
+  crossgrain_hexahedra_free(hexahedra);
+  FAILS(CROSSGRAIN_USAGE, "another kind",
+        crossgrain_hexahedra_make_in_tets(domain, options, NULL, &hexahedra, &g_error));
+  OK(crossgrain_options_set_number(options, "size", -1, &g_error));
+  FAILS(CROSSGRAIN_USAGE, "size", crossgrain_tet_field_hexahedra(field, options, NULL, &hexahedra, &g_error));
+  FAILS(CROSSGRAIN_INPUT, "none.step",
+        crossgrain_hexahedra_make("none.step", NULL, NULL, &hexahedra, &g_error));
+  crossgrain_options_free(options);
+  crossgrain_tet_field_free(field);
+  crossgrain_domain_free(prepared);
+  crossgrain_domain_free(domain);
+}
+
 int main(int argc, char** argv) {
   const struct {
     const char* name;
@@ -829,6 +906,9 @@ int main(int argc, char** argv) {
       NAMED(TheFormOfAPlaneHasItsSpectrum),
       NAMED(TwoSolvesAtOnceGiveTheSameBits),
       NAMED(AMeshHasAllThatItWasGiven),
+      NAMED(HexahedraFillACubeOfTets),
+      NAMED(HexahedraAreWrittenAloneAndWithTheirField),
+      NAMED(HexahedraFollowAFieldThatIsThere),
   };
   for (size_t i = 0; i < sizeof tests / sizeof tests[0]; ++i) {
     if (argc > 1 && strcmp(argv[1], tests[i].name) != 0) continue;

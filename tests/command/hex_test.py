@@ -3,14 +3,20 @@
 """`crossgrain hex`, judged from the files that it writes."""
 
 import json
+import signal
+import subprocess
 import unittest
 
 import numpy as np
 
-from program import CommandTest, box_triangles, medit_text, stl_bytes, tet_box, tilt
+from program import PROGRAM, CommandTest, box_triangles, medit_text, stl_bytes, tet_box, tilt
 
-USAGE, INPUT, OUTPUT, NOT_ALL_HEX = 2, 3, 4, 6
+USAGE, INPUT, OUTPUT, NOT_ALL_HEX, INTERRUPTED = 2, 3, 4, 6, 130
 FILES = [f"hexahedra.{ending}" for ending in ("inp", "mesh", "msh", "vtu")]
+
+# Four faces meet in its tip, and so no hexahedra.
+TIP, BASE = np.array([0, 0, 1.0]), np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], float)
+PYRAMID = np.array([*[(BASE[k], BASE[(k + 1) % 4], TIP) for k in range(4)], BASE[[0, 2, 1]], BASE[[0, 3, 2]]])
 
 # Corners of a hexahedron with their three neighbours, right-handed.
 NEIGHBOURS = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
@@ -66,6 +72,47 @@ class HexTest(CommandTest):
         self.assertAlmostEqual(made["scaled_jacobian"]["min"], quality.min(), places=9)
         self.assertAlmostEqual(made["scaled_jacobian"]["mean"], quality.mean(), places=9)
         self.assertEqual(made["scaled_jacobian"]["inverted"], 0)
+
+    def test_the_report_tells_the_tets_that_were_tried(self):
+        self.write("box.stl", stl_bytes(box_triangles()))
+        tried, = self.hexahedra("box.stl", "--cells", "5", "--tet-size", "0.3")["tried_tets"]
+        self.assertAlmostEqual(tried["size"], 0.3)
+        self.assertEqual(tried["tets"], self.report["onto"]["tets"])
+        self.assertTrue(tried["is_used"])
+        self.assertEqual(self.report["seconds"]["read"], tried["tet_seconds"])
+        self.assertNotIn("tries", self.result.stdout)
+        self.assert_succeeds(self.run_here("check", "out"))
+
+    def test_a_model_that_is_not_filled_is_tried_with_all_sizes_and_told(self):
+        self.write("pyramid.stl", stl_bytes(PYRAMID))
+        made = self.hexahedra("pyramid.stl", "--cells", "4", "--tet-size", "0.4", code=NOT_ALL_HEX)
+        self.assertEqual([round(tets["size"], 9) for tets in made["tried_tets"]], [0.4, 0.56, 0.8])
+        used, = [tets for tets in made["tried_tets"] if tets["is_used"]]
+        self.assertIn(f"tries      3 sizes of tets, of which {used['size']:.3g} is used", self.result.stdout)
+        self.assertIn(made["reason"], self.result.stdout)
+
+    def test_warnings_about_the_model_come_before_the_work(self):
+        vertices, tets = tet_box()
+        nodes = [f"{i + 1} {x:.17g} {y:.17g} {z:.17g}" for i, (x, y, z) in enumerate(vertices)]
+        # Tets of second order; where the middles of their edges are does not count.
+        cells = [" ".join(map(str, [i + 1, 11, 2, 0, 1, *(tet + 1), *[tet[0] + 1] * 6])) for i, tet in enumerate(tets)]
+        self.write("box.msh", "\n".join(["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(nodes)), *nodes, "$EndNodes",
+                                         "$Elements", str(len(cells)), *cells, "$EndElements", ""]))
+        self.hexahedra("box.msh", "--size", "0.25", "--progress")
+        warning, level = self.result.stderr.index("crossgrain: warning: box.msh"), self.result.stderr.index("level 1")
+        self.assertLess(warning, level)
+        self.assertEqual(self.result.stderr.count("warning"), 1)
+
+    def test_ctrl_c_writes_nothing(self):
+        vertices, tets = tet_box((16, 12, 12))
+        self.write("box.mesh", medit_text(vertices @ tilt(), tets))
+        with subprocess.Popen([PROGRAM, "hex", "box.mesh", "--cells", "60", "--progress"], cwd=self.folder, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            next(line for line in process.stderr if "level 1" in line)
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=60)
+        self.assertEqual(process.returncode, INTERRUPTED)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["box.mesh"])
 
     def test_a_later_solve_removes_the_hexahedra(self):
         self.write_box()

@@ -23,7 +23,7 @@ import crossgrain as cg
 from solids import ball, cube_of_tets, stl_bytes
 
 ROOT = Path(__file__).parents[2]
-PAGES = ["docs/python.md", "python/README.md", "README.md"]
+PAGES = ["docs/python.md", "docs/hexahedra.md", "python/README.md", "README.md"]
 CAD_FILES = os.environ.get("CROSSGRAIN_CAD_FILES", "")
 
 
@@ -59,7 +59,7 @@ class Documentation(unittest.TestCase):
             text = ast.unparse(statement)
             if any(package in text and package not in names for package in ("meshio", "pyvista")) or "pyvista" in text:
                 continue
-            if "make_tets" in text and not shutil.which("gmsh"):
+            if re.search(r"make_tets|cg\.hex\(|\bmesh\.", text) and not shutil.which("gmsh"):
                 continue
             if "part.step" in text and not CAD_FILES:
                 text = text.replace("part.step", "part.stl")

@@ -225,6 +225,18 @@ void describe_attempt(File& file, Attempt& attempt) {
   file.member("seconds", attempt.seconds);
 }
 
+template <class File, class Tets>
+void describe_tried_tets(File& file, Tets& tets) {
+  file.member("size", tets.size);
+  file.member("tets", tets.tets);
+  file.name("outcome", tets.outcome);
+  file.member("hexahedra", tets.hexahedra);
+  file.member("is_used", tets.is_used);
+  file.text("failure", tets.failure);
+  file.member("tet_seconds", tets.tet_seconds);
+  file.member("seconds", tets.seconds);
+}
+
 template <class File, class Hexahedra>
 void describe_hex_mesh(File& file, Hexahedra& hexahedra) {
   file.name("outcome", hexahedra.outcome);
@@ -253,6 +265,8 @@ void describe_hex_mesh(File& file, Hexahedra& hexahedra) {
   file.list("attempts", hexahedra.attempts,
             [](auto& list, auto& attempt) { describe_attempt(list, attempt); });
   file.member("best_attempt", hexahedra.best_attempt);
+  file.optional_list("tried_tets", hexahedra.tried_tets,
+                     [](auto& list, auto& tets) { describe_tried_tets(list, tets); });
   file.object("seconds", [&](auto& seconds) {
     seconds.member("repair", hexahedra.repair_seconds);
     seconds.member("map", hexahedra.map_seconds);

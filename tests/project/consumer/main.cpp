@@ -23,6 +23,16 @@ crossgrain::TriangleMesh cube() {
            {1, 7, 5}}};
 }
 
+/// Whether eight hexahedra fill the cube of tets.
+bool fills_a_cube(const crossgrain::SolveOptions& solve) {
+  const crossgrain::TetMesh tets{
+      cube().vertices, {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
+  crossgrain::HexMeshingOptions options;
+  options.hexahedra.cells = 2;
+  options.solve = solve;
+  return crossgrain::make_hexahedra(crossgrain::TetDomain(tets), options).mesh.hexahedra.size() == 8;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -44,5 +54,5 @@ int main(int argc, char** argv) {
   for (const crossgrain::Vector3& axis : frame.axes) {
     if (std::fmax(std::fmax(std::fabs(axis[0]), std::fabs(axis[1])), std::fabs(axis[2])) < 0.999) return 1;
   }
-  return 0;
+  return fills_a_cube(options) ? 0 : 1;
 }

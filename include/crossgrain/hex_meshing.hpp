@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "crossgrain/hexahedra.hpp"
+#include "crossgrain/monitor.hpp"
+#include "crossgrain/options.hpp"
+#include "crossgrain/tet_domain.hpp"
+#include "crossgrain/tet_making.hpp"
+#include "crossgrain/types.hpp"
+#include "crossgrain/warning.hpp"
+
+namespace crossgrain {
+
+/// \addtogroup hexahedra Hexahedra
+/// @{
+
+/// How a model is meshed with hexahedra.
+struct HexMeshingOptions {
+  HexOptions hexahedra;
+
+  /// How tets are made of a model that has none. Without a size their edges are those of the hexahedra, but
+  /// at least `tets.edges` along the longest side. Creases and limit of memory are those of `solve`.
+  TetMakingOptions tets;
+
+  /// Sizes of made tets that are tried until hexahedra fill the model, relative to the first. Coarser tets
+  /// make shorter work, and often simpler singular graphs (docs/notes/hexahedra.md).
+  std::vector<double> tet_shares = {1, 1.4, 2};
+
+  /// How tags of given tets are read.
+  TetTagOptions tags;
+
+  /// The field that the hexahedra follow, without constraints. Its number of threads is that of all steps.
+  SolveOptions solve;
+
+  /// Hears of what reading the model or making its first tets found, before the solve; the report has all of
+  /// it too.
+  std::function<void(const Warning& warning)> on_warning;
+};
+
+/// Returns hexahedra that fill a model: cuts it into tets (`make_tets`) unless its file has tets, solves on
+/// them, and makes the mesh that follows the field (`hexahedra`). As long as that does not fill the model,
+/// coarser tets are tried; of several results that all leave something out, the one with the least error of
+/// its volume is returned. The report tells of each try (HexReport::tried_tets); of the field's report,
+/// `seconds.read` is the time for all tets, and `seconds.total` for everything.
+///
+/// The model is a CAD file, a closed surface or a tet mesh, as for `read_surface` and `read_tets`. The same
+/// to the bit for any number of threads, with the same program that makes tets.
+///
+/// Errors: those of `make_tets` or `read_tets`, `solve_onto` and `hexahedra`, naming the file; but if later
+/// tets fail, the result of earlier ones is returned. A stop of the monitor is kInterrupted.
+Hexahedra make_hexahedra(const std::filesystem::path& model,
+                         const HexMeshingOptions& options = HexMeshingOptions(), const Monitor& monitor = {});
+
+/// The same inside a closed surface.
+Hexahedra make_hexahedra(const TriangleMesh& surface, const HexMeshingOptions& options = HexMeshingOptions(),
+                         const Monitor& monitor = {});
+
+/// The same of given tets, which are prepared for a map unless they are so already; no others are made.
+Hexahedra make_hexahedra(const TetDomain& tets, const HexMeshingOptions& options = HexMeshingOptions(),
+                         const Monitor& monitor = {});
+
+/// @}
+
+}  // namespace crossgrain

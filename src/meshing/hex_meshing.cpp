@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crossgrain/hex_meshing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/stopwatch.hpp"
+#include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
+#include "crossgrain/read_limits.hpp"
+#include "crossgrain/repair.hpp"
+#include "crossgrain/solve.hpp"
+#include "crossgrain/thread_limit.hpp"
+#include "hex/hex_options.hpp"
+#include "solve/tet_domain_data.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Throws before the work for options that are out of range.
+void check(const HexMeshingOptions& options) {
+  check_options(options.hexahedra);
+  if (!options.solve.constraints.empty())
+    throw Error(ErrorKind::kUsage,
+                {"", "hexahedra", "their field takes no constraints, which a repair would leave"});
+  const auto is_share = [](double share) { return share > 0 && std::isfinite(share); };
+  if (options.tet_shares.empty() ||
+      !std::all_of(options.tet_shares.begin(), options.tet_shares.end(), is_share))
+    throw Error(ErrorKind::kUsage, "tet_shares must be positive numbers, at least one");
+}
+
+/// Returns how tets of a share of the first size are made.
+TetMakingOptions tet_options(const HexMeshingOptions& options, double share) {
+  TetMakingOptions result = options.tets;
+  if (result.size == 0) {
+    const HexOptions& hexahedra = options.hexahedra;
+    result.size = hexahedra.size;
+    if (hexahedra.size == 0) result.edges = std::max(result.edges, hexahedra.cells);
+    result.at_least_edges = true;
+  }
+  result.size *= share;
+  result.edges /= share;
+  result.creases = options.solve.creases;
+  result.max_memory_bytes = options.solve.max_memory_bytes;
+  return result;
+}
+
+/// Returns the size that `make_tets` takes.
+double size_of(const TetMakingOptions& options, const TetDomain& domain) {
+  const double of_edges = longest_side(domain.data().box) / options.edges;
+  if (options.size == 0) return of_edges;
+  return options.at_least_edges ? std::min(options.size, of_edges) : options.size;
+}
+
+TetDomain prepared(const TetDomain& domain, const HexMeshingOptions& options) {
+  check_repairable(domain);
+  if (domain.preparation()) return domain;
+  return domain.prepared_for_map({.unite_solids = options.solve.unite_solids});
+}
+
+/// Returns the tets of `make`, ready for a solve.
+template <class Make>
+TetDomain domain_of(const Make& make, const HexMeshingOptions& options, bool warns, const Monitor& monitor) {
+  const ReadLimits limits(monitor, options.solve.max_memory_bytes);
+  TetMesh mesh = make();
+  if (warns && options.on_warning)
+    for (const Warning& warning : mesh.warnings) options.on_warning(warning);
+  return prepared(TetDomain(std::move(mesh), options.tags), options);
+}
+
+Hexahedra made_on(const TetDomain& domain, const HexMeshingOptions& options, const Monitor& monitor) {
+  const TetFrameField field = solve_onto(domain, options.solve, monitor);
+  monitor.check_stop();
+  return hexahedra(field, options.hexahedra, monitor);
+}
+
+/// Returns hexahedra whose field tells how long their tets took, and everything.
+Hexahedra with_seconds(Hexahedra made, double tet_seconds, double seconds) {
+  SolveReport report = made.field.report();
+  report.hexahedra = made.report;
+  report.seconds.read = tet_seconds;
+  report.seconds.total = seconds;
+  made.field = made.field.with_report(std::move(report));
+  return made;
+}
+
+double volume_missed(const HexReport& report) {
+  return std::abs(report.volume / report.model_volume - 1);
+}
+
+bool is_better(const HexReport& report, const HexReport& best) {
+  return report.outcome == HexOutcome::kAllHex || volume_missed(report) < volume_missed(best);
+}
+
+using MakeTets = std::function<TetMesh(const TetMakingOptions& options)>;
+
+/// Tries tets of one size after another until hexahedra fill the model.
+class TetTries {
+ public:
+  TetTries(MakeTets make, const HexMeshingOptions& options, const Monitor& monitor)
+      : make_(std::move(make)), options_(options), monitor_(monitor) {}
+
+  Hexahedra best();
+
+ private:
+  void attempt(double share);
+
+  MakeTets make_;
+  const HexMeshingOptions& options_;
+  const Monitor& monitor_;
+  std::vector<TriedTets> tries_;
+  std::optional<Hexahedra> best_;
+};
+
+void TetTries::attempt(double share) {
+  const bool is_first = tries_.empty();
+  TriedTets& tried = tries_.emplace_back();
+  Stopwatch stopwatch;
+  stopwatch.start();
+  const TetMakingOptions making = tet_options(options_, share);
+  const TetDomain domain = domain_of([&] { return make_(making); }, options_, is_first, monitor_);
+  tried.tet_seconds = stopwatch.restart();
+  tried.size = size_of(making, domain);
+  tried.tets = domain.mesh().tets.size();
+  Hexahedra made = made_on(domain, options_, monitor_);
+  tried.outcome = made.report.outcome;
+  tried.hexahedra = made.report.hexahedra;
+  if (best_ && !is_better(made.report, best_->report)) return;
+  for (TriedTets& other : tries_) other.is_used = &other == &tried;
+  best_ = std::move(made);
+}
+
+Hexahedra TetTries::best() {
+  check(options_);
+  const ThreadLimit limit(options_.solve.threads);
+  Stopwatch stopwatch;
+  stopwatch.start();
+  for (const double share : options_.tet_shares) {
+    try {
+      attempt(share);
+    } catch (const Error& error) {
+      // What earlier tets have given is worth more than the reason why others fail.
+      if (!best_ || error.kind() == ErrorKind::kInterrupted) throw;
+      tries_.back().failure = error.text();
+    }
+    tries_.back().seconds = stopwatch.restart();
+    if (best_->report.outcome == HexOutcome::kAllHex) break;
+  }
+  double tet_seconds = 0, seconds = 0;
+  for (const TriedTets& tried : tries_) {
+    tet_seconds += tried.tet_seconds;
+    seconds += tried.seconds;
+  }
+  best_->report.tried_tets = std::move(tries_);
+  return with_seconds(*std::move(best_), tet_seconds, seconds);
+}
+
+/// Returns what an error about a model in a file is.
+Error named(const Error& error, const std::filesystem::path& model) {
+  const bool is_of_model = error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit;
+  return is_of_model && error.file().empty() ? error.with_file(model.string()) : error;
+}
+
+/// Returns hexahedra in the tets that `make` gives.
+template <class Make>
+Hexahedra in_tets(const Make& make, const HexMeshingOptions& options, const Monitor& monitor) {
+  check(options);
+  const ThreadLimit limit(options.solve.threads);
+  Stopwatch stopwatch;
+  stopwatch.start();
+  const TetDomain domain = make();
+  const double tet_seconds = stopwatch.restart();
+  Hexahedra made = made_on(domain, options, monitor);
+  return with_seconds(std::move(made), tet_seconds, tet_seconds + stopwatch.restart());
+}
+
+}  // namespace
+
+Hexahedra make_hexahedra(const std::filesystem::path& model, const HexMeshingOptions& options,
+                         const Monitor& monitor) {
+  try {
+    if (!is_tet_file(model))
+      return TetTries([&](const auto& making) { return make_tets(model, making, monitor); }, options, monitor)
+          .best();
+    const auto read = [&] { return read_tets(model); };
+    return in_tets([&] { return domain_of(read, options, true, monitor); }, options, monitor);
+  } catch (const Error& error) {
+    throw named(error, model);
+  }
+}
+
+Hexahedra make_hexahedra(const TriangleMesh& surface, const HexMeshingOptions& options,
+                         const Monitor& monitor) {
+  return TetTries([&](const auto& making) { return make_tets(surface, making, monitor); }, options, monitor)
+      .best();
+}
+
+Hexahedra make_hexahedra(const TetDomain& tets, const HexMeshingOptions& options, const Monitor& monitor) {
+  return in_tets([&] { return prepared(tets, options); }, options, monitor);
+}
+
+}  // namespace crossgrain
