@@ -16,12 +16,6 @@
 namespace crossgrain {
 namespace {
 
-Vector3 centre_of(const HexMesh& mesh, std::size_t hexahedron) {
-  Vector3 sum{0, 0, 0};
-  for (const std::uint32_t v : mesh.hexahedra[hexahedron]) sum += mesh.vertices[v];
-  return 0.125 * sum;
-}
-
 double volume_of(const TetMesh& mesh) {
   double sum = 0;
   for (const auto& [a, b, c, d] : mesh.tets) {
@@ -80,7 +74,6 @@ void measure_distances(const HexMesh& mesh, const Surface& model, HexReport& rep
 }  // namespace
 
 HexReport::Quality quality_of(const HexMesh& mesh) {
-  constexpr double kFlat = 1e-6;  // beyond rounding
   HexReport::Quality quality;
   std::vector<double> values = scaled_jacobians(mesh);
   if (values.empty()) return quality;
@@ -89,7 +82,7 @@ HexReport::Quality quality_of(const HexMesh& mesh) {
   quality.worst_place = centre_of(mesh, static_cast<std::size_t>(worst - values.begin()));
   for (const double value : values) {
     quality.mean += value / static_cast<double>(values.size());
-    quality.inverted += !(value > kFlat);
+    quality.inverted += is_inverted(value);
     quality.below_tenth += value < 0.1;
     quality.below_fifth += value < 0.2;
   }

@@ -2,6 +2,7 @@
 // Shape and size of hexahedra.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "crossgrain/hex_mesh.hpp"
@@ -12,6 +13,14 @@ namespace crossgrain {
 /// vectors along the three edges there; 1 for a cube, at most 0 if the hexahedron is inverted at a corner. An
 /// edge without length makes it 0. (Knupp 2000; Verdict's measure but for its further value at the centre.)
 std::vector<double> scaled_jacobians(const HexMesh& mesh);
+
+/// Whether a hexahedron of this scaled Jacobian is inverted, or flat but for rounding.
+inline bool is_inverted(double scaled_jacobian) {
+  return !(scaled_jacobian > 1e-6);
+}
+
+/// The mean of the corners of a hexahedron.
+Vector3 centre_of(const HexMesh& mesh, std::size_t hexahedron);
 
 /// Volumes of hexahedra with trilinear sides, exact to rounding.
 std::vector<double> volumes_of(const HexMesh& mesh);
