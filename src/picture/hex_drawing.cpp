@@ -19,6 +19,14 @@ namespace {
 /// would cover the colours.
 constexpr double kEdgeRadius = 0.9, kMostOfAnEdge = 0.035;
 
+/// The least radius in pixels, since the one ray through a pixel misses thinner rods; and the least mean
+/// length of an edge in pixels, below which they would cover the colours all the same, and are left out.
+constexpr double kLeastRadius = 0.55, kLeastLength = 5;
+
+/// Edges of what a limit of shapes leaves out are this much thinner, so that those of what is there cover
+/// them.
+constexpr double kPaleShare = 0.8;
+
 /// Of 32 degrees, as of creases of surfaces.
 constexpr double kSharpCosine = 0.848;
 
@@ -29,7 +37,8 @@ constexpr float kPale = 0.05f, kPaleAside = 0.3f;
 constexpr float kShading = 0.5f;
 
 /// Edges are dark on any paper: they run over faces, which are light.
-constexpr Colour kInverted = colour_of(0xd916d3), kEdge = colour_of(0x1d2630), kPaleEdge = colour_of(0xaab4be);
+constexpr Colour kInverted = colour_of(0xd916d3), kEdge = colour_of(0x1d2630),
+                 kPaleEdge = colour_of(0xaab4be);
 
 /// Four triangles for each face, around its centre.
 SolvedSurface triangles_of(const HexMesh& mesh, const std::vector<HexSide>& faces) {
@@ -166,12 +175,17 @@ Drawing ShownHexahedra::drawing(const Camera& camera) const {
   };
   Drawing drawing;
   drawing.meshes.push_back(std::move(mesh));
-  const double radius = std::min(kEdgeRadius * PictureWeights(options_, camera).unit,
-                                 kMostOfAnEdge * mean_length(mesh_, skin_));
-  drawing.rods.push_back({RodLook::kInk, rods_along(mesh_, skin_.edges, radius, kEdge), {}});
+  const double pixel = camera.pixel_size(), length = mean_length(mesh_, skin_);
+  const double widest = std::max(kEdgeRadius * PictureWeights(options_, camera).unit, kLeastRadius * pixel);
+  const double radius = std::clamp(kMostOfAnEdge * length, kLeastRadius * pixel, widest);
+  if (length >= kLeastLength * pixel)
+    drawing.rods.push_back({RodLook::kInk, rods_along(mesh_, skin_.edges, radius, kEdge), {}});
   if (!options_.quality_below) return drawing;
   drawing.meshes.push_back(pale_mesh(kept_surface_));
-  drawing.rods.push_back({RodLook::kInk, rods_along(mesh_, kept_edges_, radius, kPaleEdge), {}});
+  drawing.rods.push_back(
+      {RodLook::kInk,
+       rods_along(mesh_, kept_edges_, std::max(kPaleShare * widest, kLeastRadius * pixel), kPaleEdge),
+       {}});
   return drawing;
 }
 

@@ -78,8 +78,8 @@ export interface Warning {
 /** Of hexahedra that were made. */
 export interface HexReport {
   outcome: string;
-  reason: string;
-  remedy: string;
+  reason?: string;
+  remedy?: string;
   places?: Vector[];
   hexahedra: number;
   scaled_jacobian?: { min: number; mean: number; inverted: number; worst_place?: Vector };

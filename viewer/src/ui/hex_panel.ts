@@ -88,7 +88,7 @@ export function hexahedra_places(report: Report, origin: [number, number, number
   if (hexahedra && hexahedra.hexahedra > 0 && shapes?.worst_place) {
     places.push({ label: `Hexahedron of scaled Jacobian ${two_digits(shapes.min)}`, detail: "the worst", short: "Worst hexahedron", point: subtract(shapes.worst_place, origin), warn: shapes.inverted > 0 });
   }
-  (hexahedra?.places ?? []).forEach((place, k) => places.push({ label: `Place ${k + 1}`, detail: hexahedra!.reason, point: subtract(place, origin), warn: true }));
+  (hexahedra?.places ?? []).forEach((place, k) => places.push({ label: `Place ${k + 1}`, detail: hexahedra?.reason ?? "", point: subtract(place, origin), warn: true }));
   return places;
 }
 
