@@ -322,9 +322,9 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
 CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
   CLI::App* command = app.add_subcommand("render",
                                          "Draws a picture of a field: the part, its singular lines, "
-                                         "and frames on a cut");
+                                         "and frames on a cut; or of hexahedra");
   PictureOptions& options = arguments.options;
-  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
+  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' or 'crossgrain hex' wrote")
       ->required()
       ->type_name("");
   command->add_option("-o,--output", arguments.output, "PNG file to write (default: DIR-stem.png here)")
