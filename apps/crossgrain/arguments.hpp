@@ -98,6 +98,7 @@ struct RenderArguments {
   bool is_output_named = false;
   PictureOptions options;
   bool streamlines = false;  ///< draw the lines of kStreamlinesFile in the folder
+  bool hexahedra = false;    ///< draw the hexahedra of kHexahedraFile instead of the field
   int threads = 0;
   bool quiet = false;
 };

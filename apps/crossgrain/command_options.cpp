@@ -117,6 +117,29 @@ void add_field_choice(CLI::App& command, FieldChoice& choice) {
              "tets|grid");
 }
 
+void add_hexahedra(CLI::App& command, RenderArguments& arguments) {
+  CLI::Option* hexahedra =
+      command.add_flag("--hexahedra", arguments.hexahedra,
+                       "Draw the hexahedra that 'crossgrain hex' has written to the folder instead, coloured "
+                       "by scaled Jacobian; a cut removes whole ones");
+  const std::vector<const CLI::Option*> of_fields{
+      command.get_option("--field"),    command.get_option("--streamlines"),
+      command.get_option("--colour"),   command.get_option("--range"),
+      command.get_option("--frames"),   command.get_option("--frame-spacing"),
+      command.get_option("--no-lines"), command.get_option("--no-creases")};
+  command.parse_complete_callback([hexahedra, of_fields] {
+    if (hexahedra->count() == 0) return;
+    for (const CLI::Option* option : of_fields)
+      if (option->count() > 0) throw CLI::ExcludesError(hexahedra->get_name(), option->get_name());
+  });
+  command
+      .add_option("--below", arguments.options.quality_below,
+                  "With --hexahedra, draw only those with a scaled Jacobian below this")
+      ->needs(hexahedra)
+      ->check(CLI::Range(-1.0, 2.0))
+      ->type_name("X");
+}
+
 void add_looks(CLI::App& command, PictureOptions& options) {
   add_choice(command, "--colour,--color", options.colour,
              {{"none", PictureColour::kNone},
@@ -299,9 +322,9 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
 CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
   CLI::App* command = app.add_subcommand("render",
                                          "Draws a picture of a field: the part, its singular lines, "
-                                         "and frames on a cut");
+                                         "and frames on a cut; or of hexahedra");
   PictureOptions& options = arguments.options;
-  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
+  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' or 'crossgrain hex' wrote")
       ->required()
       ->type_name("");
   command->add_option("-o,--output", arguments.output, "PNG file to write (default: DIR-stem.png here)")
@@ -329,6 +352,7 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
       "the frames on the plane (default none)")
       ->type_name("none|x|y|z[=AT]");
   add_looks(*command, options);
+  add_hexahedra(*command, arguments);
   command->add_option("--threads", arguments.threads, "Number of threads; 0 (default) uses all")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()))
       ->type_name("N");

@@ -50,6 +50,7 @@ constexpr OptionWords kOptionWords[] = {
     {Remedy::kTurnView, "choose another --view or --cut", For::kAll},
     {Remedy::kGiveFieldFolder, "give a folder that 'crossgrain solve' has written", For::kAll},
     {Remedy::kTraceStreamlines, "trace lines with 'crossgrain streamlines'", For::kAll},
+    {Remedy::kMakeHexahedra, "make them with 'crossgrain hex'", For::kAll},
     {Remedy::kNameOutput, "name one with -o", For::kAll},
     {Remedy::kChooseWritablePlace, "choose a place you may write to with -o", For::kAll},
     {Remedy::kFreeSpace, "free some space, or choose another disk with -o", For::kAll},

@@ -62,7 +62,25 @@ Subject read_subject(const RenderArguments& arguments) {
   return {std::move(*field), std::move(lines), std::move(streamlines)};
 }
 
+/// A mesh of hexahedra with what the report of its folder says of it.
+struct HexSubject {
+  HexMesh mesh;
+  std::optional<HexReport> report;
+};
+
+void draw_hexahedra(const RenderArguments& arguments, const Monitor& monitor) {
+  const std::filesystem::path folder = arguments.field;
+  const HexSubject subject = read_one_solve(folder, [&] {
+    return HexSubject{read_hexahedra(folder), report_of_result(folder).hexahedra};
+  });
+  naming(arguments.field, [&] {
+    render_picture(subject.mesh, arguments.output, arguments.options,
+                   subject.report ? &*subject.report : nullptr, monitor);
+  });
+}
+
 void draw(const RenderArguments& arguments, const Monitor& monitor) {
+  if (arguments.hexahedra) return draw_hexahedra(arguments, monitor);
   const Subject subject = read_one_solve(arguments.field, [&] { return read_subject(arguments); });
   const PictureCurves curves{&subject.lines, subject.streamlines};
   const auto render = [&](const auto& field) {

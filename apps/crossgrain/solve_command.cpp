@@ -299,7 +299,8 @@ SolveReport solve_and_write(const SolveArguments& arguments,
     output_options.foreign_files = ForeignFiles::kKeep;
   if (made) output_options.hexahedra = std::make_shared<const HexMesh>(made->mesh);
   if (arguments.page)
-    output_options.companions.push_back(tet_field ? page_of(*tet_field) : page_of(to_write.shown.value()));
+    output_options.companions.push_back(tet_field ? page_of(*tet_field, output_options.hexahedra)
+                                                  : page_of(to_write.shown.value()));
   SolveReport report = tet_field ? tet_field->report() : field.report();
   report.model.path = arguments.model;
   report.seconds.read = read_seconds;

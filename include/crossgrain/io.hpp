@@ -123,6 +123,15 @@ void check_tets_output(const std::filesystem::path& path);
 /// Error(kInterrupted).
 void write_hexahedra(const HexMesh& mesh, const std::filesystem::path& path, const Monitor& monitor = {});
 
+/// File of hexahedra in the folder of a field from which `read_hexahedra` reads.
+inline constexpr const char* kHexahedraFile = "hexahedra.vtu";
+
+/// Reads what `write_hexahedra` has written to a .vtu file, to the bit but for the unit, which the file does
+/// not tell; or the hexahedra in a folder (OutputOptions::hexahedra), with the unit of its report. If the
+/// file is of an earlier version, which did not list the boundary, that has no tags. Throws Error(kInput),
+/// also for a folder without hexahedra.
+HexMesh read_hexahedra(const std::filesystem::path& path);
+
 /// Throws what `write_hexahedra` would if it could not write; leaves no trace. Call before making hexahedra
 /// to fail early.
 void check_hexahedra_path(const std::filesystem::path& path);
@@ -281,6 +290,9 @@ bool is_own_file(const std::filesystem::path& path);
 
 /// Returns SolveReport::Model::path of the field in a folder; none if the folder has no readable report.
 std::optional<std::string> model_of_result(const std::filesystem::path& folder);
+
+/// Returns the report in the folder of a result, without reading the field. Throws Error(kInput).
+SolveReport report_of_result(const std::filesystem::path& folder);
 
 /// Returns SolveReport::solve that all files of a result name; empty if they name none. Finishes an
 /// interrupted `write_field` first. Throws Error(kInput), naming two files, if they are of different solves.

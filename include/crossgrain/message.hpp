@@ -51,6 +51,7 @@ enum class Remedy : int {
   kGiveFieldFolder,
   kGiveModel,  ///< not a field
   kTraceStreamlines,
+  kMakeHexahedra,
   kContinueSolve,  ///< `solve_from` the field
   kSolveAnew,      ///< without CheckpointFolders::resume
   kGiveCheckpoint,

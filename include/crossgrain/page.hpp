@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 
 #include "crossgrain/frame_field.hpp"
+#include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
@@ -19,6 +21,9 @@ namespace crossgrain {
 /// Those of a field with more are merged (OutputOptions::level).
 inline constexpr std::size_t kMostCellsOfPage = 200000;
 
+/// Largest number of hexahedra that a page shows.
+inline constexpr std::size_t kMostHexahedraOfPage = 150000;
+
 /// Makes a solve keep the constraint forms that the page shows for a cell (SolveOptions::kept_forms). Without
 /// them, and for fields read from files, the page leaves that panel empty.
 void keep_forms_for_page(SolveOptions& options);
@@ -29,8 +34,9 @@ void keep_forms_for_page(SolveOptions& options);
 CompanionFile page_of(const FrameField& field);
 
 /// Likewise of a field on tets: its boundary, singular arcs, and the frames and energies of at most 300,000
-/// tets, with the grid from which it started to choose instead.
-CompanionFile page_of(const TetFrameField& field);
+/// tets, with the grid from which it started to choose instead. Unless they are null, the page shows
+/// hexahedra first, at most kMostHexahedraOfPage: of a larger mesh those at its surface, then the worst.
+CompanionFile page_of(const TetFrameField& field, std::shared_ptr<const HexMesh> hexahedra = nullptr);
 
 /// Writes the page as a single HTML file that needs no other. The file appears complete or not at all.
 /// Errors: kInput for a field without its surface; kOutput; kInterrupted.

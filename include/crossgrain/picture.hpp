@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "crossgrain/frame_field.hpp"
+#include "crossgrain/hex_mesh.hpp"
+#include "crossgrain/hex_report.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/streamlines.hpp"
@@ -81,6 +83,9 @@ struct PictureOptions {
   std::optional<double> opacity;
 
   PictureBackground background = PictureBackground::kLight;
+
+  /// Of hexahedra: those to draw have a scaled Jacobian below this; all by default.
+  std::optional<double> quality_below;
 };
 
 /// The view of a name: iso, front, back, left, right, top or bottom. The front is the side seen from -y, with
@@ -111,6 +116,18 @@ void render_picture(const FrameField& field, const std::filesystem::path& pictur
 /// which it started.
 void render_picture(const TetFrameField& field, const std::filesystem::path& picture,
                     const PictureOptions& options = {}, const PictureCurves& curves = {},
+                    const Monitor& monitor = {});
+
+/// Draws a mesh of hexahedra: its outside with the edges of its faces, each hexahedron in the colour of its
+/// scaled Jacobian on a scale from 0 to 1, inverted ones in a colour of their own. A cut removes the
+/// hexahedra whose centres are in front of the plane, as a whole. The legend repeats what the report says of
+/// the mesh, unless that is null. What is said above of files, threads and errors holds here too; options of
+/// lines, creases and frames are not used.
+///
+/// Errors: kUsage also for colours by anything else, for a cut that leaves no hexahedron, and for corners
+/// that are no vertices; kInput for a mesh without hexahedra.
+void render_picture(const HexMesh& mesh, const std::filesystem::path& picture,
+                    const PictureOptions& options = {}, const HexReport* report = nullptr,
                     const Monitor& monitor = {});
 
 /// @}

@@ -48,6 +48,7 @@ constexpr Wording kWordings[] = {
     {Remedy::kGiveFieldFolder, "give_field_folder", "give a folder that a field was written to"},
     {Remedy::kGiveModel, "give_model", "give the mesh or surface itself"},
     {Remedy::kTraceStreamlines, "trace_streamlines", "trace streamlines and write them to it"},
+    {Remedy::kMakeHexahedra, "make_hexahedra", "make hexahedra of its model and write them to it"},
     {Remedy::kContinueSolve, "continue_solve", "a solve that starts from this field goes on from here"},
     {Remedy::kSolveAnew, "solve_anew", "solve anew, without it"},
     {Remedy::kGiveCheckpoint, "give_checkpoint", "give the folder of a checkpoint"},

@@ -268,6 +268,7 @@ void for_each_option(PictureOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(legend);
   CROSSGRAIN_OPTION(opacity);
   CROSSGRAIN_OPTION(background);
+  CROSSGRAIN_OPTION(quality_below);
 }
 
 #undef CROSSGRAIN_OPTION

@@ -16,12 +16,6 @@
 namespace crossgrain {
 namespace {
 
-Vector3 centre_of(const HexMesh& mesh, std::size_t hexahedron) {
-  Vector3 sum{0, 0, 0};
-  for (const std::uint32_t v : mesh.hexahedra[hexahedron]) sum += mesh.vertices[v];
-  return 0.125 * sum;
-}
-
 double volume_of(const TetMesh& mesh) {
   double sum = 0;
   for (const auto& [a, b, c, d] : mesh.tets) {

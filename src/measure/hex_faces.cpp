@@ -46,6 +46,7 @@ std::vector<Use> uses_of(const HexMesh& mesh) {
   return uses;
 }
 
+/// Finds HexTopology::boundary and crowded_faces.
 void find_boundary(const HexMesh& mesh, HexTopology& topology) {
   const std::vector<Use> uses = uses_of(mesh);
   for (std::size_t k = 0; k < uses.size();) {
@@ -97,6 +98,12 @@ std::size_t count_pinched(const HexTopology& topology,
 }
 
 }  // namespace
+
+std::vector<HexSide> boundary_of(const HexMesh& mesh) {
+  HexTopology topology;
+  find_boundary(mesh, topology);
+  return std::move(topology.boundary);
+}
 
 HexTopology topology_of(const HexMesh& mesh) {
   HexTopology topology;

@@ -42,6 +42,9 @@ struct HexTopology {
   bool is_closed() const { return crowded_faces == 0 && open_edges == 0; }
 };
 
+/// Returns HexTopology::boundary alone.
+std::vector<HexSide> boundary_of(const HexMesh& mesh);
+
 HexTopology topology_of(const HexMesh& mesh);
 
 }  // namespace crossgrain

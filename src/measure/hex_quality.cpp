@@ -61,6 +61,12 @@ std::vector<double> scaled_jacobians(const HexMesh& mesh) {
   return result;
 }
 
+Vector3 centre_of(const HexMesh& mesh, std::size_t hexahedron) {
+  Vector3 sum{0, 0, 0};
+  for (const std::uint32_t v : mesh.hexahedra[hexahedron]) sum += mesh.vertices[v];
+  return 0.125 * sum;
+}
+
 std::vector<double> volumes_of(const HexMesh& mesh) {
   std::vector<double> result(mesh.hexahedra.size());
   parallel_for(result.size(), [&](std::size_t h) { result[h] = volume(mesh, mesh.hexahedra[h]); });

@@ -2,6 +2,7 @@
 // Shape and size of hexahedra.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "crossgrain/hex_mesh.hpp"
@@ -13,11 +14,13 @@ namespace crossgrain {
 /// edge without length makes it 0. (Knupp 2000; Verdict's measure but for its further value at the centre.)
 std::vector<double> scaled_jacobians(const HexMesh& mesh);
 
-/// Whether a scaled Jacobian is of an inverted or flat hexahedron, beyond rounding.
+/// Whether a hexahedron of this scaled Jacobian is inverted, or flat but for rounding.
 inline bool is_inverted(double scaled_jacobian) {
-  constexpr double kFlat = 1e-6;
-  return !(scaled_jacobian > kFlat);
+  return !(scaled_jacobian > 1e-6);
 }
+
+/// The mean of the corners of a hexahedron.
+Vector3 centre_of(const HexMesh& mesh, std::size_t hexahedron);
 
 /// Volumes of hexahedra with trilinear sides, exact to rounding.
 std::vector<double> volumes_of(const HexMesh& mesh);

@@ -105,8 +105,10 @@ CompanionFile page_of(const FrameField& field) {
   return page_with([field](const Monitor& monitor) { return page_scene(field, monitor); });
 }
 
-CompanionFile page_of(const TetFrameField& field) {
-  return page_with([field](const Monitor& monitor) { return page_scene(field, monitor); });
+CompanionFile page_of(const TetFrameField& field, std::shared_ptr<const HexMesh> hexahedra) {
+  return page_with([field, hexahedra = std::move(hexahedra)](const Monitor& monitor) {
+    return page_scene(field, hexahedra.get(), monitor);
+  });
 }
 
 void write_page(const FrameField& field, const std::filesystem::path& path, const Monitor& monitor) {

@@ -17,6 +17,7 @@
 #include "field/field_data.hpp"
 #include "grid/merged_depth.hpp"
 #include "io/result/output_cells.hpp"
+#include "page/scene_hexahedra.hpp"
 #include "page/scene_parts.hpp"
 #include "page/scene_streamlines.hpp"
 #include "page/scene_tets.hpp"
@@ -159,8 +160,9 @@ class PageScene {
     return scene_.bytes();
   }
 
-  std::string of_tets(const TetFrameField& field) {
+  std::string of_tets(const TetFrameField& field, const HexMesh* hexahedra) {
     add_beside_lines(field, [&] { add_all_tets(field); });
+    if (hexahedra != nullptr) add_hexahedra(*hexahedra, origin_, kMostHexahedraOfPage, scene_);
     return scene_.bytes();
   }
 
@@ -214,8 +216,8 @@ std::string page_scene(const FrameField& field, const Monitor& monitor) {
   return PageScene(field.data(), monitor).of_grid(field);
 }
 
-std::string page_scene(const TetFrameField& field, const Monitor& monitor) {
-  return PageScene(field.grid().data(), monitor).of_tets(field);
+std::string page_scene(const TetFrameField& field, const HexMesh* hexahedra, const Monitor& monitor) {
+  return PageScene(field.grid().data(), monitor).of_tets(field, hexahedra);
 }
 
 }  // namespace crossgrain

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "crossgrain/frame_field.hpp"
+#include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/page.hpp"
 #include "crossgrain/tet_frame_field.hpp"
@@ -19,7 +20,9 @@ inline constexpr int kDeepestShown = 16;
 /// some of them, streamlines. The same bytes for any number of threads. Throws Error(kInterrupted).
 std::string page_scene(const FrameField& field, const Monitor& monitor = {});
 
-/// Likewise of a field on tets, with the grid from which it started beside it.
-std::string page_scene(const TetFrameField& field, const Monitor& monitor = {});
+/// Likewise of a field on tets, with the grid from which it started beside it, and with hexahedra unless they
+/// are null.
+std::string page_scene(const TetFrameField& field, const HexMesh* hexahedra = nullptr,
+                       const Monitor& monitor = {});
 
 }  // namespace crossgrain

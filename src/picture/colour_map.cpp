@@ -37,6 +37,11 @@ ColourMap ColourMap::dawn() {
   return map;
 }
 
+ColourMap ColourMap::shape() {
+  return ColourMap({colour_of(0x7a0a2a), colour_of(0xc02a32), colour_of(0xea6b3e), colour_of(0xf9b55f),
+                    colour_of(0xf1e3a4), colour_of(0xcddde7)});
+}
+
 Colour ColourMap::at(double share) const {
   const auto last = static_cast<double>(colours_.size() - 1);
   const double place = share > 0 ? std::min(share, 1.0) * last : 0;  // NaN counts as low

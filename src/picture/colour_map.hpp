@@ -23,6 +23,9 @@ class ColourMap {
   /// Black over red to light yellow.
   static ColourMap dawn();
 
+  /// Dark red over yellow to light blue-grey: of shapes, of which 0 is bad and 1 the best.
+  static ColourMap shape();
+
   /// Colour at `share` of the map, clamped to 0 to 1.
   Colour at(double share) const;
 

@@ -38,6 +38,10 @@ struct DrawnMesh {
   float opacity = 1;          ///< opacity seen along the normal
   float grazing_opacity = 1;  ///< opacity seen from the side
 
+  /// How much darker than its colour what faces away from the light is, as a share of what it would be: less
+  /// where colours are read off.
+  float shading = 1;
+
   /// Whether sides that face away from the viewer are omitted.
   bool has_front_only = false;
 

@@ -148,8 +148,9 @@ void Legend::draw_bar(Canvas& canvas, const ColourBar& bar, double left, double 
                       const Colour& ink) const {
   const double height = (kBarHeight - 1) * size_, right = left + kBarWidth * size_;
   const double capital = Font::sans().capital_height(size_);
+  // Each row reaches below the next, which covers it: else pixels between two rows would be half empty.
   for (double y = 0; y < height; ++y)
-    canvas.fill({left, top + y, right, top + std::min(y + 1, height)}, bar.map.at(1 - (y + 0.5) / height));
+    canvas.fill({left, top + y, right, top + std::min(y + 2, height)}, bar.map.at(1 - (y + 0.5) / height));
   const double thin = size_ / 16;
   for (const double x : {left, right}) canvas.line(x, top, x, top + height, thin, ink);
   for (const double y : {top, top + height}) canvas.line(left, y, right, y, thin, ink);

@@ -224,7 +224,8 @@ Pixel RayTracing::mesh_pixel(const DrawnMesh& mesh, const ShapeHit& hit, const R
   }
   const float aside = 1 - std::clamp(normal[2], 0.0f, 1.0f);
   const float opacity = mesh.opacity + (mesh.grazing_opacity - mesh.opacity) * aside * aside * aside;
-  const Colour lit = std::min(0.22f + 0.86f * brightness(normal), 1.0f) * colour;
+  const float light = std::min(0.22f + 0.86f * brightness(normal), 1.0f);
+  const Colour lit = (1 - mesh.shading * (1 - light)) * colour;
   return pixel_of(mix(lit, options_.haze, options_.haze_share * depth_share(hit.distance)), opacity);
 }
 

@@ -11,6 +11,7 @@
 #include "fuzz/input_folder.hpp"
 #include "fuzz/mesh_promises.hpp"
 #include "fuzz/reader_checks.hpp"
+#include "io/hex/hex_arrays.hpp"
 #include "io/json/json_file.hpp"
 #include "io/result/field_arrays.hpp"
 #include "io/result/report_file.hpp"
@@ -98,6 +99,16 @@ constexpr std::array kStreamlineArrays = {
     FieldArray{"Points", "Points", "Float64", 3},
     FieldArray{"offsets", "Cells", "Int32", 1},
     FieldArray{"axis", "CellData", "UInt8", 1},
+};
+
+constexpr std::array kHexahedronArrays = {
+    FieldArray{"Points", "Points", "Float64", 3},
+    FieldArray{"connectivity", "Cells", "Int32", 1},
+    FieldArray{"offsets", "Cells", "Int32", 1},
+    FieldArray{"types", "Cells", "UInt8", 1},
+    FieldArray{field_arrays::kRegion, "CellData", "Int32", 1},
+    FieldArray{hex_arrays::kBoundary, "FieldData", "Int32", 4},
+    FieldArray{hex_arrays::kBoundaryTag, "FieldData", "Int32", 1},
 };
 
 using ArrayBytes = std::vector<std::vector<std::uint8_t>>;
@@ -242,6 +253,26 @@ bool check_streamline_arrays(std::string_view bytes) {
     require(line.axis >= 0 && line.axis < 3, "an axis that is not there");
     require_finite(line.points);
   }
+  return true;
+}
+
+bool check_hexahedron_arrays(std::string_view bytes) {
+  constexpr std::span kAll = kHexahedronArrays;
+  const ArrayBytes arrays = taken_arrays(kAll, bytes);
+  const bool has_boundary = !arrays[5].empty();
+  const auto path =
+      as_file("hexahedra.vtu", packed(has_boundary ? kAll : kAll.first(5),
+                                      has_boundary ? arrays : ArrayBytes{arrays.begin(), arrays.begin() + 5},
+                                      arrays[0].size() / (3 * sizeof(double)), arrays[3].size()));
+  HexMesh mesh;
+  if (!succeeds([&] { mesh = read_hexahedra(path); })) return false;
+  require_finite(mesh.vertices);
+  // Whatever is no mesh is refused here.
+  write_hexahedra(mesh, path);
+  const HexMesh again = read_hexahedra(path);
+  require(again.vertices == mesh.vertices && again.hexahedra == mesh.hexahedra &&
+              again.regions == mesh.regions && again.boundary.size() == mesh.boundary.size(),
+          "hexahedra that change when written");
   return true;
 }
 

@@ -10,6 +10,7 @@
 
 #include "fuzz/reader_checks.hpp"
 #include "io/gmsh_files.hpp"
+#include "io/made_bricks.hpp"
 #include "io/made_cad_answers.hpp"
 #include "io/made_netgen_answers.hpp"
 #include "io/medit_files.hpp"
@@ -181,6 +182,27 @@ std::string streamline_bytes() {
   return out;
 }
 
+/// Two hexahedra, with and without a list of their boundary, in the order of kHexahedronArrays
+/// (field_checks.cpp).
+std::vector<std::string> hexahedron_bytes() {
+  const HexMesh mesh = made_bricks({2, 1, 1}, {2, 1, 1});
+  std::string out;
+  append_array(out, mesh.vertices);
+  append_array(out, mesh.hexahedra);
+  append_array<std::int32_t>(out, {8, 16});
+  append_array<std::uint8_t>(out, {12, 12});
+  append_array(out, mesh.regions);
+  std::vector<std::int32_t> corners, tags;
+  for (const HexMesh::Face& face : mesh.boundary) {
+    for (const std::uint32_t vertex : face.vertices) corners.push_back(static_cast<std::int32_t>(vertex));
+    tags.push_back(face.tag);
+  }
+  std::string with_boundary = out;
+  append_array(with_boundary, corners);
+  append_array(with_boundary, tags);
+  return {out, with_boundary};
+}
+
 std::vector<std::string> made_cad() {
   // Lines of 80 columns, of which the 73rd names the section.
   std::string iges;
@@ -235,6 +257,7 @@ std::vector<std::string> made_inputs(std::string_view reader) {
   if (reader == "surface_arrays") return {surface_bytes()};
   if (reader == "singularity_arrays") return {singularity_bytes()};
   if (reader == "streamline_arrays") return {streamline_bytes()};
+  if (reader == "hexahedron_arrays") return hexahedron_bytes();
   if (reader == "report") return {json_of(sample_report()).dump(1)};
   if (reader == "points") return {"0 0 0\n1.5 -2e3 .25 # a point\n\n# none\n3 4 5"};
   if (reader == "normals") return {"0 0 1\n1 0 0 2.5\n# none\n0.3 -4 1e-3 7\n"};

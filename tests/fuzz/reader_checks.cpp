@@ -26,6 +26,7 @@ constexpr std::array kReaders = {
     ReaderUnderTest{"surface_arrays", check_surface_arrays},
     ReaderUnderTest{"singularity_arrays", check_singularity_arrays},
     ReaderUnderTest{"streamline_arrays", check_streamline_arrays},
+    ReaderUnderTest{"hexahedron_arrays", check_hexahedron_arrays},
     ReaderUnderTest{"report", check_report},
     ReaderUnderTest{"points", check_points},
     ReaderUnderTest{"normals", check_normals},

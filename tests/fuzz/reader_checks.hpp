@@ -49,6 +49,9 @@ ReaderCheck check_singularity_arrays;
 
 /// streamlines.vtu by its arrays, in the order of kStreamlineArrays.
 ReaderCheck check_streamline_arrays;
+
+/// hexahedra.vtu by its arrays, in the order of kHexahedronArrays; without the last two where they are empty.
+ReaderCheck check_hexahedron_arrays;
 ReaderCheck check_report;
 
 /// What is looked at in a STEP, IGES or BREP file before OpenCASCADE sees it, which is not called.

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "crossgrain/solve.hpp"
+#include "io/made_bricks.hpp"
 #include "measure/made_tets.hpp"
+#include "page/scene_hexahedra.hpp"
 #include "page/scene_tets.hpp"
 #include "singularity/axis_names.hpp"
 
@@ -103,6 +106,56 @@ TEST(PageScene, HasTheFacesBetweenRegionsOfTetsAndOfTheGrid) {
   EXPECT_EQ(arrays["interface_vertices"]["shape"][0], 3 * 3);
   EXPECT_GE(arrays["grid_interface_triangles"]["shape"][0], 4 * 2);
   EXPECT_FALSE(header_of(page_scene(field_on_tets()))["arrays"].contains("interface_triangles"));
+}
+
+/// A u32 array of a scene.
+std::vector<std::uint32_t> numbers_in(const std::string& bytes, const char* name) {
+  const nlohmann::json array = header_of(bytes)["arrays"][name];
+  std::uint32_t length = 0;
+  std::copy_n(bytes.data() + 8, sizeof length, reinterpret_cast<char*>(&length));
+  std::vector<std::uint32_t> numbers(array["shape"][0].get<std::size_t>());
+  std::memcpy(numbers.data(), bytes.data() + 12 + length + array["offset"].get<std::size_t>(),
+              numbers.size() * sizeof numbers[0]);
+  return numbers;
+}
+
+TEST(PageScene, HasAllHexahedraWhereThereAreFew) {
+  const HexMesh mesh = made_bricks({4, 3, 2}, {4, 3, 2});
+  SceneWriter scene;
+  add_hexahedra(mesh, {0, 0, 0}, 24, scene);
+  const nlohmann::json header = header_of(scene.bytes());
+  EXPECT_EQ(header["hexahedra"],
+            (nlohmann::json{{"total", 24}, {"shown", 24}, {"inverted", 0}, {"mean", 1.0}}));
+  EXPECT_EQ(header["arrays"]["hex_corners"]["shape"], (nlohmann::json{24, 8}));
+  EXPECT_EQ(header["arrays"]["hex_points"]["shape"], (nlohmann::json{60, 3}));
+  EXPECT_FALSE(header["arrays"].contains("hex_number"));
+}
+
+TEST(PageScene, HasOfManyHexahedraThoseAtTheSurfaceThenTheWorst) {
+  HexMesh mesh = made_bricks({6, 6, 6}, {6, 6, 6});
+  // A vertex in the middle moves: the eight hexahedra around it are inside and the worst.
+  const std::uint32_t moved = 3 + 7 * (3 + 7 * 3);
+  mesh.vertices[moved][0] += 0.4;
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t h = 0; h < mesh.hexahedra.size(); ++h) {
+    const auto at = [&](std::uint32_t axis) { return h / (axis == 0 ? 1 : axis == 1 ? 6 : 36) % 6; };
+    const auto is_edge = [&](std::uint32_t axis) { return at(axis) == 0 || at(axis) == 5; };
+    const bool is_around = std::ranges::count(mesh.hexahedra[h], moved) > 0;
+    if (is_edge(0) || is_edge(1) || is_edge(2) || is_around) expected.push_back(h);
+  }
+  ASSERT_EQ(expected.size(), 216u - 64 + 8);
+  SceneWriter scene;
+  add_hexahedra(mesh, {0, 0, 0}, expected.size(), scene);
+  EXPECT_EQ(numbers_in(scene.bytes(), "hex_number"), expected);
+  EXPECT_EQ(header_of(scene.bytes())["hexahedra"]["total"], 216);
+}
+
+TEST(PageScene, HasHexahedraBesideTheirFieldAndElseNothingOfThem) {
+  const HexMesh mesh = made_bricks({3, 3, 3}, {3, 3, 3});
+  EXPECT_TRUE(header_of(page_scene(field_on_tets(), &mesh)).contains("hexahedra"));
+  EXPECT_FALSE(header_of(page_scene(field_on_tets())).contains("hexahedra"));
+  const HexMesh none;
+  EXPECT_FALSE(header_of(page_scene(field_on_tets(), &none)).contains("hexahedra"));
 }
 
 TEST(PageScene, OfTetsIsTheSameForTheSameField) {

@@ -62,6 +62,21 @@ function faulty_controls() {
   return found;
 }
 
+test("texts of hexahedra are legible and their controls have names", async () => {
+  const { page } = await shared.page(browser, "hexahedra");
+  await page.evaluate(() => window.crossgrain.pickAt(...window.crossgrain.screenOf([-8, -10, -18])));
+  assert.ok((await page.evaluate(() => window.crossgrain.state())).hexahedron >= 0);
+  for (const panel of ["cell", "field"]) {
+    await page.locator(`[data-testid="tab-${panel}"]`).click();
+    for (const colorScheme of ["light", "dark"]) {
+      await page.emulateMedia({ colorScheme });
+      await page.waitForFunction((scheme) => window.crossgrain.state().resolved_theme === scheme, colorScheme);
+      assert.deepEqual(await page.evaluate(faint_texts), [], `${panel}, ${colorScheme}`);
+      assert.deepEqual(await page.evaluate(faulty_controls), [], panel);
+    }
+  }
+});
+
 for (const [device_name, device] of [["desktop", kDesktop], ["phone", kPhone]]) {
   test(`texts are legible and controls have names: ${device_name}, light and dark`, async () => {
     const { page, context } = await open(browser, scene_file("components"), { device });

@@ -83,7 +83,7 @@ export class SharedPages {
       location.hash = new URL(there).hash;
       await restored;
       document.querySelector('[data-testid="tab-field"]').click();
-      await window.crossgrain.change({ theme, cut, glyph, layers, picked: -1, marked: null });
+      await window.crossgrain.change({ theme, cut, glyph, layers, picked: -1, below: 1, hexahedron: -1, marked: null });
     }, [settings, link]);
     problems.length = 0;
     return { page, problems };

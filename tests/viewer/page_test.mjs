@@ -21,7 +21,7 @@ const by_test = (name) => `[data-testid="${name}"]`;
 const kLongestOpening = 20_000;
 
 for (const [name, device_name, scheme] of [
-  ["ball", "desktop", "light"], ["tets", "desktop", "light"], ["plate", "desktop", "dark"], ["components", "desktop", "light"], ["components", "phone", "dark"], ["plate", "phone", "light"],
+  ["ball", "desktop", "light"], ["tets", "desktop", "light"], ["hexahedra", "desktop", "light"], ["plate", "desktop", "dark"], ["components", "desktop", "light"], ["components", "phone", "dark"], ["plate", "phone", "light"],
 ]) {
   test(`${name} opens without complaint and shows the part: ${device_name}, ${scheme}`, async (context) => {
     const opened = await open(browser, scene_file(name), { device: kSharp[device_name], scheme });

@@ -13,6 +13,7 @@ import { Stage } from "./view/stage.ts";
 import { kViewNames, type ViewName } from "./view/camera_rig.ts";
 import { answer_blocks, answer_of, place_of, worst_places } from "./ui/answer.ts";
 import { by_id, counted, measured, plural } from "./ui/dom.ts";
+import { describe_hexahedron, hexahedra_shown, hexahedra_text, hexahedron_title, show_hexahedron, two_digits, type HexDescription } from "./ui/hex_panel.ts";
 import { describe_element, show_cell, show_no_cell, title_of, type CellPanel } from "./ui/cell_panel.ts";
 import { make_controls } from "./ui/controls.ts";
 import { Keyboard } from "./ui/keyboard.ts";
@@ -36,6 +37,7 @@ export class Application {
   private readonly places: Place[];
   private cell_panel: CellPanel | null = null;
   private shown_cell = -1;
+  private shown_hexahedron = -1;
   private visited = -1;
   private note_timer = 0;
   private shown_size = "";
@@ -147,14 +149,36 @@ export class Application {
 
   /** Picks what is under a place of the canvas; nothing there clears the pick. */
   pick_at(x: number, y: number): number {
+    const hexahedron = this.stage.pick_hexahedron(x, y);
+    if (hexahedron !== null) return this.take_hexahedron(hexahedron);
     const cell = this.stage.pick(x, y);
-    this.store.change({ picked: cell });
+    this.store.change({ picked: cell, hexahedron: -1 });
     if (cell >= 0) {
       const { class: kind, energy_density } = this.describe(cell);
       this.announce(`${title_of(this.shown, cell)} picked, ${kind ? `${kind}, ` : ""}energy density ${measured(energy_density)}.`);
-      if (!matchMedia("(max-width: 799px)").matches || this.tabs.is_open()) this.tabs.select("cell");
+      this.show_panel_of_picked();
     } else this.announce("Nothing there.");
     return cell;
+  }
+
+  private take_hexahedron(hexahedron: number): number {
+    this.store.change({ hexahedron, picked: -1 });
+    if (hexahedron < 0) {
+      this.announce("Nothing there.");
+      return -1;
+    }
+    const described = this.describe_hexahedron(hexahedron);
+    this.announce(`${hexahedron_title(described)} picked, scaled Jacobian ${two_digits(described.scaled_jacobian)}.`);
+    this.show_panel_of_picked();
+    return hexahedron;
+  }
+
+  private show_panel_of_picked(): void {
+    if (!matchMedia("(max-width: 799px)").matches || this.tabs.is_open()) this.tabs.select("cell");
+  }
+
+  private describe_hexahedron(hexahedron: number): HexDescription {
+    return describe_hexahedron(this.shown, this.stage.field.hexahedra!, hexahedron);
   }
 
   /** The scene of the field that is shown. */
@@ -173,6 +197,9 @@ export class Application {
   }
 
   fly_at(x: number, y: number): void {
+    const hexahedron = this.stage.pick_hexahedron(x, y);
+    if (hexahedron !== null && hexahedron >= 0) return this.stage.rig.approach(this.stage.field.hexahedra!.center(hexahedron), true);
+    if (hexahedron !== null) return;
     const cell = this.stage.pick(x, y);
     if (cell >= 0) this.stage.rig.approach(element_center(this.shown, cell), true);
   }
@@ -193,7 +220,7 @@ export class Application {
   }
 
   clear(): void {
-    this.store.change({ picked: -1, marked: null });
+    this.store.change({ picked: -1, hexahedron: -1, marked: null });
   }
 
   /** Says something on the screen for a while, and to who hears the page. */
@@ -238,10 +265,24 @@ export class Application {
     this.follow(settings);
     by_id("legend-body").replaceChildren(...legend_body(settings, this.theme, this.stage.field));
     by_id("shown").textContent = this.what_is_shown();
-    this.show_picked(settings.picked);
+    this.show_picked(settings);
   }
 
-  private show_picked(cell: number): void {
+  private show_picked({ picked: cell, hexahedron }: Settings): void {
+    const hexahedra = this.stage.field.hexahedra;
+    if (hexahedra && hexahedron >= 0) {
+      if (hexahedron === this.shown_hexahedron) return;
+      this.shown_hexahedron = hexahedron;
+      this.shown_cell = -2;
+      this.cell_panel = null;
+      const described = this.describe_hexahedron(hexahedron);
+      this.tabs.rename("cell", hexahedron_title(described));
+      return show_hexahedron(by_id("panel-cell"), described, this.scene.unit, {
+        go: () => this.stage.rig.approach(hexahedra.center(hexahedron), true),
+        close: () => this.clear(),
+      });
+    }
+    this.shown_hexahedron = -1;
     if (cell !== this.shown_cell) {
       this.shown_cell = cell;
       this.tabs.rename("cell", cell < 0 ? (this.scene.tets ? "Tet" : "Cell") : title_of(this.shown, cell));
@@ -270,6 +311,8 @@ export class Application {
   private what_is_shown(): string {
     const { cells, surface, unit, tets, tet_counts } = this.shown;
     const parts: string[] = [];
+    const { hexahedra } = this.stage.field;
+    if (hexahedra && this.store.current.layers.hexahedra) return [`${hexahedra_text(hexahedra.count)} shown.`, hexahedra_shown(this.shown)].filter(Boolean).join(" ");
     if (tets) parts.push(`The field on ${plural(tets.corners.length / 4, "tet")}.`);
     else if (tet_counts) parts.push(`The field on ${plural(tet_counts.total, "tet")}; the cut shows the frames of those at the centres of ${plural(cells.shown, "cell")}.`);
     else if (this.scene.tets) parts.push(`The grid of ${plural(cells.total, "cell")} from which the field on the tets started; the answer is about the tets.`);
@@ -291,6 +334,7 @@ export class Application {
         glyphs: this.stage.field.glyphs.count,
         frames_drawn: this.stage.frames_drawn,
         elements: this.stage.elements,
+        hexahedra: this.stage.field.hexahedra?.count ?? null,
       }),
       setView: async (name: ViewName) => {
         if (!kViewNames.includes(name)) throw new Error(`no view ${name}: ${kViewNames.join(", ")}`);
@@ -299,7 +343,8 @@ export class Application {
       },
       pickAt: (x: number, y: number) => {
         const cell = this.pick_at(x, y);
-        return cell < 0 ? null : this.describe(cell);
+        if (cell < 0) return null;
+        return this.store.current.hexahedron >= 0 ? this.describe_hexahedron(cell) : this.describe(cell);
       },
       describe: (element: number) => this.describe(element),
       link: () => this.link,

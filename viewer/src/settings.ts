@@ -4,7 +4,7 @@
 import type { MapName } from "./math/color_maps.ts";
 import type { Vector } from "./math/frame.ts";
 
-export type Layer = "part" | "creases" | "arcs" | "nodes" | "streamlines" | "glyphs" | "cells";
+export type Layer = "part" | "creases" | "arcs" | "nodes" | "streamlines" | "glyphs" | "cells" | "hexahedra";
 export type CutAxis = "x" | "y" | "z" | "view";
 export type GlyphShape = "curve" | "cross" | "cube";
 export type GlyphColor = "axes" | "tilt" | "turn";
@@ -43,6 +43,10 @@ export interface Settings {
   streams: StreamSet;
   /** The tet or cell that is picked, or -1. */
   picked: number;
+  /** Hexahedra are shown with a scaled Jacobian below this; all of them from 1. */
+  below: number;
+  /** The hexahedron that is picked, or -1: its place in the scene. */
+  hexahedron: number;
   /** A place that is marked, in the scene's coordinates. */
   marked: { point: Vector; label: string; warn: boolean } | null;
 }
@@ -58,13 +62,15 @@ export class SettingsStore {
     theme: "auto",
     field: "main",
     up: "z",
-    layers: { part: true, creases: true, arcs: true, nodes: true, streamlines: false, glyphs: true, cells: true },
+    layers: { part: true, creases: true, arcs: true, nodes: true, streamlines: false, glyphs: true, cells: true, hexahedra: true },
     opacity: 0.35,
     map: "none",
     cut: { on: true, axis: "y", normal: [0, 1, 0], position: 0.5, flip: false, clip: true },
     glyph: { shape: "curve", color: "axes", density: 0 },
     streams: "cut",
     picked: -1,
+    below: 1,
+    hexahedron: -1,
     marked: null,
   };
   private listeners: ((settings: Settings) => void)[] = [];

@@ -12,7 +12,7 @@ export interface Camera {
 
 // Places in a link have this many significant digits: less than a pixel of difference.
 const kDigits = 6;
-const kLayers = ["part", "creases", "arcs", "nodes", "streamlines", "glyphs", "cells"] as const;
+const kLayers = ["part", "creases", "arcs", "nodes", "streamlines", "glyphs", "cells", "hexahedra"] as const;
 
 export function link_of(settings: Settings, camera: Camera): string {
   const { cut, glyph } = settings;
@@ -27,6 +27,7 @@ export function link_of(settings: Settings, camera: Camera): string {
     frames: [glyph.shape, glyph.color, glyph.density].join(),
     show: kLayers.filter((layer) => settings.layers[layer]).join(),
     streams: settings.streams,
+    ...(settings.below < 1 ? { below: numbers([settings.below]) } : {}),
   };
   return `#${Object.entries(parts).map(([name, value]) => `${name}=${value}`).join("&")}`;
 }
@@ -42,6 +43,8 @@ export function link_from(hash: string): { settings: Part; camera: Camera | null
   settings.streams = one_of("streams", ["cut", "surface"]);
   const [opacity] = numbers_in(given.get("opacity"), 1);
   if (opacity !== undefined && opacity >= 0 && opacity <= 1) settings.opacity = opacity;
+  const [below] = numbers_in(given.get("below"), 1);
+  if (below !== undefined && below >= 0 && below <= 1) settings.below = below;
   const [axis, position, ...flags] = (given.get("cut") ?? "").split(",");
   if (["x", "y", "z", "view"].includes(axis) && Number(position) >= 0 && Number(position) <= 1) {
     const [on, flip, clip] = flags.map((flag) => flag === "1");

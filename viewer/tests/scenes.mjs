@@ -5,12 +5,13 @@
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
+import { hexahedra_scene } from "./hex_scene.mjs";
 import { regions_scene } from "./region_scene.mjs";
 import { ball_scene, components_scene, plate_scene } from "./sample_scene.mjs";
 import { filled_page } from "./scene_writer.mjs";
 import { tets_scene } from "./tet_scene.mjs";
 
-export const kScenes = { ball: ball_scene, plate: plate_scene, components: components_scene, regions: regions_scene, tets: tets_scene };
+export const kScenes = { ball: ball_scene, plate: plate_scene, components: components_scene, regions: regions_scene, tets: tets_scene, hexahedra: hexahedra_scene };
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const folder = process.argv[2] ?? ".";

@@ -37,7 +37,8 @@ export const middle_of = (points, tet) => [0, 1, 2].map((axis) => tet.reduce((su
 /** The frame of a line of this index along z through the origin. */
 export const frame_around = (index) => ([x, y]) => about([0, 0, 1], index * Math.atan2(y, x));
 
-export function tets_scene() {
+/** `more` may add to header, arrays and report. */
+export function tets_scene(more = {}) {
   const [half, length, cubes] = [10, 40, 9];
   const solid = bar(half, length / 2);
   const { points, tets } = box_of_tets([-half, -half, -length / 2], [2 * half, 2 * half, length], [cubes, cubes, 2 * cubes]);
@@ -58,7 +59,7 @@ export function tets_scene() {
     solid, depth: 5, lattice: { low: [-20, -20, -20], unit: 1.25 }, arcs: [{ points: middle_line, index: 0.25 }], nodes: ends(middle_line),
     frame_at: frame_around(0.25),
     more: {
-      header: { first_cut: "z", tets: { total: tets.length, shown: tets.length }, grid_surface: { triangles_total: triangles.length, triangles_shown: triangles.length } },
+      header: { first_cut: "z", tets: { total: tets.length, shown: tets.length }, grid_surface: { triangles_total: triangles.length, triangles_shown: triangles.length }, ...more.header },
       arrays: {
         tet_points: ["f32", 3, points.flat()],
         tet_corners: ["u32", 4, tets.flat()],
@@ -82,6 +83,7 @@ export function tets_scene() {
         grid_node_verdict: ["u8", 0, grid_nodes.map(() => 0)],
         grid_node_on_boundary: ["u8", 0, grid_nodes.map(() => 1)],
         grid_node_degree: ["u8", 0, grid_nodes.map(() => 1)],
+        ...more.arrays,
       },
     },
     report: {
@@ -90,6 +92,7 @@ export function tets_scene() {
       onto: { tets: tets.length, singularity, normal_deg: { mean: 1, p95: 2, max: 12 }, crease_deg: { mean: 1, p95: 2, max: 3 } },
       model: { path: "/parts/bar.vtk", triangles: triangles.length, watertight: true, components: 1, unit: "mm" },
       resolution: 32, input: { closed: true, findings: [] },
+      ...more.report,
     },
   });
 }

@@ -93,6 +93,10 @@ std::optional<std::string> model_of_result(const std::filesystem::path& folder) 
   }
 }
 
+SolveReport report_of_result(const std::filesystem::path& folder) {
+  return read_report(folder / kReportFile);
+}
+
 SolveReport read_report(const std::filesystem::path& path) {
   const InputFile file(path);
   // A value of two characters takes this much in the worst case, while its array grows.

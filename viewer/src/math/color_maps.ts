@@ -8,22 +8,24 @@ export type Theme = "light" | "dark";
 export type Color = [number, number, number];
 export const kMaps = ["none", "alignment", "energy", "class", "region"] as const;
 export type MapName = (typeof kMaps)[number];
-export type RampName = "alignment" | "energy" | "tilt" | "turn";
+export type RampName = "alignment" | "energy" | "tilt" | "turn" | "shape";
 
 // Anchors at equal distances in value, chosen for steps of equal size in CIELAB lightness. `tilt` colours glyphs, which must be seen at
-// zero too; `turn` is cyclic.
+// zero too; `turn` is cyclic; of a `shape` one is good, and near the background.
 const kRamps: Record<Theme, Record<RampName, string[]>> = {
   light: {
     alignment: ["#f1efe6", "#f8dcae", "#fbbd7f", "#f79a60", "#e9704f", "#cd4a55", "#a2315f", "#742062", "#481457", "#200b3c"],
     energy: ["#eef3f0", "#cfe6dc", "#a5d6c9", "#76c1ba", "#4fa8ae", "#398ca1", "#306f93", "#305283", "#313666", "#221c3d"],
     tilt: ["#7d8b9b", "#97877f", "#b28066", "#c6704c", "#cd573a", "#c43c40", "#a92655", "#831863", "#560f5e"],
     turn: ["#3f5fb5", "#6d8fc4", "#a9b7c6", "#cfa98f", "#c97a52", "#a9473f", "#823a5e", "#5c4590", "#3f5fb5"],
+    shape: ["#7a0a2a", "#c02a32", "#ea6b3e", "#f9b55f", "#f1e3a4", "#d9e6ee"],
   },
   dark: {
     alignment: ["#2b2f36", "#45305a", "#64317c", "#89367f", "#ae4078", "#d2516c", "#ec6f61", "#f89868", "#fdc687", "#fcf3c0"],
     energy: ["#2b2f36", "#333a56", "#3a4b7c", "#3b6294", "#397a9e", "#3b93a7", "#47acac", "#68c5b0", "#a2dcc2", "#e2f6e6"],
     tilt: ["#7f8d9d", "#9d9690", "#bd9c7c", "#d8a168", "#eea65a", "#fbb36a", "#ffc58b", "#ffd9b3", "#fff0de"],
     turn: ["#5f83e0", "#8fb0e8", "#c4cfd8", "#e6c2a6", "#e5925f", "#cd5f53", "#a5567e", "#7f65bb", "#5f83e0"],
+    shape: ["#ffeeb8", "#ffbf6e", "#f58a50", "#cf5a4d", "#86586a", "#465d78"],
   },
 };
 

@@ -75,6 +75,16 @@ export interface Warning {
   advice?: string;
 }
 
+/** Of hexahedra that were made. */
+export interface HexReport {
+  outcome: string;
+  reason?: string;
+  remedy?: string;
+  places?: Vector[];
+  hexahedra: number;
+  scaled_jacobian?: { min: number; mean: number; inverted: number; worst_place?: Vector };
+}
+
 export interface Report {
   verdict?: VerdictName;
   answer?: string;
@@ -96,6 +106,7 @@ export interface Report {
   limited?: { resolution_asked?: number };
   unfinished?: { resolution_asked?: number; levels_missing?: number; tets_missing?: boolean };
   onto?: { tets: number; singularity?: Singularity; normal_deg?: Statistics; crease_deg?: Statistics; unfollowed_share?: number };
+  hexahedra?: HexReport;
   warnings?: Warning[];
 }
 

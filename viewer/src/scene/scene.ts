@@ -2,6 +2,7 @@
 // The binary scene that a page carries, decoded into typed arrays. Its layout is described in viewer/README.md.
 
 import type { Quaternion, Vector } from "../math/frame.ts";
+import type { Hexahedra } from "./hexahedra.ts";
 
 /** A field on tets, as the cut needs it. */
 export interface Tets {
@@ -50,6 +51,7 @@ export interface Scene extends Outside {
   /** Of a field on tets: how many there are, and how many of them are here; none if cells stand for them. */
   tet_counts: { total: number; shown: number } | null;
   tets: Tets | null;
+  hexahedra: Hexahedra | null;
   /** The grid from which the field on tets started. */
   grid: Scene | null;
   /** At the vertices of the surface; empty where cells give the colours. */
@@ -98,6 +100,7 @@ interface Header {
   first_cut?: "x" | "y" | "z";
   cells: Scene["cells"];
   tets?: { total: number; shown: number };
+  hexahedra?: { total: number; shown: number; inverted: number; mean: number };
   regions?: number[];
   tet_regions?: number[];
   surface: Scene["surface"];
@@ -135,6 +138,7 @@ export function decode_scene(bytes: Uint8Array<ArrayBuffer>): Scene {
     cells: header.cells,
     tet_counts: header.tets ?? null,
     tets: null,
+    hexahedra: header.hexahedra ? hexahedra_of(read, header.hexahedra) : null,
     grid: null,
     ...outside(read, "", header.surface),
     surface_alignment_deg: widened(read("surface_alignment_deg", "u16")),
@@ -196,7 +200,7 @@ function with_tets(scene: Scene, read: Read, header: Header): Scene {
   const none = new Float32Array(0);
   const grid: Scene = {
     ...scene, ...outside(read, "grid_", header.grid_surface ?? { triangles_total: 0, triangles_shown: 0 }),
-    tet_counts: null, surface_alignment_deg: none, surface_energy_density: none, surface_region: new Uint16Array(0),
+    tet_counts: null, hexahedra: null, surface_alignment_deg: none, surface_energy_density: none, surface_region: new Uint16Array(0),
   };
   const tets: Tets = {
     points: read("tet_points", "f32"),
@@ -207,6 +211,16 @@ function with_tets(scene: Scene, read: Read, header: Header): Scene {
     region: read("tet_region", "u16"),
   };
   return { ...scene, tets, grid, regions: header.tet_regions ?? [] };
+}
+
+function hexahedra_of(read: Read, { total, inverted, mean }: NonNullable<Header["hexahedra"]>): Hexahedra {
+  return {
+    total, inverted, mean,
+    points: read("hex_points", "f32"),
+    corners: read("hex_corners", "u32"),
+    shape: read("hex_shape", "f32"),
+    number: read("hex_number", "u32"),
+  };
 }
 
 /** Single precision from its upper sixteen bits. */

@@ -5,9 +5,10 @@ import { add, subtract, type Vector } from "../math/frame.ts";
 import type { Reason, Report, VerdictName } from "../scene/report.ts";
 import { element_alignment, element_center, element_count, element_energy, type Scene } from "../scene/scene.ts";
 import { element, measured, plural } from "./dom.ts";
+import { hexahedra_places } from "./hex_panel.ts";
 import { place_groups, place_lists, type Place } from "./places.ts";
 
-type Judgement = "good" | "unsure" | "bad";
+export type Judgement = "good" | "unsure" | "bad";
 
 const kVerdicts: Record<VerdictName, { judgement: Judgement; short: string; sign: string }> = {
   meshable: { judgement: "good", short: "can be meshed locally", sign: "✓" },
@@ -30,11 +31,13 @@ export function answer_of(report: Report): Answer | null {
   return verdict ? { ...verdict, sentence: report.answer ?? verdict.short, reasons: report.reasons ?? [] } : null;
 }
 
-export function badge(answer: Answer | null): Node[] {
+export type Badge = Pick<Answer, "judgement" | "short" | "sign">;
+
+export function badge(answer: Badge | null): Node[] {
   return answer ? [sign(answer), element("span", { class: "words" }, answer.short)] : [];
 }
 
-const sign = ({ judgement, sign: text }: Answer): HTMLElement => element("span", { class: `sign ${judgement}`, "aria-hidden": "true" }, text);
+const sign = ({ judgement, sign: text }: Badge): HTMLElement => element("span", { class: `sign ${judgement}`, "aria-hidden": "true" }, text);
 
 /** The place of a reason in the scene's coordinates. */
 export function place_of(reason: Reason, origin: Vector): Place {
@@ -76,7 +79,7 @@ const kWorst = 3;
 
 /** The worst three places: what is impossible or undecided, then where the field is farthest off its surface, then where it turns most. */
 export function worst_places(report: Report, scene: Scene | null, origin: Vector): Place[] {
-  const found = [...(report.reasons ?? []).map((reason) => place_of(reason, origin)), ...place_groups(report, origin).slice(0, 2).flatMap(({ kinds }) => kinds.flatMap(({ places }) => places))];
+  const found = [...hexahedra_places(report, origin).slice(0, 1), ...(report.reasons ?? []).map((reason) => place_of(reason, origin)), ...place_groups(report, origin).slice(0, 2).flatMap(({ kinds }) => kinds.flatMap(({ places }) => places))];
   if (scene) found.push(...extremes(scene));
   const places: Place[] = [];
   for (const place of found) {

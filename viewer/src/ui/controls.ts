@@ -69,13 +69,19 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
   // Classes of constraints are those of cells.
   if (!scene.tets && !scene.tet_counts) maps.push(["class", "Class"]);
   if (scene.regions.length > 1) maps.push(["region", "Regions"]);
+  // What concerns the field alone is not there while hexahedra stand for it.
+  const of_field = (...parts: HTMLElement[]): HTMLElement[] => {
+    if (scene.hexahedra) bind.follow.push((settings) => parts.forEach((part) => (part.hidden = is_of_hexahedra(settings))));
+    return parts;
+  };
   panel.append(
-    ...(scene.grid ? [group("Field",
-      bind.choice("Field", "field", [["main", "Tets"], ["grid", "Starting grid"]], (settings) => settings.field, (field) => store.change({ field, picked: -1 })))] : []),
-    group("Colour by",
+    ...(scene.hexahedra ? hexahedra_controls(bind) : []),
+    ...(scene.grid ? of_field(group("Field",
+      bind.choice("Field", "field", [["main", "Tets"], ["grid", "Starting grid"]], (settings) => settings.field, (field) => store.change({ field, picked: -1, hexahedron: -1 })))) : []),
+    ...of_field(group("Colour by",
       bind.choice("Colour by", "map", maps,
         (settings) => settings.map, (map) => store.change({ map, opacity: map !== "none" && store.current.opacity < 0.5 ? 0.85 : store.current.opacity })),
-    ),
+    )),
     group("Cut",
       bind.check("Cut through the part", "cut-on", (settings) => settings.cut.on, (on) => actions.cut(on)),
       bind.choice("Direction of the cut", "cut-axis", [["x", "X"], ["y", "Y"], ["z", "Z"], ["view", "View"]],
@@ -87,16 +93,16 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
         bind.check("Take half away", "cut-clip", (settings) => settings.cut.clip, (clip) => store.change({ cut: { clip } })),
         element("button", { type: "button", "data-testid": "cut-flip", title: "Take the other half away (R)", click: () => store.change({ cut: { flip: !store.current.cut.flip } }) }, "Flip"),
       ),
-      bind.layer(scene.tets ? "Sides of the tets" : "Sides of the cells", "cells"),
+      ...of_field(bind.layer(scene.tets ? "Sides of the tets" : "Sides of the cells", "cells")),
     ),
-    group("Frames on the cut",
+    ...of_field(group("Frames on the cut",
       bind.layer("Frames", "glyphs"),
       bind.choice("Shape of frames", "glyph-shape", [["curve", "Curves"], ["cross", "Crosses"], ["cube", "Cubes"]], (settings) => settings.glyph.shape, (shape) => store.change({ glyph: { shape } })),
       bind.select("Colour", "glyph-color", [["axes", "axes x, y, z"], ["tilt", "tilt out of the cut"], ["turn", "turn in the cut"]],
         (settings) => settings.glyph.color, (color) => store.change({ glyph: { color } })),
       bind.slider("Density", "glyph-density", [-2, 2, 1], (settings) => settings.glyph.density, (density) => store.change({ glyph: { density } }),
         ({ glyph: { density } }) => (density === 0 ? "automatic" : density > 0 ? `${2 ** density} × closer` : `${2 ** -density} × wider`)),
-    ),
+    )),
     group("Show",
       element("div", { class: "grid" },
         bind.layer("Part", "part"), bind.layer("Creases", "creases"), bind.layer("Singular lines", "arcs"), bind.layer("Nodes", "nodes"),
@@ -110,6 +116,17 @@ export function make_controls(panel: HTMLElement, store: SettingsStore, scene: S
     ),
   );
   return (settings) => bind.follow.forEach((follow) => follow(settings));
+}
+
+const is_of_hexahedra = ({ layers, field }: Settings): boolean => layers.hexahedra && field === "main";
+
+function hexahedra_controls(bind: Bindings): HTMLElement[] {
+  const { store } = bind;
+  return [group("Mesh",
+    bind.choice("Hexahedra or field", "mesh", [["hexahedra", "Hexahedra"], ["field", "Field"]], (settings) => (is_of_hexahedra(settings) ? "hexahedra" : "field"),
+      (choice) => store.change({ layers: { hexahedra: choice === "hexahedra" }, field: "main", picked: -1, hexahedron: -1 })),
+    bind.slider("Scaled Jacobian below", "below", [0, 1, 0.01], (settings) => settings.below, (below) => store.change({ below, layers: { hexahedra: true }, field: "main" }),
+      ({ below }) => (below < 1 ? below.toFixed(2) : "all")))];
 }
 
 /** Where the cut lies in the coordinates of the model. */

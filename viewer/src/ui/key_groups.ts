@@ -61,6 +61,7 @@ export function key_groups(application: Application): KeyGroup[] {
       keys: [
         layer("p", "part", "part"), layer("k", "creases", "creases"), layer("s", "arcs", "singular lines"), layer("n", "nodes", "nodes"),
         layer("l", "streamlines", "streamlines"), layer("g", "glyphs", "frames"), layer("e", "cells", "cells"),
+        ...(application.scene.hexahedra ? [layer("q", "hexahedra", "hexahedra or the field")] : []),
         { keys: ["b"], shown: "B", does: "curves, crosses or cubes", act: () => store.change({ glyph: { shape: ({ curve: "cross", cross: "cube", cube: "curve" } as const)[store.current.glyph.shape] } }) },
         { keys: ["m"], shown: "M", does: "next colour map", act: () => next_map(application) },
         { keys: ["t"], shown: "T", does: "light or dark", act: () => next_theme(application) },

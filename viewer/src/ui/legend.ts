@@ -2,6 +2,7 @@
 // What colours and patterns mean: singular lines, the colour map, and frames.
 
 import { css_gradient, kClasses, region_color, type Theme } from "../math/color_maps.ts";
+import type { Hexahedra } from "../scene/hexahedra.ts";
 import type { Scene } from "../scene/scene.ts";
 import type { Settings } from "../settings.ts";
 import { kTiltScale } from "../view/frame_colors.ts";
@@ -9,6 +10,7 @@ import type { Range, Ranges } from "../view/ranges.ts";
 import { fault_counts, mark_counts, type FaultMark } from "../view/line_marks.ts";
 import { arc_kind, kArcKinds, type ArcKind } from "../view/singular_lines.ts";
 import { axis_colors, kViewColors } from "../view/view_colors.ts";
+import { two_digits } from "./hex_panel.ts";
 import { counted, drawing, element, measured, superscript } from "./dom.ts";
 
 const kImpossible = "impossible for hexahedra";
@@ -32,11 +34,14 @@ export interface LegendSource {
   scene: Scene;
   ranges: Ranges;
   faults: FaultMark[];
+  hexahedra: { count: number } | null;
 }
 
-export function legend_body(settings: Settings, theme: Theme, { scene, ranges, faults }: LegendSource): Node[] {
+export function legend_body(settings: Settings, theme: Theme, { scene, ranges, faults, hexahedra }: LegendSource): Node[] {
   const field_name = scene.tets || scene.tet_counts ? "on the tets" : settings.field === "grid" ? "on the starting grid" : "";
   const blocks: Node[] = [];
+  const is_solid = hexahedra !== null && settings.layers.hexahedra;
+  if (is_solid) return [...shape_list(scene.hexahedra!, hexahedra.count, theme), ...line_blocks(settings, theme, scene, faults, field_name)];
   if (settings.map === "alignment") blocks.push(ramp("Alignment", css_gradient("alignment", theme), linear_ticks(ranges.alignment, "°"), "angle of normal and nearest axis"));
   if (settings.map === "energy") blocks.push(ramp("Energy density", css_gradient("energy", theme), decade_ticks(ranges.energy), scene.unit ? `per volume, ${scene.unit}⁻²` : "per volume"));
   if (settings.map === "class") blocks.push(class_list(theme));
@@ -50,9 +55,27 @@ export function legend_body(settings: Settings, theme: Theme, { scene, ranges, f
   }
   const named = shows_frames && settings.glyph.color === "axes";
   if (named || shows_streams) blocks.push(axis_list(theme, named, shows_streams));
-  if (settings.layers.arcs) blocks.push(arc_list(scene, theme, field_name));
-  if (settings.layers.nodes) blocks.push(...mark_list(scene, theme), ...fault_list(scene, faults, theme));
+  return [...blocks, ...line_blocks(settings, theme, scene, faults, field_name)];
+}
+
+function line_blocks({ layers }: Settings, theme: Theme, scene: Scene, faults: FaultMark[], field_name: string): Node[] {
+  const blocks: Node[] = [];
+  if (layers.arcs) blocks.push(arc_list(scene, theme, field_name));
+  if (layers.nodes) blocks.push(...mark_list(scene, theme), ...fault_list(scene, faults, theme));
   return blocks;
+}
+
+/** Colours of hexahedra, and how many there are and are shown. */
+function shape_list({ total, inverted, mean, shape }: Hexahedra, shown: number, theme: Theme): HTMLElement[] {
+  const least = shape.reduce((a, b) => Math.min(a, b), 1);
+  const note = `${two_digits(least)} at least, ${two_digits(mean)} in the mean`;
+  return [ramp("Scaled Jacobian", css_gradient("shape", theme), linear_ticks({ low: 0, high: 1, logarithmic: false }, ""), note),
+    element("div", { class: "legend-block", "data-testid": "legend-hexahedra" },
+      element("h3", {}, "Hexahedra"),
+      element("ul", { class: "keys" },
+        element("li", {}, "in the mesh", element("span", { class: "tally" }, counted(total))),
+        shown < total ? element("li", {}, "shown", element("span", { class: "tally" }, counted(shown))) : null,
+        inverted > 0 ? element("li", {}, element("span", { class: "swatch", style: `background-color: ${kViewColors[theme].inverted}` }), "inverted", element("span", { class: "tally" }, counted(inverted))) : null))];
 }
 
 function ramp(name: string, gradient: string, ticks: [string, number][], note: string): HTMLElement {

@@ -6,6 +6,7 @@ import { add, subtract, type Vector } from "../math/frame.ts";
 import { faults_of, type Fault, type FaultPart } from "../scene/faults.ts";
 import type { Report } from "../scene/report.ts";
 import { counted, element, measured, plural } from "./dom.ts";
+import { hexahedra_places } from "./hex_panel.ts";
 
 export interface Place {
   label: string;
@@ -50,6 +51,7 @@ export function place_groups(report: Report, origin: Vector): PlaceGroup[] {
     return places.length > 0 ? [{ summary: in_words(places.length, ...kFaultKinds[part][verdict]), places }] : [];
   }));
   const crowded = (report.creases?.crowded_corner_places ?? []).map((point, k) => ({ label: `Corner ${k + 1}`, detail: "more than three creases", point: local(point), warn: false }));
+  const unmeshed = report.hexahedra?.outcome === "all-hex" ? [] : hexahedra_places(report, origin).slice(1);
   return [
     { name: "Faults of the singular lines", kinds: kinds_of("line", "node") },
     { name: "Creases and corners", kinds: kinds_of("crease", "corner") },
@@ -62,6 +64,7 @@ export function place_groups(report: Report, origin: Vector): PlaceGroup[] {
       }),
       empty: report.input ? "Nothing: the surface is clean." : undefined,
     },
+    { name: "Where hexahedra fail", kinds: unmeshed.length > 0 ? [{ summary: in_words(unmeshed.length, "place", "places"), places: unmeshed }] : [] },
     { name: "Crowded corners", kinds: crowded.length > 0 ? [{ summary: in_words(crowded.length, "corner with more than three creases", "corners with more than three creases"), places: crowded }] : [] },
   ];
 }

@@ -15,6 +15,7 @@ import { CurveView } from "./curve_view.ts";
 import { CutFace } from "./cut_face.ts";
 import { corner_texture, field_textures, set_palette, type FieldTextures } from "./field_textures.ts";
 import { GlyphView } from "./glyphs.ts";
+import { HexView } from "./hex_view.ts";
 import type { FaultMark } from "./line_marks.ts";
 import { PartView } from "./part.ts";
 import { Picker } from "./picking.ts";
@@ -27,6 +28,8 @@ import { kViewColors, scene_color, shader_color } from "./view_colors.ts";
 
 // Lines on the cut stand this share of the distance between frames in front of it, so that its face does not hide half of them.
 const kLift = 0.04;
+// Opacity of the part around hexahedra of some shapes.
+const kAround = 0.2;
 
 /** How the view is looked at. */
 export interface Look {
@@ -47,6 +50,7 @@ export class FieldView {
   readonly uniforms: SharedUniforms;
   readonly glyphs: GlyphView;
   readonly cut: Cut;
+  readonly hexahedra: HexView | null;
   private readonly textures: FieldTextures;
   private readonly part: PartView;
   private readonly cell_face: CutFace | null;
@@ -71,6 +75,7 @@ export class FieldView {
     this.part = new PartView(scene, this.uniforms, this.ranges);
     this.tet_face = scene.tets ? new TetFace(scene, this.uniforms, this.cut, this.ranges) : null;
     this.cell_face = scene.tets ? null : new CutFace(scene, this.uniforms, this.part.geometry, closed);
+    this.hexahedra = scene.hexahedra ? new HexView(scene.hexahedra, scene.low, scene.high, this.uniforms) : null;
     this.lines = new SingularLines(scene, faults, this.uniforms);
     this.glyphs = new GlyphView(scene, this.cut);
     this.picker = new Picker(scene, this.octree, this.part.geometry, this.cut);
@@ -82,7 +87,7 @@ export class FieldView {
     }
     this.on_cut.add(this.seams, this.outline, this.curves.lines);
     this.group.add(this.part.group, this.lines.group, this.glyphs.group, this.on_cut);
-    for (const face of [this.tet_face, this.cell_face]) if (face) this.group.add(face.group);
+    for (const face of [this.tet_face, this.cell_face, this.hexahedra]) if (face) this.group.add(face.group);
   }
 
   resize(view_height: number, pixel_ratio: number): void {
@@ -97,12 +102,20 @@ export class FieldView {
     this.cut.place(normal, offset);
     this.uniforms.cut.value.set(...normal, offset);
     this.uniforms.clip.value = cut.on && cut.clip;
-    this.part.show(layers.part, layers.creases, settings.opacity);
+    const is_solid = this.shows_hexahedra(settings);
+    this.hexahedra?.show(settings, normal, offset);
+    // Around hexahedra of some shapes it tells where these are.
+    this.part.show(layers.part && (!is_solid || settings.below < 1), layers.creases, is_solid ? Math.min(settings.opacity, kAround) : settings.opacity);
     this.part.cut(normal, offset, cut.on && cut.clip);
     this.cell_face?.place(normal, offset);
-    this.cell_face?.show(cut.on, layers.cells);
-    this.tet_face?.show(cut.on, layers.cells);
+    this.cell_face?.show(cut.on && !is_solid, layers.cells);
+    this.tet_face?.show(cut.on && !is_solid, layers.cells);
     this.lines.show(layers.arcs, layers.nodes);
+  }
+
+  /** Whether hexahedra stand for the part and the face of the cut. */
+  shows_hexahedra({ layers }: Settings): boolean {
+    return this.hexahedra !== null && layers.hexahedra;
   }
 
   offset_of(settings: Settings): number {
@@ -119,6 +132,7 @@ export class FieldView {
     this.uniforms.face_color.value.copy(shader_color(colors.cut));
     this.cell_face?.line_color.value.copy(shader_color(colors.cell_line));
     this.tet_face?.recolor(colors.cell_line);
+    this.hexahedra?.recolor(theme);
     this.part.recolor(scene_color(colors.crease));
     this.part.set_mapped(settings.map !== "none");
     this.lines.recolor(colors);
@@ -130,7 +144,8 @@ export class FieldView {
   update(settings: Settings, { theme, spacing, pixel, eye, hurry }: Look): boolean {
     const { glyph: { shape, color }, layers, cut } = settings;
     const { normal, offset } = this.cut;
-    const shown = layers.glyphs && cut.on;
+    const is_solid = this.shows_hexahedra(settings);
+    const shown = layers.glyphs && cut.on && !is_solid;
     const choice = { normal, offset, spacing, color, theme };
     const in_front = dot(normal, eye) < offset ? -1 : 1;
     this.on_cut.position.set(...scaled(normal, in_front * kLift * spacing));
@@ -139,7 +154,7 @@ export class FieldView {
     this.tet_face?.update(pixel);
     if (is_drawn) this.update_seams(shown && color === "axes", spacing);
     else this.seams.visible = false;
-    this.update_outline(cut.on && layers.creases);
+    this.update_outline(cut.on && layers.creases && !is_solid);
     return is_drawn;
   }
 

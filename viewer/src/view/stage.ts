@@ -135,6 +135,15 @@ export class Stage {
     return this.field.pick((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight, this.rig.camera, this.settings);
   }
 
+  /** The hexahedron under a place of the canvas in CSS pixels, or -1; null where the field is shown instead. */
+  pick_hexahedron(x: number, y: number): number | null {
+    const { field, rig: { camera } } = this;
+    if (!field.hexahedra || !field.shows_hexahedra(this.settings)) return null;
+    const { clientWidth, clientHeight } = this.canvas;
+    const behind = new Vector3((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight, 0.5).unproject(camera);
+    return field.hexahedra.pick(camera.position.toArray(), behind.sub(camera.position).normalize().toArray());
+  }
+
   get elements(): number {
     return element_count(this.field.scene);
   }

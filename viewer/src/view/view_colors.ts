@@ -23,6 +23,8 @@ export interface ViewColors {
   undecided: string;
   turn: string;
   picked: string;
+  hex_edge: string;
+  inverted: string;
 }
 
 export const kViewColors: Record<Theme, ViewColors> = {
@@ -42,6 +44,8 @@ export const kViewColors: Record<Theme, ViewColors> = {
     undecided: "#8b5cc7",
     turn: "#ffd23e",
     picked: "#d6006c",
+    hex_edge: "#26303b",
+    inverted: "#d916d3",
   },
   dark: {
     background: "#14171c",
@@ -59,6 +63,8 @@ export const kViewColors: Record<Theme, ViewColors> = {
     undecided: "#b79cff",
     turn: "#ffd23e",
     picked: "#ff5fae",
+    hex_edge: "#0d1116",
+    inverted: "#f04bff",
   },
 };
 

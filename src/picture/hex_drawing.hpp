@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hexahedra of a mesh as a drawing and in words.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "crossgrain/hex_mesh.hpp"
+#include "crossgrain/hex_report.hpp"
+#include "crossgrain/picture.hpp"
+#include "display/hex_skin.hpp"
+#include "field/solved_surface.hpp"
+#include "picture/camera.hpp"
+#include "picture/cut_drawing.hpp"
+#include "picture/drawing.hpp"
+#include "picture/legend.hpp"
+
+namespace crossgrain {
+
+/// The hexahedra of a mesh that a picture shows. Refers to the mesh.
+class ShownHexahedra {
+ public:
+  /// Those of which the options ask for. Throws Error(kUsage) if a cut leaves none, or as `picture_cut`.
+  ShownHexahedra(const HexMesh& mesh, const PictureOptions& options, const Vector3& towards);
+
+  /// What fills the picture: the outside of what the cut leaves, whether its shapes are shown or not.
+  const SolvedSurface& kept_surface() const { return kept_surface_; }
+
+  /// The outside of what is shown with the edges of its faces. What a limit of shapes leaves out is there as
+  /// a pale outside.
+  Drawing drawing(const Camera& camera) const;
+
+  /// `report` may be null.
+  std::vector<LegendBlock> legend(const HexReport* report) const;
+
+ private:
+  const HexMesh& mesh_;
+  const PictureOptions& options_;
+  std::vector<double> shapes_;  ///< scaled Jacobians
+  std::size_t shown_ = 0;       ///< number of hexahedra
+  HexSkin skin_;                ///< of these
+  SolvedSurface surface_;       ///< four triangles for each face of skin_
+  SolvedSurface kept_surface_;
+  std::vector<std::array<std::uint32_t, 2>> kept_edges_;  ///< sharp ones of it, for a limit of shapes
+};
+
+}  // namespace crossgrain

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which hexahedra are shown, and the outside of these.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { edge_lengths, hexahedron_along, hexahedron_center, HexSkins, number_of } from "../src/scene/hexahedra.ts";
+import { decode_scene } from "../src/scene/scene.ts";
+import { box_of_hexahedra, hex_mesh, hexahedra_scene } from "./hex_scene.mjs";
+import { tets_scene } from "./tet_scene.mjs";
+
+const scene = decode_scene(hexahedra_scene().scene);
+const mesh = hex_mesh();
+const kFaces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
+
+const hexahedra_of = ({ points, hexahedra }) => ({
+  total: hexahedra.length, inverted: 0, mean: 1, points: Float32Array.from(points.flat()), corners: Uint32Array.from(hexahedra.flat()),
+  shape: new Float32Array(hexahedra.length).fill(1), number: new Uint32Array(0),
+});
+
+/** Faces that one of the shown hexahedra has alone, found by counting: their points, sorted, with the hexahedron. */
+function counted_faces(hexahedra, is_shown) {
+  const uses = new Map();
+  hexahedra.forEach((corners, k) => {
+    if (!is_shown[k]) return;
+    for (const face of kFaces) {
+      const key = face.map((corner) => corners[corner]).sort((a, b) => a - b).join();
+      uses.set(key, [...(uses.get(key) ?? []), k]);
+    }
+  });
+  return [...uses].filter(([, users]) => users.length === 1).map(([key, [user]]) => `${key}: ${user}`).sort();
+}
+
+const faces_of = ({ hexahedron, corners }) =>
+  Array.from(hexahedron, (number, face) => `${[...corners.subarray(4 * face, 4 * face + 4)].sort((a, b) => a - b).join()}: ${number}`).sort();
+
+test("a page without hexahedra has none, and one with them has all", () => {
+  assert.equal(decode_scene(tets_scene().scene).hexahedra, null);
+  assert.equal(scene.hexahedra.shape.length, mesh.hexahedra.length);
+  assert.equal(scene.grid.hexahedra, null);
+  assert.equal(number_of(scene.hexahedra, 7), 7);
+  assert.equal(number_of({ ...scene.hexahedra, number: Uint32Array.of(3, 9) }, 1), 9);
+});
+
+test("the outside of any hexahedra is that which counting finds", () => {
+  const { points, hexahedra } = box_of_hexahedra([0, 0, 0], [5, 4, 3], [5, 4, 3]);
+  const skins = new HexSkins(hexahedra_of({ points, hexahedra }));
+  let seed = 1;
+  const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+  for (let trial = 0; trial < 20; ++trial) {
+    const is_shown = Uint8Array.from(hexahedra, () => (random() < trial / 19 ? 1 : 0));
+    assert.deepEqual(faces_of(skins.skin(is_shown)), counted_faces(hexahedra, is_shown));
+  }
+});
+
+test("faces point outward by the right-hand rule", () => {
+  const hexahedra = hexahedra_of(box_of_hexahedra([-1, -1, -1], [2, 2, 2], [3, 3, 3]));
+  const skins = new HexSkins(hexahedra);
+  const { corners } = skins.skin(new Uint8Array(27).fill(1));
+  assert.equal(corners.length, 4 * 54);
+  for (let face = 0; face < 54; ++face) {
+    const [a, b, c] = [0, 1, 2].map((k) => [...hexahedra.points.subarray(3 * corners[4 * face + k], 3 * corners[4 * face + k] + 3)]);
+    const [u, v] = [b.map((value, k) => value - a[k]), c.map((value, k) => value - a[k])];
+    const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    assert.ok(normal.reduce((sum, value, k) => sum + value * (a[k] + c[k]), 0) > 0);
+  }
+});
+
+test("a cut leaves the hexahedra whose centres are not above it, and a limit those of worse shapes", () => {
+  const skins = new HexSkins(scene.hexahedra);
+  const middle = (corners, axis) => corners.reduce((sum, point) => sum + mesh.points[point][axis] / 8, 0);
+  for (const [axis, offset] of [[0, 2.1], [1, -4.3], [2, 0.7]]) {
+    for (const sign of [-1, 1]) {
+      const normal = [0, 1, 2].map((k) => (k === axis ? sign : 0));
+      for (const below of [Infinity, 0.9]) {
+        const expected = mesh.hexahedra.map((corners, k) => (sign * middle(corners, axis) < sign * offset && mesh.shapes[k] < below ? 1 : 0));
+        assert.deepEqual([...skins.shown({ normal, offset: sign * offset }, below)], expected);
+      }
+    }
+  }
+  assert.equal(skins.shown(null, 0).reduce((sum, flag) => sum + flag, 0), 1);
+});
+
+test("a ray meets the nearest of the shown hexahedra", () => {
+  const skins = new HexSkins(scene.hexahedra);
+  const all = skins.skin(new Uint8Array(mesh.hexahedra.length).fill(1));
+  for (const hexahedron of [3, 20, 35]) {
+    const [x, y] = hexahedron_center(skins, hexahedron);
+    assert.equal(hexahedron_along(scene.hexahedra, all, [x, y, -100], [0, 0, 1]), hexahedron);
+    assert.equal(hexahedron_along(scene.hexahedra, all, [x, y, -100], [0, 0, -1]), -1);
+    assert.equal(hexahedron_along(scene.hexahedra, all, [x + 30, y, -100], [0, 0, 1]), -1);
+  }
+});
+
+test("edges have the lengths of the mesh", () => {
+  const { least, most } = edge_lengths(scene.hexahedra, 5);
+  assert.ok(Math.abs(least - 10 / 3) < 1e-5 && Math.abs(most - 10 / 3) < 1e-5, `${least} ${most}`);
+});
