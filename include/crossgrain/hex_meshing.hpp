@@ -30,6 +30,9 @@ struct HexMeshingOptions {
   /// make shorter work, and often simpler singular graphs (docs/notes/hexahedra.md).
   std::vector<double> tet_shares = {1, 1.4, 2};
 
+  /// No further size is tried once those before had so many tets together.
+  std::size_t search_tets = 40000;
+
   /// How tags of given tets are read.
   TetTagOptions tags;
 

@@ -27,8 +27,11 @@ struct HexOptions {
   RepairOptions repair = {};
   std::vector<RepairWeights> more_tries = {{0.3, 0.1, 200}, {3, 0.1, 200}};
 
+  /// Faults wander (RepairOptions::wanderings) in tries with no more than so many, if none has a map.
+  std::size_t wandering_faults = 6;
+
   /// So many maps at most, and no more than have `search_tets` tets together; at least one.
-  std::size_t most_maps = 4;
+  std::size_t most_maps = 8;
   std::size_t search_tets = 120000;
 
   /// Where a map exists but whole numbers of hexahedra of this size fold it: smaller sizes that are tried,

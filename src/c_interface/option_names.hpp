@@ -182,6 +182,7 @@ void for_each_option(HexOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(cells);
   for_each_inner_option("repair", options.repair, visit);
   CROSSGRAIN_OPTION(more_tries);
+  CROSSGRAIN_OPTION(wandering_faults);
   CROSSGRAIN_OPTION(most_maps);
   CROSSGRAIN_OPTION(search_tets);
   CROSSGRAIN_OPTION(finer_sizes);
@@ -195,6 +196,7 @@ void for_each_option(HexMeshingOptions& options, const Visit& visit) {
   for_each_inner_option("hexahedra", options.hexahedra, visit);
   for_each_inner_option("tets", options.tets, visit);
   CROSSGRAIN_OPTION(tet_shares);
+  CROSSGRAIN_OPTION(search_tets);
   for_each_inner_option("tags", options.tags, visit);
   for_each_inner_option("solve", options.solve, visit);
 }

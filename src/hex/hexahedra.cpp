@@ -76,6 +76,23 @@ struct Candidate {
   }
 };
 
+/// How a map and its hexahedra are made.
+struct Effort {
+  GridMapOptions map;
+  HexSmoothingOptions smoothing;
+};
+
+/// For a field that has no map, of which only a part is to be had.
+Effort little_effort() {
+  Effort effort;
+  effort.map.untangling.rounds = 2;
+  effort.map.quantisation.breakouts = 20;
+  effort.smoothing.rounds = 5;
+  effort.smoothing.powers = {1};
+  effort.smoothing.slack = 0;
+  return effort;
+}
+
 /// Finds the repair that a map can follow.
 class Search {
  public:
@@ -93,7 +110,7 @@ class Search {
  private:
   void take(TetFrameField field, double repair_seconds);
   void follow(Candidate& candidate);
-  void map(Candidate& candidate, double size);
+  void map(Candidate& candidate, double size, const Effort& effort = {});
   void take(const RepairSearch& search, const RepairTry& one);
   void try_repairs();
   bool is_complete() const { return best_ && best_->mapped && best_->mapped->is_complete(); }
@@ -133,7 +150,7 @@ void Search::take(TetFrameField field, double repair_seconds) {
   report_.best_attempt = report_.attempts.size() - 1;
 }
 
-void Search::map(Candidate& candidate, double size) {
+void Search::map(Candidate& candidate, double size, const Effort& effort) {
   Stopwatch stopwatch;
   stopwatch.start();
   HexAttempt& attempt = candidate.attempt;
@@ -141,7 +158,7 @@ void Search::map(Candidate& candidate, double size) {
   candidate.mapped.emplace();
   Mapped& mapped = *candidate.mapped;
   const MapEnergy energy(candidate.followed->unknowns(), size);
-  mapped.map = integer_grid_map(energy);
+  mapped.map = integer_grid_map(energy, effort.map);
   mapped.determinants = determinants_of(energy, mapped.map.coordinates);
   double seconds = stopwatch.restart();
   report_.map_seconds += seconds;
@@ -156,7 +173,7 @@ void Search::map(Candidate& candidate, double size) {
   seconds = stopwatch.restart();
   report_.extraction_seconds += seconds;
   attempt.seconds += seconds;
-  mapped.smoothed = smoothed(mapped.hexahedra.mesh, surface, mapped.feet, size);
+  mapped.smoothed = smoothed(mapped.hexahedra.mesh, surface, mapped.feet, size, effort.smoothing);
   for (const HexSide& side : topology.boundary) mapped.smoothed.boundary.push_back({side.vertices, 0});
   mapped.quality = quality_of(mapped.smoothed);
   const TetSolid& solid = candidate.followed->solid();
@@ -214,7 +231,7 @@ void Search::try_repairs() {
     take(search, *best);
   if (is_complete() || maps_left_ == 0) return;
   stopwatch.restart();
-  const std::vector<RepairTry> wandered = search.wandered(tries);
+  const std::vector<RepairTry> wandered = search.wandered(tries, options_.wandering_faults);
   report_.repair_seconds += stopwatch.restart();
   // Arcs may get a length when vertices move.
   for (const std::vector<RepairTry>* some : {&wandered, &tries})
@@ -229,7 +246,7 @@ Candidate Search::best() {
   else
     try_repairs();
   if (!best_->mapped) {
-    map(*best_, report_.size);
+    map(*best_, report_.size, little_effort());
     report_.attempts[report_.best_attempt] = best_->attempt;
   }
   return std::move(*best_);

@@ -19,7 +19,7 @@ struct UntanglingOptions {
   double largest_epsilon = 0.1;
 
   int rounds = 60;         ///< each with a smaller epsilon
-  int rounds_in_vain = 6;  ///< the end if so many do not lower the flips by `least_fall` of them
+  int rounds_in_vain = 4;  ///< the end if so many do not lower the flips by `least_fall` of them
   double least_fall = 0.1;
   DescentOptions descent;  ///< of a round
 };

@@ -138,6 +138,7 @@ Hexahedra TetTries::best() {
   const ThreadLimit limit(options_.solve.threads);
   Stopwatch stopwatch;
   stopwatch.start();
+  std::size_t tets = 0;
   for (const double share : options_.tet_shares) {
     try {
       attempt(share);
@@ -148,6 +149,8 @@ Hexahedra TetTries::best() {
     }
     tries_.back().seconds = stopwatch.restart();
     if (best_->report.outcome == HexOutcome::kAllHex) break;
+    tets += tries_.back().tets;
+    if (tets >= options_.search_tets) break;
   }
   double tet_seconds = 0, seconds = 0;
   for (const TriedTets& tried : tries_) {

@@ -87,14 +87,12 @@ void finish(Try& what, const RepairOptions& options) {
   }
 }
 
-/// Lets faults wander as long as there are any.
-void wander(Try& what, const RepairOptions& options) {
-  for (int k = 1; k <= options.wanderings && what.tets.faults > 0; ++k) {
-    MatchingRepair repair(*what.field, what.weights);
-    repair.wander(options, options.seed + static_cast<std::uint64_t>(k));
-    what.tets.moves += repair.moves();
-    finish(what, options);
-  }
+/// Lets faults wander for the k-th time.
+void wander_once(Try& what, int k, const RepairOptions& options) {
+  MatchingRepair repair(*what.field, what.weights);
+  repair.wander(options, options.seed + static_cast<std::uint64_t>(k));
+  what.tets.moves += repair.moves();
+  finish(what, options);
 }
 
 template <typename Body>
@@ -146,8 +144,9 @@ std::vector<RepairTry> repair_tries(const MatchedField& given, const RepairOptio
 }
 
 std::vector<RepairTry> wandered_tries(const MatchedField& given, std::vector<RepairTry> tries,
-                                      const RepairOptions& options) {
-  std::erase_if(tries, [](const RepairTry& one) { return one.tets.faults == 0; });
+                                      std::size_t most_faults, const RepairOptions& options) {
+  std::erase_if(tries,
+                [&](const RepairTry& one) { return one.tets.faults == 0 || one.tets.faults > most_faults; });
   std::vector<Try> wandering(tries.size());
   for_each_try(wandering, wandering.size(), [&](Try& one, std::size_t k) {
     one.weights = tries[k].weights;
@@ -155,7 +154,13 @@ std::vector<RepairTry> wandered_tries(const MatchedField& given, std::vector<Rep
     one.field = given.with_frames(one.tets.frames);
     for (std::uint32_t f = 0; f < one.tets.matchings.size(); ++f)
       one.field->set_matching(f, CubeGroup::instance().number_of(one.tets.matchings[f]));
-    wander(one, options);
+    std::size_t before = SIZE_MAX;
+    for (int round = 1; round <= options.wanderings && one.tets.faults > 0; ++round) {
+      constexpr std::size_t kFew = 2;
+      if (one.tets.faults > std::max(kFew, before / 2)) break;
+      before = one.tets.faults;
+      wander_once(one, round, options);
+    }
   });
   return results_of(std::move(wandering), given);
 }
@@ -169,7 +174,8 @@ RepairedTets repaired_tets(const MatchedField& given, const RepairOptions& optio
         std::clamp<std::size_t>(static_cast<std::size_t>(options.finalists), 1, tries.size());
     for_each_try(tries, finalists, [&](Try& one, std::size_t k) {
       if (k > 0) finish(one, options);
-      wander(one, options);
+      for (int round = 1; round <= options.wanderings && one.tets.faults > 0; ++round)
+        wander_once(one, round, options);
     });
     best = &*std::min_element(tries.begin(), tries.begin() + static_cast<std::ptrdiff_t>(finalists));
   }

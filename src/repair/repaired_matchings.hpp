@@ -37,10 +37,10 @@ struct RepairTry {
 /// faults do not wander. The tries share the threads.
 std::vector<RepairTry> repair_tries(const MatchedField& given, const RepairOptions& options);
 
-/// Returns those of the tries that have faults after these have wandered (RepairOptions::wanderings), the
-/// best first.
+/// Returns those of the tries that have faults, but no more than `most_faults`, after these have wandered,
+/// the best first: RepairOptions::wanderings times, as long as each leaves no more than half of them, or two.
 std::vector<RepairTry> wandered_tries(const MatchedField& given, std::vector<RepairTry> tries,
-                                      const RepairOptions& options);
+                                      std::size_t most_faults, const RepairOptions& options);
 
 /// Returns the best of the tries (RepairOptions::tries), with frames smoothed for it.
 RepairedTets repaired_tets(const MatchedField& given, const RepairOptions& options);

@@ -22,8 +22,8 @@ class RepairSearch {
   /// The best first.
   std::vector<RepairTry> tries() const;
 
-  /// Those of them that have faults, after these have wandered.
-  std::vector<RepairTry> wandered(std::vector<RepairTry> tries) const;
+  /// Those of them that have faults, but no more than so many, after these have wandered.
+  std::vector<RepairTry> wandered(std::vector<RepairTry> tries, std::size_t most_faults) const;
 
   /// The field of one of them. Its report has no seconds of the repair.
   TetFrameField field_of(RepairTry one) const;

@@ -232,13 +232,14 @@ std::vector<RepairTry> RepairSearch::tries() const {
   return repair_tries(given(), *options_);
 }
 
-std::vector<RepairTry> RepairSearch::wandered(std::vector<RepairTry> tries) const {
-  return wandered_tries(given(), std::move(tries), *options_);
+std::vector<RepairTry> RepairSearch::wandered(std::vector<RepairTry> tries, std::size_t most_faults) const {
+  return wandered_tries(given(), std::move(tries), most_faults, *options_);
 }
 
 TetFrameField RepairSearch::field_of(RepairTry one) const {
   RepairOptions single = *options_;
   single.tries = {one.weights};
+  single.wanderings = std::min(single.wanderings, 1);
   return completed(std::move(one.tets), single);
 }
 
