@@ -148,6 +148,11 @@ std::string expected_line(const Expectation& expected) {
                      static_cast<double>(expected.peak_memory_bytes) / 1e9, expected.seconds);
 }
 
+std::string expected_line(const HexExpectation& expected) {
+  return fmt::format("expected   about {:.0f} hexahedra of {:.3g}, along a field on {} tets\n",
+                     expected.hexahedra, expected.size, expected.tets);
+}
+
 /// Throws if the initial field was clipped, because cells outside it would have poor initial frames.
 void check_start(const SolveArguments& arguments) {
   if (arguments.from.empty() || !is_clipped_field(arguments.from)) return;
@@ -244,7 +249,8 @@ struct Solved {
 };
 
 /// Makes hexahedra of the model.
-Solved meshed(const SolveArguments& arguments, const Monitor& monitor, const Warn& warn) {
+Solved meshed(const SolveArguments& arguments, const Monitor& monitor, const Warn& warn,
+              const std::function<void()>& leave_line) {
   monitor.report({Phase::kRead, 0, 0, 0, 0});
   HexMeshingOptions options = *arguments.hexahedra;
   options.tags = arguments.tags;
@@ -253,6 +259,11 @@ Solved meshed(const SolveArguments& arguments, const Monitor& monitor, const War
   options.tets.read_seconds = arguments.read_seconds;
   options.tets.glue = arguments.glue;
   options.on_warning = warn;
+  options.on_expected = [&](const HexExpectation& expected) {
+    if (arguments.quiet) return;
+    leave_line();
+    print_result(expected_line(expected));
+  };
   const Hexahedra made = make_hexahedra(std::filesystem::path(arguments.model), options, monitor);
   const FrameField& grid = made.field.grid();
   return {made.field.report().seconds.read, true, {grid, grid}, made.field, made};
@@ -282,7 +293,7 @@ SolveReport solve_and_write(const SolveArguments& arguments,
                             const Monitor& monitor, const Warn& warn, const std::function<void()>& leave_line,
                             const SolveOnGrid& on_grid) {
   const auto [read_seconds, has_tets, to_write, tet_field, made] =
-      arguments.hexahedra ? meshed(arguments, monitor, warn)
+      arguments.hexahedra ? meshed(arguments, monitor, warn, leave_line)
                           : solved(arguments, start, monitor, warn, leave_line, on_grid);
   const FrameField& field = to_write.cells.value();
   if (const auto replaced = replaced_model(arguments); replaced && !arguments.quiet) {

@@ -18,6 +18,13 @@ namespace crossgrain {
 /// \addtogroup hexahedra Hexahedra
 /// @{
 
+/// What the tets of a model say before the work.
+struct HexExpectation {
+  std::size_t tets = 0;
+  double size = 0;       ///< of the hexahedra, model units
+  double hexahedra = 0;  ///< the volume in cubes of that size
+};
+
 /// How a model is meshed with hexahedra.
 struct HexMeshingOptions {
   HexOptions hexahedra;
@@ -42,6 +49,9 @@ struct HexMeshingOptions {
   /// Hears of what reading the model or making its first tets found, before the solve; the report has all of
   /// it too.
   std::function<void(const Warning& warning)> on_warning;
+
+  /// Hears what is to be expected, before each solve.
+  std::function<void(const HexExpectation& expected)> on_expected;
 };
 
 /// Returns hexahedra that fill a model: cuts it into tets (`make_tets`) unless its file has tets, solves on

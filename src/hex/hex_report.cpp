@@ -12,18 +12,10 @@
 #include "measure/hex_faces.hpp"
 #include "measure/hex_quality.hpp"
 #include "surface/bvh.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
-
-double volume_of(const TetMesh& mesh) {
-  double sum = 0;
-  for (const auto& [a, b, c, d] : mesh.tets) {
-    const std::vector<Vector3>& v = mesh.vertices;
-    sum += dot(cross(v[b] - v[a], v[c] - v[a]), v[d] - v[a]) / 6;
-  }
-  return sum;
-}
 
 /// Each face as four triangles around its centroid.
 TriangleMesh triangles_of(const HexMesh& mesh) {

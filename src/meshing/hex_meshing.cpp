@@ -16,6 +16,7 @@
 #include "crossgrain/thread_limit.hpp"
 #include "hex/hex_options.hpp"
 #include "solve/tet_domain_data.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
@@ -71,7 +72,16 @@ TetDomain domain_of(const Make& make, const HexMeshingOptions& options, bool war
   return prepared(TetDomain(std::move(mesh), options.tags), options);
 }
 
+HexExpectation expectation_of(const TetDomain& domain, const HexOptions& options) {
+  const double longest = longest_side(domain.data().box);
+  HexExpectation expected{domain.mesh().tets.size(), options.size, 0};
+  if (options.size == 0) expected.size = longest / options.cells;
+  expected.hexahedra = volume_of(domain.mesh()) / std::pow(expected.size, 3);
+  return expected;
+}
+
 Hexahedra made_on(const TetDomain& domain, const HexMeshingOptions& options, const Monitor& monitor) {
+  if (options.on_expected) options.on_expected(expectation_of(domain, options.hexahedra));
   const TetFrameField field = solve_onto(domain, options.solve, monitor);
   monitor.check_stop();
   return hexahedra(field, options.hexahedra, monitor);

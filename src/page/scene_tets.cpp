@@ -12,6 +12,7 @@
 #include "display/surface_numbers.hpp"
 #include "measure/alignment.hpp"
 #include "page/scene_parts.hpp"
+#include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
@@ -117,15 +118,6 @@ class SampledTets {
   std::vector<std::uint32_t> tets_;
   bool is_enough_ = true;
 };
-
-double volume_of(const TetMesh& mesh) {
-  double six = 0;
-  for (const auto& tet : mesh.tets) {
-    const Vector3& o = mesh.vertices[tet[0]];
-    six += dot(mesh.vertices[tet[1]] - o, cross(mesh.vertices[tet[2]] - o, mesh.vertices[tet[3]] - o));
-  }
-  return six / 6;
-}
 
 void add_sampled(const ShownField& field, const std::vector<float>& energies, const std::vector<float>& tilts,
                  const Vector3& origin, std::size_t most, const Monitor& monitor, SceneWriter& scene) {

@@ -34,4 +34,13 @@ double mean_ratio(const std::array<Vector3, 4>& corners) {
   return squares > 0 ? std::copysign(12 * root * root / squares, volume) : 0;
 }
 
+double volume_of(const TetMesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c, d] : mesh.tets) {
+    const std::vector<Vector3>& v = mesh.vertices;
+    sum += dot(cross(v[b] - v[a], v[c] - v[a]), v[d] - v[a]) / 6;
+  }
+  return sum;
+}
+
 }  // namespace crossgrain
