@@ -240,7 +240,7 @@ struct Solved {
   bool has_tets = false;
   ToWrite to_write;
   std::optional<TetFrameField> tet_field;
-  std::optional<Hexahedra> made;
+  std::shared_ptr<const Hexahedra> made;
 };
 
 /// Makes hexahedra of the model.
@@ -253,9 +253,10 @@ Solved meshed(const SolveArguments& arguments, const Monitor& monitor, const War
   options.tets.read_seconds = arguments.read_seconds;
   options.tets.glue = arguments.glue;
   options.on_warning = warn;
-  const Hexahedra made = make_hexahedra(std::filesystem::path(arguments.model), options, monitor);
-  const FrameField& grid = made.field.grid();
-  return {made.field.report().seconds.read, true, {grid, grid}, made.field, made};
+  const auto made = std::make_shared<const Hexahedra>(
+      make_hexahedra(std::filesystem::path(arguments.model), options, monitor));
+  const FrameField& grid = made->field.grid();
+  return {made->field.report().seconds.read, true, {grid, grid}, made->field, made};
 }
 
 /// Reads, solves, and transfers the field to the tets if there are any.
@@ -297,7 +298,10 @@ SolveReport solve_and_write(const SolveArguments& arguments,
   // it would be lost.
   if (output_options.foreign_files == ForeignFiles::kRefuse)
     output_options.foreign_files = ForeignFiles::kKeep;
-  if (made) output_options.hexahedra = std::make_shared<const HexMesh>(made->mesh);
+  if (made) {
+    output_options.hexahedra = {made, &made->mesh};
+    output_options.hex_map = {made, &made->map};
+  }
   if (arguments.page)
     output_options.companions.push_back(tet_field ? page_of(*tet_field) : page_of(to_write.shown.value()));
   SolveReport report = tet_field ? tet_field->report() : field.report();
