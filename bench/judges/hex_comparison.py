@@ -11,7 +11,7 @@ BUILT is the folder of build.sh's programs. Models may be packed with xz. For ea
     hexdom of geogram        on the same tets and onto.frames, of the same size; hex-dominant, smoothed by none of its stages
 
 Each may take --seconds in all; the seconds of the other programs are those after the field. hex_mesh.judged says what valid means, for all
-three alike. FOLDER/MODEL-CELLS keeps their files, and the figures in figures.json; models that are there are not made again.
+three alike; a valid mesh that leaves the surface of the model says how far, in sizes of hexahedra. FOLDER/MODEL-CELLS keeps their files, and the figures in figures.json; models that are there are not made again.
 """
 
 import argparse
@@ -24,6 +24,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from geogram_hexdom import fault_of_our_start, fault_of_stages
 from hex_judges import ended, euler_of_surface
@@ -35,6 +36,8 @@ from program import medit_text  # noqa: E402
 
 PROGRAMS = ("crossgrain", "cubecover", "hexdom")
 NOT_ALL_HEX = 6
+LARGE_GAP = 0.5  # a gap that is worth a word
+SAMPLES = 9  # of a quadrilateral, each way
 
 
 class Model:
@@ -49,7 +52,21 @@ class Model:
         self.euler = euler_of_surface(self.tets)
 
     def judged(self, path, scale=1):
-        return judged(read_hexahedra(path), self.volume * scale**3, self.euler)
+        """hex_mesh.judged, and the gap; the file's coordinates are these times a scale."""
+        mesh = read_hexahedra(path)
+        figures = judged(mesh, self.volume * scale**3, self.euler)
+        return {**figures, "gap": self.gap(mesh, scale)} if figures["valid"] else figures
+
+    def gap(self, mesh, scale):
+        """The distance that the surface of the model reaches from that of hexahedra, in their size, to half the SAMPLES of a side."""
+        faces = np.sort(self.tets[:, [(1, 2, 3), (0, 2, 3), (0, 1, 3), (0, 1, 2)]].reshape(-1, 3), axis=1)
+        unique, count = np.unique(faces, axis=0, return_counts=True)
+        corners = self.points[unique[count == 1]]
+        places = np.concatenate([corners.reshape(-1, 3), corners.mean(axis=1)])
+        a, b, c, d = np.moveaxis(mesh.points[mesh.boundary()[0]] / scale, 1, 0)
+        samples = [(1 - x) * (1 - y) * a + x * (1 - y) * b + x * y * c + (1 - x) * y * d
+                   for x in np.linspace(0, 1, SAMPLES) for y in np.linspace(0, 1, SAMPLES)]
+        return float(cKDTree(np.concatenate(samples)).query(places)[0].max() / self.size)
 
 
 def ours(options, model, cells, folder):
@@ -124,6 +141,8 @@ def text_of(name, figures):
         parts.insert(0, f"{100 * figures['share']:.0f} %")
     elif not figures["valid"]:
         parts.insert(0, reason_of(figures))
+    if "gap" in figures and figures["gap"] > LARGE_GAP:
+        parts.append(f"{figures['gap']:.1f} off the surface")
     if name == "crossgrain" and figures["size"] < 1:
         parts.append(f"size {figures['size']:.2f}")
     text = ", ".join([*parts, f"{figures['seconds']:.1f} s"])
