@@ -46,8 +46,9 @@ class GeogramText:
         return self.lines[line].split("#")[0].strip().strip('"')
 
     def start(self, name, element="GEO::Mesh::vertices"):
-        return next(i + 6 for i, line in enumerate(self.lines)
-                    if line == "[ATTR]" and (self.value(i + 1), self.value(i + 2)) == (element, name))
+        """The line of the first item; none without the attribute."""
+        return next((i + 6 for i, line in enumerate(self.lines)
+                     if line == "[ATTR]" and (self.value(i + 1), self.value(i + 2)) == (element, name)), None)
 
     def numbers(self, name, width, element="GEO::Mesh::vertices"):
         start, values, count = self.start(name, element), [], self.count_of(element)

@@ -7,11 +7,13 @@
 BUILT is the folder of build.sh's programs. Models may be packed with xz. For each model and number of hexahedra along its longest side:
 
     crossgrain hex           from the file to the mesh; *before* is the worst scaled Jacobian before smoothing
-    CubeCover + libHexEx     on the tets, frames and matchings that it leaves (onto.mesh, .fra, .perm), scaled to the same size; not smoothed
-    hexdom of geogram        on the same tets and onto.frames, of the same size; hex-dominant, smoothed by none of its stages
+    CubeCover + libHexEx     on the tets, frames and matchings that it leaves (onto.mesh, .fra, .perm), or `solve --prepare --repair` if it takes
+                             too long, for the same size; not smoothed
+    hexdom of geogram        on the same tets and their onto.frames, for the same size; hex-dominant
 
 Each may take --seconds in all; the seconds of the other programs are those after the field. hex_mesh.judged says what valid means, for all
-three alike; a valid mesh that leaves the surface of the model says how far, in sizes of hexahedra. FOLDER/MODEL-CELLS keeps their files, and the figures in figures.json; models that are there are not made again.
+three alike; a valid mesh says by how many of its sizes the surface of the model is off. FOLDER/MODEL-CELLS keeps their files, and seconds in
+figures.json; those that are there are judged, not made again.
 """
 
 import argparse
@@ -34,7 +36,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "command"
 from poisson_map import read_tets  # noqa: E402
 from program import medit_text  # noqa: E402
 
-PROGRAMS = ("crossgrain", "cubecover", "hexdom")
+MESHES = {"crossgrain": ("hexahedra.mesh", False), "cubecover": ("cubecover/map.ovm", True),
+          "hexdom": ("geogram/ours/hexdom.geogram_ascii", False)}  # and whether in sizes of hexahedra
+PROGRAMS = tuple(MESHES)
 NOT_ALL_HEX = 6
 LARGE_GAP = 0.5  # a gap that is worth a word
 SAMPLES = 9  # of a quadrilateral, each way
@@ -69,20 +73,26 @@ class Model:
         return float(cKDTree(np.concatenate(samples)).query(places)[0].max() / self.size)
 
 
-def ours(options, model, cells, folder):
-    """Figures of crossgrain hex; the folder has its files where there are figures."""
-    command = [options.program, "hex", model, "--cells", cells, "-o", folder, "--write", "mesh,fra,perm", "--no-report", "--quiet", "--force"]
-    start = time.monotonic()
+def fault_of_program(options, *arguments):
+    command = [options.program, *arguments, "--no-report", "--quiet", "--force"]
     try:
         result = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=options.seconds, check=False)
     except subprocess.TimeoutExpired:
-        return {"fault": f"over {options.seconds} s"}
+        return f"over {options.seconds} s"
+    return "" if result.returncode in (0, NOT_ALL_HEX) else result.stderr.strip()
+
+
+def ours(options, model, cells, folder):
+    """What crossgrain hex said, with its files in the folder."""
+    start = time.monotonic()
+    fault = fault_of_program(options, "hex", model, "--cells", cells, "-o", folder, "--write", "mesh,fra,perm,hexex")
     seconds = time.monotonic() - start
-    if result.returncode not in (0, NOT_ALL_HEX):
-        return {"fault": result.stderr.strip()}
+    if fault:
+        # The others shall have frames nevertheless.
+        fault_of_program(options, "solve", model, "--prepare", "--repair", "-o", folder, "--write", "mesh,fra,perm")
+        return {"fault": fault}
     said = json.loads((folder / "report.json").read_text())["hexahedra"]
-    figures = Model(folder, cells).judged(folder / "hexahedra.mesh")
-    return {**figures, "seconds": seconds, "before": said.get("scaled_jacobian_before", {}).get("min"), "size": said["used_size"] / said["size"],
+    return {"seconds": seconds, "before": said.get("scaled_jacobian_before", {}).get("min"), "size": said["used_size"] / said["size"],
             "said": said["outcome"]}
 
 
@@ -102,7 +112,7 @@ def by_cubecover(options, model):
         fault = fault and f"libHexEx: {fault}"
     if fault:
         return {"fault": f"over {options.seconds} s" if "over" in fault else fault}
-    return {"seconds": time.monotonic() - start, **model.judged(made, 1 / model.size)}
+    return {"seconds": time.monotonic() - start}
 
 
 def by_hexdom(options, model):
@@ -111,14 +121,24 @@ def by_hexdom(options, model):
     made = model.folder / "geogram" / "ours"
     fault = fault or fault_of_stages(program, made, start + options.seconds)
     seconds = time.monotonic() - start
-    return {"fault": fault} if fault else {"seconds": seconds, **model.judged(made / "hexdom.geogram_ascii")}
+    return {"fault": fault} if fault else {"seconds": seconds}
 
 
 def figures_of(options, model, cells):
+    """What happened, and what the meshes are like; only the latter is found anew where a run left its files."""
     folder = options.out / f"{model.name.split('.')[0]}-{cells}"
     kept = folder / "figures.json"
-    if kept.exists():
-        return json.loads(kept.read_text())
+    if not kept.exists():
+        make(options, model, cells, folder)
+    figures = json.loads(kept.read_text())
+    for name, (mesh, scale) in MESHES.items():
+        if "fault" not in figures[name]:
+            left = Model(folder, cells)
+            figures[name].update(left.judged(folder / mesh, 1 / left.size if scale else 1))
+    return figures
+
+
+def make(options, model, cells, folder):
     figures = {"crossgrain": ours(options, model, cells, folder)}
     if (folder / "onto.mesh").exists():
         left = Model(folder, cells)
@@ -127,8 +147,7 @@ def figures_of(options, model, cells):
     else:
         figures.update({name: {"fault": "no frames"} for name in PROGRAMS[1:]})
     folder.mkdir(exist_ok=True)
-    kept.write_text(json.dumps(figures))
-    return figures
+    (folder / "figures.json").write_text(json.dumps(figures))
 
 
 def text_of(name, figures):

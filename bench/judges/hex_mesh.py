@@ -149,8 +149,8 @@ def read_geogram_hexahedra(path):
     from geogram_hexdom import GeogramText  # noqa: PLC0415, which needs packages that other judges do not
     text, cells = GeogramText(Path(path)), "GEO::Mesh::cells"
     points = text.numbers("point", 3)
-    if not text.count_of(cells):
-        return HexMesh(points, [], 0)
+    if text.start(f"{cells}::cell_type", cells) is None:  # tets only
+        return HexMesh(points, [], text.count_of(cells))
     start = text.numbers(f"{cells}::cell_ptr", 1, cells)[:, 0].astype(int)
     is_hexahedron = text.numbers(f"{cells}::cell_type", 1, cells)[:, 0] == GEOGRAM_HEXAHEDRON
     corners = text.numbers("GEO::Mesh::cell_corners::corner_vertex", 1, "GEO::Mesh::cell_corners")[:, 0].astype(int)

@@ -6,7 +6,7 @@
     same_hexahedra.py --built BUILT --maps FOLDER [NAME...]
 
 BUILT is the folder of build.sh's programs. Models, which may be packed with xz, are meshed by `crossgrain hex --write hexex`, and the others read
-the map that it leaves; --maps takes NAME.hexex and NAME.mesh of bench/grid_maps. Prints a row for each map:
+the map that it leaves, unless --out, which may be that of hex_comparison.py, has it already; --maps takes NAME.hexex and NAME.mesh of bench/grid_maps. Prints a row for each map:
 
     flipped, flat      tets of the map, with positive volume of the model
     hexahedra, vertices    ours, of libHexEx and of libHexHex, which refuses maps with such tets
@@ -176,11 +176,16 @@ def row_of(built, path, mesh):
 
 def made_by_program(options, model, cells):
     folder = options.out / f"{model.name.split('.')[0]}-{cells}"
+    if not (folder / "hexahedra.hexex").exists():
+        make(options, model, cells, folder)
+    return folder, json.loads((folder / "report.json").read_text())["hexahedra"]["outcome"]
+
+
+def make(options, model, cells, folder):
     command = [options.program, "hex", model, "--cells", cells, "-o", folder, "--write", "hexex", "--no-report", "--quiet", "--force"]
     result = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=options.seconds, check=False)
     if result.returncode not in (0, NOT_ALL_HEX):
         raise ValueError(result.stderr.strip())
-    return folder, json.loads((folder / "report.json").read_text())["hexahedra"]["outcome"]
 
 
 def of_models(options):
