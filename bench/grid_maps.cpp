@@ -10,15 +10,14 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 #include "base/vector3.hpp"
 #include "crossgrain/io.hpp"
 #include "crossgrain/tet_frame_field.hpp"
 #include "hex/hex_extraction.hpp"
+#include "hex/hex_map.hpp"
 #include "map/integer_grid_map.hpp"
 #include "reduction/demanded_splits.hpp"
 #include "solve/tet_domain_data.hpp"
@@ -33,40 +32,12 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void write_map(const std::filesystem::path& path, const MapUnknowns& unknowns, const MapCoordinates& map,
-               double scale) {
-  const CutSolid& cut = unknowns.cut();
-  const TetMesh& mesh = cut.field().complex().solid().mesh;
-  std::ofstream out(path);
-  out << mesh.vertices.size() << '\n';
-  for (const Vector3& p : mesh.vertices)
-    out << fmt::format("{:.17g} {:.17g} {:.17g}\n", scale * p[0], scale * p[1], scale * p[2]);
-  out << mesh.tets.size() << '\n';
-  for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) {
-    out << fmt::format("{}", fmt::join(mesh.tets[t], " "));
-    for (std::size_t a = 0; a < 4; ++a) {
-      for (Eigen::Index k = 0; k < 3; ++k) {
-        const double value = map[static_cast<Eigen::Index>(3 * cut.copy_of(t, a)) + k];
-        constexpr double kWhole = 1e-9;
-        out << fmt::format(" {:.17g}",
-                           std::abs(value - std::round(value)) < kWhole ? std::round(value) : value);
-      }
-    }
-    out << '\n';
-  }
-}
-
-void write_hexahedra(const std::filesystem::path& path, const HexMesh& mesh, double scale) {
-  std::ofstream out(path);
-  out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << mesh.vertices.size() << '\n';
-  for (const Vector3& p : mesh.vertices)
-    out << fmt::format("{:.17g} {:.17g} {:.17g} 0\n", scale * p[0], scale * p[1], scale * p[2]);
-  out << "Hexahedra\n" << mesh.hexahedra.size() << '\n';
-  for (const auto& hexahedron : mesh.hexahedra) {
-    for (const std::uint32_t v : hexahedron) out << v + 1 << ' ';
-    out << "0\n";
-  }
-  out << "End\n";
+void write_both(const std::filesystem::path& path, HexMap map, HexMesh hexahedra) {
+  for (auto* vertices : {&map.vertices, &hexahedra.vertices})
+    for (Vector3& vertex : *vertices) vertex = (1 / map.size) * vertex;
+  map.size = 1;
+  write_map(map, path.string() + ".hexex");
+  write_hexahedra(hexahedra, path.string() + ".mesh");
 }
 
 void add_row(double cells, const std::filesystem::path& out, const std::filesystem::path& folder) {
@@ -81,8 +52,8 @@ void add_row(double cells, const std::filesystem::path& out, const std::filesyst
       split_for_map(MatchedField(complex, field->data().tet_frames, matchings_of(data.solid, field->data())));
   const CutSolid cut(*split.field);
   const MapUnknowns unknowns(cut);
-  const double scale = cells / longest_side(data.box);
-  const MapEnergy energy(unknowns, 1 / scale);
+  const double size = longest_side(data.box) / cells;
+  const MapEnergy energy(unknowns, size);
   const IntegerGridMap map = integer_grid_map(energy);
   const double mapped = seconds_since(start);
   const auto begun = Clock::now();
@@ -92,8 +63,7 @@ void add_row(double cells, const std::filesystem::path& out, const std::filesyst
              map.untangled.tets, map.rounded.tets, map.flips.tets, found.mesh.hexahedra.size(),
              found.left_out, mapped, seconds_since(begun));
   std::fflush(stdout);
-  write_map(out / (name + ".hexex"), unknowns, map.coordinates, scale);
-  write_hexahedra(out / (name + ".mesh"), found.mesh, scale);
+  write_both(out / name, hex_map_of(unknowns, map, size), found.mesh);
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ KINDS = {"SolveOptions": "SOLVE_OPTIONS", "ReadOptions": "READ_OPTIONS", "TetTag
          "TetMakingOptions": "TET_MAKING_OPTIONS", "HexOptions": "HEX_OPTIONS", "HexMeshingOptions": "HEX_MESHING_OPTIONS"}
 
 # Members that Python passes in another way.
-LEFT_OUT = {"SolveOptions": {"constraints"}, "OutputOptions": {"companions", "hexahedra", "reservation"}}
+LEFT_OUT = {"SolveOptions": {"constraints"}, "OutputOptions": {"companions", "hex_map", "hexahedra", "reservation"}}
 ADDED = {"OutputOptions": [("page", "bool", "False", "Whether report.html, the page that shows the field in a browser, is written too.")]}
 
 # Names of enumerations, as in src/c_interface/option_value.hpp.

@@ -22,11 +22,11 @@ bool parse_number(const std::string& text, double& number) {
   return !text.empty() && end == text.c_str() + text.size();
 }
 
-/// Returns the names of formats, separated by commas, without those that are always written.
-std::string names_of_formats() {
+/// Returns the names of formats that may be chosen, separated by commas.
+std::string names_of_formats(bool has_map) {
   std::string names;
   for (const OutputFormat& format : output_formats())
-    if (!format.is_always_written) names += (names.empty() ? "" : ", ") + format.name;
+    if (is_choice(format, has_map)) names += (names.empty() ? "" : ", ") + format.name;
   return names;
 }
 
@@ -132,11 +132,18 @@ std::vector<std::string> parts_of(const std::string& text) {
   return parts;
 }
 
-std::string fault_of_formats(const std::string& text) {
+bool is_choice(const OutputFormat& format, bool has_map) {
+  return !format.is_always_written && (has_map || !format.is_of_map);
+}
+
+std::string fault_of_formats(const std::string& text, bool has_map) {
   const std::vector<OutputFormat> formats = output_formats();
   for (const std::string& name : parts_of(text)) {
-    if (std::none_of(formats.begin(), formats.end(), [&](const auto& format) { return format.name == name; }))
-      return "'" + name + "' is not an output format; choose from " + names_of_formats() +
+    const auto is_named = [&](const OutputFormat& format) {
+      return format.name == name && (has_map || !format.is_of_map);
+    };
+    if (std::none_of(formats.begin(), formats.end(), is_named))
+      return "'" + name + "' is not an output format; choose from " + names_of_formats(has_map) +
              ", separated by commas";
   }
   return "";

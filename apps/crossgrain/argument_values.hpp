@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/io.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain::app {
@@ -41,7 +42,10 @@ std::string fault_of_bytes(const std::string& text);
 /// Returns the parts of a text separated by commas.
 std::vector<std::string> parts_of(const std::string& text);
 
+/// A format that may be chosen: of a field on tets, and with `has_map` of the map of its hexahedra.
+bool is_choice(const OutputFormat& format, bool has_map);
+
 /// Accepts names of formats separated by commas.
-std::string fault_of_formats(const std::string& text);
+std::string fault_of_formats(const std::string& text, bool has_map);
 
 }  // namespace crossgrain::app

@@ -64,7 +64,7 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
           "Write only cells that intersect this box to field.vtu; in model units, may be inf or -inf")
       ->check(fault_of_box)
       ->type_name("XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX");
-  add_formats(command, options);
+  add_formats(command, options, /*has_map=*/false);
   command
       .add_option(
           "--hex-size", options.hex_size,

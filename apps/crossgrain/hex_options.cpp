@@ -41,7 +41,7 @@ CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
       "--keep-tags", arguments.tags.keep_all,
       "Follow all edges, triangles and regions that a tet mesh lists, even if they are nearly all "
       "that it has");
-  add_formats(*command, arguments.output_options);
+  add_formats(*command, arguments.output_options, /*has_map=*/true);
   add_talk(*command, arguments);
   return command;
 }

@@ -245,7 +245,7 @@ struct Solved {
   bool has_tets = false;
   ToWrite to_write;
   std::optional<TetFrameField> tet_field;
-  std::optional<Hexahedra> made;
+  std::shared_ptr<const Hexahedra> made;
 };
 
 /// Makes hexahedra of the model.
@@ -264,9 +264,10 @@ Solved meshed(const SolveArguments& arguments, const Monitor& monitor, const War
     leave_line();
     print_result(expected_line(expected));
   };
-  const Hexahedra made = make_hexahedra(std::filesystem::path(arguments.model), options, monitor);
-  const FrameField& grid = made.field.grid();
-  return {made.field.report().seconds.read, true, {grid, grid}, made.field, made};
+  const auto made = std::make_shared<const Hexahedra>(
+      make_hexahedra(std::filesystem::path(arguments.model), options, monitor));
+  const FrameField& grid = made->field.grid();
+  return {made->field.report().seconds.read, true, {grid, grid}, made->field, made};
 }
 
 /// Reads, solves, and transfers the field to the tets if there are any.
@@ -308,7 +309,10 @@ SolveReport solve_and_write(const SolveArguments& arguments,
   // it would be lost.
   if (output_options.foreign_files == ForeignFiles::kRefuse)
     output_options.foreign_files = ForeignFiles::kKeep;
-  if (made) output_options.hexahedra = std::make_shared<const HexMesh>(made->mesh);
+  if (made) {
+    output_options.hexahedra = {made, &made->mesh};
+    output_options.hex_map = {made, &made->map};
+  }
   if (arguments.page)
     output_options.companions.push_back(tet_field ? page_of(*tet_field, output_options.hexahedra)
                                                   : page_of(to_write.shown.value()));

@@ -56,11 +56,11 @@ void add_run_options(CLI::App& command, SolveArguments& arguments) {
       ->type_name("SECONDS");
 }
 
-void add_formats(CLI::App& command, OutputOptions& options) {
+void add_formats(CLI::App& command, OutputOptions& options, bool has_map) {
   std::string formats = "Formats to write the field on tets in, besides onto.frames and onto.vtu:";
   std::string names;
   for (const OutputFormat& format : output_formats()) {
-    if (format.is_always_written) continue;
+    if (!is_choice(format, has_map)) continue;
     formats += " " + format.name + " (" + format.description + "),";
     names += format.name + "|";
   }
@@ -69,7 +69,7 @@ void add_formats(CLI::App& command, OutputOptions& options) {
       .add_option_function<std::string>(
           "--write", [&options](const std::string& text) { options.formats = parts_of(text); },
           formats.substr(0, formats.size() - 1) + "; docs/formats.md")
-      ->check(fault_of_formats)
+      ->check([has_map](const std::string& text) { return fault_of_formats(text, has_map); })
       ->type_name(names + "...");
 }
 

@@ -12,6 +12,7 @@ from poisson_map import medit_sections  # noqa: E402
 # Corners of a hexahedron: a quadrilateral 0 1 2 3, and 4 5 6 7 opposite. At each corner its three neighbours, right-handed.
 CORNERS = np.array([(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3)])
 FACES = np.array([(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)])  # outward
+GEOGRAM_HEXAHEDRON, GEOGRAM_CORNERS = 1, np.array([0, 1, 3, 2, 4, 5, 7, 6])  # its corners count in binary
 VOLUME_TOLERANCE = 0.1  # corners cut off by flat faces of ten hexahedra along a sphere are 5 % of its volume
 
 
@@ -98,7 +99,9 @@ def judged(mesh, volume, euler):
 
 
 def read_hexahedra(path):
-    """The HexMesh of an OVM file in ASCII or of a Medit file."""
+    """The HexMesh of a file in ASCII of OVM, Medit or geogram."""
+    if Path(path).suffix == ".geogram_ascii":
+        return read_geogram_hexahedra(path)
     return read_ovm(path) if Path(path).suffix == ".ovm" else read_medit_hexahedra(path)
 
 
@@ -140,3 +143,16 @@ def read_medit_hexahedra(path):
     found = medit_sections(path)
     others = sum(len(found.get(kind, ())) for kind in ("Tetrahedra", "Prisms", "Pyramids"))
     return HexMesh(found["Vertices"][:, :3], found.get("Hexahedra", np.zeros((0, 9)))[:, :8].astype(int) - 1, others)
+
+
+def read_geogram_hexahedra(path):
+    from geogram_hexdom import GeogramText  # noqa: PLC0415, which needs packages that other judges do not
+    text, cells = GeogramText(Path(path)), "GEO::Mesh::cells"
+    points = text.numbers("point", 3)
+    if text.start(f"{cells}::cell_type", cells) is None:  # tets only
+        return HexMesh(points, [], text.count_of(cells))
+    start = text.numbers(f"{cells}::cell_ptr", 1, cells)[:, 0].astype(int)
+    is_hexahedron = text.numbers(f"{cells}::cell_type", 1, cells)[:, 0] == GEOGRAM_HEXAHEDRON
+    corners = text.numbers("GEO::Mesh::cell_corners::corner_vertex", 1, "GEO::Mesh::cell_corners")[:, 0].astype(int)
+    hexahedra = corners[start[is_hexahedron][:, None] + GEOGRAM_CORNERS]
+    return HexMesh(points, hexahedra, int((~is_hexahedron).sum()))

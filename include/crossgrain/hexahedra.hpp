@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "crossgrain/hex_map.hpp"
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/hex_report.hpp"
 #include "crossgrain/monitor.hpp"
@@ -51,6 +52,7 @@ struct Hexahedra {
   HexMesh mesh;
   HexReport report;
   TetFrameField field;  ///< repaired; its report has that of the hexahedra
+  HexMap map;           ///< that the hexahedra are cells of
 };
 
 /// Returns hexahedra that fill the tets of a field and follow its frames: the field is repaired unless it is

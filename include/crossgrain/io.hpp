@@ -15,6 +15,7 @@
 
 #include "crossgrain/constraints.hpp"
 #include "crossgrain/frame_field.hpp"
+#include "crossgrain/hex_map.hpp"
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
@@ -136,6 +137,12 @@ HexMesh read_hexahedra(const std::filesystem::path& path);
 /// to fail early.
 void check_hexahedra_path(const std::filesystem::path& path);
 
+/// Writes a map for other programs, in the format of the extension (docs/formats.md): the integer-grid map
+/// for libHexEx (.hexex), or both maps for ParaView (.vtu). The file appears complete or not at all. Throws
+/// Error(kUsage) for other extensions, and for a map that lacks coordinates or vertices; Error(kOutput) and
+/// Error(kInterrupted).
+void write_map(const HexMap& map, const std::filesystem::path& path, const Monitor& monitor = {});
+
 /// Returns whether the extension of a file is one of a CAD file.
 bool is_cad_file(const std::filesystem::path& path);
 
@@ -152,6 +159,7 @@ struct OutputFormat {
   std::string description;         ///< one line for a list of formats
   std::vector<std::string> files;  ///< names in the folder
   bool is_always_written = false;
+  bool is_of_map = false;  ///< needs OutputOptions::hex_map
 };
 
 /// Returns all formats; those that are always written come first.
@@ -219,6 +227,9 @@ struct OutputOptions {
 
   /// Hexahedra to write as hexahedra.vtu, .mesh, .msh and .inp (`write_hexahedra`); null for none.
   std::shared_ptr<const HexMesh> hexahedra = {};
+
+  /// The map that they are cells of, for the formats that have it.
+  std::shared_ptr<const HexMap> hex_map = {};
 
   /// Further files to write, such as the page that shows the field in a browser (`page_of`).
   std::vector<CompanionFile> companions = {};

@@ -116,8 +116,8 @@ class HexMesh:
 
     def write_folder(self, folder: Any, *, page: Optional[bool] = None, options: Optional[OutputOptions] = None,
                      **changes: Any) -> Dict[str, Any]:
-        """Writes the folder that ``crossgrain hex`` writes: the field on tets (`TetField.write`), and the mesh in all formats. Returns the
-        report as written."""
+        """Writes the folder that ``crossgrain hex`` writes: the field on tets (`TetField.write`), and the mesh in all formats; its map
+        too with ``formats=["hexex", "map"]`` (docs/formats.md). Returns the report as written."""
         if page is not None or options is None:
             changes["page"] = page is None or page
         handle, encoded = handle_of(with_changes(options, OutputOptions, changes)), path_bytes(folder)

@@ -140,7 +140,9 @@ crossgrain_status crossgrain_hexahedra_write_folder(const crossgrain_hexahedra* 
   return guarded(error, [&] {
     const Hexahedra& written = given(hexahedra, "hexahedra").made;
     OutputOptions output = output_options_for(written.field, options);
-    output.hexahedra = std::make_shared<const HexMesh>(written.mesh);
+    // These pointers own nothing: the handle outlives the call.
+    output.hexahedra = {std::shared_ptr<const void>(), &written.mesh};
+    output.hex_map = {std::shared_ptr<const void>(), &written.map};
     write_result(written.field, folder, output, model, read_seconds, monitor, json);
   });
 }

@@ -27,7 +27,8 @@ const double* numbers_of(const std::vector<Quaternion>& quaternions) {
 const std::vector<OutputFormat>& formats() {
   static const std::vector<OutputFormat> all = [] {
     std::vector<OutputFormat> chosen = output_formats();
-    std::erase_if(chosen, [](const OutputFormat& format) { return format.is_always_written; });
+    std::erase_if(chosen,
+                  [](const OutputFormat& format) { return format.is_always_written || format.is_of_map; });
     return chosen;
   }();
   return all;

@@ -17,6 +17,7 @@
 #include "crossgrain/thread_limit.hpp"
 #include "hex/followed_field.hpp"
 #include "hex/hex_extraction.hpp"
+#include "hex/hex_map.hpp"
 #include "hex/hex_options.hpp"
 #include "hex/hex_report.hpp"
 #include "hex/hex_smoothing.hpp"
@@ -364,7 +365,8 @@ Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const
   report.analysis_seconds = stopwatch.restart();
   SolveReport whole = best.field.report();
   whole.hexahedra = report;
-  return {std::move(mesh), std::move(report), best.field.with_report(std::move(whole))};
+  HexMap map = hex_map_of(followed.unknowns(), best.mapped->map, report.used_size);
+  return {std::move(mesh), std::move(report), best.field.with_report(std::move(whole)), std::move(map)};
 }
 
 }  // namespace crossgrain

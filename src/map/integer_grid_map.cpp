@@ -32,9 +32,10 @@ IntegerGridMap integer_grid_map(const MapEnergy& energy, const GridMapOptions& o
   map.columns = untangled(energy, std::move(map.columns), poisson.continuous(), options.untangling).columns;
   Untangled seamless = untangled(energy, std::move(map.columns), free_columns(poisson), options.untangling);
   map.untangled = seamless.flips;
+  map.seamless_coordinates = energy.basis() * seamless.columns;
 
   const Separations separations =
-      separations_of(energy.unknowns(), seamless.columns, energy.basis() * seamless.columns);
+      separations_of(energy.unknowns(), seamless.columns, map.seamless_coordinates);
   map.separations = separations.size();
   Eigen::VectorXd relaxed(static_cast<Eigen::Index>(poisson.integers().size()));
   for (std::size_t k = 0; k < poisson.integers().size(); ++k)

@@ -21,7 +21,8 @@ struct GridMapOptions {
 /// are hexahedra that fill the solid.
 struct IntegerGridMap {
   Eigen::VectorXd columns;
-  MapCoordinates coordinates;  ///< at the copies of vertices (CutSolid)
+  MapCoordinates coordinates;           ///< at the copies of vertices (CutSolid)
+  MapCoordinates seamless_coordinates;  ///< the same before rounding, untangled
 
   MapFlips seamless, untangled;  ///< before rounding: of the least energy, and after untangling
   MapFlips rounded, flips;       ///< after rounding, and in the end

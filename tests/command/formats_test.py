@@ -174,7 +174,7 @@ class FoldersOfFormats(FormatsTest):
 class WrongFormats(FormatsTest):
     def test_names_that_are_none_are_refused_with_a_list_of_them(self):
         self.write_box()
-        for text in ("hexex", "fra,hexex", "", "fra,", ",fra", "fra perm", "FRA", "fra;perm"):
+        for text in ("hexex", "map", "fra,hexex", "", "fra,", ",fra", "fra perm", "FRA", "fra;perm"):
             with self.subTest(text):
                 result = self.run_here("solve", "box.mesh", "--write", text, "-o", "out")
                 self.assert_fails(result, USAGE, "--write", "--help", ", ".join(FILES))

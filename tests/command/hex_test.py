@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`crossgrain hex`, judged from the files that it writes."""
 
+import itertools
 import json
 import signal
 import subprocess
@@ -9,7 +10,9 @@ import unittest
 
 import numpy as np
 
-from program import PROGRAM, CommandTest, box_triangles, medit_text, stl_bytes, tet_box, tilt
+from field_reader import read_arrays
+from frame_math import CUBE_ROTATIONS
+from program import PROGRAM, CommandTest, box_triangles, cylinder_triangles, medit_text, stl_bytes, tet_box, tilt
 
 USAGE, INPUT, OUTPUT, NOT_ALL_HEX, INTERRUPTED = 2, 3, 4, 6, 130
 FILES = [f"hexahedra.{ending}" for ending in ("inp", "mesh", "msh", "vtu")]
@@ -37,6 +40,36 @@ def scaled_jacobians(vertices, hexahedra):
         edges /= np.linalg.norm(edges, axis=2, keepdims=True)
         least = np.minimum(least, np.linalg.det(edges))
     return least
+
+
+def transitions(tets, coordinates):
+    """For each inner face whether its translation is whole, and its vertices in the map of one tet, turned and moved to that of the other."""
+    faces = {}
+    for t, tet in enumerate(tets.tolist()):
+        for opposite in range(4):
+            corners = sorted((k for k in range(4) if k != opposite), key=lambda k, tet=tet: tet[k])
+            faces.setdefault(tuple(tet[k] for k in corners), []).append(coordinates[t, corners])
+    for sides in faces.values():
+        if len(sides) == 2:
+            before, after = sides
+            turned = before @ np.swapaxes(CUBE_ROTATIONS, 1, 2)
+            moved = turned + (after[0] - turned[:, :1])
+            best = np.abs(moved - after).max(axis=(1, 2)).argmin()
+            translation = after[0] - turned[best, 0]
+            yield bool((translation == np.round(translation)).all()), moved[best], after
+
+
+def grid_points_in(points, tets, grid):
+    """Places of the points of the grid in all tets, each once."""
+    found = []
+    for corners, places in zip(grid, points[tets]):
+        low, high = np.ceil(corners.min(axis=0)).astype(int), np.floor(corners.max(axis=0)).astype(int)
+        matrix = (corners[1:] - corners[0]).T
+        for point in itertools.product(*(range(a, b + 1) for a, b in zip(low, high))):
+            weights = np.linalg.solve(matrix, point - corners[0])
+            if weights.min() > -1e-9 and weights.sum() < 1 + 1e-9:
+                found.append(places[0] + weights @ (places[1:] - places[0]))
+    return {tuple(np.round(place, 6) + 0.0) for place in found}
 
 
 class HexTest(CommandTest):
@@ -128,6 +161,50 @@ class HexTest(CommandTest):
         self.hexahedra("box.stl", "--cells", "6")
         self.assertEqual((self.folder / "out/hexahedra.mesh").read_bytes(), one)
 
+    def read_hexex(self, name):
+        """Points, tets and coordinates of their corners; the file has nothing else."""
+        words = (self.folder / "out" / name).read_text().split()
+        count = int(words[0])
+        rows = np.array(words[2 + 3 * count:], float).reshape(int(words[1 + 3 * count]), 16)
+        return np.array(words[1:1 + 3 * count], float).reshape(-1, 3), rows[:, :4].astype(int), rows[:, 4:].reshape(-1, 4, 3)
+
+    def test_the_map_is_written_for_programs_that_extract_hexahedra(self):
+        self.write("cylinder.stl", stl_bytes(cylinder_triangles()))
+        self.hexahedra("cylinder.stl", "--cells", "6", "--write", "hexex,mesh")
+        points, tets, grid = self.read_hexex("hexahedra.hexex")
+        # Its cells are the hexahedra, one by one: as many, and a point of the grid in the tets for each vertex.
+        self.assertAlmostEqual(np.linalg.det(grid[:, 1:] - grid[:, :1]).sum() / 6, len(self.corners), places=9)
+        self.assertEqual(len(grid_points_in(points, tets, grid)), len(self.vertices))
+        self.assertTrue((np.linalg.det(points[tets][:, 1:] - points[tets][:, :1]) > 0).all())
+        for whole, side, other in transitions(tets, grid):
+            np.testing.assert_array_equal(side, other)
+            self.assertTrue(whole)
+        same_points, same_tets, seamless = self.read_hexex("hexahedra_seamless.hexex")
+        np.testing.assert_array_equal(points, same_points)
+        np.testing.assert_array_equal(tets, same_tets)
+        for _, side, other in transitions(tets, seamless):
+            np.testing.assert_allclose(side, other, atol=1e-12)
+
+    def test_paraview_sees_both_maps_of_each_tet(self):
+        self.write_box()
+        self.hexahedra("box.mesh", "--size", "0.3", "--write", "map,hexex")
+        arrays = read_arrays(self.folder / "out/hexahedra_map.vtu")
+        points, tets, grid = self.read_hexex("hexahedra.hexex")
+        np.testing.assert_array_equal(arrays["vertex"], tets.ravel())
+        np.testing.assert_array_equal(arrays["Points"], points[tets.ravel()])
+        np.testing.assert_array_equal(arrays["integer_grid"], grid.reshape(-1, 3))
+        np.testing.assert_array_equal(arrays["seamless"], self.read_hexex("hexahedra_seamless.hexex")[2].reshape(-1, 3))
+        jacobians = np.linalg.det(grid[:, 1:] - grid[:, :1]) / np.linalg.det(points[tets][:, 1:] - points[tets][:, :1])
+        np.testing.assert_allclose(arrays["determinant"], 0.3**3 * jacobians, rtol=1e-6)
+
+    def test_files_of_the_map_are_listed_and_removed_by_a_later_run(self):
+        self.write_box()
+        self.hexahedra("box.mesh", "--cells", "4", "--write", "hexex,map")
+        files = {"hexahedra.hexex", "hexahedra_seamless.hexex", "hexahedra_map.vtu"}
+        self.assertTrue(all(name in self.result.stdout for name in files))
+        self.hexahedra("box.mesh", "--cells", "4")
+        self.assertFalse(files & {path.name for path in (self.folder / "out").iterdir()})
+
     def test_regions_are_kept_and_said_to_be_meshed_as_one(self):
         vertices, tets = tet_box()
         regions = 1 + (vertices[tets].mean(axis=1)[:, 0] > vertices[:, 0].mean())
@@ -152,6 +229,7 @@ class HexTest(CommandTest):
         self.assert_fails(self.run_here("hex", "box.mesh", "--size", "1", "--cells", "3"), USAGE, "--size")
         self.assert_fails(self.run_here("hex", "box.mesh", "--tet-size", "1"), USAGE, "--tet-size")
         self.assert_fails(self.run_here("hex", "box.mesh", "--size", "0"), USAGE, "--size")
+        self.assert_fails(self.run_here("hex", "box.mesh", "--write", "ovm"), USAGE, "--write", "hexex, map")
         self.assert_fails(self.run_here("hex", "none.stl"), INPUT, "none.stl", "no such file")
         (self.folder / "other").mkdir()
         self.write("other/thing", "")

@@ -12,6 +12,7 @@
 #include "crossgrain/error.hpp"
 #include "files/file_mark.hpp"
 #include "files/temporary_folder.hpp"
+#include "io/made_map.hpp"
 #include "io/result/onto_files.hpp"
 #include "io/result/tet_files.hpp"
 #include "io/sample_field.hpp"
@@ -47,9 +48,10 @@ void write_every_format(const std::filesystem::path& folder) {
   TetField onto;
   onto.vertex_frames = scattered_frames(solid.mesh.vertices.size(), 0.5);
   onto.tet_frames = tet_frames_of(solid.mesh, onto.vertex_frames);
+  const HexMap map = made_map(solid.mesh);
   OutputOptions options;
   for (const OutputFormat& format : output_formats()) options.formats.push_back(format.name);
-  write_field_onto(made_field(), sample_report(), {solid, onto, {}}, folder, {}, options);
+  write_field_onto(made_field(), sample_report(), {solid, onto, {}, 1, &map}, folder, {}, options);
 }
 
 TEST(ForeignFiles, OfAnyKindAreNamedAndNothingIsWritten) {
@@ -105,7 +107,7 @@ TEST(ForeignFiles, AreFilesForOtherProgramsWithoutTheirReport) {
   const TemporaryFolder folder;
   write_every_format(folder.path());
   std::filesystem::remove(folder.path() / "report.json");
-  EXPECT_NE(refusal(folder.path()).find("'onto.fra' and 6 other files"), std::string::npos);
+  EXPECT_NE(refusal(folder.path()).find("'hexahedra.hexex' and 8 other files"), std::string::npos);
 }
 
 TEST(ForeignFiles, AreNotWhatDesktopsAndKilledRunsLeave) {

@@ -14,6 +14,7 @@
 #include "crossgrain/io.hpp"
 #include "files/temporary_folder.hpp"
 #include "io/frame_files.hpp"
+#include "io/made_map.hpp"
 #include "io/result/onto_files.hpp"
 #include "io/sample_field.hpp"
 #include "io/vtu/vtu_reader.hpp"
@@ -37,8 +38,8 @@ struct Sample {
     OutputOptions options;
     options.formats = std::move(formats);
     options.foreign_files = foreign;
-    return write_field_onto(field_of(sample_data(Degree::kFour)), sample_report(), {solid, onto, {}}, folder,
-                            monitor, options);
+    return write_field_onto(field_of(sample_data(Degree::kFour)), sample_report(),
+                            {solid, onto, {}, 1, has_map ? &map : nullptr}, folder, monitor, options);
   }
 
   /// The rows of onto.fra and of onto.frame.
@@ -55,6 +56,8 @@ struct Sample {
 
   TetSolid solid;
   TetField onto;
+  HexMap map = made_map(solid.mesh);
+  bool has_map = true;
 };
 
 std::vector<std::string> every_format() {
@@ -257,20 +260,37 @@ TEST(FormatsOfAFolder, StopWhereTheMonitorIsCancelled) {
     OutputFile output(folder.path() / file.name);
     // A box has no features, and no block of them to look between.
     if (std::string(file.format) == "features") continue;
-    EXPECT_THROW(file.write(output, {sample.solid, sample.onto, lines}, monitor), Error) << file.name;
+    EXPECT_THROW(file.write(output, {sample.solid, sample.onto, lines, 1, &sample.map}, monitor), Error)
+        << file.name;
   }
 }
 
 TEST(FormatsOfAFolder, ThatAreNoneAreRefusedWithTheNamesOfAll) {
   const TemporaryFolder folder;
   try {
-    Sample({1, 1, 1}).write(folder.path() / "out", {"fra", "hexex"});
+    Sample({1, 1, 1}).write(folder.path() / "out", {"fra", "ovm"});
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kUsage);
-    EXPECT_NE(std::string(error.what()).find("'hexex'"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("'ovm'"), std::string::npos);
     for (const std::string& name : every_format())
       EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << name;
+  }
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(FormatsOfAFolder, OfMapsAreRefusedForFieldsWithoutOne) {
+  const TemporaryFolder folder;
+  Sample sample({1, 1, 1});
+  sample.has_map = false;
+  for (const char* format : {"hexex", "map"}) {
+    try {
+      sample.write(folder.path() / "out", {format});
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::kUsage);
+      EXPECT_NE(std::string(error.what()).find(format), std::string::npos);
+    }
   }
   EXPECT_TRUE(folder.names().empty());
 }

@@ -105,6 +105,13 @@ class Hexahedra(WithFolder):
         again = cg.read(self.folder / "cube.hexahedra")
         self.assertEqual(again.report["hexahedra"]["hexahedra"], 64)
 
+    def test_are_written_with_their_map(self):
+        self.cube.write_folder(self.folder / "cube.hexahedra", page=False, formats=["hexex", "map"])
+        names = {path.name for path in (self.folder / "cube.hexahedra").iterdir()}
+        self.assertLessEqual({"hexahedra.hexex", "hexahedra_seamless.hexex", "hexahedra_map.vtu"}, names)
+        with self.assertRaisesRegex(cg.UsageError, "hexex"):
+            self.cube.field.write(self.folder / "cube.field", page=False, formats=["hexex"])
+
     def test_keep_regions(self):
         points, cells = cube_of_tets(4)
         regions = 3 + (points[cells].mean(axis=1)[:, 0] > 0.5)

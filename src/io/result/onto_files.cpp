@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/error.hpp"
 #include "crossgrain/io.hpp"
 #include "io/result/field_file.hpp"
 #include "io/result/foreign_files.hpp"
@@ -32,6 +33,13 @@ void warn_of_left_out_tets(const TetSolid& solid, const OutputOptions& options, 
       Remedy::kUseWrittenMesh);
 }
 
+void check_has_map(const TetOutput& output, const OutputOptions& options) {
+  for (const TetFile& file : tet_files())
+    if (file.is_of_map && output.map == nullptr && is_asked_for(file, options.formats))
+      throw Error(ErrorKind::kUsage,
+                  fmt::format("'{}' is a format of maps of hexahedra, and this field has none", file.format));
+}
+
 void write_tet_file(const TetFile& tet_file, const TetOutput& output, OutputFolder& files,
                     SolveReport& report, const Monitor& monitor) {
   OutputFile& file = files.create(tet_file.name);
@@ -48,6 +56,7 @@ SolveReport write_field_onto(const FrameField& field, SolveReport report, const 
                              const OutputOptions& options) {
   assert(output.field.vertex_frames.size() == output.solid.mesh.vertices.size() &&
          output.field.tet_frames.size() == output.solid.mesh.tets.size());
+  check_has_map(output, options);
   warn_of_left_out_tets(output.solid, options, report);
   return write_field_and(field, std::move(report), folder, monitor, options,
                          solve_id(field.data(), options, &output),
@@ -63,10 +72,10 @@ SolveReport write_field_onto(const FrameField& field, SolveReport report, const 
 
 SolveReport write_field(const TetFrameField& field, SolveReport report, const std::filesystem::path& folder,
                         const Monitor& monitor, const OutputOptions& options) {
-  return write_field_onto(
-      field.grid(), std::move(report),
-      {field.domain().data().solid, field.data(), field.singularities(), options.hex_size}, folder, monitor,
-      options);
+  return write_field_onto(field.grid(), std::move(report),
+                          {field.domain().data().solid, field.data(), field.singularities(), options.hex_size,
+                           options.hex_map.get()},
+                          folder, monitor, options);
 }
 
 SolveReport write_field(const TetFrameField& field, const std::filesystem::path& folder,

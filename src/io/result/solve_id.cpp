@@ -118,6 +118,10 @@ void add_options(const OutputOptions& options, ContentSum& sum) {
     sum.add(options.hexahedra->vertices);
     sum.add(options.hexahedra->hexahedra);
   }
+  if (options.hex_map) {
+    sum.add(options.hex_map->seamless);
+    sum.add(options.hex_map->integer_grid);
+  }
   if (!options.clip) return;
   for (const Vector3& corner : {options.clip->low, options.clip->high})
     for (const double x : corner) sum.add_value(x);

@@ -16,24 +16,33 @@ namespace {
 
 constexpr bool kAlways = true, kOnDemand = false;
 constexpr bool kOfTets = true, kOfOthers = false;
+constexpr bool kOfMap = true, kOfField = false;
 
 constexpr std::array kFiles = {
     TetFile{"frames", kTetFramesFile, "axes of each vertex, nine numbers a line", kAlways, kOfOthers,
-            write_vertex_axes},
+            kOfField, write_vertex_axes},
     TetFile{"vtu", kTetGridFile, "tets with axes on vertices and tets, for ParaView", kAlways, kOfOthers,
-            write_tet_grid},
+            kOfField, write_tet_grid},
     TetFile{"singularities", kTetSingularityFile, "singular lines of the tets, for ParaView", kAlways,
-            kOfOthers, write_tet_singularities},
+            kOfOthers, kOfField, write_tet_singularities},
     TetFile{"mesh", "onto.mesh", "the tets of the frames, for CubeCover, mouette and gmsh", kOnDemand,
-            kOfOthers, write_medit},
-    TetFile{"fra", "onto.fra", "axes of each tet, for CubeCover and Mint", kOnDemand, kOfTets, write_fra},
-    TetFile{"perm", "onto.perm", "matchings across faces, for CubeCover", kOnDemand, kOfTets, write_perm},
-    TetFile{"frame", "onto.frame", "axes of each tet, for mouette", kOnDemand, kOfTets, write_frame},
+            kOfOthers, kOfField, write_medit},
+    TetFile{"fra", "onto.fra", "axes of each tet, for CubeCover and Mint", kOnDemand, kOfTets, kOfField,
+            write_fra},
+    TetFile{"perm", "onto.perm", "matchings across faces, for CubeCover", kOnDemand, kOfTets, kOfField,
+            write_perm},
+    TetFile{"frame", "onto.frame", "axes of each tet, for mouette", kOnDemand, kOfTets, kOfField,
+            write_frame},
     TetFile{"quaternions", "onto_vertices.quaternions", "unit quaternions of vertices and of tets", kOnDemand,
-            kOfOthers, write_vertex_quaternions},
-    TetFile{"quaternions", "onto_tets.quaternions", "", kOnDemand, kOfTets, write_tet_quaternions},
+            kOfOthers, kOfField, write_vertex_quaternions},
+    TetFile{"quaternions", "onto_tets.quaternions", "", kOnDemand, kOfTets, kOfField, write_tet_quaternions},
     TetFile{"features", "onto_features.vtu", "tagged edges and triangles, for ParaView", kOnDemand, kOfOthers,
-            write_feature_grid},
+            kOfField, write_feature_grid},
+    TetFile{"hexex", "hexahedra.hexex", "the map of hexahedra, for libHexEx", kOnDemand, kOfOthers, kOfMap,
+            write_grid_hexex},
+    TetFile{"hexex", "hexahedra_seamless.hexex", "", kOnDemand, kOfOthers, kOfMap, write_seamless_hexex},
+    TetFile{"map", "hexahedra_map.vtu", "the map of hexahedra before and after rounding, for ParaView",
+            kOnDemand, kOfOthers, kOfMap, write_map_grid},
 };
 
 bool contains(const std::vector<std::string>& formats, const std::string& name) {
@@ -54,7 +63,7 @@ std::vector<OutputFormat> output_formats() {
   std::vector<OutputFormat> formats;
   for (const TetFile& file : kFiles) {
     if (formats.empty() || formats.back().name != file.format)
-      formats.push_back({file.format, file.description, {}, file.is_always_written});
+      formats.push_back({file.format, file.description, {}, file.is_always_written, file.is_of_map});
     formats.back().files.push_back(file.name);
   }
   return formats;

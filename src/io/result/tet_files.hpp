@@ -18,6 +18,7 @@ struct TetFile {
   const char* description;
   bool is_always_written;
   bool has_rows_of_tets;  ///< one row per tet, or numbers of tets
+  bool is_of_map;         ///< needs TetOutput::map
   void (*write)(OutputFile& file, const TetOutput& output, const Monitor& monitor);
 };
 

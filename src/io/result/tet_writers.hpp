@@ -2,6 +2,7 @@
 // Writers of a field on tets. docs/formats.md and docs/field-file.md describe the files.
 #pragma once
 
+#include "crossgrain/hex_map.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/singularity_graph.hpp"
 #include "files/output_file.hpp"
@@ -15,7 +16,8 @@ struct TetOutput {
   const TetSolid& solid;
   const TetField& field;
   const SingularityGraph& lines;
-  double hex_size = 1;  ///< OutputOptions::hex_size
+  double hex_size = 1;          ///< OutputOptions::hex_size
+  const HexMap* map = nullptr;  ///< OutputOptions::hex_map
 };
 
 // Each function writes a whole file and finishes it. Throws Error(kOutput), and Error(kInterrupted) once the
@@ -48,5 +50,14 @@ void write_frame(OutputFile& file, const TetOutput& output, const Monitor& monit
 /// Writes a line `w x y z` for each vertex or tet.
 void write_vertex_quaternions(OutputFile& file, const TetOutput& output, const Monitor& monitor);
 void write_tet_quaternions(OutputFile& file, const TetOutput& output, const Monitor& monitor);
+
+// The following need a map.
+
+/// Writes the integer-grid map, or the seamless one, for libHexEx (io/hex/map_writers.hpp).
+void write_grid_hexex(OutputFile& file, const TetOutput& output, const Monitor& monitor);
+void write_seamless_hexex(OutputFile& file, const TetOutput& output, const Monitor& monitor);
+
+/// Writes both as VTU.
+void write_map_grid(OutputFile& file, const TetOutput& output, const Monitor& monitor);
 
 }  // namespace crossgrain
