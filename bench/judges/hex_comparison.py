@@ -12,7 +12,7 @@ BUILT is the folder of build.sh's programs. Models may be packed with xz. For ea
     hexdom of geogram        on the same tets and their onto.frames, for the same size; hex-dominant
 
 Each may take --seconds in all; the seconds of the other programs are those after the field. hex_mesh.judged says what valid means, for all
-three alike; a valid mesh says by how many of its sizes the surface of the model is off. FOLDER/MODEL-CELLS keeps their files, and seconds in
+three alike, but the surface of the model may be at most LARGEST_GAP sizes of hexahedra off that of the mesh. FOLDER/MODEL-CELLS keeps their files, and seconds in
 figures.json; those that are there are judged, not made again.
 """
 
@@ -40,6 +40,7 @@ MESHES = {"crossgrain": ("hexahedra.mesh", False), "cubecover": ("cubecover/map.
           "hexdom": ("geogram/ours/hexdom.geogram_ascii", False)}  # and whether in sizes of hexahedra
 PROGRAMS = tuple(MESHES)
 NOT_ALL_HEX = 6
+LARGEST_GAP = 1.5  # of a valid mesh, as HexOptions::largest_gap
 LARGE_GAP = 0.5  # a gap that is worth a word
 SAMPLES = 9  # of a quadrilateral, each way
 
@@ -59,7 +60,10 @@ class Model:
         """hex_mesh.judged, and the gap; the file's coordinates are these times a scale."""
         mesh = read_hexahedra(path)
         figures = judged(mesh, self.volume * scale**3, self.euler)
-        return {**figures, "gap": self.gap(mesh, scale)} if figures["valid"] else figures
+        if figures["valid"]:
+            figures["gap"] = self.gap(mesh, scale)
+            figures["valid"] = figures["gap"] <= LARGEST_GAP
+        return figures
 
     def gap(self, mesh, scale):
         """The distance that the surface of the model reaches from that of hexahedra, in their size, to half the SAMPLES of a side."""
@@ -169,6 +173,8 @@ def text_of(name, figures):
 
 
 def reason_of(figures):
+    if "gap" in figures:
+        return "cut off"
     if figures["closed"] and figures["inverted"]:
         return f"{figures['inverted']} inverted"
     if figures["closed"] and not figures["others"]:

@@ -30,6 +30,7 @@ from hex_mesh import FACES, judged, read_hexahedra
 
 HEXEX_SECONDS = 120
 NOT_ALL_HEX = 6
+ENOUGH = 0.9
 STARTS, NEAREST = 5, 4  # walks begin at so many hexahedra of ours, if need be, each at so many of theirs
 
 
@@ -131,8 +132,9 @@ def alike(ours, theirs):
                 best = max(best, count)
                 if agrees and sizes == {count}:
                     return True, count
-        if best == min(sizes):
-            break
+                # Meshes of different sizes are not alike, so that a walk that finds most is enough.
+                if len(sizes) == 2 and best > ENOUGH * min(sizes):
+                    return False, best
     return False, best
 
 
