@@ -33,10 +33,10 @@ struct HexOptions {
 
   /// So many maps at most, and no more than have `search_tets` tets together; at least one.
   std::size_t most_maps = 8;
-  std::size_t search_tets = 120000;
+  std::size_t search_tets = 240000;
 
-  /// Where a map exists but whole numbers of hexahedra of this size fold it: smaller sizes that are tried,
-  /// each this share of the last.
+  /// Where the best map is without flips, but whole numbers of hexahedra of this size fold it: smaller sizes
+  /// that are tried, each this share of the last.
   int finer_sizes = 2;
   double finer_share = 0.7;
 

@@ -110,7 +110,7 @@ class Search {
 
  private:
   void take(TetFrameField field, double repair_seconds);
-  void follow(Candidate& candidate);
+  void try_finer_sizes();
   void map(Candidate& candidate, double size, const Effort& effort = {});
   void take(const RepairSearch& search, const RepairTry& one);
   void try_repairs();
@@ -143,7 +143,7 @@ void Search::take(TetFrameField field, double repair_seconds) {
   // Arcs without length say that there is no map.
   if (next.attempt.arcs_without_length == 0 && maps_left_ > 0) {
     --maps_left_;
-    follow(next);
+    map(next, report_.size);
   }
   report_.attempts.push_back(next.attempt);
   if (best_ && !(next.rank() < best_->rank())) return;
@@ -186,16 +186,25 @@ void Search::map(Candidate& candidate, double size, const Effort& effort) {
   attempt.seconds += seconds;
 }
 
-/// Maps at the size that was asked for, and at smaller ones if only whole numbers are in the way.
-void Search::follow(Candidate& candidate) {
+/// Maps the best at smaller sizes, if only whole numbers are in the way of the map.
+void Search::try_finer_sizes() {
+  const auto only_rounding_folds = [&] {
+    return best_->mapped && best_->attempt.seamless_flips == std::size_t{0} &&
+           best_->attempt.flips != std::size_t{0};
+  };
   double size = report_.size;
-  map(candidate, size);
-  for (int k = 0;
-       k < options_.finer_sizes && !candidate.mapped->is_complete() &&
-       candidate.attempt.seamless_flips == std::size_t{0} && candidate.attempt.flips != std::size_t{0};
-       ++k) {
-    report_.attempts.push_back(candidate.attempt);
-    map(candidate, size *= options_.finer_share);
+  for (int k = 0; k < options_.finer_sizes && !is_complete() && only_rounding_folds(); ++k) {
+    const auto rank = best_->rank();
+    const HexAttempt attempt = best_->attempt;
+    std::optional<Mapped> mapped = std::move(best_->mapped);
+    map(*best_, size *= options_.finer_share);
+    report_.attempts.push_back(best_->attempt);
+    if (best_->rank() < rank) {
+      report_.best_attempt = report_.attempts.size() - 1;
+      continue;
+    }
+    best_->mapped = std::move(mapped);
+    best_->attempt = attempt;
   }
 }
 
@@ -246,6 +255,7 @@ Candidate Search::best() {
     take(given_, 0);
   else
     try_repairs();
+  try_finer_sizes();
   if (!best_->mapped) {
     map(*best_, report_.size, little_effort());
     report_.attempts[report_.best_attempt] = best_->attempt;

@@ -17,9 +17,9 @@ from program import PROGRAM, CommandTest, box_triangles, cylinder_triangles, med
 USAGE, INPUT, OUTPUT, NOT_ALL_HEX, INTERRUPTED = 2, 3, 4, 6, 130
 FILES = [f"hexahedra.{ending}" for ending in ("inp", "mesh", "msh", "vtu")]
 
-# Four faces meet in its tip, and so no hexahedra.
-TIP, BASE = np.array([0, 0, 1.0]), np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], float)
-PYRAMID = np.array([*[(BASE[k], BASE[(k + 1) % 4], TIP) for k in range(4)], BASE[[0, 2, 1]], BASE[[0, 3, 2]]])
+# A star with five points, thin at their ends: no hexahedra as coarse as its arms are known to fit.
+ROUND = [(1 if k % 2 else 0.4) * np.array([np.cos(np.pi * k / 5), np.sin(np.pi * k / 5), 0]) for k in range(10)]
+STAR = np.array([face for k in range(10) for face in ((ROUND[k], ROUND[(k + 1) % 10], (0, 0, 1)), (ROUND[(k + 1) % 10], ROUND[k], (0, 0, -1)))])
 
 # Corners of a hexahedron with their three neighbours, right-handed.
 NEIGHBOURS = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
@@ -117,9 +117,9 @@ class HexTest(CommandTest):
         self.assert_succeeds(self.run_here("check", "out"))
 
     def test_a_model_that_is_not_filled_is_tried_with_all_sizes_and_told(self):
-        self.write("pyramid.stl", stl_bytes(PYRAMID))
-        made = self.hexahedra("pyramid.stl", "--cells", "4", "--tet-size", "0.4", code=NOT_ALL_HEX)
-        self.assertEqual([round(tets["size"], 9) for tets in made["tried_tets"]], [0.4, 0.56, 0.8])
+        self.write("star.stl", stl_bytes(STAR))
+        made = self.hexahedra("star.stl", "--cells", "4", "--tet-size", "0.3", code=NOT_ALL_HEX)
+        self.assertEqual([round(tets["size"], 9) for tets in made["tried_tets"]], [0.3, 0.42, 0.6])
         used, = [tets for tets in made["tried_tets"] if tets["is_used"]]
         self.assertIn(f"tries      3 sizes of tets, of which {used['size']:.3g} is used", self.result.stdout)
         self.assertIn(made["reason"], self.result.stdout)
