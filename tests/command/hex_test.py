@@ -14,12 +14,11 @@ from field_reader import read_arrays
 from frame_math import CUBE_ROTATIONS
 from program import PROGRAM, CommandTest, box_triangles, cylinder_triangles, medit_text, stl_bytes, tet_box, tilt
 
-USAGE, INPUT, OUTPUT, NOT_ALL_HEX, INTERRUPTED = 2, 3, 4, 6, 130
+USAGE, INPUT, OUTPUT, INTERRUPTED = 2, 3, 4, 130
 FILES = [f"hexahedra.{ending}" for ending in ("inp", "mesh", "msh", "vtu")]
 
-# A star with five points, thin at their ends: no hexahedra as coarse as its arms are known to fit.
-ROUND = [(1 if k % 2 else 0.4) * np.array([np.cos(np.pi * k / 5), np.sin(np.pi * k / 5), 0]) for k in range(10)]
-STAR = np.array([face for k in range(10) for face in ((ROUND[k], ROUND[(k + 1) % 10], (0, 0, 1)), (ROUND[(k + 1) % 10], ROUND[k], (0, 0, -1)))])
+TIP, RIM = np.array([0, 0, 1.0]), np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], float)
+OCTAHEDRON = np.array([*[(RIM[k], RIM[(k + 1) % 4], TIP) for k in range(4)], *[(RIM[(k + 1) % 4], RIM[k], -TIP) for k in range(4)]])
 
 # Corners of a hexahedron with their three neighbours, right-handed.
 NEIGHBOURS = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
@@ -116,13 +115,13 @@ class HexTest(CommandTest):
         self.assertNotIn("tries", self.result.stdout)
         self.assert_succeeds(self.run_here("check", "out"))
 
-    def test_a_model_that_is_not_filled_is_tried_with_all_sizes_and_told(self):
-        self.write("star.stl", stl_bytes(STAR))
-        made = self.hexahedra("star.stl", "--cells", "4", "--tet-size", "0.3", code=NOT_ALL_HEX)
-        self.assertEqual([round(tets["size"], 9) for tets in made["tried_tets"]], [0.3, 0.42, 0.6])
-        used, = [tets for tets in made["tried_tets"] if tets["is_used"]]
-        self.assertIn(f"tries      3 sizes of tets, of which {used['size']:.3g} is used", self.result.stdout)
-        self.assertIn(made["reason"], self.result.stdout)
+    def test_an_octahedron_is_filled_though_four_faces_meet_in_its_corners(self):
+        self.write("octahedron.stl", stl_bytes(OCTAHEDRON))
+        made = self.hexahedra("octahedron.stl", "--cells", "9", "--tet-size", "0.4")
+        self.assertEqual(made["outcome"], "all-hex")
+        self.assertGreater(made["scaled_jacobian"]["min"], 0)
+        self.assertIn("expected   about ", self.result.stdout)
+        self.assertLessEqual(made["largest_distance"], 0.05 * made["used_size"])
 
     def test_warnings_about_the_model_come_before_the_work(self):
         vertices, tets = tet_box()
