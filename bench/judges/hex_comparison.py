@@ -18,7 +18,6 @@ figures.json; those that are there are judged, not made again.
 
 import argparse
 import json
-import lzma
 import shutil
 import subprocess
 import sys
@@ -30,7 +29,7 @@ from scipy.spatial import cKDTree
 
 from geogram_hexdom import fault_of_our_start, fault_of_stages
 from hex_judges import ended, euler_of_surface
-from hex_mesh import judged, read_hexahedra
+from hex_mesh import judged, read_hexahedra, unpacked
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "command"))
 from poisson_map import read_tets  # noqa: E402
@@ -216,10 +215,7 @@ def main(options):
           "|---|---|---|---|---|---|")
     rows = []
     for model in options.models:
-        if model.suffix == ".xz":
-            unpacked = options.out / model.stem
-            unpacked.write_bytes(lzma.decompress(model.read_bytes()))
-            model = unpacked
+        model = unpacked(model, options.out)
         for cells in map(int, options.cells.split(",")):
             row = figures_of(options, model, cells)
             rows.append(row)

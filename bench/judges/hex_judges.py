@@ -20,7 +20,6 @@ and last how many meshes are closed and valid. Nothing is smoothed.
 """
 
 import argparse
-import lzma
 import re
 import shlex
 import subprocess
@@ -29,7 +28,7 @@ from pathlib import Path
 
 import numpy as np
 
-from hex_mesh import euler_number, judged, read_hexahedra
+from hex_mesh import euler_number, judged, read_hexahedra, unpacked
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "command"))
 from poisson_map import figures_of, read_field, read_tets  # noqa: E402
@@ -56,10 +55,7 @@ def solved(options, model):
     if options.keep and (folder / "tets.mesh").exists():
         return folder
     folder.mkdir(parents=True, exist_ok=True)
-    if model.suffix == ".xz":
-        unpacked = options.out / model.stem
-        unpacked.write_bytes(lzma.decompress(model.read_bytes()))
-        model = unpacked
+    model = unpacked(model, options.out)
     command = [options.program, "solve", model, "-o", folder, "--force", "--write", options.write, "--no-report", "--quiet",
                *shlex.split(options.solve)]
     fault = ended(command, 600, options.out / f"{folder.name}.solve.log")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Hexahedral meshes as other programs write them, and what is wrong with them."""
 
+import lzma
 import sys
 from pathlib import Path
 
@@ -14,6 +15,15 @@ CORNERS = np.array([(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6
 FACES = np.array([(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)])  # outward
 GEOGRAM_HEXAHEDRON, GEOGRAM_CORNERS = 1, np.array([0, 1, 3, 2, 4, 5, 7, 6])  # its corners count in binary
 VOLUME_TOLERANCE = 0.1  # corners cut off by flat faces of ten hexahedra along a sphere are 5 % of its volume
+
+
+def unpacked(model, folder):
+    """The model itself, or what an .xz file has inside, in a folder."""
+    if model.suffix != ".xz":
+        return model
+    path = folder / model.stem
+    path.write_bytes(lzma.decompress(model.read_bytes()))
+    return path
 
 
 class HexMesh:

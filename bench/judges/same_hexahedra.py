@@ -17,7 +17,6 @@ the map that it leaves, unless --out, which may be that of hex_comparison.py, ha
 
 import argparse
 import json
-import lzma
 import re
 import subprocess
 from pathlib import Path
@@ -26,7 +25,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from hex_judges import ended, euler_of_surface
-from hex_mesh import FACES, judged, read_hexahedra
+from hex_mesh import FACES, judged, read_hexahedra, unpacked
 
 HEXEX_SECONDS = 120
 NOT_ALL_HEX = 6
@@ -193,10 +192,7 @@ def make(options, model, cells, folder):
 def of_models(options):
     options.out.mkdir(parents=True, exist_ok=True)
     for model in options.models:
-        if model.suffix == ".xz":
-            unpacked = options.out / model.stem
-            unpacked.write_bytes(lzma.decompress(model.read_bytes()))
-            model = unpacked
+        model = unpacked(model, options.out)
         for cells in map(int, options.cells.split(",")):
             begin = f"| {model.name.split('.')[0]} | {cells} |"
             try:
