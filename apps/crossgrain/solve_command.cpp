@@ -17,6 +17,7 @@
 #include "crossgrain/field_parts.hpp"
 #include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/io.hpp"
+#include "crossgrain/message.hpp"
 #include "crossgrain/page.hpp"
 #include "crossgrain/read_limits.hpp"
 #include "crossgrain/repair.hpp"
@@ -149,8 +150,10 @@ std::string expected_line(const Expectation& expected) {
 }
 
 std::string expected_line(const HexExpectation& expected) {
-  return fmt::format("expected   about {:.0f} hexahedra of {:.3g}, along a field on {} tets\n",
-                     expected.hexahedra, expected.size, expected.tets);
+  const auto hexahedra = static_cast<std::size_t>(std::llround(std::max(1.0, expected.hexahedra)));
+  return fmt::format("expected   about {} of {:.3g}, along a field on {}\n",
+                     counted(hexahedra, "hexahedron", "hexahedra"), expected.size,
+                     counted(expected.tets, "tet"));
 }
 
 /// Throws if the initial field was clipped, because cells outside it would have poor initial frames.

@@ -60,7 +60,8 @@ struct HexReport {
   double used_size = 0;
 
   std::size_t hexahedra = 0, vertices = 0;
-  std::size_t left_out = 0;  ///< hexahedra of the map that meet flipped tets, and so are missing
+  bool is_coarse = false;    ///< far fewer than would fill the model at `size` (HexOptions::least_share)
+  std::size_t left_out = 0;  ///< cells of the grid that the map covers more than once, or without a corner
 
   /// Faces on the same side of two hexahedra or of three; edges and vertices at which the boundary is no
   /// closed surface.

@@ -28,6 +28,9 @@ struct HexOptions {
   RepairOptions repair = {};
   std::vector<RepairWeights> more_tries = {{0.3, 0.1, 200}, {3, 0.1, 200}};
 
+  /// RepairOptions::most_work of each try, if `repair` has no limit.
+  std::size_t repair_work = 24000000;
+
   /// Faults wander (RepairOptions::wanderings) in tries with no more than so many, if none has a map.
   std::size_t wandering_faults = 6;
 
@@ -43,6 +46,10 @@ struct HexOptions {
   /// Hexahedra that close up do not fill the model if its surface is farther from theirs, in sizes of
   /// hexahedra: something is cut off, or filled up, that a finer mesh would show.
   double largest_gap = 1.5;
+
+  /// The search goes on after a mesh with fewer hexahedra than this share of what would fill the model: the
+  /// map has collapsed, and they are far larger than asked for.
+  double least_share = 0.2;
 
   int threads = 0;  ///< 0 for all; the result does not depend on it
 };

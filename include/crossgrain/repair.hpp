@@ -51,6 +51,10 @@ struct RepairOptions {
   double temperature = 30;
   std::uint64_t seed = 0;
 
+  /// The end of random changes of a try, its wanderings included: after so many costs of edges and vertices
+  /// were found; 0 for no limit.
+  std::size_t most_work = 0;
+
   /// Sweeps that smooth the frames afterwards, with matchings kept; they end when no frame turns by more
   /// than `smoothing_rad`.
   int smoothing_sweeps = 100;

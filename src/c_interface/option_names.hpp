@@ -172,6 +172,7 @@ void for_each_option(RepairOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(wandering_steps);
   CROSSGRAIN_OPTION(temperature);
   CROSSGRAIN_OPTION(seed);
+  CROSSGRAIN_OPTION(most_work);
   CROSSGRAIN_OPTION(smoothing_sweeps);
   CROSSGRAIN_OPTION(smoothing_rad);
 }
@@ -182,12 +183,14 @@ void for_each_option(HexOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(cells);
   for_each_inner_option("repair", options.repair, visit);
   CROSSGRAIN_OPTION(more_tries);
+  CROSSGRAIN_OPTION(repair_work);
   CROSSGRAIN_OPTION(wandering_faults);
   CROSSGRAIN_OPTION(most_maps);
   CROSSGRAIN_OPTION(search_tets);
   CROSSGRAIN_OPTION(finer_sizes);
   CROSSGRAIN_OPTION(finer_share);
   CROSSGRAIN_OPTION(largest_gap);
+  CROSSGRAIN_OPTION(least_share);
   CROSSGRAIN_OPTION(threads);
 }
 

@@ -17,6 +17,7 @@ void check_options(const HexOptions& options) {
   demand(options.finer_sizes >= 0 && options.finer_share > 0 && options.finer_share < 1,
          "finer sizes must be shares between 0 and 1");
   demand(options.most_maps > 0, "there must be a map");
+  demand(options.least_share >= 0 && options.least_share < 1, "the least share must be from 0 to below 1");
   demand(options.largest_gap > 0, "the largest gap must be positive");
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "base/names.hpp"
 #include "crossgrain/hex_report.hpp"
@@ -22,6 +23,9 @@ std::string sentence_of(const HexReport& report) {
                        text, counted(report.hexahedra, "hexahedron", "hexahedra"), report.quality.least,
                        at[0], at[1], at[2], report.quality.mean);
   }
+  if (report.is_coarse)
+    text += fmt::format(", though about {:.0f} of size {:.3g} would fill the model",
+                        report.model_volume / std::pow(report.size, 3), report.size);
   return report.reason.empty() ? text : fmt::format("{}: {}; try {}", text, report.reason, report.remedy);
 }
 

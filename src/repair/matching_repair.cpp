@@ -28,8 +28,8 @@ std::uint32_t third_of(const std::array<std::uint32_t, 3>& face, std::uint32_t a
 
 }  // namespace
 
-MatchingRepair::MatchingRepair(MatchedField& field, const RepairWeights& weights)
-    : field_(field), complex_(field.complex()), cost_(field, weights) {
+MatchingRepair::MatchingRepair(MatchedField& field, const RepairWeights& weights, std::size_t work)
+    : field_(field), complex_(field.complex()), cost_(field, weights), work_(work) {
   const auto count = static_cast<std::uint32_t>(complex_.edges().size());
   edge_costs_.resize(count);
   is_singular_.resize(count);
@@ -58,7 +58,7 @@ void MatchingRepair::run(const RepairOptions& options) {
   for (bool any = true; any;) {
     any = false;
     for (std::uint32_t v = 0; v < vertex_costs_.size(); ++v) {
-      while (is_costly(v) && in_vain[v] < options.disturbances) {
+      while (is_costly(v) && in_vain[v] < options.disturbances && may_go_on(options)) {
         const bool lowered = disturb(v, random(), -kLeastGain);
         in_vain[v] = lowered ? 0 : in_vain[v] + 1;
         any |= lowered;
@@ -71,7 +71,7 @@ void MatchingRepair::wander(const RepairOptions& options, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::size_t best = journal_.size();
   double least = gained_;
-  for (int step = 0; step < options.wandering_steps; ++step) {
+  for (int step = 0; step < options.wandering_steps && may_go_on(options); ++step) {
     std::vector<std::uint32_t> faults;
     for (std::uint32_t v = 0; v < vertex_costs_.size(); ++v)
       if (is_costly(v)) faults.push_back(v);
@@ -174,6 +174,7 @@ double MatchingRepair::apply(std::span<const FaceChange> changes) {
     field_.set_matching(change.face, change.matching);
   }
   add_along_arcs(changed, vertices);
+  work_ += edges.size() + vertices.size();
   double gain = 0;
   for (const std::uint32_t e : edges) {
     undo_edges_.push_back({e, edge_costs_[e]});
@@ -303,6 +304,8 @@ bool MatchingRepair::push_along(std::uint32_t vertex, std::uint32_t from) {
 }
 
 bool MatchingRepair::may_gain(const FaceChange& change, std::uint32_t vertex) {
+  constexpr std::size_t kCosts = 4;  // of the vertex and three edges
+  work_ += kCosts;
   const std::uint8_t old = field_.matching(change.face);
   field_.set_matching(change.face, change.matching);
   double least = cost_.of_vertex(vertex) - vertex_costs_[vertex];

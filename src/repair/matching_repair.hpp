@@ -18,7 +18,8 @@ namespace crossgrain {
 /// Lowers the cost of a field by moves that change the holonomies of few edges.
 class MatchingRepair {
  public:
-  MatchingRepair(MatchedField& field, const RepairWeights& weights);
+  /// `work` is that of repairs of the same try before (RepairOptions::most_work).
+  MatchingRepair(MatchedField& field, const RepairWeights& weights, std::size_t work = 0);
 
   /// Moves until none lowers the cost, then disturbs the vertices that are left
   /// (RepairOptions::disturbances).
@@ -30,9 +31,15 @@ class MatchingRepair {
   double cost() const;
   std::size_t moves() const { return moves_; }
 
+  /// Costs of edges and vertices that were found so far, those before among them.
+  std::size_t work() const { return work_; }
+
  private:
   using Vertices = std::set<std::uint32_t>;
 
+  bool may_go_on(const RepairOptions& options) const {
+    return options.most_work == 0 || work_ < options.most_work;
+  }
   void pull_off_creases();
 
   /// Lists the vertices that moves may help.
@@ -82,6 +89,7 @@ class MatchingRepair {
   std::vector<FaceChange> journal_;  ///< former matchings of all kept changes, in their order
   double gained_ = 0;                ///< sum of all kept changes of the cost
   std::size_t moves_ = 0;
+  std::size_t work_;
 };
 
 }  // namespace crossgrain

@@ -80,18 +80,20 @@ void finish(Try& what, const RepairOptions& options) {
     what.field = what.field->with_frames(what.tets.frames);
     judge(what, options);
     if (what.tets.faults == 0 || pass + 1 == options.passes) break;
-    MatchingRepair repair(*what.field, what.weights);
+    MatchingRepair repair(*what.field, what.weights, what.tets.work);
     repair.run(options);
     what.tets.moves += repair.moves();
+    what.tets.work = repair.work();
     if (repair.moves() == 0) break;
   }
 }
 
 /// Lets faults wander for the k-th time.
 void wander_once(Try& what, int k, const RepairOptions& options) {
-  MatchingRepair repair(*what.field, what.weights);
+  MatchingRepair repair(*what.field, what.weights, what.tets.work);
   repair.wander(options, options.seed + static_cast<std::uint64_t>(k));
   what.tets.moves += repair.moves();
+  what.tets.work = repair.work();
   finish(what, options);
 }
 
@@ -111,6 +113,7 @@ std::vector<Try> ranked_tries(const MatchedField& given, const RepairOptions& op
     MatchingRepair repair(*one.field, one.weights);
     repair.run(options);
     one.tets.moves = repair.moves();
+    one.tets.work = repair.work();
     judge(one, options);
   });
   std::stable_sort(tries.begin(), tries.end());
@@ -189,7 +192,7 @@ RepairedTets smoothed_tets(const MatchedField& given, std::size_t known_faults,
   const MatchedField field = given.with_frames(frames);
   const std::size_t faults = faults_of(field);
   if (faults > known_faults) return repaired_tets(field, options);
-  return {field.matchings(), std::move(frames), /*moves=*/0, faults, faults};
+  return {field.matchings(), std::move(frames), /*moves=*/0, /*work=*/0, faults, faults};
 }
 
 }  // namespace crossgrain

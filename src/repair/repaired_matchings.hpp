@@ -17,6 +17,7 @@ struct RepairedTets {
   std::vector<CubeRotation> matchings;
   std::vector<Quaternion> frames;
   std::size_t moves = 0;  ///< of the try that was taken
+  std::size_t work = 0;   ///< RepairOptions::most_work that it took
 
   /// Edges and vertices at which no hexahedra can meet, with the matchings given and with these.
   std::size_t faults_before = 0, faults = 0;

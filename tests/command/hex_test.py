@@ -14,7 +14,7 @@ from field_reader import read_arrays
 from frame_math import CUBE_ROTATIONS
 from program import PROGRAM, CommandTest, box_triangles, cylinder_triangles, medit_text, stl_bytes, tet_box, tilt
 
-USAGE, INPUT, OUTPUT, INTERRUPTED = 2, 3, 4, 130
+USAGE, INPUT, OUTPUT, NOT_ALL_HEX, INTERRUPTED = 2, 3, 4, 6, 130
 FILES = [f"hexahedra.{ending}" for ending in ("inp", "mesh", "msh", "vtu")]
 
 TIP, RIM = np.array([0, 0, 1.0]), np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], float)
@@ -122,6 +122,17 @@ class HexTest(CommandTest):
         self.assertGreater(made["scaled_jacobian"]["min"], 0)
         self.assertIn("expected   about ", self.result.stdout)
         self.assertLessEqual(made["largest_distance"], 0.05 * made["used_size"])
+
+    def test_five_tets_around_an_axis_have_no_map_and_say_where_and_why(self):
+        tips = [(0, 0, 1.5), (0, 0, -1.5)]
+        rim = [(np.cos(2 * np.pi * k / 5), np.sin(2 * np.pi * k / 5), 0) for k in range(5)]
+        self.write("fan.mesh", medit_text(np.array(tips + rim), np.array([(0, 1, 2 + k, 2 + (k + 1) % 5) for k in range(5)])))
+        made = self.hexahedra("fan.mesh", "--cells", "5", code=NOT_ALL_HEX)
+        self.assertIn(made["outcome"], ("none", "partial"))
+        self.assertIn("no map", made["reason"])
+        self.assertTrue(made["remedy"])
+        self.assertTrue(all(np.isfinite(place).all() for place in made["places"]))
+        self.assertRegex(self.result.stdout, r"hexahedra  (none|partial).*: no map: .* at .*; try ")
 
     def test_warnings_about_the_model_come_before_the_work(self):
         vertices, tets = tet_box()

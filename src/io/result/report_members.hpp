@@ -247,6 +247,7 @@ void describe_hex_mesh(File& file, Hexahedra& hexahedra) {
   file.member("used_size", hexahedra.used_size);
   file.member("hexahedra", hexahedra.hexahedra);
   file.member("vertices", hexahedra.vertices);
+  file.member("is_coarse", hexahedra.is_coarse);
   file.member("left_out", hexahedra.left_out);
   file.member("crowded_faces", hexahedra.crowded_faces);
   file.member("open_edges", hexahedra.open_edges);
