@@ -47,7 +47,7 @@ void add_row(const std::string& name, const TetFrameField& given, const RepairWe
   const PoissonMap poisson(energy);
   const Eigen::VectorXd columns = poisson.columns_for(poisson.relaxed());
   const MapFlips seamless = flips_of(energy, energy.basis() * columns);
-  const MapFlips left = untangled(energy, columns, poisson.continuous()).flips;
+  const MapFlips left = untangled(poisson, columns, IntegerColumns::kHeld).flips;
   const SolveReport::Onto::Repair& repair = *field.report().onto->repair;
   fmt::print("| {} | {:g}, {:g} | {} | {} | {} | {:.3g} | {} → {} | {:.4f} |\n", name, weights.end,
              weights.crease, repair.faults, lengths.size(), zeros, repair.bent_length, seamless.tets,

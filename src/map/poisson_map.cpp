@@ -5,6 +5,8 @@
 #include <Eigen/Eigenvalues>
 #include <utility>
 
+#include "base/parallel.hpp"
+
 namespace crossgrain {
 namespace {
 
@@ -64,10 +66,15 @@ void PoissonMap::reduce() {
     continuous_right_[k] = energy_->right()[continuous_[static_cast<std::size_t>(k)]];
   Eigen::VectorXd right(integers);
   for (Index k = 0; k < integers; ++k) right[k] = energy_->right()[integers_[static_cast<std::size_t>(k)]];
-  const Eigen::MatrixXd response = factor_->solve_all(Eigen::MatrixXd(coupling_));
-  schur_ -= coupling_.transpose() * response;
+  parallel_for(
+      integers_.size(),
+      [&](std::size_t k) {
+        const auto column = static_cast<Index>(k);
+        schur_.col(column) -= coupling_.transpose() * factor_->solve(coupling_.col(column));
+      },
+      /*grain=*/1);
   schur_ = (0.5 * (schur_ + schur_.transpose())).eval();
-  find_relaxed(right - response.transpose() * continuous_right_);
+  find_relaxed(right - coupling_.transpose() * factor_->solve(continuous_right_));
 }
 
 void PoissonMap::find_relaxed(const Eigen::VectorXd& right) {
@@ -88,11 +95,30 @@ void PoissonMap::find_relaxed(const Eigen::VectorXd& right) {
     const Eigen::VectorXd direction = null_space.row(row).normalized().transpose();
     null_space -= (null_space * direction) * direction.transpose();
   }
-  std::vector<Index> free;
-  for (Index k = 0; k < count; ++k)
-    if (!is_pinned_[static_cast<std::size_t>(k)]) free.push_back(k);
-  const Eigen::VectorXd solution = schur_(free, free).eval().ldlt().solve(right(free).eval());
+  const std::vector<Index> free = free_integers();
+  free_schur_.compute(schur_(free, free));
+  const Eigen::VectorXd solution = free_schur_.solve(right(free).eval());
   relaxed_(free) = solution;
+}
+
+std::vector<Index> PoissonMap::free_integers() const {
+  std::vector<Index> free;
+  for (std::size_t k = 0; k < is_pinned_.size(); ++k)
+    if (!is_pinned_[k]) free.push_back(static_cast<Index>(k));
+  return free;
+}
+
+Eigen::VectorXd PoissonMap::solved_with_integers(const Eigen::VectorXd& right) const {
+  const std::vector<Index> free = free_integers();
+  const auto others = static_cast<Index>(continuous_.size()), count = static_cast<Index>(free.size());
+  if (count == 0) return solved(right);
+  Eigen::VectorXd integers = Eigen::VectorXd::Zero(coupling_.cols());
+  const Eigen::VectorXd below = coupling_.transpose() * solved(right.head(others));
+  const Eigen::VectorXd of_free = free_schur_.solve((right.tail(count) - below(free)).eval());
+  integers(free) = of_free;
+  Eigen::VectorXd solution(right.size());
+  solution << solved(right.head(others) - coupling_ * integers), of_free;
+  return solution;
 }
 
 Eigen::VectorXd PoissonMap::columns_for(const Eigen::VectorXd& integers) const {

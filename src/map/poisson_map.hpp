@@ -2,7 +2,9 @@
 // The map of least energy, as a function of its integers.
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -27,6 +29,9 @@ class PoissonMap {
   const std::vector<std::uint32_t>& continuous() const { return continuous_; }
   const std::vector<bool>& is_pinned() const { return is_pinned_; }
 
+  /// Those that are not pinned, as places in integers().
+  std::vector<Eigen::Index> free_integers() const;
+
   const Eigen::MatrixXd& schur() const { return schur_; }  ///< S
 
   /// The integers of least energy, not rounded, with zeros for those that are pinned.
@@ -34,6 +39,11 @@ class PoissonMap {
 
   /// All columns of the map of least energy with these integers.
   Eigen::VectorXd columns_for(const Eigen::VectorXd& integers) const;
+
+  /// The solution of K x = right for the continuous columns alone, with zeros for all integers, or for these
+  /// and after them free_integers().
+  Eigen::VectorXd solved(const Eigen::VectorXd& right) const { return factor_->solve(right); }
+  Eigen::VectorXd solved_with_integers(const Eigen::VectorXd& right) const;
 
   /// The same columns with other integers: the continuous ones move as the energy says, from where they are.
   Eigen::VectorXd moved(const Eigen::VectorXd& columns, const Eigen::VectorXd& integers) const;
@@ -49,6 +59,7 @@ class PoissonMap {
   Eigen::SparseMatrix<double> coupling_;  ///< of continuous rows and integer columns
   std::optional<SparseFactor> factor_;    ///< of the continuous columns
   Eigen::MatrixXd schur_;
+  Eigen::LDLT<Eigen::MatrixXd> free_schur_;  ///< of free_integers()
   Eigen::VectorXd continuous_right_, relaxed_;
 };
 

@@ -17,15 +17,8 @@ namespace {
 
 using Index = Eigen::Index;
 
-std::vector<Index> free_integers(const PoissonMap& poisson) {
-  std::vector<Index> free;
-  for (std::size_t k = 0; k < poisson.integers().size(); ++k)
-    if (!poisson.is_pinned()[k]) free.push_back(static_cast<Index>(k));
-  return free;
-}
-
 Eigen::VectorXd rounded_in_turn(const PoissonMap& poisson, const Eigen::VectorXd& relaxed) {
-  const std::vector<Index> free = free_integers(poisson);
+  const std::vector<Index> free = poisson.free_integers();
   Eigen::VectorXd result = relaxed.array().round();
   if (free.empty()) return result;
   const auto count = static_cast<Index>(free.size());
@@ -193,7 +186,7 @@ void break_out(IntegerSearch& search, const std::vector<Index>& free, const Quan
 
 Quantised quantised(const PoissonMap& poisson, const Eigen::VectorXd& relaxed, const Separations& separations,
                     const QuantisationOptions& options) {
-  const std::vector<Index> free = free_integers(poisson);
+  const std::vector<Index> free = poisson.free_integers();
   IntegerSearch search(poisson, relaxed, separations, options.penalty, rounded_in_turn(poisson, relaxed));
   settle(search, free, options);
   if (search.missing() > 0) {

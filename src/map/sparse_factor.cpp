@@ -6,9 +6,11 @@
 #include <scotch.h>
 
 #include <Eigen/SparseCholesky>
+#include <map>
 #include <new>
-#include <vector>
 
+#include "base/disjoint_sets.hpp"
+#include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
 
 namespace crossgrain {
@@ -88,22 +90,53 @@ Permutation dissection(const Sparse& matrix) {
 
 }  // namespace
 
-struct SparseFactor::Factor {
+/// A block of the matrix that no entry joins to the rest.
+struct SparseFactor::Block {
+  std::vector<Eigen::Index> rows;
   Permutation places;
   Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> ldlt;
+
+  void compute(const Sparse& block) {
+    places = dissection(block);
+    Sparse ordered;
+    ordered = block.twistedBy(places);
+    ldlt.compute(ordered);
+    if (ldlt.info() != Eigen::Success || ldlt.vectorD().minCoeff() <= 0)
+      throw Error(ErrorKind::kLimit, "the equations of the map cannot be solved: tets are too flat");
+  }
 };
 
 SparseFactor::SparseFactor(const Sparse& matrix) {
-  auto factor = std::make_unique<Factor>();
-  if (matrix.cols() > 0) {
-    factor->places = dissection(matrix);
-    Sparse ordered;
-    ordered = matrix.twistedBy(factor->places);
-    factor->ldlt.compute(ordered);
-    if (factor->ldlt.info() != Eigen::Success || factor->ldlt.vectorD().minCoeff() <= 0)
-      throw Error(ErrorKind::kLimit, "the equations of the map cannot be solved: tets are too flat");
+  const auto size = static_cast<std::uint32_t>(matrix.cols());
+  DisjointSets sets(size);
+  for (std::uint32_t column = 0; column < size; ++column)
+    for (Sparse::InnerIterator it(matrix, column); it; ++it)
+      sets.join(column, static_cast<std::uint32_t>(it.row()));
+  std::map<std::uint32_t, std::size_t> block_of_root;
+  std::vector<std::size_t> block_of(size);
+  std::vector<Eigen::Index> place(size);
+  for (std::uint32_t row = 0; row < size; ++row) {
+    const auto [known, is_new] = block_of_root.try_emplace(sets.root(row), blocks_.size());
+    if (is_new) blocks_.push_back(std::make_unique<Block>());
+    block_of[row] = known->second;
+    std::vector<Eigen::Index>& rows = blocks_[known->second]->rows;
+    place[row] = static_cast<Eigen::Index>(rows.size());
+    rows.push_back(row);
   }
-  factor_ = std::move(factor);
+  parallel_for(
+      blocks_.size(),
+      [&](std::size_t k) {
+        const std::vector<Eigen::Index>& rows = blocks_[k]->rows;
+        std::vector<Eigen::Triplet<double>> entries;
+        for (std::size_t column = 0; column < rows.size(); ++column)
+          for (Sparse::InnerIterator it(matrix, rows[column]); it; ++it)
+            entries.emplace_back(place[static_cast<std::size_t>(it.row())], column, it.value());
+        const auto count = static_cast<Eigen::Index>(rows.size());
+        Sparse block(count, count);
+        block.setFromTriplets(entries.begin(), entries.end());
+        blocks_[k]->compute(block);
+      },
+      /*grain=*/1);
 }
 
 SparseFactor::~SparseFactor() = default;
@@ -111,15 +144,20 @@ SparseFactor::SparseFactor(SparseFactor&&) noexcept = default;
 SparseFactor& SparseFactor::operator=(SparseFactor&&) noexcept = default;
 
 Eigen::VectorXd SparseFactor::solve(const Eigen::VectorXd& right) const {
-  if (right.size() == 0) return right;
-  const Eigen::VectorXd ordered = factor_->places * right;
-  return factor_->places.transpose() * factor_->ldlt.solve(ordered).eval();
-}
-
-Eigen::MatrixXd SparseFactor::solve_all(const Eigen::MatrixXd& rights) const {
-  if (rights.size() == 0) return rights;
-  const Eigen::MatrixXd ordered = factor_->places * rights;
-  return factor_->places.transpose() * factor_->ldlt.solve(ordered).eval();
+  Eigen::VectorXd solution(right.size());
+  parallel_for(
+      blocks_.size(),
+      [&](std::size_t k) {
+        const Block& block = *blocks_[k];
+        Eigen::VectorXd part(static_cast<Eigen::Index>(block.rows.size()));
+        for (Eigen::Index row = 0; row < part.size(); ++row)
+          part[block.places.indices()[row]] = right[block.rows[static_cast<std::size_t>(row)]];
+        part = block.ldlt.solve(part).eval();
+        for (Eigen::Index row = 0; row < part.size(); ++row)
+          solution[block.rows[static_cast<std::size_t>(row)]] = part[block.places.indices()[row]];
+      },
+      /*grain=*/1);
+  return solution;
 }
 
 }  // namespace crossgrain

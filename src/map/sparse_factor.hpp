@@ -5,12 +5,14 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <memory>
+#include <vector>
 
 namespace crossgrain {
 
 /// L D L^T of a symmetric positive definite matrix of a mesh, with rows in SCOTCH's order of nested
 /// dissection: the factor of large ones has half the entries or fewer of those of a minimum-degree order.
-/// (METIS finds as good an order, but takes over the signals and the random numbers of the process.)
+/// (METIS finds as good an order, but takes over the signals and the random numbers of the process.) Blocks
+/// that no entry joins are factored on threads of their own. The same to the bit for any number of threads.
 class SparseFactor {
  public:
   /// Takes all entries of both triangles. Throws Error(kLimit) if the matrix is not positive definite.
@@ -20,11 +22,10 @@ class SparseFactor {
   SparseFactor& operator=(SparseFactor&&) noexcept;
 
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
-  Eigen::MatrixXd solve_all(const Eigen::MatrixXd& rights) const;
 
  private:
-  struct Factor;
-  std::unique_ptr<const Factor> factor_;
+  struct Block;
+  std::vector<std::unique_ptr<Block>> blocks_;
 };
 
 }  // namespace crossgrain

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "base/parallel.hpp"
 #include "map/descent.hpp"
 #include "map/foldover.hpp"
-#include "map/sparse_factor.hpp"
 
 namespace crossgrain {
 namespace {
@@ -38,10 +38,7 @@ class Distortion {
     basis_ = energy.basis() * selection;
     transposed_ = basis_.transpose();
     fixed_ = energy.basis() * fixed;
-    matrix_ = Sparse(selection.transpose()) * (energy.matrix() * selection).eval();
   }
-
-  const Sparse& matrix() const { return matrix_; }
 
   MapCoordinates map(const Eigen::VectorXd& x) const { return fixed_ + basis_ * x; }
 
@@ -88,26 +85,29 @@ class Distortion {
 
   const MapEnergy& energy_;
   double volume_weight_, all_ = 0;
-  Sparse basis_, transposed_, matrix_;
+  Sparse basis_, transposed_;
   MapCoordinates fixed_;
   std::vector<Term> terms_;
 };
 
-Sparse shifted(Sparse matrix) {
-  // A coordinate that may shift freely has a zero.
-  constexpr double kShift = 1e-7;
-  const double shift = kShift * matrix.diagonal().mean();
-  Sparse identity(matrix.rows(), matrix.cols());
-  identity.setIdentity();
-  return matrix + shift * identity;
+std::vector<std::uint32_t> free_columns(const PoissonMap& poisson, IntegerColumns integers) {
+  std::vector<std::uint32_t> free = poisson.continuous();
+  if (integers == IntegerColumns::kFree)
+    for (const Index k : poisson.free_integers())
+      free.push_back(poisson.integers()[static_cast<std::size_t>(k)]);
+  return free;
 }
 
 }  // namespace
 
-Untangled untangled(const MapEnergy& energy, Eigen::VectorXd columns, const std::vector<std::uint32_t>& free,
+Untangled untangled(const PoissonMap& poisson, Eigen::VectorXd columns, IntegerColumns integers,
                     const UntanglingOptions& options) {
+  const MapEnergy& energy = poisson.energy();
+  const std::vector<std::uint32_t> free = free_columns(poisson, integers);
   Distortion distortion(energy, columns, free, options.volume_weight);
-  const SparseFactor factor(shifted(distortion.matrix()));
+  const Preconditioner preconditioner = [&](const Eigen::VectorXd& gradient) {
+    return integers == IntegerColumns::kFree ? poisson.solved_with_integers(gradient) : poisson.solved(gradient);
+  };
   Eigen::VectorXd x(static_cast<Index>(free.size()));
   for (std::size_t k = 0; k < free.size(); ++k) x[static_cast<Index>(k)] = columns[free[k]];
   Untangled result;
@@ -122,8 +122,7 @@ Untangled untangled(const MapEnergy& energy, Eigen::VectorXd columns, const std:
     const Descent descent =
         minimised([&](const Eigen::VectorXd& at,
                       Eigen::VectorXd& gradient) { return distortion(at, epsilon, gradient); },
-                  [&](const Eigen::VectorXd& gradient) { return factor.solve(gradient); }, std::move(x),
-                  options.descent);
+                  preconditioner, std::move(x), options.descent);
     x = descent.x;
     result.steps += descent.steps;
     result.flips = flips_of(energy, distortion.map(x));

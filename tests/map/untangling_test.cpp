@@ -33,7 +33,7 @@ TEST(Untangling, TakesEveryFlipOutOfAShakenMapAndKeepsWhatIsFixed) {
   const PoissonMap poisson(energy);
   const Eigen::VectorXd columns = shaken(poisson, 1.5);
   EXPECT_GT(flips_of(energy, energy.basis() * columns).tets, 100u);
-  const Untangled result = untangled(energy, columns, poisson.continuous());
+  const Untangled result = untangled(poisson, columns, IntegerColumns::kHeld);
   EXPECT_EQ(result.flips.tets, 0u);
   EXPECT_EQ(flips_of(energy, energy.basis() * result.columns).tets, 0u);
   for (const std::uint32_t column : poisson.integers()) EXPECT_EQ(result.columns[column], columns[column]);
@@ -44,7 +44,7 @@ TEST(Untangling, EndsSoonWhereNoMapIs) {
   const MapEnergy energy(kUnknowns, 1);
   const PoissonMap poisson(energy);
   const Untangled result =
-      untangled(energy, poisson.columns_for(Eigen::VectorXd::Zero(6)), poisson.continuous());
+      untangled(poisson, poisson.columns_for(Eigen::VectorXd::Zero(6)), IntegerColumns::kHeld);
   EXPECT_GT(result.flips.tets, 0u);
   EXPECT_LT(result.steps, 1000);
 }
@@ -54,7 +54,7 @@ TEST(Untangling, IsTheSameToTheBitForAnyNumberOfThreads) {
   const PoissonMap poisson(energy);
   const auto on = [&](int threads) {
     const ThreadLimit limit(threads);
-    return untangled(energy, shaken(poisson, 1), poisson.continuous()).columns;
+    return untangled(poisson, shaken(poisson, 1), IntegerColumns::kHeld).columns;
   };
   EXPECT_EQ(on(1), on(2));
 }
