@@ -103,7 +103,7 @@ void for_each_try(std::vector<Try>& tries, std::size_t count, const Body& body) 
       count, [&](std::size_t k) { body(tries[k], k); }, /*grain=*/1);
 }
 
-/// All tries with the frames given, the best first.
+/// All tries with the frames given, the best first; those without faults have different matchings.
 std::vector<Try> ranked_tries(const MatchedField& given, const RepairOptions& options) {
   std::vector<Try> tries(options.tries.size());
   for_each_try(tries, tries.size(), [&](Try& one, std::size_t k) {
@@ -117,7 +117,13 @@ std::vector<Try> ranked_tries(const MatchedField& given, const RepairOptions& op
     judge(one, options);
   });
   std::stable_sort(tries.begin(), tries.end());
-  return tries;
+  std::vector<Try> distinct;
+  for (Try& one : tries) {
+    const auto is_same = [&](const Try& other) { return other.field->matchings() == one.field->matchings(); };
+    if (one.tets.faults > 0 || std::none_of(distinct.begin(), distinct.end(), is_same))
+      distinct.push_back(std::move(one));
+  }
+  return distinct;
 }
 
 RepairedTets result_of(Try& what, const MatchedField& given) {
