@@ -32,8 +32,8 @@ CLI::App* add_hex(CLI::App& app, SolveArguments& arguments) {
       ->type_name("N");
   command
       ->add_option("--tet-size", options.tets.size,
-                   "Largest edge of the tets that are made of a surface or CAD file (default: that of the "
-                   "hexahedra, at most 1/20 of the longest side)")
+                   "Largest edge of the tets that are made of a surface or CAD file (default: 1.4 times "
+                   "that of the hexahedra, at most 0.07 of the longest side)")
       ->check(fault_of_length)
       ->type_name("X");
   add_run_options(*command, arguments);

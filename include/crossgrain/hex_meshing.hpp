@@ -29,16 +29,24 @@ struct HexExpectation {
 struct HexMeshingOptions {
   HexOptions hexahedra;
 
-  /// How tets are made of a model that has none. Without a size their edges are those of the hexahedra, but
-  /// at least `tets.edges` along the longest side. Creases and limit of memory are those of `solve`.
+  /// How tets are made of a model that has none. Without a size their edges are `tet_edge` of the hexahedra's
+  /// or of the longest side over `tets.edges`, whichever is less. Creases and limit of memory are those of
+  /// `solve`.
   TetMakingOptions tets;
+  double tet_edge = 1.4;
 
   /// Sizes of made tets that are tried until hexahedra fill the model, relative to the first. Coarser tets
   /// make shorter work, and often simpler singular graphs (docs/notes/hexahedra.md).
-  std::vector<double> tet_shares = {1, 1.4, 2};
+  std::vector<double> tet_shares = {1, 4, 3, 3.5, 2.4, 1.7, 2, 1.4};
 
   /// No further size is tried once those before had so many tets together.
-  std::size_t search_tets = 40000;
+  std::size_t search_tets = 100000;
+
+  /// HexOptions::repair_work on tets of each size, if that is less.
+  std::size_t repair_work = 6000000;
+
+  /// Of sizes with more tets than this only the coarsest is tried.
+  std::size_t large_tets = 50000;
 
   /// How tags of given tets are read.
   TetTagOptions tags;

@@ -40,7 +40,7 @@ struct HexOptions {
 
   /// Where the best map is without flips, but whole numbers of hexahedra of this size fold it: smaller sizes
   /// that are tried, each this share of the last.
-  int finer_sizes = 2;
+  int finer_sizes = 3;
   double finer_share = 0.7;
 
   /// Hexahedra that close up do not fill the model if its surface is farther from theirs, in sizes of

@@ -198,8 +198,11 @@ template <class Visit>
 void for_each_option(HexMeshingOptions& options, const Visit& visit) {
   for_each_inner_option("hexahedra", options.hexahedra, visit);
   for_each_inner_option("tets", options.tets, visit);
+  CROSSGRAIN_OPTION(tet_edge);
   CROSSGRAIN_OPTION(tet_shares);
   CROSSGRAIN_OPTION(search_tets);
+  CROSSGRAIN_OPTION(repair_work);
+  CROSSGRAIN_OPTION(large_tets);
   for_each_inner_option("tags", options.tags, visit);
   for_each_inner_option("solve", options.solve, visit);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "hex/hex_report.hpp"
 #include "measure/hex_faces.hpp"
@@ -50,33 +51,21 @@ HexSearch::HexSearch(const TetFrameField& given, const HexOptions& options, cons
   report_.size = options.size > 0 ? options.size : longest / options.cells;
 }
 
-/// Makes hexahedra of a field, and keeps them if they are the best so far.
-void HexSearch::take(TetFrameField field, double repair_seconds) {
+/// What can be made of a field. Arcs without length say that there is no map.
+HexCandidate HexSearch::candidate(TetFrameField field, bool is_mapped) const {
   Stopwatch stopwatch;
   stopwatch.start();
-  monitor_.report({Phase::kHexahedra, 0, field.domain().data().solid.mesh.vertices.size(), 0, NAN});
-  HexCandidate next{std::move(field), nullptr, {}, {}};
-  next.attempt.repair = candidates_++;
+  HexCandidate next{std::move(field), nullptr, {}, {}, {}};
   const auto& onto = next.field.report().onto;
   if (onto && onto->repair) next.attempt.faults = onto->repair->faults;
   next.followed = std::make_unique<FollowedField>(next.field);
   next.attempt.arcs_without_length = next.followed->arcs_without_length().size();
-  const double seconds = stopwatch.restart();
-  next.attempt.seconds = repair_seconds + seconds;
-  report_.repair_seconds += repair_seconds;
-  report_.map_seconds += seconds;
-  // Arcs without length say that there is no map.
-  if (next.attempt.arcs_without_length == 0 && maps_left_ > 0) {
-    --maps_left_;
-    map(next, report_.size);
-  }
-  report_.attempts.push_back(next.attempt);
-  if (best_ && !(next.rank() < best_->rank())) return;
-  best_ = std::move(next);
-  report_.best_attempt = report_.attempts.size() - 1;
+  next.seconds.map = stopwatch.restart();
+  if (is_mapped && next.attempt.arcs_without_length == 0) map(next, report_.size);
+  return next;
 }
 
-void HexSearch::map(HexCandidate& candidate, double size, const HexEffort& effort) {
+void HexSearch::map(HexCandidate& candidate, double size, const HexEffort& effort) const {
   Stopwatch stopwatch;
   stopwatch.start();
   HexAttempt& attempt = candidate.attempt;
@@ -86,9 +75,7 @@ void HexSearch::map(HexCandidate& candidate, double size, const HexEffort& effor
   const MapEnergy energy(candidate.followed->unknowns(), size);
   mapped.map = integer_grid_map(energy, effort.map);
   mapped.determinants = determinants_of(energy, mapped.map.coordinates);
-  double seconds = stopwatch.restart();
-  report_.map_seconds += seconds;
-  attempt.seconds += seconds;
+  candidate.seconds.map += stopwatch.restart();
   mapped.hexahedra = extracted_hexahedra(candidate.followed->unknowns(), mapped.map.coordinates);
   attempt.seamless_flips = mapped.map.untangled.tets;
   attempt.flips = mapped.hexahedra.flipped_tets;
@@ -96,9 +83,7 @@ void HexSearch::map(HexCandidate& candidate, double size, const HexEffort& effor
   const MapSurface surface(candidate.followed->matched());
   mapped.feet = feet_of(surface, mapped.hexahedra.carriers);
   const HexTopology topology = topology_of(mapped.hexahedra.mesh);
-  seconds = stopwatch.restart();
-  report_.extraction_seconds += seconds;
-  attempt.seconds += seconds;
+  candidate.seconds.extraction += stopwatch.restart();
   mapped.smoothed = smoothed(mapped.hexahedra.mesh, surface, mapped.feet, size, effort.smoothing);
   for (const HexSide& side : topology.boundary) mapped.smoothed.boundary.push_back({side.vertices, 0});
   mapped.quality = quality_of(mapped.smoothed);
@@ -108,9 +93,33 @@ void HexSearch::map(HexCandidate& candidate, double size, const HexEffort& effor
                      options_.largest_gap * size;
   mapped.is_coarse = static_cast<double>(attempt.hexahedra) <
                      options_.least_share * volume_of(solid.mesh) / std::pow(report_.size, 3);
-  seconds = stopwatch.restart();
-  report_.smoothing_seconds += seconds;
-  attempt.seconds += seconds;
+  candidate.seconds.smoothing += stopwatch.restart();
+}
+
+void HexSearch::map_best(double size, const HexEffort& effort) {
+  map(*best_, size, effort);
+  const HexSeconds seconds = std::exchange(best_->seconds, {});
+  count(seconds);
+  best_->attempt.seconds += seconds.sum();
+}
+
+/// Reports an attempt, and keeps it if it is the best so far.
+void HexSearch::add(HexCandidate next) {
+  const HexSeconds seconds = std::exchange(next.seconds, {});
+  count(seconds);
+  next.attempt.repair = candidates_++;
+  next.attempt.seconds = seconds.sum();
+  report_.attempts.push_back(next.attempt);
+  if (best_ && !(next.rank() < best_->rank())) return;
+  best_ = std::move(next);
+  report_.best_attempt = report_.attempts.size() - 1;
+}
+
+void HexSearch::count(const HexSeconds& seconds) {
+  report_.repair_seconds += seconds.repair;
+  report_.map_seconds += seconds.map;
+  report_.extraction_seconds += seconds.extraction;
+  report_.smoothing_seconds += seconds.smoothing;
 }
 
 /// Maps the best at smaller sizes, if only whole numbers are in the way of the map.
@@ -124,7 +133,8 @@ void HexSearch::try_finer_sizes() {
     const auto rank = best_->rank();
     const HexAttempt attempt = best_->attempt;
     std::optional<MappedHexahedra> mapped = std::move(best_->mapped);
-    map(*best_, size *= options_.finer_share);
+    best_->attempt.seconds = 0;
+    map_best(size *= options_.finer_share);
     report_.attempts.push_back(best_->attempt);
     if (best_->rank() < rank) {
       report_.best_attempt = report_.attempts.size() - 1;
@@ -135,16 +145,44 @@ void HexSearch::try_finer_sizes() {
   }
 }
 
-/// Takes a try, unless its matchings were taken before.
-void HexSearch::take(const RepairSearch& search, const RepairTry& one) {
-  if (is_done() || maps_left_ == 0 || fields_left_ == 0) return;
-  if (std::find(taken_.begin(), taken_.end(), one.tets.matchings) != taken_.end()) return;
-  taken_.push_back(one.tets.matchings);
-  --fields_left_;
-  Stopwatch stopwatch;
-  stopwatch.start();
-  TetFrameField field = search.field_of(one);
-  take(std::move(field), stopwatch.restart());
+/// The next tries from a place on, whose matchings were not taken before.
+HexSearch::Tries HexSearch::next_of(const Tries& tries, std::size_t& at) {
+  constexpr std::size_t kAtOnce = 2;
+  Tries next;
+  for (; at < tries.size() && next.size() < std::min({kAtOnce, maps_left_, fields_left_}); ++at) {
+    const std::vector<CubeRotation>& matchings = tries[at]->tets.matchings;
+    if (std::find(taken_.begin(), taken_.end(), matchings) != taken_.end()) continue;
+    taken_.push_back(matchings);
+    next.push_back(tries[at]);
+  }
+  return next;
+}
+
+/// Takes tries, two at the same time, until one fills the model.
+void HexSearch::take(const RepairSearch& search, const Tries& tries) {
+  std::size_t at = 0;
+  while (!is_done()) {
+    const Tries next = next_of(tries, at);
+    if (next.empty()) return;
+    monitor_.report({Phase::kHexahedra, 0, given_.domain().data().solid.mesh.vertices.size(), 0, NAN});
+    std::vector<std::optional<HexCandidate>> candidates(next.size());
+    parallel_for(
+        next.size(),
+        [&](std::size_t k) {
+          Stopwatch stopwatch;
+          stopwatch.start();
+          TetFrameField field = search.field_of(*next[k]);
+          const double seconds = stopwatch.restart();
+          candidates[k] = candidate(std::move(field), /*is_mapped=*/true);
+          candidates[k]->seconds.repair = seconds;
+        },
+        /*grain=*/1);
+    fields_left_ -= next.size();
+    for (std::optional<HexCandidate>& one : candidates) {
+      maps_left_ -= one->mapped ? 1 : 0;
+      if (!is_done()) add(*std::move(one));
+    }
+  }
 }
 
 /// Maps tries without faults in which all arcs have a length, the best first; then what faults become when
@@ -163,29 +201,33 @@ void HexSearch::try_repairs() {
   const std::vector<RepairTry> tries = search.tries();
   report_.repair_seconds += stopwatch.restart();
   const auto has_lengths = [](const RepairTry& one) { return one.zero_lengths == 0; };
+  Tries sound;
   for (const RepairTry& one : tries)
-    if (one.tets.faults == 0 && has_lengths(one)) take(search, one);
+    if (one.tets.faults == 0 && has_lengths(one)) sound.push_back(&one);
   if (const auto best = std::find_if(tries.begin(), tries.end(), has_lengths); best != tries.end())
-    take(search, *best);
+    sound.push_back(&*best);
+  take(search, sound);
   if (is_done() || maps_left_ == 0) return;
   stopwatch.restart();
   const std::vector<RepairTry> wandered = search.wandered(tries, options_.wandering_faults);
   report_.repair_seconds += stopwatch.restart();
   // Arcs may get a length when vertices move.
+  Tries without_faults;
   for (const std::vector<RepairTry>* some : {&wandered, &tries})
     for (const RepairTry& one : *some)
-      if (one.tets.faults == 0) take(search, one);
-  if (!best_) take(search, tries.front());
+      if (one.tets.faults == 0) without_faults.push_back(&one);
+  take(search, without_faults);
+  if (!best_) take(search, {&tries.front()});
 }
 
 HexCandidate HexSearch::best() {
   if (given_.data().is_repaired())
-    take(given_, 0);
+    add(candidate(given_, /*is_mapped=*/true));
   else
     try_repairs();
   try_finer_sizes();
   if (!best_->mapped) {
-    map(*best_, report_.size, little_effort());
+    map_best(report_.size, little_effort());
     report_.attempts[report_.best_attempt] = best_->attempt;
   }
   return std::move(*best_);

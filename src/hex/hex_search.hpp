@@ -33,12 +33,20 @@ struct MappedHexahedra {
   bool is_complete() const { return fills && quality.inverted == 0; }
 };
 
+/// How long the steps of an attempt took.
+struct HexSeconds {
+  double repair = 0, map = 0, extraction = 0, smoothing = 0;
+
+  double sum() const { return repair + map + extraction + smoothing; }
+};
+
 /// A field that an attempt was made on.
 struct HexCandidate {
   TetFrameField field;
   std::unique_ptr<FollowedField> followed;
   HexAttempt attempt;
   std::optional<MappedHexahedra> mapped;
+  HexSeconds seconds;
 
   bool is_good() const { return mapped && mapped->is_complete() && !mapped->is_coarse; }
 
@@ -69,10 +77,16 @@ class HexSearch {
   HexReport& report() { return report_; }
 
  private:
-  void take(TetFrameField field, double repair_seconds);
+  using Tries = std::vector<const RepairTry*>;
+
+  HexCandidate candidate(TetFrameField field, bool is_mapped) const;
+  void map(HexCandidate& candidate, double size, const HexEffort& effort = {}) const;
+  void map_best(double size, const HexEffort& effort = {});
+  void add(HexCandidate candidate);
+  void count(const HexSeconds& seconds);
+  Tries next_of(const Tries& tries, std::size_t& at);
+  void take(const RepairSearch& search, const Tries& tries);
   void try_finer_sizes();
-  void map(HexCandidate& candidate, double size, const HexEffort& effort = {});
-  void take(const RepairSearch& search, const RepairTry& one);
   void try_repairs();
   bool is_done() const { return best_ && best_->is_good(); }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "base/stopwatch.hpp"
@@ -31,6 +32,7 @@ void check(const HexMeshingOptions& options) {
   if (options.tet_shares.empty() ||
       !std::all_of(options.tet_shares.begin(), options.tet_shares.end(), is_share))
     throw Error(ErrorKind::kUsage, "tet_shares must be positive numbers, at least one");
+  if (!is_share(options.tet_edge)) throw Error(ErrorKind::kUsage, "tet_edge must be a positive number");
 }
 
 /// Returns how tets of a share of the first size are made.
@@ -41,6 +43,7 @@ TetMakingOptions tet_options(const HexMeshingOptions& options, double share) {
     result.size = hexahedra.size;
     if (hexahedra.size == 0) result.edges = std::max(result.edges, hexahedra.cells);
     result.at_least_edges = true;
+    share *= options.tet_edge;
   }
   result.size *= share;
   result.edges /= share;
@@ -101,8 +104,15 @@ double volume_missed(const HexReport& report) {
   return std::abs(report.volume / report.model_volume - 1);
 }
 
+bool is_good(const HexReport& report) {
+  return report.outcome == HexOutcome::kAllHex && !report.is_coarse;
+}
+
 bool is_better(const HexReport& report, const HexReport& best) {
-  return report.outcome == HexOutcome::kAllHex || volume_missed(report) < volume_missed(best);
+  const auto rank = [](const HexReport& of) {
+    return std::tuple(!is_good(of), of.outcome != HexOutcome::kAllHex, volume_missed(of));
+  };
+  return rank(report) < rank(best);
 }
 
 using MakeTets = std::function<TetMesh(const TetMakingOptions& options)>;
@@ -116,17 +126,30 @@ class TetTries {
   Hexahedra best();
 
  private:
-  void attempt(double share);
+  /// Whether tets may be more than `large_tets`: there are coarser ones to try first.
+  enum class Large : std::uint8_t { kNo, kYes };
+  void attempt(double share, Large may_be_large);
+  void attempt_timed(double share, Large may_be_large);
+  bool is_done() const;
+
+  /// Whether an earlier size gave the same tets, because details bound them.
+  bool is_known(const TetDomain& domain) const {
+    return std::any_of(domains_.begin(), domains_.end(), [&](const TetDomain& other) {
+      return other.mesh().vertices == domain.mesh().vertices && other.mesh().tets == domain.mesh().tets;
+    });
+  }
 
   MakeTets make_;
   const HexMeshingOptions& options_;
   const Monitor& monitor_;
   std::vector<TriedTets> tries_;
+  std::vector<TetDomain> domains_;  ///< of tries
   std::optional<Hexahedra> best_;
+  bool has_warned_ = false;
 };
 
-void TetTries::attempt(double share) {
-  const bool is_first = tries_.empty();
+void TetTries::attempt(double share, Large may_be_large) {
+  const bool is_first = !std::exchange(has_warned_, true);
   TriedTets& tried = tries_.emplace_back();
   Stopwatch stopwatch;
   stopwatch.start();
@@ -135,7 +158,15 @@ void TetTries::attempt(double share) {
   tried.tet_seconds = stopwatch.restart();
   tried.size = size_of(making, domain);
   tried.tets = domain.mesh().tets.size();
-  Hexahedra made = made_on(domain, options_, monitor_);
+  if (is_known(domain) || (may_be_large == Large::kNo && tried.tets > options_.large_tets)) {
+    tries_.pop_back();
+    return;
+  }
+  domains_.push_back(domain);
+  HexMeshingOptions options = options_;
+  std::size_t& work = options.hexahedra.repair_work;
+  work = work == 0 ? options.repair_work : std::min(work, options.repair_work);
+  Hexahedra made = made_on(domain, options, monitor_);
   tried.outcome = made.report.outcome;
   tried.hexahedra = made.report.hexahedra;
   if (best_ && !is_better(made.report, best_->report)) return;
@@ -143,32 +174,41 @@ void TetTries::attempt(double share) {
   best_ = std::move(made);
 }
 
+bool TetTries::is_done() const {
+  std::size_t tets = 0;
+  for (const TriedTets& tried : tries_) tets += tried.tets;
+  return best_ && (is_good(best_->report) || tets >= options_.search_tets);
+}
+
+void TetTries::attempt_timed(double share, Large may_be_large) {
+  Stopwatch stopwatch;
+  stopwatch.start();
+  const std::size_t before = tries_.size();
+  try {
+    attempt(share, may_be_large);
+  } catch (const Error& error) {
+    // What earlier tets have given is worth more than the reason why others fail.
+    if (!best_ || error.kind() == ErrorKind::kInterrupted) throw;
+    tries_.back().failure = error.text();
+  }
+  if (tries_.size() > before) tries_.back().seconds = stopwatch.restart();
+}
+
 Hexahedra TetTries::best() {
   check(options_);
   const ThreadLimit limit(options_.solve.threads);
   Stopwatch stopwatch;
   stopwatch.start();
-  std::size_t tets = 0;
+  const double coarsest = *std::max_element(options_.tet_shares.begin(), options_.tet_shares.end());
   for (const double share : options_.tet_shares) {
-    try {
-      attempt(share);
-    } catch (const Error& error) {
-      // What earlier tets have given is worth more than the reason why others fail.
-      if (!best_ || error.kind() == ErrorKind::kInterrupted) throw;
-      tries_.back().failure = error.text();
-    }
-    tries_.back().seconds = stopwatch.restart();
-    if (best_->report.outcome == HexOutcome::kAllHex) break;
-    tets += tries_.back().tets;
-    if (tets >= options_.search_tets) break;
+    if (is_done()) break;
+    attempt_timed(share, share == coarsest ? Large::kYes : Large::kNo);
+    if (tries_.empty()) attempt_timed(coarsest, Large::kYes);
   }
-  double tet_seconds = 0, seconds = 0;
-  for (const TriedTets& tried : tries_) {
-    tet_seconds += tried.tet_seconds;
-    seconds += tried.seconds;
-  }
+  double tet_seconds = 0;
+  for (const TriedTets& tried : tries_) tet_seconds += tried.tet_seconds;
   best_->report.tried_tets = std::move(tries_);
-  return with_seconds(*std::move(best_), tet_seconds, seconds);
+  return with_seconds(*std::move(best_), tet_seconds, stopwatch.restart());
 }
 
 /// Returns what an error about a model in a file is.

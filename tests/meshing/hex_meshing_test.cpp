@@ -42,6 +42,8 @@ Hexahedra partial_pyramid(std::vector<double> shares, std::size_t most_tets = 10
   options.hexahedra.repair.tries = {{}};
   options.hexahedra.repair.finalists = 0;
   options.hexahedra.more_tries = {};
+  options.hexahedra.finer_sizes = 0;
+  options.hexahedra.largest_gap = 1e-9;  // so that nothing counts as filled
   options.tets.size = 0.3;
   options.tets.most_tets = most_tets;
   options.tet_shares = std::move(shares);
@@ -73,7 +75,7 @@ TEST_F(HexMeshing, TellsTheTetsItTried) {
   const Hexahedra made = make_hexahedra(make_box({4, 2, 3}), of_size(1));
   ASSERT_EQ(made.report.tried_tets.size(), 1u);
   const TriedTets& tried = made.report.tried_tets.front();
-  EXPECT_NEAR(tried.size, 4.0 / 20, 1e-9);  // below that of the hexahedra
+  EXPECT_NEAR(tried.size, 1.4 * 4.0 / 20, 1e-9);  // 20 edges of 1.4
   EXPECT_EQ(tried.tets, made.field.domain().mesh().tets.size());
   EXPECT_EQ(tried.outcome, HexOutcome::kAllHex);
   EXPECT_EQ(tried.hexahedra, 24u);
