@@ -16,7 +16,7 @@ struct HexSmoothingOptions {
 
   /// Powers of the energy of a corner, one stage after the other: with higher ones the worst shapes count
   /// more.
-  std::vector<double> powers = {1, 4};
+  std::vector<double> powers = {1, 4, 16};
 
   int rounds = 40;           ///< of a stage, each with a projection to the surface
   int rounds_in_vain = 6;    ///< the end of a stage if the shapes do not get better in so many
