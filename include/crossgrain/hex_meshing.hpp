@@ -39,7 +39,8 @@ struct HexMeshingOptions {
   /// make shorter work, and often simpler singular graphs (docs/notes/hexahedra.md).
   std::vector<double> tet_shares = {1, 4, 3, 3.5, 2.4, 1.7, 2, 1.4};
 
-  /// No further size is tried once those before had so many tets together.
+  /// No further size is tried after so many, or once those before had so many tets together.
+  std::size_t most_sizes = 5;
   std::size_t search_tets = 100000;
 
   /// HexOptions::repair_work on tets of each size, if that is less.

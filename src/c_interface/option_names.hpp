@@ -200,6 +200,7 @@ void for_each_option(HexMeshingOptions& options, const Visit& visit) {
   for_each_inner_option("tets", options.tets, visit);
   CROSSGRAIN_OPTION(tet_edge);
   CROSSGRAIN_OPTION(tet_shares);
+  CROSSGRAIN_OPTION(most_sizes);
   CROSSGRAIN_OPTION(search_tets);
   CROSSGRAIN_OPTION(repair_work);
   CROSSGRAIN_OPTION(large_tets);

@@ -177,7 +177,8 @@ void TetTries::attempt(double share, Large may_be_large) {
 bool TetTries::is_done() const {
   std::size_t tets = 0;
   for (const TriedTets& tried : tries_) tets += tried.tets;
-  return best_ && (is_good(best_->report) || tets >= options_.search_tets);
+  return best_ &&
+         (is_good(best_->report) || tries_.size() >= options_.most_sizes || tets >= options_.search_tets);
 }
 
 void TetTries::attempt_timed(double share, Large may_be_large) {
