@@ -65,9 +65,9 @@ struct HexMeshingOptions {
 
 /// Returns hexahedra that fill a model: cuts it into tets (`make_tets`) unless its file has tets, solves on
 /// them, and makes the mesh that follows the field (`hexahedra`). As long as that does not fill the model,
-/// coarser tets are tried; of several results that all leave something out, the one with the least error of
-/// its volume is returned. The report tells of each try (HexReport::tried_tets); of the field's report,
-/// `seconds.read` is the time for all tets, and `seconds.total` for everything.
+/// tets of other sizes are tried; of several results that all leave something out, the one with the least
+/// error of its volume is returned. The report tells of each try (HexReport::tried_tets); of the field's
+/// report, `seconds.read` is the time for all tets, and `seconds.total` for everything.
 ///
 /// The model is a CAD file, a closed surface or a tet mesh, as for `read_surface` and `read_tets`. The same
 /// to the bit for any number of threads, with the same program that makes tets.

@@ -52,7 +52,7 @@ HexSearch::HexSearch(const TetFrameField& given, const HexOptions& options, cons
 }
 
 /// What can be made of a field. Arcs without length say that there is no map.
-HexCandidate HexSearch::candidate(TetFrameField field, bool is_mapped) const {
+HexCandidate HexSearch::candidate(TetFrameField field) const {
   Stopwatch stopwatch;
   stopwatch.start();
   HexCandidate next{std::move(field), nullptr, {}, {}, {}};
@@ -61,7 +61,7 @@ HexCandidate HexSearch::candidate(TetFrameField field, bool is_mapped) const {
   next.followed = std::make_unique<FollowedField>(next.field);
   next.attempt.arcs_without_length = next.followed->arcs_without_length().size();
   next.seconds.map = stopwatch.restart();
-  if (is_mapped && next.attempt.arcs_without_length == 0) map(next, report_.size);
+  if (next.attempt.arcs_without_length == 0) map(next, report_.size);
   return next;
 }
 
@@ -173,7 +173,7 @@ void HexSearch::take(const RepairSearch& search, const Tries& tries) {
           stopwatch.start();
           TetFrameField field = search.field_of(*next[k]);
           const double seconds = stopwatch.restart();
-          candidates[k] = candidate(std::move(field), /*is_mapped=*/true);
+          candidates[k] = candidate(std::move(field));
           candidates[k]->seconds.repair = seconds;
         },
         /*grain=*/1);
@@ -222,7 +222,7 @@ void HexSearch::try_repairs() {
 
 HexCandidate HexSearch::best() {
   if (given_.data().is_repaired())
-    add(candidate(given_, /*is_mapped=*/true));
+    add(candidate(given_));
   else
     try_repairs();
   try_finer_sizes();

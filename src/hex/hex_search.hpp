@@ -79,7 +79,7 @@ class HexSearch {
  private:
   using Tries = std::vector<const RepairTry*>;
 
-  HexCandidate candidate(TetFrameField field, bool is_mapped) const;
+  HexCandidate candidate(TetFrameField field) const;
   void map(HexCandidate& candidate, double size, const HexEffort& effort = {}) const;
   void map_best(double size, const HexEffort& effort = {});
   void add(HexCandidate candidate);

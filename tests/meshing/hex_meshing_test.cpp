@@ -37,8 +37,11 @@ HexMeshingOptions of_size(double size) {
 }
 
 /// Hexahedra of a pyramid, at whose tip four faces meet and so no hexahedra; with a single repair each.
-Hexahedra partial_pyramid(std::vector<double> shares, std::size_t most_tets = 1000000) {
+Hexahedra partial_pyramid(std::vector<double> shares, std::size_t most_tets = 1000000,
+                          std::size_t large_tets = 50000, std::size_t most_sizes = 5) {
   HexMeshingOptions options = of_size(0.5);
+  options.large_tets = large_tets;
+  options.most_sizes = most_sizes;
   options.hexahedra.repair.tries = {{}};
   options.hexahedra.repair.finalists = 0;
   options.hexahedra.more_tries = {};
@@ -99,6 +102,16 @@ TEST_F(HexMeshing, TriesAllSizesOfTetsWhereNoneIsFilledAndKeepsTheBest) {
   EXPECT_GT(tried[0].tets, tried[1].tets);
   EXPECT_GT(tried[1].tets, tried[2].tets);
   EXPECT_EQ(std::count_if(tried.begin(), tried.end(), [](const TriedTets& tets) { return tets.is_used; }), 1);
+}
+
+TEST_F(HexMeshing, TriesNoMoreSizesThanItMay) {
+  EXPECT_EQ(partial_pyramid({1, 1.4, 2}, 1000000, 50000, 2).report.tried_tets.size(), 2u);
+}
+
+TEST_F(HexMeshing, TriesOnlyTheCoarsestOfSizesWithManyTets) {
+  const std::vector<TriedTets> tried = partial_pyramid({1, 2, 1.4}, 1000000, 1).report.tried_tets;
+  ASSERT_EQ(tried.size(), 1u);
+  EXPECT_NEAR(tried.front().size, 0.6, 1e-9);
 }
 
 TEST_F(HexMeshing, KeepsWhatItHasWhereLaterTetsFail) {
