@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "parts.hpp"
+#include "step.hpp"
 #include "tessellation.hpp"
 
 namespace {
@@ -30,7 +31,9 @@ bool write_part(const Part& part, const std::filesystem::path& folder) {
     return false;
   };
   try {
-    const auto triangles = crossgrain::models::tessellate(part.make(), crossgrain::models::Deflection{});
+    const TopoDS_Shape solid = part.make();
+    crossgrain::models::write_step(folder / (std::string(part.name) + ".step"), solid);
+    const auto triangles = crossgrain::models::tessellate(solid, crossgrain::models::Deflection{});
     const std::filesystem::path path = folder / (std::string(part.name) + ".stl");
     crossgrain::models::write_stl(path, triangles);
     std::printf("%s: %zu triangles\n", path.c_str(), triangles.size());
