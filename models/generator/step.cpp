@@ -24,8 +24,7 @@ void write_step(const std::filesystem::path& path, const TopoDS_Shape& solid) {
   header.SetTimeStamp(new TCollection_HAsciiString("2026-01-01T00:00:00"));
   header.SetAuthorValue(1, new TCollection_HAsciiString("The Crossgrain authors"));
   header.Apply(writer.Model());
-  if (writer.Write(path.c_str()) != IFSelect_RetDone)
-    throw std::runtime_error("the file cannot be written");
+  if (writer.Write(path.c_str()) != IFSelect_RetDone) throw std::runtime_error("the file cannot be written");
 }
 
 }  // namespace crossgrain::models

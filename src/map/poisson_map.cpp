@@ -108,16 +108,16 @@ std::vector<Index> PoissonMap::free_integers() const {
   return free;
 }
 
-Eigen::VectorXd PoissonMap::solved_with_integers(const Eigen::VectorXd& right) const {
+Eigen::VectorXd PoissonMap::roughly_solved_with_integers(const Eigen::VectorXd& right) const {
   const std::vector<Index> free = free_integers();
   const auto others = static_cast<Index>(continuous_.size()), count = static_cast<Index>(free.size());
-  if (count == 0) return solved(right);
+  if (count == 0) return roughly_solved(right);
   Eigen::VectorXd integers = Eigen::VectorXd::Zero(coupling_.cols());
-  const Eigen::VectorXd below = coupling_.transpose() * solved(right.head(others));
+  const Eigen::VectorXd below = coupling_.transpose() * roughly_solved(right.head(others));
   const Eigen::VectorXd of_free = free_schur_.solve((right.tail(count) - below(free)).eval());
   integers(free) = of_free;
   Eigen::VectorXd solution(right.size());
-  solution << solved(right.head(others) - coupling_ * integers), of_free;
+  solution << roughly_solved(right.head(others) - coupling_ * integers), of_free;
   return solution;
 }
 

@@ -40,10 +40,10 @@ class PoissonMap {
   /// All columns of the map of least energy with these integers.
   Eigen::VectorXd columns_for(const Eigen::VectorXd& integers) const;
 
-  /// The solution of K x = right for the continuous columns alone, with zeros for all integers, or for these
-  /// and after them free_integers().
-  Eigen::VectorXd solved(const Eigen::VectorXd& right) const { return factor_->solve(right); }
-  Eigen::VectorXd solved_with_integers(const Eigen::VectorXd& right) const;
+  /// About the solution of K x = right (SparseFactor::solve_roughly) for the continuous columns alone, with
+  /// zeros for all integers, or for these and after them free_integers().
+  Eigen::VectorXd roughly_solved(const Eigen::VectorXd& right) const { return factor_->solve_roughly(right); }
+  Eigen::VectorXd roughly_solved_with_integers(const Eigen::VectorXd& right) const;
 
   /// The same columns with other integers: the continuous ones move as the energy says, from where they are.
   Eigen::VectorXd moved(const Eigen::VectorXd& columns, const Eigen::VectorXd& integers) const;

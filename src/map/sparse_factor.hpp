@@ -1,31 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cholesky factors of large sparse matrices.
+// Solutions of large sparse systems of equations.
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
-#include <memory>
-#include <vector>
+#include <optional>
+
+#include "map/supernodal_factor.hpp"
+#include "map/supernodes.hpp"
 
 namespace crossgrain {
 
-/// L D L^T of a symmetric positive definite matrix of a mesh, with rows in SCOTCH's order of nested
-/// dissection: the factor of large ones has half the entries or fewer of those of a minimum-degree order.
-/// (METIS finds as good an order, but takes over the signals and the random numbers of the process.) Blocks
-/// that no entry joins are factored on threads of their own. The same to the bit for any number of threads.
+/// The matrix is scaled to ones on its diagonal first.
+struct SparseFactorOptions {
+  double shift = 1e-6;      ///< of the diagonal in single precision, so that rounding leaves pivots positive
+  double residual = 1e-13;  ///< of a solution, relative to the right-hand side
+  int first_steps =
+      12;  ///< of refinement for a first solution; if it needs more, single precision is given up
+  int most_steps = 100;  ///< of refinement for others
+  SupernodeOptions nodes;
+};
+
+/// Solves with a symmetric positive definite matrix of a mesh: by its Cholesky factor in single precision,
+/// which takes half the memory and half the time, and conjugate gradients (preconditioned by the factor) in
+/// double precision. Where these do not converge, the factor is in double precision. The same to the bit for
+/// any number of threads.
 class SparseFactor {
  public:
   /// Takes all entries of both triangles. Throws Error(kLimit) if the matrix is not positive definite.
-  explicit SparseFactor(const Eigen::SparseMatrix<double>& matrix);
-  ~SparseFactor();
-  SparseFactor(SparseFactor&&) noexcept;
-  SparseFactor& operator=(SparseFactor&&) noexcept;
+  explicit SparseFactor(const Eigen::SparseMatrix<double>& matrix, const SparseFactorOptions& options = {});
+  SparseFactor(const SparseFactor&) = delete;
+  SparseFactor& operator=(const SparseFactor&) = delete;
 
+  /// The solution, with the residual of the options.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
+  /// The factor's solution, without refinement: of six digits or so, for descents. Linear, symmetric and
+  /// positive, but for rounding.
+  Eigen::VectorXd solve_roughly(const Eigen::VectorXd& right) const;
+
+  bool is_single() const { return single_.has_value(); }
+
  private:
-  struct Block;
-  std::vector<std::unique_ptr<Block>> blocks_;
+  Eigen::VectorXd by_factor(const Eigen::VectorXd& right) const;
+  bool refine(const Eigen::VectorXd& right, int most_steps, Eigen::VectorXd& solution) const;
+
+  SparseFactorOptions options_;
+  Eigen::VectorXd scale_;               ///< of rows and columns
+  Eigen::SparseMatrix<double> scaled_;  ///< the matrix with ones on its diagonal
+  std::optional<Supernodes> nodes_;
+  std::optional<SupernodalFactor<float>> single_;
+  std::optional<SupernodalFactor<double>> double_;
 };
 
 }  // namespace crossgrain

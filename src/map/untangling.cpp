@@ -106,8 +106,8 @@ Untangled untangled(const PoissonMap& poisson, Eigen::VectorXd columns, IntegerC
   const std::vector<std::uint32_t> free = free_columns(poisson, integers);
   Distortion distortion(energy, columns, free, options.volume_weight);
   const Preconditioner preconditioner = [&](const Eigen::VectorXd& gradient) {
-    return integers == IntegerColumns::kFree ? poisson.solved_with_integers(gradient)
-                                             : poisson.solved(gradient);
+    return integers == IntegerColumns::kFree ? poisson.roughly_solved_with_integers(gradient)
+                                             : poisson.roughly_solved(gradient);
   };
   Eigen::VectorXd x(static_cast<Index>(free.size()));
   for (std::size_t k = 0; k < free.size(); ++k) x[static_cast<Index>(k)] = columns[free[k]];

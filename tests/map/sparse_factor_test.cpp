@@ -6,32 +6,12 @@
 #include <vector>
 
 #include "crossgrain/error.hpp"
+#include "grid_laplacian.hpp"
 
 namespace crossgrain {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
-
-/// Of several cubes of n^3 points that nothing joins, with a row for each point: 7 on the diagonal, -1 for
-/// each neighbour.
-Sparse laplacian_of_cubes(int cubes, int n) {
-  std::vector<Eigen::Triplet<double>> entries;
-  const int count = n * n * n;
-  for (int cube = 0; cube < cubes; ++cube) {
-    for (int point = 0; point < count; ++point) {
-      const int row = cube * count + point;
-      entries.emplace_back(row, row, 7);
-      for (const int step : {1, n, n * n}) {
-        if (point / step % n == n - 1) continue;
-        entries.emplace_back(row, row + step, -1);
-        entries.emplace_back(row + step, row, -1);
-      }
-    }
-  }
-  Sparse matrix(cubes * count, cubes * count);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
 
 TEST(SparseFactor, SolvesBlocksThatNothingJoins) {
   const Sparse matrix = laplacian_of_cubes(3, 6);
@@ -44,6 +24,50 @@ TEST(SparseFactor, IsTheSameToTheBitEachTimeThoughBlocksAreFactoredAtOnce) {
   const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(matrix.cols(), -1, 2);
   const Eigen::VectorXd solution = SparseFactor(matrix).solve(right);
   for (int k = 0; k < 5; ++k) EXPECT_EQ(SparseFactor(matrix).solve(right), solution);
+}
+
+/// Points in a row, each joined to the next, and the first to the ground.
+Sparse chain(int size) {
+  std::vector<Eigen::Triplet<double>> entries{{0, 0, 1e-3}};
+  for (int k = 0; k + 1 < size; ++k) {
+    entries.emplace_back(k, k, 1);
+    entries.emplace_back(k + 1, k + 1, 1);
+    entries.emplace_back(k, k + 1, -1);
+    entries.emplace_back(k + 1, k, -1);
+  }
+  Sparse matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+TEST(SparseFactor, InSinglePrecisionSolvesAsInDouble) {
+  const Sparse matrix = laplacian_of_cubes(1, 14, 6);
+  const SparseFactor factor(matrix);
+  EXPECT_TRUE(factor.is_single());
+  const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(matrix.cols(), -1, 2);
+  EXPECT_LE((matrix * factor.solve(right) - right).norm(), 1e-12 * right.norm());
+  const Eigen::VectorXd rough = matrix * factor.solve_roughly(right);
+  EXPECT_LE((rough - right).norm(), 1e-3 * right.norm());
+  EXPECT_GT((rough - right).norm(), 1e-9 * right.norm());
+}
+
+TEST(SparseFactor, IsInDoublePrecisionWhereSingleDoesNotConverge) {
+  const Sparse matrix = chain(200000);
+  const SparseFactor factor(matrix);
+  EXPECT_FALSE(factor.is_single());
+  const Eigen::VectorXd solution = Eigen::VectorXd::LinSpaced(matrix.cols(), -1, 2);
+  const Eigen::VectorXd right = matrix * solution;
+  EXPECT_LE((matrix * factor.solve(right) - right).norm(), 1e-9 * right.norm());
+}
+
+TEST(SparseFactor, SolvesForAllButAShiftThatHardlyCounts) {
+  Sparse matrix = laplacian_of_cubes(1, 8, 0);
+  for (Eigen::Index k = 0; k < matrix.cols(); ++k) matrix.coeffRef(k, k) = -matrix.col(k).sum() + 1e-12;
+  Eigen::VectorXd solution = Eigen::VectorXd::LinSpaced(matrix.cols(), -1, 2);
+  solution.array() -= solution.mean();
+  Eigen::VectorXd error = SparseFactor(matrix).solve(matrix * solution) - solution;
+  error.array() -= error.mean();
+  EXPECT_LE(error.cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST(SparseFactor, RefusesAMatrixThatIsNotPositive) {
