@@ -41,7 +41,11 @@ struct HexMeshingOptions {
 
   /// No further size is tried after so many, or once those before had so many tets together.
   std::size_t most_sizes = 5;
-  std::size_t search_tets = 100000;
+  std::size_t most_tried_tets = 100000;
+
+  /// Where a map is without flips, but whole numbers of hexahedra fold it, so many more sizes of tets are
+  /// tried before smaller hexahedra (HexOptions::finer_sizes).
+  std::size_t sizes_before_finer = 1;
 
   /// HexOptions::repair_work on tets of each size, if that is less.
   std::size_t repair_work = 6000000;
@@ -65,9 +69,10 @@ struct HexMeshingOptions {
 
 /// Returns hexahedra that fill a model: cuts it into tets (`make_tets`) unless its file has tets, solves on
 /// them, and makes the mesh that follows the field (`hexahedra`). As long as that does not fill the model,
-/// tets of other sizes are tried; of several results that all leave something out, the one with the least
-/// error of its volume is returned. The report tells of each try (HexReport::tried_tets); of the field's
-/// report, `seconds.read` is the time for all tets, and `seconds.total` for everything.
+/// tets of other sizes are tried, then smaller hexahedra (HexOptions::finer_sizes); of several results that
+/// all leave something out, the one with the least error of its volume is returned. The report tells of each
+/// try (HexReport::tried_tets); of the field's report, `seconds.read` is the time for all tets, and
+/// `seconds.total` for everything.
 ///
 /// The model is a CAD file, a closed surface or a tet mesh, as for `read_surface` and `read_tets`. The same
 /// to the bit for any number of threads, with the same program that makes tets.

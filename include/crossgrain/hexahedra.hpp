@@ -34,9 +34,9 @@ struct HexOptions {
   /// Faults wander (RepairOptions::wanderings) in tries with no more than so many, if none has a map.
   std::size_t wandering_faults = 6;
 
-  /// So many maps at most, and no more than have `search_tets` tets together; at least one.
+  /// So many maps at most, and no more than have `most_mapped_tets` tets together; at least one.
   std::size_t most_maps = 8;
-  std::size_t search_tets = 240000;
+  std::size_t most_mapped_tets = 240000;
 
   /// Where the best map is without flips, but whole numbers of hexahedra of this size fold it: smaller sizes
   /// that are tried, each this share of the last.

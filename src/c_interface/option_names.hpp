@@ -186,7 +186,7 @@ void for_each_option(HexOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(repair_work);
   CROSSGRAIN_OPTION(wandering_faults);
   CROSSGRAIN_OPTION(most_maps);
-  CROSSGRAIN_OPTION(search_tets);
+  CROSSGRAIN_OPTION(most_mapped_tets);
   CROSSGRAIN_OPTION(finer_sizes);
   CROSSGRAIN_OPTION(finer_share);
   CROSSGRAIN_OPTION(largest_gap);
@@ -201,7 +201,8 @@ void for_each_option(HexMeshingOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(tet_edge);
   CROSSGRAIN_OPTION(tet_shares);
   CROSSGRAIN_OPTION(most_sizes);
-  CROSSGRAIN_OPTION(search_tets);
+  CROSSGRAIN_OPTION(most_tried_tets);
+  CROSSGRAIN_OPTION(sizes_before_finer);
   CROSSGRAIN_OPTION(repair_work);
   CROSSGRAIN_OPTION(large_tets);
   for_each_inner_option("tags", options.tags, visit);

@@ -194,7 +194,7 @@ void HexSearch::try_repairs() {
   Stopwatch stopwatch;
   stopwatch.start();
   const std::size_t most =
-      std::max<std::size_t>(1, options_.search_tets / given_.domain().mesh().tets.size());
+      std::max<std::size_t>(1, options_.most_mapped_tets / given_.domain().mesh().tets.size());
   maps_left_ = std::min(most, options_.most_maps);
   fields_left_ = 2 * most;
   const RepairSearch search(given_, options, monitor_);

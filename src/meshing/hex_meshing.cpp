@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -115,9 +116,16 @@ bool is_better(const HexReport& report, const HexReport& best) {
   return rank(report) < rank(best);
 }
 
+/// Whether the map is without flips until its numbers are whole: smaller hexahedra may have one.
+bool only_rounding_folds(const HexReport& report) {
+  const HexAttempt& best = report.attempts[report.best_attempt];
+  return best.seamless_flips == std::size_t{0} && best.flips != std::size_t{0};
+}
+
 using MakeTets = std::function<TetMesh(const TetMakingOptions& options)>;
 
-/// Tries tets of one size after another until hexahedra fill the model.
+/// Tries tets of one size after another until hexahedra fill the model, then smaller hexahedra on those whose
+/// map only rounding folds: other tets may have a map at the size that was asked for.
 class TetTries {
  public:
   TetTries(MakeTets make, const HexMeshingOptions& options, const Monitor& monitor)
@@ -130,6 +138,8 @@ class TetTries {
   enum class Large : std::uint8_t { kNo, kYes };
   void attempt(double share, Large may_be_large);
   void attempt_timed(double share, Large may_be_large);
+  void take(Hexahedra made, std::size_t of_try);
+  void try_finer_sizes();
   bool is_done() const;
 
   /// Whether an earlier size gave the same tets, because details bound them.
@@ -145,6 +155,7 @@ class TetTries {
   std::vector<TriedTets> tries_;
   std::vector<TetDomain> domains_;  ///< of tries
   std::optional<Hexahedra> best_;
+  std::map<std::size_t, TetFrameField> folding_;  ///< by the number of the try; finer sizes are to be tried
   bool has_warned_ = false;
 };
 
@@ -166,19 +177,41 @@ void TetTries::attempt(double share, Large may_be_large) {
   HexMeshingOptions options = options_;
   std::size_t& work = options.hexahedra.repair_work;
   work = work == 0 ? options.repair_work : std::min(work, options.repair_work);
+  options.hexahedra.finer_sizes = 0;
   Hexahedra made = made_on(domain, options, monitor_);
   tried.outcome = made.report.outcome;
   tried.hexahedra = made.report.hexahedra;
+  const std::size_t number = tries_.size() - 1;
+  if (only_rounding_folds(made.report)) folding_.emplace(number, made.field);
+  take(std::move(made), number);
+}
+
+void TetTries::take(Hexahedra made, std::size_t of_try) {
   if (best_ && !is_better(made.report, best_->report)) return;
+  TriedTets& tried = tries_[of_try];
+  tried.outcome = made.report.outcome;
+  tried.hexahedra = made.report.hexahedra;
   for (TriedTets& other : tries_) other.is_used = &other == &tried;
   best_ = std::move(made);
+}
+
+void TetTries::try_finer_sizes() {
+  if (options_.hexahedra.finer_sizes == 0) return;
+  for (const auto& [number, field] : folding_) {
+    if (is_good(best_->report)) return;
+    Stopwatch stopwatch;
+    stopwatch.start();
+    take(hexahedra(field, options_.hexahedra, monitor_), number);
+    tries_[number].seconds += stopwatch.restart();
+  }
+  folding_.clear();
 }
 
 bool TetTries::is_done() const {
   std::size_t tets = 0;
   for (const TriedTets& tried : tries_) tets += tried.tets;
   return best_ &&
-         (is_good(best_->report) || tries_.size() >= options_.most_sizes || tets >= options_.search_tets);
+         (is_good(best_->report) || tries_.size() >= options_.most_sizes || tets >= options_.most_tried_tets);
 }
 
 void TetTries::attempt_timed(double share, Large may_be_large) {
@@ -205,7 +238,10 @@ Hexahedra TetTries::best() {
     if (is_done()) break;
     attempt_timed(share, share == coarsest ? Large::kYes : Large::kNo);
     if (tries_.empty()) attempt_timed(coarsest, Large::kYes);
+    if (!folding_.empty() && tries_.size() > folding_.begin()->first + options_.sizes_before_finer)
+      try_finer_sizes();
   }
+  try_finer_sizes();
   double tet_seconds = 0;
   for (const TriedTets& tried : tries_) tet_seconds += tried.tet_seconds;
   best_->report.tried_tets = std::move(tries_);
