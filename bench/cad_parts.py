@@ -4,7 +4,7 @@
 
     cad_parts.py --program CROSSGRAIN --out FOLDER [--cells 10,20] [PART...]
 
-FOLDER gets PART.step, and PART-CELLS with the results.
+FOLDER gets PART.step, with the files that gmsh makes it of, and PART-CELLS with the results.
 """
 
 import argparse
@@ -71,19 +71,23 @@ PARTS = {
 
 
 def make(name, folder):
+    """Returns PART.step, made by gmsh."""
     script = folder / f"{name}.geo"
     step = folder / f"{name}.step"
     script.write_text(f'SetFactory("OpenCASCADE");\n{PARTS[name]}\nSave "{step.name}";\n')
-    subprocess.run(["gmsh", "-0", script, "-o", folder / f"{name}.brep"], capture_output=True, check=True)
+    step.unlink(missing_ok=True)
+    made = subprocess.run(["gmsh", "-0", script, "-o", folder / f"{name}.brep"], capture_output=True, text=True, check=False)
     if not step.exists():
-        sys.exit(f"gmsh does not make {step}")
+        sys.exit(f"gmsh does not make {step}: {made.stdout}{made.stderr}")
     return step
 
 
-def add_row(program, folder, name, cells):
+def add_row(program, folder, step, cells):
+    """Prints a row; returns whether the part is all-hex."""
+    name = step.stem
     results = folder / f"{name}-{cells}"
     start = time.monotonic()
-    done = subprocess.run([program, "hex", make(name, folder), "--cells", str(cells), "-o", results, "--force", "--no-report", "--quiet"],
+    done = subprocess.run([program, "hex", step, "--cells", str(cells), "-o", results, "--force", "--no-report", "--quiet"],
                           capture_output=True, text=True, check=False)
     seconds = time.monotonic() - start
     if done.returncode not in (0, 6):
@@ -102,12 +106,14 @@ def main():
     parser.add_argument("--program", required=True)
     parser.add_argument("--out", required=True, type=pathlib.Path)
     parser.add_argument("--cells", default="10,20")
-    parser.add_argument("parts", nargs="*", help=", ".join(PARTS))
+    parser.add_argument("parts", nargs="*", metavar="PART", help=", ".join(PARTS))
     options = parser.parse_args()
+    if unknown := set(options.parts) - set(PARTS):
+        parser.error(f"no such part: {', '.join(sorted(unknown))}")
     options.out.mkdir(parents=True, exist_ok=True)
     print("| part | cells | size taken | hexahedra | worst scaled Jacobian | mean | volume | s | result |\n|---|---|---|---|---|---|---|---|---|")
-    good = [add_row(options.program, options.out, name, int(cells))
-            for name in options.parts or PARTS for cells in options.cells.split(",")]
+    steps = [make(name, options.out) for name in options.parts or PARTS]
+    good = [add_row(options.program, options.out, step, int(cells)) for step in steps for cells in options.cells.split(",")]
     print(f"\n{sum(good)} of {len(good)} all-hex", file=sys.stderr)
 
 

@@ -7,12 +7,14 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "base/vector3.hpp"
 #include "crossgrain/io.hpp"
@@ -140,8 +142,13 @@ int main(int argc, char** argv) {
     std::fputs("usage: factor_sweep CELLS FOLDER...\n", stderr);
     return 2;
   }
+  const double cells = std::atof(argv[1]);
+  if (!(cells > 0)) {
+    std::fputs("factor_sweep: CELLS is a positive number\n", stderr);
+    return 2;
+  }
   fmt::print(
       "| mesh | factor | million entries | s, entries | s, factor | s, solution | residual |\n"
       "|---|---|---|---|---|---|---|\n");
-  for (int k = 2; k < argc; ++k) crossgrain::add_rows(argv[k], std::atof(argv[1]));
+  for (int k = 2; k < argc; ++k) crossgrain::add_rows(argv[k], cells);
 }

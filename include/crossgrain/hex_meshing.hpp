@@ -43,6 +43,9 @@ struct HexMeshingOptions {
   std::size_t most_sizes = 5;
   std::size_t most_tried_tets = 100000;
 
+  /// The search goes on after a mesh whose worst scaled Jacobian is less.
+  double least_quality = 0.05;
+
   /// Where a map is without flips, but whole numbers of hexahedra fold it, so many more sizes of tets are
   /// tried before smaller hexahedra (HexOptions::finer_sizes).
   std::size_t sizes_before_finer = 1;

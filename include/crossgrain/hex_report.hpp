@@ -34,6 +34,11 @@ struct HexAttempt {
   std::optional<std::size_t> seamless_flips, flips;
   std::size_t hexahedra = 0;
   double seconds = 0;
+
+  /// Whether the map is without flips until its numbers are whole: smaller hexahedra may have one.
+  bool is_folded_by_rounding() const {
+    return arcs_without_length == 0 && seamless_flips == std::size_t{0} && flips.value_or(0) > 0;
+  }
 };
 
 /// Tets that were made of a model, and what became of them.

@@ -202,6 +202,7 @@ void for_each_option(HexMeshingOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(tet_shares);
   CROSSGRAIN_OPTION(most_sizes);
   CROSSGRAIN_OPTION(most_tried_tets);
+  CROSSGRAIN_OPTION(least_quality);
   CROSSGRAIN_OPTION(sizes_before_finer);
   CROSSGRAIN_OPTION(repair_work);
   CROSSGRAIN_OPTION(large_tets);

@@ -57,7 +57,7 @@ void explain(const HexCandidate& best, HexReport& report) {
     report.remedy = "tets of another size";
   } else if (flips > 0) {
     report.places = places_of_flips(best.followed->solid(), best.mapped->determinants);
-    const bool by_rounding = attempt.seamless_flips == std::size_t{0};
+    const bool by_rounding = attempt.is_folded_by_rounding();
     report.reason = fmt::format("no map: {} inverted{}", counted(flips, "tet stays", "tets stay"),
                                 by_rounding ? " with whole numbers of hexahedra" : "");
     report.remedy = by_rounding ? "a smaller size of hexahedra" : "tets of another size";

@@ -124,12 +124,9 @@ void HexSearch::count(const HexSeconds& seconds) {
 
 /// Maps the best at smaller sizes, if only whole numbers are in the way of the map.
 void HexSearch::try_finer_sizes() {
-  const auto only_rounding_folds = [&] {
-    return best_->mapped && best_->attempt.seamless_flips == std::size_t{0} &&
-           best_->attempt.flips != std::size_t{0};
-  };
+  const auto is_folded = [&] { return best_->mapped && best_->attempt.is_folded_by_rounding(); };
   double size = report_.size;
-  for (int k = 0; k < options_.finer_sizes && !is_done() && only_rounding_folds(); ++k) {
+  for (int k = 0; k < options_.finer_sizes && !is_done() && is_folded(); ++k) {
     const auto rank = best_->rank();
     const HexAttempt attempt = best_->attempt;
     std::optional<MappedHexahedra> mapped = std::move(best_->mapped);

@@ -79,6 +79,7 @@ std::vector<int> nested_dissection(const Eigen::SparseMatrix<double>& matrix) {
   demand(SCOTCH_graphBuild(&*graph, 0, size, begins.data(), nullptr, nullptr, nullptr,
                            static_cast<SCOTCH_Num>(neighbours.size()), neighbours.data(), nullptr));
   context.bind(*graph, *bound);
+  static_assert(sizeof(SCOTCH_Num) == sizeof(int), "SCOTCH with indices of 32 bits");
   std::vector<SCOTCH_Num> places(static_cast<std::size_t>(size));
   demand(SCOTCH_graphOrder(&*bound, &*strategy, places.data(), nullptr, nullptr, nullptr, nullptr));
   return places;

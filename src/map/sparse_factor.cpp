@@ -23,17 +23,18 @@ Eigen::VectorXd sample(Eigen::Index size) {
 }  // namespace
 
 SparseFactor::SparseFactor(const Eigen::SparseMatrix<double>& matrix, const SparseFactorOptions& options)
-    : options_(options), scale_(matrix.cols()), scaled_(matrix) {
-  scale_ = matrix.diagonal();
+    : options_(options), scale_(matrix.diagonal()) {
   if (scale_.size() == 0) return;
   if (!(scale_.minCoeff() > 0) || !scale_.allFinite()) refuse();
   scale_ = scale_.cwiseSqrt().cwiseInverse().eval();
-  scaled_ = (scale_.asDiagonal() * scaled_ * scale_.asDiagonal()).eval();
+  scaled_ = scale_.asDiagonal() * matrix * scale_.asDiagonal();
   nodes_.emplace(scaled_, nested_dissection(scaled_), options.nodes);
 
-  Eigen::SparseMatrix<double> shifted = scaled_;
-  shifted.diagonal().array() += options.shift;
-  single_.emplace(shifted, *nodes_);
+  {
+    Eigen::SparseMatrix<double> shifted = scaled_;
+    shifted.diagonal().array() += options.shift;
+    single_.emplace(shifted, *nodes_);
+  }
   Eigen::VectorXd solution;
   if (single_->is_positive() && refine(scaled_ * sample(scale_.size()), options.first_steps, solution))
     return;
@@ -48,6 +49,10 @@ Eigen::VectorXd SparseFactor::by_factor(const Eigen::VectorXd& right) const {
 
 /// Whether conjugate gradients for the scaled matrix converge.
 bool SparseFactor::refine(const Eigen::VectorXd& right, int most_steps, Eigen::VectorXd& solution) const {
+  if (!right.allFinite()) {
+    solution = Eigen::VectorXd::Constant(right.size(), NAN);
+    return false;
+  }
   const double enough = options_.residual * right.norm();
   solution = Eigen::VectorXd::Zero(right.size());
   Eigen::VectorXd residual = right, direction = Eigen::VectorXd::Zero(right.size());
@@ -58,7 +63,7 @@ bool SparseFactor::refine(const Eigen::VectorXd& right, int most_steps, Eigen::V
     direction = improvement + now / before * direction;
     const Eigen::VectorXd image = scaled_ * direction;
     const double length = now / direction.dot(image);
-    if (!std::isfinite(length)) return false;
+    if (!(now > 0 && length > 0 && std::isfinite(length))) return false;
     solution += length * direction;
     residual -= length * image;
     before = now;

@@ -11,10 +11,10 @@
 
 namespace crossgrain {
 
-/// The matrix is scaled to ones on its diagonal first.
+/// For a matrix that is scaled to ones on its diagonal.
 struct SparseFactorOptions {
   double shift = 1e-6;      ///< of the diagonal in single precision, so that rounding leaves pivots positive
-  double residual = 1e-13;  ///< of a solution, relative to the right-hand side
+  double residual = 1e-13;  ///< as conjugate gradients carry it, relative to the right-hand side
   int first_steps =
       12;  ///< of refinement for a first solution; if it needs more, single precision is given up
   int most_steps = 100;  ///< of refinement for others
@@ -32,7 +32,9 @@ class SparseFactor {
   SparseFactor(const SparseFactor&) = delete;
   SparseFactor& operator=(const SparseFactor&) = delete;
 
-  /// The solution, with the residual of the options.
+  /// The solution for a right-hand side of as many numbers as rows, with the residual of the options or what
+  /// `most_steps` reach; NaN for one that is not finite. Safe to call from several threads at once, as is
+  /// solve_roughly.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
   /// The factor's solution, without refinement: of six digits or so, for descents. Linear, symmetric and

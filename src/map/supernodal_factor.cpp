@@ -14,10 +14,11 @@ namespace {
 using Sparse = Eigen::SparseMatrix<double>;
 using Index = Eigen::Index;
 
-/// Branches of the tree with at most this share of the work are tasks.
+/// Branches of the tree with at most this share of the work are tasks: enough of them for 32 threads.
 constexpr double kShareOfTask = 1.0 / 64;
 
-/// Rows of a panel that one thread works on: so many that products of blocks run at full speed.
+/// Rows of a panel that one thread works on: as many as a supernode has columns, so that products of blocks
+/// run at full speed.
 constexpr std::size_t kRowsAtATime = 256;
 
 /// Multiplications of a supernode, about: those of its elimination and of its updates of others.
@@ -76,17 +77,23 @@ void SupernodalFactor<Real>::divide() {
     work[parent] += work[node];
     children_[parent].push_back(static_cast<std::uint32_t>(node));
   }
-  std::vector<std::uint32_t> task_of(size);
+  double joined_work = all;  // of the last task; no task grows beyond the share
   for (std::size_t node = 0; node < size; ++node) {
     const std::size_t parent = nodes_.parent(node);
     const bool is_small = work[node] <= kShareOfTask * all;
     if (is_small && parent != node && work[parent] <= kShareOfTask * all) continue;
     const Task task{is_small ? first[node] : node, node + 1};
-    std::fill(task_of.begin() + static_cast<std::ptrdiff_t>(task.begin),
-              task_of.begin() + static_cast<std::ptrdiff_t>(task.end),
-              static_cast<std::uint32_t>(tasks_.size()));
-    tasks_.push_back(task);
+    if (is_small && should_join(task, joined_work + work[node], kShareOfTask * all)) {
+      tasks_.back().end = task.end;
+      joined_work += work[node];
+    } else {
+      tasks_.push_back(task);
+      joined_work = is_small ? work[node] : all;
+    }
   }
+  std::vector<std::uint32_t> task_of(size);
+  for (std::uint32_t task = 0; task < tasks_.size(); ++task)
+    for (std::size_t node = tasks_[task].begin; node < tasks_[task].end; ++node) task_of[node] = task;
   const auto count = static_cast<std::uint32_t>(tasks_.size());
   beside_.resize(count);
   beside_reversed_.resize(count);
@@ -99,6 +106,16 @@ void SupernodalFactor<Real>::divide() {
     beside_reversed_[count - 1 - task].push_back(count - 1 - above);
     beside_reversed_[count - 1 - above].push_back(count - 1 - task);
   }
+}
+
+/// Whether a branch becomes part of the last task, which has branches below the same parent, or other whole
+/// trees.
+template <class Real>
+bool SupernodalFactor<Real>::should_join(const Task& task, double work, double most) const {
+  if (tasks_.empty() || work > most) return false;
+  const std::size_t before = tasks_.back().end - 1, last = task.end - 1;
+  const bool are_roots = nodes_.parent(before) == before && nodes_.parent(last) == last;
+  return are_roots || nodes_.parent(before) == nodes_.parent(last);
 }
 
 template <class Real>
@@ -132,7 +149,7 @@ template <class Real>
 void SupernodalFactor<Real>::subtract(std::size_t node, const std::vector<int>& local, Index begin,
                                       Index end) {
   Panel target = panel(node);
-  Matrix product;
+  Matrix products(end - begin, target.cols());
   const auto local_of = [&](int row) { return local[static_cast<std::size_t>(row)]; };
   for (const Supernodes::Part& part : nodes_.parts(node)) {
     const std::span<const int> rows = nodes_.below(part.node);
@@ -145,6 +162,7 @@ void SupernodalFactor<Real>::subtract(std::size_t node, const std::vector<int>& 
     if (first == last) continue;
     const Panel source = panel(part.node);
     const Index columns = source.cols();
+    auto product = products.topLeftCorner(last - first, count);
     product.noalias() = source.middleRows(columns + first, last - first) *
                         source.middleRows(columns + part.begin, count).transpose();
     for (Index column = 0; column < count; ++column) {
@@ -174,9 +192,12 @@ bool SupernodalFactor<Real>::eliminate(std::size_t node) {
 template <class Real>
 Eigen::VectorXd SupernodalFactor<Real>::solve(const Eigen::VectorXd& right) const {
   const std::vector<int>& places = nodes_.places();
+  const double largest = right.size() == 0 ? 0 : right.cwiseAbs().maxCoeff();
+  if (largest == 0) return right;
+  // Numbers near 1 are within the range of Real.
   Vector x(right.size());
   for (Index row = 0; row < x.size(); ++row)
-    x[places[static_cast<std::size_t>(row)]] = static_cast<Real>(right[row]);
+    x[places[static_cast<std::size_t>(row)]] = static_cast<Real>(right[row] / largest);
   std::vector<Vector> carried(nodes_.size());
   parallel_for_in_order(beside_, [&](std::size_t task) {
     for (std::size_t node = tasks_[task].begin; node < tasks_[task].end; ++node) forward(node, x, carried);
@@ -186,7 +207,8 @@ Eigen::VectorXd SupernodalFactor<Real>::solve(const Eigen::VectorXd& right) cons
     for (std::size_t node = task.end; node-- > task.begin;) backward(node, x);
   });
   Eigen::VectorXd solution(right.size());
-  for (Index row = 0; row < x.size(); ++row) solution[row] = x[places[static_cast<std::size_t>(row)]];
+  for (Index row = 0; row < x.size(); ++row)
+    solution[row] = largest * static_cast<double>(x[places[static_cast<std::size_t>(row)]]);
   return solution;
 }
 

@@ -21,25 +21,27 @@ class SupernodalFactor {
  public:
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
-  /// Takes all entries of both triangles, of a matrix with these supernodes, which must outlive it.
+  /// Takes all entries of both triangles, of a matrix with these supernodes. `nodes` must outlive the factor.
   SupernodalFactor(const Eigen::SparseMatrix<double>& matrix, const Supernodes& nodes);
 
   /// Whether all pivots are positive numbers; if not, there is nothing to solve with.
   bool is_positive() const { return is_positive_; }
 
-  /// About A^-1 right, with the rounding of Real.
+  /// About A^-1 right, with the rounding of Real; as many numbers as rows. Only if is_positive(). Safe to
+  /// call from several threads at once.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
  private:
   using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
   using Panel = Eigen::Map<Matrix>;
 
-  /// Supernodes one after the other: a whole branch of little work, or one with much.
+  /// Supernodes one after the other: branches of little work below one parent, or one supernode with much.
   struct Task {
     std::size_t begin = 0, end = 0;
   };
 
   void divide();
+  bool should_join(const Task& task, double work, double most) const;
   Panel panel(std::size_t node) const;
   void assemble(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& row_at, std::size_t node);
   void subtract(std::size_t node, const std::vector<int>& local, Eigen::Index begin, Eigen::Index end);

@@ -2,7 +2,8 @@
 #include "map/supernodes.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <functional>
+#include <utility>
 
 #include "base/parallel.hpp"
 
@@ -13,28 +14,27 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr int kNone = -1;
 
-/// The rows below the diagonal of each column of a symmetric matrix whose rows have other places, and those
-/// above it.
-struct Pattern {
-  std::vector<std::vector<int>> below, above;
+using Pattern = std::vector<std::vector<int>>;  ///< rows of each column
 
-  Pattern(const Sparse& matrix, const std::vector<int>& places) : below(places.size()), above(places.size()) {
-    for (int column = 0; column < matrix.cols(); ++column)
-      for (Sparse::InnerIterator it(matrix, column); it; ++it) {
-        const int row = places[static_cast<std::size_t>(it.row())],
-                  at = places[static_cast<std::size_t>(column)];
-        if (row > at) below[static_cast<std::size_t>(at)].push_back(row);
-        if (row < at) above[static_cast<std::size_t>(at)].push_back(row);
-      }
-  }
-};
+/// The rows of each column for which `is_wanted(row, column)`, of a matrix whose rows have other places.
+template <class IsWanted>
+Pattern pattern_of(const Sparse& matrix, const std::vector<int>& places, const IsWanted& is_wanted) {
+  Pattern rows(places.size());
+  for (int column = 0; column < matrix.cols(); ++column)
+    for (Sparse::InnerIterator it(matrix, column); it; ++it) {
+      const int row = places[static_cast<std::size_t>(it.row())],
+                at = places[static_cast<std::size_t>(column)];
+      if (is_wanted(row, at)) rows[static_cast<std::size_t>(at)].push_back(row);
+    }
+  return rows;
+}
 
 /// The parent of each column in the tree of elimination (Liu, ACM TOMS 12, 1986).
-std::vector<int> elimination_tree(const Pattern& pattern) {
-  const std::size_t size = pattern.above.size();
+std::vector<int> elimination_tree(const Pattern& above) {
+  const std::size_t size = above.size();
   std::vector<int> parents(size, kNone), tops(size, kNone);
   for (std::size_t column = 0; column < size; ++column)
-    for (int row : pattern.above[column])
+    for (int row : above[column])
       while (row != kNone && row != static_cast<int>(column)) {
         int& top = tops[static_cast<std::size_t>(row)];
         const int next = top;
@@ -75,14 +75,14 @@ std::vector<int> postorder(const std::vector<int>& parents) {
 
 /// The number of entries of each column of the factor: column j has one in row i if it lies on a way up the
 /// tree from an entry of row i of the matrix to i.
-std::vector<int> column_counts(const Pattern& pattern, const std::vector<int>& parents) {
+std::vector<int> column_counts(const Pattern& above, const std::vector<int>& parents) {
   const std::size_t size = parents.size();
   std::vector<int> counts(size, 1), seen(size, kNone);
   Checkpoint checkpoint;
   for (std::size_t row = 0; row < size; ++row) {
     seen[row] = static_cast<int>(row);
     checkpoint.pass();
-    for (const int column : pattern.above[row])
+    for (const int column : above[row])
       for (auto at = static_cast<std::size_t>(column); seen[at] != static_cast<int>(row);
            at = static_cast<std::size_t>(parents[at])) {
         ++counts[at];
@@ -137,12 +137,12 @@ std::vector<Range> ranges_of(const std::vector<int>& parents, const std::vector<
 }
 
 /// The rows below each range: those of the matrix and of ranges whose first row below is in this one.
-std::vector<std::vector<int>> rows_below(const Pattern& pattern, const std::vector<Range>& ranges) {
-  const std::size_t size = pattern.below.size();
+Pattern rows_below(const Pattern& of_matrix, const std::vector<Range>& ranges) {
+  const std::size_t size = of_matrix.size();
   std::vector<std::size_t> range_of(size);
   for (std::size_t k = 0; k < ranges.size(); ++k)
     std::fill_n(range_of.begin() + ranges[k].begin, ranges[k].columns, k);
-  std::vector<std::vector<int>> below(ranges.size());
+  Pattern below(ranges.size());
   std::vector<std::vector<std::size_t>> children(ranges.size());
   std::vector<std::size_t> seen(size, ranges.size());
   for (std::size_t k = 0; k < ranges.size(); ++k) {
@@ -152,7 +152,7 @@ std::vector<std::vector<int>> rows_below(const Pattern& pattern, const std::vect
         if (row >= end && std::exchange(seen[static_cast<std::size_t>(row)], k) != k) below[k].push_back(row);
     };
     for (int column = ranges[k].begin; column < end; ++column)
-      add(pattern.below[static_cast<std::size_t>(column)]);
+      add(of_matrix[static_cast<std::size_t>(column)]);
     for (const std::size_t child : children[k]) add(below[child]);
     std::sort(below[k].begin(), below[k].end());
     if (!below[k].empty()) children[range_of[static_cast<std::size_t>(below[k].front())]].push_back(k);
@@ -164,14 +164,13 @@ std::vector<std::vector<int>> rows_below(const Pattern& pattern, const std::vect
 
 Supernodes::Supernodes(const Sparse& matrix, std::vector<int> places, const SupernodeOptions& options)
     : places_(std::move(places)) {
-  {
-    const std::vector<int> order = postorder(elimination_tree(Pattern(matrix, places_)));
-    for (int& place : places_) place = order[static_cast<std::size_t>(place)];
-  }
-  const Pattern pattern(matrix, places_);
-  const std::vector<int> parents = elimination_tree(pattern);
-  const std::vector<Range> ranges = ranges_of(parents, column_counts(pattern, parents), options);
-  const std::vector<std::vector<int>> below = rows_below(pattern, ranges);
+  const auto rows_above = [&] { return pattern_of(matrix, places_, std::less<>()); };
+  const std::vector<int> order = postorder(elimination_tree(rows_above()));
+  for (int& place : places_) place = order[static_cast<std::size_t>(place)];
+  const Pattern above = rows_above();
+  const std::vector<int> parents = elimination_tree(above);
+  const std::vector<Range> ranges = ranges_of(parents, column_counts(above, parents), options);
+  const Pattern below = rows_below(pattern_of(matrix, places_, std::greater<>()), ranges);
 
   below_begins_.push_back(0);
   for (std::size_t k = 0; k < ranges.size(); ++k) {

@@ -3,31 +3,38 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace crossgrain {
 
 struct SupernodeOptions {
-  int most_columns = 256;  ///< of a supernode; wider ones are divided
+  int most_columns = 256;  ///< of a supernode, at least 1; wider ones are divided
 
-  /// Supernodes of at most so many columns are merged if at most this share of their entries is zero.
+  /// Supernodes of at most so many columns together are merged if at most this share of their entries is
+  /// zero.
   struct Merging {
     int columns = 0;
     double zeros = 0;
   };
-  std::vector<Merging> merging{{4, 1}, {16, 0.8}, {48, 0.1}, {1 << 30, 0.05}};
+
+  /// By ascending numbers of columns: the first that fits counts. None: nothing is merged. These are the
+  /// limits of CHOLMOD (Chen, Davis, Hager, Rajamanickam, ACM TOMS 35, 2008).
+  std::vector<Merging> merging{{4, 1}, {16, 0.8}, {48, 0.1}, {std::numeric_limits<int>::max(), 0.05}};
 };
 
 /// The entries of the factor L of a symmetric matrix, rows and columns in an order of elimination: supernodes
 /// are ranges of columns with one set of rows below them (Davis, "Direct Methods for Sparse Linear Systems",
-/// 2006, chapter 4). Supernodes form a forest: the parent of one is that of its first row below, and comes
-/// after it. All rows below a supernode are columns of its ancestors.
+/// 2006, chapter 4). Supernodes form a forest: the parent of a supernode is the one that has its first row
+/// below among its columns, and comes after it. All rows below a supernode are columns of its ancestors.
 class Supernodes {
  public:
-  /// `places` has the place of each row in an order without much fill; rows get other places within it.
-  /// Takes all entries of both triangles; those of value zero count.
+  /// `places` has the place of each row in an order without much fill: a permutation; rows of one branch keep
+  /// together in the order that is taken. The pattern of `matrix` is symmetric, with the entries of both
+  /// triangles; entries of value zero count.
   Supernodes(const Eigen::SparseMatrix<double>& matrix, std::vector<int> places,
              const SupernodeOptions& options = {});
 
@@ -44,7 +51,7 @@ class Supernodes {
     return std::span(below_).subspan(below_begins_[node], below_begins_[node + 1] - below_begins_[node]);
   }
 
-  /// That of a root is the node itself.
+  /// The parent of a supernode; a root is its own parent.
   std::size_t parent(std::size_t node) const { return parents_[node]; }
 
   /// Rows [begin, end) of below(node) are columns of another supernode.
@@ -52,7 +59,7 @@ class Supernodes {
     std::uint32_t node = 0, begin = 0, end = 0;
   };
 
-  /// The parts of lower supernodes that are columns of this one, by ascending supernode.
+  /// For each lower supernode with rows among the columns of this one, ascending: which of its rows they are.
   const std::vector<Part>& parts(std::size_t node) const { return parts_[node]; }
 
  private:

@@ -113,6 +113,7 @@ Untangled untangled(const PoissonMap& poisson, Eigen::VectorXd columns, IntegerC
   for (std::size_t k = 0; k < free.size(); ++k) x[static_cast<Index>(k)] = columns[free[k]];
   Untangled result;
   result.flips = flips_of(energy, distortion.map(x));
+  const MapFlips given = result.flips;
   const double least = result.flips.least_determinant;
   constexpr double kShare = 0.2, kWithoutFlips = 0.01;
   double epsilon =
@@ -134,7 +135,10 @@ Untangled untangled(const PoissonMap& poisson, Eigen::VectorXd columns, IntegerC
     if (falls) before = result.flips.tets;
     epsilon = next_epsilon(result.flips.least_determinant, epsilon, descent.first_value, descent.value);
   }
-  for (std::size_t k = 0; k < free.size(); ++k) columns[free[k]] = x[static_cast<Index>(k)];
+  if (result.flips.tets > given.tets)
+    result.flips = given;
+  else
+    for (std::size_t k = 0; k < free.size(); ++k) columns[free[k]] = x[static_cast<Index>(k)];
   result.columns = std::move(columns);
   return result;
 }

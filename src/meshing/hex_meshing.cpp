@@ -105,21 +105,35 @@ double volume_missed(const HexReport& report) {
   return std::abs(report.volume / report.model_volume - 1);
 }
 
-bool is_good(const HexReport& report) {
-  return report.outcome == HexOutcome::kAllHex && !report.is_coarse;
+bool is_good(const HexReport& report, const HexMeshingOptions& options) {
+  return report.outcome == HexOutcome::kAllHex && !report.is_coarse &&
+         report.quality.least >= options.least_quality;
 }
 
-bool is_better(const HexReport& report, const HexReport& best) {
-  const auto rank = [](const HexReport& of) {
-    return std::tuple(!is_good(of), of.outcome != HexOutcome::kAllHex, volume_missed(of));
+bool is_better(const HexReport& report, const HexReport& best, const HexMeshingOptions& options) {
+  const auto rank = [&](const HexReport& of) {
+    return std::tuple(!is_good(of, options), of.outcome != HexOutcome::kAllHex, volume_missed(of));
   };
   return rank(report) < rank(best);
 }
 
-/// Whether the map is without flips until its numbers are whole: smaller hexahedra may have one.
-bool only_rounding_folds(const HexReport& report) {
-  const HexAttempt& best = report.attempts[report.best_attempt];
-  return best.seamless_flips == std::size_t{0} && best.flips != std::size_t{0};
+/// The report of smaller hexahedra on a repaired field, with what came before on it. The first attempt of
+/// `next` is the best one of `first` again.
+HexReport joined(const HexReport& first, HexReport next) {
+  std::vector<HexAttempt> attempts = first.attempts;
+  for (std::size_t k = 1; k < next.attempts.size(); ++k) {
+    next.attempts[k].repair = first.attempts[first.best_attempt].repair;
+    attempts.push_back(next.attempts[k]);
+  }
+  next.best_attempt =
+      next.best_attempt == 0 ? first.best_attempt : first.attempts.size() + next.best_attempt - 1;
+  next.attempts = std::move(attempts);
+  next.repair_seconds += first.repair_seconds;
+  next.map_seconds += first.map_seconds;
+  next.extraction_seconds += first.extraction_seconds;
+  next.smoothing_seconds += first.smoothing_seconds;
+  next.analysis_seconds += first.analysis_seconds;
+  return next;
 }
 
 using MakeTets = std::function<TetMesh(const TetMakingOptions& options)>;
@@ -139,6 +153,7 @@ class TetTries {
   void attempt(double share, Large may_be_large);
   void attempt_timed(double share, Large may_be_large);
   void take(Hexahedra made, std::size_t of_try);
+  void keep_or_rethrow(const Error& error, TriedTets& tried) const;
   void try_finer_sizes();
   bool is_done() const;
 
@@ -155,7 +170,7 @@ class TetTries {
   std::vector<TriedTets> tries_;
   std::vector<TetDomain> domains_;  ///< of tries
   std::optional<Hexahedra> best_;
-  std::map<std::size_t, TetFrameField> folding_;  ///< by the number of the try; finer sizes are to be tried
+  std::map<std::size_t, TetFrameField> folded_;  ///< by rounding; by the number of the try
   bool has_warned_ = false;
 };
 
@@ -182,12 +197,15 @@ void TetTries::attempt(double share, Large may_be_large) {
   tried.outcome = made.report.outcome;
   tried.hexahedra = made.report.hexahedra;
   const std::size_t number = tries_.size() - 1;
-  if (only_rounding_folds(made.report)) folding_.emplace(number, made.field);
+  const HexReport& report = made.report;
+  if (options_.hexahedra.finer_sizes > 0 && !is_good(report, options_) &&
+      report.attempts[report.best_attempt].is_folded_by_rounding())
+    folded_.emplace(number, made.field);
   take(std::move(made), number);
 }
 
 void TetTries::take(Hexahedra made, std::size_t of_try) {
-  if (best_ && !is_better(made.report, best_->report)) return;
+  if (best_ && !is_better(made.report, best_->report, options_)) return;
   TriedTets& tried = tries_[of_try];
   tried.outcome = made.report.outcome;
   tried.hexahedra = made.report.hexahedra;
@@ -195,23 +213,34 @@ void TetTries::take(Hexahedra made, std::size_t of_try) {
   best_ = std::move(made);
 }
 
+/// To be called with the error in flight: what earlier tets have given is worth more than the reason why
+/// others fail.
+void TetTries::keep_or_rethrow(const Error& error, TriedTets& tried) const {
+  if (!best_ || error.kind() == ErrorKind::kInterrupted) throw;
+  tried.failure = error.text();
+}
+
 void TetTries::try_finer_sizes() {
-  if (options_.hexahedra.finer_sizes == 0) return;
-  for (const auto& [number, field] : folding_) {
-    if (is_good(best_->report)) return;
+  for (const auto& [number, field] : std::exchange(folded_, {})) {
+    if (is_good(best_->report, options_)) return;
     Stopwatch stopwatch;
     stopwatch.start();
-    take(hexahedra(field, options_.hexahedra, monitor_), number);
+    try {
+      Hexahedra made = hexahedra(field, options_.hexahedra, monitor_);
+      made.report = joined(*field.report().hexahedra, std::move(made.report));
+      take(std::move(made), number);
+    } catch (const Error& error) {
+      keep_or_rethrow(error, tries_[number]);
+    }
     tries_[number].seconds += stopwatch.restart();
   }
-  folding_.clear();
 }
 
 bool TetTries::is_done() const {
   std::size_t tets = 0;
   for (const TriedTets& tried : tries_) tets += tried.tets;
-  return best_ &&
-         (is_good(best_->report) || tries_.size() >= options_.most_sizes || tets >= options_.most_tried_tets);
+  return best_ && (is_good(best_->report, options_) || tries_.size() >= options_.most_sizes ||
+                   tets >= options_.most_tried_tets);
 }
 
 void TetTries::attempt_timed(double share, Large may_be_large) {
@@ -221,9 +250,7 @@ void TetTries::attempt_timed(double share, Large may_be_large) {
   try {
     attempt(share, may_be_large);
   } catch (const Error& error) {
-    // What earlier tets have given is worth more than the reason why others fail.
-    if (!best_ || error.kind() == ErrorKind::kInterrupted) throw;
-    tries_.back().failure = error.text();
+    keep_or_rethrow(error, tries_.back());
   }
   if (tries_.size() > before) tries_.back().seconds = stopwatch.restart();
 }
@@ -238,7 +265,7 @@ Hexahedra TetTries::best() {
     if (is_done()) break;
     attempt_timed(share, share == coarsest ? Large::kYes : Large::kNo);
     if (tries_.empty()) attempt_timed(coarsest, Large::kYes);
-    if (!folding_.empty() && tries_.size() > folding_.begin()->first + options_.sizes_before_finer)
+    if (!folded_.empty() && tries_.size() > folded_.begin()->first + options_.sizes_before_finer)
       try_finer_sizes();
   }
   try_finer_sizes();

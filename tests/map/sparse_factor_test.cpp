@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "crossgrain/error.hpp"
@@ -68,6 +69,27 @@ TEST(SparseFactor, SolvesForAllButAShiftThatHardlyCounts) {
   Eigen::VectorXd error = SparseFactor(matrix).solve(matrix * solution) - solution;
   error.array() -= error.mean();
   EXPECT_LE(error.cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(SparseFactor, SolvesForNumbersOfAnySize) {
+  const Sparse matrix = laplacian_of_cubes(1, 6);
+  const SparseFactor factor(matrix);
+  const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(matrix.cols(), -1, 2);
+  const Eigen::VectorXd solution = factor.solve(right), rough = factor.solve_roughly(right);
+  for (const double scale : {1e60, 1e-60}) {
+    EXPECT_LE((factor.solve(scale * right) / scale - solution).norm(), 1e-12 * solution.norm());
+    EXPECT_LE((factor.solve_roughly(scale * right) / scale - rough).norm(), 1e-5 * rough.norm());
+  }
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(matrix.cols());
+  EXPECT_EQ(factor.solve(zero), zero);
+  EXPECT_EQ(factor.solve_roughly(zero), zero);
+}
+
+TEST(SparseFactor, HidesNoNumberThatIsNotFinite) {
+  const SparseFactor factor(laplacian_of_cubes(1, 3));
+  Eigen::VectorXd right = Eigen::VectorXd::Ones(27);
+  right[5] = NAN;
+  EXPECT_TRUE(factor.solve(right).array().isNaN().all());
 }
 
 TEST(SparseFactor, RefusesAMatrixThatIsNotPositive) {

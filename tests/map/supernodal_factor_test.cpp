@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <numeric>
 #include <random>
 #include <set>
@@ -141,6 +142,19 @@ TEST(SupernodalFactor, SolvesAsADenseFactorDoes) {
 TEST(SupernodalFactor, OfAGridInManyRowsSolvesAsADenseFactorDoes) {
   const Sparse matrix = laplacian_of_cubes(1, 11);
   EXPECT_LE(error_of_solution<double>(matrix, nested_dissection(matrix), 32), 1e-14);
+}
+
+TEST(SupernodalFactor, OfManyTreesSolvesAsADenseFactorDoes) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int row = 0; row < 500; ++row) entries.emplace_back(row, row, 1 + row % 3);
+  for (int row = 1; row < 100; ++row) {  // a star; the rows after it are alone
+    entries.emplace_back(row, 0, 0.01);
+    entries.emplace_back(0, row, 0.01);
+  }
+  Sparse matrix(500, 500);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  EXPECT_LE(error_of_solution<double>(matrix, any_order(500, 1), 256), 1e-14);
+  EXPECT_LE(error_of_solution<double>(matrix, nested_dissection(matrix), 256), 1e-14);
 }
 
 TEST(SupernodalFactor, SaysThatAMatrixIsNotPositive) {

@@ -49,6 +49,23 @@ TEST(Untangling, EndsSoonWhereNoMapIs) {
   EXPECT_LT(result.steps, 1000);
 }
 
+TEST(Untangling, NeverLeavesMoreFlipsThanItWasGiven) {
+  const MapEnergy energy(kUnknowns, 1);
+  const PoissonMap poisson(energy);
+  UntanglingOptions options;
+  options.rounds = 1;
+  options.descent.steps = 1;
+  for (const double shake : {0.2, 0.5, 1.0, 1.5, 3.0}) {
+    const Eigen::VectorXd columns = shaken(poisson, shake);
+    const std::size_t given = flips_of(energy, energy.basis() * columns).tets;
+    for (const IntegerColumns integers : {IntegerColumns::kHeld, IntegerColumns::kFree}) {
+      const Untangled result = untangled(poisson, columns, integers, options);
+      EXPECT_LE(result.flips.tets, given) << shake;
+      EXPECT_EQ(result.flips.tets, flips_of(energy, energy.basis() * result.columns).tets) << shake;
+    }
+  }
+}
+
 TEST(Untangling, IsTheSameToTheBitForAnyNumberOfThreads) {
   const MapEnergy energy(kUnknowns, 1);
   const PoissonMap poisson(energy);
