@@ -9,6 +9,8 @@ BUILT is the folder of build.sh's programs. Models, which may be packed with xz,
 the map that it leaves, unless --out, which may be that of hex_comparison.py, has it already; --maps takes NAME.hexex and NAME.mesh of bench/grid_maps. Prints a row for each map:
 
     flipped, flat      tets of the map, with positive volume of the model
+    exact              whether faces of the surface are on integer planes to the bit, and all others have one whole motion that takes the
+                       coordinates on one side to those on the other to the bit: how many are and have not
     hexahedra, vertices    ours, of libHexEx and of libHexHex, which refuses maps with such tets
     the same           whether libHexEx's mesh has the connectivity of ours: a walk from one hexahedron to its neighbours finds all hexahedra of
                        both, with one vertex of theirs for each of ours. Otherwise the number that the best of some walks finds.
@@ -30,7 +32,7 @@ from hex_mesh import FACES, judged, read_hexahedra, unpacked
 HEXEX_SECONDS = 120
 NOT_ALL_HEX = 6
 ENOUGH = 0.9
-STARTS, NEAREST = 5, 4  # walks begin at so many hexahedra of ours, if need be, each at so many of theirs
+STARTS, NEAREST = 60, 8  # walks begin at so many hexahedra of ours, if need be, each at so many of theirs
 
 
 def read_map(path):
@@ -46,17 +48,42 @@ def six_volumes(corners):
     return np.linalg.det(corners[:, 1:] - corners[:, :1])
 
 
-def symmetries():
-    """The 24 ways to number the corners of a hexahedron anew that keep its faces and their sense."""
-    places = np.array([(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))])
+def rotations():
+    """The 24 of a cube, as matrices."""
     found = []
     for order in np.array(np.meshgrid(*[range(3)] * 3)).T.reshape(-1, 3):
         for signs in np.array(np.meshgrid(*[(-1, 1)] * 3)).T.reshape(-1, 3):
             rotation = np.zeros((3, 3), int)
             rotation[range(3), order] = signs
             if round(np.linalg.det(rotation)) == 1:
-                turned = (2 * places - 1) @ rotation.T
-                found.append([int(np.flatnonzero((2 * places - 1 == corner).all(axis=1))[0]) for corner in turned])
+                found.append(rotation)
+    return np.array(found)
+
+
+def inexact_faces(tets, coordinates):
+    """The number of faces of the surface off integer planes, and of other faces that are not glued by one whole motion."""
+    corners = np.array([(1, 2, 3), (0, 2, 3), (0, 1, 3), (0, 1, 2)])
+    faces, places = tets[:, corners].reshape(-1, 3), coordinates[:, corners].reshape(-1, 3, 3)
+    order = np.argsort(faces, axis=1)
+    faces, places = np.take_along_axis(faces, order, 1), np.take_along_axis(places, order[:, :, None], 1)
+    _, first, inverse, count = np.unique(faces, axis=0, return_index=True, return_inverse=True, return_counts=True)
+    outer = places[first[count == 1]]
+    on_plane = (np.ptp(outer, axis=1) == 0) & (outer[:, 0] == np.round(outer[:, 0]))
+    by_face = np.argsort(inverse.ravel(), kind="stable")
+    pairs = places[by_face[count[inverse.ravel()[by_face]] == 2]].reshape(-1, 2, 3, 3)
+    turned = np.einsum("rij,fkj->rfki", rotations(), pairs[:, 0])
+    motions = pairs[None, :, 1] - turned
+    glued = (motions == motions[:, :, :1]).all(axis=(2, 3)) & (motions == np.round(motions)).all(axis=(2, 3))
+    return int((~on_plane.any(axis=1)).sum()), int((glued.sum(axis=0) != 1).sum())
+
+
+def symmetries():
+    """The 24 ways to number the corners of a hexahedron anew that keep its faces and their sense."""
+    places = np.array([(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))])
+    found = []
+    for rotation in rotations():
+        turned = (2 * places - 1) @ rotation.T
+        found.append([int(np.flatnonzero((2 * places - 1 == corner).all(axis=1))[0]) for corner in turned])
     return found
 
 
@@ -154,7 +181,8 @@ def row_of(built, path, mesh):
     made.unlink(missing_ok=True)
     points, tets, coordinates = read_map(path)
     volumes = six_volumes(coordinates)
-    flips = f"{(volumes < 0).sum()}, {(volumes == 0).sum()}"
+    outer, inner = inexact_faces(tets, coordinates)
+    flips = f"{(volumes < 0).sum()}, {(volumes == 0).sum()} | {'yes' if outer + inner == 0 else f'{outer}, {inner}'}"
     ours = read_hexahedra(mesh)
     fault = ended([built / "hexex", path, made], HEXEX_SECONDS, path.with_suffix(".hexex.log"))
     if fault:
@@ -219,8 +247,8 @@ def main():
     options = parser.parse_args()
     if not options.maps and not (options.program and options.out and options.models):
         parser.error("give --program, --out and models, or --maps")
-    print("| model | cells | outcome | flipped, flat tets | ours: hexahedra, vertices | libHexEx | beside ours | libHexHex | beside ours | "
-          "closed, ours and libHexEx |\n|---|---|---|---|---|---|---|---|---|---|")
+    print("| model | cells | outcome | flipped, flat tets | exact | ours: hexahedra, vertices | libHexEx | beside ours | libHexHex | beside ours | "
+          "closed, ours and libHexEx |\n|---|---|---|---|---|---|---|---|---|---|---|")
     of_maps(options) if options.maps else of_models(options)
 
 
