@@ -32,9 +32,9 @@ struct SupernodeOptions {
 /// below among its columns, and comes after it. All rows below a supernode are columns of its ancestors.
 class Supernodes {
  public:
-  /// `places` has the place of each row in an order without much fill: a permutation; rows of one branch keep
-  /// together in the order that is taken. The pattern of `matrix` is symmetric, with the entries of both
-  /// triangles; entries of value zero count.
+  /// `places` is a permutation: the place of each row in an order without much fill. Rows get other places of
+  /// the same fill, in which each branch of the forest keeps together. The pattern of `matrix` is symmetric,
+  /// with the entries of both triangles; entries of value zero count.
   Supernodes(const Eigen::SparseMatrix<double>& matrix, std::vector<int> places,
              const SupernodeOptions& options = {});
 

@@ -114,6 +114,16 @@ TEST_F(HexMeshing, TriesOnlyTheCoarsestOfSizesWithManyTets) {
   EXPECT_NEAR(tried.front().size, 0.6, 1e-9);
 }
 
+TEST_F(HexMeshing, SearchesOnAfterPoorHexahedraAndKeepsThem) {
+  HexMeshingOptions options = of_size(1);
+  options.tet_shares = {1, 2};
+  options.least_quality = 1.5;  // more than any hexahedron has
+  const Hexahedra made = make_hexahedra(make_box({4, 2, 3}), options);
+  EXPECT_EQ(made.report.tried_tets.size(), 2u);
+  EXPECT_EQ(made.report.outcome, HexOutcome::kAllHex);
+  EXPECT_EQ(made.mesh.hexahedra.size(), 24u);
+}
+
 TEST_F(HexMeshing, KeepsWhatItHasWhereLaterTetsFail) {
   const Hexahedra made = partial_pyramid({1, 0.05}, 20000);
   ASSERT_EQ(made.report.tried_tets.size(), 2u);
