@@ -38,7 +38,7 @@ endif()
 if(TARGET crossgrain_cad)
   install(TARGETS crossgrain_cad RUNTIME DESTINATION "${CROSSGRAIN_HELPER_FOLDER}" COMPONENT cad)
   # A program with the static library in it may stand anywhere; its linker notes down where the helper is, and
-  # the library asks for that (io/process/helper_program.hpp).
+  # the library asks for that (process/helper_program.hpp).
   if(NOT BUILD_SHARED_LIBS)
     target_link_options(crossgrain-io INTERFACE
                         "$<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${CROSSGRAIN_HELPER_FOLDER}>")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # A layer is a folder of src/ built as an object library that links the layers below it only; a component is a
-# library that users link, of one or more layers. `cmake/check_layers.py` holds the same order for includes.
+# library that users link, of one or more layers. `cmake/check_layers.py` holds includes to the same order.
 
 set_property(GLOBAL PROPERTY CROSSGRAIN_LAYERS "")
 
@@ -21,7 +21,6 @@ function(crossgrain_layer name)
   if(NOT LAYER_SOURCES)
     return()
   endif()
-  get_property(lower GLOBAL PROPERTY CROSSGRAIN_LAYERS)
   add_library(crossgrain_${name} OBJECT ${LAYER_SOURCES})
   crossgrain_compile_settings(crossgrain_${name})
   set_target_properties(crossgrain_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
@@ -33,7 +32,7 @@ function(crossgrain_layer name)
 endfunction()
 
 # crossgrain_component(NAME LAYERS ... [COMPONENTS ...] [LIBRARIES ...]): the library crossgrain::NAME that users
-# link: the objects of some layers. COMPONENTS are those whose symbols it uses.
+# link: the objects of some layers, each a folder of src/. COMPONENTS are those whose symbols it uses.
 function(crossgrain_component name)
   cmake_parse_arguments(COMPONENT "" "" "LAYERS;COMPONENTS;LIBRARIES" ${ARGN})
   set(target "crossgrain-${name}")
@@ -41,6 +40,9 @@ function(crossgrain_component name)
   add_library(crossgrain::${name} ALIAS ${target})
   crossgrain_compile_settings(${target})
   foreach(layer IN LISTS COMPONENT_LAYERS)
+    if(NOT TARGET crossgrain_${layer})
+      add_subdirectory("${PROJECT_SOURCE_DIR}/src/${layer}")
+    endif()
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:crossgrain_${layer}>)
   endforeach()
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION}

@@ -88,7 +88,7 @@ crossgrain_package(
   SECTION libs
   SUMMARY "volumetric frame fields (shared libraries)"
   TEXT "${what_it_is}\n\nThis package has the shared libraries, with the C interface."
-  COMPONENTS core hex files io meshing page picture c
+  COMPONENTS core hex files io meshing display page picture c
   RECOMMENDS crossgrain-cad)
 crossgrain_package(
   libcrossgrain-dev

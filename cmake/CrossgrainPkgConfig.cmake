@@ -63,6 +63,7 @@ ${fields}Cflags: -I\${includedir}
 endfunction()
 
 set(description_of_core "Volumetric frame fields: meshes in, fields out (C++20)")
+set(description_of_display "What pages and pictures show of fields of Crossgrain (C++20)")
 set(description_of_files "Files of Crossgrain as bytes (C++20)")
 set(description_of_hex "Hexahedra along frame fields of Crossgrain (C++20)")
 set(description_of_io "Reading models, writing fields of Crossgrain (C++20)")

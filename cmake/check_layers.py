@@ -4,11 +4,12 @@
 
 Usage: check_layers.py [ROOT]
 
-  src/LAYER/            includes itself, the layers before it, and public headers
+  src/LAYER/            includes itself, the layers before it in its component, those of components that this one needs, and
+                        public headers
   include/crossgrain/   includes public headers and the standard library
   apps/ examples/       include public headers and what stands in their own folder, or in that of a program they share
 
-OpenCASCADE (*.hxx) stands in src/io/cad/program/ only, and Netgen (nglib.h) in src/io/tet_making/netgen_program/, which are built
+OpenCASCADE (*.hxx) stands in src/cad_reading/program/ only, and Netgen (nglib.h) in src/tet_making/netgen_program/, which are built
 as programs apart; only these folders include their headers.
 """
 
@@ -16,18 +17,42 @@ import re
 import sys
 from pathlib import Path
 
-# From the lowest up, as in CMakeLists.txt.
-LAYERS = ["base", "harmonics", "constraint", "surface", "remeshing", "tets", "grid", "field", "singularity", "matching", "reduction", "repair", "sampling", "measure", "solve",
-          "display", "map", "hex", "files", "io", "meshing", "page", "picture", "c_interface", "distributed"]
 
-# Layers below another in the list that it stands beside, not above.
-BESIDE = {"files": ["map", "hex"], "io": ["map", "hex"], "page": ["map", "hex", "meshing"], "picture": ["io", "page", "map", "hex", "meshing"]}
+
+def components_of(cmake_lists):
+    """{name: (its layers from the lowest up, the components that it needs)} of the calls in CMakeLists.txt."""
+    components = {}
+    for name, arguments in re.findall(r"^ *crossgrain_component\(\s*(\w+)([^)]*)\)", cmake_lists, re.MULTILINE):
+        lists = {"LAYERS": [], "COMPONENTS": [], "LIBRARIES": []}
+        for word in arguments.split():
+            if word in lists:
+                current = lists[word]
+            else:
+                current.append(word)
+        components[name] = (lists["LAYERS"], lists["COMPONENTS"])
+    return components
+
+
+COMPONENTS = components_of((Path(__file__).parent.parent / "CMakeLists.txt").read_text(encoding="utf-8"))
+
+# From the lowest up; the last two are of the C interface, which sees all, and of several processes.
+LAYERS = [layer for layers, _ in COMPONENTS.values() for layer in layers] + ["c_interface", "distributed"]
+
+# Layers below another in its component that it stands beside, not above.
+BESIDE = {
+    "process": ["text", "vtu"],
+    "cad_reading": ["text", "vtu"],
+    "mesh_files": ["process"],
+    "results": ["process", "cad_reading"],
+    "remeshing": ["text", "vtu", "process", "cad_reading", "mesh_files", "results"],
+    "tet_making": ["results"],
+}
 
 # The folder of src/ with OpenCASCADE in it.
-CAD_PROGRAM = "io/cad/program/"
+CAD_PROGRAM = "cad_reading/program/"
 
 # The one with Netgen in it.
-NETGEN_PROGRAM = "io/tet_making/netgen_program/"
+NETGEN_PROGRAM = "tet_making/netgen_program/"
 
 OUTER_FOLDERS = ["apps", "examples"]
 
@@ -39,9 +64,21 @@ STANDARD_HEADER = re.compile(r"^[a-z0-9_]+$")
 C_HEADERS = ["stddef.h", "stdint.h"]
 
 
+def layers_in(component):
+    """Those of a component and of all that it needs."""
+    layers, needed = COMPONENTS[component]
+    return [layer for name in needed for layer in layers_in(name)] + layers
+
+
 def layers_seen_by(layer):
-    below = LAYERS[: LAYERS.index(layer) + 1]
-    return [name for name in below if name not in BESIDE.get(layer, [])]
+    if layer == "c_interface":
+        return LAYERS[: LAYERS.index(layer) + 1]
+    if layer == "distributed":
+        return layers_in("core") + [layer]
+    component = next(name for name, (layers, _) in COMPONENTS.items() if layer in layers)
+    seen = layers_in(component)
+    last = len(seen) - seen[::-1].index(layer)
+    return [name for name in seen[:last] if name not in BESIDE.get(layer, [])]
 
 
 def includes_of(path):
@@ -64,9 +101,9 @@ def fault_in_layer(layer, path, quote, included):
     if included.endswith("nglib.h") and not path.startswith(NETGEN_PROGRAM):
         return f"Netgen stands in the program src/{NETGEN_PROGRAM} only"
     if included.startswith(CAD_PROGRAM) and not path.startswith(CAD_PROGRAM):
-        return "the library sees no more of the program for CAD files than io/cad/cad_messages.hpp"
+        return "the library sees no more of the program for CAD files than cad_reading/cad_messages.hpp"
     if included.startswith(NETGEN_PROGRAM) and not path.startswith(NETGEN_PROGRAM):
-        return "the library sees no more of the program with Netgen than io/tet_making/netgen_messages.hpp"
+        return "the library sees no more of the program with Netgen than tet_making/netgen_messages.hpp"
     if first in ("tbb", "oneapi") and layer != "base":
         return "oneTBB stands behind base/parallel.hpp; use parallel_for"
     if quote == "<" and (first != "crossgrain" and first not in LAYERS or STANDARD_HEADER.match(included)):
@@ -107,7 +144,7 @@ def faults(root):
     for folder in sorted(path for path in source_root.glob("*") if path.is_dir()):
         layer = folder.name
         if layer not in LAYERS:
-            yield f"src/{layer}: unknown layer; add it to LAYERS in cmake/check_layers.py and to CMakeLists.txt"
+            yield f"src/{layer}: unknown layer; add it to a component in CMakeLists.txt"
             continue
         for path in sources_below(folder):
             for number, quote, included in includes_of(path):

@@ -16,11 +16,11 @@
 #include "display/surface_numbers.hpp"
 #include "field/field_data.hpp"
 #include "grid/merged_depth.hpp"
-#include "io/result/output_cells.hpp"
 #include "page/scene_hexahedra.hpp"
 #include "page/scene_parts.hpp"
 #include "page/scene_streamlines.hpp"
 #include "page/scene_tets.hpp"
+#include "results/output_cells.hpp"
 
 namespace crossgrain {
 namespace {

@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-#include "io/made_bricks.hpp"
+#include "mesh_files/made_bricks.hpp"
 
 namespace crossgrain {
 namespace {

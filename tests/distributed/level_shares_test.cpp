@@ -17,7 +17,7 @@
 #include "distributed/random_cuts.hpp"
 #include "distributed/thread_exchange.hpp"
 #include "field/field_data.hpp"
-#include "io/result/output_cells.hpp"
+#include "results/output_cells.hpp"
 #include "solve/shared_solve.hpp"
 #include "support/shapes.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/cad/cad_checks.hpp"
+#include "cad_reading/cad_checks.hpp"
 
+#include "cad_reading/cad_messages.hpp"
 #include "fuzz/input_folder.hpp"
 #include "fuzz/mesh_promises.hpp"
 #include "fuzz/reader_checks.hpp"
-#include "io/cad/cad_messages.hpp"
-#include "io/tet_making/netgen_messages.hpp"
+#include "tet_making/netgen_messages.hpp"
 
 namespace crossgrain {
 namespace {

@@ -11,14 +11,14 @@
 #include "fuzz/input_folder.hpp"
 #include "fuzz/mesh_promises.hpp"
 #include "fuzz/reader_checks.hpp"
-#include "io/hex/hex_arrays.hpp"
-#include "io/json/json_file.hpp"
-#include "io/result/field_arrays.hpp"
-#include "io/result/report_file.hpp"
-#include "io/result/singularity_file.hpp"
-#include "io/result/surface_file.hpp"
-#include "io/sample_field.hpp"
-#include "io/vtk_files.hpp"
+#include "mesh_files/hex/hex_arrays.hpp"
+#include "mesh_files/vtk_files.hpp"
+#include "results/report_file.hpp"
+#include "results/sample_field.hpp"
+#include "results/singularity_file.hpp"
+#include "results/surface_file.hpp"
+#include "text/json_file.hpp"
+#include "vtu/array_names.hpp"
 
 namespace crossgrain {
 namespace {

@@ -8,18 +8,18 @@
 #include <random>
 #include <stdexcept>
 
+#include "cad_reading/made_cad_answers.hpp"
 #include "fuzz/reader_checks.hpp"
-#include "io/gmsh_files.hpp"
-#include "io/made_bricks.hpp"
-#include "io/made_cad_answers.hpp"
-#include "io/made_netgen_answers.hpp"
-#include "io/medit_files.hpp"
-#include "io/result/axes_behind_faces.hpp"
-#include "io/result/report_file.hpp"
-#include "io/sample_field.hpp"
-#include "io/vtk_files.hpp"
+#include "mesh_files/gmsh_files.hpp"
+#include "mesh_files/made_bricks.hpp"
+#include "mesh_files/medit_files.hpp"
+#include "mesh_files/vtk_files.hpp"
+#include "results/axes_behind_faces.hpp"
+#include "results/report_file.hpp"
+#include "results/sample_field.hpp"
 #include "singularity/cube_group.hpp"
 #include "singularity/tet_matchings.hpp"
+#include "tet_making/made_netgen_answers.hpp"
 #include "tets/tet_meshes.hpp"
 
 namespace crossgrain {

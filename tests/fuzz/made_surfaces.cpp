@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "fuzz/made_inputs.hpp"
-#include "io/surface_files.hpp"
+#include "mesh_files/surface_files.hpp"
 
 namespace crossgrain {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "fuzz/reader_checks.hpp"
-#include "io/vtu/vtu_data.hpp"
+#include "vtu/vtu_data.hpp"
 
 namespace crossgrain {
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "crossgrain/solve.hpp"
-#include "io/made_bricks.hpp"
 #include "measure/made_tets.hpp"
+#include "mesh_files/made_bricks.hpp"
 #include "page/scene_hexahedra.hpp"
 #include "page/scene_tets.hpp"
 #include "singularity/axis_names.hpp"

@@ -56,7 +56,7 @@ class LayerCheck(unittest.TestCase):
 
     def test_pictures_see_neither_files_of_fields_nor_the_page(self):
         self.assert_no_fault("src/picture/renderer.cpp", '"files/output_file.hpp"')
-        self.assert_one_fault("src/picture/renderer.cpp", '"io/result/surface_file.hpp"')
+        self.assert_one_fault("src/picture/renderer.cpp", '"results/surface_file.hpp"')
         self.assert_one_fault("src/picture/renderer.cpp", '"page/page_scene.hpp"')
 
     def test_a_public_header_includes_nothing_private_and_no_library(self):
@@ -81,10 +81,10 @@ class LayerCheck(unittest.TestCase):
         self.assert_one_fault("src/field/sweep.cpp", "<oneapi/tbb/parallel_for.h>")
 
     def test_opencascade_stays_in_its_program(self):
-        self.assert_no_fault("src/io/cad/program/bodies.cpp", "<TopoDS_Shape.hxx>")
-        self.assert_no_fault("src/io/cad/program/bodies.cpp", '"io/cad/program/bodies.hpp"')
-        self.assert_one_fault("src/io/surface/stl_reader.cpp", "<TopoDS_Shape.hxx>")
-        self.assert_one_fault("src/io/cad/cad_reader.cpp", '"io/cad/program/bodies.hpp"')
+        self.assert_no_fault("src/cad_reading/program/bodies.cpp", "<TopoDS_Shape.hxx>")
+        self.assert_no_fault("src/cad_reading/program/bodies.cpp", '"cad_reading/program/bodies.hpp"')
+        self.assert_one_fault("src/mesh_files/surface/stl_reader.cpp", "<TopoDS_Shape.hxx>")
+        self.assert_one_fault("src/cad_reading/cad_reader.cpp", '"cad_reading/program/bodies.hpp"')
 
 
 if __name__ == "__main__":

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cad_reading/cad_reader.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "base/system_memory.hpp"
+#include "cad_reading/cad_checks.hpp"
+#include "cad_reading/cad_messages.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/features.hpp"
+#include "crossgrain/version.hpp"
+#include "process/helper_process.hpp"
+#include "process/helper_program.hpp"
+
+namespace crossgrain {
+namespace {
+
+using End = HelperOutcome::End;
+
+/// Exit status when the dynamic linker finds a library missing.
+constexpr int kLibrariesMissing = 127;
+
+/// Sines and the like of the GNU C library differ in the last bit between processors with and without fused
+/// multiply-add, and with them OpenCASCADE's triangles. All processors have the variants without.
+constexpr const char* kOneArithmetic = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4";
+
+constexpr double kSecondsPerByte = 10e-6;
+
+std::filesystem::path cad_program(const InputFile& file, const ReadOptions& options) {
+  const std::filesystem::path program =
+      options.cad_program.empty() ? crossgrain::cad_program() : options.cad_program;
+  if (program.empty())
+    fail_input(file, {}, fmt::format("this Crossgrain cannot read CAD files: {} is missing", kCadProgramName),
+               Remedy::kInstallCadReader);
+  return program;
+}
+
+/// Memory limit for the helper: what is allowed, less what this process uses.
+std::size_t memory_for_helper(const InputFile& file, const ReadOptions& options) {
+  const std::size_t most = allowed_memory_bytes(options.max_memory_bytes), held = current_memory_bytes();
+  if (held >= most)
+    throw Error(ErrorKind::kLimit,
+                {file.name(), "",
+                 fmt::format("no memory is left to read it: {:.3g} GB are allowed and {:.3g} GB in use",
+                             static_cast<double>(most) / 1e9, static_cast<double>(held) / 1e9),
+                 Remedy::kAllowMemory});
+  return most - held;
+}
+
+CadFault out_of_memory(std::size_t allowed) {
+  return {fmt::format("OpenCASCADE needs more than the {:.3g} GB of memory that it may take",
+                      static_cast<double>(allowed) / 1e9),
+          Remedy::kSimplifyOrAllowMemory};
+}
+
+/// Returns the error for an outcome without an answer.
+CadFault fault_of(const HelperRun& run, const HelperOutcome& outcome) {
+  if (outcome.end == End::kTimedOut)
+    return {
+        fmt::format(
+            "OpenCASCADE did not finish within {:.3g} s and was stopped: the file is damaged or very complex",
+            run.seconds),
+        Remedy::kAllowReadTime};
+  if (outcome.end == End::kTooLong) return out_of_memory(run.max_answer_bytes);
+  if (outcome.end == End::kExited && outcome.number == kLibrariesMissing)
+    return {fmt::format("the reader of CAD files, {}, cannot find libraries of OpenCASCADE",
+                        run.program.string()),
+            Remedy::kInstallOpenCascade};
+  if (outcome.end == End::kExited && !is_cad_greeting(outcome.answer))
+    return {fmt::format("{} does not belong to Crossgrain {}", run.program.string(), kVersion),
+            Remedy::kReinstall};
+  if (outcome.end == End::kKilled && outcome.number == SIGKILL)
+    return {"the system stopped OpenCASCADE while it read the file, usually because memory ran out",
+            Remedy::kFreeMemory};
+  return {
+      fmt::format("OpenCASCADE crashed on it ({}): it is damaged, or has data that OpenCASCADE cannot read",
+                  outcome.end == End::kKilled ? ::strsignal(outcome.number) : "no complete answer"),
+      Remedy::kRepairFile};
+}
+
+[[noreturn]] void fail_input(const InputFile& file, const CadFault& fault) {
+  fail_input(file, {}, fault.text, fault.remedy);
+}
+
+HelperOutcome outcome_of(const InputFile& file, const HelperRun& run, const Monitor& monitor) {
+  try {
+    return run_helper(run, monitor);
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again)
+      throw Error(ErrorKind::kLimit,
+                  {file.name(), "",
+                   "the system starts no more processes, and CAD files are read in one; end some, or raise "
+                   "their limit (ulimit -u)",
+                   Remedy::kNone});
+    fail_input(file, {},
+               fmt::format("the reader of CAD files, {}, cannot be started: {}", run.program.string(),
+                           error.code().message()),
+               Remedy::kInstallCadReader);
+  }
+}
+
+void check_range(double value, double most, const char* name) {
+  if (value > 0 && value <= most) return;
+  throw Error(ErrorKind::kUsage,
+              fmt::format("{} is {}, but must be above 0 and at most {}", name, value, most));
+}
+
+void check_options(const ReadOptions& options) {
+  check_range(options.chord_error_cells, std::numeric_limits<double>::max(), "chord_error_cells");
+  check_range(options.facet_angle_deg, 90, "facet_angle_deg");
+  check_range(options.crease_angle_deg, 180, "crease_angle_deg");
+  if (!(options.glue_gap >= 0 && options.glue_gap < 1))
+    throw Error(ErrorKind::kUsage,
+                fmt::format("glue_gap is {}, but must be at least 0 and below 1", options.glue_gap));
+  check_range(options.read_seconds, std::numeric_limits<double>::max(), "read_seconds");
+}
+
+void check_format(const InputFile& file, CadFormat format) {
+  switch (format) {
+    case CadFormat::kStep:
+      return check_step_file(file);
+    case CadFormat::kIges:
+      return check_iges_file(file);
+    case CadFormat::kBrep:
+      return check_brep_file(file);
+  }
+}
+
+}  // namespace
+
+CadModel read_cad(const InputFile& file, CadFormat format, const ReadOptions& options, const Monitor& monitor,
+                  CadContent content) {
+  check_format(file, format);
+  check_options(options);
+  CadRequest request{file.name(), format, options, ::getpid(), content == CadContent::kWithSolids};
+  request.options.max_memory_bytes = memory_for_helper(file, options);
+  const HelperRun run{cad_program(file, options),
+                      arguments_of(request),
+                      {kOneArithmetic},
+                      options.read_seconds + kSecondsPerByte * static_cast<double>(file.bytes().size()),
+                      request.options.max_memory_bytes};
+  const HelperOutcome outcome = outcome_of(file, run, monitor);
+  std::optional<CadAnswer> answer = cad_answer_in(outcome.answer);
+  if (!answer) fail_input(file, fault_of(run, outcome));
+  if (answer->end == CadEnd::kOutOfMemory) fail_input(file, out_of_memory(request.options.max_memory_bytes));
+  if (answer->end == CadEnd::kFault) fail_input(file, answer->fault);
+  for (Warning& warning : answer->mesh.warnings) warning.file = file.name();
+  return {std::move(answer->mesh), std::move(answer->solids)};
+}
+
+}  // namespace crossgrain

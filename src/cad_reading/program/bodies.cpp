@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cad_reading/program/bodies.hpp"
+
+#include <fmt/format.h>
+
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
+#include <algorithm>
+#include <optional>
+
+#include "cad_reading/program/fault.hpp"
+#include "cad_reading/program/glued_solids.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Relative to the longest side: above the gaps of IGES files, below any practical cell size.
+constexpr double kSewingTolerance = 1e-5;
+
+/// Returns the distinct shapes of a kind in the order of TopExp::MapShapes, except those inside a shape of
+/// `avoided`.
+std::vector<TopoDS_Shape> shapes_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
+                                    TopAbs_ShapeEnum avoided = TopAbs_SHAPE) {
+  TopTools_IndexedMapOfShape seen;
+  std::vector<TopoDS_Shape> found;
+  for (TopExp_Explorer explorer(shape, kind, avoided); explorer.More(); explorer.Next()) {
+    const int known = seen.Extent();
+    if (seen.Add(explorer.Current()) > known) found.push_back(explorer.Current());
+  }
+  return found;
+}
+
+TopoDS_Shape compound_of(const std::vector<Body>& bodies) {
+  const BRep_Builder builder;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  for (const Body& body : bodies) builder.Add(compound, body.shape);
+  return compound;
+}
+
+TopoDS_Shape shell_of(const TopoDS_Shape& face) {
+  const BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  builder.Add(shell, face);
+  return shell;
+}
+
+/// Joins the faces that belong to no solid into shells: closed shells stay as they are, all else is sewn.
+class LooseFaces {
+ public:
+  LooseFaces(const TopoDS_Shape& shape, double longest_side) : sewing_(kSewingTolerance * longest_side) {
+    std::vector<TopoDS_Shape> to_sew = shapes_of(shape, TopAbs_FACE, TopAbs_SHELL);
+    for (const TopoDS_Shape& shell : shapes_of(shape, TopAbs_SHELL, TopAbs_SOLID)) {
+      (BRep_Tool::IsClosed(shell) ? shells_ : to_sew).push_back(shell);
+    }
+    if (to_sew.empty()) return;
+    for (const TopoDS_Shape& part : to_sew) sewing_.Add(part);
+    sewing_.Perform();
+    const TopoDS_Shape sewn = sewing_.SewedShape();
+    if (sewn.IsNull()) return;
+    for (const TopoDS_Shape& shell : shapes_of(sewn, TopAbs_SHELL)) shells_.push_back(shell);
+    for (const TopoDS_Shape& face : shapes_of(sewn, TopAbs_FACE, TopAbs_SHELL))
+      shells_.push_back(shell_of(face));
+  }
+
+  const std::vector<TopoDS_Shape>& shells() const { return shells_; }
+
+  /// Returns what a face of the original shape has become.
+  TopoDS_Shape now(const TopoDS_Shape& face) const { return sewing_.ModifiedSubShape(face); }
+
+ private:
+  BRepBuilderAPI_Sewing sewing_;
+  std::vector<TopoDS_Shape> shells_;
+};
+
+/// Appends the solids, or the pieces that they were cut into.
+void add_solids(const std::vector<TopoDS_Shape>& solids, const std::optional<GluedSolids>& glued,
+                std::vector<Body>& bodies) {
+  if (glued) {
+    for (const auto& [piece, number] : glued->pieces())
+      bodies.push_back({piece, true, static_cast<std::int32_t>(number)});
+    return;
+  }
+  for (const TopoDS_Shape& solid : solids)
+    bodies.push_back({solid, true, static_cast<std::int32_t>(bodies.size())});
+}
+
+Warning warning_of(std::size_t solids, const std::vector<TopoDS_Shape>& shells) {
+  const auto closed = std::count_if(shells.begin(), shells.end(),
+                                    [](const TopoDS_Shape& shell) { return BRep_Tool::IsClosed(shell); });
+  const std::string parts =
+      fmt::format("{} closed and {} open, each solved as a separate solid", closed, shells.size() - closed);
+  const char* const what = solids == 0 ? "the file has no solids, only faces, which form shells: "
+                                       : "the file has faces that belong to no solid and form shells: ";
+  return {WarningKind::kLooseFaces, what + parts};
+}
+
+}  // namespace
+
+double longest_side_at_most(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  const bool use_triangulation = false;
+  BRepBndLib::Add(shape, box, use_triangulation);
+  if (box.IsVoid()) return 0;
+  if (box.IsOpen()) throw Fault("has a face or curve without bounds", Remedy::kExportAgain);
+  double low[3], high[3];
+  box.Get(low[0], low[1], low[2], high[0], high[1], high[2]);
+  return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+}
+
+Bodies find_bodies(const TopoDS_Shape& shape, const ReadOptions& options) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  if (faces.IsEmpty()) throw Fault("has no faces, only curves or points", Remedy::kExportAgain);
+
+  Bodies result;
+  result.whole = shape;
+  const std::vector<TopoDS_Shape> solids = shapes_of(shape, TopAbs_SOLID);
+  const double longest_side = longest_side_at_most(shape);
+  std::optional<GluedSolids> glued;
+  if (options.glue && solids.size() > 1) glued.emplace(solids, options.glue_gap * longest_side);
+  add_solids(solids, glued, result.bodies);
+  const LooseFaces loose(shape, longest_side);
+  if (!loose.shells().empty()) {
+    result.warnings.push_back(warning_of(solids.size(), loose.shells()));
+    auto number = static_cast<std::int32_t>(solids.size());
+    for (const TopoDS_Shape& shell : loose.shells())
+      result.bodies.push_back({shell, BRep_Tool::IsClosed(shell), number++});
+  }
+  if (glued || !loose.shells().empty()) result.whole = compound_of(result.bodies);
+
+  TopExp::MapShapes(result.whole, TopAbs_FACE, result.faces);
+  TopExp::MapShapes(result.whole, TopAbs_EDGE, result.edges);
+  result.face_numbers.assign(static_cast<std::size_t>(result.faces.Extent()) + 1, 0);
+  for (int number = 1; number <= faces.Extent(); ++number) {
+    const TopoDS_Shape sewn = result.faces.Contains(faces(number)) ? faces(number) : loose.now(faces(number));
+    for (const TopoDS_Shape& face : glued ? glued->now(sewn) : std::vector<TopoDS_Shape>{sewn}) {
+      std::int32_t& known = result.face_numbers[static_cast<std::size_t>(result.faces.FindIndex(face))];
+      if (known == 0) known = number;
+    }
+  }
+  return result;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cad_reading/program/shape_file.hpp"
+
+#include <fmt/format.h>
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+#include <IGESControl_Reader.hxx>
+#include <IGESData_GlobalSection.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Reader.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_AsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+#include "cad_reading/program/fault.hpp"
+#include "cad_reading/program/step_contents.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Unit to which OpenCASCADE converts, also its default.
+constexpr const char* kUnit = "mm";
+
+void ask_for_millimetres() {
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+}
+
+/// Common spelling of a unit; unknown names in lower case.
+std::string short_unit(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  constexpr std::array<std::pair<const char*, const char*>, 6> kShort = {{{"millimetre", "mm"},
+                                                                          {"centimetre", "cm"},
+                                                                          {"metre", "m"},
+                                                                          {"micrometre", "um"},
+                                                                          {"kilometre", "km"},
+                                                                          {"in", "inch"}}};
+  for (const auto& [from, to] : kShort) {
+    if (name == from) return to;
+  }
+  return name;
+}
+
+/// Throws Fault if part of the geometry of an IGES file did not load: OpenCASCADE would go on with null
+/// pointers and crash.
+void refuse_damaged_geometry(const Handle(Interface_InterfaceModel) & model) {
+  constexpr std::array<std::string_view, 2> kGeometry = {"IGESGeom_", "IGESSolid_"};
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    if (!model->IsErrorEntity(i)) continue;
+    const Handle(Standard_Transient) entity = model->Value(i);
+    const std::string_view type = entity->DynamicType()->Name();
+    const auto begins = [type](std::string_view beginning) { return type.starts_with(beginning); };
+    if (std::none_of(kGeometry.begin(), kGeometry.end(), begins)) continue;
+    throw Fault(fmt::format("entity {} is damaged", model->StringLabel(entity)->ToCString()));
+  }
+}
+
+void warn_without_unit(CadShape& result) {
+  if (result.file_unit.empty())
+    result.warnings.emplace_back(WarningKind::kUnknownUnit,
+                                 "the file does not give a unit of length; millimetres are assumed");
+}
+
+std::string units_of(STEPControl_Reader& reader) {
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  std::string units;
+  for (int i = 1; i <= lengths.Length(); ++i)
+    units += (i > 1 ? ", " : "") + short_unit(lengths(i).ToCString());
+  return units;
+}
+
+/// Reads all parts, and warns of those with faces that could not be read.
+void transfer_parts(STEPControl_Reader& reader, const StepContents& contents,
+                    std::vector<Warning>& warnings) {
+  const int roots = reader.NbRootsForTransfer();
+  int parts = 0, missing = 0;
+  for (int i = 1; i <= roots; ++i) {
+    const bool has_faces = contents.holds_faces(reader.RootForTransfer(i));
+    const bool read = reader.TransferRoot(i);
+    parts += has_faces || read;
+    missing += has_faces && !read;
+  }
+  if (missing > 0)
+    warnings.emplace_back(
+        WarningKind::kMissingParts,
+        fmt::format("parts that OpenCASCADE could not read, so they are missing: {} of {}", missing, parts));
+}
+
+/// Throws Fault if the parts of an assembly are in other files.
+void refuse_without_faces(const CadShape& result, const StepContents& contents) {
+  if (!result.shape.IsNull() && TopExp_Explorer(result.shape, TopAbs_FACE).More()) return;
+  const std::vector<std::string> files = contents.other_files();
+  if (files.empty()) return;
+  throw Fault(fmt::format("has no faces: its parts are in other files, {}{}", files.front(),
+                          files.size() > 1 ? fmt::format(" and {} more", files.size() - 1) : ""),
+              Remedy::kGivePartFiles);
+}
+
+CadShape read_step_shape(const std::string& path) {
+  STEPControl_Reader reader;
+  ask_for_millimetres();
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+    throw Fault("is damaged, or not a STEP file that OpenCASCADE can read", Remedy::kExportAgain);
+  const StepContents contents(reader.WS()->Graph());
+  contents.keep_sound_shapes();
+  CadShape result;
+  result.unit = kUnit;
+  result.file_unit = units_of(reader);
+  warn_without_unit(result);
+  transfer_parts(reader, contents, result.warnings);
+  result.shape = reader.OneShape();
+  refuse_without_faces(result, contents);
+  return result;
+}
+
+/// Returns the unit by the flag of the global section (IGES 5.3, section 2.2.4.3.14); the unit's name is
+/// optional.
+std::string iges_unit(const IGESData_GlobalSection& section) {
+  constexpr std::array kNames = {"",  "inch", "mm",  "",   "foot", "mile",
+                                 "m", "km",   "mil", "um", "cm",   "microinch"};
+  constexpr int kByName = 3;
+  const int flag = section.UnitFlag();
+  if (flag == kByName && !section.UnitName().IsNull()) return short_unit(section.UnitName()->ToCString());
+  return flag > 0 && flag < static_cast<int>(kNames.size()) ? kNames[static_cast<std::size_t>(flag)] : "";
+}
+
+CadShape read_iges_shape(const std::string& path) {
+  IGESControl_Reader reader;
+  ask_for_millimetres();
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+    throw Fault("is damaged, or not an IGES file that OpenCASCADE can read", Remedy::kExportAgain);
+  refuse_damaged_geometry(reader.Model());
+  CadShape result;
+  result.unit = kUnit;
+  result.file_unit = iges_unit(reader.IGESModel()->GlobalSection());
+  warn_without_unit(result);
+  reader.TransferRoots();
+  result.shape = reader.OneShape();
+  return result;
+}
+
+bool is_binary_brep(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 40> head{};
+  file.read(head.data(), head.size());
+  return std::string(head.data(), head.size()).find("Open CASCADE") != std::string::npos;
+}
+
+CadShape read_brep_shape(const std::string& path) {
+  CadShape result;
+  bool done = false;
+  if (is_binary_brep(path)) {
+    done = BinTools::Read(result.shape, path.c_str());
+  } else {
+    done = BRepTools::Read(result.shape, path.c_str(), BRep_Builder());
+  }
+  if (!done) throw Fault("is damaged, or not a BREP file that OpenCASCADE can read", Remedy::kExportAgain);
+  return result;
+}
+
+}  // namespace
+
+CadShape read_shape(const std::string& path, CadFormat format) {
+  CadShape result = format == CadFormat::kStep   ? read_step_shape(path)
+                    : format == CadFormat::kIges ? read_iges_shape(path)
+                                                 : read_brep_shape(path);
+  if (result.shape.IsNull()) throw Fault("has no shapes that could be read", Remedy::kExportAgain);
+  return result;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Formats of meshes that are chosen by the name of the file.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "crossgrain/error.hpp"
+#include "crossgrain/monitor.hpp"
+#include "files/output_file.hpp"
+#include "text/text_scanner.hpp"
+
+namespace crossgrain {
+
+/// How a Mesh is written to files with an extension.
+template <class Mesh>
+struct MeshFormat {
+  std::string_view extension;
+  void (*write)(OutputFile& file, const Mesh& mesh, const Monitor& monitor);
+};
+
+/// Returns the format of a file. Throws Error(kUsage) with `refusal` if it is none of these.
+template <class Mesh>
+const MeshFormat<Mesh>& format_of(const std::filesystem::path& path,
+                                  std::span<const MeshFormat<Mesh>> formats, const char* refusal) {
+  for (const MeshFormat<Mesh>& format : formats)
+    if (equals_ignoring_case(format.extension, path.extension().string())) return format;
+  throw Error(ErrorKind::kUsage, {path.string(), "", refusal});
+}
+
+/// Writes a mesh in its format. The file appears complete or not at all. Throws Error(kOutput) and
+/// Error(kInterrupted).
+template <class Mesh>
+void write_mesh(const MeshFormat<Mesh>& format, const Mesh& mesh, const std::filesystem::path& path,
+                const Monitor& monitor) {
+  OutputFile file(path);
+  format.write(file, mesh, monitor);
+  file.commit();
+}
+
+}  // namespace crossgrain

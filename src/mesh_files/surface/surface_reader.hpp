@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Readers of surface files. Each takes a whole file and returns its surface, with polygons and CAD faces
+// triangulated and vertices welded or not. All throw Error(kInput) with file, place and remedy. To add a
+// format, add a file with such a function and a row to the table in surface_reader.cpp.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "cad_reading/cad_messages.hpp"
+#include "crossgrain/io.hpp"
+#include "files/input_file.hpp"
+
+namespace crossgrain {
+
+/// Reads STL, ASCII or binary, distinguished by content: a binary file has exactly 84 + 50 n bytes with n
+/// from its header.
+TriangleMesh read_stl(const InputFile& file);
+
+/// Reads Wavefront OBJ: v and f; everything else (textures, normals, groups, lines, free-form surfaces) is
+/// ignored.
+TriangleMesh read_obj(const InputFile& file);
+
+/// Reads PLY 1.0, ASCII or binary in either byte order: x, y, z of `vertex` and the list vertex_indices (or
+/// vertex_index) of `face`; other properties and elements are skipped.
+TriangleMesh read_ply(const InputFile& file);
+
+/// Reads Geomview OFF in text, with any colours, normals and texture coordinates (COFF, NOFF, STOFF).
+TriangleMesh read_off(const InputFile& file);
+
+/// Returns the format of a CAD file by its extension; nothing for other files.
+std::optional<CadFormat> cad_format_of(const std::filesystem::path& path);
+
+}  // namespace crossgrain

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/report_file.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/io.hpp"
+#include "crossgrain/version.hpp"
+#include "files/input_file.hpp"
+#include "files/read_memory.hpp"
+#include "results/json_members.hpp"
+#include "results/report_members.hpp"
+#include "results/result_files.hpp"
+#include "results/solve_id.hpp"
+#include "text/json_file.hpp"
+
+namespace crossgrain {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// With its key it is kJsonMark.
+constexpr const char* kProgram = "Crossgrain";
+
+/// With its value it is kJsonSolve.
+constexpr const char* kSolveKey = "solve";
+
+}  // namespace
+
+std::string report_json(const SolveReport& report) {
+  return json_text(json_of(report));
+}
+
+Json json_of(const SolveReport& report) {
+  Json json;
+  json["schema"] = kReportSchema;
+  json["program"] = kProgram;
+  JsonWriter writer(json);
+  writer.text(kSolveKey, report.solve);
+  describe_results(writer, report);
+  json["version"] = kVersion;
+  describe_doubts(writer, report);
+  return json;
+}
+
+void warn_of_numbers_not_finite(SolveReport& report) {
+  const std::vector<std::string> places = numbers_not_finite(json_of(report));
+  if (places.empty()) return;
+  report.warnings.emplace_back(
+      WarningKind::kNotFinite,
+      fmt::format("{} of the report {} not finite and null in report.json, the first is {}",
+                  counted(places.size(), "number"), is_or_are(places.size()), places.front()),
+      Remedy::kReportModel);
+}
+
+std::string check_json(const SolveReport& report) {
+  Json json;
+  JsonWriter writer(json);
+  describe_answer(writer, report.answer);
+  describe_singularity(writer, "grid", report.singularity);
+  if (report.onto) describe_singularity(writer, "tets", report.onto->singularity);
+  writer.optional_object("coarser", report.coarser,
+                         [](auto& inner, auto& coarser) { describe_coarser(inner, coarser); });
+  return json_text(json);
+}
+
+std::vector<SolveReport::UnmarkedFile> unmarked_files_of(const std::filesystem::path& path) {
+  SolveReport report;
+  try {
+    const InputFile file(path);
+    const Json json = Json::parse(file.bytes(), nullptr, false);
+    JsonReader reader(json, file);
+    describe_unmarked_files(reader, report);
+  } catch (const Error&) {
+    report.unmarked_files.clear();
+  }
+  return report.unmarked_files;
+}
+
+std::optional<std::string> model_of_result(const std::filesystem::path& folder) {
+  try {
+    const InputFile file(folder / kReportFile);
+    const Json json = Json::parse(file.bytes(), nullptr, false);
+    SolveReport report;
+    JsonReader(json, file).object("model", [&](auto& model) { model.member("path", report.model.path); });
+    return report.model.path;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+SolveReport report_of_result(const std::filesystem::path& folder) {
+  return read_report(folder / kReportFile);
+}
+
+SolveReport read_report(const std::filesystem::path& path) {
+  const InputFile file(path);
+  // A value of two characters takes this much in the worst case, while its array grows.
+  constexpr double kMemoryOverFile = 32;
+  require_read_memory(file.name(), kMemoryOverFile * static_cast<double>(file.bytes().size()));
+  Checkpoint checkpoint;
+  const auto watch = [&](int, Json::parse_event_t, Json&) { return checkpoint.pass(), true; };
+  const Json json = Json::parse(file.bytes(), watch, false);
+  if (json.is_discarded()) fail_input(file, {}, "is not JSON", Remedy::kCopyOrSolveAgain);
+  JsonReader reader(json, file);
+  int schema = 0;
+  reader.member("schema", schema);
+  if (schema != kReportSchema)
+    fail_input(file, {}, fmt::format("has schema {} and this program reads {}", schema, kReportSchema),
+               Remedy::kSolveAgain);
+  SolveReport report;
+  reader.text(kSolveKey, report.solve);
+  if (!report.solve.empty() && !is_solve_id(report.solve))
+    fail_input(file, {}, "names no solve", Remedy::kCopyOrSolveAgain);
+  describe_results(reader, report);
+  describe_doubts(reader, report);
+  return report;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tet_making/made_tets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "tets/tet_shape.hpp"
+#include "tets/tet_solid.hpp"
+
+namespace crossgrain {
+namespace {
+
+constexpr std::array kFaults{WarningKind::kRepeatedTets, WarningKind::kFlatTets,
+                             WarningKind::kOverlappingTets, WarningKind::kStrayTags};
+
+void drop_unused_vertices(TetMesh& mesh) {
+  std::vector<std::uint32_t> new_index(mesh.vertices.size(), UINT32_MAX);
+  for (const auto& tet : mesh.tets)
+    for (const std::uint32_t vertex : tet) new_index[vertex] = 0;
+  std::vector<Vector3> kept;
+  for (std::size_t v = 0; v < new_index.size(); ++v) {
+    if (new_index[v] == UINT32_MAX) continue;
+    new_index[v] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(mesh.vertices[v]);
+  }
+  const auto is_unused = [&](const auto& feature) {
+    return std::any_of(feature.vertices.begin(), feature.vertices.end(),
+                       [&](std::uint32_t v) { return new_index[v] == UINT32_MAX; });
+  };
+  std::erase_if(mesh.feature_edges, is_unused);
+  std::erase_if(mesh.feature_faces, is_unused);
+  const auto renumber = [&](auto& vertices) {
+    for (std::uint32_t& v : vertices) v = new_index[v];
+  };
+  for (auto& tet : mesh.tets) renumber(tet);
+  for (TetMesh::Edge& edge : mesh.feature_edges) renumber(edge.vertices);
+  for (TetMesh::Face& face : mesh.feature_faces) renumber(face.vertices);
+  mesh.vertices = std::move(kept);
+}
+
+}  // namespace
+
+TetMesh checked_tets(TetMesh mesh, const std::string& program) {
+  if (mesh.tets.empty()) throw TetFailure{fmt::format("{} makes no tets of it", program)};
+  drop_unused_vertices(mesh);
+  for (auto& tet : mesh.tets)
+    if (shape_of_tet(mesh.vertices, tet) == TetShape::kInverted) std::swap(tet[2], tet[3]);
+  std::vector<Warning> warnings;
+  try {
+    prepare_tets(mesh, warnings);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kInput) throw;
+    throw TetFailure{fmt::format("{} makes tets that are no solid: {}", program, error.what())};
+  }
+  for (Warning& warning : warnings) {
+    if (std::find(kFaults.begin(), kFaults.end(), warning.kind) != kFaults.end())
+      throw TetFailure{fmt::format("{} makes {}", program, warning.text)};
+  }
+  return mesh;
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/names.hpp"
+#include "base/system_memory.hpp"
+#include "base/vector3.hpp"
+#include "cad_reading/cad_reader.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/features.hpp"
+#include "crossgrain/io.hpp"
+#include "crossgrain/read_limits.hpp"
+#include "crossgrain/tet_making.hpp"
+#include "mesh_files/surface/surface_reader.hpp"
+#include "surface/stitching.hpp"
+#include "surface/topology.hpp"
+#include "tet_making/made_tets.hpp"
+#include "tet_making/surface_faults.hpp"
+#include "tet_making/surface_tets.hpp"
+#include "tet_making/tet_program.hpp"
+#include "tets/tet_shape.hpp"
+
+namespace crossgrain {
+namespace {
+
+using Programs = std::vector<std::unique_ptr<TetProgram>>;
+
+void check_range(double value, double least, double most, const char* name) {
+  if (value >= least && value <= most) return;
+  throw Error(ErrorKind::kUsage,
+              fmt::format("{} is {}, but must be at least {} and at most {}", name, value, least, most));
+}
+
+void check_options(const TetMakingOptions& options) {
+  constexpr double kInfinity = std::numeric_limits<double>::max();
+  check_range(options.size, 0, kInfinity, "size");
+  check_range(options.edges, 1, 1e6, "edges");
+  check_range(options.stitch_share, 0, 1e-2, "stitch_share");
+  check_range(options.seconds, 0, kInfinity, "seconds");
+  check_range(options.triangles.edges_per_circle, 3, 1e6, "edges_per_circle");
+  check_range(options.triangles.smallest_share, 1e-6, 1, "smallest_share");
+  check_range(options.triangles.gradation, 1e-3, 1e3, "gradation");
+  check_range(options.triangles.distance_share, 0, 1e3, "distance_share");
+  check_range(options.triangles.turn_deg, 0, 90, "turn_deg");
+  check_range(options.triangles.rounds, 0, 1000, "rounds");
+}
+
+/// Returns the programs to try, in this order.
+Programs programs_of(const TetMakingOptions& options) {
+  const bool any = options.maker == TetMaker::kAutomatic;
+  Programs programs;
+  const auto gmsh = options.gmsh.empty() ? gmsh_program() : options.gmsh;
+  if ((any || options.maker == TetMaker::kGmsh) && !gmsh.empty()) programs.push_back(gmsh_tets(gmsh));
+  const auto netgen = options.netgen.empty() ? netgen_program() : options.netgen;
+  if ((any || options.maker == TetMaker::kNetgen) && !netgen.empty()) programs.push_back(netgen_tets(netgen));
+  if (!programs.empty()) return programs;
+  throw Error(ErrorKind::kInput,
+              options.maker == TetMaker::kGmsh ? "the program gmsh, which would make the tets, is not in PATH"
+              : options.maker == TetMaker::kNetgen ? "the program crossgrain_netgen is not installed"
+                                                   : "there is no program that makes tets",
+              Remedy::kInstallTetMaker);
+}
+
+/// Edge of a regular tet over the cube root of its volume, to the third power.
+constexpr double kTetsPerCube = 6 * 1.4142135623730951;
+
+/// Returns the size of the tets. Throws if there would be too many.
+double size_for(const TriangleMesh& mesh, const TetMakingOptions& options) {
+  const double longest = longest_side(box_of_solid_triangles(mesh));
+  const double of_edges = longest / options.edges;
+  const double size = options.size == 0        ? of_edges
+                      : options.at_least_edges ? std::min(options.size, of_edges)
+                                               : options.size;
+  double volume = 0, area = 0;
+  for (const auto& triangle : mesh.triangles) {
+    const auto [a, b, c] = corners_of(triangle, mesh.vertices);
+    const Vector3& origin = mesh.vertices[mesh.triangles[0][0]];
+    volume += dot(a - origin, cross(b - origin, c - origin)) / 6;
+    area += norm(cross(b - a, c - a)) / 2;
+  }
+  // Walls thinner than the size have at least a layer of tets beneath their triangles.
+  const double expected =
+      std::max(kTetsPerCube * std::abs(volume) / (size * size * size), area / (size * size));
+  if (expected <= static_cast<double>(options.most_tets)) return size;
+  throw Error(ErrorKind::kLimit,
+              fmt::format("about {:.2g} tets of the size {:.4g} are to be expected, but at most {:.2g} are "
+                          "allowed",
+                          expected, size, static_cast<double>(options.most_tets)),
+              Remedy::kTakeLargerTets);
+}
+
+TetJob job_of(double size, const TetMakingOptions& options, const Monitor& monitor) {
+  const std::size_t most = allowed_memory_bytes(options.max_memory_bytes), held = current_memory_bytes();
+  if (held >= most) throw Error(ErrorKind::kLimit, "no memory is left to make tets", Remedy::kAllowMemory);
+  return {size, options.seconds, most - held, options.triangles, monitor};
+}
+
+/// Tries one way after the other until one succeeds. Failures become warnings, or the error of the first.
+class Attempts {
+ public:
+  template <class Make>
+  void attempt(const Make& make) {
+    if (made_) return;
+    try {
+      made_ = make();
+    } catch (TetFailure& failure) {
+      failures_.push_back(std::move(failure));
+    }
+  }
+
+  TetMesh result() && {
+    if (!made_) throw Error(failures_.front().kind, failures_.front().text, failures_.front().remedy);
+    for (const TetFailure& failure : failures_)
+      made_->warnings.emplace_back(WarningKind::kTetMaker,
+                                   failure.text + ", so the tets were made in another way");
+    return *std::move(made_);
+  }
+
+ private:
+  std::optional<TetMesh> made_;
+  std::vector<TetFailure> failures_;
+};
+
+/// Fills a mended surface: first with new triangles, then with the given ones.
+void attempt_surface(const Surface& surface, const TetMakingOptions& options, const Programs& programs,
+                     const TetJob& job, Attempts& attempts) {
+  const PatchedSurface given = surface_to_fill(surface, options.creases);
+  const PatchedSurface even = filled_triangles(given, job);
+  for (const PatchedSurface* triangles : {&even, &given}) {
+    for (const auto& program : programs)
+      attempts.attempt([&] { return checked_tets(tets_in(*triangles, *program, job), program->name()); });
+  }
+}
+
+void add_first(std::vector<Warning>& to, const std::vector<Warning>& warnings) {
+  to.insert(to.begin(), warnings.begin(), warnings.end());
+}
+
+/// Replaces places in lists of the solids by the numbers of the model; edges that are no creases are not
+/// stated.
+void number_as_model(TetMesh& mesh, const CadModel& model) {
+  const auto number = [](const std::vector<std::int32_t>& numbers, std::int32_t place) {
+    const auto index = static_cast<std::size_t>(place) - 1;
+    return index < numbers.size() ? numbers[index] : 0;
+  };
+  for (std::int32_t& region : mesh.regions) region = number(model.solids.solid_numbers, region) + 1;
+  for (TetMesh::Face& face : mesh.feature_faces) face.tag = number(model.solids.face_numbers, face.tag);
+  std::set<std::int32_t> creases;
+  for (const CreaseCurve& crease : model.mesh.creases) creases.insert(crease.tag);
+  for (TetMesh::Edge& edge : mesh.feature_edges) {
+    edge.tag = number(model.solids.edge_numbers, edge.tag);
+    edge.is_stated = creases.contains(edge.tag);
+  }
+}
+
+/// Throws Error(kInput) if solids are not closed, naming the places.
+void check_solids(const CadModel& model) {
+  std::set<std::int32_t> solids(model.mesh.solids.begin(), model.mesh.solids.end());
+  for (const std::int32_t closed : model.solids.solid_numbers) solids.erase(closed);
+  if (solids.empty()) return;
+  TriangleMesh open;
+  open.vertices = model.mesh.vertices;
+  for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t)
+    if (solids.contains(model.mesh.solids[t])) open.triangles.push_back(model.mesh.triangles[t]);
+  check_bounds_solid(SearchableSurface(mend_surface(CheckedMesh(weld(std::move(open))))));
+}
+
+TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingOptions& options,
+                 const Monitor& monitor) {
+  ReadOptions reading;
+  reading.crease_angle_deg = options.creases.least_deg;
+  reading.read_seconds = options.read_seconds;
+  reading.glue = options.glue;
+  reading.max_memory_bytes = options.max_memory_bytes;
+  reading.cad_program = options.cad_program;
+  const CadModel model = read_cad(file, format, reading, monitor, CadContent::kWithSolids);
+  const TetJob job = job_of(size_for(model.mesh, options), options, monitor);
+  check_solids(model);
+  const Programs programs = programs_of(options);
+  monitor.report({Phase::kMakeTets, 0, 0, 0, 0});
+  Attempts attempts;
+  for (const auto& program : programs) {
+    attempts.attempt([&] {
+      TetMesh mesh = checked_tets(program->cut(model.solids.brep, job), program->name());
+      number_as_model(mesh, model);
+      return mesh;
+    });
+  }
+  // The triangles of the reader, where no program can cut the faces.
+  if (model.solids.solid_numbers.size() == 1) {
+    attempts.attempt([&] {
+      const SearchableSurface surface(mend_surface(CheckedMesh(weld(model.mesh))));
+      check_bounds_solid(surface);
+      Attempts others;
+      attempt_surface(surface.surface(), options, programs, job, others);
+      return std::move(others).result();
+    });
+  }
+  TetMesh mesh = std::move(attempts).result();
+  mesh.unit = model.mesh.unit;
+  mesh.file_unit = model.mesh.file_unit;
+  add_first(mesh.warnings, model.mesh.warnings);
+  return mesh;
+}
+
+/// Returns a mesh without the cracks that rounding leaves; adds to its warnings.
+TriangleMesh without_cracks(TriangleMesh mesh, double share) {
+  const CheckedMesh checked(std::move(mesh));
+  std::vector<Warning> warnings = checked->warnings;
+  StitchedSurface result = stitched(weld(*checked), share * longest_side(box_of_solid_triangles(*checked)));
+  if (result.merged > 0)
+    warnings.emplace_back(WarningKind::kSurfaceFinding,
+                          fmt::format("cracks: {} on open edges, at most {:.3g} apart, merged with others",
+                                      counted(result.merged, "vertex", "vertices"), result.widest));
+  result.mesh.warnings = std::move(warnings);
+  return std::move(result.mesh);
+}
+
+TetMesh triangle_tets(TriangleMesh given, const TetMakingOptions& options, const Monitor& monitor) {
+  const std::string unit = given.unit, file_unit = given.file_unit;
+  TriangleMesh mesh = without_cracks(std::move(given), options.stitch_share);
+  const std::vector<Warning> reading = std::move(mesh.warnings);
+  const SearchableSurface surface(mend_surface(CheckedMesh::derived(std::move(mesh))));
+  const std::vector<Warning> mended = check_bounds_solid(surface);
+  const TetJob job = job_of(size_for(surface.surface().mesh, options), options, monitor);
+  const Programs programs = programs_of(options);
+  monitor.report({Phase::kMakeTets, 0, 0, 0, 0});
+  Attempts attempts;
+  attempt_surface(surface.surface(), options, programs, job, attempts);
+  TetMesh result = std::move(attempts).result();
+  result.unit = unit;
+  result.file_unit = file_unit;
+  add_first(result.warnings, mended);
+  add_first(result.warnings, reading);
+  return result;
+}
+
+}  // namespace
+
+const char* name_of(TetMaker maker) {
+  constexpr std::array kNames{"automatic", "gmsh", "netgen"};
+  return name_among<TetMaker::kNetgen>(kNames, maker);
+}
+
+TetQuality quality_of(const TetMesh& mesh) {
+  TetQuality quality;
+  double sum = 0;
+  for (const auto& tet : mesh.tets) {
+    std::array<Vector3, 4> corners;
+    for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.vertices[tet[k]];
+    const double shape = mean_ratio(corners);
+    quality.worst = std::min(quality.worst, shape);
+    sum += shape;
+  }
+  if (!mesh.tets.empty()) quality.mean = sum / static_cast<double>(mesh.tets.size());
+  return quality;
+}
+
+TetMesh make_tets(const TriangleMesh& surface, const TetMakingOptions& options, const Monitor& monitor) {
+  check_options(options);
+  const ReadLimits limits(monitor, options.max_memory_bytes);
+  return triangle_tets(surface, options, monitor);
+}
+
+TetMesh make_tets(const std::filesystem::path& model, const TetMakingOptions& options,
+                  const Monitor& monitor) {
+  check_options(options);
+  const ReadLimits limits(monitor, options.max_memory_bytes);
+  monitor.report({Phase::kRead, 0, 0, 0, 0});
+  try {
+    if (is_tet_file(model))
+      throw Error(ErrorKind::kInput, "holds tets already; solve on these, or give a surface or a CAD file");
+    if (const auto format = cad_format_of(model))
+      return cad_tets(InputFile(model), *format, options, monitor);
+    return triangle_tets(read_surface(model, {}, monitor), options, monitor);
+  } catch (const Error& error) {
+    const bool is_of_model =
+        error.file().empty() && (error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit);
+    if (is_of_model) throw error.with_file(model.string());
+    throw;
+  }
+}
+
+}  // namespace crossgrain

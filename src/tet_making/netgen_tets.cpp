@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <utility>
+
+#include "crossgrain/version.hpp"
+#include "process/private_folder.hpp"
+#include "tet_making/netgen_messages.hpp"
+#include "tet_making/tet_program.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Exit status when the dynamic linker finds a library missing.
+constexpr int kLibrariesMissing = 127;
+
+class NetgenTets : public TetProgram {
+ public:
+  explicit NetgenTets(std::filesystem::path program) : program_(std::move(program)) {}
+
+  std::string name() const override { return "Netgen"; }
+
+  FilledTets fill(const ClosedTriangles& surface, const TetJob& job) const override {
+    const PrivateFolder folder;
+    folder.write(kNetgenSurface, netgen_surface_bytes({surface.vertices, surface.triangles}));
+    TetMesh mesh = run(folder, NetgenWork::kFill, job);
+    return {std::move(mesh.vertices), std::move(mesh.tets)};
+  }
+
+  TetMesh cut(const std::string& brep, const TetJob& job) const override {
+    const PrivateFolder folder;
+    folder.write(kNetgenSolids, brep);
+    return run(folder, NetgenWork::kCut, job);
+  }
+
+ private:
+  TetMesh run(const PrivateFolder& folder, NetgenWork work, const TetJob& job) const {
+    const std::string place = folder.path().string();
+    const NetgenRequest request{::getpid(), work, job.size, job.triangles, job.max_memory_bytes, place};
+    const HelperRun run{
+        program_, arguments_of(request), {"TMPDIR=" + place, "LC_ALL=C"}, job.seconds, job.max_memory_bytes};
+    const HelperOutcome outcome = run_tet_program(run, name(), job.monitor);
+    if (outcome.end == HelperOutcome::End::kKilled) folder.fail("the file is larger than allowed");
+    if (folder.is_full()) folder.fail("no space left");
+    std::optional<NetgenAnswer> answer = netgen_answer_in(outcome.answer);
+    if (!answer) fail_without_answer(outcome);
+    if (answer->end == NetgenEnd::kOutOfMemory)
+      throw TetFailure{fmt::format("Netgen needs more than the {:.3g} GB of memory that it may take",
+                                   static_cast<double>(job.max_memory_bytes) / 1e9),
+                       ErrorKind::kLimit, Remedy::kTakeLargerTets};
+    if (answer->end == NetgenEnd::kFault) throw TetFailure{answer->fault};
+    return std::move(answer->mesh);
+  }
+
+  [[noreturn]] void fail_without_answer(const HelperOutcome& outcome) const {
+    if (outcome.number == kLibrariesMissing)
+      throw TetFailure{fmt::format("{} cannot find libraries of Netgen", program_.string()),
+                       ErrorKind::kInput, Remedy::kInstallTetMaker};
+    if (!is_netgen_greeting(outcome.answer))
+      throw TetFailure{fmt::format("{} does not belong to Crossgrain {}", program_.string(), kVersion),
+                       ErrorKind::kInput, Remedy::kReinstall};
+    throw TetFailure{"Netgen crashed on it (no complete answer)"};
+  }
+
+  std::filesystem::path program_;
+};
+
+}  // namespace
+
+std::unique_ptr<TetProgram> netgen_tets(const std::filesystem::path& program) {
+  return std::make_unique<NetgenTets>(program);
+}
+
+}  // namespace crossgrain

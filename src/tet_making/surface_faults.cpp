@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tet_making/surface_faults.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "crossgrain/error.hpp"
+#include "measure/input_report.hpp"
+#include "surface/self_intersections.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Longer lists of places do not help to find them.
+constexpr std::size_t kMostPlaces = 5;
+
+std::string text_of(const Vector3& place) {
+  return fmt::format("{:.6g} {:.6g} {:.6g}", place[0], place[1], place[2]);
+}
+
+/// Returns "2 holes: of 4 edges around 0 0 1 and of 3 edges around 5 0 1", the longest first.
+std::string holes_in_words(std::vector<OpenLoop> loops) {
+  std::erase_if(loops, [](const OpenLoop& loop) { return !loop.is_hole(); });
+  if (loops.empty()) return "";
+  std::stable_sort(loops.begin(), loops.end(),
+                   [](const OpenLoop& a, const OpenLoop& b) { return a.length > b.length; });
+  std::string text = counted(loops.size(), "hole") + ":";
+  for (std::size_t k = 0; k < std::min(loops.size(), kMostPlaces); ++k)
+    text += fmt::format("{} {} around {}", k == 0 ? "" : ",", counted(loops[k].edges, "edge"),
+                        text_of(loops[k].middle));
+  if (loops.size() > kMostPlaces) text += fmt::format(", and {} smaller", loops.size() - kMostPlaces);
+  return text;
+}
+
+[[noreturn]] void refuse(const std::string& text, Remedy remedy) {
+  throw Error(ErrorKind::kInput, text, remedy);
+}
+
+void refuse_if_open(const MendedSurface& mended) {
+  if (mended.closed) return;
+  const std::string holes = holes_in_words(mended.open_loops);
+  if (!holes.empty()) refuse("the surface is not closed, it has " + holes, Remedy::kCloseHoles);
+  const Finding* crack = find(mended.findings, FindingKind::kCrack);
+  if (crack != nullptr)
+    refuse(fmt::format("the surface is not closed, it has {} along cracks, the widest {:.3g} across at {}",
+                       counted(crack->count, "open edge"), crack->length.value_or(0), text_of(crack->place)),
+           Remedy::kCloseHoles);
+  const Finding* edges = find(mended.findings, FindingKind::kNonmanifoldEdge);
+  refuse(fmt::format("the surface is not closed{}",
+                     edges == nullptr ? std::string()
+                                      : fmt::format(": {} of more than two triangles, the first at {}",
+                                                    counted(edges->count, "edge"), text_of(edges->place))),
+         Remedy::kCloseSurface);
+}
+
+void refuse_if_crossing(const SurfaceFindings& findings) {
+  for (const FindingKind kind : {FindingKind::kSelfIntersection, FindingKind::kOverlappingComponents}) {
+    const Finding* finding = find(findings, kind);
+    if (finding == nullptr) continue;
+    const bool is_within = kind == FindingKind::kSelfIntersection;
+    refuse(fmt::format("{}: {}{}, the first at {}",
+                       is_within ? "the surface cuts through itself" : "closed parts of the surface overlap",
+                       finding->at_least ? "at least " : "", counted(finding->count, "pair"),
+                       text_of(finding->place)),
+           Remedy::kUniteParts);
+  }
+}
+
+}  // namespace
+
+std::vector<Warning> check_bounds_solid(const SearchableSurface& surface) {
+  refuse_if_open(surface.mended());
+  SurfaceFindings findings = surface.mended().findings;
+  find_self_intersections(surface.mended(), surface.bvh(), surface.winding(), findings);
+  refuse_if_crossing(findings);
+  std::vector<Warning> warnings;
+  for (SolveReport::Finding finding : input_report(surface.mended(), findings).findings) {
+    // What they separate is cut into tets as one solid.
+    if (finding.kind == FindingKind::kInternalSheet) finding.done = FindingOutcome::kLeftOut;
+    warnings.emplace_back(WarningKind::kSurfaceFinding, sentence_of(finding));
+  }
+  return warnings;
+}
+
+}  // namespace crossgrain
