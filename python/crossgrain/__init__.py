@@ -21,7 +21,7 @@ from ._watched import Progress
 from .constraints import Constraints, read_constraints
 from .errors import Error, InputError, InternalError, Interrupted, LimitError, OutputError, UsageError
 from .field import CONSTRAINT_CLASSES, Field, Samples
-from .hex_mesh import HexMesh, hex  # pylint: disable=redefined-builtin
+from .hex_meshing import hex  # pylint: disable=redefined-builtin
 from .models import Crease, Surface, TetMesh, make_tets, read_surface, read_tets
 from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, HexMeshingOptions, HexOptions, KeptFormOptions, MapPreparationOptions, OntoOptions, OtherStart, OutputOptions,
                       PictureOptions, ReadOptions, RefinementOptions, RemeshingOptions, RepairOptions, RepairWeights,
@@ -31,7 +31,8 @@ from .singularities import Answer, Arc, Node, Reason, SingularityGraph, read_sin
 from .solving import carry_onto, is_clipped, read, solve, solve_onto
 from .spectra import Spectrum, coefficients, spectrum
 from .streamlines import Streamline, Streamlines, read_streamlines
-from .tet_field import Matchings, TetField
+from .matchings import Matchings
+from .tet_field import HexMesh, TetField
 
 __version__ = _library_of_c.crossgrain_version().decode()
 

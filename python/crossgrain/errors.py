@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
+from typing import Iterator
+
 
 class Error(Exception):
     """A failure of the library. ``str()`` of it is one line: the file, the place in it, what is wrong and what to do."""
@@ -56,3 +59,12 @@ class Interrupted(Error):
 
 class InternalError(Error, RuntimeError):
     """A fault of the library; please report it."""
+
+
+@contextmanager
+def naming(file: str) -> Iterator[None]:
+    """Errors about the model name its file."""
+    try:
+        yield
+    except InputError as error:
+        raise error.with_file(file) from None

@@ -18,6 +18,7 @@ from .options import AnswerOptions, OutputOptions, PictureOptions, SingularityOp
 from .singularities import Answer, SingularityGraph
 from .spectra import coefficients
 from .streamlines import Streamlines, traced
+from .vtk_data import grid_of
 
 CONSTRAINT_CLASSES = ("no_surface", "plane", "axis", "frame", "free", "conflicted")
 """Names of ``Field.constraint_classes``: what the constraints in a cell determine."""
@@ -103,7 +104,6 @@ class _AnyField:
 
     def to_vtk(self) -> Any:
         """The cells with their numbers as a vtkUnstructuredGrid, which pyvista wraps (``pyvista.wrap``). Needs the package vtk."""
-        from .vtk_data import grid_of
         return grid_of(self._points_and_cells(), self._cell_data(), self._point_data())
 
     def to_meshio(self) -> Any:

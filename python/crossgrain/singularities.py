@@ -9,6 +9,7 @@ from typing import Any, List, Optional, Tuple
 import numpy as np
 
 from ._library import Handle, _text, array_view, library, made, path_bytes
+from .vtk_data import polydata_of
 
 VERDICTS = ("meshable", "not_meshable", "undecided")
 ARC_TYPES = ("regular", "changing", "no_axis")
@@ -127,8 +128,10 @@ class SingularityGraph:
 
     def to_vtk(self) -> Any:
         """A vtkPolyData with a polyline per arc, its index, type and verdict as cell data."""
-        from .vtk_data import polydata_of_graph
-        return polydata_of_graph(self)
+        return polydata_of([arc.points for arc in self.arcs], {
+            "index": np.array([arc.index for arc in self.arcs], np.float64),
+            "type": np.array([ARC_TYPES.index(arc.type) for arc in self.arcs], np.uint8),
+            "verdict": np.array([VERDICTS.index(arc.verdict) for arc in self.arcs], np.uint8)})
 
 
 def read_singularities(path: Any) -> SingularityGraph:

@@ -4,30 +4,19 @@
 from __future__ import annotations
 
 import ctypes
-from contextlib import contextmanager
-from typing import Any, Iterator, Optional, Union
+from typing import Any, Optional, Union
 
-from ._library import Handle, call, handle_in, made, path_bytes
+from ._library import call, handle_in, made, path_bytes
 from ._options import solve_handle, unless_none, with_changes
 from ._arrays import integer
 from ._progress import ProgressOption, listener
 from ._watched import watched
 from .constraints import constraints_of
-from .errors import InputError, UsageError
+from .errors import UsageError, naming
 from .field import Field
 from .models import TetMesh, is_of_tets, reading_for, surface_of, tets_of
 from .options import MapPreparationOptions, ReadOptions, RepairOptions, SolveOptions
 from .tet_field import TetField
-
-
-@contextmanager
-def naming(file: str) -> Iterator[None]:
-    """Errors about the model name its file."""
-    try:
-        yield
-    except InputError as error:
-        raise error.with_file(file) from None
-
 
 Preparation = Union[bool, MapPreparationOptions]
 Repair = Union[bool, RepairOptions]

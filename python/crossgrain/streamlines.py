@@ -13,6 +13,7 @@ from . import _arrays
 from ._library import Handle, array_view, call, library, made, path_bytes
 from ._watched import watched
 from .errors import UsageError
+from .vtk_data import polydata_of
 
 ENDS = ("boundary", "singular_arc", "closed", "longest", "ambiguous", "crowded")
 
@@ -82,8 +83,8 @@ class Streamlines:
 
     def to_vtk(self) -> Any:
         """A vtkPolyData with a polyline per line, and the name of its axis as cell data."""
-        from .vtk_data import polydata_of_lines
-        return polydata_of_lines(self)
+        axes = np.array([line.axis for line in self.lines], np.uint8)
+        return polydata_of([line.points for line in self.lines], {"axis": axes})
 
 
 def read_streamlines(path: Any) -> Streamlines:

@@ -1,55 +1,30 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Frame fields on the vertices and tets of a mesh."""
+"""Frame fields on the vertices and tets of a mesh, and the hexahedra that follow them: each gives the other, so they stand together."""
 
 from __future__ import annotations
 
+import dataclasses
+import json
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
+from typing import Any, Dict, Optional, Tuple
 
 import numpy as np
 
 from . import _arrays
-from ._library import Handle, array_view, call, frozen, library, made
+from ._library import Handle, array_view, call, frozen, library, made, path_bytes, text_from, view
 from ._options import handle_of, unless_none, with_changes
 from ._progress import ProgressOption, listener
 from ._watched import watched
+from .errors import UsageError
 from .field import Field, _AnyField
+from .matchings import Matchings
 from .models import TetMesh
-from .options import HexOptions, RepairOptions, StreamlineOptions
+from .options import HexOptions, OutputOptions, RepairOptions, StreamlineOptions
 from .streamlines import Streamlines, traced
+from .vtk_data import grid_of
 
-if TYPE_CHECKING:
-    from .hex_mesh import HexMesh
-
-
-class Matchings:
-    """How the axes of the frames of neighbouring tets go on in each other, across each face between two tets, ascending by its vertices."""
-
-    def __init__(self, handle: Handle):
-        count = library.crossgrain_matchings_count(Handle.of_kind(handle, "matchings"))
-        self.faces: np.ndarray = array_view(handle, library.crossgrain_matchings_faces(handle), np.uint32, (count, 3))
-        """Vertices of each face, ascending, (f, 3)."""
-        self.tets: np.ndarray = array_view(handle, library.crossgrain_matchings_tets(handle), np.uint32, (count, 2))
-        """The two tets, (f, 2)."""
-        self.axes: np.ndarray = array_view(handle, library.crossgrain_matchings_axes(handle), np.int8, (count, 3))
-        """Axis k of the first tet goes on in the second as its axis ``abs(axes[f, k])``, counted from 1, with the sign of ``axes[f, k]``:
-        as in .perm files, (f, 3)."""
-
-    def __len__(self) -> int:
-        return len(self.tets)
-
-    @cached_property
-    def matrices(self) -> np.ndarray:
-        """The same as matrices, (f, 3, 3): ``matrices[f] @ frames[tets[f, 1]]`` are the axes of the second tet in the names of the first."""
-        result = np.zeros((len(self), 3, 3))
-        rows = np.arange(len(self))[:, None]
-        result[rows, np.arange(3)[None], np.abs(self.axes).astype(np.intp) - 1] = np.sign(self.axes)
-        return frozen(result)
-
-    @property
-    def are_identities(self) -> np.ndarray:
-        """Whether each is the identity, (f,)."""
-        return (self.axes == np.array([1, 2, 3], np.int8)).all(axis=1)
+OUTCOMES = ("all-hex", "partial", "none")
+"""Values of ``HexMesh.outcome``."""
 
 
 class TetField(_AnyField):
@@ -125,7 +100,7 @@ class TetField(_AnyField):
         """How frames of neighbouring tets go on in each other."""
         return Matchings(watched(lambda monitor: made("matchings", "tet_field_matchings", self._handle, monitor.handle)))
 
-    def repaired(self, *, threads: int = 0, options: Optional[RepairOptions] = None, **changes: Any) -> "TetField":
+    def repaired(self, *, threads: int = 0, options: Optional[RepairOptions] = None, **changes: Any) -> TetField:
         """This field with matchings that hexahedra can follow, as far as they were found, and with frames smoothed for them.
 
         ``report["onto"]["repair"]`` tells what has changed. The mesh is the same, but for vertices of one that was prepared for a map
@@ -139,14 +114,13 @@ class TetField(_AnyField):
         return TetField(field, *self._model)
 
     def hexahedra(self, *, size: Optional[float] = None, cells: Optional[float] = None, threads: Optional[int] = None,
-                  options: Optional[HexOptions] = None, progress: ProgressOption = None, **changes: Any) -> "HexMesh":
+                  options: Optional[HexOptions] = None, progress: ProgressOption = None, **changes: Any) -> HexMesh:
         """Hexahedra that fill the tets and follow the frames. The field should be on tets that were prepared for a map
         (`TetMesh.prepared_for_map`); it is repaired first, unless it is so already.
 
         `size` is their edge in model units, `cells` their number along the longest side instead, 20 by default; `changes` replace other
         members of the options. `crossgrain.hex` does all from a model. Raises as `repaired`.
         """
-        from .hex_mesh import HexMesh, sized
         chosen = with_changes(sized(with_changes(options, HexOptions, unless_none(threads=threads)), size, cells), HexOptions, changes)
         handle = handle_of(chosen)
         with listener(progress) as hear:
@@ -171,3 +145,135 @@ class TetField(_AnyField):
 
     def _point_data(self) -> Dict[str, np.ndarray]:
         return {f"vertex_axis_{name}": self.vertex_frames[:, k] for k, name in enumerate("uvw")}
+
+
+class HexMesh:
+    """A mesh of hexahedra, with the field that it follows.
+
+    A mesh that does not fill the model is one too: see ``is_all_hex``, and ``str()`` of the mesh for the reason in one line. Arrays are
+    read-only views; copy them to change them. Immutable: any number of threads may use a mesh at once.
+    """
+
+    def __init__(self, handle: Handle, model: str = "", read_seconds: float = 0.0):
+        self._handle, self._model = Handle.of_kind(handle, "hexahedra"), (model, read_seconds)
+
+    def __repr__(self) -> str:
+        return f"<crossgrain.HexMesh: {self}>"
+
+    def __str__(self) -> str:
+        return library.crossgrain_hexahedra_sentence(self._handle).decode()
+
+    def __len__(self) -> int:
+        """Number of hexahedra."""
+        return library.crossgrain_hexahedra_count(self._handle)
+
+    @property
+    def outcome(self) -> str:
+        """``"all-hex"``: they fill the model, and none is inverted; ``"partial"``: some are left out or inverted; ``"none"``."""
+        return OUTCOMES[library.crossgrain_hexahedra_outcome(self._handle)]
+
+    @property
+    def is_all_hex(self) -> bool:
+        """Whether the hexahedra fill the model, and none is inverted."""
+        return self.outcome == "all-hex"
+
+    @property
+    def reason(self) -> str:
+        """Why it is not all-hex, with a place, and what to try; empty if it is."""
+        its_report = self.report["hexahedra"]
+        return "; try ".join(filter(None, [its_report.get("reason", ""), its_report.get("remedy", "")]))
+
+    @cached_property
+    def points(self) -> np.ndarray:
+        """All vertices, (n, 3)."""
+        count = library.crossgrain_hexahedra_vertex_count(self._handle)
+        return array_view(self._handle, library.crossgrain_hexahedra_vertices(self._handle), np.float64, (count, 3))
+
+    @cached_property
+    def cells(self) -> np.ndarray:
+        """The hexahedra, indices of points, (m, 8), in the order of VTK, gmsh and Abaqus: four around one face, then the four opposite to
+        them."""
+        return array_view(self._handle, library.crossgrain_hexahedra_corners(self._handle), np.uint32, (len(self), 8))
+
+    @cached_property
+    def quality(self) -> np.ndarray:
+        """Scaled Jacobian of each hexahedron, (m,): 1 for a cube, 0 or less if it is inverted."""
+        return array_view(self._handle, library.crossgrain_hexahedra_scaled_jacobians(self._handle), np.float64, (len(self),))
+
+    @property
+    def regions(self) -> Optional[np.ndarray]:
+        """Region number of each hexahedron, (m,): the solid of its middle; None if the model has none."""
+        return view(self._handle, library.crossgrain_hexahedra_regions(self._handle), np.int32, (len(self),))
+
+    @cached_property
+    def faces(self) -> np.ndarray:
+        """The boundary: indices of points, (f, 4), outward."""
+        count = library.crossgrain_hexahedra_face_count(self._handle)
+        return array_view(self._handle, library.crossgrain_hexahedra_faces(self._handle), np.uint32, (count, 4))
+
+    @cached_property
+    def tags(self) -> np.ndarray:
+        """Number of the face of the model, or tag, that each face of the boundary lies on, (f,); 0 without one."""
+        return array_view(self._handle, library.crossgrain_hexahedra_face_tags(self._handle), np.int32, (len(self.faces),))
+
+    @property
+    def unit(self) -> str:
+        """Unit of the coordinates, such as "mm"; empty if the model does not say."""
+        return library.crossgrain_hexahedra_unit(self._handle).decode()
+
+    @cached_property
+    def report(self) -> Dict[str, Any]:
+        """The content of report.json (docs/report.md): ``report["hexahedra"]`` has the numbers of the mesh, the rest is about its field."""
+        return json.loads(text_from("hexahedra_report", self._handle))
+
+    @cached_property
+    def field(self) -> TetField:
+        """The repaired field on tets that the hexahedra follow; ``field.grid`` is the one on the grid."""
+        return TetField(made("tet_field", "hexahedra_field", self._handle), *self._model)
+
+    def write(self, path: Any) -> None:
+        """Writes the mesh in the format of the extension (docs/formats.md): .vtu for ParaView, .mesh for Medit, .msh for gmsh, .inp for
+        CalculiX and Abaqus. The file appears complete or not at all. Raises OutputError, UsageError for other extensions."""
+        encoded = path_bytes(path)
+        watched(lambda monitor: call("hexahedra_write", self._handle, encoded, monitor.handle))
+
+    def write_folder(self, folder: Any, *, page: Optional[bool] = None, options: Optional[OutputOptions] = None,
+                     **changes: Any) -> Dict[str, Any]:
+        """Writes the folder that ``crossgrain hex`` writes: the field on tets (`TetField.write`), and the mesh in all formats; its map
+        too with ``formats=["hexex", "map"]`` (docs/formats.md). Returns the report as written."""
+        if page is not None or options is None:
+            changes["page"] = page is None or page
+        handle, encoded = handle_of(with_changes(options, OutputOptions, changes)), path_bytes(folder)
+        model, seconds = path_bytes(self._model[0]) or None, self._model[1]
+        self.report = json.loads(watched(
+            lambda monitor: text_from("hexahedra_write_folder", self._handle, encoded, handle, model, seconds, monitor.handle)))
+        return self.report
+
+    def to_vtk(self) -> Any:
+        """The mesh as a vtkUnstructuredGrid, which pyvista wraps (``pyvista.wrap``). Needs the package vtk."""
+        return grid_of((self.points, "hexahedron", self.cells), self._cell_data(), {})
+
+    def to_meshio(self) -> Any:
+        """The hexahedra and the faces of the boundary, with regions and tags, as a mesh of meshio. Needs that package."""
+        import meshio  # type: ignore[import]
+        # Every block needs every array.
+        data = {name: [values, np.zeros(len(self.faces), values.dtype)] for name, values in self._cell_data().items()}
+        data["tag"] = [np.zeros(len(self), np.int32), self.tags]
+        # Its writers do not all know unsigned indices.
+        blocks = [("hexahedron", self.cells.astype(np.int64)), ("quad", self.faces.astype(np.int64))]
+        return meshio.Mesh(self.points, blocks, cell_data=data)
+
+    def _cell_data(self) -> Dict[str, np.ndarray]:
+        data = {"scaled_jacobian": self.quality}
+        if self.regions is not None:
+            data["region"] = self.regions
+        return data
+
+
+def sized(options: HexOptions, size: Optional[float], cells: Optional[float]) -> HexOptions:
+    """The options with an edge of the hexahedra or their number along the longest side."""
+    if size is not None and cells is not None:
+        raise UsageError("give the size of the hexahedra or their number, not both")
+    if cells is not None:
+        return dataclasses.replace(options, cells=cells, size=0)
+    return options if size is None else dataclasses.replace(options, size=size)

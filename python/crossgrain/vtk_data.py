@@ -52,7 +52,8 @@ def grid_of(parts: Tuple[np.ndarray, str, np.ndarray], cell_data: Dict[str, np.n
     return grid
 
 
-def _polydata(curves: Sequence[np.ndarray], cell_data: Dict[str, np.ndarray]) -> Any:
+def polydata_of(curves: Sequence[np.ndarray], cell_data: Dict[str, np.ndarray]) -> Any:
+    """A vtkPolyData with a polyline per curve."""
     from vtkmodules.vtkCommonDataModel import vtkPolyData  # type: ignore[import]
     result = vtkPolyData()
     points = np.concatenate(curves) if curves else np.zeros((0, 3))
@@ -61,18 +62,3 @@ def _polydata(curves: Sequence[np.ndarray], cell_data: Dict[str, np.ndarray]) ->
     result.SetLines(_cells(offsets, np.arange(len(points))))
     _add(result.GetCellData(), cell_data)
     return result
-
-
-def polydata_of_graph(graph: Any) -> Any:
-    """A vtkPolyData with a polyline per arc."""
-    from .singularities import ARC_TYPES, VERDICTS
-    arcs = graph.arcs
-    return _polydata([arc.points for arc in arcs], {
-        "index": np.array([arc.index for arc in arcs], np.float64),
-        "type": np.array([ARC_TYPES.index(arc.type) for arc in arcs], np.uint8),
-        "verdict": np.array([VERDICTS.index(arc.verdict) for arc in arcs], np.uint8)})
-
-
-def polydata_of_lines(streamlines: Any) -> Any:
-    """A vtkPolyData with a polyline per streamline."""
-    return _polydata([line.points for line in streamlines], {"axis": np.array([line.axis for line in streamlines], np.uint8)})

@@ -15,11 +15,13 @@ import { answer_blocks, answer_of, place_of, worst_places } from "./ui/answer.ts
 import { by_id, counted, measured, plural } from "./ui/dom.ts";
 import { describe_hexahedron, hexahedra_shown, hexahedra_text, hexahedron_title, show_hexahedron, two_digits, type HexDescription } from "./ui/hex_panel.ts";
 import { describe_element, show_cell, show_no_cell, title_of, type CellPanel } from "./ui/cell_panel.ts";
+import type { Commands } from "./ui/commands.ts";
 import { make_controls } from "./ui/controls.ts";
 import { Keyboard } from "./ui/keyboard.ts";
 import { key_groups } from "./ui/key_groups.ts";
 import { legend_body } from "./ui/legend.ts";
-import { place_groups, place_lists, type Place } from "./ui/places.ts";
+import type { Place } from "./ui/place.ts";
+import { place_groups, place_lists } from "./ui/places.ts";
 import { make_toolbar } from "./ui/toolbar.ts";
 import { PointerClicks } from "./ui/pointer_clicks.ts";
 import { picture_of, save_picture } from "./ui/saved_picture.ts";
@@ -27,7 +29,7 @@ import { link_from, link_of } from "./view_link.ts";
 import { widest_cut } from "./view/widest_cut.ts";
 import type { Tabs } from "./ui/tabs.ts";
 
-export class Application {
+export class Application implements Commands {
   readonly store = new SettingsStore();
   readonly stage: Stage;
   private readonly follow: (settings: Settings) => void;

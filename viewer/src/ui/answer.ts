@@ -4,11 +4,11 @@
 import { add, subtract, type Vector } from "../math/frame.ts";
 import type { Reason, Report, VerdictName } from "../scene/report.ts";
 import { element_alignment, element_center, element_count, element_energy, type Scene } from "../scene/scene.ts";
+import { sign, type Badge, type Judgement } from "./badge.ts";
 import { element, measured, plural } from "./dom.ts";
 import { hexahedra_places } from "./hex_panel.ts";
-import { place_groups, place_lists, type Place } from "./places.ts";
-
-export type Judgement = "good" | "unsure" | "bad";
+import type { Place } from "./place.ts";
+import { place_groups, place_lists } from "./places.ts";
 
 const kVerdicts: Record<VerdictName, { judgement: Judgement; short: string; sign: string }> = {
   meshable: { judgement: "good", short: "can be meshed locally", sign: "✓" },
@@ -16,10 +16,7 @@ const kVerdicts: Record<VerdictName, { judgement: Judgement; short: string; sign
   undecided: { judgement: "unsure", short: "undecided", sign: "?" },
 };
 
-export interface Answer {
-  judgement: Judgement;
-  short: string;
-  sign: string;
+export interface Answer extends Badge {
   sentence: string;
   /** Those of the verdict first; the sentence has the first. */
   reasons: Reason[];
@@ -30,14 +27,6 @@ export function answer_of(report: Report): Answer | null {
   const verdict = report.verdict && kVerdicts[report.verdict];
   return verdict ? { ...verdict, sentence: report.answer ?? verdict.short, reasons: report.reasons ?? [] } : null;
 }
-
-export type Badge = Pick<Answer, "judgement" | "short" | "sign">;
-
-export function badge(answer: Badge | null): Node[] {
-  return answer ? [sign(answer), element("span", { class: "words" }, answer.short)] : [];
-}
-
-const sign = ({ judgement, sign: text }: Badge): HTMLElement => element("span", { class: `sign ${judgement}`, "aria-hidden": "true" }, text);
 
 /** The place of a reason in the scene's coordinates. */
 export function place_of(reason: Reason, origin: Vector): Place {

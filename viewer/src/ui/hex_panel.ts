@@ -6,9 +6,9 @@ import { edge_lengths, hexahedron_count, kInverted, number_of } from "../scene/h
 import type { HexReport, Report } from "../scene/report.ts";
 import type { Scene } from "../scene/scene.ts";
 import type { HexView } from "../view/hex_view.ts";
+import type { Badge } from "./badge.ts";
 import { counted, element, measured, plural } from "./dom.ts";
-import type { Badge } from "./answer.ts";
-import type { Place } from "./places.ts";
+import type { Place } from "./place.ts";
 
 export const hexahedra_text = (count: number): string => plural(count, "hexahedron", "hexahedra");
 

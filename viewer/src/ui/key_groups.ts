@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each key does.
 
-import type { Application } from "../application.ts";
 import type { MapName } from "../math/color_maps.ts";
 import type { CutAxis, Layer } from "../settings.ts";
 import type { ViewName } from "../view/camera_rig.ts";
+import type { Commands } from "./commands.ts";
 import type { Key, KeyGroup } from "./keyboard.ts";
 import { next_theme } from "./toolbar.ts";
 
 const kTurn = Math.PI / 24;
 const kStep = 0.06;
 
-export function key_groups(application: Application): KeyGroup[] {
-  const { store, stage } = application;
+export function key_groups(commands: Commands): KeyGroup[] {
+  const { store, stage } = commands;
   const arrow = (shown: string, key: string, right: number, up: number): Key => ({
     keys: [key], shown, does: "",
     act: (event) => (event.shiftKey ? stage.rig.pan(right * kStep, up * kStep) : stage.rig.turn(right * kTurn, -up * kTurn)),
   });
-  const view = (key: string, name: ViewName, does: string): Key => ({ keys: [key], shown: key, does, act: () => application.view(name) });
+  const view = (key: string, name: ViewName, does: string): Key => ({ keys: [key], shown: key, does, act: () => commands.view(name) });
   const layer = (key: string, name: Layer, does: string): Key => ({
     keys: [key], shown: key.toUpperCase(), does, act: () => store.change({ layers: { [name]: !store.current.layers[name] } }),
   });
   const axis = (key: string, name: CutAxis, does: string): Key => ({
     keys: [key], shown: key.toUpperCase(), does,
-    act: () => application.cut_across(name),
+    act: () => commands.cut_across(name),
   });
   const move = (key: string, direction: number): Key => ({
     keys: direction < 0 ? ["[", "{"] : ["]", "}"], shown: key, does: direction < 0 ? "cut lower; Shift: a little" : "cut higher; Shift: a little",
@@ -41,7 +41,7 @@ export function key_groups(application: Application): KeyGroup[] {
         { keys: ["+", "="], shown: "+", does: "nearer", act: () => stage.rig.zoom(1 / 1.15) },
         { keys: ["-", "_"], shown: "−", does: "further", act: () => stage.rig.zoom(1.15) },
         { keys: ["f"], shown: "F", does: "the whole part", act: () => stage.rig.fit(true) },
-        { keys: ["u"], shown: "U", does: "another axis up", act: () => application.turn_up(({ x: "y", y: "z", z: "x" } as const)[store.current.up]) },
+        { keys: ["u"], shown: "U", does: "another axis up", act: () => commands.turn_up(({ x: "y", y: "z", z: "x" } as const)[store.current.up]) },
         view("0", "iso", "at an angle"), view("1", "front", "front"), view("2", "back", "back"), view("3", "right", "right"),
         view("4", "left", "left"), view("5", "top", "top"), view("6", "bottom", "bottom"),
       ],
@@ -49,7 +49,7 @@ export function key_groups(application: Application): KeyGroup[] {
     {
       name: "Cut",
       keys: [
-        { keys: ["c"], shown: "C", does: "cut or whole", act: () => application.cut(!store.current.cut.on) },
+        { keys: ["c"], shown: "C", does: "cut or whole", act: () => commands.cut(!store.current.cut.on) },
         axis("x", "x", "across x"), axis("y", "y", "across y"), axis("z", "z", "across z"), axis("v", "view", "across the view"),
         move("[", -1), move("]", 1),
         { keys: ["r"], shown: "R", does: "other half", act: () => store.change({ cut: { flip: !store.current.cut.flip } }) },
@@ -61,31 +61,31 @@ export function key_groups(application: Application): KeyGroup[] {
       keys: [
         layer("p", "part", "part"), layer("k", "creases", "creases"), layer("s", "arcs", "singular lines"), layer("n", "nodes", "nodes"),
         layer("l", "streamlines", "streamlines"), layer("g", "glyphs", "frames"), layer("e", "cells", "cells"),
-        ...(application.scene.hexahedra ? [layer("q", "hexahedra", "hexahedra or the field")] : []),
+        ...(commands.scene.hexahedra ? [layer("q", "hexahedra", "hexahedra or the field")] : []),
         { keys: ["b"], shown: "B", does: "curves, crosses or cubes", act: () => store.change({ glyph: { shape: ({ curve: "cross", cross: "cube", cube: "curve" } as const)[store.current.glyph.shape] } }) },
-        { keys: ["m"], shown: "M", does: "next colour map", act: () => next_map(application) },
-        { keys: ["t"], shown: "T", does: "light or dark", act: () => next_theme(application) },
+        { keys: ["m"], shown: "M", does: "next colour map", act: () => next_map(commands) },
+        { keys: ["t"], shown: "T", does: "light or dark", act: () => next_theme(commands) },
       ],
     },
     {
       name: "Places and cells",
       keys: [
-        { keys: ["Enter"], shown: "Enter", does: "pick what is in the middle", act: () => application.pick_middle() },
-        { keys: [".", ">"], shown: ".", does: "next place", act: () => application.visit_next(1) },
-        { keys: [",", "<"], shown: ",", does: "place before", act: () => application.visit_next(-1) },
-        { keys: ["Escape"], shown: "Esc", does: "clear pick and mark", act: () => application.clear() },
-        { keys: ["?"], shown: "?", does: "this list", act: () => application.help() },
+        { keys: ["Enter"], shown: "Enter", does: "pick what is in the middle", act: () => commands.pick_middle() },
+        { keys: [".", ">"], shown: ".", does: "next place", act: () => commands.visit_next(1) },
+        { keys: [",", "<"], shown: ",", does: "place before", act: () => commands.visit_next(-1) },
+        { keys: ["Escape"], shown: "Esc", does: "clear pick and mark", act: () => commands.clear() },
+        { keys: ["?"], shown: "?", does: "this list", act: () => commands.help() },
       ],
     },
   ];
 }
 
-function next_map(application: Application): void {
+function next_map(commands: Commands): void {
   const maps: MapName[] = ["none", "alignment", "energy"];
-  if (!application.scene.tets) maps.push("class");
-  if (application.scene.regions.length > 1) maps.push("region");
-  const { map, opacity } = application.store.current;
+  if (!commands.scene.tets) maps.push("class");
+  if (commands.scene.regions.length > 1) maps.push("region");
+  const { map, opacity } = commands.store.current;
   const next = maps[(maps.indexOf(map) + 1) % maps.length];
-  application.store.change({ map: next, opacity: next !== "none" && opacity < 0.5 ? 0.85 : opacity });
-  application.announce(`Coloured by ${next === "none" ? "nothing" : next}`);
+  commands.store.change({ map: next, opacity: next !== "none" && opacity < 0.5 ? 0.85 : opacity });
+  commands.announce(`Coloured by ${next === "none" ? "nothing" : next}`);
 }

@@ -7,16 +7,7 @@ import { faults_of, type Fault, type FaultPart } from "../scene/faults.ts";
 import type { Report } from "../scene/report.ts";
 import { counted, element, measured, plural } from "./dom.ts";
 import { hexahedra_places } from "./hex_panel.ts";
-
-export interface Place {
-  label: string;
-  /** For a button with little room. */
-  short?: string;
-  detail: string;
-  /** In the scene's coordinates; null where the report names none. */
-  point: Vector | null;
-  warn: boolean;
-}
+import type { Place } from "./place.ts";
 
 /** Places of one kind, summed up in a few words. */
 export interface PlaceKind {

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// A place worth a look.
+
+import type { Vector } from "../math/frame.ts";
+
+export interface Place {
+  label: string;
+  /** For a button with little room. */
+  short?: string;
+  detail: string;
+  /** In the scene's coordinates; null where the report names none. */
+  point: Vector | null;
+  warn: boolean;
+}
