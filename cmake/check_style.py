@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that every source names its licence in its first lines and is formatted by clang-format 14.
+"""Checks that every source names its licence in its first lines and is formatted by clang-format 14, and that no line of the Python
+package is longer than one of C++.
 
 Usage: check_style.py [--fix] [ROOT]     --fix formats in place instead of complaining about the format.
 Prints one line for each fault and exits with 1 where there is one.
@@ -20,6 +21,9 @@ LICENSE_LINE = "SPDX-License-Identifier: Apache-2.0"
 # Where the licence line must stand: the first line, or the second below a "#!".
 LICENSE_WITHIN_LINES = 2
 
+# As ColumnLimit in .clang-format.
+COLUMNS = 110
+
 
 def sources(root, suffixes):
     roots = [root / folder for folder in FOLDERS]
@@ -36,6 +40,13 @@ def files_without_license(root):
         head = path.read_text(encoding="utf-8").splitlines()[:LICENSE_WITHIN_LINES]
         if not any(LICENSE_LINE in line for line in head):
             yield f"{path.relative_to(root)}:1: the first line has to say {LICENSE_LINE}"
+
+
+def long_lines(root):
+    for path in sorted((root / "python").rglob("*.py")):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if len(line) > COLUMNS:
+                yield f"{path.relative_to(root)}:{number}: has {len(line)} columns; at most {COLUMNS}"
 
 
 def files_badly_formatted(root, fix):
@@ -58,7 +69,7 @@ def main():
     parser.add_argument("root", nargs="?", default=Path(__file__).parent.parent, type=Path)
     options = parser.parse_args()
     root = options.root.resolve()
-    found = [*files_without_license(root), *files_badly_formatted(root, options.fix)]
+    found = [*files_without_license(root), *long_lines(root), *files_badly_formatted(root, options.fix)]
     print("\n".join(found) if found else "every source names its licence and is formatted")
     return 1 if found else 0
 

@@ -4,21 +4,29 @@
 
 Usage: generate.py INCLUDE_FOLDER OUTPUT_FOLDER LIBRARY
 
-  _interface.py   the structs, constants and functions of crossgrain/c.h, for ctypes, and the name of the LIBRARY
+  _interface.py   the structs, constants and functions of crossgrain/c.h for ctypes, the name of the LIBRARY
   options.py      a dataclass for each struct of options in the C++ headers, with its defaults and comments
 """
 
 import re
 import sys
+import textwrap
 from pathlib import Path
 
 LICENSE = "# SPDX-License-Identifier: Apache-2.0\n"
 
-# -- crossgrain/c.h ------------------------------------------------------------------------------------------------------------
+
+
+def wrapped(text, indent):
+    """Text in lines of 110 columns, with quotes; the caller indents the first."""
+    return f"\n{indent}".join(textwrap.wrap(text, 104 - len(indent), break_on_hyphens=False))
+
+
+# -- crossgrain/c.h ----------------------------------------------------------------------------------------
 
 SIMPLE_TYPES = {
-    "int": "c_int", "size_t": "c_size_t", "double": "c_double", "float": "c_float", "int8_t": "c_int8", "uint8_t": "c_uint8",
-    "int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64",
+    "int": "c_int", "size_t": "c_size_t", "double": "c_double", "float": "c_float", "int8_t": "c_int8",
+    "uint8_t": "c_uint8", "int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64",
 }
 
 
@@ -27,11 +35,14 @@ class Header:
         text = re.sub(r"/\*.*?\*/", " ", text, flags=re.S)
         text = re.sub(r"^\s*#.*?$", " ", text, flags=re.M)
         self.text = re.sub(r"\s+", " ", text)
-        self.enums = {name: body for body, name in re.findall(r"typedef enum \w+ \{([^}]*)\} (\w+);", self.text)}
-        self.structs = {name: body for body, name in re.findall(r"typedef struct \w+ \{([^}]*)\} (\w+);", self.text)}
-        self.callbacks = {
-            name: (returned, arguments) for returned, name, arguments in re.findall(r"typedef (\w+) \(\*(\w+)\)\(([^)]*)\);", self.text)}
+        self.enums, self.structs = self.bodies("enum"), self.bodies("struct")
+        callbacks = re.findall(r"typedef (\w+) \(\*(\w+)\)\(([^)]*)\);", self.text)
+        self.callbacks = {name: (returned, arguments) for returned, name, arguments in callbacks}
         self.functions = re.findall(r"CROSSGRAIN_API ([\w ]+?[ *]+)(\w+)\(([^)]*)\);", self.text)
+
+    def bodies(self, keyword):
+        found = re.findall(rf"typedef {keyword} \w+ \{{([^}}]*)\}} (\w+);", self.text)
+        return {name: body for body, name in found}
 
     def ctype(self, declared, is_result=False):
         """The ctypes type of a C type. Arrays and handles are addresses."""
@@ -74,7 +85,8 @@ def interface_of(text, library):
     header = Header(text)
     yield LICENSE
     yield '"""The C interface (crossgrain/c.h) for ctypes. Made by python/generate.py."""\n'
-    yield "from ctypes import CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_float, c_int, c_int8, c_int32, c_int64, c_size_t, c_uint8, c_uint32, c_void_p\n"
+    types = ", ".join(["CFUNCTYPE", "POINTER", "Structure", "c_char_p", "c_void_p", *SIMPLE_TYPES.values()])
+    yield wrapped(f"from ctypes import ({types})", " " * 20) + "\n"
     yield f'LIBRARY = "{library}"'
     yield "C_VERSION = " + re.search(r"CROSSGRAIN_C_VERSION (\d+)", text).group(1)
     for name, body in header.enums.items():
@@ -94,16 +106,19 @@ def interface_of(text, library):
     yield "\n\n# name: (type of the result, types of the arguments)\nFUNCTIONS = {"
     for returned, name, arguments in header.functions:
         types = [header.ctype(declared) for declared, _ in split_arguments(arguments)]
-        yield f'    "{name}": ({header.ctype(returned, is_result=True)}, ({", ".join(types)}{"," if len(types) == 1 else ""})),'
+        comma = "," if len(types) == 1 else ""
+        its_type = header.ctype(returned, is_result=True)
+        yield "    " + wrapped(f'"{name}": ({its_type}, ({", ".join(types)}{comma})),', " " * 8)
     yield "}\n"
 
 
-# -- Options -------------------------------------------------------------------------------------------------------------------
+# -- Options -----------------------------------------------------------------------------------------------
 
 # The structs of options by header, inner ones before those that hold them, and their kind in crossgrain/c.h.
 OPTIONS = {
-    "options.hpp": ["RefinementOptions", "FadingCreases", "CreaseAngles", "TetTagOptions", "MapPreparationOptions", "CalmFieldOptions", "SolverOptions", "OtherStart",
-                    "OntoOptions", "KeptFormOptions", "SolveOptions"],
+    "options.hpp": ["RefinementOptions", "FadingCreases", "CreaseAngles", "TetTagOptions",
+                    "MapPreparationOptions", "CalmFieldOptions", "SolverOptions", "OtherStart", "OntoOptions",
+                    "KeptFormOptions", "SolveOptions"],
     "io.hpp": ["ReadOptions", "OutputOptions"],
     "singularity_graph.hpp": ["SingularityOptions"],
     "verdict.hpp": ["AnswerOptions"],
@@ -114,32 +129,44 @@ OPTIONS = {
     "hexahedra.hpp": ["HexOptions"],
     "hex_meshing.hpp": ["HexMeshingOptions"],
 }
-KINDS = {"SolveOptions": "SOLVE_OPTIONS", "ReadOptions": "READ_OPTIONS", "TetTagOptions": "TAG_OPTIONS", "OutputOptions": "OUTPUT_OPTIONS",
-         "SingularityOptions": "SINGULARITY_OPTIONS", "AnswerOptions": "ANSWER_OPTIONS", "StreamlineOptions": "STREAMLINE_OPTIONS",
-         "PictureOptions": "PICTURE_OPTIONS", "MapPreparationOptions": "PREPARATION_OPTIONS", "RepairOptions": "REPAIR_OPTIONS",
-         "TetMakingOptions": "TET_MAKING_OPTIONS", "HexOptions": "HEX_OPTIONS", "HexMeshingOptions": "HEX_MESHING_OPTIONS"}
+KINDS = {
+    "SolveOptions": "SOLVE_OPTIONS", "ReadOptions": "READ_OPTIONS", "TetTagOptions": "TAG_OPTIONS",
+    "OutputOptions": "OUTPUT_OPTIONS", "SingularityOptions": "SINGULARITY_OPTIONS",
+    "AnswerOptions": "ANSWER_OPTIONS", "StreamlineOptions": "STREAMLINE_OPTIONS",
+    "PictureOptions": "PICTURE_OPTIONS", "MapPreparationOptions": "PREPARATION_OPTIONS",
+    "RepairOptions": "REPAIR_OPTIONS", "TetMakingOptions": "TET_MAKING_OPTIONS", "HexOptions": "HEX_OPTIONS",
+    "HexMeshingOptions": "HEX_MESHING_OPTIONS",
+}
 
 # Members that Python passes in another way.
-LEFT_OUT = {"SolveOptions": {"constraints"}, "OutputOptions": {"companions", "hex_map", "hexahedra", "reservation"}}
-ADDED = {"OutputOptions": [("page", "bool", "False", "Whether report.html, the page that shows the field in a browser, is written too.")]}
+LEFT_OUT = {
+    "SolveOptions": {"constraints"},
+    "OutputOptions": {"companions", "hex_map", "hexahedra", "reservation"},
+}
+ADDED = {"OutputOptions": [
+    ("page", "bool", "False", "Whether report.html, which shows the field in a browser, is written too."),
+]}
 
 # Names of enumerations, as in src/c_interface/option_value.hpp.
 NAMES = {
     "TetBoundary": {"kAll": "all", "kSmoothOnly": "smooth-only"},
     "TetMaker": {"kAutomatic": "automatic", "kGmsh": "gmsh", "kNetgen": "netgen"},
     "ForeignFiles": {"kRefuse": "refuse", "kKeep": "keep", "kReplace": "replace"},
-    "PictureColour": {"kNone": "none", "kAlignment": "alignment", "kEnergy": "energy", "kConstraint": "class", "kRegion": "region"},
+    "PictureColour": {"kNone": "none", "kAlignment": "alignment", "kEnergy": "energy", "kConstraint": "class",
+                      "kRegion": "region"},
     "PictureFrames": {"kLines": "lines", "kBoxes": "boxes", "kCrosses": "crosses", "kNone": "none"},
     "PictureBackground": {"kLight": "light", "kDark": "dark", "kTransparent": "transparent"},
 }
 TYPES = {
-    "bool": "bool", "int": "int", "std::size_t": "int", "std::uint64_t": "int", "double": "float", "Degree": "int",
-    "std::filesystem::path": "str", "std::optional<int>": "Optional[int]", "std::optional<double>": "Optional[float]",
-    "std::optional<Box>": "Optional[Sequence[float]]", "std::optional<View>": "Union[None, str, Sequence[float]]",
+    "bool": "bool", "int": "int", "std::size_t": "int", "std::uint64_t": "int", "double": "float",
+    "Degree": "int", "std::filesystem::path": "str", "std::optional<int>": "Optional[int]",
+    "std::optional<double>": "Optional[float]", "std::optional<Box>": "Optional[Sequence[float]]",
+    "std::optional<View>": "Union[None, str, Sequence[float]]",
     "std::optional<Cut>": "Union[None, str, Tuple[Union[int, str], Optional[float]]]",
     "std::optional<std::array<double, 2>>": "Optional[Sequence[float]]",
-    "std::array<bool, 3>": "Sequence[bool]", "std::vector<std::string>": "Sequence[str]", "std::vector<OtherStart>": "Sequence[OtherStart]",
-    "std::vector<RepairWeights>": "Sequence[RepairWeights]", "std::vector<double>": "Sequence[float]",
+    "std::array<bool, 3>": "Sequence[bool]", "std::vector<std::string>": "Sequence[str]",
+    "std::vector<OtherStart>": "Sequence[OtherStart]", "std::vector<double>": "Sequence[float]",
+    "std::vector<RepairWeights>": "Sequence[RepairWeights]",
 }
 # What Python takes for a type, added to the comment.
 NOTES = {
@@ -178,7 +205,8 @@ def without_inner_types(body):
     return re.sub(r"(?:\s*///[^\n]*\n)*\s*struct (\w+) \{[^}]*\};", "", body)
 
 
-MEMBER = re.compile(r"^\s*([\w:<>, ]*?[\w>]) (\w+(?: = [^;]*)?(?:\{[^;]*\})?);(?:\s*///<\s*(.*(?:\n\s*///<.*)*))?", re.M)
+MEMBER = re.compile(r"^\s*([\w:<>, ]*?[\w>]) (\w+(?: = [^;]*)?(?:\{[^;]*\})?);"
+                    r"(?:\s*///<\s*(.*(?:\n\s*///<.*)*))?", re.M)
 
 
 def options_members(body):
@@ -186,7 +214,8 @@ def options_members(body):
     body = without_inner_types(body)
     for match in MEMBER.finditer(body):
         declared, names, trailing = match.groups()
-        comment = in_python(re.sub(r"\s*///<\s*", " ", trailing)) if trailing else comment_before(body, match.start())
+        behind = trailing and in_python(re.sub(r"\s*///<\s*", " ", trailing))
+        comment = behind or comment_before(body, match.start())
         braced = re.fullmatch(r"(\w+)(\{.*\})", names, re.S)
         if braced:
             yield declared, braced.group(1), braced.group(2), comment
@@ -226,16 +255,6 @@ def python_type(declared, structs):
     return declared if declared in structs else TYPES[declared]
 
 
-def wrapped(text, indent):
-    lines, line = [], ""
-    for word in text.split():
-        if len(line) + len(word) + len(indent) > 110:
-            lines.append(line)
-            line = ""
-        line = f"{line} {word}".strip()
-    return f"\n{indent}".join([*lines, line])
-
-
 BASE = """
 
 class _Options:
@@ -257,7 +276,8 @@ def options_of(include):
     yield "from . import _interface as c"
     structs = [name for names in OPTIONS.values() for name in names]
     yield BASE
-    yield f"\n__all__ = {structs!r}"
+    names = ", ".join(f'"{name}"' for name in structs)
+    yield "\n" + wrapped(f"__all__ = [{names}]", " " * 11)
     for header, names in OPTIONS.items():
         text = (include / "crossgrain" / header).read_text(encoding="utf-8")
         for name in names:
@@ -269,11 +289,13 @@ def options_of(include):
                 if member in LEFT_OUT.get(name, ()):
                     continue
                 if declared in NAMES:
-                    its_comment += " One of " + ", ".join(f"'{value}'" for value in NAMES[declared].values()) + "."
+                    values = ", ".join(f"'{value}'" for value in NAMES[declared].values())
+                    its_comment += f" One of {values}."
                 its_comment = " ".join(filter(None, [its_comment, NOTES.get(declared)]))
                 # Infinity stands for the largest count.
                 its_type = "float" if default == "SIZE_MAX" else python_type(declared, structs)
-                yield f"    {member}: {its_type} = {python_default(declared, default, structs)}"
+                its_default = python_default(declared, default, structs)
+                yield "    " + wrapped(f"{member}: {its_type} = {its_default}", " " * 8)
                 if its_comment:
                     sentence = its_comment[0].upper() + its_comment[1:]
                     yield f'    """{wrapped(sentence, "    ")}"""\n'

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Crossgrain computes octahedral frame fields inside solids: three orthogonal directions at every point that vary smoothly and follow the
-surface.
+"""Crossgrain computes octahedral frame fields inside solids: three orthogonal directions at every point that
+vary smoothly and follow the surface.
 
     >>> import crossgrain as cg
     >>> field = cg.solve("part.step", resolution=128)
@@ -9,8 +9,8 @@ surface.
     >>> print(field.check())
     >>> field.write("part.frames")
 
-`solve` and `solve_onto` make fields, `read` reads them. See `Field` and `TetField` for what to do with them. `hex` meshes a model with
-hexahedra, which are a `HexMesh`:
+`solve` and `solve_onto` make fields, `read` reads them. See `Field` and `TetField` for what to do with them.
+`hex` meshes a model with hexahedra, which are a `HexMesh`:
 
     >>> mesh = cg.hex("part.step", size=2)
     >>> mesh.points, mesh.cells, mesh.quality         # (n, 3), (m, 8), (m,)
@@ -22,26 +22,31 @@ from .constraints import Constraints, read_constraints
 from .errors import Error, InputError, InternalError, Interrupted, LimitError, OutputError, UsageError
 from .field import CONSTRAINT_CLASSES, Field, Samples
 from .hex_meshing import hex  # pylint: disable=redefined-builtin
+from .matchings import Matchings
 from .models import Crease, Surface, TetMesh, make_tets, read_surface, read_tets
-from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, HexMeshingOptions, HexOptions, KeptFormOptions, MapPreparationOptions, OntoOptions, OtherStart, OutputOptions,
-                      PictureOptions, ReadOptions, RefinementOptions, RemeshingOptions, RepairOptions, RepairWeights,
-                      SingularityOptions, SolveOptions, SolverOptions,
+from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, HexMeshingOptions,
+                      HexOptions, KeptFormOptions, MapPreparationOptions, OntoOptions, OtherStart,
+                      OutputOptions, PictureOptions, ReadOptions, RefinementOptions, RemeshingOptions,
+                      RepairOptions, RepairWeights, SingularityOptions, SolveOptions, SolverOptions,
                       StreamlineOptions, TetMakingOptions, TetTagOptions)
 from .singularities import Answer, Arc, Node, Reason, SingularityGraph, read_singularities
 from .solving import carry_onto, is_clipped, read, solve, solve_onto
 from .spectra import Spectrum, coefficients, spectrum
 from .streamlines import Streamline, Streamlines, read_streamlines
-from .matchings import Matchings
 from .tet_field import HexMesh, TetField
 
 __version__ = _library_of_c.crossgrain_version().decode()
 
 __all__ = [
-    "Answer", "AnswerOptions", "Arc", "CONSTRAINT_CLASSES", "CalmFieldOptions", "Constraints", "Crease", "CreaseAngles", "Error",
-    "FadingCreases", "Field", "HexMesh", "HexMeshingOptions", "HexOptions", "InputError", "InternalError", "Interrupted", "KeptFormOptions", "LimitError", "MapPreparationOptions", "Matchings", "Node",
-    "OntoOptions", "OtherStart", "OutputError", "OutputOptions", "PictureOptions", "Progress", "ReadOptions", "Reason", "RefinementOptions",
-    "RemeshingOptions", "RepairOptions", "RepairWeights",
-    "Samples", "SingularityGraph", "SingularityOptions", "SolveOptions", "SolverOptions", "Spectrum", "Streamline", "StreamlineOptions",
-    "Streamlines", "Surface", "TetField", "TetMakingOptions", "TetMesh", "TetTagOptions", "UsageError", "carry_onto", "coefficients", "hex", "is_clipped", "make_tets", "read",
-    "read_constraints", "read_singularities", "read_streamlines", "read_surface", "read_tets", "solve", "solve_onto", "spectrum",
+    "Answer", "AnswerOptions", "Arc", "CONSTRAINT_CLASSES", "CalmFieldOptions", "Constraints",
+    "Crease", "CreaseAngles", "Error", "FadingCreases", "Field", "HexMesh", "HexMeshingOptions",
+    "HexOptions", "InputError", "InternalError", "Interrupted", "KeptFormOptions", "LimitError",
+    "MapPreparationOptions", "Matchings", "Node", "OntoOptions", "OtherStart", "OutputError",
+    "OutputOptions", "PictureOptions", "Progress", "ReadOptions", "Reason", "RefinementOptions",
+    "RemeshingOptions", "RepairOptions", "RepairWeights", "Samples", "SingularityGraph",
+    "SingularityOptions", "SolveOptions", "SolverOptions", "Spectrum", "Streamline",
+    "StreamlineOptions", "Streamlines", "Surface", "TetField", "TetMakingOptions", "TetMesh",
+    "TetTagOptions", "UsageError", "carry_onto", "coefficients", "hex", "is_clipped", "make_tets",
+    "read", "read_constraints", "read_singularities", "read_streamlines", "read_surface", "read_tets",
+    "solve", "solve_onto", "spectrum",
 ]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Arrays of any dtype, order and stride as the library takes them. What cannot be meant raises a TypeError."""
+"""Arrays of any dtype, order and stride as the library takes them. What cannot be meant raises a
+TypeError."""
 
 from __future__ import annotations
 
@@ -52,8 +53,8 @@ def points_or_point(values: Any, what: str) -> "tuple[np.ndarray, bool]":
 
 
 def indices(values: Any, what: str, columns: int) -> np.ndarray:
-    """A contiguous array of unsigned 32-bit indices of shape (n, columns). An index out of that range is an InputError; the library
-    says which is out of the range of the vertices."""
+    """A contiguous array of unsigned 32-bit indices of shape (n, columns). An index out of that range is an
+    InputError; the library says which is out of the range of the vertices."""
     array = _shaped(_array(values, what), what, columns)
     if array.size and array.dtype.kind not in "iu":
         raise TypeError(f"{what}: integers are needed, not {array.dtype}")
@@ -61,8 +62,8 @@ def indices(values: Any, what: str, columns: int) -> np.ndarray:
         bad = np.argwhere((array < 0) | (array > np.iinfo(np.uint32).max))
         if len(bad):
             row, column = bad[0]
-            raise InputError(f"{what}: row {row} (counted from 0): the index {array[row, column]} is out of range",
-                             place=f"row {row} (counted from 0)", text=f"the index {array[row, column]} is out of range")
+            place, text = f"row {row} (counted from 0)", f"the index {array[row, column]} is out of range"
+            raise InputError(f"{what}: {place}: {text}", place=place, text=text)
     return np.ascontiguousarray(array, dtype=np.uint32)
 
 
@@ -114,8 +115,9 @@ def vector(values: Any, what: str, count: int) -> np.ndarray:
 def of_shape(values: Any, what: str, shape: "tuple[Any, ...]") -> np.ndarray:
     """A contiguous array of doubles of a shape; None in it stands for any length."""
     array = _array(values, what)
-    if len(array.shape) != len(shape) or any(wanted not in (None, its) for wanted, its in zip(shape, array.shape)):
-        raise TypeError(f"{what}: an array of shape {shape} is needed, this one is {array.shape}".replace("None", "n"))
+    if len(array.shape) != len(shape) or any(a not in (None, b) for a, b in zip(shape, array.shape)):
+        text = f"{what}: an array of shape {shape} is needed, this one is {array.shape}"
+        raise TypeError(text.replace("None", "n"))
     return as_doubles(array, what)
 
 

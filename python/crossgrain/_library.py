@@ -13,14 +13,13 @@ import numpy as np
 from . import _interface as c
 from . import errors
 
-_ERRORS = {
-    c.USAGE: errors.UsageError, c.INPUT: errors.InputError, c.OUTPUT: errors.OutputError, c.LIMIT: errors.LimitError,
-    c.INTERRUPTED: errors.Interrupted, c.INTERNAL: errors.InternalError,
-}
+_ERRORS = {c.USAGE: errors.UsageError, c.INPUT: errors.InputError, c.OUTPUT: errors.OutputError,
+           c.LIMIT: errors.LimitError, c.INTERRUPTED: errors.Interrupted, c.INTERNAL: errors.InternalError}
 
 
 def _library_path() -> str:
-    """The library inside this package, as in wheels; that of the same prefix, as where CMake installs both; or that of the system."""
+    """The library inside this package, as in wheels; that of the same prefix, as where CMake installs both;
+    or that of the system."""
     package = Path(__file__).resolve().parent
     prefix_libraries = package.parents[2] if len(package.parents) > 2 else package
     for folder in (package / "lib", prefix_libraries, *sorted(prefix_libraries.glob("*-linux-gnu*"))):
@@ -36,8 +35,8 @@ def _load() -> ctypes.CDLL:
     except OSError as error:
         raise ImportError(f"crossgrain cannot load its library {name}: {error}") from error
     if library.crossgrain_c_version() != c.C_VERSION:
-        raise ImportError(f"{name} has version {library.crossgrain_c_version()} of the C interface, this package needs {c.C_VERSION};"
-                          " install both from the same release")
+        raise ImportError(f"{name} has version {library.crossgrain_c_version()} of the C interface, this "
+                          f"package needs {c.C_VERSION}; install both from the same release")
     for function, (result, arguments) in c.FUNCTIONS.items():
         getattr(library, function).restype = result
         getattr(library, function).argtypes = arguments
@@ -59,7 +58,8 @@ def raise_for(status: int, error: ctypes.c_void_p) -> None:
     if not error.value:
         raise kind("out of memory" if status == c.LIMIT else "the library failed without a message")
     content = ctypes.cast(error, ctypes.POINTER(c.crossgrain_error)).contents
-    parts = [_text(getattr(content, name)) for name in ("sentence", "file", "place", "text", "remedy", "remedy_name")]
+    names = ("sentence", "file", "place", "text", "remedy", "remedy_name")
+    parts = [_text(getattr(content, name)) for name in names]
     library.crossgrain_error_free(error)
     raise kind(*parts)
 
@@ -93,7 +93,8 @@ class Handle:
             self.address = None
 
     def __reduce__(self) -> Any:
-        raise TypeError("objects of crossgrain cannot be pickled; write them to a folder with write(), and read() that")
+        raise TypeError("objects of crossgrain cannot be pickled; write them to a folder with write(), and "
+                        "read() that")
 
     @property
     def _as_parameter_(self) -> Optional[int]:
@@ -148,11 +149,13 @@ class _View:
 
     def __init__(self, owner: Any, address: int, dtype: Any, shape: tuple):
         self.owner = owner
-        self.__array_interface__ = {"data": (address, True), "typestr": np.dtype(dtype).str, "shape": shape, "version": 3}
+        self.__array_interface__ = {"data": (address, True), "typestr": np.dtype(dtype).str, "shape": shape,
+                                    "version": 3}
 
 
 def view(owner: Any, address: Optional[int], dtype: Any, shape: tuple) -> Optional[np.ndarray]:
-    """A read-only array of memory that belongs to a handle; None for none. The owner lives as long as the array."""
+    """A read-only array of memory that belongs to a handle; None for none. The owner lives as long as the
+    array."""
     if not address:
         return None
     return np.asarray(_View(owner, address, dtype, shape))

@@ -31,7 +31,8 @@ def flattened(options: Any, prefix: str = "") -> Iterator[Tuple[str, Any]]:
         elif isinstance(value, inner):  # type: ignore[arg-type]
             yield from flattened(value, f"{name}.")
         else:
-            raise TypeError(f"the option {name} takes {inner.__name__}, not {value!r}")  # type: ignore[union-attr]
+            its_type = inner.__name__  # type: ignore[union-attr]
+            raise TypeError(f"the option {name} takes {its_type}, not {value!r}")
 
 
 def _numbers_of(name: str, value: Any) -> Any:
@@ -119,7 +120,8 @@ def unless_none(**changes: Any) -> "dict[str, Any]":
 
 
 def solve_handle(options: Any, constraints: Any, kind: type = SolveOptions) -> Handle:
-    """The options of a solve, or those of a kind with a solve inside, with constraints, and the forms that the page shows."""
+    """The options of a solve, or those of a kind with a solve inside, with constraints, and the forms that
+    the page shows."""
     handle = handle_of(options, kind)
     if constraints is not None:
         with constraints._lock:

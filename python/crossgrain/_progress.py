@@ -59,7 +59,8 @@ class _Bar:
 
 @contextmanager
 def listener(progress: ProgressOption) -> Iterator[Optional[Callable[[Progress], None]]]:
-    """What hears of the progress: the caller's function, a bar, or nothing. By default a bar where somebody sees it."""
+    """What hears of the progress: the caller's function, a bar, or nothing. By default a bar where somebody
+    sees it."""
     if callable(progress):
         yield progress
         return

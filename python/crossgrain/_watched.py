@@ -29,7 +29,8 @@ class Progress:
         self.energy: float = content.energy
 
     def __repr__(self) -> str:
-        return f"Progress({self.phase!r}, level={self.level}/{self.levels}, sweep={self.sweep}, cells={self.cells}, energy={self.energy:.6g})"
+        return (f"Progress({self.phase!r}, level={self.level}/{self.levels}, sweep={self.sweep}, "
+                f"cells={self.cells}, energy={self.energy:.6g})")
 
 
 class Monitor:
@@ -48,7 +49,8 @@ class Monitor:
                 return 1
             return 0
 
-        # Refers to the function that the library calls. Without a listener it calls none, which would ask for the GIL.
+        # Refers to the function that the library calls. Without a listener it calls none, which would ask for
+        # the GIL.
         self.heard = c.crossgrain_on_progress(0) if listener is None else c.crossgrain_on_progress(hear)
         self.handle = made("monitor", "monitor_new", self.heard, c.crossgrain_on_expectation(0), None)
 
@@ -78,7 +80,8 @@ _LONGEST_END_SECONDS = 20
 
 @atexit.register
 def _end_all() -> None:
-    """Ends what daemon threads still compute: a call that came back into an interpreter that is gone would crash."""
+    """Ends what daemon threads still compute: a call that came back into an interpreter that is gone would
+    crash."""
     for monitor in list(_running):
         monitor.cancel()
     for monitor in list(_running):
@@ -86,10 +89,11 @@ def _end_all() -> None:
 
 
 class _Worker:
-    """A call on a thread of its own: `events` while it goes on, `is_done` once it has ended, with a value or an error.
+    """A call on a thread of its own: `events` while it goes on, `is_done` once it has ended, with a value or
+    an error.
 
-    An exception of a signal handler may come between any two steps of the thread that waits, so that those of threading.Thread could
-    lose the thread. Here each step is one of C, and may be repeated.
+    An exception of a signal handler may come between any two steps of the thread that waits, so that those of
+    threading.Thread could lose the thread. Here each step is one of C, and may be repeated.
     """
 
     def __init__(self, work: Callable[[Monitor], Any], wants_events: bool):
@@ -125,11 +129,12 @@ _LOOK_SECONDS = 0.5
 
 
 def watched(work: Callable[[Monitor], Any], progress: Optional[Callable[[Progress], None]] = None) -> Any:
-    """Returns work(monitor), a long call of the library, while Ctrl-C works and `progress` is called on this thread.
+    """Returns work(monitor), a long call of the library, while Ctrl-C works and `progress` is called on this
+    thread.
 
-    Signals reach Python on the main thread only, and not inside a call of C. So a call from there is made on a thread of its own, while
-    this one waits for it: Ctrl-C cancels it and raises KeyboardInterrupt once it has ended. Nothing but its end leaves the wait, since the
-    call writes to arrays that its caller owns.
+    Signals reach Python on the main thread only, and not inside a call of C. So a call from there is made on
+    a thread of its own, while this one waits for it: Ctrl-C cancels it and raises KeyboardInterrupt once it
+    has ended. Nothing but its end leaves the wait, since the call writes to arrays that its caller owns.
     """
     if threading.current_thread() is not threading.main_thread():
         return Monitor(progress).run(work)

@@ -17,11 +17,12 @@ def _axes(values: Any) -> np.ndarray:
 
 
 class Constraints:
-    """Directions to follow besides the surface. Constraints are soft: each adds to the energy like a piece of surface.
+    """Directions to follow besides the surface. Constraints are soft: each adds to the energy like a piece of
+    surface.
 
-    ``axes`` are one direction, which requests an axis along it, or three orthogonal ones, which request that frame, of any length; their
-    signs do not matter. An axis of weight 1 counts in its cell like a piece of surface across the width of the cell with that normal.
-    A solve checks them, and raises InputError.
+    ``axes`` are one direction, which requests an axis along it, or three orthogonal ones, which request that
+    frame, of any length; their signs do not matter. An axis of weight 1 counts in its cell like a piece of
+    surface across the width of the cell with that normal. A solve checks them, and raises InputError.
     """
 
     def __init__(self) -> None:
@@ -40,18 +41,23 @@ class Constraints:
         return self._add("point", address(place), address(its_axes), len(its_axes), number(weight, "weight"))
 
     def add_polyline(self, points: Any, axes: Optional[Any] = None, weight: float = 1) -> "Constraints":
-        """An axis or a frame along a polyline of at least two points; by default the direction of each segment."""
+        """An axis or a frame along a polyline of at least two points; by default the direction of each
+        segment."""
         its_points = numbers(points, "points", 3)
         its_axes = np.zeros((0, 3)) if axes is None else _axes(axes)
-        return self._add("polyline", address(its_points), len(its_points), address(its_axes), len(its_axes), number(weight, "weight"))
+        return self._add("polyline", address(its_points), len(its_points), address(its_axes), len(its_axes),
+                         number(weight, "weight"))
 
     def add_face(self, face: int, axes: Optional[Any] = None, weight: float = 1) -> "Constraints":
-        """An axis or a frame on all triangles with this number (``Surface.faces``); by default the normal of the face."""
+        """An axis or a frame on all triangles with this number (``Surface.faces``); by default the normal of
+        the face."""
         its_axes = np.zeros((0, 3)) if axes is None else _axes(axes)
-        return self._add("face", integer(face, "face", -2**31), address(its_axes), len(its_axes), number(weight, "weight"))
+        return self._add("face", integer(face, "face", -2**31), address(its_axes), len(its_axes),
+                         number(weight, "weight"))
 
     def add_stress(self, at: Any, tensor: Any, weight: float = 1) -> "Constraints":
-        """Axes along the eigenvectors of a symmetric tensor: xx, yy, zz, yz, xz, xy. Those count that are well determined."""
+        """Axes along the eigenvectors of a symmetric tensor: xx, yy, zz, yz, xz, xy. Those count that are
+        well determined."""
         place, its_tensor = vector(at, "at", 3), vector(tensor, "tensor", 6)
         return self._add("stress", address(place), address(its_tensor), number(weight, "weight"))
 

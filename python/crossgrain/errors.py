@@ -8,7 +8,8 @@ from typing import Iterator
 
 
 class Error(Exception):
-    """A failure of the library. ``str()`` of it is one line: the file, the place in it, what is wrong and what to do."""
+    """A failure of the library. ``str()`` of it is one line: the file, the place in it, what is wrong and
+    what to do."""
 
     file: str
     """The file that it is about; empty if it is about none."""
@@ -25,13 +26,16 @@ class Error(Exception):
     remedy_name: str
     """The same as a name that does not change with the words: ``"raise_resolution"``."""
 
-    def __init__(self, sentence: str, file: str = "", place: str = "", text: str = "", remedy: str = "", remedy_name: str = ""):
+    def __init__(self, sentence: str, file: str = "", place: str = "", text: str = "", remedy: str = "",
+                 remedy_name: str = ""):
         super().__init__(sentence)
-        self.file, self.place, self.text, self.remedy, self.remedy_name = file, place, text or sentence, remedy, remedy_name
+        self.file, self.place, self.text = file, place, text or sentence
+        self.remedy, self.remedy_name = remedy, remedy_name
 
 
     def with_file(self, file: str) -> "Error":
-        """The error with the file that the model came from, which the library does not know for objects in memory."""
+        """The error with the file that the model came from, which the library does not know for objects in
+        memory."""
         if self.file or not file:
             return self
         return type(self)(f"{file}: {self}", file, self.place, self.text, self.remedy, self.remedy_name)

@@ -18,8 +18,8 @@ from .options import HexMeshingOptions
 from .tet_field import HexMesh, sized
 
 
-def _chosen(options: Optional[HexMeshingOptions], size: Optional[float], cells: Optional[float], tet_size: Optional[float],
-            **of_solve: Any) -> HexMeshingOptions:
+def _chosen(options: Optional[HexMeshingOptions], size: Optional[float], cells: Optional[float],
+            tet_size: Optional[float], **of_solve: Any) -> HexMeshingOptions:
     chosen = with_changes(options, HexMeshingOptions, {})
     return dataclasses.replace(chosen, hexahedra=sized(chosen.hexahedra, size, cells),
                                tets=dataclasses.replace(chosen.tets, **unless_none(size=tet_size)),
@@ -31,25 +31,30 @@ def _is_tets(model: Any, elements: Any) -> bool:
         return is_of_tets(model)
     shape = np.shape(elements)
     if len(shape) != 2 or shape[1] not in (3, 4):
-        raise TypeError(f"elements: triangles (m, 3) or tets (m, 4) are needed, not an array of shape {shape}")
+        raise TypeError("elements: triangles (m, 3) or tets (m, 4) are needed, not an array of shape "
+                        f"{shape}")
     return shape[1] == 4
 
 
-def hex(model: Any, elements: Any = None, *, size: Optional[float] = None, cells: Optional[float] = None,  # pylint: disable=redefined-builtin
-        tet_size: Optional[float] = None, seed: Optional[int] = None, threads: Optional[int] = None, max_memory_bytes: Optional[int] = None,
+def hex(model: Any, elements: Any = None, *,  # pylint: disable=redefined-builtin
+        size: Optional[float] = None, cells: Optional[float] = None, tet_size: Optional[float] = None,
+        seed: Optional[int] = None, threads: Optional[int] = None, max_memory_bytes: Optional[int] = None,
         options: Optional[HexMeshingOptions] = None, progress: ProgressOption = None) -> HexMesh:
-    """Meshes a solid with hexahedra that follow a field: cuts it into tets, solves on them and repairs the field, maps it to the unit grid
-    and pulls its cells back (docs/hexahedra.md). Where that does not fill the model, tets of other sizes are tried.
+    """Meshes a solid with hexahedra that follow a field: cuts it into tets, solves on them and repairs the
+    field, maps it to the unit grid and pulls its cells back (docs/hexahedra.md). Where that does not fill the
+    model, tets of other sizes are tried.
 
-    The model is a file (STEP, IGES, BREP; STL, OBJ, PLY, OFF; tets in Medit, Gmsh, VTK), two arrays (points (n, 3), and triangles (m, 3) or
-    tets (m, 4)), a mesh of meshio or trimesh, a `Surface` or a `TetMesh`. Surfaces must be closed; tets are made by gmsh or Netgen.
+    The model is a file (STEP, IGES, BREP; STL, OBJ, PLY, OFF; tets in Medit, Gmsh, VTK), two arrays (points
+    (n, 3), and triangles (m, 3) or tets (m, 4)), a mesh of meshio or trimesh, a `Surface` or a `TetMesh`.
+    Surfaces must be closed; tets are made by gmsh or Netgen.
 
     size:
         edge of the hexahedra, in model units
     cells:
         number of hexahedra along the longest side instead, 20 by default
     tet_size:
-        largest edge of the tets that are made; by default that of the hexahedra, at most 1/20 of the longest side
+        largest edge of the tets that are made; by default that of the hexahedra, at most 1/20 of the longest
+        side
     seed, threads, max_memory_bytes:
         of the solve, as for `solve`; the memory is that of all steps
     options:
@@ -57,23 +62,28 @@ def hex(model: Any, elements: Any = None, *, size: Optional[float] = None, cells
     progress:
         as for `solve`
 
-    A mesh that does not fill the model is returned too: ``is_all_hex`` is False then, and ``print(mesh)`` says why. The result does not
-    depend on the number of threads. Ctrl-C cancels.
+    A mesh that does not fill the model is returned too: ``is_all_hex`` is False then, and ``print(mesh)``
+    says why. The result does not depend on the number of threads. Ctrl-C cancels.
 
-    Raises InputError for a model that cannot be used or cut into tets, UsageError for options out of range, LimitError, TypeError.
+    Raises InputError for a model that cannot be used or cut into tets, UsageError for options out of range,
+    LimitError, TypeError.
     """
-    chosen = _chosen(options, size, cells, tet_size, seed=seed, threads=threads, max_memory_bytes=max_memory_bytes)
+    chosen = _chosen(options, size, cells, tet_size, seed=seed, threads=threads,
+                     max_memory_bytes=max_memory_bytes)
     handle = solve_handle(chosen, None, HexMeshingOptions)
     path, read_seconds = "", 0.0
     if elements is None and is_path(model):
         what: Any = path_bytes(model)
         name, path = "hexahedra_make", path_bytes(model).decode("utf-8", "surrogateescape")
     elif _is_tets(model, elements):
-        given = TetMesh(model, elements, tags_options=chosen.tags) if elements is not None else tets_of(model, None)
-        what, name, path, read_seconds = given._handle, "hexahedra_make_in_tets", given.path, given.read_seconds
+        has_elements = elements is not None
+        given = TetMesh(model, elements, tags_options=chosen.tags) if has_elements else tets_of(model, None)
+        what, name = given._handle, "hexahedra_make_in_tets"
+        path, read_seconds = given.path, given.read_seconds
     else:
         surface = surface_of(model, elements, lambda: None)
-        what, name, path, read_seconds = surface._handle, "hexahedra_make_inside", surface.path, surface.read_seconds
+        what, name = surface._handle, "hexahedra_make_inside"
+        path, read_seconds = surface.path, surface.read_seconds
     with listener(progress) as hear, naming(path):
         mesh = watched(lambda monitor: made("hexahedra", name, what, handle, monitor.handle), hear)
     return HexMesh(mesh, path, read_seconds)

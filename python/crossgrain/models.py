@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Models that fields are solved for: surfaces and tet meshes, from files, arrays and objects of other packages."""
+"""Models that fields are solved for: surfaces and tet meshes, from files, arrays and objects of other
+packages."""
 
 from __future__ import annotations
 
@@ -46,17 +47,17 @@ def _read_only(array: np.ndarray) -> np.ndarray:
 class Surface:
     """A surface of triangles that index vertices. It may be open, flipped, non-manifold or a triangle soup.
 
-    ``faces`` and ``solids`` are one number per triangle: the face of the CAD model, or tag, that it belongs to, and the solid that it
-    bounds; triangles point out of their solid, and a face between two solids is present twice. ``inner_faces`` are triangles inside a
-    solid whose normal frames should follow.
+    ``faces`` and ``solids`` are one number per triangle: the face of the CAD model, or tag, that it belongs
+    to, and the solid that it bounds; triangles point out of their solid, and a face between two solids is
+    present twice. ``inner_faces`` are triangles inside a solid whose normal frames should follow.
     """
 
     path: str = ""
     """File that it was read from."""
     read_seconds: float = 0.0
 
-    def __init__(self, vertices: Any, triangles: Any, *, faces: Any = None, solids: Any = None, corner_normals: Any = None,
-                 creases: Sequence[Crease] = (), inner_faces: Any = None):
+    def __init__(self, vertices: Any, triangles: Any, *, faces: Any = None, solids: Any = None,
+                 corner_normals: Any = None, creases: Sequence[Crease] = (), inner_faces: Any = None):
         points = numbers(vertices, "vertices", 3)
         corners = indices(triangles, "triangles", 3)
         self._handle = made("mesh", "mesh_new", address(points), len(points), address(corners), len(corners))
@@ -71,8 +72,8 @@ class Surface:
             its_points, tangents = numbers(crease[0], "points", 3), numbers(crease[1], "tangents", 3)
             if len(its_points) != len(tangents):
                 raise TypeError("a crease has as many tangents as points")
-            call("mesh_add_crease", self._handle, address(its_points), address(tangents), len(its_points), integer(crease[2], "tag of a crease", -2**31),
-                 int(bool(crease[3])))
+            call("mesh_add_crease", self._handle, address(its_points), address(tangents), len(its_points),
+                 integer(crease[2], "tag of a crease", -2**31), int(bool(crease[3])))
         if inner_faces is not None:
             its_faces = indices(inner_faces, "inner_faces", 3)
             call("mesh_add_inner_faces", self._handle, address(its_faces), len(its_faces))
@@ -87,19 +88,22 @@ class Surface:
         return f"<crossgrain.Surface: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
 
     def _per_triangle(self, name: str, dtype: Any, *shape: int) -> Optional[np.ndarray]:
-        return view(self._handle, getattr(library, f"crossgrain_mesh_{name}")(self._handle), dtype, (len(self.triangles), *shape))
+        return view(self._handle, getattr(library, f"crossgrain_mesh_{name}")(self._handle), dtype,
+                    (len(self.triangles), *shape))
 
     @cached_property
     def vertices(self) -> np.ndarray:
         """(n, 3)"""
         count = library.crossgrain_mesh_vertex_count(self._handle)
-        return array_view(self._handle, library.crossgrain_mesh_vertices(self._handle), np.float64, (count, 3))
+        return array_view(self._handle, library.crossgrain_mesh_vertices(self._handle), np.float64,
+                          (count, 3))
 
     @cached_property
     def triangles(self) -> np.ndarray:
         """Indices of vertices, (m, 3)."""
         count = library.crossgrain_mesh_triangle_count(self._handle)
-        return array_view(self._handle, library.crossgrain_mesh_triangles(self._handle), np.uint32, (count, 3))
+        return array_view(self._handle, library.crossgrain_mesh_triangles(self._handle), np.uint32,
+                          (count, 3))
 
     @property
     def faces(self) -> Optional[np.ndarray]:
@@ -113,7 +117,8 @@ class Surface:
 
     @property
     def corner_normals(self) -> Optional[np.ndarray]:
-        """Unit normals of the true surface at the corners of each triangle, (m, 3, 3); None if there are none."""
+        """Unit normals of the true surface at the corners of each triangle, (m, 3, 3); None if there are
+        none."""
         return self._per_triangle("corner_normals", np.float64, 3, 3)
 
     @property
@@ -124,7 +129,8 @@ class Surface:
             curve = library.crossgrain_mesh_crease(self._handle, i).contents
             shape = (curve.point_count, 3)
             found.append(Crease(array_view(self._handle, curve.points, np.float64, shape),
-                                array_view(self._handle, curve.tangents, np.float64, shape), curve.tag, bool(curve.is_tagged)))
+                                array_view(self._handle, curve.tangents, np.float64, shape), curve.tag,
+                                bool(curve.is_tagged)))
         return found
 
     @property
@@ -139,26 +145,30 @@ class Surface:
 
 
 class TetMesh:
-    """A solid cut into tets, prepared for a field: inverted tets are reoriented, those without volume left out.
+    """A solid cut into tets, prepared for a field: inverted tets are reoriented, those without volume left
+    out.
 
-    ``regions`` is one number per tet. Frames follow feature edges and the normals of feature faces; edges that are not
-    ``stated`` to be features may be any curve of the meshed model, and count only where the surface is sharp.
+    ``regions`` is one number per tet. Frames follow feature edges and the normals of feature faces; edges
+    that are not ``stated`` to be features may be any curve of the meshed model, and count only where the
+    surface is sharp.
     """
 
     path: str = ""
     """File that it was read from."""
     read_seconds: float = 0.0
 
-    def __init__(self, points: Any, cells: Any, *, regions: Any = None, feature_edges: Any = None, edge_tags: Any = None,
-                 edges_are_stated: bool = True, feature_faces: Any = None, face_tags: Any = None,
-                 tags_options: Optional[TetTagOptions] = None):
+    def __init__(self, points: Any, cells: Any, *, regions: Any = None, feature_edges: Any = None,
+                 edge_tags: Any = None, edges_are_stated: bool = True, feature_faces: Any = None,
+                 face_tags: Any = None, tags_options: Optional[TetTagOptions] = None):
         its_points, tets = numbers(points, "points", 3), indices(cells, "cells", 4)
         its_regions = tags(regions, "regions", len(tets))
-        mesh = made("tets", "tets_new", address(its_points), len(its_points), address(tets), len(tets), address(its_regions))
+        mesh = made("tets", "tets_new", address(its_points), len(its_points), address(tets), len(tets),
+                    address(its_regions))
         if feature_edges is not None:
             edges = indices(feature_edges, "feature_edges", 2)
             its_tags = tags(edge_tags, "edge_tags", len(edges))
-            call("tets_add_feature_edges", mesh, address(edges), address(its_tags), len(edges), int(edges_are_stated))
+            call("tets_add_feature_edges", mesh, address(edges), address(its_tags), len(edges),
+                 int(edges_are_stated))
         if feature_faces is not None:
             faces = indices(feature_faces, "feature_faces", 3)
             its_tags = tags(face_tags, "face_tags", len(faces))
@@ -168,7 +178,8 @@ class TetMesh:
     def _prepare(self, mesh: Handle, options: Optional[TetTagOptions]) -> None:
         its_options = None if options is None else handle_of(options, TetTagOptions)
         try:
-            self._handle = watched(lambda monitor: made("domain", "domain_new", mesh, its_options, monitor.handle))
+            self._handle = watched(lambda monitor: made("domain", "domain_new", mesh, its_options,
+                                                        monitor.handle))
         except InputError as error:
             raise error.with_file(self.path) from None
 
@@ -185,7 +196,8 @@ class TetMesh:
     def points(self) -> np.ndarray:
         """All vertices, (n, 3)."""
         count = library.crossgrain_domain_vertex_count(self._handle)
-        return array_view(self._handle, library.crossgrain_domain_vertices(self._handle), np.float64, (count, 3))
+        return array_view(self._handle, library.crossgrain_domain_vertices(self._handle), np.float64,
+                          (count, 3))
 
     @cached_property
     def cells(self) -> np.ndarray:
@@ -196,18 +208,22 @@ class TetMesh:
     @property
     def regions(self) -> Optional[np.ndarray]:
         """Region number of each tet; None if there are none."""
-        return view(self._handle, library.crossgrain_domain_regions(self._handle), np.int32, (len(self.cells),))
+        return view(self._handle, library.crossgrain_domain_regions(self._handle), np.int32,
+                    (len(self.cells),))
 
     def prepared_for_map(self, options: Optional[MapPreparationOptions] = None) -> "TetMesh":
-        """These tets, split so that a map that is linear in each can take the surface to integer planes. Solve on the result: frames belong to
-        its tets. Points keep their numbers, new ones follow."""
+        """These tets, split so that a map that is linear in each can take the surface to integer planes.
+        Solve on the result: frames belong to its tets. Points keep their numbers, new ones follow."""
         its_options = None if options is None else handle_of(options, MapPreparationOptions)
-        return TetMesh._of(made("domain", "domain_prepared_for_map", self._handle, its_options), self.path, self.read_seconds)
+        return TetMesh._of(made("domain", "domain_prepared_for_map", self._handle, its_options), self.path,
+                           self.read_seconds)
 
     @property
     def parents(self) -> Optional[np.ndarray]:
-        """For each tet the one that it was a part of before `prepared_for_map`, 2**32 - 1 if that is flat; None for tets as given."""
-        return view(self._handle, library.crossgrain_domain_parents(self._handle), np.uint32, (len(self.cells),))
+        """For each tet the one that it was a part of before `prepared_for_map`, 2**32 - 1 if that is flat;
+        None for tets as given."""
+        return view(self._handle, library.crossgrain_domain_parents(self._handle), np.uint32,
+                    (len(self.cells),))
 
     @cached_property
     def _faces(self) -> Tuple[np.ndarray, np.ndarray]:
@@ -219,9 +235,10 @@ class TetMesh:
     @cached_property
     def _edges(self) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
         count = library.crossgrain_domain_edge_count(self._handle)
-        vertices, its_tags, are_stated = np.empty((count, 2), np.uint32), np.empty(count, np.int32), np.empty(count, np.uint8)
-        library.crossgrain_domain_edges(self._handle, address(vertices), address(its_tags), address(are_stated))
-        return _read_only(vertices), _read_only(its_tags), _read_only(are_stated.astype(bool))
+        vertices, its_tags = np.empty((count, 2), np.uint32), np.empty(count, np.int32)
+        stated = np.empty(count, np.uint8)
+        library.crossgrain_domain_edges(self._handle, address(vertices), address(its_tags), address(stated))
+        return _read_only(vertices), _read_only(its_tags), _read_only(stated.astype(bool))
 
     @property
     def feature_faces(self) -> np.ndarray:
@@ -245,11 +262,13 @@ class TetMesh:
 
     @property
     def edges_are_stated(self) -> np.ndarray:
-        """Whether each of the feature edges is stated to be one; others may be any curve of the meshed model."""
+        """Whether each of the feature edges is stated to be one; others may be any curve of the meshed
+        model."""
         return self._edges[2]
 
     def write(self, path: Any) -> None:
-        """Writes the mesh with its regions and tags: .mesh for Medit, .msh for Gmsh. The file appears complete or not at all."""
+        """Writes the mesh with its regions and tags: .mesh for Medit, .msh for Gmsh. The file appears
+        complete or not at all."""
         encoded = path_bytes(path)
         watched(lambda monitor: call("domain_write", self._handle, encoded, monitor.handle))
 
@@ -284,8 +303,10 @@ def _read_surface(path: Any, options: Optional[Handle]) -> Surface:
     return Surface._of(handle, os.fsdecode(encoded), time.perf_counter() - start)
 
 
-def read_tets(path: Any, *, max_memory_bytes: int = 0, tags_options: Optional[TetTagOptions] = None) -> TetMesh:
-    """Reads a tet mesh (Medit, Gmsh, VTK) and prepares it for a field. Raises InputError like `read_surface`."""
+def read_tets(path: Any, *, max_memory_bytes: int = 0,
+              tags_options: Optional[TetTagOptions] = None) -> TetMesh:
+    """Reads a tet mesh (Medit, Gmsh, VTK) and prepares it for a field. Raises InputError like
+    `read_surface`."""
     start = time.perf_counter()
     encoded, most = path_bytes(path), integer(max_memory_bytes, "max_memory_bytes", 0, 2**63 - 1)
     mesh = watched(lambda monitor: made("tets", "tets_read", encoded, most, monitor.handle))
@@ -296,12 +317,16 @@ def read_tets(path: Any, *, max_memory_bytes: int = 0, tags_options: Optional[Te
     return tets
 
 
-def make_tets(model: Any, triangles: Any = None, *, size: Optional[float] = None, edges: Optional[float] = None, maker: Optional[str] = None,
-              options: Optional[TetMakingOptions] = None, tags_options: Optional[TetTagOptions] = None) -> TetMesh:
-    """Cuts the solids of a CAD file or of a closed surface into tets, by gmsh or Netgen, and prepares them for a field.
+def make_tets(model: Any, triangles: Any = None, *, size: Optional[float] = None,
+              edges: Optional[float] = None, maker: Optional[str] = None,
+              options: Optional[TetMakingOptions] = None,
+              tags_options: Optional[TetTagOptions] = None) -> TetMesh:
+    """Cuts the solids of a CAD file or of a closed surface into tets, by gmsh or Netgen, and prepares them
+    for a field.
 
-    The model is a file (STEP, IGES, BREP; STL, OBJ, PLY, OFF), two arrays (vertices (n, 3) and triangles (m, 3)), a mesh of meshio or
-    trimesh, or a `Surface`. Faces and edges of the model are tagged: of CAD files by their numbers, of surfaces between creases.
+    The model is a file (STEP, IGES, BREP; STL, OBJ, PLY, OFF), two arrays (vertices (n, 3) and triangles
+    (m, 3)), a mesh of meshio or trimesh, or a `Surface`. Faces and edges of the model are tagged: of CAD
+    files by their numbers, of surfaces between creases.
 
     size:
         largest edge of the tets, in model units
@@ -312,7 +337,8 @@ def make_tets(model: Any, triangles: Any = None, *, size: Optional[float] = None
     options:
         all other options; those above replace its members
 
-    Raises InputError naming the places of holes, and what to install if no program is there. Ctrl-C ends the program that makes the tets.
+    Raises InputError naming the places of holes, and what to install if no program is there. Ctrl-C ends the
+    program that makes the tets.
     """
     start = time.perf_counter()
     chosen = with_changes(options, TetMakingOptions, unless_none(size=size, edges=edges, maker=maker))
@@ -324,16 +350,18 @@ def make_tets(model: Any, triangles: Any = None, *, size: Optional[float] = None
         mesh = watched(lambda monitor: made("tets", "tets_make", encoded, handle, monitor.handle))
     else:
         surface = surface_of(model, triangles, lambda: None)
-        mesh = watched(lambda monitor: made("tets", "tets_make_inside", surface._handle, handle, monitor.handle))
+        mesh = watched(lambda monitor: made("tets", "tets_make_inside", surface._handle, handle,
+                                            monitor.handle))
     tets._prepare(mesh, tags_options)
     tets.read_seconds = time.perf_counter() - start
     return tets
 
 
-# -- Objects of other packages -------------------------------------------------------------------------------------------------
+# -- Objects of other packages -----------------------------------------------------------------------------
 
 # Data of cells that number regions or tag features, best first, as in files of VTK.
-_TAG_NAMES = ("gmsh:physical", "medit:ref", "CellEntityIds", "region", "RegionId", "tag", "material", "MaterialIds", "gmsh:geometrical")
+_TAG_NAMES = ("gmsh:physical", "medit:ref", "CellEntityIds", "region", "RegionId", "tag", "material",
+              "MaterialIds", "gmsh:geometrical")
 _CORNERS = {"tetra": 4, "triangle": 3, "quad": 4, "line": 2}
 _IGNORED = ("vertex", "empty")
 
@@ -342,7 +370,8 @@ def is_meshio(model: Any) -> bool:
     """Whether an object is a mesh of meshio, or looks like one."""
     if not (hasattr(model, "points") and hasattr(model, "cells") and hasattr(model, "cell_data")):
         return False
-    return isinstance(model.cells, (list, tuple)) and all(hasattr(block, "type") and hasattr(block, "data") for block in model.cells)
+    return isinstance(model.cells, (list, tuple)) and all(
+        hasattr(block, "type") and hasattr(block, "data") for block in model.cells)
 
 
 def _shape_of(block: Any) -> str:
@@ -356,12 +385,14 @@ class _Blocks:
     def __init__(self, mesh: Any, shape: str):
         chosen = [i for i, block in enumerate(mesh.cells) if _shape_of(block) == shape]
         corners = _CORNERS[shape]
-        self.cells = np.concatenate([np.asarray(mesh.cells[i].data)[:, :corners] for i in chosen]) if chosen else np.zeros((0, corners), int)
+        cells = [np.asarray(mesh.cells[i].data)[:, :corners] for i in chosen]
+        self.cells = np.concatenate(cells) if chosen else np.zeros((0, corners), int)
         self.tags = None
         name = next((name for name in _TAG_NAMES if name in mesh.cell_data), None)
         if name and chosen:
             if len(mesh.cell_data[name]) != len(mesh.cells):
-                raise InputError(f"the cell data {name} are of {len(mesh.cell_data[name])} blocks, and the mesh has {len(mesh.cells)}")
+                raise InputError(f"the cell data {name} are of {len(mesh.cell_data[name])} blocks, and the "
+                                 f"mesh has {len(mesh.cells)}")
             values = [np.asarray(mesh.cell_data[name][i]) for i in chosen]
             # As in files, numbers that are no integers tag nothing.
             if all(part.dtype.kind in "iu" and part.ndim == 1 for part in values):
@@ -371,7 +402,8 @@ class _Blocks:
 def _refuse_other_cells(mesh: Any) -> None:
     for block in mesh.cells:
         if _shape_of(block) not in (*_CORNERS, *_IGNORED):
-            raise InputError(f"the mesh has cells of type {block.type}; give triangles and quads, or cut solids into tets")
+            raise InputError(f"the mesh has cells of type {block.type}; give triangles and quads, or cut "
+                             "solids into tets")
 
 
 def has_tets(mesh: Any) -> bool:
@@ -384,14 +416,16 @@ def _tets_of_meshio(mesh: Any) -> TetMesh:
     tets, faces, edges = _Blocks(mesh, "tetra"), _Blocks(mesh, "triangle"), _Blocks(mesh, "line")
     # As of files: Gmsh and Medit list every curve of the model.
     stated = not any(name.startswith(("gmsh:", "medit:")) for name in mesh.cell_data)
-    return TetMesh(mesh.points, tets.cells, regions=tets.tags, feature_edges=edges.cells, edge_tags=edges.tags, edges_are_stated=stated,
-                   feature_faces=faces.cells, face_tags=faces.tags)
+    return TetMesh(mesh.points, tets.cells, regions=tets.tags, feature_edges=edges.cells,
+                   edge_tags=edges.tags, edges_are_stated=stated, feature_faces=faces.cells,
+                   face_tags=faces.tags)
 
 
 def _surface_of_meshio(mesh: Any) -> Surface:
     _refuse_other_cells(mesh)
     quads = _Blocks(mesh, "quad").cells
-    return Surface(mesh.points, np.concatenate([_Blocks(mesh, "triangle").cells, quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]))
+    return Surface(mesh.points, np.concatenate([_Blocks(mesh, "triangle").cells, quads[:, [0, 1, 2]],
+                                                quads[:, [0, 2, 3]]]))
 
 
 def _no_model(wanted: str, model: Any) -> TypeError:
@@ -401,7 +435,8 @@ def _no_model(wanted: str, model: Any) -> TypeError:
 
 
 def surface_of(model: Any, triangles: Any, read: "Any") -> Surface:
-    """The surface that a caller means: a path, arrays, a mesh of meshio or trimesh, or a Surface. `read()` gives the options of reading."""
+    """The surface that a caller means: a path, arrays, a mesh of meshio or trimesh, or a Surface. `read()`
+    gives the options of reading."""
     if triangles is not None:
         return Surface(model, triangles)
     if isinstance(model, Surface):
@@ -412,7 +447,8 @@ def surface_of(model: Any, triangles: Any, read: "Any") -> Surface:
         return _surface_of_meshio(model)
     if hasattr(model, "vertices") and hasattr(model, "faces"):
         return Surface(model.vertices, model.faces)
-    raise _no_model("a model is a path, two arrays (vertices and triangles), a mesh of meshio or a Surface", model)
+    raise _no_model("a model is a path, two arrays (vertices and triangles), a mesh of meshio or a Surface",
+                    model)
 
 
 def tets_of(model: Any, cells: Any, max_memory_bytes: int = 0) -> TetMesh:

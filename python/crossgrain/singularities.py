@@ -27,18 +27,20 @@ class Arc:
     """The vertex of the tet mesh behind each point, (n,); -1 on grids and at nodes."""
 
     axes: np.ndarray
-    """At each point, the axis about which the frames rotate around the arc, (n, 3): unit, turned along the arc; zero where they rotate
-    about no axis of theirs, and if read from a file."""
+    """At each point, the axis about which the frames rotate around the arc, (n, 3): unit, turned along the
+    arc; zero where they rotate about no axis of theirs, and if read from a file."""
 
     turning_points: np.ndarray
     """Indices into `points` where the rotation changes its sense, ascending."""
 
     type: str
-    """``"regular"``: the frames rotate by a quarter or half turn, of one sense along the arc, as in a hexahedral mesh; ``"changing"``: of
-    different senses on different parts; ``"no_axis"``: by a third or half turn about a diagonal of the frame."""
+    """``"regular"``: the frames rotate by a quarter or half turn, of one sense along the arc, as in a
+    hexahedral mesh; ``"changing"``: of different senses on different parts; ``"no_axis"``: by a third or half
+    turn about a diagonal of the frame."""
 
     index: float
-    """Rotation of the frames around the arc in full turns: +1/4 for valence 3, -1/4 for valence 5. 0 unless regular."""
+    """Rotation of the frames around the arc in full turns: +1/4 for valence 3, -1/4 for valence 5. 0 unless
+    regular."""
 
     verdict: str
     """``"meshable"``, ``"not_meshable"`` or ``"undecided"``."""
@@ -84,7 +86,8 @@ class Node:
 
 
 class SingularityGraph:
-    """The singular graph of a field: arcs, and the nodes where they end. The order of the lists depends on the field only."""
+    """The singular graph of a field: arcs, and the nodes where they end. The order of the lists depends on
+    the field only."""
 
     def __init__(self, handle: Handle):
         self._handle = Handle.of_kind(handle, "graph")
@@ -112,19 +115,23 @@ class SingularityGraph:
         def array(at: Any, dtype: Any, *shape: int) -> np.ndarray:
             return array_view(self._handle, at, dtype, shape)
 
-        return Arc(points=array(arc.points, np.float64, arc.point_count, 3), vertices=array(arc.vertices, np.int64, arc.point_count),
+        return Arc(points=array(arc.points, np.float64, arc.point_count, 3),
+                   vertices=array(arc.vertices, np.int64, arc.point_count),
                    axes=array(arc.axes, np.float64, arc.point_count, 3),
-                   turning_points=array(arc.turning_points, np.uint32, arc.turning_count), type=ARC_TYPES[arc.type], index=arc.index,
-                   verdict=VERDICTS[arc.verdict], length=arc.length, length_cells=arc.length_cells, oblique_length=arc.oblique_length,
+                   turning_points=array(arc.turning_points, np.uint32, arc.turning_count),
+                   type=ARC_TYPES[arc.type], index=arc.index, verdict=VERDICTS[arc.verdict],
+                   length=arc.length, length_cells=arc.length_cells, oblique_length=arc.oblique_length,
                    nodes=None if arc.is_closed else (arc.nodes[0], arc.nodes[1]))
 
     def _node(self, i: int) -> Node:
         node = library.crossgrain_graph_node(self._handle, i).contents
         arcs = array_view(self._handle, node.arcs, np.uint32, (node.arc_count,))
-        return Node(np.array(node.place), bool(node.on_boundary), VERDICTS[node.verdict], tuple(arcs.tolist()))
+        return Node(np.array(node.place), bool(node.on_boundary), VERDICTS[node.verdict],
+                    tuple(arcs.tolist()))
 
     def __repr__(self) -> str:
-        return f"<crossgrain.SingularityGraph: {len(self.arcs)} arcs, {len(self.nodes)} nodes, {self.verdict}>"
+        counts = f"{len(self.arcs)} arcs, {len(self.nodes)} nodes"
+        return f"<crossgrain.SingularityGraph: {counts}, {self.verdict}>"
 
     def to_vtk(self) -> Any:
         """A vtkPolyData with a polyline per arc, its index, type and verdict as cell data."""
@@ -157,7 +164,8 @@ class Reason:
 
 
 class Answer:
-    """Whether a hexahedral mesh can follow a field locally: necessary for a mesh, not sufficient. ``str()`` of it is one line."""
+    """Whether a hexahedral mesh can follow a field locally: necessary for a mesh, not sufficient. ``str()``
+    of it is one line."""
 
     def __init__(self, handle: Handle):
         self.verdict: str = VERDICTS[library.crossgrain_answer_verdict(Handle.of_kind(handle, "answer"))]
@@ -172,7 +180,8 @@ class Answer:
                 break
             reason = found.contents
             self.reasons.append(Reason(_text(reason.kind), VERDICTS[reason.verdict], reason.count,
-                                       np.array(reason.place) if reason.count else None, _text(reason.text), _text(reason.next)))
+                                       np.array(reason.place) if reason.count else None, _text(reason.text),
+                                       _text(reason.next)))
 
     def __str__(self) -> str:
         return self.sentence

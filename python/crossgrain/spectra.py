@@ -14,8 +14,8 @@ from ._library import Handle, array_view, call, library, made, text_bytes
 
 @dataclass(frozen=True, eq=False)
 class Spectrum:
-    """The quadratic form E(h) = h^T A h - 2 b.h + c of a set of normals: the deviation of coefficients h, in the order m = -degree ...
-    degree, from a frame with an axis along each normal (arXiv 2309.13477)."""
+    """The quadratic form E(h) = h^T A h - 2 b.h + c of a set of normals: the deviation of coefficients h, in
+    the order m = -degree ... degree, from a frame with an axis along each normal (arXiv 2309.13477)."""
 
     degree: int
     matrix: np.ndarray
@@ -38,7 +38,8 @@ def _spectrum(handle: Handle) -> Spectrum:
         return array_view(handle, at, np.float64, shape)
 
     return Spectrum(form.degree, array(form.matrix, size, size), array(form.eigenvalues, size),
-                    array(form.null_space, form.null_space_count, size), array(form.linear, size), form.constant)
+                    array(form.null_space, form.null_space_count, size), array(form.linear, size),
+                    form.constant)
 
 
 def _degree(degree: Any) -> int:
@@ -46,19 +47,22 @@ def _degree(degree: Any) -> int:
 
 
 def spectrum(normals: Any, weights: Optional[Any] = None, *, degree: int = 4) -> Spectrum:
-    """The form of a sum of normals, (n, 3), of any length except zero, with positive weights, (n,), by default 1; or of a shape:
-    ``"plane"``, ``"cube"``, ``"cylinder"`` or ``"sphere"``."""
+    """The form of a sum of normals, (n, 3), of any length except zero, with positive weights, (n,), by
+    default 1; or of a shape: ``"plane"``, ``"cube"``, ``"cylinder"`` or ``"sphere"``."""
     its_degree = _degree(degree)
     if isinstance(normals, str):
         return _spectrum(made("spectrum", "spectrum_of_preset", text_bytes(normals, "normals"), its_degree))
     rows = _arrays.numbers(normals, "normals", 3)
-    its_weights = np.ones(len(rows)) if weights is None else _arrays.of_shape(weights, "weights", (len(rows),))
-    return _spectrum(made("spectrum", "spectrum_of_normals", _arrays.address(rows), _arrays.address(its_weights), len(rows), its_degree))
+    shape = (len(rows),)
+    its_weights = np.ones(shape) if weights is None else _arrays.of_shape(weights, "weights", shape)
+    return _spectrum(made("spectrum", "spectrum_of_normals", _arrays.address(rows),
+                          _arrays.address(its_weights), len(rows), its_degree))
 
 
 def coefficients(frames: Any, *, degree: int = 4) -> np.ndarray:
-    """The coefficients of frames, (n, 3, 3), in real orthonormal spherical harmonics, in the order m = -degree ... degree: (n, 7) in degree
-    3, (n, 9) in degree 4, of unit length. The 24 ways to name the axes of a frame have the same coefficients; in degree 3 up to sign."""
+    """The coefficients of frames, (n, 3, 3), in real orthonormal spherical harmonics, in the order m =
+    -degree ... degree: (n, 7) in degree 3, (n, 9) in degree 4, of unit length. The 24 ways to name the axes
+    of a frame have the same coefficients; in degree 3 up to sign."""
     rows = _arrays.of_shape(frames, "frames", (None, 3, 3))
     its_degree = _degree(degree)
     result = np.empty((len(rows), 7 if its_degree == 3 else 9))

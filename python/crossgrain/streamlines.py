@@ -20,14 +20,16 @@ ENDS = ("boundary", "singular_arc", "closed", "longest", "ambiguous", "crowded")
 
 @dataclass(frozen=True, eq=False)
 class Streamline:
-    """A curve along an axis of the field. From point to point it follows the axis nearest to its direction."""
+    """A curve along an axis of the field. From point to point it follows the axis nearest to its
+    direction."""
 
     points: np.ndarray
     """(n, 3), at least two; a closed line ends with its first point."""
     tangents: Optional[np.ndarray]
     """Unit vectors, (n, 3); None for lines read from a file."""
     axis: int
-    """Name of the axis at the seed: 0 x, 1 y, 2 z; lines side by side along the same axis have the same name."""
+    """Name of the axis at the seed: 0 x, 1 y, 2 z; lines side by side along the same axis have the same
+    name."""
     length: float
     """Sum of the segments between the points."""
     seed: Optional[int]
@@ -35,7 +37,8 @@ class Streamline:
     seed_point: Optional[int]
     """Index of the seed in `points`."""
     first_end: Optional[str]
-    """Why it ends at its first point: ``"boundary"``, ``"singular_arc"``, ``"closed"``, ``"longest"``, ``"ambiguous"`` or ``"crowded"``."""
+    """Why it ends at its first point: ``"boundary"``, ``"singular_arc"``, ``"closed"``, ``"longest"``,
+    ``"ambiguous"`` or ``"crowded"``."""
     last_end: Optional[str]
     """Why it ends at its last point."""
 
@@ -58,8 +61,8 @@ class Streamlines:
         if not line.tangents:
             length = float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
             return Streamline(points, None, line.axis, length, None, None, None, None)
-        return Streamline(points, array_view(self._handle, line.tangents, np.float64, shape), line.axis, line.length, line.seed,
-                          line.seed_point, ENDS[line.first_end], ENDS[line.last_end])
+        return Streamline(points, array_view(self._handle, line.tangents, np.float64, shape), line.axis,
+                          line.length, line.seed, line.seed_point, ENDS[line.first_end], ENDS[line.last_end])
 
     def __len__(self) -> int:
         return len(self.lines)
@@ -74,12 +77,13 @@ class Streamlines:
         return f"<crossgrain.Streamlines: {len(self.lines)} lines>"
 
     def write(self, path: Any) -> None:
-        """Writes the lines as polylines to a .vtu file, which ParaView opens (docs/streamlines.md). In the folder of their field it is
-        ``streamlines.vtu``; write the field first."""
+        """Writes the lines as polylines to a .vtu file, which ParaView opens (docs/streamlines.md). In the
+        folder of their field it is ``streamlines.vtu``; write the field first."""
         encoded = path_bytes(path)
         # All files of a result name their solve.
         solve = "" if self._field is None else self._field.report.get("solve", "")
-        watched(lambda monitor: call("lines_write", self._handle, encoded, solve.encode() or None, monitor.handle))
+        watched(lambda monitor: call("lines_write", self._handle, encoded, solve.encode() or None,
+                                     monitor.handle))
 
     def to_vtk(self) -> Any:
         """A vtkPolyData with a polyline per line, and the name of its axis as cell data."""
@@ -92,7 +96,8 @@ def read_streamlines(path: Any) -> Streamlines:
     return Streamlines(made("lines", "lines_read", path_bytes(path)))
 
 
-def traced(field: Any, tracer: Handle, seeds: Any, on: Optional[str], count: int, position: Optional[float], threads: int) -> Streamlines:
+def traced(field: Any, tracer: Handle, seeds: Any, on: Optional[str], count: int, position: Optional[float],
+           threads: int) -> Streamlines:
     """The lines through seeds, or through `count` seeds inside, on the surface or on a cut."""
     if seeds is not None and (on is not None or position is not None):
         raise UsageError("give either seeds, or where to make some")
@@ -102,7 +107,8 @@ def traced(field: Any, tracer: Handle, seeds: Any, on: Optional[str], count: int
 
     def work(monitor: Any) -> Handle:
         if given is not None:
-            return made("lines", "tracer_trace", tracer, _arrays.address(given), len(given), 3, its_threads, monitor.handle)
+            return made("lines", "tracer_trace", tracer, _arrays.address(given), len(given), 3, its_threads,
+                        monitor.handle)
         rows = _seeds(tracer, on or "inside", its_count, place, monitor)
         data, length = library.crossgrain_numbers_data(rows), library.crossgrain_numbers_rows(rows)
         columns = library.crossgrain_numbers_columns(rows)

@@ -31,7 +31,8 @@ def _cells(offsets: np.ndarray, connectivity: np.ndarray) -> Any:
     from vtkmodules.vtkCommonDataModel import vtkCellArray  # type: ignore[import]
     result = vtkCellArray()
     result.SetData(numpy_to_vtkIdTypeArray(offsets.astype(np.int64), deep=True),
-                   numpy_to_vtkIdTypeArray(np.ascontiguousarray(connectivity).ravel().astype(np.int64), deep=True))
+                   numpy_to_vtkIdTypeArray(np.ascontiguousarray(connectivity).ravel().astype(np.int64),
+                                           deep=True))
     return result
 
 
@@ -40,7 +41,8 @@ def _add(data: Any, arrays: Dict[str, np.ndarray]) -> None:
         data.AddArray(_to_vtk(values, name))
 
 
-def grid_of(parts: Tuple[np.ndarray, str, np.ndarray], cell_data: Dict[str, np.ndarray], point_data: Dict[str, np.ndarray]) -> Any:
+def grid_of(parts: Tuple[np.ndarray, str, np.ndarray], cell_data: Dict[str, np.ndarray],
+            point_data: Dict[str, np.ndarray]) -> Any:
     """A vtkUnstructuredGrid."""
     from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid  # type: ignore[import]
     points, shape, cells = parts
