@@ -42,8 +42,12 @@ class WrongUsage(CommandTest):
         self.refuse(["solve", "a.stl", "b.stl"], "b.stl")
 
     def test_help_of_a_command_is_the_same_either_way(self):
-        self.assertEqual(run("help", "check").stdout, run("check", "--help").stdout)
-        self.assertEqual(run("help").stdout, run("--help").stdout)
+        for command, its_name in ((["check"], "Usage: crossgrain check "), ([], "Usage: crossgrain [OPTIONS]")):
+            ways = [run("help", *command), run(*command, "--help")]
+            for way in ways:
+                self.assert_succeeds(way)
+                self.assertIn(its_name, way.stdout)
+            self.assertEqual(ways[0].stdout, ways[1].stdout)
 
     def test_a_model_without_a_command_is_probably_to_be_solved(self):
         (self.folder / "part.stl").write_bytes(stl_bytes(box_triangles()))
