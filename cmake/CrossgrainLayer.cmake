@@ -12,6 +12,8 @@ function(crossgrain_compile_settings target)
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   # Nobody reads errno or catches floating-point traps; without them roots are one instruction.
   target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math)
+  # Sources of one unit are included by it, so that g++ takes their anonymous namespaces for those of a header.
+  target_compile_options(${target} PRIVATE $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-subobject-linkage>)
   target_compile_definitions(${target} PRIVATE $<$<BOOL:${CROSSGRAIN_STD_THREADS}>:CROSSGRAIN_STD_THREADS>)
 endfunction()
 

@@ -20,12 +20,12 @@ bool ends_with(const InputFile& file, std::string_view text) {
   return bytes.substr(bytes.size() - std::min(bytes.size(), kTail)).find(text) != std::string_view::npos;
 }
 
-constexpr std::string_view kBlank = " \t\r\x1a";
+constexpr std::string_view kStepBlanks = " \t\r\x1a";
 
 std::string_view trimmed(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(kBlank);
+  const std::size_t first = line.find_first_not_of(kStepBlanks);
   if (first == std::string_view::npos) return {};
-  return line.substr(first, line.find_last_not_of(kBlank) + 1 - first);
+  return line.substr(first, line.find_last_not_of(kStepBlanks) + 1 - first);
 }
 
 /// Returns whether a line begins with '+1 0': orientation and number of a shape, and its location.

@@ -2,17 +2,15 @@
 // Compiled into both the library and the program crossgrain_cad.
 //
 // Layout of an answer: the greeting; a CadEnd; the fault; the vectors of the mesh and of the solids in the
-// order of `exchange`; kTrailer. A vector or a text is the number of its items, in 64 bits, and their bytes
-// as in memory.
+// order of `exchange_cad`; kAnswerTrailer. A vector or a text is the number of its items, in 64 bits, and
+// their bytes as in memory.
 #include "cad_reading/cad_messages.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <span>
 
 #include "crossgrain/version.hpp"
 #include "process/answer_stream.hpp"
@@ -20,9 +18,7 @@
 namespace crossgrain {
 namespace {
 
-constexpr std::string_view kTrailer = "complete";
-
-const std::string& greeting() {
+const std::string& cad_greeting() {
   static const std::string text = fmt::format("crossgrain_cad {}\n", kVersion);
   return text;
 }
@@ -34,7 +30,7 @@ constexpr std::size_t kLeastWarningBytes = 3 * kCountBytes + sizeof(WarningKind)
 
 /// Defines the contents of an answer and their order, for reading and writing.
 template <class Stream, class Answer>
-void exchange(Stream& stream, Answer& answer) {
+void exchange_cad(Stream& stream, Answer& answer) {
   stream.value(answer.end);
   stream.items(answer.fault.text);
   stream.value(answer.fault.remedy);
@@ -77,12 +73,6 @@ bool is_line(std::string_view text) {
 bool is_sound(const Warning& warning) {
   return warning.kind >= WarningKind{} && warning.kind <= WarningKind::kNotFinite &&
          is_known(warning.remedy) && is_line(warning.file) && is_line(warning.place) && is_line(warning.text);
-}
-
-bool are_finite(std::span<const Vector3> vectors) {
-  return std::all_of(vectors.begin(), vectors.end(), [](const Vector3& v) {
-    return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
-  });
 }
 
 bool is_sound(const CreaseCurve& crease) {
@@ -159,27 +149,27 @@ std::optional<CadRequest> cad_request_of(const std::vector<std::string>& argumen
 }
 
 void write_cad_greeting(std::FILE* out) {
-  std::fputs(greeting().c_str(), out);
+  std::fputs(cad_greeting().c_str(), out);
   std::fflush(out);
 }
 
 bool write_cad_answer(std::FILE* out, const CadAnswer& answer) {
   AnswerWriter writer(out);
-  exchange(writer, answer);
-  writer.bytes(kTrailer.data(), kTrailer.size());
+  exchange_cad(writer, answer);
+  writer.bytes(kAnswerTrailer.data(), kAnswerTrailer.size());
   return writer.flush();
 }
 
 bool is_cad_greeting(std::string_view written) {
-  return written.starts_with(greeting());
+  return written.starts_with(cad_greeting());
 }
 
 std::optional<CadAnswer> cad_answer_in(std::string_view written) {
   if (!is_cad_greeting(written)) return std::nullopt;
-  AnswerReader reader(written.substr(greeting().size()));
+  AnswerReader reader(written.substr(cad_greeting().size()));
   CadAnswer answer;
-  exchange(reader, answer);
-  if (!reader.sound() || reader.rest() != kTrailer || answer.end > CadEnd::kOutOfMemory ||
+  exchange_cad(reader, answer);
+  if (!reader.sound() || reader.rest() != kAnswerTrailer || answer.end > CadEnd::kOutOfMemory ||
       !is_known(answer.fault.remedy) || !is_line(answer.fault.text) || !is_consistent(answer.mesh) ||
       !is_consistent(answer.solids))
     return std::nullopt;

@@ -27,9 +27,6 @@ namespace {
 
 using End = HelperOutcome::End;
 
-/// Exit status when the dynamic linker finds a library missing.
-constexpr int kLibrariesMissing = 127;
-
 /// Sines and the like of the GNU C library differ in the last bit between processors with and without fused
 /// multiply-add, and with them OpenCASCADE's triangles. All processors have the variants without.
 constexpr const char* kOneArithmetic = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4";

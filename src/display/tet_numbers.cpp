@@ -16,7 +16,7 @@ namespace {
 /// Energies below this share of the largest count as that much between vertices: they have logarithms.
 constexpr float kLeastShare = 1e-8f;
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 
 double area_of(const SolvedSurface& surface, std::size_t triangle) {
   const auto& [a, b, c] = surface.triangles[triangle];
@@ -75,7 +75,7 @@ void TetNumbers::average_alignment() {
   const SolvedSurface& surface = field_.surface();
   const std::vector<std::uint32_t>& tets = field_.tets().solid.boundary_tets;
   const SmoothCorners corners(surface.vertices, surface.triangles);
-  std::vector<float> angles(surface.triangles.size(), kNone);
+  std::vector<float> angles(surface.triangles.size(), kNoNumber);
   parallel_for(angles.size(), [&](std::size_t t) {
     if (tets[t] != kNoTet)
       angles[t] = static_cast<float>(
@@ -90,7 +90,7 @@ void TetNumbers::average_alignment() {
         sum += own * static_cast<double>(angles[other]);
         area += own;
       });
-      numbers_[t][corner] = area > 0 ? static_cast<float>(sum / area) : kNone;
+      numbers_[t][corner] = area > 0 ? static_cast<float>(sum / area) : kNoNumber;
     }
   });
 }
@@ -114,7 +114,7 @@ void TetNumbers::average_energy() {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const std::uint32_t vertex = triangles[t][corner];
       numbers_[t][corner] =
-          volumes[vertex] > 0 ? static_cast<float>(energies[vertex] / volumes[vertex]) : kNone;
+          volumes[vertex] > 0 ? static_cast<float>(energies[vertex] / volumes[vertex]) : kNoNumber;
     }
 }
 

@@ -17,13 +17,13 @@ constexpr mode_t kFolderMode = 0777;
 
 /// Another process may remove folders on the way while they are created; each attempt fails only if that
 /// happens again.
-constexpr int kAttempts = 20;
+constexpr int kMakeAttempts = 20;
 
 }  // namespace
 
 NewFolders::NewFolders(const std::filesystem::path& folder) {
   try {
-    for (int attempt = 0; attempt < kAttempts; ++attempt)
+    for (int attempt = 0; attempt < kMakeAttempts; ++attempt)
       if (make(folder)) return;
     fail_output(folder.string(), "created", ENOENT);
   } catch (...) {

@@ -30,7 +30,7 @@ constexpr mode_t kFileMode = 0666;
 
 /// Returns the file that `target` names, behind all links. Throws Error(kOutput) unless a regular file may be
 /// written there. Nothing is opened, since opening a pipe would wait for its reader.
-std::filesystem::path resolved(const std::filesystem::path& target) {
+std::filesystem::path behind_links(const std::filesystem::path& target) {
   const std::string& name = target.string();
   const auto refuse = [](const std::string& what, const std::string& text, Remedy remedy) {
     throw Error(ErrorKind::kOutput, {what, "", text, remedy});
@@ -64,7 +64,7 @@ Descriptor open_temporary(int folder, const std::string& target, std::string& te
 }  // namespace
 
 OutputFile::OutputFile(const std::filesystem::path& target) : name_(target.string()) {
-  const std::filesystem::path path = resolved(target);
+  const std::filesystem::path path = behind_links(target);
   target_ = path.filename().string();
   folder_ = open_folder(path.parent_path());
   if (folder_.is_open()) descriptor_ = open_temporary(folder_.number(), target_, temporary_);

@@ -100,18 +100,12 @@ Vector3 direction_at(const GuideSegment& segment, double t) {
   return direction == Vector3{0, 0, 0} ? first : direction;
 }
 
-LeafGuide guide_of(CellIndex leaf, const Vector3& direction, double area) {
-  LeafGuide guide{leaf, {}, static_cast<float>(area)};
-  for (int k = 0; k < 3; ++k) guide.direction[k] = static_cast<float>(direction[k]);
-  return guide;
-}
-
 LeafGuide guide_of(const Octree& tree, const GuideSegment& segment, const Passage& passage) {
   const double length = norm(segment.ends[1] - segment.ends[0]);
   const double cell = tree.cell_size(passage.leaf);
   const double within = length == 0 ? cell : (passage.to - passage.from) * length;
-  return guide_of(passage.leaf, direction_at(segment, 0.5 * (passage.from + passage.to)),
-                  segment.weight * within * cell);
+  return LeafGuide::rounded(passage.leaf, direction_at(segment, 0.5 * (passage.from + passage.to)),
+                            segment.weight * within * cell);
 }
 
 /// Returns the guides that `add_pieces(k, pieces)` appends for each k below `count`, in the order of k.
@@ -177,7 +171,8 @@ class FaceCutter {
     if (tree_[first] == cell) {
       const ClippedTriangle piece = clip_triangle(face.corners, tree_.root().box(cell));
       if (piece.area > 0)
-        pieces.push_back(guide_of(first, direction_at(face, piece.centroid), face.weight * piece.area));
+        pieces.push_back(
+            LeafGuide::rounded(first, direction_at(face, piece.centroid), face.weight * piece.area));
       return;
     }
     for (int octant = 0; octant < 8; ++octant) cut(face, cell.child(octant), pieces);
@@ -194,6 +189,12 @@ std::vector<std::vector<LeafGuide>> on_faces(const Octree& tree, const std::vect
 }
 
 }  // namespace
+
+LeafGuide LeafGuide::rounded(CellIndex leaf, const Vector3& direction, double area) {
+  LeafGuide guide{leaf, {}, static_cast<float>(area)};
+  for (int k = 0; k < 3; ++k) guide.direction[k] = static_cast<float>(direction[k]);
+  return guide;
+}
 
 Vector3 LeafGuide::unit_direction() const {
   return normalised(Vector3{direction[0], direction[1], direction[2]});

@@ -19,6 +19,9 @@ struct LeafGuide {
   std::array<float, 3> direction;  ///< unit
   float area;                      ///< model units squared
 
+  /// Returns a guide in single precision; `direction` is unit.
+  static LeafGuide rounded(CellIndex leaf, const Vector3& direction, double area);
+
   Vector3 unit_direction() const;
 };
 

@@ -72,12 +72,6 @@ std::vector<PlacedPoint> placed_points(const Octree& tree, const std::vector<Gui
   return placed;
 }
 
-LeafGuide guide_of(CellIndex leaf, const Vector3& direction, double area) {
-  LeafGuide guide{leaf, {}, static_cast<float>(area)};
-  for (int k = 0; k < 3; ++k) guide.direction[k] = static_cast<float>(direction[k]);
-  return guide;
-}
-
 }  // namespace
 
 std::vector<LeafGuide> guides_at_points(const Octree& tree, const std::vector<GuidePoint>& points) {
@@ -97,7 +91,7 @@ std::vector<LeafGuide> guides_at_points(const Octree& tree, const std::vector<Gu
       const GuidePoint& point = points[p->point];
       for (int k = 0; k < 3; ++k) {
         if (point.weights[k] > 0)
-          guides.push_back(guide_of(leaf, point.directions[k], p->share * point.weights[k] * area));
+          guides.push_back(LeafGuide::rounded(leaf, point.directions[k], p->share * point.weights[k] * area));
       }
     }
     first = last;

@@ -9,7 +9,7 @@ namespace {
 
 using Axis = std::array<Int128, 3>;
 
-Axis cross(const Axis& a, const Axis& b) {
+Axis exact_cross(const Axis& a, const Axis& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
@@ -43,9 +43,9 @@ bool meets_open_cell(const std::array<GridPoint, 3>& triangle, const GridPoint& 
     unit[k] = 1;
     if (separates(unit, corners)) return false;
     for (const Axis& edge : edges)
-      if (separates(cross(edge, unit), corners)) return false;
+      if (separates(exact_cross(edge, unit), corners)) return false;
   }
-  return !separates(cross(edges[0], edges[1]), corners);
+  return !separates(exact_cross(edges[0], edges[1]), corners);
 }
 
 }  // namespace crossgrain

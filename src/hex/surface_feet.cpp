@@ -11,15 +11,15 @@
 namespace crossgrain {
 namespace {
 
-constexpr std::uint32_t kNone = UINT32_MAX;
+constexpr std::uint32_t kNoNumber = UINT32_MAX;
 
 /// Numbers of the sets from 0 on, by their first members.
 std::vector<std::uint32_t> numbered(DisjointSets& sets, std::uint32_t size, std::uint32_t& count) {
-  std::vector<std::uint32_t> numbers(size, kNone), of_root(size, kNone);
+  std::vector<std::uint32_t> numbers(size, kNoNumber), of_root(size, kNoNumber);
   count = 0;
   for (std::uint32_t k = 0; k < size; ++k) {
     std::uint32_t& number = of_root[sets.root(k)];
-    if (number == kNone) number = count++;
+    if (number == kNoNumber) number = count++;
     numbers[k] = number;
   }
   return numbers;
@@ -40,7 +40,7 @@ bool MapSurface::is_bent(std::uint32_t boundary_edge) const {
 std::vector<std::uint32_t> MapSurface::bent_edges_at(std::uint32_t vertex) const {
   std::vector<std::uint32_t> bent;
   for (const std::uint32_t e : field_->complex().edges_at(vertex))
-    if (curve_of_[e] != kNone) bent.push_back(e);
+    if (curve_of_[e] != kNoNumber) bent.push_back(e);
   return bent;
 }
 
@@ -81,7 +81,7 @@ void MapSurface::find_faces() {
 void MapSurface::find_curves() {
   const TetComplex& complex = field_->complex();
   const auto count = static_cast<std::uint32_t>(complex.edges().size());
-  curve_of_.assign(count, kNone);
+  curve_of_.assign(count, kNoNumber);
   for (std::uint32_t e = 0; e < count; ++e)
     if (complex.edges()[e].is_on_boundary() && is_bent(e)) curve_of_[e] = 0;
   DisjointSets sets(count);
@@ -89,11 +89,11 @@ void MapSurface::find_curves() {
     const std::vector<std::uint32_t> bent = bent_edges_at(v);
     if (bent.size() == 2 && !field_->is_map_corner(v)) sets.join(bent[0], bent[1]);
   }
-  std::vector<std::uint32_t> of_root(count, kNone);
+  std::vector<std::uint32_t> of_root(count, kNoNumber);
   for (std::uint32_t e = 0; e < count; ++e) {
-    if (curve_of_[e] == kNone) continue;
+    if (curve_of_[e] == kNoNumber) continue;
     std::uint32_t& number = of_root[sets.root(e)];
-    if (number == kNone) {
+    if (number == kNoNumber) {
       number = static_cast<std::uint32_t>(curves_.size());
       curves_.emplace_back();
     }
@@ -116,7 +116,7 @@ Foot MapSurface::foot_of(const Carrier& carrier) const {
     const std::uint32_t e = complex.edge_between(a, b);
     const TetComplex::Edge& edge = complex.edges()[e];
     if (!edge.is_on_boundary()) return {};
-    if (curve_of_[e] != kNone) return {Foot::Kind::kCurve, curve_of_[e]};
+    if (curve_of_[e] != kNoNumber) return {Foot::Kind::kCurve, curve_of_[e]};
     return {Foot::Kind::kFace, face_of_[edge.boundary_faces[0]]};
   }
   if (carrier.count == 3) {

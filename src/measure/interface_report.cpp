@@ -16,7 +16,7 @@ namespace {
 /// parts than memory.
 constexpr int kMostHalvings = 18;
 
-struct Place {
+struct InterfacePlace {
   Vector3 position, normal;
   double area;
 };
@@ -24,7 +24,7 @@ struct Place {
 /// Adds the centroids of the parts of a triangle that is halved across its longest edge while that is longer
 /// than `step`. Long thin triangles, such as those of a cylinder, get no more parts than needed.
 void add_places(const std::array<Vector3, 3>& corners, const std::array<Vector3, 3>& normals, double step,
-                int halvings, std::vector<Place>& places) {
+                int halvings, std::vector<InterfacePlace>& places) {
   std::size_t longest = 0;
   const auto length = [&](std::size_t edge) { return norm(corners[(edge + 1) % 3] - corners[edge]); };
   for (std::size_t edge = 1; edge < 3; ++edge) {
@@ -50,13 +50,13 @@ void add_places(const std::array<Vector3, 3>& corners, const std::array<Vector3,
 std::optional<SolveReport::Interfaces> interface_report(const TriangleMesh& inner,
                                                         const PlaceSampler& sampler, double step) {
   if (inner.triangles.empty()) return std::nullopt;
-  std::vector<Place> places;
+  std::vector<InterfacePlace> places;
   for (std::size_t t = 0; t < inner.triangles.size(); ++t) {
     add_places(corners_of(inner.triangles[t], inner.vertices), inner.corner_normals[t], step, kMostHalvings,
                places);
   }
   std::vector<Vector3> positions;
-  for (const Place& place : places) positions.push_back(place.position);
+  for (const InterfacePlace& place : places) positions.push_back(place.position);
   const std::vector<Quaternion> frames = sampler.frames_at(positions);
   std::vector<float> angles_deg(places.size());
   std::vector<SurfacePiece> pieces(places.size());
@@ -66,7 +66,7 @@ std::optional<SolveReport::Interfaces> interface_report(const TriangleMesh& inne
     pieces[k] = {0, static_cast<float>(area)};
   });
   SolveReport::Interfaces report;
-  for (const Place& place : places) report.area += place.area;
+  for (const InterfacePlace& place : places) report.area += place.area;
   const SolveReport::Alignment alignment = angle_statistics(pieces, angles_deg, report.area);
   report.mean = alignment.mean.value_or(0);
   report.p95 = alignment.p95.value_or(0);

@@ -22,15 +22,15 @@ namespace {
 constexpr double kOpposite = 0.5;
 
 /// Number of leaves per task: none belongs to two processes.
-constexpr std::size_t kLeafGrain = kShareUnit;
+constexpr std::size_t kWallGrain = kShareUnit;
 
-constexpr double kNone = std::numeric_limits<double>::infinity();
+constexpr double kNoWall = std::numeric_limits<double>::infinity();
 
 /// The thickness of the wall behind the surface in leaf i; infinite if there is none up to `thickest`.
 double wall_thickness(const GridLevel& level, const Solid& solid, CellIndex i, double thickest) {
   const auto ray = inward_ray(level, solid, i, thickest);
-  if (!ray || ray->thickness == kNone) return kNone;
-  if (dot(solid.outward_normal(ray->exit_triangle), ray->direction) < kOpposite) return kNone;
+  if (!ray || ray->thickness == kNoWall) return kNoWall;
+  if (dot(solid.outward_normal(ray->exit_triangle), ray->direction) < kOpposite) return kNoWall;
   return ray->thickness;
 }
 
@@ -62,7 +62,7 @@ class SharedLeast {
   }
 
  private:
-  std::atomic<double> least_ = kNone;
+  std::atomic<double> least_ = kNoWall;
 };
 
 void add_leaf(const GridLevel& level, const Solid& solid, CellIndex i, double thin, SharedLeast& thinnest,
@@ -94,10 +94,10 @@ WallSums total_of(const std::vector<WallSums>& runs, const Share& share) {
 }
 
 double smallest_cell_size(const Octree& tree, const Share& share) {
-  std::vector<int> deepest((tree.size() + kLeafGrain - 1) / kLeafGrain);
-  parallel_for_chunks(tree.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
+  std::vector<int> deepest((tree.size() + kWallGrain - 1) / kWallGrain);
+  parallel_for_chunks(tree.size(), kWallGrain, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<CellIndex>(begin); i < end; ++i)
-      deepest[begin / kLeafGrain] = std::max(deepest[begin / kLeafGrain], tree[i].depth());
+      deepest[begin / kWallGrain] = std::max(deepest[begin / kWallGrain], tree[i].depth());
   });
   const int deepest_here = deepest.empty() ? 0 : *std::max_element(deepest.begin(), deepest.end());
   return tree.root().cell_size(largest_of_all(share, deepest_here));
@@ -119,7 +119,7 @@ double thickness_of_all_but(double area, const std::vector<ThinWall>& walls) {
     area -= static_cast<double>(wall.area);
     if (area < 0) return static_cast<double>(wall.thickness);
   }
-  return kNone;
+  return kNoWall;
 }
 
 /// Returns the cells along the longest side of which a wall has as many as wanted.
@@ -137,10 +137,10 @@ SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid,
   const double finest = smallest_cell_size(level.tree, share);
   const double thin = std::max(options.thickness_cells, answer.wall_cells) * finest;
   SharedLeast least;
-  std::vector<WallSums> runs((share.size() + kLeafGrain - 1) / kLeafGrain);
-  parallel_for_chunks(share.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
+  std::vector<WallSums> runs((share.size() + kWallGrain - 1) / kWallGrain);
+  parallel_for_chunks(share.size(), kWallGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      add_leaf(level, solid, static_cast<CellIndex>(share.begin + i), thin, least, runs[begin / kLeafGrain]);
+      add_leaf(level, solid, static_cast<CellIndex>(share.begin + i), thin, least, runs[begin / kWallGrain]);
   });
   WallSums sums = total_of(runs, share);
   const double thinnest = -largest_of_all(share, -least.get());

@@ -18,7 +18,7 @@ namespace {
 using Value = LocatedJson::Value;
 using Kind = LocatedJson::Kind;
 
-constexpr double kSchema = 1;
+constexpr double kConstraintsSchema = 1;
 
 void demand(const Value& value, const std::string& fault) {
   if (!fault.empty()) value.fail(fault);
@@ -213,8 +213,8 @@ void read_stresses(const Value& value, Constraints& constraints) {
 
 void check_schema(const Members& members) {
   const Value schema = members.at("schema");
-  if (!schema.is(Kind::kNumber) || schema.number() != kSchema)
-    schema.fail(fmt::format("'schema' must be {}, the only one that this program reads", kSchema));
+  if (!schema.is(Kind::kNumber) || schema.number() != kConstraintsSchema)
+    schema.fail(fmt::format("'schema' must be {}, the only one that this program reads", kConstraintsSchema));
 }
 
 }  // namespace

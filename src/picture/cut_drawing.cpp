@@ -19,7 +19,7 @@ namespace {
 
 // Radii in units of PictureWeights.
 constexpr double kGhostRadius = 0.9, kOutlineRadius = 1.5, kInterfaceRadius = 1.1, kSeamRadius = 1.2,
-                 kEdgeRadius = 0.35, kLineRadius = 1.7, kStreamlineRadius = 1.6;
+                 kCutEdgeRadius = 0.35, kLineRadius = 1.7;
 
 /// Distance from the cut within which streamlines are drawn on it, in units of PictureWeights.
 constexpr double kOnCutReach = 8;
@@ -149,7 +149,7 @@ void CutDrawing::add_edges(Drawing& drawing, double unit) const {
   if (sizes < kLeastPolygon * unit * static_cast<double>(mesh_.pieces().size())) return;
   DrawnRods edges{RodLook::kInk, {}, {}, true};
   for (const CutMesh::Side& side : mesh_.sides())
-    edges.rods.push_back({side.from, side.to, kEdgeRadius * unit, kEdgeColour});
+    edges.rods.push_back({side.from, side.to, kCutEdgeRadius * unit, kEdgeColour});
   drawing.rods.push_back(std::move(edges));
 }
 

@@ -12,7 +12,7 @@ namespace crossgrain {
 namespace {
 
 // Radii in units of PictureWeights.
-constexpr double kSingularRadius = 4.2, kCreaseRadius = 1.0, kStreamlineRadius = 1.6;
+constexpr double kSingularRadius = 4.2, kCreaseRadius = 1.0;
 
 DrawnMesh part(const PictureSubject& subject, const PictureOptions& options) {
   DrawnMesh mesh;

@@ -11,6 +11,9 @@
 
 namespace crossgrain {
 
+/// Radius of streamlines in units of PictureWeights.
+inline constexpr double kStreamlineRadius = 1.6;
+
 std::vector<Rod> streamlines(const std::vector<AxisCurve>& curves, double radius);
 
 /// The parts of lines no further than `reach` from the plane of a section, moved onto it: those that lie in

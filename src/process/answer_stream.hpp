@@ -3,16 +3,24 @@
 // A vector or a text is the number of its items, in 64 bits, and their bytes. Compiled into both.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <type_traits>
 
+#include "crossgrain/types.hpp"
+
 namespace crossgrain {
+
+/// Ends a complete answer.
+inline constexpr std::string_view kAnswerTrailer = "complete";
 
 class AnswerWriter {
  public:
@@ -96,6 +104,12 @@ class AnswerReader {
   std::string_view rest_;
   bool sound_ = true;
 };
+
+inline bool are_finite(std::span<const Vector3> vectors) {
+  return std::all_of(vectors.begin(), vectors.end(), [](const Vector3& v) {
+    return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+  });
+}
 
 /// Reads a number that is the whole text, as fmt writes it. Returns whether it is one.
 template <class Number>

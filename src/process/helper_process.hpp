@@ -13,6 +13,9 @@ namespace crossgrain {
 /// Descriptor to which a helper writes its answer; its standard streams are /dev/null.
 inline constexpr int kAnswerDescriptor = 3;
 
+/// Exit status of a helper when the dynamic linker finds a library missing.
+inline constexpr int kLibrariesMissing = 127;
+
 struct HelperRun {
   std::filesystem::path program;
   std::vector<std::string> arguments;

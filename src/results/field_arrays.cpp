@@ -19,10 +19,6 @@ namespace {
 /// Tolerance of the squared norm of a frame's quaternion in single precision.
 constexpr double kUnitTolerance = 1e-5;
 
-/// Bounds of lengths for which squares and cubes neither overflow nor underflow: this and its inverse. The
-/// cube around a surface is far within, since its coordinates are below 1e100 (surface/surface.hpp).
-constexpr double kLargestLength = 1e102;
-
 [[noreturn]] void refuse_damaged(const std::string& file) {
   throw Error(ErrorKind::kInput, {file, "", "its arrays do not form a field", Remedy::kCopyOrSolveAgain});
 }

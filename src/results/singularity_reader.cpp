@@ -11,8 +11,6 @@
 namespace crossgrain {
 namespace {
 
-constexpr double kLargestCoordinate = 1e102;
-
 /// Rounding of the length of a unit vector.
 constexpr double kUnitRounding = 1e-9;
 
@@ -22,7 +20,7 @@ class SingularityReader {
 
   SingularityGraph read() const {
     SingularityGraph graph;
-    const std::vector<Vector3> places = file_.read_points(kLargestCoordinate);
+    const std::vector<Vector3> places = file_.read_points(kLargestLength);
     add_nodes(places, graph);
     add_arcs(places, graph);
     return graph;
@@ -82,7 +80,7 @@ class SingularityReader {
       const auto end = static_cast<std::size_t>(ends[cell]);
       require(end >= begin + 2 && end <= entries.size());
       require(types[cell] <= static_cast<int>(ArcType::kNoAxis) && std::abs(indices[cell]) <= 1 &&
-              std::abs(lengths[cell]) < kLargestCoordinate &&
+              std::abs(lengths[cell]) < kLargestLength &&
               verdicts[cell] <= static_cast<int>(Verdict::kUndecided));
       SingularityGraph::Arc& arc = graph.arcs.emplace_back();
       arc.type = static_cast<ArcType>(types[cell]);

@@ -8,8 +8,6 @@
 namespace crossgrain {
 namespace {
 
-constexpr double kLargestCoordinate = 1e102;
-
 /// Lines do not share points; each line's points are consecutive.
 template <class Index>
 std::vector<AxisCurve> lines_of(const VtuFile& file) {
@@ -18,7 +16,7 @@ std::vector<AxisCurve> lines_of(const VtuFile& file) {
       throw Error(ErrorKind::kInput,
                   {file.name(), "", "its arrays make no streamlines", Remedy::kTraceStreamlines});
   };
-  const std::vector<Vector3> points = file.read_points(kLargestCoordinate);
+  const std::vector<Vector3> points = file.read_points(kLargestLength);
   const auto ends = file.read<Index>(VtuSection::kCells, "offsets", 1);
   const auto axes = file.read<std::uint8_t>(VtuSection::kCellData, "axis", 1);
   require(ends.size() == file.cells() && axes.size() == file.cells());

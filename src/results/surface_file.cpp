@@ -20,9 +20,6 @@
 namespace crossgrain {
 namespace {
 
-/// Limit of the coordinates of a surface (surface/surface.hpp).
-constexpr double kLargestCoordinate = 1e100;
-
 /// Cell data of a surface of several solids: the solid of a triangle, and that on the other side.
 constexpr std::array kRegionArrays{field_arrays::kRegion, "region_beyond"};
 
@@ -138,7 +135,7 @@ class SurfaceReader {
                         [](auto type) { return type == kVtkPolyLine; }));
     require(3 * triangles <= entries.size() && file_.points() <= UINT32_MAX);
 
-    const std::vector<Vector3> points = file_.read_points(kLargestCoordinate);
+    const std::vector<Vector3> points = file_.read_points(kSurfaceReach);
     const std::size_t crease_points = entries.size() - 3 * triangles;
     require(crease_points <= points.size());
     SolvedSurface surface;

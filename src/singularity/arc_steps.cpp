@@ -10,11 +10,11 @@ namespace crossgrain {
 namespace {
 
 /// Number of edges on either side of a point whose axes are averaged: as for the direction of an arc.
-constexpr std::ptrdiff_t kReach = 2;
+constexpr std::ptrdiff_t kAveragedEdges = 2;
 
 /// Rounds of power iteration. Axes that agree within 30 degrees leave a ratio of eigenvalues of at most 1/3,
 /// of which the 32nd power is below rounding.
-constexpr int kRounds = 32;
+constexpr int kPowerRounds = 32;
 
 /// sum w a a^T of axes: their mean as lines.
 class MeanLine {
@@ -26,7 +26,7 @@ class MeanLine {
 
   /// The line nearest to all, found from a vector that is not across it.
   Vector3 direction(Vector3 start) const {
-    for (int round = 0; round < kRounds; ++round)
+    for (int round = 0; round < kPowerRounds; ++round)
       start = normalised({dot(sum_[0], start), dot(sum_[1], start), dot(sum_[2], start)});
     return start;
   }
@@ -39,7 +39,7 @@ class MeanLine {
 template <class Visit>
 void for_steps_near(std::span<const ArcStep> steps, std::size_t point, bool is_closed, const Visit& visit) {
   const auto count = static_cast<std::ptrdiff_t>(steps.size()), middle = static_cast<std::ptrdiff_t>(point);
-  for (std::ptrdiff_t k = middle - kReach; k < middle + kReach; ++k) {
+  for (std::ptrdiff_t k = middle - kAveragedEdges; k < middle + kAveragedEdges; ++k) {
     if (is_closed)
       visit(steps[static_cast<std::size_t>((k % count + count) % count)]);
     else if (k >= 0 && k < count)

@@ -16,7 +16,7 @@ namespace {
 using Graph = SingularityGraph;
 
 /// Number of edges before and after over which the direction of an arc is taken.
-constexpr std::size_t kReach = 2;
+constexpr std::size_t kDirectionEdges = 2;
 
 /// Lengths along an arc in cells, by the rotation of the frames around it.
 class Stretches {
@@ -86,8 +86,8 @@ class ArcWalk {
 
  private:
   Vector3 direction(std::size_t edge) const {
-    const std::size_t from = edge - std::min(edge, kReach),
-                      to = std::min(edge + 1 + kReach, arc_.edges.size());
+    const std::size_t from = edge - std::min(edge, kDirectionEdges),
+                      to = std::min(edge + 1 + kDirectionEdges, arc_.edges.size());
     return normalised(positions_[arc_.places[to]] - positions_[arc_.places[from]]);
   }
 

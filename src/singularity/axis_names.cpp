@@ -16,7 +16,7 @@ namespace {
 constexpr double kTurn = 0.0076;
 
 /// Rounds in which frames take the names that most of their neighbours give them: they straighten seams.
-constexpr int kRounds = 20;
+constexpr int kStraighteningRounds = 20;
 
 constexpr std::array<AxisNames, 6> kAllNames{
     {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
@@ -164,7 +164,7 @@ std::vector<AxisNames> name_axes(std::span<const Quaternion> frames, std::span<c
   begin_at(start);
   for (std::uint32_t i = 0; i < frames.size(); ++i) begin_at(i);
   Straightening straightening(neighbours, names);
-  for (int round = 0; round < kRounds && straightening.round(); ++round) {
+  for (int round = 0; round < kStraighteningRounds && straightening.round(); ++round) {
   }
   return names;
 }

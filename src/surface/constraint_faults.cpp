@@ -12,9 +12,6 @@
 namespace crossgrain {
 namespace {
 
-/// As for vertices of a mesh: squares and cubes of lengths must not overflow.
-constexpr double kLargestCoordinate = 1e100;
-
 template <class Numbers>
 bool all_finite(const Numbers& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
@@ -42,7 +39,7 @@ class ItemCheck {
 
 std::string fault_of_place(const Vector3& place) {
   const bool in_range =
-      std::all_of(place.begin(), place.end(), [](double x) { return std::abs(x) < kLargestCoordinate; });
+      std::all_of(place.begin(), place.end(), [](double x) { return std::abs(x) < kSurfaceReach; });
   return in_range ? "" : "coordinates must be finite numbers below 1e100";
 }
 

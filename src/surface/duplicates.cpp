@@ -14,14 +14,14 @@
 namespace crossgrain {
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
+using Triangle = std::array<std::uint32_t, 3>;
 
 /// Returns whether the corners are in sorted order up to a cyclic shift.
-bool is_even(const Corners& c) {
+bool is_even(const Triangle& c) {
   return (c[0] < c[1]) + (c[1] < c[2]) + (c[2] < c[0]) == 2;
 }
 
-Vector3 centroid_of(const TriangleMesh& mesh, std::uint32_t t) {
+Vector3 mean_of_corners(const TriangleMesh& mesh, std::uint32_t t) {
   const auto& [a, b, c] = mesh.triangles[t];
   Vector3 centroid;
   for (std::size_t k = 0; k < 3; ++k)
@@ -37,7 +37,7 @@ struct Stack {
 
 /// Returns stacks of two or more triangles, ordered by their first triangle.
 std::vector<Stack> stacks_of(const TriangleMesh& mesh, const std::vector<TriangleRole>& roles) {
-  std::vector<std::pair<Corners, std::uint32_t>> keys;
+  std::vector<std::pair<Triangle, std::uint32_t>> keys;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     if (roles[t] == TriangleRole::kSurface) keys.emplace_back(ascending(mesh.triangles[t]), t);
   std::sort(keys.begin(), keys.end());
@@ -64,7 +64,7 @@ std::vector<bool> find_walls(const TriangleMesh& mesh, const std::vector<Triangl
   for (std::uint32_t s = 0; s < stacks.size(); ++s) stack_of[stacks[s].triangles[0]] = s;
   // Visit each stack once.
   std::vector<std::uint32_t> origin;
-  std::vector<Corners> distinct;
+  std::vector<Triangle> distinct;
   std::vector<bool> repeated(mesh.triangles.size());
   for (const Stack& stack : stacks)
     for (std::size_t k = 1; k < stack.triangles.size(); ++k) repeated[stack.triangles[k]] = true;
@@ -126,7 +126,7 @@ std::vector<TriangleRole> find_duplicates(const TriangleMesh& mesh, SurfaceFindi
         continue;
       }
       roles[triangles[k]] = TriangleRole::kDropped;
-      duplicates.add(centroid_of(mesh, triangles[k]));
+      duplicates.add(mean_of_corners(mesh, triangles[k]));
     }
   }
   duplicates.report(findings, FindingKind::kDuplicatedTriangle);

@@ -19,8 +19,6 @@
 namespace crossgrain {
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
-
 Vector3 centroid_of(const TriangleMesh& mesh, std::size_t t) {
   const auto& [a, b, c] = mesh.triangles[t];
   return (1.0 / 3) * (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]);
@@ -108,7 +106,7 @@ class Mender {
  private:
   /// Returns the edges of surface triangles, except those left out once `left_out_` is set.
   std::vector<EdgeUse> edge_uses() const {
-    std::vector<Corners> triangles = mesh_.triangles;
+    auto triangles = mesh_.triangles;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       const bool is_left_out = !left_out_.empty() && left_out_[t];
       if (roles_[t] != TriangleRole::kSurface || is_left_out) triangles[t] = {0, 0, 0};

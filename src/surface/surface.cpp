@@ -15,9 +15,6 @@
 namespace crossgrain {
 namespace {
 
-/// Largest coordinate. Volumes stay far below the largest double (1.8e308), even after summation.
-constexpr double kLargestCoordinate = 1e100;
-
 /// Smallest length of the cross product of two edges that are scaled to at most 1 per component. It is
 /// accurate to a few units in the last place, so a shorter one has no direction.
 constexpr double kSmallestCross = 8 * std::numeric_limits<double>::epsilon();
@@ -88,7 +85,7 @@ void fail_index(const std::string& place, std::uint32_t vertex, std::size_t vert
 void check_vertices(const std::vector<Vector3>& vertices) {
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     for (const double coordinate : vertices[v]) {
-      if (std::abs(coordinate) < kLargestCoordinate) continue;  // false for NaN
+      if (std::abs(coordinate) < kSurfaceReach) continue;  // false for NaN
       throw Error(ErrorKind::kInput,
                   {"", counted_from_0("vertex", v),
                    std::string("coordinate ") +

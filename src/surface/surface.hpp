@@ -12,6 +12,10 @@
 
 namespace crossgrain {
 
+/// Coordinates of a surface are smaller, so that squares, cubes and sums of volumes stay far below the
+/// largest double (1.8e308).
+inline constexpr double kSurfaceReach = 1e100;
+
 /// Returns the corners of a triangle with these indices.
 inline std::array<Vector3, 3> corners_of(const std::array<std::uint32_t, 3>& triangle,
                                          const std::vector<Vector3>& vertices) {
@@ -49,8 +53,8 @@ std::string counted_from_0(const char* what, std::size_t index);
 /// Throws Error(kInput) for a vertex index that is not below `vertices`.
 [[noreturn]] void fail_index(const std::string& place, std::uint32_t vertex, std::size_t vertices);
 
-/// Throws Error(kInput) unless every coordinate is finite and below 1e100 (squares and cubes of lengths must
-/// not overflow). The message names the vertex, counted from 0.
+/// Throws Error(kInput) unless every coordinate is finite and below kSurfaceReach. The message names the
+/// vertex, counted from 0.
 void check_vertices(const std::vector<Vector3>& vertices);
 
 /// A mesh with finite coordinates (as `check_vertices` demands), indices in range, and per-triangle arrays of

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
@@ -16,10 +15,9 @@
 namespace crossgrain {
 namespace {
 
-constexpr std::string_view kTrailer = "complete";
 constexpr std::size_t kMostFaultBytes = 1000;
 
-const std::string& greeting() {
+const std::string& netgen_greeting() {
   static const std::string text = fmt::format("crossgrain_netgen {}\n", kVersion);
   return text;
 }
@@ -43,7 +41,7 @@ struct Content {
 
 /// Defines the contents of an answer and their order, for reading and writing.
 template <class Stream, class AContent>
-void exchange(Stream& stream, AContent& content) {
+void exchange_netgen(Stream& stream, AContent& content) {
   stream.value(content.end);
   stream.items(content.fault);
   stream.items(content.vertices);
@@ -51,12 +49,6 @@ void exchange(Stream& stream, AContent& content) {
   stream.items(content.regions);
   stream.items(content.edges);
   stream.items(content.faces);
-}
-
-bool are_finite(const std::vector<Vector3>& vertices) {
-  return std::all_of(vertices.begin(), vertices.end(), [](const Vector3& v) {
-    return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
-  });
 }
 
 template <class Items, class VerticesOf>
@@ -143,7 +135,7 @@ std::optional<NetgenSurface> netgen_surface_in(std::string_view bytes) {
 }
 
 void write_netgen_greeting(std::FILE* out) {
-  std::fputs(greeting().c_str(), out);
+  std::fputs(netgen_greeting().c_str(), out);
   std::fflush(out);
 }
 
@@ -153,21 +145,21 @@ bool write_netgen_answer(std::FILE* out, const NetgenAnswer& answer) {
   for (const TetMesh::Edge& edge : mesh.feature_edges) content.edges.push_back({edge.vertices, edge.tag});
   for (const TetMesh::Face& face : mesh.feature_faces) content.faces.push_back({face.vertices, face.tag});
   AnswerWriter writer(out);
-  exchange(writer, content);
-  writer.bytes(kTrailer.data(), kTrailer.size());
+  exchange_netgen(writer, content);
+  writer.bytes(kAnswerTrailer.data(), kAnswerTrailer.size());
   return writer.flush();
 }
 
 bool is_netgen_greeting(std::string_view written) {
-  return written.starts_with(greeting());
+  return written.starts_with(netgen_greeting());
 }
 
 std::optional<NetgenAnswer> netgen_answer_in(std::string_view written) {
   if (!is_netgen_greeting(written)) return std::nullopt;
-  AnswerReader reader(written.substr(greeting().size()));
+  AnswerReader reader(written.substr(netgen_greeting().size()));
   Content content;
-  exchange(reader, content);
-  if (!reader.sound() || reader.rest() != kTrailer || !is_consistent(content)) return std::nullopt;
+  exchange_netgen(reader, content);
+  if (!reader.sound() || reader.rest() != kAnswerTrailer || !is_consistent(content)) return std::nullopt;
   NetgenAnswer answer{content.end, std::move(content.fault), {}};
   answer.mesh.vertices = std::move(content.vertices);
   answer.mesh.tets = std::move(content.tets);

@@ -12,9 +12,6 @@
 namespace crossgrain {
 namespace {
 
-/// Exit status when the dynamic linker finds a library missing.
-constexpr int kLibrariesMissing = 127;
-
 class NetgenTets : public TetProgram {
  public:
   explicit NetgenTets(std::filesystem::path program) : program_(std::move(program)) {}

@@ -15,12 +15,6 @@ namespace {
 using Edge = std::array<std::uint32_t, 2>;
 using Face = std::array<std::uint32_t, 3>;
 
-template <class T>
-void sort_uniquely(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
 /// The listed elements of one kind: their vertices, ascending, and tags.
 template <class Vertices>
 using Listed = std::vector<std::pair<Vertices, std::int32_t>>;

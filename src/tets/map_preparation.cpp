@@ -20,12 +20,6 @@ using Edge = std::array<std::uint32_t, 2>;
 using Face = std::array<std::uint32_t, 3>;
 using Tet = std::array<std::uint32_t, 4>;
 
-template <class T>
-void sort_uniquely(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
 constexpr std::array<std::array<std::size_t, 2>, 6> kTetEdges{
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 

@@ -19,12 +19,12 @@ constexpr std::size_t kTaskBytes = 1 << 18;
 /// Tasks between two queries of the monitor: enough to keep many threads busy.
 constexpr std::size_t kTasksAtOnce = 64;
 
-constexpr int kDigits = 17;
+constexpr int kDigitsThatRestore = 17;
 
 }  // namespace
 
 char* put_number(char* out, double number, char behind) {
-  out = std::to_chars(out, out + kNumberBytes, number, std::chars_format::general, kDigits).ptr;
+  out = std::to_chars(out, out + kNumberBytes, number, std::chars_format::general, kDigitsThatRestore).ptr;
   *out++ = behind;
   return out;
 }

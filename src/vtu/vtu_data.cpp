@@ -27,7 +27,7 @@ constexpr std::array<std::uint8_t, 256> base64_digits() {
   return digits;
 }
 
-constexpr auto kDigits = base64_digits();
+constexpr auto kBase64Digits = base64_digits();
 
 /// Reads consecutive bytes from base64. Some writers encode header and data separately, some together, so
 /// padding is allowed at the end of any group of four characters.
@@ -65,7 +65,7 @@ class PackedBytes {
     for (int k = 0; k < 4; ++k) {
       while (position_ < text_.size() && static_cast<unsigned char>(text_[position_]) <= ' ') ++position_;
       if (position_ == text_.size()) return false;
-      const std::uint8_t digit = kDigits[static_cast<unsigned char>(text_[position_++])];
+      const std::uint8_t digit = kBase64Digits[static_cast<unsigned char>(text_[position_++])];
       if (digit == kNoDigit || (padding > 0 && digit != kPadding)) return false;
       if (digit == kPadding) ++padding;
       bits = bits << 6 | (digit == kPadding ? 0u : digit);

@@ -27,8 +27,6 @@ constexpr std::size_t kLongestHeader = 1 << 20;
 /// Far more than the writer puts into a block; larger ones could not be stopped in time.
 constexpr std::uint64_t kLargestBlock = std::uint64_t{1} << 26;
 
-constexpr std::string_view kDataTag = "<AppendedData";
-
 }  // namespace
 
 VtuFile::VtuFile(const std::filesystem::path& path) : name_(path.string()) {
@@ -61,7 +59,7 @@ void VtuFile::read_at(std::uint64_t offset, void* out, std::size_t bytes) const 
 std::string VtuFile::read_header() const {
   std::string header(std::min<std::uint64_t>(file_bytes_, kLongestHeader), '\0');
   read_at(0, header.data(), header.size());
-  const std::size_t data_tag = header.find(kDataTag);
+  const std::size_t data_tag = header.find(kVtuDataTag);
   const std::size_t mark = data_tag == std::string::npos ? data_tag : header.find('_', data_tag);
   if (mark == std::string::npos)
     fail("is not a field written by crossgrain (it has no appended data), or is cut short",

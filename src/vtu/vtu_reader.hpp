@@ -17,6 +17,10 @@
 
 namespace crossgrain {
 
+/// Limit of lengths in results. Between this and its inverse squares and cubes neither overflow nor
+/// underflow. The cube around a surface is far within (kSurfaceReach of surface/surface.hpp).
+inline constexpr double kLargestLength = 1e102;
+
 /// An open .vtu file. Only the layout of vtu_types.hpp is supported. Throws Error(kInput) for any other file,
 /// including VTU in another encoding, and for one that is cut short.
 class VtuFile {

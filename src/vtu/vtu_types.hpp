@@ -24,6 +24,9 @@
 
 namespace crossgrain {
 
+/// Begins the tag before the data.
+inline constexpr std::string_view kVtuDataTag = "<AppendedData";
+
 inline constexpr std::array kVtuTypeNames = {
     NumberTypeName{"Float32", NumberType::kFloat32}, NumberTypeName{"Float64", NumberType::kFloat64},
     NumberTypeName{"Int32", NumberType::kInt32},     NumberTypeName{"Int64", NumberType::kInt64},

@@ -35,9 +35,8 @@ constexpr std::size_t kOffsetBytes = 29;
 /// its attributes one character at a time; expat looks at 13, 26 and 52 of them, and with 25 to 37 between
 /// name and ">" the last is at the end. tests/python/paraview_test.py opens files in such a ParaView.
 constexpr std::size_t kReadBlock = 4096;
-constexpr std::string_view kDataTag = "<AppendedData";
 constexpr std::string_view kDataAttributes = " encoding=\"raw\"               ";
-static_assert(kDataTag.size() == 13 && kDataAttributes.size() == 30);
+static_assert(kVtuDataTag.size() == 13 && kDataAttributes.size() == 30);
 
 std::string escaped(const std::string& text) {
   std::string out;
@@ -90,9 +89,9 @@ class VtuWriter {
 
   /// Writes the tag before the data so that its name ends a block.
   void begin_data() {
-    const std::size_t rest = (file_.position() + kDataTag.size()) % kReadBlock;
+    const std::size_t rest = (file_.position() + kVtuDataTag.size()) % kReadBlock;
     file_.write(std::string((kReadBlock - rest) % kReadBlock, ' '));
-    file_.write(kDataTag);
+    file_.write(kVtuDataTag);
     file_.write(kDataAttributes);
     file_.write(">\n   _");
   }

@@ -8,7 +8,7 @@ namespace {
 
 using Values = OptionDescription::Values;
 
-std::string quoted(std::string text) {
+std::string quoted_for_fish(std::string text) {
   text = replace_all(std::move(text), "\\", "\\\\");
   return fmt::format("'{}'", replace_all(std::move(text), "'", "\\'"));
 }
@@ -21,11 +21,11 @@ std::string values_of(const OptionDescription& option, const std::string& comman
     case Values::kFolder:
       return "-f -a '(__fish_complete_directories)'";
     case Values::kChoice:
-      return fmt::format("-f -a {}", quoted(join(option.choices, " ")));
+      return fmt::format("-f -a {}", quoted_for_fish(join(option.choices, " ")));
     case Values::kChoices:
       return fmt::format("-f -a '(__fish_append , {})'", join(option.choices, " "));
     case Values::kCommand:
-      return fmt::format("-f -a {}", quoted(commands));
+      return fmt::format("-f -a {}", quoted_for_fish(commands));
     default:
       return "-f";
   }
@@ -33,12 +33,12 @@ std::string values_of(const OptionDescription& option, const std::string& comman
 
 std::string line_of(const std::string& program, const std::string& condition, const OptionDescription& option,
                     const std::string& commands) {
-  std::string line = fmt::format("complete -c {} -n {}", program, quoted(condition));
+  std::string line = fmt::format("complete -c {} -n {}", program, quoted_for_fish(condition));
   for (const std::string& name : option.names)
     line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   if (option.values != Values::kNone)
     line += (option.names.empty() ? " " : " -r ") + values_of(option, commands);
-  return line + " -d " + quoted(short_help(option.help)) + "\n";
+  return line + " -d " + quoted_for_fish(short_help(option.help)) + "\n";
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ std::string fish_completion(const ProgramDescription& program) {
   for (const CommandDescription& command : program.commands) {
     commands += (commands.empty() ? "" : " ") + command.name;
     text += fmt::format("complete -c {} -n {} -a {} -d {}\n", program.name, no_command, command.name,
-                        quoted(command.help));
+                        quoted_for_fish(command.help));
   }
   for (const OptionDescription& option : program.options)
     text += line_of(program.name, no_command, option, commands);

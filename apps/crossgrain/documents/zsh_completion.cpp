@@ -9,7 +9,7 @@ namespace {
 using Values = OptionDescription::Values;
 
 /// A text within single quotes.
-std::string quoted(const std::string& text) {
+std::string quoted_for_zsh(const std::string& text) {
   return fmt::format("'{}'", replace_all(text, "'", "'\\''"));
 }
 
@@ -47,7 +47,7 @@ std::string specifications(const OptionDescription& option, const std::string& c
     std::string specification =
         fmt::format("({}){}[{}]", join(option.names, " "), form, escaped(short_help(option.help)));
     if (has_value) specification += fmt::format(":{}:{}", escaped(option.value), action(option, commands));
-    text += fmt::format(" \\\n        {}", quoted(specification));
+    text += fmt::format(" \\\n        {}", quoted_for_zsh(specification));
   }
   return text;
 }
@@ -56,7 +56,7 @@ std::string specification_of_argument(const OptionDescription& argument, const s
   const char* const places = argument.takes_many ? "*" : "";
   const char* const colon = argument.is_required || argument.takes_many ? ":" : "::";
   return " \\\n        " +
-         quoted(fmt::format("{}{}{}:{}", places, colon, argument.value, action(argument, commands)));
+         quoted_for_zsh(fmt::format("{}{}{}:{}", places, colon, argument.value, action(argument, commands)));
 }
 
 std::string case_of(const CommandDescription& command, const std::string& commands) {
@@ -74,7 +74,7 @@ std::string zsh_completion(const ProgramDescription& program) {
   const std::string of_commands = replace_all(function, "-", "_") + "_commands";
   std::string commands, options, cases;
   for (const CommandDescription& command : program.commands) {
-    commands += "    " + quoted(escaped(command.name) + ":" + escaped(command.help)) + "\n";
+    commands += "    " + quoted_for_zsh(escaped(command.name) + ":" + escaped(command.help)) + "\n";
     cases += case_of(command, of_commands);
   }
   for (const OptionDescription& option : program.options) options += specifications(option, of_commands);

@@ -18,9 +18,6 @@
 namespace crossgrain {
 namespace {
 
-/// Far beyond any model; products of three coordinates are still finite.
-constexpr double kLargestCoordinate = 1e102;
-
 class HexReader {
  public:
   explicit HexReader(const std::filesystem::path& path) : file_(path) {}
@@ -28,7 +25,7 @@ class HexReader {
   HexMesh read() const {
     HexMesh mesh;
     require(file_.points() <= std::numeric_limits<std::uint32_t>::max());
-    mesh.vertices = file_.read_points(kLargestCoordinate);
+    mesh.vertices = file_.read_points(kLargestLength);
     if (file_.has_wide_indices())
       read_cells<std::int64_t>(mesh);
     else

@@ -33,13 +33,13 @@ const HexMesh& checked(const HexMesh& mesh) {
   return mesh;
 }
 
-constexpr std::array kFormats{MeshFormat<HexOutput>{".vtu", write_vtu_hexahedra},
-                              MeshFormat<HexOutput>{".mesh", write_medit_hexahedra},
-                              MeshFormat<HexOutput>{".msh", write_gmsh_hexahedra},
-                              MeshFormat<HexOutput>{".inp", write_abaqus_hexahedra}};
+constexpr std::array kHexFormats{MeshFormat<HexOutput>{".vtu", write_vtu_hexahedra},
+                                 MeshFormat<HexOutput>{".mesh", write_medit_hexahedra},
+                                 MeshFormat<HexOutput>{".msh", write_gmsh_hexahedra},
+                                 MeshFormat<HexOutput>{".inp", write_abaqus_hexahedra}};
 
 const MeshFormat<HexOutput>& hex_format_of(const std::filesystem::path& path) {
-  return format_of<HexOutput>(path, kFormats,
+  return format_of<HexOutput>(path, kHexFormats,
                               "is no name of a hexahedral mesh that can be written; let it end in .vtu, "
                               ".mesh, .msh or .inp");
 }
@@ -51,7 +51,7 @@ HexOutput::HexOutput(const HexMesh& shown)
 
 std::vector<std::string> hexahedra_file_names() {
   std::vector<std::string> names;
-  for (const MeshFormat<HexOutput>& format : kFormats)
+  for (const MeshFormat<HexOutput>& format : kHexFormats)
     names.push_back("hexahedra" + std::string(format.extension));
   return names;
 }

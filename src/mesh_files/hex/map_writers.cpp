@@ -21,7 +21,7 @@ double six_volumes(const HexMap::Corners& p) {
   return dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]);
 }
 
-HexMap::Corners corners_of(const HexMap& map, std::size_t tet) {
+HexMap::Corners corners_of_tet(const HexMap& map, std::size_t tet) {
   HexMap::Corners corners{};
   for (std::size_t a = 0; a < 4; ++a) corners[a] = map.vertices[map.tets[tet][a]];
   return corners;
@@ -30,7 +30,7 @@ HexMap::Corners corners_of(const HexMap& map, std::size_t tet) {
 /// Of the Jacobian of the integer-grid map, in sizes of hexahedra.
 double determinant(const HexMap& map, std::size_t tet) {
   return six_volumes(map.integer_grid[tet]) * map.size * map.size * map.size /
-         six_volumes(corners_of(map, tet));
+         six_volumes(corners_of_tet(map, tet));
 }
 
 VtuArray coordinates_array(const char* name, const std::vector<HexMap::Corners>& coordinates) {
@@ -62,8 +62,8 @@ void write_grid_map(OutputFile& file, const HexMap& map, const Monitor& monitor)
   write_hexex(file, map, map.integer_grid, monitor);
 }
 
-constexpr std::array kFormats{MeshFormat<HexMap>{".hexex", write_grid_map},
-                              MeshFormat<HexMap>{".vtu", write_vtu_map}};
+constexpr std::array kMapFormats{MeshFormat<HexMap>{".hexex", write_grid_map},
+                                 MeshFormat<HexMap>{".vtu", write_vtu_map}};
 
 void check(const HexMap& map) {
   const std::size_t tets = map.tets.size();
@@ -120,7 +120,7 @@ void write_vtu_map(OutputFile& file, const HexMap& map, const Monitor& monitor) 
 
 void write_map(const HexMap& map, const std::filesystem::path& path, const Monitor& monitor) {
   const MeshFormat<HexMap>& format = format_of<HexMap>(
-      path, kFormats, "is no name of a map that can be written; let it end in .hexex or .vtu");
+      path, kMapFormats, "is no name of a map that can be written; let it end in .hexex or .vtu");
   check(map);
   write_mesh(format, map, path, monitor);
 }

@@ -11,7 +11,7 @@
 namespace crossgrain {
 namespace {
 
-constexpr std::array kTypeNames = {
+constexpr std::array kPlyTypeNames = {
     NumberTypeName{"char", NumberType::kInt8},      NumberTypeName{"int8", NumberType::kInt8},
     NumberTypeName{"uchar", NumberType::kUint8},    NumberTypeName{"uint8", NumberType::kUint8},
     NumberTypeName{"short", NumberType::kInt16},    NumberTypeName{"int16", NumberType::kInt16},
@@ -23,7 +23,7 @@ constexpr std::array kTypeNames = {
 };
 
 NumberType parse_type(const TextScanner& scanner, std::string_view word) {
-  if (const auto type = type_named(kTypeNames, word)) return *type;
+  if (const auto type = type_named(kPlyTypeNames, word)) return *type;
   scanner.fail(in_quotes(word) + " is not a PLY type");
 }
 

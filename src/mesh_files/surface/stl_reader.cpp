@@ -23,7 +23,7 @@ static_assert(std::endian::native == std::endian::little,
 
 // Binary layout: a header of 80 arbitrary bytes, the count, then a record per triangle: the normal and three
 // corners as twelve floats, and two bytes of attributes.
-constexpr std::size_t kHeaderBytes = 84;
+constexpr std::size_t kStlHeaderBytes = 84;
 constexpr std::size_t kCountOffset = 80;
 constexpr std::size_t kTriangleBytes = 50;
 constexpr std::size_t kCornersOffset = 12;
@@ -38,8 +38,8 @@ std::uint64_t announced_triangles(std::string_view bytes) {
 /// Returns whether a file is binary. Binary files may begin with "solid" too, so the length decides; if it
 /// fits neither, text has no zero bytes.
 bool is_binary(std::string_view bytes) {
-  if (bytes.size() >= kHeaderBytes &&
-      bytes.size() == kHeaderBytes + kTriangleBytes * announced_triangles(bytes))
+  if (bytes.size() >= kStlHeaderBytes &&
+      bytes.size() == kStlHeaderBytes + kTriangleBytes * announced_triangles(bytes))
     return true;
   const std::size_t start = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   const bool begins_like_text =
@@ -51,7 +51,7 @@ bool is_binary(std::string_view bytes) {
 class BinaryTriangles {
  public:
   BinaryTriangles(std::string_view bytes, std::size_t count)
-      : records_(bytes.data() + kHeaderBytes), count_(count) {}
+      : records_(bytes.data() + kStlHeaderBytes), count_(count) {}
 
   std::size_t count() const { return count_; }
 
@@ -116,7 +116,7 @@ void check_finite(const InputFile& file, const BinaryTriangles& triangles) {
 
 TriangleMesh read_binary(const InputFile& file) {
   const std::string_view bytes = file.bytes();
-  if (bytes.size() < kHeaderBytes)
+  if (bytes.size() < kStlHeaderBytes)
     fail_input(file, {},
                fmt::format(
                    "is not an STL file: it does not begin with 'solid', and is too short for the binary form "
@@ -124,17 +124,17 @@ TriangleMesh read_binary(const InputFile& file) {
                    counted(bytes.size(), "byte")),
                Remedy::kExportAgain);
   const std::uint64_t announced = announced_triangles(bytes);
-  const std::uint64_t present = (bytes.size() - kHeaderBytes) / kTriangleBytes;
+  const std::uint64_t present = (bytes.size() - kStlHeaderBytes) / kTriangleBytes;
   if (announced > present)
     fail_input(file, {},
                fmt::format("the header announces {}, of which the file has {}: cut short, or no STL file",
                            counted(announced, "triangle"), present),
                Remedy::kCopyAgain);
   if (announced == 0 && present > 0)
-    fail_input(
-        file, {},
-        fmt::format("the header announces no triangles though {} bytes follow", bytes.size() - kHeaderBytes),
-        Remedy::kExportAgain);
+    fail_input(file, {},
+               fmt::format("the header announces no triangles though {} bytes follow",
+                           bytes.size() - kStlHeaderBytes),
+               Remedy::kExportAgain);
 
   constexpr std::uint64_t kMostTriangles = UINT32_MAX / 3;
   if (announced > kMostTriangles)

@@ -95,11 +95,11 @@ void write_msh(OutputFile& file, const TetMesh& mesh, const Monitor& monitor) {
   file.write("$EndElements\n");
 }
 
-constexpr std::array kFormats{MeshFormat<TetMesh>{".mesh", write_medit},
-                              MeshFormat<TetMesh>{".msh", write_msh}};
+constexpr std::array kWrittenTetFormats{MeshFormat<TetMesh>{".mesh", write_medit},
+                                        MeshFormat<TetMesh>{".msh", write_msh}};
 
 const MeshFormat<TetMesh>& tet_format_of(const std::filesystem::path& path) {
-  return format_of<TetMesh>(path, kFormats,
+  return format_of<TetMesh>(path, kWrittenTetFormats,
                             "is no name of a tet mesh that can be written; let it end in .mesh or .msh");
 }
 

@@ -21,7 +21,7 @@ namespace {
 constexpr bool kSwapped = std::endian::native == std::endian::little;
 
 // "long" is that of Linux and macOS; VTK writes its own ids with 32 bits as vtkIdType.
-constexpr std::array kTypeNames = {
+constexpr std::array kVtkTypeNames = {
     NumberTypeName{"char", NumberType::kInt8},
     NumberTypeName{"signed_char", NumberType::kInt8},
     NumberTypeName{"unsigned_char", NumberType::kUint8},
@@ -135,7 +135,7 @@ class VtkReader {
 
   NumberType read_type() {
     const std::string_view name = scanner_.word();
-    const auto type = type_named(kTypeNames, name, equals_ignoring_case);
+    const auto type = type_named(kVtkTypeNames, name, equals_ignoring_case);
     if (!type) fail(fmt::format("{} is not a number type", in_quotes(name)));
     return *type;
   }
@@ -274,7 +274,7 @@ class VtkReader {
       }
       return true;
     }
-    const std::optional<NumberType> type = type_named(kTypeNames, type_name, equals_ignoring_case);
+    const std::optional<NumberType> type = type_named(kVtkTypeNames, type_name, equals_ignoring_case);
     if (!type) return leave_the_rest(type_name);
     const VtkNumbers numbers = take_rows(*type, rows_, components, shown.c_str());
     if (!in_cell_data_ || !may_be_tags) return true;
