@@ -4,7 +4,7 @@
 
 Usage: check_names.py [ROOT]
 
-All of src/ and include/ is linked into one library. If two of its files define a class, struct, union or enum of one name in one
+All of src/ and include/ is linked into one library. If two of its files define a class, struct, union, enum or alias of one name in one
 namespace, no file can include both, and functions inlined from one of them may be replaced by those of the other without a word from
 the compiler. Types in anonymous namespaces, inside other types and inside functions belong to one file each and may have any name.
 """
@@ -66,6 +66,8 @@ class Scanner:
                 scopes.pop()
             elif word == "namespace":
                 self.open_namespace(scopes)
+            elif word == "using" and all(scopes) and self.word(1) == "=":
+                yield "::".join([*scopes, self.word()]), line
             elif word in TYPE_KEYWORDS and all(scopes):
                 name = self.defined_name()
                 if name:

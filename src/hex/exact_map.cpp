@@ -12,8 +12,8 @@ namespace {
 
 using Index = Eigen::Index;
 
-GridPoint rounded(const MapCoordinates& map, std::uint32_t copy) {
-  GridPoint point{};
+ExactPoint rounded(const MapCoordinates& map, std::uint32_t copy) {
+  ExactPoint point{};
   for (std::size_t k = 0; k < 3; ++k) {
     const double value = map[static_cast<Index>(3 * copy) + static_cast<Index>(k)];
     // Integers of the map are so to about 1e-9, far below half a step.
@@ -33,25 +33,25 @@ std::int64_t floor_to_unit(std::int64_t x) {
 }
 
 template <class Visit>
-void for_each_grid_point(const std::array<GridPoint, 4>& corners, const Visit& visit) {
-  GridPoint low = corners[0], high = corners[0];
-  for (const GridPoint& corner : corners)
+void for_each_grid_point(const std::array<ExactPoint, 4>& corners, const Visit& visit) {
+  ExactPoint low = corners[0], high = corners[0];
+  for (const ExactPoint& corner : corners)
     for (std::size_t k = 0; k < 3; ++k)
       low[k] = std::min(low[k], corner[k]), high[k] = std::max(high[k], corner[k]);
   for (std::int64_t& x : low) x = floor_to_unit(x);
   for (std::int64_t x = low[0]; x <= high[0]; x += kGridUnit)
     for (std::int64_t y = low[1]; y <= high[1]; y += kGridUnit)
-      for (std::int64_t z = low[2]; z <= high[2]; z += kGridUnit) visit(GridPoint{x, y, z});
+      for (std::int64_t z = low[2]; z <= high[2]; z += kGridUnit) visit(ExactPoint{x, y, z});
 }
 
-std::array<GridPoint, 3> face_opposite(const std::array<GridPoint, 4>& corners, std::size_t k) {
+std::array<ExactPoint, 3> face_opposite(const std::array<ExactPoint, 4>& corners, std::size_t k) {
   return {corners[(k + 1) % 4], corners[(k + 2) % 4], corners[(k + 3) % 4]};
 }
 
 }  // namespace
 
-GridPoint turned(std::uint8_t rotation, const GridPoint& p) {
-  GridPoint result{};
+ExactPoint turned(std::uint8_t rotation, const ExactPoint& p) {
+  ExactPoint result{};
   for (SignedAxis k = 0; k < 3; ++k) {
     const SignedAxis image = CubeGroup::instance().image(rotation, k);
     result[image % 3] = image < 3 ? p[k] : -p[k];
@@ -67,20 +67,20 @@ ExactMap::ExactMap(const MapUnknowns& unknowns, const MapCoordinates& map)
   round_points(map);
 }
 
-std::array<GridPoint, 4> ExactMap::corners(std::uint32_t tet) const {
-  std::array<GridPoint, 4> result{};
+std::array<ExactPoint, 4> ExactMap::corners(std::uint32_t tet) const {
+  std::array<ExactPoint, 4> result{};
   for (std::size_t k = 0; k < 4; ++k) result[k] = points_[cut_.copy_of(tet, k)];
   return result;
 }
 
-GridPoint ExactMap::carried(const GridPoint& point, const Crossing& crossing) const {
+ExactPoint ExactMap::carried(const ExactPoint& point, const Crossing& crossing) const {
   return step(point, cut_.step_across(crossing));
 }
 
-GridPoint ExactMap::carried_cell(const GridPoint& low, const Crossing& crossing) const {
-  GridPoint high = low;
+ExactPoint ExactMap::carried_cell(const ExactPoint& low, const Crossing& crossing) const {
+  ExactPoint high = low;
   for (std::int64_t& x : high) x += kGridUnit;
-  const GridPoint a = carried(low, crossing), b = carried(high, crossing);
+  const ExactPoint a = carried(low, crossing), b = carried(high, crossing);
   return {std::min(a[0], b[0]), std::min(a[1], b[1]), std::min(a[2], b[2])};
 }
 
@@ -91,11 +91,11 @@ std::uint8_t ExactMap::rotation_across(const Crossing& crossing) const {
   return step > 0 ? own : CubeGroup::instance().inverse_of(own);
 }
 
-GridPoint ExactMap::step(const GridPoint& point, SheetStep step) const {
+ExactPoint ExactMap::step(const ExactPoint& point, SheetStep step) const {
   if (step == 0) return point;
   const auto sheet = static_cast<std::size_t>(std::abs(step) - 1);
-  const GridPoint& translation = translations_[sheet];
-  GridPoint result = point;
+  const ExactPoint& translation = translations_[sheet];
+  ExactPoint result = point;
   if (step > 0) {
     result = turned(cut_.rotation(sheet), result);
     for (std::size_t k = 0; k < 3; ++k) result[k] += translation[k];
@@ -116,10 +116,10 @@ void ExactMap::find_translations(const MapCoordinates& map) {
     is_known[sheet] = true;
     const auto& [vertices, sides] = solid_.inner_faces[f];
     const std::uint32_t from = sides[step > 0 ? 0 : 1], to = sides[step > 0 ? 1 : 0];
-    const GridPoint before = rounded(map, cut_.copy_at(from, vertices[0])),
-                    after = rounded(map, cut_.copy_at(to, vertices[0]));
+    const ExactPoint before = rounded(map, cut_.copy_at(from, vertices[0])),
+                     after = rounded(map, cut_.copy_at(to, vertices[0]));
     // Both are rounded to 2^-20; their difference is a whole number but for that.
-    const GridPoint there = turned(cut_.rotation(sheet), before);
+    const ExactPoint there = turned(cut_.rotation(sheet), before);
     for (std::size_t k = 0; k < 3; ++k)
       translations_[sheet][k] =
           kGridUnit * std::llround(static_cast<double>(after[k] - there[k]) / static_cast<double>(kGridUnit));
@@ -134,29 +134,29 @@ void ExactMap::round_points(const MapCoordinates& map) {
       points_[copy] = rounded(map, copy);
       continue;
     }
-    GridPoint point = points_[first];
+    ExactPoint point = points_[first];
     for (const SheetStep s : cut_.word_to(copy)) point = step(point, s);
     points_[copy] = point;
   }
 }
 
-std::array<Int128, 4> weights_of(const std::array<GridPoint, 4>& corners, const GridPoint& point) {
+std::array<Int128, 4> weights_of(const std::array<ExactPoint, 4>& corners, const ExactPoint& point) {
   const auto& [a, b, c, d] = corners;
   return {six_volumes(point, b, c, d), six_volumes(a, point, c, d), six_volumes(a, b, point, d),
           six_volumes(a, b, c, point)};
 }
 
-TetPart part_of(const std::array<GridPoint, 4>& corners) {
+TetPart part_of(const std::array<ExactPoint, 4>& corners) {
   TetPart part;
   part.volume = six_volumes(corners[0], corners[1], corners[2], corners[3]);
-  for_each_grid_point(corners, [&](const GridPoint& point) {
+  for_each_grid_point(corners, [&](const ExactPoint& point) {
     TetPart::Cell cell{point, {}};
     bool meets = false;
     for (std::size_t k = 0; k < 4; ++k)
       meets |= cell.meets_face[k] = meets_open_cell(face_opposite(corners, k), point);
     const std::array<Int128, 4> weights = weights_of(corners, point);
     if (is_inside(weights, part.volume)) part.vertices.push_back({point, weights});
-    GridPoint centre = point;
+    ExactPoint centre = point;
     for (std::int64_t& x : centre) x += kGridUnit / 2;
     meets = meets || is_inside(weights_of(corners, centre), part.volume);
     if (meets) part.cells.push_back(cell);

@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "hex/grid_point.hpp"
+#include "hex/exact_point.hpp"
 #include "map/map_energy.hpp"
 
 namespace crossgrain {
 
 /// Returns a point after a rotation of the axes.
-GridPoint turned(std::uint8_t rotation, const GridPoint& p);
+ExactPoint turned(std::uint8_t rotation, const ExactPoint& p);
 
 /// A map with coordinates that are rounded to 2^-20 in one copy of each vertex and carried to its other
 /// copies: so it stays continuous across the cut, and every later decision is exact.
@@ -25,36 +25,36 @@ class ExactMap {
   const CutSolid& cut() const { return cut_; }
   const TetSolid& solid() const { return solid_; }
 
-  std::array<GridPoint, 4> corners(std::uint32_t tet) const;
+  std::array<ExactPoint, 4> corners(std::uint32_t tet) const;
 
   /// A point in the names beyond a face.
-  GridPoint carried(const GridPoint& point, const Crossing& crossing) const;
+  ExactPoint carried(const ExactPoint& point, const Crossing& crossing) const;
 
   /// The same for a cell, by its lowest corner.
-  GridPoint carried_cell(const GridPoint& low, const Crossing& crossing) const;
+  ExactPoint carried_cell(const ExactPoint& low, const Crossing& crossing) const;
 
   /// From the names before a face to those beyond.
   std::uint8_t rotation_across(const Crossing& crossing) const;
 
  private:
-  GridPoint step(const GridPoint& point, SheetStep step) const;
+  ExactPoint step(const ExactPoint& point, SheetStep step) const;
   void find_translations(const MapCoordinates& map);
   void round_points(const MapCoordinates& map);
 
   const CutSolid& cut_;
   const TetSolid& solid_;
-  std::vector<GridPoint> translations_, points_;
+  std::vector<ExactPoint> translations_, points_;
 };
 
 /// What a tet has of the grid.
 struct TetPart {
   struct Cell {
-    GridPoint low;                   ///< the corner with the least coordinates
+    ExactPoint low;                  ///< the corner with the least coordinates
     std::array<bool, 4> meets_face;  ///< opposite each corner of the tet
     bool operator<(const Cell& other) const { return low < other.low; }
   };
   struct Vertex {
-    GridPoint at;
+    ExactPoint at;
     std::array<Int128, 4> weights;  ///< six volumes, by corner of the tet
     bool operator<(const Vertex& other) const { return at < other.at; }
   };
@@ -63,9 +63,9 @@ struct TetPart {
   std::vector<Vertex> vertices;  ///< of the grid in the closed tet, ascending; none in a flat one
 };
 
-TetPart part_of(const std::array<GridPoint, 4>& corners);
+TetPart part_of(const std::array<ExactPoint, 4>& corners);
 
 /// Six volumes of the tets that a point makes with the faces opposite each corner.
-std::array<Int128, 4> weights_of(const std::array<GridPoint, 4>& corners, const GridPoint& point);
+std::array<Int128, 4> weights_of(const std::array<ExactPoint, 4>& corners, const ExactPoint& point);
 
 }  // namespace crossgrain

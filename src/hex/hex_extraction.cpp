@@ -12,7 +12,7 @@
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"
 #include "hex/exact_map.hpp"
-#include "hex/grid_point.hpp"
+#include "hex/exact_point.hpp"
 
 namespace crossgrain {
 namespace {
@@ -21,7 +21,7 @@ constexpr std::uint32_t kNone = UINT32_MAX;
 
 /// Whether, and how, a tet covers a point: 1 or -1 for a tet that is flipped; none if the point is on its
 /// boundary.
-std::optional<int> cover(const std::array<GridPoint, 4>& corners, const GridPoint& point) {
+std::optional<int> cover(const std::array<ExactPoint, 4>& corners, const ExactPoint& point) {
   const std::array<Int128, 4> weights = weights_of(corners, point);
   const auto [least, most] = std::minmax_element(weights.begin(), weights.end());
   if (*least > 0) return 1;
@@ -31,12 +31,12 @@ std::optional<int> cover(const std::array<GridPoint, 4>& corners, const GridPoin
 }
 
 /// Number of the corner of a hexahedron (kHexFaces) that a vector from its centre points to.
-std::size_t corner_towards(const GridPoint& half) {
+std::size_t corner_towards(const ExactPoint& half) {
   constexpr std::array<std::uint8_t, 8> kOrder{0, 1, 3, 2, 4, 5, 7, 6};
   return kOrder[static_cast<std::size_t>((half[0] > 0) + 2 * (half[1] > 0) + 4 * (half[2] > 0))];
 }
 
-GridPoint towards(std::uint8_t k) {
+ExactPoint towards(std::uint8_t k) {
   return {k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1};
 }
 
@@ -83,14 +83,14 @@ class Extraction {
   }
 
  private:
-  std::uint32_t cell_in(std::uint32_t tet, const GridPoint& low) const {
+  std::uint32_t cell_in(std::uint32_t tet, const ExactPoint& low) const {
     const auto& cells = parts_[tet].cells;
     const auto found = std::lower_bound(cells.begin(), cells.end(), TetPart::Cell{low, {}});
     if (found == cells.end() || found->low != low) return kNone;
     return static_cast<std::uint32_t>(found - cells.begin());
   }
 
-  std::uint32_t vertex_in(std::uint32_t tet, const GridPoint& at) const {
+  std::uint32_t vertex_in(std::uint32_t tet, const ExactPoint& at) const {
     const auto& vertices = parts_[tet].vertices;
     const auto found = std::lower_bound(vertices.begin(), vertices.end(), TetPart::Vertex{at, {}});
     if (found == vertices.end() || found->at != at) return kNone;
@@ -142,19 +142,20 @@ class Extraction {
   void find_degree(Component& component) const {
     // A few points near the centre, until one is on no face of a tet.
     for (const std::int64_t k : {0, 1, 2, 3, 4, 5, 6, 7}) {
-      GridPoint point = parts_[component.pieces[0].tet].cells[component.pieces[0].cell].low;
-      const GridPoint off{1237 * k, 2741 * k + 11 * k * k, 4127 * k - 17 * k * k};
+      ExactPoint point = parts_[component.pieces[0].tet].cells[component.pieces[0].cell].low;
+      const ExactPoint off{1237 * k, 2741 * k + 11 * k * k, 4127 * k - 17 * k * k};
       for (std::size_t axis = 0; axis < 3; ++axis) point[axis] += kGridUnit / 2 + off[axis];
-      const std::optional<std::vector<GridPoint>> points = points_in_pieces(component, point);
+      const std::optional<std::vector<ExactPoint>> points = points_in_pieces(component, point);
       if (!points) return;  // the cell goes around something and comes back turned
       if (count_covers(component, *points)) return;
     }
   }
 
-  std::optional<std::vector<GridPoint>> points_in_pieces(Component& component, const GridPoint& point) const {
+  std::optional<std::vector<ExactPoint>> points_in_pieces(Component& component,
+                                                          const ExactPoint& point) const {
     std::map<std::uint32_t, std::size_t> places;
     for (std::size_t k = 0; k < component.pieces.size(); ++k) places[number_of(component.pieces[k])] = k;
-    std::vector<GridPoint> points(component.pieces.size());
+    std::vector<ExactPoint> points(component.pieces.size());
     std::vector<bool> is_known(points.size(), false);
     component.names.assign(points.size(), CubeGroup::kIdentity);
     points[0] = point;
@@ -165,7 +166,7 @@ class Extraction {
       const std::size_t from = reached[r];
       for_each_way(component.pieces[from], [&](const Crossing& crossing, const Piece& beyond) {
         const std::size_t to = places.at(number_of(beyond));
-        const GridPoint there = map_.carried(points[from], crossing);
+        const ExactPoint there = map_.carried(points[from], crossing);
         const std::uint8_t name =
             CubeGroup::instance().product(map_.rotation_across(crossing), component.names[from]);
         if (is_known[to]) {
@@ -182,7 +183,7 @@ class Extraction {
     return points;
   }
 
-  bool count_covers(Component& component, const std::vector<GridPoint>& points) const {
+  bool count_covers(Component& component, const std::vector<ExactPoint>& points) const {
     int degree = 0;
     component.centre_tet = component.pieces[0].tet;
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -226,7 +227,7 @@ class Extraction {
       const auto& [tet, cell] = component.pieces[p];
       const std::uint8_t back = CubeGroup::instance().inverse_of(component.names[p]);
       for (std::uint8_t k = 0; k < 8; ++k) {
-        GridPoint at = parts_[tet].cells[cell].low;
+        ExactPoint at = parts_[tet].cells[cell].low;
         for (std::size_t axis = 0; axis < 3; ++axis) at[axis] += towards(k)[axis] > 0 ? kGridUnit : 0;
         const std::uint32_t found = vertex_in(tet, at);
         if (found != kNone) corners.join(found, corner(number, corner_towards(turned(back, towards(k)))));
@@ -241,13 +242,13 @@ class Extraction {
     for (std::uint32_t c = 0; c < cells.size(); ++c) {
       if (!is_hexahedron(component_of_[first_cells_[tet] + c])) continue;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        GridPoint low = cells[c].low;
+        ExactPoint low = cells[c].low;
         low[axis] += kGridUnit;
         const std::uint32_t next = cell_in(tet, low);
         if (next == kNone || !is_hexahedron(component_of_[first_cells_[tet] + next])) continue;
         for (std::uint8_t k = 0; k < 8; ++k) {
           if (towards(k)[axis] < 0) continue;
-          GridPoint beyond = towards(k);
+          ExactPoint beyond = towards(k);
           beyond[axis] = -1;
           corners.join(corner_in({tet, c}, towards(k)), corner_in({tet, next}, beyond));
         }
@@ -255,7 +256,7 @@ class Extraction {
     }
   }
 
-  std::uint32_t corner_in(const Piece& piece, const GridPoint& half) const {
+  std::uint32_t corner_in(const Piece& piece, const ExactPoint& half) const {
     const std::uint32_t number = component_of_[number_of(piece)];
     const Component& component = components_[number];
     const auto place = std::lower_bound(

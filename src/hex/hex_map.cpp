@@ -16,7 +16,7 @@ HexMap::Corners seamless_corners(const CutSolid& cut, const MapCoordinates& map,
 
 HexMap::Corners grid_corners(const ExactMap& map, std::uint32_t tet) {
   HexMap::Corners corners{};
-  const std::array<GridPoint, 4> exact = map.corners(tet);
+  const std::array<ExactPoint, 4> exact = map.corners(tet);
   for (std::size_t a = 0; a < 4; ++a)
     for (std::size_t k = 0; k < 3; ++k)
       corners[a][k] = static_cast<double>(exact[a][k]) / static_cast<double>(kGridUnit);

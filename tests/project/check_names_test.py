@@ -42,7 +42,7 @@ class NameCheck(unittest.TestCase):
     def test_every_kind_of_definition_counts(self):
         plain = "namespace crossgrain { struct Hit {}; }"
         for text in ("class Hit {};", "class Hit final : public Base<int> {};", "union Hit { int i; };", "enum Hit { kNone };",
-                     "enum class Hit : std::uint8_t { kNone };", "struct alignas(16) Hit {};", "struct [[nodiscard]] Hit {};",
+                     "enum class Hit : std::uint8_t { kNone };", "using Hit = std::array<int, 3>;", "struct alignas(16) Hit {};", "struct [[nodiscard]] Hit {};",
                      "template <class T, class U = std::vector<T>>\nclass Hit\n    : public Base<T> {\n};"):
             with self.subTest(text=text):
                 self.assert_same_name(plain, f"namespace crossgrain {{\n{text}\n}}")
@@ -64,7 +64,7 @@ class NameCheck(unittest.TestCase):
                               "using namespace std;\nnamespace crossgrain { struct Hit {}; }")
 
     def test_what_defines_no_type_does_not_count(self):
-        for text in ("struct Hit;", "enum class Hit : int;", "class Hit* find();", "Hit first(struct Hit& hit) { return hit; }",
+        for text in ("struct Hit;", "using other::Hit;", "enum class Hit : int;", "class Hit* find();", "Hit first(struct Hit& hit) { return hit; }",
                      "template <class Hit>\nstruct Other {};", "template <>\nstruct Hit<int> {};", "struct Other::Hit {};",
                      "struct Other { struct Hit {}; enum Kind { kNone }; };", "void f() { struct Hit {}; }",
                      "// struct Hit {};", "/* struct\nHit {}; */", 'const char* text = "struct Hit {};";',

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hex/grid_point.hpp"
+#include "hex/exact_point.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -30,7 +30,7 @@ bool separates(const Axis& axis, const std::array<Axis, 3>& triangle) {
 
 }  // namespace
 
-bool meets_open_cell(const std::array<GridPoint, 3>& triangle, const GridPoint& low) {
+bool meets_open_cell(const std::array<ExactPoint, 3>& triangle, const ExactPoint& low) {
   std::array<Axis, 3> corners{};
   for (std::size_t corner = 0; corner < 3; ++corner)
     for (std::size_t k = 0; k < 3; ++k) corners[corner][k] = 2 * (triangle[corner][k] - low[k]) - kGridUnit;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hex/grid_point.hpp"
+#include "hex/exact_point.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace crossgrain {
 namespace {
 
 /// Points in eighths of a unit.
-GridPoint eighths(std::int64_t x, std::int64_t y, std::int64_t z) {
+ExactPoint eighths(std::int64_t x, std::int64_t y, std::int64_t z) {
   return {x * kGridUnit / 8, y * kGridUnit / 8, z * kGridUnit / 8};
 }
 
@@ -35,9 +35,9 @@ Polygon clipped(const Polygon& polygon, std::size_t axis, long double bound, int
 }
 
 /// By clipping the triangle: it meets the open cube if the mean of what is left lies inside.
-bool meets_by_clipping(const std::array<GridPoint, 3>& triangle) {
+bool meets_by_clipping(const std::array<ExactPoint, 3>& triangle) {
   Polygon polygon;
-  for (const GridPoint& p : triangle)
+  for (const ExactPoint& p : triangle)
     polygon.push_back(
         {static_cast<long double>(p[0]), static_cast<long double>(p[1]), static_cast<long double>(p[2])});
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -54,14 +54,14 @@ bool meets_by_clipping(const std::array<GridPoint, 3>& triangle) {
   return true;
 }
 
-TEST(GridPoint, KnowsWhichTrianglesMeetAnOpenCell) {
+TEST(ExactPoint, KnowsWhichTrianglesMeetAnOpenCell) {
   std::mt19937 random(1);
   std::uniform_int_distribution<std::int64_t> coordinate(-12, 20);
   std::size_t met = 0;
   constexpr int kTrials = 20000;
   for (int trial = 0; trial < kTrials; ++trial) {
-    std::array<GridPoint, 3> triangle{};
-    for (GridPoint& p : triangle) p = eighths(coordinate(random), coordinate(random), coordinate(random));
+    std::array<ExactPoint, 3> triangle{};
+    for (ExactPoint& p : triangle) p = eighths(coordinate(random), coordinate(random), coordinate(random));
     const bool meets = meets_open_cell(triangle, {0, 0, 0});
     EXPECT_EQ(meets, meets_by_clipping(triangle));
     met += meets;
@@ -70,7 +70,7 @@ TEST(GridPoint, KnowsWhichTrianglesMeetAnOpenCell) {
   EXPECT_LT(met, kTrials / 2u);
 }
 
-TEST(GridPoint, CountsTrianglesThatTouchACellAsOutside) {
+TEST(ExactPoint, CountsTrianglesThatTouchACellAsOutside) {
   EXPECT_FALSE(meets_open_cell({eighths(0, 0, 0), eighths(8, 0, 0), eighths(0, 8, 0)}, {0, 0, 0}));  // a side
   EXPECT_FALSE(
       meets_open_cell({eighths(8, 8, 8), eighths(16, 8, 8), eighths(8, 16, 8)}, {0, 0, 0}));  // a corner
@@ -81,10 +81,10 @@ TEST(GridPoint, CountsTrianglesThatTouchACellAsOutside) {
   EXPECT_TRUE(meets_open_cell({eighths(3, 3, 3), eighths(3, 4, 3), eighths(4, 3, 3)}, {0, 0, 0}));
 }
 
-TEST(GridPoint, HasTheExactVolumeOfTheThinnestTet) {
+TEST(ExactPoint, HasTheExactVolumeOfTheThinnestTet) {
   const std::int64_t far = std::int64_t{4000} * kGridUnit;
-  const GridPoint a{-far, -far, -far}, b{far, far - 1, far}, c{far, far, far - 1};
-  const GridPoint d{far - 1, far, far};
+  const ExactPoint a{-far, -far, -far}, b{far, far - 1, far}, c{far, far, far - 1};
+  const ExactPoint d{far - 1, far, far};
   EXPECT_EQ(six_volumes(a, b, c, d), -six_volumes(a, c, b, d));
   EXPECT_TRUE(six_volumes(a, b, c, d) != 0);
   EXPECT_TRUE(six_volumes(a, b, c, b) == 0);
