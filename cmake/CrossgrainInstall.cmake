@@ -70,7 +70,7 @@ endif()
 
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/crossgrain" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
         COMPONENT ${development_of_core})
-install(FILES "${PROJECT_BINARY_DIR}/include/crossgrain/version.hpp"
+install(FILES "${PROJECT_BINARY_DIR}/include/crossgrain/version.h" "${PROJECT_BINARY_DIR}/include/crossgrain/version.hpp"
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/crossgrain" COMPONENT ${development_of_core})
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/NOTICE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
         COMPONENT $<IF:$<BOOL:${BUILD_SHARED_LIBS}>,licence,core>)

@@ -31,6 +31,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "crossgrain/version.h"
+
 #if defined(__GNUC__)
 #define CROSSGRAIN_API __attribute__((visibility("default")))
 #else
@@ -50,7 +52,7 @@ extern "C" {
 /** Returns the CROSSGRAIN_C_VERSION of the library that is loaded. */
 CROSSGRAIN_API int crossgrain_c_version(void);
 
-/** Returns the version of the library, such as "0.1.0". */
+/** Returns the version of the library, such as "0.1.0"; CROSSGRAIN_VERSION_NUMBER is that of the header. */
 CROSSGRAIN_API const char* crossgrain_version(void);
 
 /** @} */
@@ -733,6 +735,7 @@ CROSSGRAIN_API const char* crossgrain_format_description(size_t index);
 
 /** @} */
 /** \defgroup c_hexahedra Hexahedra
+ * Experimental: options, reports and functions change from release to release.
  * @{ */
 
 /** Meshes a model with hexahedra (make_hexahedra): in a file (a CAD file, a closed surface or tets), inside a

@@ -3,6 +3,10 @@
 #include <crossgrain/c.h>
 #include <stdio.h>
 
+#if CROSSGRAIN_VERSION_NUMBER < 100
+#error "0.1.0 is 100"
+#endif
+
 int main(int argc, char** argv) {
   crossgrain_mesh* mesh = NULL;
   crossgrain_error* error = NULL;
