@@ -49,7 +49,10 @@ class Error : public std::runtime_error {
 };
 
 /// Thrown in a process that waits for another one, which has failed (crossgrain/processes.hpp).
-struct OtherProcessFailed {};
+class OtherProcessFailed : public std::runtime_error {
+ public:
+  OtherProcessFailed() : std::runtime_error("another process has failed") {}
+};
 
 /// @}
 
