@@ -14,6 +14,7 @@
 namespace crossgrain {
 
 /// \addtogroup hexahedra Hexahedra
+/// Experimental: options, reports and functions change from release to release.
 /// @{
 
 /// How hexahedra are made. Weights and tolerances are dimensionless; docs/notes/hexahedra.md has the

@@ -63,7 +63,8 @@ def hex(model: Any, elements: Any = None, *,  # pylint: disable=redefined-builti
         as for `solve`
 
     A mesh that does not fill the model is returned too: ``is_all_hex`` is False then, and ``print(mesh)``
-    says why. The result does not depend on the number of threads. Ctrl-C cancels.
+    says why. The result does not depend on the number of threads. Ctrl-C cancels. Experimental: may change
+    from release to release.
 
     Raises InputError for a model that cannot be used or cut into tets, UsageError for options out of range,
     LimitError, TypeError.

@@ -162,7 +162,7 @@ class TetField(_AnyField):
 
 
 class HexMesh:
-    """A mesh of hexahedra, with the field that it follows.
+    """A mesh of hexahedra, with the field that it follows. Experimental: may change from release to release.
 
     A mesh that does not fill the model is one too: see ``is_all_hex``, and ``str()`` of the mesh for the
     reason in one line. Arrays are read-only views; copy them to change them. Immutable: any number of threads
