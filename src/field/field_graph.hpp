@@ -87,12 +87,9 @@ class CellForms {
   }
   bool empty(std::size_t cell) const { return slot_[cell] == kNone; }
 
-  /// Memory of slots, planes and general forms.
-  std::size_t slot_bytes() const { return slot_.capacity() * sizeof(std::uint32_t); }
-  std::size_t plane_bytes() const { return planes_.capacity() * sizeof(PlaneForm); }
-  std::size_t general_bytes() const { return generals_.capacity() * sizeof(PackedForm<D>); }
-
  private:
+  friend struct MemoryOfForms;  // of a test, which compares it with the budget
+
   // A slot is an index into one of three lists; its two highest bits tell which.
   static constexpr std::uint32_t kGeneral = std::uint32_t{2} << 30;
   static constexpr std::uint32_t kHeld = std::uint32_t{3} << 30;

@@ -3,19 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "base/quaternion.hpp"
-#include "harmonics/coefficients.hpp"
+#include "field/stored_coefficients.hpp"
 
 namespace crossgrain {
-
-/// Coefficients of one cell in single precision. In degree 3 they are padded with a zero, so that they are
-/// read as one vector that does not cross a cache line.
-template <int D>
-struct alignas(D == 3 ? 32 : alignof(float)) StoredCoefficients
-    : std::array<float, D == 3 ? 8 : kCoefficientCount<D>> {};
 
 template <int D>
 struct FieldState {
@@ -27,24 +20,6 @@ struct FieldState {
   std::size_t size() const { return frames.size(); }
 };
 
-template <int D>
-inline StoredCoefficients<D> to_stored(const Coefficients<D>& h) {
-  StoredCoefficients<D> stored{};
-  for (int m = 0; m < kCoefficientCount<D>; ++m) stored[m] = static_cast<float>(h[m]);
-  return stored;
-}
-
-template <int D>
-inline Coefficients<D> from_stored(const StoredCoefficients<D>& stored) {
-  Coefficients<D> h;
-  for (int m = 0; m < kCoefficientCount<D>; ++m) h[m] = stored[m];
-  return h;
-}
-
-/// Returns h(R) of every frame.
-template <int D>
-std::vector<StoredCoefficients<D>> coefficients_of(std::span<const StoredQuaternion> frames);
-
 /// Returns the frames with their coefficients.
 template <int D>
 FieldState<D> state_of(std::vector<StoredQuaternion> frames);
@@ -52,8 +27,6 @@ FieldState<D> state_of(std::vector<StoredQuaternion> frames);
 /// Returns frames drawn uniformly from SO(3), each from `seed` and its index.
 std::vector<StoredQuaternion> random_frames(std::size_t count, std::uint64_t seed);
 
-extern template std::vector<StoredCoefficients<3>> coefficients_of<3>(std::span<const StoredQuaternion>);
-extern template std::vector<StoredCoefficients<4>> coefficients_of<4>(std::span<const StoredQuaternion>);
 extern template FieldState<3> state_of<3>(std::vector<StoredQuaternion>);
 extern template FieldState<4> state_of<4>(std::vector<StoredQuaternion>);
 

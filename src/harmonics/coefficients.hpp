@@ -18,12 +18,6 @@ inline constexpr int kCoefficientCount = 2 * D + 1;
 template <int D, class Real = double>
 using Coefficients = std::array<Real, kCoefficientCount<D>>;
 
-/// Position of the coefficient of order m.
-template <int D>
-constexpr int index_of_order(int m) {
-  return m + D;
-}
-
 template <class Real, std::size_t N>
 Real dot(const std::array<Real, N>& a, const std::array<Real, N>& b) {
   Real sum = 0;

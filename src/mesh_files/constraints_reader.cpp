@@ -24,13 +24,14 @@ void demand(const Value& value, const std::string& fault) {
   if (!fault.empty()) value.fail(fault);
 }
 
-/// Reads an array of `count` numbers, or an array of such arrays.
+/// Whether a value is an array of arrays.
 bool is_list(const Value& value) {
   if (!value.is(Kind::kArray)) return false;
   const std::vector<Value> values = value.values();
   return !values.empty() && values[0].is(Kind::kArray);
 }
 
+/// An array of N numbers.
 template <std::size_t N>
 std::array<double, N> numbers(const Value& value, const char* key) {
   const std::vector<Value> values = value.is(Kind::kArray) ? value.values() : std::vector<Value>{};

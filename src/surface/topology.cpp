@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
+#include "base/first_equal.hpp"
 #include "base/parallel.hpp"
 #include "surface/edge_uses.hpp"
-#include "surface/first_equal.hpp"
 #include "surface/surface.hpp"
 
 namespace crossgrain {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "constraint/normal_form.hpp"
 
+#include "constraint/frame_form.hpp"
 #include "constraint/random_cells.hpp"
 #include "constraint/spectrum.hpp"
 #include "harmonics/generators.hpp"

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/parallel.hpp"
+#include "constraint/frame_form.hpp"
 #include "field/energy.hpp"
 #include "field/local_energy.hpp"
 #include "field/manifold_sweep.hpp"

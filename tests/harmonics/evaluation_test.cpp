@@ -2,6 +2,7 @@
 #include "harmonics/evaluation.hpp"
 
 #include "harmonics/random_samples.hpp"
+#include "harmonics/rotation.hpp"
 #include "harmonics/sphere_quadrature.hpp"
 
 namespace crossgrain {

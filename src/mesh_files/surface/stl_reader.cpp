@@ -9,10 +9,10 @@
 #include <cstring>
 #include <span>
 
+#include "base/first_equal.hpp"
 #include "base/parallel.hpp"
 #include "mesh_files/surface/surface_builder.hpp"
 #include "mesh_files/surface/surface_reader.hpp"
-#include "surface/first_equal.hpp"
 #include "text/text_scanner.hpp"
 
 namespace crossgrain {

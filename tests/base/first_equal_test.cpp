@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "surface/first_equal.hpp"
+#include "base/first_equal.hpp"
 
 #include <gtest/gtest.h>
 
