@@ -28,7 +28,7 @@ show_report() {
 "$root/cmake/install_packages.sh" build
 "$root/cmake/install_packages.sh" cad || echo "Building without the reader of STEP, IGES and BREP files" >&2
 
-cmake -S "$root" -B "$build" -G Ninja --log-level=WARNING -DCMAKE_BUILD_TYPE=Release -DCROSSGRAIN_BUILD_TESTS=OFF >/dev/null
+cmake -S "$root" -B "$build" -G Ninja --log-level=WARNING -DCMAKE_BUILD_TYPE=Release -DCROSSGRAIN_BUILD_TESTS=OFF -DCMAKE_UNITY_BUILD=ON >/dev/null
 cmake --build "$build" --target crossgrain_app crossgrain_helpers
 program="$build/apps/crossgrain/crossgrain"
 

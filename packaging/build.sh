@@ -18,7 +18,7 @@ if [ -n "$objects" ]; then launcher="$root/packaging/take_object.sh;$objects"; f
 cmake -S "$root" -B "$folder" -G Ninja --log-level=WARNING -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr \
   -DCMAKE_SKIP_INSTALL_RPATH=ON -DCROSSGRAIN_ZSH_FOLDER=share/zsh/vendor-completions -DBUILD_SHARED_LIBS=ON -DCROSSGRAIN_PACKAGES=ON \
   -DCROSSGRAIN_BUILD_TESTS=OFF -DCROSSGRAIN_BUILD_EXAMPLES=OFF -DCROSSGRAIN_BUILD_CAD=ON -DCROSSGRAIN_BUILD_NETGEN=ON -DCROSSGRAIN_BUILD_MPI=ON \
-  -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" >/dev/null
+  -DCMAKE_UNITY_BUILD=ON -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" >/dev/null
 # Copied objects tell nothing of the headers that they depend on.
 if [ -n "$objects" ]; then cmake --build "$folder" --target clean >/dev/null; fi
 cmake --build "$folder" >&2
