@@ -10,7 +10,7 @@ model="models/bracket.stl"
 result="$root/build/try/bracket.frames"
 program="$build/apps/crossgrain/crossgrain"
 
-# Processor time of a first build, in seconds: measured on two cores of a server beside other work.
+# Rough processor time of a first build, in seconds.
 build_seconds=450
 
 build_program() {
