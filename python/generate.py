@@ -125,7 +125,7 @@ OPTIONS = {
     "repair.hpp": ["RepairWeights", "RepairOptions"],
     "streamlines.hpp": ["StreamlineOptions"],
     "picture.hpp": ["PictureOptions"],
-    "tet_making.hpp": ["RemeshingOptions", "TetMakingOptions"],
+    "tet_making.hpp": ["TetMakingOptions"],
     "hexahedra.hpp": ["HexOptions"],
     "hex_meshing.hpp": ["HexMeshingOptions"],
 }
@@ -258,11 +258,33 @@ def python_type(declared, structs):
 BASE = """
 
 class _Options:
-    def __setattr__(self, name, value):
+    _kind = c.NO_OPTIONS
+
+    def __new__(cls, *values: Any, **named: Any) -> Any:
+        for name in named:
+            refuse_removed(cls, name)
+        return super().__new__(cls)
+
+    def __getattr__(self, name: str) -> Any:
+        # Only of members that do not exist.
+        refuse_removed(type(self), name)
+        raise AttributeError(f"{type(self).__name__} has no member {name!r}")
+
+    def __setattr__(self, name: str, value: Any) -> None:
         # A member that is misspelt would have no effect.
         if name not in getattr(self, "__dataclass_fields__"):
+            refuse_removed(type(self), name)
             raise AttributeError(f"{type(self).__name__} has no member {name!r}")
         super().__setattr__(name, value)
+
+
+def refuse_removed(kind: Any, name: str) -> None:
+    # UsageError for an option of earlier versions.
+    if name.startswith("_"):
+        return
+    instead = library.crossgrain_options_replacement(kind._kind, name.encode())
+    if instead is not None:
+        raise UsageError(f"{name} is no option any more; {instead.decode()}")
 """
 
 
@@ -272,8 +294,10 @@ def options_of(include):
     yield "from __future__ import annotations\n"
     yield "import math"
     yield "from dataclasses import dataclass, field"
-    yield "from typing import Optional, Sequence, Tuple, Union\n"
+    yield "from typing import Any, Optional, Sequence, Tuple, Union\n"
     yield "from . import _interface as c"
+    yield "from ._library import library"
+    yield "from .errors import UsageError"
     structs = [name for names in OPTIONS.values() for name in names]
     yield BASE
     names = ", ".join(f'"{name}"' for name in structs)

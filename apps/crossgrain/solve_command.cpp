@@ -60,7 +60,7 @@ void print_warning(Warning warning, const std::string& model) {
 TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
   TetMakingOptions options;
   options.size = arguments.tet_size;
-  options.creases = arguments.options.creases;
+  options.crease_angle_deg = arguments.options.creases.least_deg;
   options.max_memory_bytes = arguments.options.max_memory_bytes;
   options.read_seconds = arguments.read_seconds;
   options.glue = arguments.glue;

@@ -22,17 +22,11 @@ void add_sizes(CLI::App& command, TetMakingOptions& options) {
       ->excludes(size)
       ->type_name("N");
   command
-      .add_option("--per-circle", options.triangles.edges_per_circle,
+      .add_option("--per-circle", options.edges_per_circle,
                   "Edges around a full circle of any curvature (default 18: triangles within 10 degrees of "
                   "the surface)")
       ->check(CLI::Range(3.0, 1e6))
       ->type_name("N");
-  command
-      .add_option("--smallest", options.triangles.smallest_share,
-                  "Smallest size that curvature and short edges of the model ask for, relative to the size "
-                  "(default 0.1)")
-      ->check(CLI::Range(1e-6, 1.0))
-      ->type_name("X");
 }
 
 void add_limits(CLI::App& command, TetMakingOptions& options) {
@@ -100,7 +94,7 @@ CLI::App* add_tets(CLI::App& app, TetsArguments& arguments) {
       ->check(CLI::IsMember({"gmsh", "netgen"}))
       ->type_name("gmsh|netgen");
   command
-      ->add_option("--crease-angle", options.creases.least_deg,
+      ->add_option("--crease-angle", options.crease_angle_deg,
                    "Edges between faces whose normals differ by more degrees are creases, which stay edges "
                    "(default 35)")
       ->check(fault_of_angle)

@@ -151,7 +151,7 @@ CROSSGRAIN_API const double* crossgrain_numbers_data(const crossgrain_numbers* n
 /** @} */
 /** \defgroup c_options Options
  * Options have the names of the members in C++, with a dot before those of an inner struct: "resolution",
- * "solver.boundary_weight". include/crossgrain/options.hpp and the other headers document each.
+ * "tets.maker". docs/options.md lists all.
  * @{ */
 
 /** Which struct of options. */
@@ -191,8 +191,13 @@ CROSSGRAIN_API size_t crossgrain_options_count(crossgrain_options_kind kind);
 CROSSGRAIN_API const char* crossgrain_options_name(crossgrain_options_kind kind, size_t index);
 CROSSGRAIN_API crossgrain_option_type crossgrain_options_type(crossgrain_options_kind kind, size_t index);
 
-/** Sets an option. CROSSGRAIN_USAGE for a name that is unknown, naming the nearest one, and for a value of
- * another type or that its member cannot hold. Ranges are checked where the options are used. */
+/** What to do instead of setting an option of earlier versions: "use crease_angle_deg". NULL if there was
+ * none of this name. */
+CROSSGRAIN_API const char* crossgrain_options_replacement(crossgrain_options_kind kind, const char* name);
+
+/** Sets an option. CROSSGRAIN_USAGE for a name that is unknown, naming the nearest one or what replaced it,
+ * and for a value of another type or that its member cannot hold. Ranges are checked where the options are
+ * used. */
 CROSSGRAIN_API crossgrain_status crossgrain_options_set_integer(crossgrain_options* options, const char* name,
                                                                 int64_t value, crossgrain_error** error);
 CROSSGRAIN_API crossgrain_status crossgrain_options_set_number(crossgrain_options* options, const char* name,

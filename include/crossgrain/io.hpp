@@ -40,11 +40,6 @@ struct ReadOptions {
   int resolution = 0;
   double cell_size = 0;
 
-  /// Largest distance between triangles and the true surface, in cells, limited to between a millionth and
-  /// 1/40 of the longest side. A tenth is below what the grid resolves, since normals come from the true
-  /// surface.
-  double chord_error_cells = 0.1;
-
   /// Largest change of the normal along an edge of a triangle, so that fillets much smaller than a cell keep
   /// their directions.
   double facet_angle_deg = 15;
@@ -57,9 +52,6 @@ struct ReadOptions {
   /// belongs to the smallest. An Error(kInput) if OpenCASCADE cannot do it.
   bool glue = false;
 
-  /// Largest gap between faces that are glued, relative to the longest side.
-  double glue_gap = 1e-6;
-
   /// Time limit for reading a CAD file, plus 10 s per megabyte of it. OpenCASCADE does not terminate on some
   /// damaged files; sound ones take less than a second, or a few seconds with many thousands of faces.
   double read_seconds = 60;
@@ -67,10 +59,6 @@ struct ReadOptions {
   /// Memory limit of the process while reading, together with the one that reads CAD files; 0 for nine tenths
   /// of what the machine or the container has.
   std::size_t max_memory_bytes = 0;
-
-  /// The program crossgrain_cad, which reads CAD files. If empty it is looked for beside this library and the
-  /// running program, in libexec/crossgrain/.
-  std::filesystem::path cad_program = {};
 };
 
 /// Returns how to read the surface for a solve with these options: triangles of a CAD file that suit its

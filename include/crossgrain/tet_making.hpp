@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "crossgrain/monitor.hpp"
-#include "crossgrain/options.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -23,55 +22,24 @@ enum class TetMaker : int {
 /// Returns a name for options and scripts: "gmsh".
 const char* name_of(TetMaker maker);
 
-/// How a surface gets the triangles of its tets. All numbers are dimensionless; docs/notes/tets.md has the
-/// measurements behind them.
-struct RemeshingOptions {
-  /// Edges around a full circle of any curvature. With 18 a triangle's normal is within 10 degrees of the
-  /// surface.
-  double edges_per_circle = 18;
-
-  /// Smallest size that curvature and short creases ask for, relative to the size.
-  double smallest_share = 0.1;
-
-  /// Largest growth of the size per length.
-  double gradation = 0.3;
-
-  /// Largest distance of an edge from the given surface, relative to the size there.
-  double distance_share = 0.1;
-
-  /// Largest angle between a triangle and the given surface beneath it.
-  double turn_deg = 35;
-
-  /// Rounds of splitting, collapsing and flipping edges, and of smoothing.
-  int rounds = 5;
-};
-
 /// How tets are made.
 struct TetMakingOptions {
   /// Largest edge of the tets, in the unit of the mesh; 0: `edges` of them along the longest side.
   double size = 0;
   double edges = 20;
 
-  /// Whether there are so many edges along the longest side even where `size` is larger.
-  bool at_least_edges = false;
-
   TetMaker maker = TetMaker::kAutomatic;
 
-  RemeshingOptions triangles;
+  /// Edges around a full circle of any curvature. With 18 a triangle's normal is within 10 degrees of the
+  /// surface.
+  double edges_per_circle = 18;
 
-  /// Which edges of a surface are creases, and so borders of its patches; least_deg also says which edges of
-  /// a CAD model frames should follow.
-  CreaseAngles creases;
-
-  /// Vertices on open edges of a surface are merged if they are at most this far apart, relative to the
-  /// longest side: what rounding leaves, far below anything modelled.
-  double stitch_share = 1e-6;
+  /// Smallest angle between the normals beside an edge of a surface that makes it a crease, and so a border
+  /// of patches; of CAD files, as ReadOptions::crease_angle_deg.
+  double crease_angle_deg = 35;
 
   /// Time limit for each program that makes tets.
   double seconds = 600;
-
-  /// Largest number of tets: an Error(kLimit) if about so many are to be expected.
-  std::size_t most_tets = 20000000;
 
   /// Largest memory of the process together with the program that it runs; 0 for nine tenths of what the
   /// machine or the container has.
@@ -80,11 +48,6 @@ struct TetMakingOptions {
   /// Time limit for reading a CAD file, and whether its solids are glued (ReadOptions).
   double read_seconds = 60;
   bool glue = false;
-
-  /// The programs; if empty, those of `cad_program`, `gmsh_program` and `netgen_program`.
-  std::filesystem::path cad_program = {};
-  std::filesystem::path gmsh = {};
-  std::filesystem::path netgen = {};
 };
 
 /// Cuts the solids of a model into tets. The model is a CAD file or a closed surface of triangles

@@ -26,7 +26,7 @@ from .matchings import Matchings
 from .models import Crease, Surface, TetMesh, make_tets, read_surface, read_tets
 from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, HexMeshingOptions,
                       HexOptions, KeptFormOptions, MapPreparationOptions, OntoOptions, OtherStart,
-                      OutputOptions, PictureOptions, ReadOptions, RefinementOptions, RemeshingOptions,
+                      OutputOptions, PictureOptions, ReadOptions, RefinementOptions,
                       RepairOptions, RepairWeights, SingularityOptions, SolveOptions, SolverOptions,
                       StreamlineOptions, TetMakingOptions, TetTagOptions)
 from .singularities import Answer, Arc, Node, Reason, SingularityGraph, read_singularities
@@ -43,7 +43,7 @@ __all__ = [
     "HexOptions", "InputError", "InternalError", "Interrupted", "KeptFormOptions", "LimitError",
     "MapPreparationOptions", "Matchings", "Node", "OntoOptions", "OtherStart", "OutputError",
     "OutputOptions", "PictureOptions", "Progress", "ReadOptions", "Reason", "RefinementOptions",
-    "RemeshingOptions", "RepairOptions", "RepairWeights", "Samples", "SingularityGraph",
+    "RepairOptions", "RepairWeights", "Samples", "SingularityGraph",
     "SingularityOptions", "SolveOptions", "SolverOptions", "Spectrum", "Streamline",
     "StreamlineOptions", "Streamlines", "Surface", "TetField", "TetMakingOptions", "TetMesh",
     "TetTagOptions", "UsageError", "carry_onto", "coefficients", "hex", "is_clipped", "make_tets",

@@ -12,7 +12,7 @@ import numpy as np
 
 from . import _interface as c
 from ._library import Handle, call, library, made, text_bytes
-from .options import OtherStart, RepairWeights, SolveOptions
+from .options import OtherStart, RepairWeights, SolveOptions, refuse_removed
 
 _AXES = {"x": 0, "y": 1, "z": 2}
 
@@ -110,6 +110,7 @@ def with_changes(options: Any, kind: type, changes: "dict[str, Any]") -> Any:
     known = {member.name for member in dataclasses.fields(chosen)}
     for name in changes:
         if name not in known:
+            refuse_removed(kind, name)
             raise TypeError(f"{kind.__name__} has no member {name!r}; it has {', '.join(sorted(known))}")
     return dataclasses.replace(chosen, **changes)
 

@@ -104,14 +104,11 @@ template <class Visit>
 void for_each_option(ReadOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(resolution);
   CROSSGRAIN_OPTION(cell_size);
-  CROSSGRAIN_OPTION(chord_error_cells);
   CROSSGRAIN_OPTION(facet_angle_deg);
   CROSSGRAIN_OPTION(crease_angle_deg);
   CROSSGRAIN_OPTION(glue);
-  CROSSGRAIN_OPTION(glue_gap);
   CROSSGRAIN_OPTION(read_seconds);
   CROSSGRAIN_OPTION(max_memory_bytes);
-  CROSSGRAIN_OPTION(cad_program);
 }
 
 template <class Visit>
@@ -134,28 +131,13 @@ template <class Visit>
 void for_each_option(TetMakingOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(size);
   CROSSGRAIN_OPTION(edges);
-  CROSSGRAIN_OPTION(at_least_edges);
   CROSSGRAIN_OPTION(maker);
-  CROSSGRAIN_OPTION(triangles.edges_per_circle);
-  CROSSGRAIN_OPTION(triangles.smallest_share);
-  CROSSGRAIN_OPTION(triangles.gradation);
-  CROSSGRAIN_OPTION(triangles.distance_share);
-  CROSSGRAIN_OPTION(triangles.turn_deg);
-  CROSSGRAIN_OPTION(triangles.rounds);
-  CROSSGRAIN_OPTION(creases.least_deg);
-  CROSSGRAIN_OPTION(creases.fading.sure_deg);
-  CROSSGRAIN_OPTION(creases.fading.least_radii);
-  CROSSGRAIN_OPTION(creases.corner_deg);
-  CROSSGRAIN_OPTION(creases.knife_deg);
-  CROSSGRAIN_OPTION(stitch_share);
+  CROSSGRAIN_OPTION(edges_per_circle);
+  CROSSGRAIN_OPTION(crease_angle_deg);
   CROSSGRAIN_OPTION(seconds);
-  CROSSGRAIN_OPTION(most_tets);
   CROSSGRAIN_OPTION(max_memory_bytes);
   CROSSGRAIN_OPTION(read_seconds);
   CROSSGRAIN_OPTION(glue);
-  CROSSGRAIN_OPTION(cad_program);
-  CROSSGRAIN_OPTION(gmsh);
-  CROSSGRAIN_OPTION(netgen);
 }
 
 template <class Visit>

@@ -14,6 +14,7 @@
 #include "c_interface/handles.hpp"
 #include "c_interface/option_names.hpp"
 #include "c_interface/option_value.hpp"
+#include "c_interface/removed_options.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/page.hpp"
 
@@ -73,9 +74,12 @@ std::size_t edits_between(std::string_view from, std::string_view to) {
 }
 
 [[noreturn]] void refuse_name(const Values& values, const std::string& name) {
+  const auto kind = static_cast<crossgrain_options_kind>(values.index());
+  if (const std::string_view instead = replacement_of(kind, name); !instead.empty())
+    throw Error(ErrorKind::kUsage, fmt::format("{} is no option any more; {}", name, instead));
   std::string nearest;
   std::size_t fewest = SIZE_MAX;
-  for (const NamedType& option : options_of(static_cast<crossgrain_options_kind>(values.index()))) {
+  for (const NamedType& option : options_of(kind)) {
     const std::size_t edits = edits_between(name, option.name);
     if (edits < fewest) nearest = option.name;
     fewest = std::min(fewest, edits);
@@ -164,6 +168,11 @@ crossgrain_option_type crossgrain_options_type(crossgrain_options_kind kind, siz
     const auto& all = options_of(kind);
     return index < all.size() ? all[index].type : CROSSGRAIN_FLAG;
   });
+}
+
+const char* crossgrain_options_replacement(crossgrain_options_kind kind, const char* name) {
+  // The texts are literals, so each ends with a zero.
+  return name == nullptr ? nullptr : replacement_of(kind, name).data();
 }
 
 crossgrain_status crossgrain_options_set_integer(crossgrain_options* options, const char* name, int64_t value,

@@ -109,14 +109,13 @@ bool is_consistent(const CadSolids& solids) {
 }  // namespace
 
 std::vector<std::string> arguments_of(const CadRequest& request) {
-  const ReadOptions& options = request.options;
+  const CadReading& options = request.options;
   // fmt writes the shortest text that restores the same double.
   return {kVersion,
           fmt::to_string(request.asking_process),
           fmt::to_string(static_cast<int>(request.format)),
           fmt::to_string(options.resolution),
           fmt::format("{}", options.cell_size),
-          fmt::format("{}", options.chord_error_cells),
           fmt::format("{}", options.facet_angle_deg),
           fmt::format("{}", options.crease_angle_deg),
           fmt::to_string(static_cast<int>(options.glue)),
@@ -127,24 +126,23 @@ std::vector<std::string> arguments_of(const CadRequest& request) {
 }
 
 std::optional<CadRequest> cad_request_of(const std::vector<std::string>& arguments) {
-  constexpr std::size_t kCount = 13;
+  constexpr std::size_t kCount = 12;
   if (arguments.size() != kCount || arguments[0] != kVersion) return std::nullopt;
   CadRequest request;
-  ReadOptions& options = request.options;
+  CadReading& options = request.options;
   int format = 0, glue = 0, with_solids = 0;
   const bool sound =
       parse_number(arguments[1], request.asking_process) && parse_number(arguments[2], format) &&
       parse_number(arguments[3], options.resolution) && parse_number(arguments[4], options.cell_size) &&
-      parse_number(arguments[5], options.chord_error_cells) &&
-      parse_number(arguments[6], options.facet_angle_deg) &&
-      parse_number(arguments[7], options.crease_angle_deg) && parse_number(arguments[8], glue) &&
-      parse_number(arguments[9], options.glue_gap) && parse_number(arguments[10], options.max_memory_bytes) &&
-      parse_number(arguments[11], with_solids);
+      parse_number(arguments[5], options.facet_angle_deg) &&
+      parse_number(arguments[6], options.crease_angle_deg) && parse_number(arguments[7], glue) &&
+      parse_number(arguments[8], options.glue_gap) && parse_number(arguments[9], options.max_memory_bytes) &&
+      parse_number(arguments[10], with_solids);
   if (!sound || format < 0 || format > static_cast<int>(CadFormat::kBrep)) return std::nullopt;
   request.format = static_cast<CadFormat>(format);
   options.glue = glue != 0;
   request.with_solids = with_solids != 0;
-  request.path = arguments[12];
+  request.path = arguments[11];
   return request;
 }
 

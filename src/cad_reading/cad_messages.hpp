@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "crossgrain/io.hpp"
+#include "cad_reading/cad_reading.hpp"
 #include "crossgrain/message.hpp"
 #include "crossgrain/types.hpp"
 
@@ -24,7 +24,7 @@ enum class CadFormat { kStep, kIges, kBrep };
 struct CadRequest {
   std::string path;
   CadFormat format;
-  ReadOptions options;       ///< those of CAD files; max_memory_bytes is for the program alone
+  CadReading options;        ///< those of CAD files; max_memory_bytes is for the program alone
   pid_t asking_process;      ///< the program ends when this process does
   bool with_solids = false;  ///< whether the answer has CadAnswer::solids
 };

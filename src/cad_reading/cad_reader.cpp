@@ -33,7 +33,7 @@ constexpr const char* kOneArithmetic = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FM
 
 constexpr double kSecondsPerByte = 10e-6;
 
-std::filesystem::path cad_program(const InputFile& file, const ReadOptions& options) {
+std::filesystem::path cad_program(const InputFile& file, const CadReading& options) {
   const std::filesystem::path program =
       options.cad_program.empty() ? crossgrain::cad_program() : options.cad_program;
   if (program.empty())
@@ -43,7 +43,7 @@ std::filesystem::path cad_program(const InputFile& file, const ReadOptions& opti
 }
 
 /// Memory limit for the helper: what is allowed, less what this process uses.
-std::size_t memory_for_helper(const InputFile& file, const ReadOptions& options) {
+std::size_t memory_for_helper(const InputFile& file, const CadReading& options) {
   const std::size_t most = allowed_memory_bytes(options.max_memory_bytes), held = current_memory_bytes();
   if (held >= most)
     throw Error(ErrorKind::kLimit,
@@ -112,13 +112,9 @@ void check_range(double value, double most, const char* name) {
               fmt::format("{} is {}, but must be above 0 and at most {}", name, value, most));
 }
 
-void check_options(const ReadOptions& options) {
-  check_range(options.chord_error_cells, std::numeric_limits<double>::max(), "chord_error_cells");
+void check_options(const CadReading& options) {
   check_range(options.facet_angle_deg, 90, "facet_angle_deg");
   check_range(options.crease_angle_deg, 180, "crease_angle_deg");
-  if (!(options.glue_gap >= 0 && options.glue_gap < 1))
-    throw Error(ErrorKind::kUsage,
-                fmt::format("glue_gap is {}, but must be at least 0 and below 1", options.glue_gap));
   check_range(options.read_seconds, std::numeric_limits<double>::max(), "read_seconds");
 }
 
@@ -135,7 +131,7 @@ void check_format(const InputFile& file, CadFormat format) {
 
 }  // namespace
 
-CadModel read_cad(const InputFile& file, CadFormat format, const ReadOptions& options, const Monitor& monitor,
+CadModel read_cad(const InputFile& file, CadFormat format, const CadReading& options, const Monitor& monitor,
                   CadContent content) {
   check_format(file, format);
   check_options(options);

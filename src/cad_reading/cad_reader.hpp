@@ -16,7 +16,7 @@ struct CadModel {
 /// Reads STEP (AP203, AP214, AP242), IGES 5 and OpenCASCADE's own BREP, in text or binary, in a separate
 /// process (cad_reading/cad_messages.hpp), which ends when the monitor is cancelled. Throws as `read_surface`
 /// does.
-CadModel read_cad(const InputFile& file, CadFormat format, const ReadOptions& options, const Monitor& monitor,
+CadModel read_cad(const InputFile& file, CadFormat format, const CadReading& options, const Monitor& monitor,
                   CadContent content = CadContent::kTriangles);
 
 }  // namespace crossgrain

@@ -18,6 +18,7 @@
 #include "crossgrain/thread_limit.hpp"
 #include "hex/hex_options.hpp"
 #include "solve/tet_domain_data.hpp"
+#include "tet_making/tet_making_tuning.hpp"
 #include "tets/tet_shape.hpp"
 
 namespace crossgrain {
@@ -37,8 +38,8 @@ void check(const HexMeshingOptions& options) {
 }
 
 /// Returns how tets of a share of the first size are made.
-TetMakingOptions tet_options(const HexMeshingOptions& options, double share) {
-  TetMakingOptions result = options.tets;
+TetMakingTuning tet_options(const HexMeshingOptions& options, double share) {
+  TetMakingTuning result{options.tets};
   if (result.size == 0) {
     const HexOptions& hexahedra = options.hexahedra;
     result.size = hexahedra.size;
@@ -48,13 +49,13 @@ TetMakingOptions tet_options(const HexMeshingOptions& options, double share) {
   }
   result.size *= share;
   result.edges /= share;
-  result.creases = options.solve.creases;
+  result.crease_angle_deg = options.solve.creases.least_deg;
   result.max_memory_bytes = options.solve.max_memory_bytes;
   return result;
 }
 
 /// Returns the size that `make_tets` takes.
-double size_of(const TetMakingOptions& options, const TetDomain& domain) {
+double size_of(const TetMakingTuning& options, const TetDomain& domain) {
   const double of_edges = longest_side(domain.data().box) / options.edges;
   if (options.size == 0) return of_edges;
   return options.at_least_edges ? std::min(options.size, of_edges) : options.size;
@@ -136,7 +137,7 @@ HexReport joined(const HexReport& first, HexReport next) {
   return next;
 }
 
-using MakeTets = std::function<TetMesh(const TetMakingOptions& options)>;
+using MakeTets = std::function<TetMesh(const TetMakingTuning& options)>;
 
 /// Tries tets of one size after another until hexahedra fill the model, then smaller hexahedra on those whose
 /// map only rounding folds: other tets may have a map at the size that was asked for.
@@ -179,7 +180,7 @@ void TetTries::attempt(double share, Large may_be_large) {
   TriedTets& tried = tries_.emplace_back();
   Stopwatch stopwatch;
   stopwatch.start();
-  const TetMakingOptions making = tet_options(options_, share);
+  const TetMakingTuning making = tet_options(options_, share);
   const TetDomain domain = domain_of([&] { return make_(making); }, options_, is_first, monitor_);
   tried.tet_seconds = stopwatch.restart();
   tried.size = size_of(making, domain);

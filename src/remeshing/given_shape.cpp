@@ -209,7 +209,7 @@ std::vector<double> GivenShape::sizes_of_vertices() const {
     queue.pop();
     if (size > sizes[vertex]) continue;
     for (const std::uint32_t other : neighbours[vertex]) {
-      const double grown = size + options_.gradation * norm(given_.vertices[other] - given_.vertices[vertex]);
+      const double grown = size + kGradation * norm(given_.vertices[other] - given_.vertices[vertex]);
       if (grown >= sizes[other]) continue;
       sizes[other] = grown;
       queue.emplace(grown, other);

@@ -38,6 +38,13 @@ enum class Aim { kQuality, kDelaunay };
 /// 180 degrees and a little, so that flips of four points on a circle end.
 constexpr double kDelaunayAngles = std::numbers::pi * (1 + 1e-6);
 
+/// Largest distance of an edge from the given surface, relative to the size there, and largest angle between
+/// a triangle and the given surface beneath it (docs/notes/tets.md).
+constexpr double kDistanceShare = 0.1, kTurnDeg = 35;
+
+/// Rounds of splitting, collapsing and flipping edges, and of smoothing.
+constexpr int kRounds = 5;
+
 constexpr int kMostSplitPasses = 40, kMostFlipPasses = 6, kSmoothingsPerRound = 3;
 
 class Remesher {
@@ -48,10 +55,10 @@ class Remesher {
         monitor_(monitor),
         shape_(given, options),
         mesh_(given, shape_.sizes_of_vertices()),
-        least_cosine_(std::cos(options.turn_deg * std::numbers::pi / 180)) {}
+        least_cosine_(std::cos(kTurnDeg * std::numbers::pi / 180)) {}
 
   PatchedSurface run() {
-    for (int round = 0; round < options_.rounds; ++round) {
+    for (int round = 0; round < kRounds; ++round) {
       // No flips in between: they would turn the slivers of CAD programs into flat triangles that stay.
       for (int pass = 0; pass < kMostSplitPasses && split_long(); ++pass) continue;
       flip_all();
@@ -94,7 +101,7 @@ class Remesher {
   double fit(const std::array<Vector3, 3>& corners, std::uint32_t patch, double size) const {
     const Vector3 middle = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
     const PlaceOnShape place = shape_.on_patch(patch, middle);
-    if (norm(place.point - middle) > options_.distance_share * size) return -1;
+    if (norm(place.point - middle) > kDistanceShare * size) return -1;
     return dot(shape_of(corners).normal, place.normal);
   }
 
@@ -123,7 +130,7 @@ class Remesher {
     const std::uint32_t curve = mesh_.curve_of(edge.a, edge.b), patch = mesh_.patch_of(edge.triangles[0]);
     const bool on_curve = curve != kNoCurve;
     const PlaceOnShape place = on_curve ? shape_.on_curve(curve, middle) : shape_.on_patch(patch, middle);
-    const double grown = std::min(a.size, b.size) + options_.gradation * norm(b.position - a.position) / 2;
+    const double grown = std::min(a.size, b.size) + kGradation * norm(b.position - a.position) / 2;
     PatchMesh::Vertex vertex{place.point, std::min(grown, place.size), on_curve ? Hold::kCurve : Hold::kPatch,
                              on_curve ? curve : patch};
     if (!halves_fit(edge, vertex.position)) vertex.position = middle;
@@ -156,7 +163,7 @@ class Remesher {
     if (!mesh_.may_collapse(edge) || !may_pull(edge)) return false;
     const PatchMesh::Vertex& gone = mesh_.vertices[edge.a];
     double& size = mesh_.vertices[edge.b].size;
-    size = std::min(size, gone.size + options_.gradation * length(edge.a, edge.b));
+    size = std::min(size, gone.size + kGradation * length(edge.a, edge.b));
     mesh_.collapse(edge);
     return true;
   }
@@ -186,7 +193,7 @@ class Remesher {
   bool may_bend(const PatchEdge& edge, std::uint32_t other) const {
     const Vector3 middle = 0.5 * (mesh_.vertices[edge.b].position + mesh_.vertices[other].position);
     const Vector3 place = shape_.on_curve(mesh_.curve_of(edge.a, other), middle).point;
-    return norm(place - middle) <= options_.distance_share * size_at(edge.b, other);
+    return norm(place - middle) <= kDistanceShare * size_at(edge.b, other);
   }
 
   void flip_all(Aim aim = Aim::kQuality) {
@@ -228,7 +235,7 @@ class Remesher {
     if (fit(first, patch) < least_cosine_ || fit(second, patch) < least_cosine_) return false;
     const Vector3 middle = 0.5 * (mesh_.vertices[edge.left].position + mesh_.vertices[edge.right].position);
     const double away = norm(shape_.on_patch(patch, middle).point - middle);
-    if (away > options_.distance_share * size_at(edge.left, edge.right)) return false;
+    if (away > kDistanceShare * size_at(edge.left, edge.right)) return false;
     mesh_.flip(edge);
     return true;
   }

@@ -127,7 +127,7 @@ class GmshTets : public TetProgram {
         "SetFactory(\"OpenCASCADE\");\n"
         "Mesh.MeshSizeMax = {};\nMesh.MeshSizeMin = {};\nMesh.MeshSizeFromCurvature = {};\n"
         "Merge \"solids.brep\";\n",
-        job.size, job.triangles.smallest_share * job.size, job.triangles.edges_per_circle);
+        job.size, job.curvature.smallest_share * job.size, job.curvature.edges_per_circle);
     return run(folder, script, job);
   }
 

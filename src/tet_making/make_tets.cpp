@@ -25,11 +25,16 @@
 #include "tet_making/made_tets.hpp"
 #include "tet_making/surface_faults.hpp"
 #include "tet_making/surface_tets.hpp"
+#include "tet_making/tet_making_tuning.hpp"
 #include "tet_making/tet_program.hpp"
 #include "tets/tet_shape.hpp"
 
 namespace crossgrain {
 namespace {
+
+/// Vertices on open edges of a surface are merged if they are at most this far apart, relative to the longest
+/// side: what rounding leaves, far below anything modelled.
+constexpr double kStitchShare = 1e-6;
 
 using Programs = std::vector<std::unique_ptr<TetProgram>>;
 
@@ -39,22 +44,16 @@ void check_range(double value, double least, double most, const char* name) {
               fmt::format("{} is {}, but must be at least {} and at most {}", name, value, least, most));
 }
 
-void check_options(const TetMakingOptions& options) {
+void check_options(const TetMakingTuning& options) {
   constexpr double kInfinity = std::numeric_limits<double>::max();
   check_range(options.size, 0, kInfinity, "size");
   check_range(options.edges, 1, 1e6, "edges");
-  check_range(options.stitch_share, 0, 1e-2, "stitch_share");
   check_range(options.seconds, 0, kInfinity, "seconds");
-  check_range(options.triangles.edges_per_circle, 3, 1e6, "edges_per_circle");
-  check_range(options.triangles.smallest_share, 1e-6, 1, "smallest_share");
-  check_range(options.triangles.gradation, 1e-3, 1e3, "gradation");
-  check_range(options.triangles.distance_share, 0, 1e3, "distance_share");
-  check_range(options.triangles.turn_deg, 0, 90, "turn_deg");
-  check_range(options.triangles.rounds, 0, 1000, "rounds");
+  check_range(options.edges_per_circle, 3, 1e6, "edges_per_circle");
 }
 
 /// Returns the programs to try, in this order.
-Programs programs_of(const TetMakingOptions& options) {
+Programs programs_of(const TetMakingTuning& options) {
   const bool any = options.maker == TetMaker::kAutomatic;
   Programs programs;
   const auto gmsh = options.gmsh.empty() ? gmsh_program() : options.gmsh;
@@ -73,7 +72,7 @@ Programs programs_of(const TetMakingOptions& options) {
 constexpr double kTetsPerCube = 6 * 1.4142135623730951;
 
 /// Returns the size of the tets. Throws if there would be too many.
-double size_for(const TriangleMesh& mesh, const TetMakingOptions& options) {
+double size_for(const TriangleMesh& mesh, const TetMakingTuning& options) {
   const double longest = longest_side(box_of_solid_triangles(mesh));
   const double of_edges = longest / options.edges;
   const double size = options.size == 0        ? of_edges
@@ -97,10 +96,10 @@ double size_for(const TriangleMesh& mesh, const TetMakingOptions& options) {
               Remedy::kTakeLargerTets);
 }
 
-TetJob job_of(double size, const TetMakingOptions& options, const Monitor& monitor) {
+TetJob job_of(double size, const TetMakingTuning& options, const Monitor& monitor) {
   const std::size_t most = allowed_memory_bytes(options.max_memory_bytes), held = current_memory_bytes();
   if (held >= most) throw Error(ErrorKind::kLimit, "no memory is left to make tets", Remedy::kAllowMemory);
-  return {size, options.seconds, most - held, options.triangles, monitor};
+  return {size, options.seconds, most - held, {options.edges_per_circle, options.smallest_share}, monitor};
 }
 
 /// Tries one way after the other until one succeeds. Failures become warnings, or the error of the first.
@@ -130,9 +129,9 @@ class Attempts {
 };
 
 /// Fills a mended surface: first with new triangles, then with the given ones.
-void attempt_surface(const Surface& surface, const TetMakingOptions& options, const Programs& programs,
+void attempt_surface(const Surface& surface, const TetMakingTuning& options, const Programs& programs,
                      const TetJob& job, Attempts& attempts) {
-  const PatchedSurface given = surface_to_fill(surface, options.creases);
+  const PatchedSurface given = surface_to_fill(surface, {.least_deg = options.crease_angle_deg});
   const PatchedSurface even = filled_triangles(given, job);
   for (const PatchedSurface* triangles : {&even, &given}) {
     for (const auto& program : programs)
@@ -173,10 +172,10 @@ void check_solids(const CadModel& model) {
   check_bounds_solid(SearchableSurface(mend_surface(CheckedMesh(weld(std::move(open))))));
 }
 
-TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingOptions& options,
+TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingTuning& options,
                  const Monitor& monitor) {
-  ReadOptions reading;
-  reading.crease_angle_deg = options.creases.least_deg;
+  CadReading reading;
+  reading.crease_angle_deg = options.crease_angle_deg;
   reading.read_seconds = options.read_seconds;
   reading.glue = options.glue;
   reading.max_memory_bytes = options.max_memory_bytes;
@@ -212,10 +211,11 @@ TetMesh cad_tets(const InputFile& file, CadFormat format, const TetMakingOptions
 }
 
 /// Returns a mesh without the cracks that rounding leaves; adds to its warnings.
-TriangleMesh without_cracks(TriangleMesh mesh, double share) {
+TriangleMesh without_cracks(TriangleMesh mesh) {
   const CheckedMesh checked(std::move(mesh));
   std::vector<Warning> warnings = checked->warnings;
-  StitchedSurface result = stitched(weld(*checked), share * longest_side(box_of_solid_triangles(*checked)));
+  StitchedSurface result =
+      stitched(weld(*checked), kStitchShare * longest_side(box_of_solid_triangles(*checked)));
   if (result.merged > 0)
     warnings.emplace_back(WarningKind::kSurfaceFinding,
                           fmt::format("cracks: {} on open edges, at most {:.3g} apart, merged with others",
@@ -224,9 +224,9 @@ TriangleMesh without_cracks(TriangleMesh mesh, double share) {
   return std::move(result.mesh);
 }
 
-TetMesh triangle_tets(TriangleMesh given, const TetMakingOptions& options, const Monitor& monitor) {
+TetMesh triangle_tets(TriangleMesh given, const TetMakingTuning& options, const Monitor& monitor) {
   const std::string unit = given.unit, file_unit = given.file_unit;
-  TriangleMesh mesh = without_cracks(std::move(given), options.stitch_share);
+  TriangleMesh mesh = without_cracks(std::move(given));
   const std::vector<Warning> reading = std::move(mesh.warnings);
   const SearchableSurface surface(mend_surface(CheckedMesh::derived(std::move(mesh))));
   const std::vector<Warning> mended = check_bounds_solid(surface);
@@ -265,12 +265,21 @@ TetQuality quality_of(const TetMesh& mesh) {
 }
 
 TetMesh make_tets(const TriangleMesh& surface, const TetMakingOptions& options, const Monitor& monitor) {
+  return make_tets(surface, TetMakingTuning{options}, monitor);
+}
+
+TetMesh make_tets(const std::filesystem::path& model, const TetMakingOptions& options,
+                  const Monitor& monitor) {
+  return make_tets(model, TetMakingTuning{options}, monitor);
+}
+
+TetMesh make_tets(const TriangleMesh& surface, const TetMakingTuning& options, const Monitor& monitor) {
   check_options(options);
   const ReadLimits limits(monitor, options.max_memory_bytes);
   return triangle_tets(surface, options, monitor);
 }
 
-TetMesh make_tets(const std::filesystem::path& model, const TetMakingOptions& options,
+TetMesh make_tets(const std::filesystem::path& model, const TetMakingTuning& options,
                   const Monitor& monitor) {
   check_options(options);
   const ReadLimits limits(monitor, options.max_memory_bytes);
@@ -280,7 +289,7 @@ TetMesh make_tets(const std::filesystem::path& model, const TetMakingOptions& op
       throw Error(ErrorKind::kInput, "holds tets already; solve on these, or give a surface or a CAD file");
     if (const auto format = cad_format_of(model))
       return cad_tets(InputFile(model), *format, options, monitor);
-    return triangle_tets(read_surface(model, {}, monitor), options, monitor);
+    return triangle_tets(read_surface(model, ReadOptions(), monitor), options, monitor);
   } catch (const Error& error) {
     const bool is_of_model =
         error.file().empty() && (error.kind() == ErrorKind::kInput || error.kind() == ErrorKind::kLimit);

@@ -83,27 +83,25 @@ std::vector<std::string> arguments_of(const NetgenRequest& request) {
           fmt::to_string(request.asking_process),
           fmt::to_string(static_cast<int>(request.work)),
           fmt::format("{}", request.size),
-          fmt::format("{}", request.triangles.edges_per_circle),
-          fmt::format("{}", request.triangles.smallest_share),
-          fmt::format("{}", request.triangles.gradation),
+          fmt::format("{}", request.curvature.edges_per_circle),
+          fmt::format("{}", request.curvature.smallest_share),
           fmt::to_string(request.max_memory_bytes),
           request.folder};
 }
 
 std::optional<NetgenRequest> netgen_request_of(const std::vector<std::string>& arguments) {
-  constexpr std::size_t kCount = 9;
+  constexpr std::size_t kCount = 8;
   if (arguments.size() != kCount || arguments[0] != kVersion) return std::nullopt;
   NetgenRequest request{};
   int work = 0;
   const bool is_sound = parse_number(arguments[1], request.asking_process) &&
                         parse_number(arguments[2], work) && parse_number(arguments[3], request.size) &&
-                        parse_number(arguments[4], request.triangles.edges_per_circle) &&
-                        parse_number(arguments[5], request.triangles.smallest_share) &&
-                        parse_number(arguments[6], request.triangles.gradation) &&
-                        parse_number(arguments[7], request.max_memory_bytes);
+                        parse_number(arguments[4], request.curvature.edges_per_circle) &&
+                        parse_number(arguments[5], request.curvature.smallest_share) &&
+                        parse_number(arguments[6], request.max_memory_bytes);
   if (!is_sound || work < 0 || work > static_cast<int>(NetgenWork::kCut)) return std::nullopt;
   request.work = static_cast<NetgenWork>(work);
-  request.folder = arguments[8];
+  request.folder = arguments[7];
   return request;
 }
 

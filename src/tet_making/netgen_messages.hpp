@@ -14,6 +14,7 @@
 
 #include "crossgrain/tet_making.hpp"
 #include "crossgrain/types.hpp"
+#include "remeshing/remeshing_options.hpp"
 
 namespace crossgrain {
 
@@ -30,8 +31,8 @@ inline constexpr const char *kNetgenSurface = "surface", *kNetgenSolids = "solid
 struct NetgenRequest {
   pid_t asking_process;  ///< the program ends when this process does
   NetgenWork work;
-  double size;                 ///< largest edge, model units
-  RemeshingOptions triangles;  ///< what says sizes
+  double size;  ///< largest edge, model units
+  CurvatureSizes curvature;
   std::size_t max_memory_bytes;
   std::string folder;
 };

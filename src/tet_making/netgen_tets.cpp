@@ -34,7 +34,7 @@ class NetgenTets : public TetProgram {
  private:
   TetMesh run(const PrivateFolder& folder, NetgenWork work, const TetJob& job) const {
     const std::string place = folder.path().string();
-    const NetgenRequest request{::getpid(), work, job.size, job.triangles, job.max_memory_bytes, place};
+    const NetgenRequest request{::getpid(), work, job.size, job.curvature, job.max_memory_bytes, place};
     const HelperRun run{
         program_, arguments_of(request), {"TMPDIR=" + place, "LC_ALL=C"}, job.seconds, job.max_memory_bytes};
     const HelperOutcome outcome = run_tet_program(run, name(), job.monitor);

@@ -10,6 +10,7 @@
 #include "crossgrain/error.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "process/helper_process.hpp"
+#include "remeshing/remeshing_options.hpp"
 
 namespace crossgrain {
 
@@ -30,7 +31,7 @@ struct TetJob {
   double size;  ///< largest edge, model units
   double seconds;
   std::size_t max_memory_bytes;  ///< of the program
-  RemeshingOptions triangles;
+  CurvatureSizes curvature;
   const Monitor& monitor;
 };
 

@@ -14,7 +14,7 @@ namespace crossgrain {
 namespace {
 
 TriangleMesh read_glued(const std::string& name) {
-  ReadOptions options;
+  CadReading options;
   options.glue = true;
   return read_made(name, options);
 }
@@ -108,7 +108,7 @@ TEST(GlueCad, GivesTheSameBitsOnEveryRun) {
 }
 
 TEST(GlueCad, FailsWithOneLineWhereAVolumeWouldChange) {
-  ReadOptions options;
+  CadReading options;
   options.glue = true;
   options.glue_gap = 0.3;
   try {

@@ -38,7 +38,7 @@ class FakeReader {
     options_.read_seconds = 30;
   }
 
-  ReadOptions& options() { return options_; }
+  CadReading& options() { return options_; }
   const std::filesystem::path& folder() const { return folder_.path(); }
   TriangleMesh read(const Monitor& monitor = {}) const { return read_surface(part_, options_, monitor); }
 
@@ -60,7 +60,7 @@ class FakeReader {
  private:
   TemporaryFolder folder_;
   std::filesystem::path part_;
-  ReadOptions options_;
+  CadReading options_;
 };
 
 void expect_words(const std::string& message, const std::vector<std::string>& words) {
@@ -102,7 +102,6 @@ TEST(CadProcess, GetsTheRequestToTheBit) {
   CadRequest request{"a b'c.step", CadFormat::kIges, {}, 4711, true};
   request.options.resolution = 77;
   request.options.cell_size = 0.1;
-  request.options.chord_error_cells = 1e-300;
   request.options.facet_angle_deg = 1.0 / 3;
   request.options.max_memory_bytes = SIZE_MAX;
   request.options.glue = true;
@@ -114,7 +113,6 @@ TEST(CadProcess, GetsTheRequestToTheBit) {
   EXPECT_EQ(got->asking_process, 4711);
   EXPECT_EQ(got->options.resolution, 77);
   EXPECT_EQ(got->options.cell_size, 0.1);
-  EXPECT_EQ(got->options.chord_error_cells, 1e-300);
   EXPECT_EQ(got->options.facet_angle_deg, 1.0 / 3);
   EXPECT_EQ(got->options.crease_angle_deg, 35);
   EXPECT_EQ(got->options.max_memory_bytes, SIZE_MAX);
@@ -189,7 +187,7 @@ TEST(CadProcess, RefusesRequestsThatAreNone) {
     for (const char* other : {"", "-", "1x", "99999999999999999999999"}) {
       std::vector<std::string> arguments = sound;
       arguments[i] = other;
-      const bool is_large_number = i >= 4 && i <= 9 && i != 8 && std::string_view(other).size() > 2;
+      const bool is_large_number = i >= 4 && i <= 8 && i != 7 && std::string_view(other).size() > 2;
       EXPECT_EQ(cad_request_of(arguments).has_value(), is_large_number) << i << " " << other;
     }
   }
@@ -335,7 +333,7 @@ void damage(std::string& content, std::mt19937& random) {
 TEST(CadProcess, DamagedFilesGiveASoundSurfaceOrOneClearLineInTime) {
   const TemporaryFolder folder;
   std::mt19937 random(3);
-  ReadOptions options;
+  CadReading options;
   options.read_seconds = 2;
   for (const char* name : {"plate.step", "plate.iges", "rounded.brep", "plate.brp", "assembly.step"}) {
     const std::string sound = content_of(cad_files() / name);
@@ -360,7 +358,7 @@ TEST(CadProcess, TakesNoMoreMemoryThanItMay) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the address sanitizer takes terabytes of address space";
 #endif
-  ReadOptions options;
+  CadReading options;
   options.resolution = 1'000'000;
   options.facet_angle_deg = 0.02;
   options.max_memory_bytes = current_memory_bytes() + 100'000'000;

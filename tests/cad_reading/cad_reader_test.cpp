@@ -113,7 +113,7 @@ TEST(ReadCad, TrianglesOfAConeMeetInItsApex) {
 
 TEST(ReadCad, TrianglesAreWithinATenthOfACellOfTheSurface) {
   for (const int resolution : {32, 128, 512}) {
-    ReadOptions options;
+    CadReading options;
     options.resolution = resolution;
     const TriangleMesh mesh = read_made("cylinder.brep", options);
     double farthest = 0;
@@ -132,7 +132,7 @@ TEST(ReadCad, TrianglesAreWithinATenthOfACellOfTheSurface) {
 }
 
 TEST(ReadCad, ACellSizeCutsAsTheResolutionItComesTo) {
-  ReadOptions by_resolution, by_size;
+  CadReading by_resolution, by_size;
   by_resolution.resolution = 1000;
   by_size.cell_size = 20.0 / 1000;
   const TriangleMesh mesh = read_made("cylinder.brep", by_size);
@@ -143,7 +143,7 @@ TEST(ReadCad, ACellSizeCutsAsTheResolutionItComesTo) {
 }
 
 TEST(ReadCad, AFarTooFineResolutionIsNotCutForever) {
-  ReadOptions options;
+  CadReading options;
   options.resolution = std::numeric_limits<int>::max();
   EXPECT_LT(read_made("cylinder.brep", options).triangles.size(), 100'000u);
 }
@@ -155,7 +155,7 @@ TEST(ReadCad, CreasesAreSharpEdgesAndNoSeams) {
 }
 
 TEST(ReadCad, AnglesBelowTheCreaseAngleAreNone) {
-  ReadOptions options;
+  CadReading options;
   options.crease_angle_deg = 89;
   EXPECT_EQ(read_made("cone.brep", options).creases.size(), 1u);  // 116.6 degrees
   EXPECT_EQ(read_made("box.brep", options).creases.size(), 12u);
@@ -270,10 +270,9 @@ TEST(ReadCad, RefusesAFaceWithoutBounds) {
 }
 
 TEST(ReadCad, RefusesOptionsOutOfRange) {
-  for (const ReadOptions& options : {ReadOptions{.chord_error_cells = 0}, ReadOptions{.facet_angle_deg = 91},
-                                     ReadOptions{.crease_angle_deg = std::nan("")}}) {
+  for (const CadReading& options :
+       {CadReading{{.facet_angle_deg = 91}}, CadReading{{.crease_angle_deg = std::nan("")}}})
     EXPECT_THROW(read_made("box.brep", options), Error);
-  }
 }
 
 TEST(ReadCad, SaysNothingOnTheStreams) {

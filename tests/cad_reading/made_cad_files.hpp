@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "cad_reading/cad_reading.hpp"
 #include "crossgrain/io.hpp"
 #include "files/temporary_folder.hpp"
 
@@ -24,7 +25,7 @@ inline const std::filesystem::path& cad_files() {
   return folder.path();
 }
 
-inline TriangleMesh read_made(const std::string& name, const ReadOptions& options = {}) {
+inline TriangleMesh read_made(const std::string& name, const CadReading& options = {}) {
   return read_surface(cad_files() / name, options);
 }
 

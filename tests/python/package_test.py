@@ -14,6 +14,7 @@ import threading
 import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 sys.path.insert(0, str(Path(__file__).parent))
 import crossgrain as cg
@@ -333,9 +334,8 @@ class MadeTets(WithFolder):
         self.assertEqual(caught.exception.remedy_name, "close_holes")
 
     def test_by_a_program_that_is_missing_say_so(self):
-        options = cg.TetMakingOptions(gmsh="/nowhere/gmsh", maker="gmsh")
-        with self.assertRaisesRegex(cg.InputError, "cannot be started.*install gmsh"):
-            cg.make_tets(*box(), options=options)
+        with mock.patch.dict(os.environ, PATH="/nowhere"), self.assertRaisesRegex(cg.InputError, "not in PATH.*install gmsh"):
+            cg.make_tets(*box(), maker="gmsh")
 
 
 def content(handle, name, kind):

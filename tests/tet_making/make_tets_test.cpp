@@ -18,6 +18,7 @@
 #include "crossgrain/tet_making.hpp"
 #include "support/shapes.hpp"
 #include "tet_making/made_tets.hpp"
+#include "tet_making/tet_making_tuning.hpp"
 
 namespace crossgrain {
 namespace {
@@ -137,7 +138,7 @@ TetMesh made_cad(const std::string& name, TetMaker maker, double size = 0) {
 
 /// The triangles of each face, by a reader that knows nothing of tets.
 TriangleMesh fine_faces(const std::string& name) {
-  ReadOptions options;
+  CadReading options;
   options.resolution = 400;
   options.facet_angle_deg = 3;
   return read_made(name, options);
@@ -237,10 +238,10 @@ TEST_P(MakeTets, GluesSolidsThatTouch) {
 TEST_P(MakeTets, FollowsCadFacesMoreCloselyWithMoreEdgesAroundACircle) {
   double before = 1e9;
   for (const double edges : {12, 24, 48}) {
-    TetMakingOptions options = tets_of_size(10);
-    options.triangles.smallest_share = 0.01;
+    TetMakingTuning options{tets_of_size(10)};
+    options.smallest_share = 0.01;
     options.maker = GetParam();
-    options.triangles.edges_per_circle = edges;
+    options.edges_per_circle = edges;
     const double missing =
         1 - volume_of(make_tets(cad_files() / "cylinder.brep", options)) / (25 * M_PI * 20);
     EXPECT_GT(missing, 0);

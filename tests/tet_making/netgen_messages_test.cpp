@@ -15,23 +15,22 @@
 #include "support/shapes.hpp"
 #include "tet_making/made_netgen_answers.hpp"
 #include "tet_making/made_tets.hpp"
+#include "tet_making/tet_making_tuning.hpp"
 
 namespace crossgrain {
 namespace {
 
 TEST(NetgenMessages, ARequestIsReadToTheBit) {
   NetgenRequest request{4711, NetgenWork::kCut, 0.1, {}, SIZE_MAX, "/tmp/a b"};
-  request.triangles.edges_per_circle = 1.0 / 3;
-  request.triangles.smallest_share = 1e-300;
-  request.triangles.gradation = 0.7;
+  request.curvature.edges_per_circle = 1.0 / 3;
+  request.curvature.smallest_share = 1e-300;
   const std::optional<NetgenRequest> got = netgen_request_of(arguments_of(request));
   ASSERT_TRUE(got);
   EXPECT_EQ(got->asking_process, 4711);
   EXPECT_EQ(got->work, NetgenWork::kCut);
   EXPECT_EQ(got->size, 0.1);
-  EXPECT_EQ(got->triangles.edges_per_circle, 1.0 / 3);
-  EXPECT_EQ(got->triangles.smallest_share, 1e-300);
-  EXPECT_EQ(got->triangles.gradation, 0.7);
+  EXPECT_EQ(got->curvature.edges_per_circle, 1.0 / 3);
+  EXPECT_EQ(got->curvature.smallest_share, 1e-300);
   EXPECT_EQ(got->max_memory_bytes, SIZE_MAX);
   EXPECT_EQ(got->folder, "/tmp/a b");
 }
@@ -83,7 +82,7 @@ TEST(NetgenMessages, SurviveFlippedBits) {
 /// A program in the place of crossgrain_netgen.
 Error error_by(const std::string& script) {
   const TemporaryFolder folder;
-  TetMakingOptions options = tets_of_size(0.5);
+  TetMakingTuning options{tets_of_size(0.5)};
   options.maker = TetMaker::kNetgen;
   options.seconds = 30;
   options.netgen = folder.write("netgen.sh", "#!/bin/sh\n" + script + "\n");

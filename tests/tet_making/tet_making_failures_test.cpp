@@ -19,6 +19,7 @@
 #include "mesh_files/surface_files.hpp"
 #include "support/shapes.hpp"
 #include "tet_making/made_tets.hpp"
+#include "tet_making/tet_making_tuning.hpp"
 
 namespace crossgrain {
 namespace {
@@ -48,7 +49,7 @@ class FakeGmsh {
     ::unsetenv("TMPDIR");
   }
 
-  TetMakingOptions& options() {
+  TetMakingTuning& options() {
     return options_;
   }
   const std::filesystem::path& folder() const {
@@ -76,7 +77,7 @@ class FakeGmsh {
 
  private:
   TemporaryFolder folder_;
-  TetMakingOptions options_;
+  TetMakingTuning options_;
 };
 
 void expect_words(const Error& error, ErrorKind kind, const std::vector<std::string>& words) {
@@ -256,7 +257,7 @@ TEST(TetMakingRefusal, OfOptionsOutOfRange) {
   options.size = -1;
   EXPECT_EQ(error_of(make_box({1, 1, 1}), options).kind(), ErrorKind::kUsage);
   options = {};
-  options.triangles.edges_per_circle = std::nan("");
+  options.edges_per_circle = std::nan("");
   EXPECT_EQ(error_of(make_box({1, 1, 1}), options).kind(), ErrorKind::kUsage);
 }
 

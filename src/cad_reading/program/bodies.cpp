@@ -116,7 +116,7 @@ double longest_side_at_most(const TopoDS_Shape& shape) {
   return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
 }
 
-Bodies find_bodies(const TopoDS_Shape& shape, const ReadOptions& options) {
+Bodies find_bodies(const TopoDS_Shape& shape, const CadReading& options) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   if (faces.IsEmpty()) throw Fault("has no faces, only curves or points", Remedy::kExportAgain);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "crossgrain/io.hpp"
+#include "cad_reading/cad_reading.hpp"
 #include "crossgrain/warning.hpp"
 
 namespace crossgrain {
@@ -37,7 +37,7 @@ struct Bodies {
 /// Returns the bodies of a shape. Faces of no solid are sewn together if their edges are within 1e-5 of the
 /// longest side, since files often contain a solid only as its faces. With ReadOptions::glue, solids share
 /// the faces where they touch. Throws Fault if there is no face, or the solids cannot be glued.
-Bodies find_bodies(const TopoDS_Shape& shape, const ReadOptions& options);
+Bodies find_bodies(const TopoDS_Shape& shape, const CadReading& options);
 
 /// Upper bound of the longest side of a shape's box; 0 for an empty shape. Throws Fault if the shape is
 /// infinite.

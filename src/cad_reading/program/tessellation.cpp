@@ -23,7 +23,9 @@
 namespace crossgrain {
 namespace {
 
-/// Bounds of the chord error relative to the longest side (ReadOptions::chord_error_cells).
+/// Largest distance between triangles and the true surface, in cells: a tenth is below what the grid
+/// resolves, since normals come from the true surface. And its bounds relative to the longest side.
+constexpr double kChordErrorCells = 0.1;
 constexpr double kLargestChord = 1.0 / 40, kSmallestChord = 1e-6;
 
 constexpr std::int32_t kNoSolid = -1;
@@ -32,14 +34,13 @@ constexpr std::int32_t kNoSolid = -1;
 /// than this factor, the faces are meshed again, finer.
 constexpr double kBoxTooLarge = 1.1;
 
-double chord_error(double longest_side, const ReadOptions& options) {
+double chord_error(double longest_side, const CadReading& options) {
   const int resolution = options.resolution > 0 ? options.resolution : kDefaultResolution;
   const double cell = options.cell_size > 0 ? options.cell_size : longest_side / resolution;
-  return std::clamp(options.chord_error_cells * cell, kSmallestChord * longest_side,
-                    kLargestChord * longest_side);
+  return std::clamp(kChordErrorCells * cell, kSmallestChord * longest_side, kLargestChord * longest_side);
 }
 
-void mesh_faces(const TopoDS_Shape& shape, double chord, const ReadOptions& options) {
+void mesh_faces(const TopoDS_Shape& shape, double chord, const CadReading& options) {
   // BREP files may contain triangles of any size.
   BRepTools::Clean(shape);
   const double angle_rad = options.facet_angle_deg * std::numbers::pi / 180;
@@ -55,7 +56,7 @@ struct FacetedFace {
 
 class Tessellation {
  public:
-  Tessellation(const Bodies& bodies, const ReadOptions& options)
+  Tessellation(const Bodies& bodies, const CadReading& options)
       : bodies_(bodies), options_(options), nodes_(bodies) {
     const double size = mesh_all();
     surfaces_.reserve(static_cast<std::size_t>(bodies.faces.Extent()) + 1);
@@ -240,7 +241,7 @@ class Tessellation {
   }
 
   const Bodies& bodies_;
-  const ReadOptions& options_;
+  const CadReading& options_;
   EdgeNodes nodes_;
   std::vector<FaceSurface> surfaces_;  ///< of the faces, from 1
   std::vector<FacetedFace> faces_;     ///< of the faces, from 1
@@ -250,7 +251,7 @@ class Tessellation {
 
 }  // namespace
 
-TriangleMesh tessellate(const Bodies& bodies, const ReadOptions& options) {
+TriangleMesh tessellate(const Bodies& bodies, const CadReading& options) {
   return Tessellation(bodies, options).mesh();
 }
 

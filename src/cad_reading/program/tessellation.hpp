@@ -9,6 +9,6 @@ namespace crossgrain {
 /// Returns the triangles of all bodies, one body after the other, with faces oriented outwards; with faces,
 /// solids, corner normals and creases. Warns of faces that could not be meshed. Throws Fault if none could.
 /// Results are reproducible: meshing uses one thread.
-TriangleMesh tessellate(const Bodies& bodies, const ReadOptions& options);
+TriangleMesh tessellate(const Bodies& bodies, const CadReading& options);
 
 }  // namespace crossgrain

@@ -22,18 +22,18 @@ namespace {
 
 struct SurfaceFormat {
   std::string_view extension;
-  TriangleMesh (*read)(const InputFile&, const ReadOptions&, const Monitor&);
+  TriangleMesh (*read)(const InputFile&, const CadReading&, const Monitor&);
   std::optional<CadFormat> cad = {};
 };
 
 /// Adapts a reader of triangles, which ignores the options.
 template <TriangleMesh (*read)(const InputFile&)>
-TriangleMesh triangles_by(const InputFile& file, const ReadOptions&, const Monitor&) {
+TriangleMesh triangles_by(const InputFile& file, const CadReading&, const Monitor&) {
   return read(file);
 }
 
 template <CadFormat kFormat>
-TriangleMesh triangles_of(const InputFile& file, const ReadOptions& options, const Monitor& monitor) {
+TriangleMesh triangles_of(const InputFile& file, const CadReading& options, const Monitor& monitor) {
   return read_cad(file, kFormat, options, monitor).mesh;
 }
 
@@ -93,7 +93,7 @@ void check_memory(const std::filesystem::path& path, const SurfaceFormat* format
 }
 
 /// Returns the surface as in the file. The bytes of the file are released on return.
-TriangleMesh read_unwelded(const std::filesystem::path& path, const ReadOptions& options,
+TriangleMesh read_unwelded(const std::filesystem::path& path, const CadReading& options,
                            const Monitor& monitor) {
   const std::string extension = path.extension().string();
   const SurfaceFormat* format = format_of(extension);
@@ -131,6 +131,11 @@ ReadOptions read_options_for(const SolveOptions& options) {
 }
 
 TriangleMesh read_surface(const std::filesystem::path& path, const ReadOptions& options,
+                          const Monitor& monitor) {
+  return read_surface(path, CadReading{options}, monitor);
+}
+
+TriangleMesh read_surface(const std::filesystem::path& path, const CadReading& options,
                           const Monitor& monitor) {
   const ReadLimits limits(monitor, options.max_memory_bytes);
   return weld(read_unwelded(path, options, monitor));

@@ -21,10 +21,10 @@ std::string content_of(const std::string& path) {
 nglib::Ng_Meshing_Parameters parameters_for(const NetgenRequest& request) {
   nglib::Ng_Meshing_Parameters parameters;
   parameters.maxh = request.size;
-  parameters.minh = request.triangles.smallest_share * request.size;
-  parameters.grading = request.triangles.gradation;
+  parameters.minh = request.curvature.smallest_share * request.size;
+  parameters.grading = kGradation;
   // Netgen counts elements per radius of curvature, and may leave short edges whole.
-  parameters.elementspercurve = request.triangles.edges_per_circle / (2 * std::numbers::pi);
+  parameters.elementspercurve = request.curvature.edges_per_circle / (2 * std::numbers::pi);
   parameters.elementsperedge = 1;
   return parameters;
 }

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "c_interface/removed_options.hpp"
+
+namespace crossgrain {
+namespace {
+
+struct RemovedOption {
+  crossgrain_options_kind kind;
+  std::string_view name;  ///< ends with a dot where all members of an inner struct went
+  std::string_view instead;
+};
+
+constexpr std::string_view kFixed = "its former default is always taken";
+constexpr std::string_view kCreaseAngle = "use crease_angle_deg";
+
+/// The first row that fits counts.
+constexpr RemovedOption kRemoved[] = {
+    {CROSSGRAIN_READ_OPTIONS, "chord_error_cells", kFixed},
+    {CROSSGRAIN_READ_OPTIONS, "glue_gap", kFixed},
+    {CROSSGRAIN_READ_OPTIONS, "cad_program", "install crossgrain_cad in libexec/crossgrain"},
+    {CROSSGRAIN_TET_MAKING_OPTIONS, "at_least_edges", "give the smaller of size and longest side over edges"},
+    {CROSSGRAIN_TET_MAKING_OPTIONS, "triangles.edges_per_circle", "use edges_per_circle"},
+    {CROSSGRAIN_TET_MAKING_OPTIONS, "triangles.", kFixed},
+    {CROSSGRAIN_TET_MAKING_OPTIONS, "creases.least_deg", kCreaseAngle},
+    {CROSSGRAIN_TET_MAKING_OPTIONS, "creases.", kFixed},
+    {CROSSGRAIN_TET_MAKING_OPTIONS, "stitch_share", kFixed},
+    {CROSSGRAIN_TET_MAKING_OPTIONS, "most_tets", kFixed},
+    {CROSSGRAIN_TET_MAKING_OPTIONS, "cad_program", "install crossgrain_cad in libexec/crossgrain"},
+    {CROSSGRAIN_TET_MAKING_OPTIONS, "gmsh", "put gmsh into PATH"},
+    {CROSSGRAIN_TET_MAKING_OPTIONS, "netgen", "install crossgrain_netgen in libexec/crossgrain"},
+};
+
+/// Structs inside others, with the kind that has their options.
+struct Inner {
+  crossgrain_options_kind kind;
+  std::string_view name;
+  crossgrain_options_kind its_kind;
+};
+constexpr Inner kInner[] = {
+    {CROSSGRAIN_HEX_MESHING_OPTIONS, "solve.", CROSSGRAIN_SOLVE_OPTIONS},
+    {CROSSGRAIN_HEX_MESHING_OPTIONS, "tets.", CROSSGRAIN_TET_MAKING_OPTIONS},
+    {CROSSGRAIN_HEX_MESHING_OPTIONS, "tags.", CROSSGRAIN_TAG_OPTIONS},
+};
+
+bool stands_for(std::string_view row, std::string_view name) {
+  const bool is_struct = row.ends_with('.');
+  return name == row || (is_struct && (name.starts_with(row) || name == row.substr(0, row.size() - 1)));
+}
+
+}  // namespace
+
+std::string_view replacement_of(crossgrain_options_kind kind, std::string_view name) {
+  for (const RemovedOption& removed : kRemoved)
+    if (removed.kind == kind && stands_for(removed.name, name)) return removed.instead;
+  for (const Inner& inner : kInner)
+    if (inner.kind == kind && name.starts_with(inner.name))
+      return replacement_of(inner.its_kind, name.substr(inner.name.size()));
+  return {};
+}
+
+}  // namespace crossgrain

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include "crossgrain/tet_making.hpp"
+
+namespace crossgrain {
+
+/// TetMakingOptions with what only tests and the search for hexahedra set.
+struct TetMakingTuning : TetMakingOptions {
+  /// Whether there are `edges` along the longest side even where `size` is larger.
+  bool at_least_edges = false;
+
+  /// Remeshing::smallest_share.
+  double smallest_share = 0.1;
+
+  /// Error(kLimit) if more tets are to be expected.
+  std::size_t most_tets = 20000000;
+
+  /// The programs; if empty, those of `cad_program`, `gmsh_program` and `netgen_program`.
+  std::filesystem::path cad_program = {};
+  std::filesystem::path gmsh = {};
+  std::filesystem::path netgen = {};
+};
+
+TetMesh make_tets(const std::filesystem::path& model, const TetMakingTuning& options,
+                  const Monitor& monitor = {});
+TetMesh make_tets(const TriangleMesh& surface, const TetMakingTuning& options, const Monitor& monitor = {});
+
+}  // namespace crossgrain
