@@ -20,7 +20,7 @@
 #include "crossgrain/solve.hpp"
 #include "files/temporary_folder.hpp"
 #include "measure/made_tets.hpp"
-#include "results/frame_files.hpp"
+#include "results/frame_file_rows.hpp"
 #include "results/onto_files.hpp"
 #include "results/sample_field.hpp"
 #include "singularity/tet_matchings.hpp"

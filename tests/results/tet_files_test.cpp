@@ -15,7 +15,7 @@
 #include "files/temporary_folder.hpp"
 #include "measure/made_tets.hpp"
 #include "mesh_files/made_map.hpp"
-#include "results/frame_files.hpp"
+#include "results/frame_file_rows.hpp"
 #include "results/onto_files.hpp"
 #include "results/sample_field.hpp"
 #include "sampling/orthonormal_frame.hpp"

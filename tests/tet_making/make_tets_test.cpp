@@ -19,6 +19,7 @@
 #include "support/shapes.hpp"
 #include "tet_making/made_tets.hpp"
 #include "tet_making/tet_making_tuning.hpp"
+#include "tet_making/tets_of_makers.hpp"
 
 namespace crossgrain {
 namespace {
