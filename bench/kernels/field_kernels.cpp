@@ -63,7 +63,7 @@ std::vector<Vector3> points_in(const FrameField& field, std::size_t count, Sprea
   std::vector<Vector3> points;
   for (std::size_t k = 0; k < count; ++k) {
     const FrameField::Cell cell = field.cell(index(k));
-    const Vector3& c = cell.centre;
+    const Vector3& c = cell.center;
     points.push_back(
         {c[0] + cell.size * deviate(), c[1] + cell.size * deviate(), c[2] + cell.size * deviate()});
   }

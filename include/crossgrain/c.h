@@ -494,9 +494,9 @@ CROSSGRAIN_API size_t crossgrain_field_size(const crossgrain_field* field);
 /** Degree of the harmonics, 3 or 4. */
 CROSSGRAIN_API int crossgrain_field_degree(const crossgrain_field* field);
 
-/** Writes a property of all cells to an array of the caller's: 3 numbers per cell for centres, 1 for sizes
+/** Writes a property of all cells to an array of the caller's: 3 numbers per cell for centers, 1 for sizes
  * and levels, 9 for frames. */
-CROSSGRAIN_API crossgrain_status crossgrain_field_centres(const crossgrain_field* field, double* centres,
+CROSSGRAIN_API crossgrain_status crossgrain_field_centers(const crossgrain_field* field, double* centers,
                                                           crossgrain_error** error);
 CROSSGRAIN_API crossgrain_status crossgrain_field_sizes(const crossgrain_field* field, double* sizes,
                                                         crossgrain_error** error);

@@ -26,7 +26,7 @@ class FrameField {
   /// One cell. Any of the 24 equivalent frames may represent it; neighbouring cells may differ in that
   /// choice.
   struct Cell {
-    Vector3 centre;    ///< model units
+    Vector3 center;    ///< model units
     double size;       ///< side, model units
     int depth;         ///< depth in the octree; the root cube has 0
     bool on_boundary;  ///< whether the cell holds surface
@@ -62,7 +62,7 @@ class FrameField {
   /// Properties of all cells, size() entries each, in the order of `cell` (Morton order). Vectors are
   /// computed by the call; spans refer to the field and live as long as one of its copies.
 
-  std::vector<Vector3> centres() const;  ///< model units
+  std::vector<Vector3> centers() const;  ///< model units
   std::vector<double> sizes() const;     ///< sides of the cells, model units
   std::vector<int> levels() const;       ///< depth in the octree; the root cube has 0
   std::vector<Frame> frames() const;

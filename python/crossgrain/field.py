@@ -176,7 +176,7 @@ class Field(_AnyField):
     @cached_property
     def centers(self) -> np.ndarray:
         """Centres of the cells, model units, (n, 3). Computed at the first access."""
-        return self._filled("centres", np.float64, 3)
+        return self._filled("centers", np.float64, 3)
 
     @cached_property
     def sizes(self) -> np.ndarray:

@@ -104,11 +104,11 @@ int crossgrain_field_degree(const crossgrain_field* field) {
   return static_cast<int>(field->field.data().degree);
 }
 
-crossgrain_status crossgrain_field_centres(const crossgrain_field* field, double* centres,
+crossgrain_status crossgrain_field_centers(const crossgrain_field* field, double* centers,
                                            crossgrain_error** error) {
   return guarded(error, [&] {
-    const std::vector<Vector3> all = given(field, "field").field.centres();
-    const auto numbers = elements(centres, all.size(), 3, "centres");
+    const std::vector<Vector3> all = given(field, "field").field.centers();
+    const auto numbers = elements(centers, all.size(), 3, "centers");
     std::copy_n(numbers_of(all), numbers.size(), numbers.begin());
   });
 }

@@ -102,7 +102,7 @@ FrameField::Cell FrameField::cell(std::size_t index) const {
           orthonormal_frame(from_stored(data_->frames[i]))};
 }
 
-std::vector<Vector3> FrameField::centres() const {
+std::vector<Vector3> FrameField::centers() const {
   return for_each_index(size(), [&](std::size_t i) { return data_->tree.centre(static_cast<CellIndex>(i)); });
 }
 

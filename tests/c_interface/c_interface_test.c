@@ -176,17 +176,17 @@ TEST(FramesInABoxFollowIt) {
   CHECK(n > 1000);
   CHECK(crossgrain_field_degree(field) == 4);
   double* frames = malloc(sizeof(double) * 9 * n);
-  double* centres = malloc(sizeof(double) * 3 * n);
+  double* centers = malloc(sizeof(double) * 3 * n);
   double* sizes = malloc(sizeof(double) * n);
   int32_t* levels = malloc(sizeof(int32_t) * n);
   OK(crossgrain_field_frames(field, frames, &g_error));
-  OK(crossgrain_field_centres(field, centres, &g_error));
+  OK(crossgrain_field_centers(field, centers, &g_error));
   OK(crossgrain_field_sizes(field, sizes, &g_error));
   OK(crossgrain_field_levels(field, levels, &g_error));
   const float* quaternions = crossgrain_field_quaternions(field);
   for (size_t i = 0; i < n; ++i) {
     CHECK(alignment(frames + 9 * i) > 0.9999 && alignment(frames + 9 * i + 6) > 0.9999);
-    CHECK(centres[3 * i] > -0.2 && centres[3 * i] < 2.2 && centres[3 * i + 1] < 1.2);
+    CHECK(centers[3 * i] > -0.2 && centers[3 * i] < 2.2 && centers[3 * i + 1] < 1.2);
     CHECK(sizes[i] > 0 && levels[i] > 0);
     const float* q = quaternions + 4 * i;
     CHECK(fabs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1) < 1e-5);
@@ -195,7 +195,7 @@ TEST(FramesInABoxFollowIt) {
   CHECK(crossgrain_field_constraint_classes(field)[0] <= CROSSGRAIN_CONFLICTED);
   CHECK(crossgrain_field_regions(field) == NULL);
   free(frames);
-  free(centres);
+  free(centers);
   free(sizes);
   free(levels);
   crossgrain_field_free(field);

@@ -134,7 +134,7 @@ TEST(Regions, OfCellsAreTheSolidsThatTheirCentresAreIn) {
   const FrameField field = solve(surface_of(box_in_box()), cells_across(24));
   ASSERT_EQ(field.data().regions.size(), field.size());
   for (std::size_t i = 0; i < field.size(); ++i) {
-    const Vector3 off = field.cell(i).centre - Vector3{3, 3, 3};
+    const Vector3 off = field.cell(i).center - Vector3{3, 3, 3};
     const double distance = std::max({std::abs(off[0]), std::abs(off[1]), std::abs(off[2])});
     EXPECT_EQ(field.data().regions[i], distance < 1 ? 1 : 0);
   }
@@ -225,7 +225,7 @@ TEST(Regions, ThatOverlapAreReportedAndCountForTheSmallest) {
                           }),
             1);
   for (std::size_t i = 0; i < field.size(); ++i) {
-    const Vector3 centre = field.cell(i).centre;
+    const Vector3 centre = field.cell(i).center;
     const double distance = std::max({std::abs(centre[0]), std::abs(centre[1]), std::abs(centre[2])});
     EXPECT_EQ(field.data().regions[i], distance < 0.5 ? 1 : 0);
   }
@@ -249,7 +249,7 @@ TEST(Regions, ThatTouchByOtherTrianglesAreReportedAndSolvedAsOneField) {
             1);
   EXPECT_TRUE(field.report().model.watertight);
   for (std::size_t i = 0; i < field.size(); ++i) {
-    const Vector3 centre = field.cell(i).centre;
+    const Vector3 centre = field.cell(i).center;
     if (std::abs(centre[2] - 0.5) > 0.1) {
       EXPECT_EQ(field.data().regions[i], centre[2] < 0.5 ? 0 : 1);
     }
@@ -273,7 +273,7 @@ TEST(Regions, HaveTheCellsAtTheCapsOverTheirHoles) {
   ASSERT_FALSE(field.report().input.closed);
   std::size_t beyond_cap = 0;
   for (std::size_t i = 0; i < field.size(); ++i) {
-    const Vector3 centre = rotate(conjugate(turn), field.cell(i).centre);
+    const Vector3 centre = rotate(conjugate(turn), field.cell(i).center);
     ASSERT_EQ(field.data().regions[i], centre[0] < 0.75 ? 5 : 3);
     beyond_cap += centre[2] > 0.5 && std::abs(centre[0] - 1.5) < 0.4 && std::abs(centre[1]) < 0.4;
   }

@@ -44,16 +44,16 @@ ErrorKind error_of(const Call& call) {
 
 TEST(FrameField, GivesArraysOfWhatItsCellsHave) {
   const FrameField field = solved_bracket();
-  const auto centres = field.centres();
+  const auto centers = field.centers();
   const auto sizes = field.sizes();
   const auto levels = field.levels();
   const auto frames = field.frames();
   const auto quaternions = field.quaternions();
-  ASSERT_EQ(centres.size(), field.size());
+  ASSERT_EQ(centers.size(), field.size());
   ASSERT_EQ(quaternions.size(), field.size());
   for (std::size_t i = 0; i < field.size(); ++i) {
     const FrameField::Cell cell = field.cell(i);
-    EXPECT_EQ(centres[i], cell.centre);
+    EXPECT_EQ(centers[i], cell.center);
     EXPECT_EQ(sizes[i], cell.size);
     EXPECT_EQ(levels[i], cell.depth);
     EXPECT_EQ(frames[i].axes, cell.frame.axes);

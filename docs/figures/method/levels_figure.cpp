@@ -94,7 +94,7 @@ class CutField {
     const FrameField::Cell cell = field_.cell(leaf);
     double to_edge = cell.size;
     for (const std::size_t k : {0, 1})
-      to_edge = std::min(to_edge, 0.5 * cell.size - std::abs(point[k] - cell.centre[k]));
+      to_edge = std::min(to_edge, 0.5 * cell.size - std::abs(point[k] - cell.center[k]));
     const Colour colour = is_enclosed ? kInside : kOutside;
     return to_edge < 0.5 * pixel_ ? mix(colour, kCellEdge, cell.size > kCrossPixels * pixel_ ? 1.0f : 0.5f)
                                   : colour;
@@ -106,13 +106,13 @@ class CutField {
     std::vector<Rod> rods;
     for (std::size_t i = 0; i < field_.size(); ++i) {
       const FrameField::Cell cell = field_.cell(i);
-      if (std::abs(cell.centre[kCutAxis] - position_) > 0.5 * cell.size) continue;
-      Vector3 place = cell.centre;
+      if (std::abs(cell.center[kCutAxis] - position_) > 0.5 * cell.size) continue;
+      Vector3 place = cell.center;
       double size = cell.size;
       if (size < kCrossPixels * pixel_) {
         const CellAddress address = data_.tree[i];
         if (!is_even(address, 0) || !is_even(address, 1)) continue;
-        place = cell.centre + Vector3{0.5 * size, 0.5 * size, 0};
+        place = cell.center + Vector3{0.5 * size, 0.5 * size, 0};
         size *= 2;
       }
       place[kCutAxis] = position_;
