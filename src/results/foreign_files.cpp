@@ -21,7 +21,7 @@ namespace crossgrain {
 namespace {
 
 namespace fs = std::filesystem;
-using UnmarkedFile = SolveReport::UnmarkedFile;
+using UnmarkedFile = ResultInventory::UnmarkedFile;
 
 std::string text_of(const Checksum& checksum) {
   return fmt::format("{:016x}", checksum.value());
@@ -108,7 +108,7 @@ void check_foreign_files(const fs::path& folder, const OutputOptions& options) {
                Remedy::kChooseFolder});
 }
 
-void list_unmarked(const std::string& name, const OutputFile& file, SolveReport& report) {
+void list_unmarked(const std::string& name, const OutputFile& file, ResultInventory& report) {
   report.unmarked_files.push_back({name, file.position(), text_of(file.checksum().value())});
 }
 

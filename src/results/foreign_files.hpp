@@ -18,7 +18,7 @@ void check_foreign_files(const std::filesystem::path& folder, const OutputOption
 
 /// Adds a file without a mark, complete and with a checksum, to the report, by which `check_foreign_files`
 /// knows it.
-void list_unmarked(const std::string& name, const OutputFile& file, SolveReport& report);
+void list_unmarked(const std::string& name, const OutputFile& file, ResultInventory& report);
 
 /// Adds the names of companions, which may lack a mark, to the report. They have no checksums, because they
 /// may contain the report.

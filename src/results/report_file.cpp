@@ -68,8 +68,8 @@ std::string check_json(const SolveReport& report) {
   return json_text(json);
 }
 
-std::vector<SolveReport::UnmarkedFile> unmarked_files_of(const std::filesystem::path& path) {
-  SolveReport report;
+std::vector<ResultInventory::UnmarkedFile> unmarked_files_of(const std::filesystem::path& path) {
+  ResultInventory report;
   try {
     const InputFile file(path);
     const Json json = Json::parse(file.bytes(), nullptr, false);

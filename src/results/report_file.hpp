@@ -20,7 +20,7 @@ nlohmann::ordered_json json_of(const SolveReport& report);
 void warn_of_numbers_not_finite(SolveReport& report);
 
 /// Returns the list of files without a mark in a report.json of any schema; none if there is no list.
-std::vector<SolveReport::UnmarkedFile> unmarked_files_of(const std::filesystem::path& path);
+std::vector<ResultInventory::UnmarkedFile> unmarked_files_of(const std::filesystem::path& path);
 
 /// Returns the report in a report.json of schema kReportSchema. Unknown keys are ignored; null for a number
 /// becomes NaN. Throws Error(kInput).

@@ -181,8 +181,8 @@ bool is_solve_id(const std::string& text) {
   return text.size() == kSolveBytes && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-void check_listed_sizes(const fs::path& folder, const SolveReport& report) {
-  for (const SolveReport::UnmarkedFile& listed : report.unmarked_files) {
+void check_listed_sizes(const fs::path& folder, const ResultInventory& report) {
+  for (const ResultInventory::UnmarkedFile& listed : report.unmarked_files) {
     if (listed.checksum.empty() || fs::path(listed.name).has_parent_path()) continue;
     std::error_code unknown;
     const auto bytes = fs::file_size(folder / listed.name, unknown);
@@ -190,7 +190,7 @@ void check_listed_sizes(const fs::path& folder, const SolveReport& report) {
   }
 }
 
-void check_listed_bytes(const fs::path& path, std::string_view bytes, const SolveReport& report) {
+void check_listed_bytes(const fs::path& path, std::string_view bytes, const ResultInventory& report) {
   const auto& files = report.unmarked_files;
   const auto listed = std::find_if(files.begin(), files.end(),
                                    [&](const auto& file) { return file.name == path.filename(); });

@@ -20,9 +20,10 @@ std::string solve_id(const FieldData& data, const OutputOptions& options, const 
 bool is_solve_id(const std::string& text);
 
 /// Throws Error(kInput) if a file of a folder is not the one that the report lists, as far as its size tells.
-void check_listed_sizes(const std::filesystem::path& folder, const SolveReport& report);
+void check_listed_sizes(const std::filesystem::path& folder, const ResultInventory& report);
 
 /// Throws Error(kInput) if bytes, read from a file of a folder, are not those that the report lists for it.
-void check_listed_bytes(const std::filesystem::path& path, std::string_view bytes, const SolveReport& report);
+void check_listed_bytes(const std::filesystem::path& path, std::string_view bytes,
+                        const ResultInventory& report);
 
 }  // namespace crossgrain
