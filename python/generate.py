@@ -118,8 +118,9 @@ def interface_of(text, library):
 OPTIONS = {
     "options.hpp": ["RefinementOptions", "FadingCreases", "CreaseAngles", "TetTagOptions",
                     "MapPreparationOptions", "CalmFieldOptions", "SolverOptions", "OtherStart", "OntoOptions",
-                    "KeptFormOptions", "SolveOptions"],
-    "io.hpp": ["ReadOptions", "OutputOptions"],
+                    "SolveOptions"],
+    "reading.hpp": ["ReadOptions"],
+    "result_folder.hpp": ["OutputOptions"],
     "singularity_graph.hpp": ["SingularityOptions"],
     "verdict.hpp": ["AnswerOptions"],
     "repair.hpp": ["RepairWeights", "RepairOptions"],
@@ -140,8 +141,8 @@ KINDS = {
 
 # Members that Python passes in another way.
 LEFT_OUT = {
-    "SolveOptions": {"constraints"},
-    "OutputOptions": {"companions", "hex_map", "hexahedra", "reservation"},
+    "SolveOptions": {"constraints", "for_page"},
+    "OutputOptions": {"companion", "hex_map", "hexahedra", "reservation"},
 }
 ADDED = {"OutputOptions": [
     ("page", "bool", "False", "Whether report.html, which shows the field in a browser, is written too."),

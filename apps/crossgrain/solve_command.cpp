@@ -206,7 +206,7 @@ Inputs read_inputs(const SolveArguments& arguments, const Monitor& monitor, cons
   const ReadLimits limits(monitor, arguments.options.max_memory_bytes);
   check_start(arguments);
   Inputs inputs{arguments.options, {}, {}};
-  if (arguments.page) keep_forms_for_page(inputs.options);
+  inputs.options.for_page = arguments.page;
   if (!arguments.constraints.empty()) inputs.options.constraints = read_constraints(arguments.constraints);
   // Whoever names a field to start from wants what that becomes.
   if (!arguments.from.empty()) inputs.options.onto.other_starts.clear();
@@ -258,7 +258,7 @@ Solved meshed(const SolveArguments& arguments, const Monitor& monitor, const War
   HexMeshingOptions options = *arguments.hexahedra;
   options.tags = arguments.tags;
   options.solve = arguments.options;
-  if (arguments.page) keep_forms_for_page(options.solve);
+  options.solve.for_page = arguments.page;
   options.tets.read_seconds = arguments.read_seconds;
   options.tets.glue = arguments.glue;
   options.on_warning = warn;
@@ -317,8 +317,8 @@ SolveReport solve_and_write(const SolveArguments& arguments,
     output_options.hex_map = {made, &made->map};
   }
   if (arguments.page)
-    output_options.companions.push_back(tet_field ? page_of(*tet_field, output_options.hexahedra)
-                                                  : page_of(to_write.shown.value()));
+    output_options.companion =
+        tet_field ? page_of(*tet_field, output_options.hexahedra) : page_of(to_write.shown.value());
   SolveReport report = tet_field ? tet_field->report() : field.report();
   report.model.path = arguments.model;
   report.seconds.read = read_seconds;

@@ -229,10 +229,6 @@ CROSSGRAIN_API crossgrain_status crossgrain_options_size_for(crossgrain_options*
                                                              const crossgrain_domain* domain,
                                                              crossgrain_error** error);
 
-/** Makes a solve keep the forms that the page shows (keep_forms_for_page). */
-CROSSGRAIN_API crossgrain_status crossgrain_options_keep_forms_for_page(crossgrain_options* options,
-                                                                        crossgrain_error** error);
-
 /** The options for reading a surface that will be solved with options of a solve. */
 CROSSGRAIN_API crossgrain_status crossgrain_options_for_reading(const crossgrain_options* solve,
                                                                 crossgrain_options** out,
@@ -597,9 +593,9 @@ typedef int (*crossgrain_sink)(void* sink_state, const char* bytes, size_t count
 typedef int (*crossgrain_companion_writer)(const char* report, crossgrain_sink sink, void* sink_state,
                                            void* state);
 
-/** Adds a file that is written together with a field, all or none, to options of kind
- * CROSSGRAIN_OUTPUT_OPTIONS. */
-CROSSGRAIN_API crossgrain_status crossgrain_options_add_companion(crossgrain_options* options,
+/** Adds a file that is written together with a field, both or none, to options of kind
+ * CROSSGRAIN_OUTPUT_OPTIONS, in place of one before. Not together with the option `page`. */
+CROSSGRAIN_API crossgrain_status crossgrain_options_set_companion(crossgrain_options* options,
                                                                   const char* name,
                                                                   crossgrain_companion_writer writer,
                                                                   void* state, crossgrain_error** error);

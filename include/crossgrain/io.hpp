@@ -178,8 +178,8 @@ struct CompanionFile {
   /// Writes the content, given the report as it is written.
   using Writer = std::function<void(const SolveReport& report, const ByteSink& write)>;
 
-  /// Returns the writer. Called once, while the field's own files are written, perhaps on another thread;
-  /// those of several companions one after the other. The time counts in `seconds.write` of the report. Gets
+  /// Returns the writer. Called once, while the field's own files are written, perhaps on another thread. The
+  /// time counts in `seconds.write` of the report. Gets
   /// the monitor of `write_field`.
   std::function<Writer(const Monitor& monitor)> prepare;
 };
@@ -219,8 +219,8 @@ struct OutputOptions {
   /// The map that they are cells of, for the formats that have it.
   std::shared_ptr<const HexMap> hex_map = {};
 
-  /// Further files to write, such as the page that shows the field in a browser (`page_of`).
-  std::vector<CompanionFile> companions = {};
+  /// A further file to write, such as the page that shows the field in a browser (`page_of`).
+  std::optional<CompanionFile> companion = {};
 
   /// The default protects other files in the folder.
   ForeignFiles foreign_files = ForeignFiles::kRefuse;
@@ -234,7 +234,7 @@ struct OutputOptions {
 /// ParaView opens, and FOLDER/report.json (docs/report.md). Creates the folder if it does not exist. New
 /// files are written elsewhere and then take the place of the earlier ones, all at once
 /// (docs/command-line.md), so that a failure leaves the earlier ones. Files of an earlier field on tets,
-/// kStreamlinesFile and earlier companions that are not written again are removed. Adds the time to
+/// kStreamlinesFile and an earlier companion that is not written again are removed. Adds the time to
 /// `seconds.write` and `seconds.total` of the report and updates `peak_memory_bytes`. If no cell touches the
 /// box of `options`, all cells are written, with a warning in the report. Returns the report as written.
 /// Throws Error(kOutput); Error(kUsage) for invalid options and for formats of fields on tets;

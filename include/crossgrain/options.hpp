@@ -258,17 +258,6 @@ struct OntoOptions {
   CalmFieldOptions calm_fields = {};
 };
 
-/// Which cells keep the quadratic form of their constraints with the field, for display. A solve whose field
-/// is not displayed needs none.
-struct KeptFormOptions {
-  std::size_t most = 0;  ///< the largest number of forms; 0 keeps none
-
-  /// Forms are those of the field merged as it is displayed: to the greatest depth, up to `deepest`, that
-  /// leaves at most `merged_cells` cells.
-  std::size_t merged_cells = 200000;
-  int deepest = 16;
-};
-
 /// How tets are split before a solve, for maps that take the surface to integer planes
 /// (TetDomain::prepared_for_map). docs/notes/map-preparation.md has the measurements.
 struct MapPreparationOptions {
@@ -321,7 +310,10 @@ struct SolveOptions {
   CreaseAngles creases;
   SolverOptions solver;
   OntoOptions onto;
-  KeptFormOptions kept_forms;
+
+  /// Whether the result is for a page (crossgrain/page.hpp): it keeps the constraint forms that this shows
+  /// for a cell. Without them, and for fields read from files, the page leaves that panel empty.
+  bool for_page = false;
 };
 
 /// @}

@@ -24,12 +24,8 @@ inline constexpr std::size_t kMostCellsOfPage = 200000;
 /// Largest number of hexahedra that a page shows.
 inline constexpr std::size_t kMostHexahedraOfPage = 150000;
 
-/// Makes a solve keep the constraint forms that the page shows for a cell (SolveOptions::kept_forms). Without
-/// them, and for fields read from files, the page leaves that panel empty.
-void keep_forms_for_page(SolveOptions& options);
-
 /// The page that shows a field in a browser (docs/page.md), as a file for `write_field` to write with its own
-/// (OutputOptions::companions): the surface, singular arcs, frames and energies of at most kMostCellsOfPage
+/// (OutputOptions::companion): the surface, singular arcs, frames and energies of at most kMostCellsOfPage
 /// cells, and streamlines, which are traced when the file is written. Independent of the number of threads.
 CompanionFile page_of(const FrameField& field);
 

@@ -25,7 +25,7 @@ from .hex_meshing import hex  # pylint: disable=redefined-builtin
 from .matchings import Matchings
 from .models import Crease, Surface, TetMesh, make_tets, read_surface, read_tets
 from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, HexMeshingOptions,
-                      HexOptions, KeptFormOptions, MapPreparationOptions, OntoOptions, OtherStart,
+                      HexOptions, MapPreparationOptions, OntoOptions, OtherStart,
                       OutputOptions, PictureOptions, ReadOptions, RefinementOptions,
                       RepairOptions, RepairWeights, SingularityOptions, SolveOptions, SolverOptions,
                       StreamlineOptions, TetMakingOptions, TetTagOptions)
@@ -40,7 +40,7 @@ __version__ = _library_of_c.crossgrain_version().decode()
 __all__ = [
     "Answer", "AnswerOptions", "Arc", "CONSTRAINT_CLASSES", "CalmFieldOptions", "Constraints",
     "Crease", "CreaseAngles", "Error", "FadingCreases", "Field", "HexMesh", "HexMeshingOptions",
-    "HexOptions", "InputError", "InternalError", "Interrupted", "KeptFormOptions", "LimitError",
+    "HexOptions", "InputError", "InternalError", "Interrupted", "LimitError",
     "MapPreparationOptions", "Matchings", "Node", "OntoOptions", "OtherStart", "OutputError",
     "OutputOptions", "PictureOptions", "Progress", "ReadOptions", "Reason", "RefinementOptions",
     "RepairOptions", "RepairWeights", "Samples", "SingularityGraph",

@@ -127,5 +127,5 @@ def solve_handle(options: Any, constraints: Any, kind: type = SolveOptions) -> H
     if constraints is not None:
         with constraints._lock:
             call("options_set_constraints", handle, constraints._handle)
-    call("options_keep_forms_for_page", handle)
+    _set(handle, "for_page" if kind is SolveOptions else "solve.for_page", c.FLAG, True)
     return handle

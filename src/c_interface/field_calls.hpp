@@ -28,7 +28,10 @@ template <class Field>
 OutputOptions output_options_for(const Field& field, const crossgrain_options* handle) {
   const OutputChoices& choices = options_or_defaults<OutputChoices>(handle);
   OutputOptions options = choices;
-  if (choices.page) options.companions.push_back(page_of(field));
+  if (choices.page) {
+    if (options.companion) throw Error(ErrorKind::kUsage, "the page and a companion cannot both be written");
+    options.companion = page_of(field);
+  }
   return options;
 }
 

@@ -95,9 +95,7 @@ void for_each_option(SolveOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(onto.calm_fields.calm_turn_deg);
   CROSSGRAIN_OPTION(onto.calm_fields.more_sweeps);
   CROSSGRAIN_OPTION(onto.calm_fields.over_relaxation);
-  CROSSGRAIN_OPTION(kept_forms.most);
-  CROSSGRAIN_OPTION(kept_forms.merged_cells);
-  CROSSGRAIN_OPTION(kept_forms.deepest);
+  CROSSGRAIN_OPTION(for_page);
 }
 
 template <class Visit>

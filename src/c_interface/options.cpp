@@ -226,11 +226,6 @@ crossgrain_status crossgrain_options_size_for(crossgrain_options* options, const
   });
 }
 
-crossgrain_status crossgrain_options_keep_forms_for_page(crossgrain_options* options,
-                                                         crossgrain_error** error) {
-  return guarded(error, [&] { keep_forms_for_page(solve_options(options)); });
-}
-
 crossgrain_status crossgrain_options_for_reading(const crossgrain_options* solve, crossgrain_options** out,
                                                  crossgrain_error** error) {
   return made(out, error, [&] {

@@ -52,12 +52,12 @@ OutputChoices& output_choices(crossgrain_options* options) {
 
 using namespace crossgrain;
 
-crossgrain_status crossgrain_options_add_companion(crossgrain_options* options, const char* name,
+crossgrain_status crossgrain_options_set_companion(crossgrain_options* options, const char* name,
                                                    crossgrain_companion_writer writer, void* state,
                                                    crossgrain_error** error) {
   return guarded(error, [&] {
     if (writer == nullptr) throw_missing("writer");
-    output_choices(options).companions.push_back(companion_of(&given(name, "name"), writer, state));
+    output_choices(options).companion = companion_of(&given(name, "name"), writer, state);
   });
 }
 

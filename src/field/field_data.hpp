@@ -35,7 +35,7 @@ struct FieldData {
   /// Surface that the field was solved for; none in a field read from a folder without one.
   SurfaceSource surface;
 
-  /// Empty unless SolveOptions::kept_forms selects some; always empty in a field that was read.
+  /// Empty unless SolveOptions::for_page; always empty in a field that was read.
   KeptForms kept_forms;
 
   /// Null in a field that was read; computed on demand.

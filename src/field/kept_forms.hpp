@@ -7,8 +7,11 @@
 
 namespace crossgrain {
 
+/// Largest depth of the cells that a page shows: their corners count up to 2^16 along an axis.
+inline constexpr int kDeepestShown = 16;
+
 /// Constraint forms h^T A h - 2 b.h + c (docs/design.md, "Forms") of some cells, kept with a field for
-/// display (SolveOptions::kept_forms). A cell is a leaf or the merged ancestor of several; its form is the
+/// display (SolveOptions::for_page). A cell is a leaf or the merged ancestor of several; its form is the
 /// sum of those of its leaves, with areas in squared model units. One row per cell.
 struct KeptForms {
   std::vector<CellAddress> cells;   ///< ascending

@@ -22,9 +22,6 @@ namespace {
 /// Compression level: floats hardly become smaller with a higher one.
 constexpr int kCompressionLevel = 4;
 
-/// Largest number of forms: a form takes ten times the bytes of all other data of a cell.
-constexpr std::size_t kMostForms = 8000;
-
 constexpr std::string_view kReportPlace = "/*REPORT*/", kScenePlace = "/*SCENE*/";
 
 /// With a gzip header, which browsers decompress by themselves.
@@ -96,10 +93,6 @@ void write_alone(const CompanionFile& page, const SolveReport& report, const std
 }
 
 }  // namespace
-
-void keep_forms_for_page(SolveOptions& options) {
-  options.kept_forms = {kMostForms, kMostCellsOfPage, kDeepestShown};
-}
 
 CompanionFile page_of(const FrameField& field) {
   return page_with([field](const Monitor& monitor) { return page_scene(field, monitor); });

@@ -12,9 +12,6 @@
 
 namespace crossgrain {
 
-/// Largest depth of cells shown: their corners count up to 2^16 along an axis.
-inline constexpr int kDeepestShown = 16;
-
 /// The scene of a page: a field reduced to what a browser can draw at once, in the layout of
 /// viewer/README.md: the surface and its creases, singular arcs, at most kMostCellsOfPage cells, forms of
 /// some of them, streamlines. The same bytes for any number of threads. Throws Error(kInterrupted).

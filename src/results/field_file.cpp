@@ -48,8 +48,7 @@ void write_chosen_cells(const FieldData& data, OutputOptions options, OutputFile
 }
 
 bool is_companion(const std::string& name, const OutputOptions& options) {
-  const auto has_name = [&](const CompanionFile& file) { return file.name == name; };
-  return std::any_of(options.companions.begin(), options.companions.end(), has_name);
+  return options.companion && options.companion->name == name;
 }
 
 }  // namespace
@@ -91,7 +90,7 @@ SolveReport write_folder(const FrameField& field, SolveReport report, const std:
   stopwatch.start();
   report.solve = solve;
   output.set_solve(solve);
-  std::vector<CompanionFile::Writer> companions;
+  CompanionFile::Writer companion;
   if (field.is_part()) write_cells(output, report);
   run_side_by_side(
       [&] {
@@ -106,10 +105,9 @@ SolveReport write_folder(const FrameField& field, SolveReport report, const std:
         add_hexahedra(options.hexahedra.get(), output, monitor);
       },
       [&] {
-        for (const CompanionFile& companion : options.companions)
-          companions.push_back(companion.prepare(monitor));
+        if (options.companion) companion = options.companion->prepare(monitor);
       });
-  list_companions(options, report);
+  list_companion(options, report);
   std::vector<std::string> earlier = companions_in(folder);
   earlier.insert(earlier.end(), {kStreamlinesFile, kPageFile});
   for (const std::string& name : earlier)
@@ -120,9 +118,9 @@ SolveReport write_folder(const FrameField& field, SolveReport report, const std:
   report.peak_memory_bytes = std::max(report.peak_memory_bytes, peak_memory_bytes());
   warn_of_numbers_not_finite(report);
   output.create(kReportFile).write(report_json(report));
-  for (std::size_t k = 0; k < companions.size(); ++k) {
-    OutputFile& file = output.create(options.companions[k].name);
-    companions[k](report, [&](std::string_view bytes) { file.write(bytes); });
+  if (options.companion) {
+    OutputFile& file = output.create(options.companion->name);
+    companion(report, [&](std::string_view bytes) { file.write(bytes); });
   }
   monitor.check();
   output.commit();

@@ -91,7 +91,7 @@ void check_foreign_files(const fs::path& folder, const OutputOptions& options) {
   if (options.foreign_files == ForeignFiles::kReplace) return;
   std::vector<std::string> foreign = foreign_names(folder);
   std::vector<std::string> results = all_result_files();
-  for (const CompanionFile& file : options.companions) results.push_back(file.name);
+  if (options.companion) results.push_back(options.companion->name);
   const auto would_be_lost = [&](const std::string& name) {
     return std::find(results.begin(), results.end(), name) != results.end();
   };
@@ -112,9 +112,9 @@ void list_unmarked(const std::string& name, const OutputFile& file, ResultInvent
   report.unmarked_files.push_back({name, file.position(), text_of(file.checksum().value())});
 }
 
-void list_companions(const OutputOptions& options, SolveReport& report) {
-  for (const CompanionFile& file : options.companions)
-    if (file.name != kPageFile) report.unmarked_files.push_back({file.name, 0, {}});
+void list_companion(const OutputOptions& options, ResultInventory& report) {
+  if (options.companion && options.companion->name != kPageFile)
+    report.unmarked_files.push_back({options.companion->name, 0, {}});
 }
 
 std::vector<std::string> companions_in(const fs::path& folder) {

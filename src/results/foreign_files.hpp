@@ -20,9 +20,9 @@ void check_foreign_files(const std::filesystem::path& folder, const OutputOption
 /// knows it.
 void list_unmarked(const std::string& name, const OutputFile& file, ResultInventory& report);
 
-/// Adds the names of companions, which may lack a mark, to the report. They have no checksums, because they
-/// may contain the report.
-void list_companions(const OutputOptions& options, SolveReport& report);
+/// Adds the name of a companion, which may lack a mark, to the report. It has no checksum, because it may
+/// contain the report.
+void list_companion(const OutputOptions& options, ResultInventory& report);
 
 /// Returns the names of companions that an earlier `write_field` has left in a folder.
 std::vector<std::string> companions_in(const std::filesystem::path& folder);

@@ -184,18 +184,15 @@ void shut_towards_missing(FieldData& part) {
 
 namespace {
 
-/// Companions must have their own names, or that of the page.
-void check_companions(const std::vector<CompanionFile>& companions) {
+/// A companion must have a name of its own, or that of the page.
+void check_companion(const std::string& name) {
   std::vector<std::string> taken = all_result_files();
   std::erase(taken, kPageFile);
-  for (const CompanionFile& file : companions) {
-    const bool is_name = !file.name.empty() && file.name != "." && file.name != ".." &&
-                         std::filesystem::path(file.name).filename() == file.name;
-    if (!is_name || std::find(taken.begin(), taken.end(), file.name) != taken.end())
-      throw Error(ErrorKind::kUsage, "'" + file.name + "' cannot be the name of an additional file",
-                  Remedy::kNameOutput);
-    taken.push_back(file.name);
-  }
+  const bool is_name =
+      !name.empty() && name != "." && name != ".." && std::filesystem::path(name).filename() == name;
+  if (!is_name || std::find(taken.begin(), taken.end(), name) != taken.end())
+    throw Error(ErrorKind::kUsage, "'" + name + "' cannot be the name of an additional file",
+                Remedy::kNameOutput);
 }
 
 }  // namespace
@@ -208,7 +205,7 @@ void check_output_options(const OutputOptions& options) {
   if (!(options.hex_size > 0) || !std::isfinite(options.hex_size))
     throw Error(ErrorKind::kUsage,
                 fmt::format("the size of hexahedra is {}, but must be positive", options.hex_size));
-  check_companions(options.companions);
+  if (options.companion) check_companion(options.companion->name);
   if (!options.clip) return;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = options.clip->low[axis], high = options.clip->high[axis];

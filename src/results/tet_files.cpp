@@ -84,7 +84,7 @@ std::vector<OutputFormat> output_formats() {
 
 std::vector<std::string> result_files(const OutputOptions& options, bool on_tets) {
   std::vector<std::string> names;
-  for (const CompanionFile& file : options.companions) names.push_back(file.name);
+  if (options.companion) names.push_back(options.companion->name);
   names.insert(names.end(), {kCellsFile, kSingularityFile, kSurfaceFile});
   for (const TetFile& file : kFiles)
     if (on_tets && is_asked_for(file, options.formats)) names.push_back(file.name);

@@ -4,11 +4,15 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
+#include "crossgrain/page.hpp"
 #include "grid/cell_constraints.hpp"
 #include "grid/merged_depth.hpp"
 
 namespace crossgrain {
 namespace {
+
+/// A form takes ten times the bytes of all other data of a cell of the page.
+constexpr std::size_t kMostForms = 8000;
 
 /// A cell of the merged field, which contains the leaves [first, last).
 struct Cell {
@@ -76,12 +80,12 @@ KeptForms forms_of(const GridLevel& level, const Solid& solid, const std::vector
 }  // namespace
 
 KeptForms kept_forms(const GridLevel& level, const Solid& solid, Degree degree,
-                     std::span<const CellConstraint> constraints, const KeptFormOptions& options) {
-  const int depth = merged_depth(level.tree, options.merged_cells, options.deepest);
+                     std::span<const CellConstraint> constraints) {
+  const int depth = merged_depth(level.tree, kMostCellsOfPage, kDeepestShown);
   const CellsWithSurface found = cells_with_surface(level.tree, constraints, depth);
   std::vector<Cell> chosen;
-  add_evenly(found.others, options.most, chosen);
-  add_evenly(found.planes, options.most - chosen.size(), chosen);
+  add_evenly(found.others, kMostForms, chosen);
+  add_evenly(found.planes, kMostForms - chosen.size(), chosen);
   std::sort(chosen.begin(), chosen.end(), [](const Cell& a, const Cell& b) { return a.first < b.first; });
   return degree == Degree::kThree ? forms_of<3>(level, solid, chosen) : forms_of<4>(level, solid, chosen);
 }

@@ -10,10 +10,9 @@
 
 namespace crossgrain {
 
-/// Returns the forms of up to `options.most` cells of the field, merged to `options.merged_cells` cells.
-/// Cells with more than one normal come first, then others; each kind is evenly spaced in the order of the
-/// leaves.
+/// Returns the forms of some cells of the field, merged as the page shows it (SolveOptions::for_page). Cells
+/// with more than one normal come first, then others; each kind is evenly spaced in the order of the leaves.
 KeptForms kept_forms(const GridLevel& level, const Solid& solid, Degree degree,
-                     std::span<const CellConstraint> constraints, const KeptFormOptions& options);
+                     std::span<const CellConstraint> constraints);
 
 }  // namespace crossgrain

@@ -112,9 +112,8 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh,
       measure_alignment(solved.level, model.solid(), {solved.level.tree, solved.frames, solved.open_faces});
   data.alignment_deg = std::move(alignment.leaf_mean_deg);
   data.constraints = std::move(alignment.leaf_constraints);
-  if (options.kept_forms.most > 0 && !solved.level.part)
-    data.kept_forms =
-        kept_forms(solved.level, model.solid(), options.degree, data.constraints, options.kept_forms);
+  if (options.for_page && !solved.level.part)
+    data.kept_forms = kept_forms(solved.level, model.solid(), options.degree, data.constraints);
   data.report = report_of(model.solid(), solved, alignment, options);
   data.report.model = model.description();
   data.report.input = model.findings();

@@ -152,7 +152,7 @@ TEST(AllocationFailure, DISABLED_OfOneAct) {
   const long number = std::atol(std::getenv("CROSSGRAIN_NUMBER"));
   const FrameField field = solve(open_cylinder(), small_solve());
   OutputOptions options;
-  options.companions = {page_of(field)};
+  options.companion = page_of(field);
   std::set_terminate([] { std::_Exit(kTerminated); });
   try {
     watch_allocations(number);

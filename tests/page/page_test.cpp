@@ -12,10 +12,10 @@
 namespace crossgrain {
 namespace {
 
-FrameField solved(bool keeps_forms) {
+FrameField solved(bool for_page) {
   SolveOptions options;
   options.resolution = 16;
-  if (keeps_forms) keep_forms_for_page(options);
+  options.for_page = for_page;
   return solve(make_bracket(16), options);
 }
 
@@ -28,7 +28,7 @@ TEST(Page, IsWrittenTogetherWithTheFieldAndGoesWithTheNextOne) {
   const TemporaryFolder folder;
   const FrameField field = solved(true);
   OutputOptions options;
-  options.companions = {page_of(field)};
+  options.companion = page_of(field);
   write_field(field, folder.path(), {}, options);
   const std::string page = content_of(folder.path() / kPageFile);
   EXPECT_TRUE(page.starts_with("<!"));
@@ -45,11 +45,11 @@ TEST(CompanionFile, HasANameOfItsOwn) {
   };
   for (const char* name : {"", "field.vtu", "report.json", "a/b", ".."}) {
     OutputOptions options;
-    options.companions = {{name, prepare}};
+    options.companion = {name, prepare};
     EXPECT_THROW(write_field(field, folder.path(), {}, options), Error) << name;
   }
   OutputOptions options;
-  options.companions = {{"notes.txt", prepare}};
+  options.companion = {"notes.txt", prepare};
   write_field(field, folder.path(), {}, options);
   EXPECT_EQ(content_of(folder.path() / "notes.txt"), "text");
 }

@@ -152,9 +152,9 @@ TEST(ForeignFiles, AreReplacedOnlyOnRequest) {
 TEST(ForeignFiles, AreNoCompanions) {
   const TemporaryFolder folder;
   OutputOptions options;
-  options.companions = {{"notes.txt", [](const Monitor&) -> CompanionFile::Writer {
-                           return [](const SolveReport&, const ByteSink& write) { write("text"); };
-                         }}};
+  options.companion = {"notes.txt", [](const Monitor&) -> CompanionFile::Writer {
+                         return [](const SolveReport&, const ByteSink& write) { write("text"); };
+                       }};
   EXPECT_EQ(refusal(folder.path(), options), "");
   EXPECT_EQ(refusal(folder.path(), options), "");
   EXPECT_EQ(content_of(folder.path() / "notes.txt"), "text");
