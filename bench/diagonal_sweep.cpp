@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "field/nested_solve.hpp"
 #include "support/shapes.hpp"
 

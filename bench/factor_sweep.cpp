@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "base/vector3.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/tet_frame_field.hpp"
 #include "map/map_energy.hpp"
 #include "map/nested_dissection.hpp"

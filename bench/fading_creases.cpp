@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "base/vector3.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "crossgrain/tet_domain.hpp"
 #include "support/curved_shapes.hpp"
 #include "surface/creases.hpp"

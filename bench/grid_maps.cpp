@@ -14,8 +14,9 @@
 #include <filesystem>
 
 #include "base/vector3.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/tet_frame_field.hpp"
+#include "crossgrain/writing.hpp"
 #include "hex/hex_extraction.hpp"
 #include "hex/hex_map.hpp"
 #include "map/integer_grid_map.hpp"

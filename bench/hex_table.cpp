@@ -13,7 +13,7 @@
 #include "base/stopwatch.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/hexahedra.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "crossgrain/solve.hpp"
 #include "crossgrain/warning.hpp"
 

@@ -17,7 +17,7 @@
 #include <numeric>
 #include <vector>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "crossgrain/solve.hpp"
 #include "display/cell_sizes.hpp"
 #include "display/line_ends.hpp"

@@ -13,7 +13,7 @@
 #include <filesystem>
 
 #include "base/vector3.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "crossgrain/solve.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "tets/tet_shape.hpp"

@@ -12,7 +12,7 @@
 #include <filesystem>
 
 #include "base/system_memory.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 
 namespace {
 

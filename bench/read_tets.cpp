@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "base/system_memory.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 
 int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {

@@ -11,7 +11,7 @@
 #include <filesystem>
 
 #include "base/vector3.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "crossgrain/repair.hpp"
 #include "crossgrain/solve.hpp"
 #include "map/poisson_map.hpp"

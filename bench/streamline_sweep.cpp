@@ -9,7 +9,8 @@
 #include <numbers>
 #include <random>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/streamlines.hpp"
 #include "field/field_data.hpp"
 #include "field/made_grid.hpp"

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "crossgrain/tet_domain.hpp"
 #include "field/field_state.hpp"
 #include "field/tet_finish.hpp"

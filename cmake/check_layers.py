@@ -7,7 +7,8 @@ Usage: check_layers.py [ROOT]
   src/LAYER/            includes itself, the layers before it in its component, those of components that this one needs, and
                         public headers
   include/crossgrain/   includes public headers and the standard library
-  apps/ examples/       include public headers and what stands in their own folder, or in that of a program they share
+  apps/ examples/       include public headers and what stands in their own folder, or in that of a program they share;
+                        apps/ also PROGRAM_HEADERS
 
 OpenCASCADE (*.hxx) stands in src/cad_reading/program/ only, and Netgen (nglib.h) in src/tet_making/netgen_program/, which are built
 as programs apart; only these folders include their headers.
@@ -55,6 +56,9 @@ CAD_PROGRAM = "cad_reading/program/"
 NETGEN_PROGRAM = "tet_making/netgen_program/"
 
 OUTER_FOLDERS = ["apps", "examples"]
+
+# Headers of src/, not installed, that apps/ may include besides: what only the program needs of the library.
+PROGRAM_HEADERS = ["results/one_solve.hpp", "results/result_files.hpp"]
 
 # Programs that share the commands of another.
 SHARES = {"crossgrain-mpi": "crossgrain"}
@@ -126,7 +130,7 @@ def fault_in_public_header(path, quote, included):
 
 
 def fault_in_outer_folder(path, root, quote, included):
-    if included.startswith("crossgrain/"):
+    if included.startswith("crossgrain/") or root.name == "apps" and included in PROGRAM_HEADERS:
         return None
     # Its own folder, or the folder of the program that it belongs to.
     own = [folder for folder in path.parents if root in (folder, *folder.parents)]

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 
 namespace crossgrain::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain::app {

@@ -11,7 +11,8 @@
 #include "command_line.hpp"
 #include "command_names.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "messages.hpp"
 
 namespace crossgrain::app {

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "crossgrain/hex_meshing.hpp"
-#include "crossgrain/io.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/picture.hpp"
+#include "crossgrain/reading.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/streamlines.hpp"
 #include "crossgrain/tet_making.hpp"
 

@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "crossgrain/io.hpp"
 #include "crossgrain/report.hpp"
+#include "crossgrain/result_folder.hpp"
+#include "crossgrain/writing.hpp"
 #include "output.hpp"
+#include "results/one_solve.hpp"
 
 namespace crossgrain::app {
 namespace {

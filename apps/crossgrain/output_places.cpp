@@ -6,7 +6,8 @@
 #include <string>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
+#include "results/result_files.hpp"
 
 namespace crossgrain::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "arguments.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 
 namespace crossgrain::app {
 

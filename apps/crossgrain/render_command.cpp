@@ -10,14 +10,16 @@
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
 #include "crossgrain/picture.hpp"
 #include "crossgrain/read_limits.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "interruption.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 #include "output_places.hpp"
+#include "results/one_solve.hpp"
+#include "results/result_files.hpp"
 
 namespace crossgrain::app {
 

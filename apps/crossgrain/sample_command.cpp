@@ -5,8 +5,9 @@
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
 #include "crossgrain/message.hpp"
+#include "crossgrain/result_folder.hpp"
+#include "crossgrain/samples.hpp"
 #include "interruption.hpp"
 #include "output.hpp"
 

@@ -6,8 +6,9 @@
 #include <iterator>
 
 #include "commands.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/samples.hpp"
 #include "crossgrain/spectrum.hpp"
+#include "crossgrain/writing.hpp"
 #include "output.hpp"
 
 namespace crossgrain::app {

@@ -13,14 +13,18 @@
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
+#include "crossgrain/result_folder.hpp"
+#include "crossgrain/samples.hpp"
 #include "crossgrain/streamlines.hpp"
 #include "crossgrain/tet_domain.hpp"
 #include "crossgrain/tet_frame_field.hpp"
+#include "crossgrain/writing.hpp"
 #include "interruption.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 #include "output_places.hpp"
+#include "results/result_files.hpp"
 
 namespace crossgrain::app {
 namespace {

@@ -8,9 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "crossgrain/io.hpp"
 #include "crossgrain/message.hpp"
 #include "crossgrain/page.hpp"
+#include "crossgrain/reading.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "messages.hpp"
 
 namespace crossgrain::app {

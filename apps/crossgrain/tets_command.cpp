@@ -9,9 +9,9 @@
 #include <string>
 
 #include "commands.hpp"
-#include "crossgrain/io.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "crossgrain/thread_limit.hpp"
+#include "crossgrain/writing.hpp"
 #include "interruption.hpp"
 #include "messages.hpp"
 #include "output.hpp"

@@ -9,7 +9,7 @@
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "view/page_name.hpp"
 
 namespace crossgrain::app {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/solve.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "harmonics/frame.hpp"

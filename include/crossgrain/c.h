@@ -636,9 +636,6 @@ CROSSGRAIN_API crossgrain_status crossgrain_solve_of_result(const char* folder, 
 CROSSGRAIN_API crossgrain_status crossgrain_is_clipped_field(const char* folder, int* out,
                                                              crossgrain_error** error);
 
-/** Whether a file has the mark of files that this library has written. */
-CROSSGRAIN_API int crossgrain_is_own_file(const char* path);
-
 /** @} */
 /** \defgroup c_tet_fields Fields on tets
  * @{ */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fields that several processes have solved together (crossgrain/processes.hpp). All of them call each
-// function together; `write_field` (crossgrain/io.hpp) takes parts too.
+// function together; `write_field` (crossgrain/result_folder.hpp) takes parts too.
 #pragma once
 
 #include <cstddef>

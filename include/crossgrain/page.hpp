@@ -7,9 +7,8 @@
 
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/hex_mesh.hpp"
-#include "crossgrain/io.hpp"
 #include "crossgrain/monitor.hpp"
-#include "crossgrain/options.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/tet_frame_field.hpp"
 
 namespace crossgrain {

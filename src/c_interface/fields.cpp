@@ -15,6 +15,7 @@
 #include "crossgrain/read_limits.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "field/field_data.hpp"
+#include "results/one_solve.hpp"
 
 namespace crossgrain {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "c_interface/output_choices.hpp"
 #include "crossgrain/hex_meshing.hpp"
-#include "crossgrain/io.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/picture.hpp"
+#include "crossgrain/reading.hpp"
 #include "crossgrain/repair.hpp"
 #include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/streamlines.hpp"

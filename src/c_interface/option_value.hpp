@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "crossgrain/c.h"
-#include "crossgrain/io.hpp"
 #include "crossgrain/options.hpp"
 #include "crossgrain/picture.hpp"
 #include "crossgrain/repair.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "crossgrain/types.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 
 namespace crossgrain {
 

@@ -130,8 +130,3 @@ crossgrain_status crossgrain_solve_of_result(const char* folder, char** out, cro
 crossgrain_status crossgrain_is_clipped_field(const char* folder, int* out, crossgrain_error** error) {
   return made(out, error, [&] { return is_clipped_field(&given(folder, "folder")) ? 1 : 0; });
 }
-
-int crossgrain_is_own_file(const char* path) {
-  // A file that cannot be read is not known as one.
-  return value_or(0, [&] { return is_own_file(&given(path, "path")) ? 1 : 0; });
-}

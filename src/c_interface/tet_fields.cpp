@@ -12,6 +12,7 @@
 #include "crossgrain/read_limits.hpp"
 #include "crossgrain/repair.hpp"
 #include "crossgrain/thread_limit.hpp"
+#include "results/one_solve.hpp"
 #include "solve/tet_field.hpp"
 
 namespace crossgrain {

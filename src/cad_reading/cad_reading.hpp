@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 
 namespace crossgrain {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "surface/constraint_faults.hpp"
 #include "text/located_json.hpp"
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "crossgrain/writing.hpp"
 #include "files/file_mark.hpp"
 #include "files/output_file.hpp"
 #include "page/page_scene.hpp"

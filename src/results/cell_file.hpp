@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "crossgrain/io.hpp"
 #include "crossgrain/monitor.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "field/field_data.hpp"
 #include "files/output_file.hpp"
 #include "vtu/vtu_writer.hpp"

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "crossgrain/frame_field.hpp"
-#include "crossgrain/io.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/report.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "files/output_folder.hpp"
 
 namespace crossgrain {
@@ -17,9 +17,9 @@ namespace crossgrain {
 /// Writes files to the folder of a field, and adds to its report.
 using AddFiles = std::function<void(OutputFolder& output, SolveReport& report)>;
 
-/// Like `write_field` (crossgrain/io.hpp), with additional files that appear together with field.vtu and
-/// report.json or not at all. `solve` is what all files name (solve_id). add_files creates and writes them,
-/// and lists those without a mark in the report; its time counts as seconds.write.
+/// Like `write_field` (crossgrain/result_folder.hpp), with additional files that appear together with
+/// field.vtu and report.json or not at all. `solve` is what all files name (solve_id). add_files creates and
+/// writes them, and lists those without a mark in the report; its time counts as seconds.write.
 SolveReport write_field_and(const FrameField& field, SolveReport report, const std::filesystem::path& folder,
                             const Monitor& monitor, const OutputOptions& options, const std::string& solve,
                             const AddFiles& add_files);

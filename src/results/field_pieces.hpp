@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "field/field_data.hpp"
 #include "files/output_folder.hpp"
 

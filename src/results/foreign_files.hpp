@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "crossgrain/io.hpp"
 #include "crossgrain/report.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "files/output_file.hpp"
 
 namespace crossgrain {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "mesh_files/hex/hex_reader.hpp"
+#include "results/one_solve.hpp"
 #include "results/report_file.hpp"
 #include "results/result_files.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "results/field_file.hpp"
 #include "results/foreign_files.hpp"
 #include "results/solve_id.hpp"

@@ -5,15 +5,15 @@
 #include <filesystem>
 
 #include "crossgrain/frame_field.hpp"
-#include "crossgrain/io.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/report.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "results/tet_writers.hpp"
 
 namespace crossgrain {
 
-/// Like `write_field` (crossgrain/io.hpp), with the files of a field on tets that `options` select: all files
-/// or none, and none of another solve.
+/// Like `write_field` (crossgrain/result_folder.hpp), with the files of a field on tets that `options`
+/// select: all files or none, and none of another solve.
 SolveReport write_field_onto(const FrameField& field, SolveReport report, const TetOutput& output,
                              const std::filesystem::path& folder, const Monitor& monitor = {},
                              const OutputOptions& options = {});

@@ -10,7 +10,8 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
+#include "results/one_solve.hpp"
 #include "results/result_files.hpp"
 #include "results/solve_id.hpp"
 #include "solve/tet_domain_data.hpp"

@@ -14,6 +14,7 @@
 #include "crossgrain/error.hpp"
 #include "grid/leaf_finder.hpp"
 #include "harmonics/frame.hpp"
+#include "results/result_files.hpp"
 
 namespace crossgrain {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "crossgrain/io.hpp"
 #include "crossgrain/monitor.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "field/field_data.hpp"
 
 namespace crossgrain {

@@ -8,8 +8,9 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/version.hpp"
+#include "crossgrain/writing.hpp"
 #include "files/input_file.hpp"
 #include "files/read_memory.hpp"
 #include "results/json_members.hpp"

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of the files in a result folder; crossgrain/io.hpp has those that programs need.
+// Names of the files in a result folder; crossgrain/result_folder.hpp has those that programs of others need.
 #pragma once
 
-#include "crossgrain/io.hpp"
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "crossgrain/result_folder.hpp"
 
 namespace crossgrain {
 
@@ -11,5 +15,16 @@ inline constexpr const char* kReportFile = "report.json";
 
 inline constexpr const char* kTetFramesFile = "onto.frames";
 inline constexpr const char* kTetGridFile = "onto.vtu";
+
+/// Returns the names of all files of the folder of a field: those of `write_field`, kPageFile and
+/// kStreamlinesFile.
+std::vector<std::string> all_result_files();
+
+/// Returns false if there is certainly no such file. If the system does not tell, reading it will say why.
+bool may_exist(const std::filesystem::path& path);
+
+/// Returns whether a file has the mark that the files of this library carry, pictures included; those of
+/// formats without comments do not (docs/field-file.md).
+bool is_own_file(const std::filesystem::path& path);
 
 }  // namespace crossgrain

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/samples.hpp"
 #include "files/file_mark.hpp"
 #include "files/output_file.hpp"
 #include "results/frame_files.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "vtu/vtu_reader.hpp"
 
 namespace crossgrain {

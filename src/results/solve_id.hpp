@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "field/field_data.hpp"
 #include "results/tet_writers.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/writing.hpp"
 #include "text/json_file.hpp"
 
 namespace crossgrain {

@@ -6,7 +6,7 @@
 
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/writing.hpp"
 #include "files/output_file.hpp"
 #include "vtu/vtu_arrays.hpp"
 

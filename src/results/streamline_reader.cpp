@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "vtu/vtu_reader.hpp"
 
 namespace crossgrain {

@@ -11,7 +11,7 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "results/result_files.hpp"
 #include "vtu/array_names.hpp"
 #include "vtu/vtu_arrays.hpp"
 #include "vtu/vtu_reader.hpp"

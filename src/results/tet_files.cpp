@@ -7,7 +7,7 @@
 #include <array>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "mesh_files/hex/hex_writers.hpp"
 #include "mesh_files/hex/map_writers.hpp"
 #include "results/result_files.hpp"

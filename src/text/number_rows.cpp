@@ -7,7 +7,7 @@
 
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/samples.hpp"
 #include "files/input_file.hpp"
 #include "text/text_scanner.hpp"
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "cad_reading/cad_reading.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "files/temporary_folder.hpp"
 
 namespace crossgrain {

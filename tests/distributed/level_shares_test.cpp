@@ -12,7 +12,8 @@
 
 #include "crossgrain/field_parts.hpp"
 #include "crossgrain/frame_field.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
+#include "crossgrain/writing.hpp"
 #include "distributed/local_files.hpp"
 #include "distributed/random_cuts.hpp"
 #include "distributed/thread_exchange.hpp"

@@ -6,7 +6,7 @@
 #include <exception>
 #include <limits>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 
 int main(int argc, char** argv) {
   try {

@@ -7,7 +7,8 @@
 #include <optional>
 #include <span>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
+#include "crossgrain/writing.hpp"
 #include "fuzz/input_folder.hpp"
 #include "fuzz/mesh_promises.hpp"
 #include "fuzz/reader_checks.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/made_inputs.hpp"
+#include "crossgrain/result_folder.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,10 @@
 #include <cmath>
 
 #include "crossgrain/constraints.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
+#include "crossgrain/samples.hpp"
 #include "crossgrain/spectrum.hpp"
+#include "crossgrain/writing.hpp"
 #include "fuzz/input_folder.hpp"
 #include "fuzz/mesh_promises.hpp"
 #include "fuzz/reader_checks.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "fuzz/input_folder.hpp"
 #include "fuzz/mesh_promises.hpp"
 #include "fuzz/reader_checks.hpp"

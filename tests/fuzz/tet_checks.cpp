@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "crossgrain/tet_domain.hpp"
 #include "fuzz/input_folder.hpp"
 #include "fuzz/mesh_promises.hpp"

@@ -19,9 +19,10 @@
 #include <vector>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
 #include "crossgrain/page.hpp"
 #include "crossgrain/picture.hpp"
+#include "crossgrain/reading.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/solve.hpp"
 #include "crossgrain/streamlines.hpp"
 #include "field/field_data.hpp"

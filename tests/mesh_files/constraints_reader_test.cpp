@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "files/temporary_folder.hpp"
 
 namespace crossgrain {

@@ -8,8 +8,9 @@
 #include <random>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
 #include "crossgrain/thread_limit.hpp"
+#include "crossgrain/writing.hpp"
+#include "files/file_mark.hpp"
 #include "files/output_error.hpp"
 #include "files/small_files.hpp"
 #include "files/temporary_folder.hpp"

@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/writing.hpp"
 #include "files/temporary_folder.hpp"
 #include "mesh_files/made_bricks.hpp"
 

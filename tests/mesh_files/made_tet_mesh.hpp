@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "files/temporary_folder.hpp"
 
 namespace crossgrain {

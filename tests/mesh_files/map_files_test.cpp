@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/writing.hpp"
 #include "files/temporary_folder.hpp"
 #include "measure/made_tets.hpp"
 #include "mesh_files/made_map.hpp"

@@ -11,7 +11,7 @@
 
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
 #include "files/temporary_folder.hpp"
 
 namespace crossgrain {

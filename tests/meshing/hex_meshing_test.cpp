@@ -11,8 +11,8 @@
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/features.hpp"
-#include "crossgrain/io.hpp"
 #include "crossgrain/solve.hpp"
+#include "crossgrain/writing.hpp"
 #include "support/shapes.hpp"
 #include "tets/tet_meshes.hpp"
 

@@ -7,6 +7,7 @@
 #include "crossgrain/solve.hpp"
 #include "field/field_data.hpp"
 #include "files/temporary_folder.hpp"
+#include "results/result_files.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {

@@ -5,7 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/solve.hpp"
 #include "field/field_data.hpp"
 #include "files/temporary_folder.hpp"

@@ -70,6 +70,8 @@ class LayerCheck(unittest.TestCase):
         self.assert_no_fault("apps/crossgrain/main.cpp", "<CLI/CLI.hpp>")
         self.assert_one_fault("apps/crossgrain/main.cpp", '"field/graph.hpp"')
         self.assert_one_fault("apps/crossgrain/main.cpp", "<base/parallel.hpp>")
+        self.assert_no_fault("apps/crossgrain/main.cpp", '"results/one_solve.hpp"')
+        self.assert_one_fault("examples/sample_points.cpp", '"results/one_solve.hpp"')
         own = {"apps/crossgrain/main.cpp": '#include "options.hpp"\n', "apps/crossgrain/options.hpp": ""}
         self.assertEqual(faults_of(own), [])
 

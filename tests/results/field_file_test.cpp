@@ -9,7 +9,7 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "field/field_data.hpp"
 #include "files/temporary_folder.hpp"
 #include "results/field_arrays.hpp"

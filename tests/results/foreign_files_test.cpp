@@ -15,6 +15,7 @@
 #include "measure/made_tets.hpp"
 #include "mesh_files/made_map.hpp"
 #include "results/onto_files.hpp"
+#include "results/result_files.hpp"
 #include "results/sample_field.hpp"
 #include "results/tet_files.hpp"
 

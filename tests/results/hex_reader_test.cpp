@@ -5,7 +5,8 @@
 #include <random>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
+#include "crossgrain/writing.hpp"
 #include "files/temporary_folder.hpp"
 #include "mesh_files/made_bricks.hpp"
 #include "results/report_file.hpp"

@@ -16,8 +16,8 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
 #include "crossgrain/repair.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/solve.hpp"
 #include "files/temporary_folder.hpp"
 #include "measure/made_tets.hpp"

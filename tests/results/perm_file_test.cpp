@@ -16,7 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/solve.hpp"
 #include "files/temporary_folder.hpp"
 #include "measure/made_tets.hpp"

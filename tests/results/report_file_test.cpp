@@ -11,7 +11,7 @@
 
 #include "base/names.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/writing.hpp"
 #include "files/temporary_folder.hpp"
 
 namespace crossgrain {

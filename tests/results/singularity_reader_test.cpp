@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/solve.hpp"
 #include "files/temporary_folder.hpp"
 #include "support/shapes.hpp"

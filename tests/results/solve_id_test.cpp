@@ -9,6 +9,7 @@
 #include "crossgrain/thread_limit.hpp"
 #include "files/folder_completion.hpp"
 #include "files/temporary_folder.hpp"
+#include "results/one_solve.hpp"
 #include "results/report_file.hpp"
 #include "results/sample_field.hpp"
 

@@ -8,8 +8,9 @@
 
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "crossgrain/thread_limit.hpp"
+#include "crossgrain/writing.hpp"
 #include "files/temporary_folder.hpp"
 #include "results/sample_field.hpp"
 #include "vtu/vtu_reader.hpp"

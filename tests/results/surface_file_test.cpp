@@ -7,7 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "files/temporary_folder.hpp"
 #include "results/sample_field.hpp"
 #include "vtu/vtu_reader.hpp"

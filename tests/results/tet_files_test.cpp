@@ -11,7 +11,8 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/reading.hpp"
+#include "crossgrain/result_folder.hpp"
 #include "files/temporary_folder.hpp"
 #include "measure/made_tets.hpp"
 #include "mesh_files/made_map.hpp"

@@ -17,7 +17,6 @@
 #include "crossgrain/tet_domain.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "support/shapes.hpp"
-#include "tet_making/made_tets.hpp"
 #include "tet_making/tet_making_tuning.hpp"
 #include "tet_making/tets_of_makers.hpp"
 

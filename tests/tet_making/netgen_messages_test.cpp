@@ -14,7 +14,6 @@
 #include "files/temporary_folder.hpp"
 #include "support/shapes.hpp"
 #include "tet_making/made_netgen_answers.hpp"
-#include "tet_making/made_tets.hpp"
 #include "tet_making/tet_making_tuning.hpp"
 #include "tet_making/tets_of_makers.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/writing.hpp"
 #include "mesh_files/hex/hex_writers.hpp"
 #include "mesh_files/mesh_formats.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/writing.hpp"
 #include "mesh_files/mesh_formats.hpp"
 #include "text/text_lines.hpp"
 #include "vtu/vtu_arrays.hpp"

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "cad_reading/cad_messages.hpp"
-#include "crossgrain/io.hpp"
+#include "crossgrain/types.hpp"
 #include "files/input_file.hpp"
 
 namespace crossgrain {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "crossgrain/error.hpp"
+#include "crossgrain/reading.hpp"
 #include "text/file_signature.hpp"
 #include "text/text_scanner.hpp"
 

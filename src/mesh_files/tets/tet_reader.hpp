@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/types.hpp"
 #include "files/input_file.hpp"
 
 namespace crossgrain {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "crossgrain/io.hpp"
+#include "crossgrain/writing.hpp"
 #include "files/file_mark.hpp"
 #include "mesh_files/medit_sections.hpp"
 #include "mesh_files/mesh_formats.hpp"
