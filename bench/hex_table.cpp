@@ -35,9 +35,9 @@ void add_row(const std::string& name, const TetFrameField& field, double cells, 
       solve_seconds + stopwatch.restart(), r.reason);
   for (const HexAttempt& a : r.attempts)
     fmt::print(stderr,
-               "   repair {}: size {:.3g}, {} faults, {} arcs without length, flips {} -> {}, {} hexahedra, "
+               "   {} {}: size {:.3g}, {} faults, {} arcs without length, flips {} -> {}, {} hexahedra, "
                "{:.2f} s\n",
-               a.repair, a.size, a.faults, a.arcs_without_length,
+               a.kind, a.repair, a.size, a.faults, a.arcs_without_length,
                a.seamless_flips ? std::to_string(*a.seamless_flips) : "-",
                a.flips ? std::to_string(*a.flips) : "-", a.hexahedra, a.seconds);
   std::fflush(stdout);

@@ -12,13 +12,13 @@
 
 #include "base/vector3.hpp"
 #include "crossgrain/reading.hpp"
-#include "crossgrain/repair.hpp"
 #include "crossgrain/solve.hpp"
 #include "map/poisson_map.hpp"
 #include "map/untangling.hpp"
 #include "matching/repaired_graph.hpp"
 #include "reduction/arc_lengths.hpp"
 #include "reduction/demanded_splits.hpp"
+#include "solve/field_repairs.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
 
@@ -32,7 +32,8 @@ constexpr std::array kTries{RepairWeights{1, 1, 200},     RepairWeights{3, 5, 20
                             RepairWeights{0.3, 0.1, 200}, RepairWeights{3, 0.1, 200}};
 
 void add_row(const std::string& name, const TetFrameField& given, const RepairWeights& weights) {
-  const TetFrameField field = repaired(given, {.tries = {weights}, .finalists = 1, .wanderings = 2});
+  const TetFrameField field =
+      FieldRepairs(given, {}, {.tries = {weights}, .finalists = 1, .wanderings = 2}, {}).best();
   const TetDomainData& data = field.domain().data();
   const TetComplex complex(data.solid, data.features);
   const MatchedField matched(complex, field.data().tet_frames, matchings_of(data.solid, field.data()));

@@ -123,7 +123,7 @@ OPTIONS = {
     "result_folder.hpp": ["OutputOptions"],
     "singularity_graph.hpp": ["SingularityOptions"],
     "verdict.hpp": ["AnswerOptions"],
-    "repair.hpp": ["RepairWeights", "RepairOptions"],
+    "repair.hpp": ["RepairOptions"],
     "streamlines.hpp": ["StreamlineOptions"],
     "picture.hpp": ["PictureOptions"],
     "tet_making.hpp": ["TetMakingOptions"],
@@ -167,7 +167,6 @@ TYPES = {
     "std::optional<std::array<double, 2>>": "Optional[Sequence[float]]",
     "std::array<bool, 3>": "Sequence[bool]", "std::vector<std::string>": "Sequence[str]",
     "std::vector<OtherStart>": "Sequence[OtherStart]", "std::vector<double>": "Sequence[float]",
-    "std::vector<RepairWeights>": "Sequence[RepairWeights]",
 }
 # What Python takes for a type, added to the comment.
 NOTES = {

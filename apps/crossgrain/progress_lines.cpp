@@ -56,6 +56,16 @@ std::string phase_text(const Progress& progress) {
   return text;
 }
 
+/// Of a search for hexahedra: which attempt it is at, and what it has.
+std::string attempt_text(const Progress& progress) {
+  if (progress.attempt == 0) return "";
+  std::string text = fmt::format("attempt {}", progress.attempt);
+  if (progress.hexahedra > 0)
+    text += fmt::format(", best so far {}{}", counted(progress.hexahedra, "hexahedron", "hexahedra"),
+                        progress.is_whole ? "" : ", a part");
+  return text + "; ";
+}
+
 /// Grid and frames of a level share one line.
 bool is_of_level(const Progress& progress) {
   return progress.level > 0 && (progress.phase == Phase::kGrid || progress.phase == Phase::kSolve);
@@ -63,7 +73,7 @@ bool is_of_level(const Progress& progress) {
 
 bool same_line(const Progress& a, const Progress& b) {
   if (is_of_level(a) || is_of_level(b)) return is_of_level(a) && is_of_level(b) && a.level == b.level;
-  return a.phase == b.phase;
+  return a.phase == b.phase && a.attempt == b.attempt;
 }
 
 void write(const std::string& text) {
@@ -127,7 +137,8 @@ void ProgressLines::end_line() {
 std::string ProgressLines::text(bool done) const {
   const auto now = Clock::now();
   const double of_line = seconds_of(now - begun_);
-  std::string text = is_of_level(*current_) ? level_text(*current_, of_line) : phase_text(*current_);
+  std::string text = attempt_text(*current_) +
+                     (is_of_level(*current_) ? level_text(*current_, of_line) : phase_text(*current_));
   if (!done) {
     if (const auto left = remaining_.seconds(*current_, seconds_of(now - start_), of_line))
       text += fmt::format(", about {} left", duration_text(*left));

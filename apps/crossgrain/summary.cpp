@@ -84,12 +84,17 @@ std::string tets_rows(const SolveReport::Onto& onto) {
 }
 
 /// Says which of several sizes of tets made the mesh.
-std::string tries_row(const std::vector<TriedTets>& tried) {
-  if (tried.size() < 2) return "";
-  const auto used =
-      std::find_if(tried.begin(), tried.end(), [](const TriedTets& tets) { return tets.is_used; });
+std::string tries_row(const HexReport& report) {
+  std::size_t sizes = 0;
+  double used = 0;
+  for (const HexAttempt& attempt : report.attempts) {
+    if (attempt.tet_size == 0) continue;
+    ++sizes;
+    if (attempt.round == report.attempts[report.best_attempt].round) used = attempt.tet_size;
+  }
+  if (sizes < 2) return "";
   return row("tries", fmt::format("{}, of which {:.3g} is used",
-                                  counted(tried.size(), "size of tets", "sizes of tets"), used->size));
+                                  counted(sizes, "size of tets", "sizes of tets"), used));
 }
 
 std::string hexahedra_rows(const SolveReport& report) {
@@ -97,7 +102,7 @@ std::string hexahedra_rows(const SolveReport& report) {
   std::string text = row("hexahedra", sentence_of(hexahedra));
   if (report.regions.size() > 1)
     text += row("regions", "meshed as one: hexahedra may reach across the faces between them");
-  text += tries_row(hexahedra.tried_tets);
+  text += tries_row(hexahedra);
   if (hexahedra.hexahedra == 0) return text;
   const auto percent = [](double ratio) { return fmt::format("{:+.2f} %", 100 * (ratio - 1)); };
   return text +

@@ -39,7 +39,7 @@ MESHES = {"crossgrain": ("hexahedra.mesh", False), "cubecover": ("cubecover/map.
           "hexdom": ("geogram/ours/hexdom.geogram_ascii", False)}  # and whether in sizes of hexahedra
 PROGRAMS = tuple(MESHES)
 NOT_ALL_HEX = 6
-LARGEST_GAP = 1.5  # of a valid mesh, as HexOptions::largest_gap
+LARGEST_GAP = 1.5  # of a valid mesh, as HexTuning::largest_gap
 LARGE_GAP = 0.5  # a gap that is worth a word
 SAMPLES = 9  # of a quadrilateral, each way
 

@@ -156,18 +156,18 @@ CROSSGRAIN_API const double* crossgrain_numbers_data(const crossgrain_numbers* n
 
 /** Which struct of options. */
 typedef enum crossgrain_options_kind {
-  CROSSGRAIN_SOLVE_OPTIONS = 0,       /**< SolveOptions */
-  CROSSGRAIN_READ_OPTIONS = 1,        /**< ReadOptions */
-  CROSSGRAIN_TAG_OPTIONS = 2,         /**< TetTagOptions */
-  CROSSGRAIN_OUTPUT_OPTIONS = 3,      /**< OutputOptions, and "page": whether report.html is written too */
-  CROSSGRAIN_SINGULARITY_OPTIONS = 4, /**< SingularityOptions */
-  CROSSGRAIN_ANSWER_OPTIONS = 5,      /**< AnswerOptions */
-  CROSSGRAIN_STREAMLINE_OPTIONS = 6,  /**< StreamlineOptions */
-  CROSSGRAIN_PICTURE_OPTIONS = 7,     /**< PictureOptions */
-  CROSSGRAIN_PREPARATION_OPTIONS = 8, /**< MapPreparationOptions */
-  CROSSGRAIN_TET_MAKING_OPTIONS = 9,  /**< TetMakingOptions */
-  CROSSGRAIN_REPAIR_OPTIONS = 10, /**< RepairOptions; "tries" takes three numbers each: end, crease, corner */
-  CROSSGRAIN_HEX_OPTIONS = 11,    /**< HexOptions; "more_tries" takes numbers as "repair.tries" does */
+  CROSSGRAIN_SOLVE_OPTIONS = 0,        /**< SolveOptions */
+  CROSSGRAIN_READ_OPTIONS = 1,         /**< ReadOptions */
+  CROSSGRAIN_TAG_OPTIONS = 2,          /**< TetTagOptions */
+  CROSSGRAIN_OUTPUT_OPTIONS = 3,       /**< OutputOptions, and "page": whether report.html is written too */
+  CROSSGRAIN_SINGULARITY_OPTIONS = 4,  /**< SingularityOptions */
+  CROSSGRAIN_ANSWER_OPTIONS = 5,       /**< AnswerOptions */
+  CROSSGRAIN_STREAMLINE_OPTIONS = 6,   /**< StreamlineOptions */
+  CROSSGRAIN_PICTURE_OPTIONS = 7,      /**< PictureOptions */
+  CROSSGRAIN_PREPARATION_OPTIONS = 8,  /**< MapPreparationOptions */
+  CROSSGRAIN_TET_MAKING_OPTIONS = 9,   /**< TetMakingOptions */
+  CROSSGRAIN_REPAIR_OPTIONS = 10,      /**< RepairOptions */
+  CROSSGRAIN_HEX_OPTIONS = 11,         /**< HexOptions */
   CROSSGRAIN_HEX_MESHING_OPTIONS = 12, /**< HexMeshingOptions */
   CROSSGRAIN_NO_OPTIONS = 2147483647 /**< none; so that a function may be asked for any int, and refuse it */
 } crossgrain_options_kind;
@@ -259,6 +259,12 @@ typedef struct crossgrain_progress {
   int sweep;     /**< sweeps done on that level */
   size_t cells;  /**< active cells of that level; vertices on tets */
   double energy; /**< energy after that sweep; NaN if not known */
+
+  /** Of a search for hexahedra: number of the attempt, from 1, 0 outside of one; number of hexahedra of the
+      best mesh so far, and whether they fill the model. */
+  size_t attempt;
+  size_t hexahedra;
+  int is_whole;
 } crossgrain_progress;
 
 /** Forecast for a whole solve, once, before its expensive levels; none for small ones. */

@@ -29,32 +29,10 @@ struct HexExpectation {
 struct HexMeshingOptions {
   HexOptions hexahedra;
 
-  /// How tets are made of a model that has none. Without a size their edges are `tet_edge` of the hexahedra's
-  /// or of the longest side over `tets.edges`, whichever is less. Creases and limit of memory are those of
-  /// `solve`.
+  /// How tets are made of a model that has none. Without a size their edges are 1.4 times those of the
+  /// hexahedra, or 1.4 times the longest side over `tets.edges`, whichever is less. Creases and limit of
+  /// memory are those of `solve`.
   TetMakingOptions tets;
-  double tet_edge = 1.4;
-
-  /// Sizes of made tets that are tried until hexahedra fill the model, relative to the first. Coarser tets
-  /// make shorter work, and often simpler singular graphs (docs/notes/hexahedra.md).
-  std::vector<double> tet_shares = {1, 4, 3, 3.5, 2.4, 1.7, 2, 1.4};
-
-  /// No further size is tried after so many, or once those before had so many tets together.
-  std::size_t most_sizes = 5;
-  std::size_t most_tried_tets = 100000;
-
-  /// The search goes on after a mesh whose worst scaled Jacobian is less.
-  double least_quality = 0.05;
-
-  /// Where a map is without flips, but whole numbers of hexahedra fold it, so many more sizes of tets are
-  /// tried before smaller hexahedra (HexOptions::finer_sizes).
-  std::size_t sizes_before_finer = 1;
-
-  /// HexOptions::repair_work on tets of each size, if that is less.
-  std::size_t repair_work = 6000000;
-
-  /// Of sizes with more tets than this only the coarsest is tried.
-  std::size_t large_tets = 50000;
 
   /// How tags of given tets are read.
   TetTagOptions tags;
@@ -72,9 +50,9 @@ struct HexMeshingOptions {
 
 /// Returns hexahedra that fill a model: cuts it into tets (`make_tets`) unless its file has tets, solves on
 /// them, and makes the mesh that follows the field (`hexahedra`). As long as that does not fill the model,
-/// tets of other sizes are tried, then smaller hexahedra (HexOptions::finer_sizes); of several results that
-/// all leave something out, the one with the least error of its volume is returned. The report tells of each
-/// try (HexReport::tried_tets); of the field's report, `seconds.read` is the time for all tets, and
+/// tets of other sizes are tried, then smaller hexahedra; of several results that all leave something out,
+/// the one with the least error of its volume is returned. The report tells of each attempt
+/// (HexReport::attempts); of the field's report, `seconds.read` is the time for all tets, and
 /// `seconds.total` for everything.
 ///
 /// The model is a CAD file, a closed surface or a tet mesh, as for `read_surface` and `read_tets`. The same

@@ -23,34 +23,31 @@ enum class HexOutcome : int {
 /// Returns a name for files and scripts: "all-hex".
 const char* name_of(HexOutcome outcome);
 
-/// A repair of the field, and the map that followed it.
+/// One attempt of a search for hexahedra.
 struct HexAttempt {
-  std::size_t repair = 0;  ///< number of the repair, from 0; the attempts of one differ in size
+  std::string kind;        ///< "tets", "repair", "part of the model", "smaller hexahedra"
+  std::size_t round = 0;   ///< number of the tets and the field on them, from 0
+  std::size_t tets = 0;    ///< of the field: after splits for the map
+  double tet_size = 0;     ///< of "tets": largest edge that was asked for; 0 if they could not be made
+  double tet_seconds = 0;  ///< of "tets": for making them
+
+  std::size_t repair = 0;  ///< number of the repair, from 0
   double size = 0;         ///< of the hexahedra; 0 if no map was tried
   std::size_t faults = 0;  ///< SolveReport::Onto::Repair::faults
   std::size_t arcs_without_length = 0;
 
   /// Tets that the map turns inside out or flattens: of the map without whole numbers, and in the end.
   std::optional<std::size_t> seamless_flips, flips;
+  HexOutcome outcome = HexOutcome::kNone;
   std::size_t hexahedra = 0;
+  std::string failure = {};  ///< the error that ended the attempt; empty without one
+  double work = 0;           ///< in costs of edges and vertices that a repair finds
   double seconds = 0;
 
   /// Whether the map is without flips until its numbers are whole: smaller hexahedra may have one.
   bool is_folded_by_rounding() const {
     return arcs_without_length == 0 && seamless_flips == std::size_t{0} && flips.value_or(0) > 0;
   }
-};
-
-/// Tets that were made of a model, and what became of them.
-struct TriedTets {
-  double size = 0;       ///< largest edge that was asked for; 0 if they could not be made
-  std::size_t tets = 0;  ///< as solved: after splits for the map
-  HexOutcome outcome = HexOutcome::kNone;
-  std::size_t hexahedra = 0;
-  bool is_used = false;      ///< whether the mesh follows the field on these
-  std::string failure = {};  ///< the error that ended this try; empty without one
-  double tet_seconds = 0;    ///< for making them
-  double seconds = 0;        ///< for all of it
 };
 
 /// Numbers of a mesh of hexahedra. Lengths in the unit of the model.
@@ -65,7 +62,7 @@ struct HexReport {
   double used_size = 0;
 
   std::size_t hexahedra = 0, vertices = 0;
-  bool is_coarse = false;    ///< far fewer than would fill the model at `size` (HexOptions::least_share)
+  bool is_coarse = false;    ///< far fewer than would fill the model at `size`
   std::size_t left_out = 0;  ///< cells of the grid that the map covers more than once, or without a corner
 
   /// Faces on the same side of two hexahedra or of three; edges and vertices at which the boundary is no
@@ -93,14 +90,10 @@ struct HexReport {
   /// Number of edges with k hexahedra around them, at index k: of edges inside, and of edges of the boundary.
   std::vector<std::size_t> inner_valences, boundary_valences;
 
-  std::vector<HexAttempt> attempts;
-  std::size_t best_attempt = 0;  ///< that made the mesh
+  std::vector<HexAttempt> attempts;  ///< all, in the order in which they were made
+  std::size_t best_attempt = 0;      ///< that made the mesh
 
-  /// Tets that were made (make_hexahedra); the attempts above are on those that are used. Empty for tets that
-  /// were given.
-  std::vector<TriedTets> tried_tets = {};
-
-  /// Seconds of the steps: repairs, maps, extraction, smoothing, and the numbers above.
+  /// Seconds of the steps of all attempts: repairs, maps, extraction, smoothing; and of the numbers above.
   double repair_seconds = 0, map_seconds = 0, extraction_seconds = 0, smoothing_seconds = 0,
          analysis_seconds = 0;
 };

@@ -42,6 +42,11 @@ struct Progress {
 
   int level = 0;   ///< 1-based number of the level; 1 is the coarsest, 0 if there is none
   int levels = 0;  ///< expected number of levels
+
+  /// Of a search for hexahedra: number of the attempt, from 1 (HexReport::attempts), 0 outside of one; number
+  /// of hexahedra of the best mesh so far, and whether they fill the model.
+  std::size_t attempt = 0, hexahedra = 0;
+  bool is_whole = false;
 };
 
 /// Carries cancellation into a computation and progress out of it.
@@ -58,15 +63,23 @@ class Monitor {
                    std::function<void(const Expectation&)> on_expectation = {})
       : on_progress_(std::move(on_progress)), on_expectation_(std::move(on_expectation)) {}
 
+  /// A monitor for a part of a computation: cancelled and stopped with `whole`, which must outlive it, and
+  /// hears its forecasts and its progress with what `add` tells besides.
+  Monitor(const Monitor& whole, std::function<void(Progress&)> add);
+
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
-  bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+  bool cancelled() const noexcept {
+    return cancelled_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->cancelled());
+  }
 
   /// Asks a solve for which stops are allowed (`allow_stops`) to return the field of its last finished level,
   /// with SolveReport::unfinished. Acts like `cancel` if no level is finished, and for work of which a part
   /// is useless, such as reading a model. Has no effect once the finest level is solved: tracing, drawing and
   /// writing a field continue, and only `cancel` ends them.
   void stop() noexcept { stopped_.store(true, std::memory_order_relaxed); }
-  bool stopped() const noexcept { return stopped_.load(std::memory_order_relaxed); }
+  bool stopped() const noexcept {
+    return stopped_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->stopped());
+  }
 
   /// Allows stops; call before a solve. The solve then keeps the finished level while it builds the next one,
   /// which takes some 7 % more memory (docs/performance.md).
@@ -93,6 +106,7 @@ class Monitor {
  private:
   std::atomic<bool> cancelled_{false}, stopped_{false};
   bool may_be_stopped_ = false;
+  const Monitor* whole_ = nullptr;
   std::function<void(const Progress&)> on_progress_;
   std::function<void(const Expectation&)> on_expectation_;
 };

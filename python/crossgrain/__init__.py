@@ -27,7 +27,7 @@ from .models import Crease, Surface, TetMesh, make_tets, read_surface, read_tets
 from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, HexMeshingOptions,
                       HexOptions, MapPreparationOptions, OntoOptions, OtherStart,
                       OutputOptions, PictureOptions, ReadOptions, RefinementOptions,
-                      RepairOptions, RepairWeights, SingularityOptions, SolveOptions, SolverOptions,
+                      RepairOptions, SingularityOptions, SolveOptions, SolverOptions,
                       StreamlineOptions, TetMakingOptions, TetTagOptions)
 from .singularities import Answer, Arc, Node, Reason, SingularityGraph, read_singularities
 from .solving import carry_onto, is_clipped, read, solve, solve_onto
@@ -43,7 +43,7 @@ __all__ = [
     "HexOptions", "InputError", "InternalError", "Interrupted", "LimitError",
     "MapPreparationOptions", "Matchings", "Node", "OntoOptions", "OtherStart", "OutputError",
     "OutputOptions", "PictureOptions", "Progress", "ReadOptions", "Reason", "RefinementOptions",
-    "RepairOptions", "RepairWeights", "Samples", "SingularityGraph",
+    "RepairOptions", "Samples", "SingularityGraph",
     "SingularityOptions", "SolveOptions", "SolverOptions", "Spectrum", "Streamline",
     "StreamlineOptions", "Streamlines", "Surface", "TetField", "TetMakingOptions", "TetMesh",
     "TetTagOptions", "UsageError", "carry_onto", "coefficients", "hex", "is_clipped", "make_tets",

@@ -12,12 +12,12 @@ import numpy as np
 
 from . import _interface as c
 from ._library import Handle, call, library, made, text_bytes
-from .options import OtherStart, RepairWeights, SolveOptions, refuse_removed
+from .options import OtherStart, SolveOptions, refuse_removed
 
 _AXES = {"x": 0, "y": 1, "z": 2}
 
 # Options that are lists of structs, which have only numbers, by their own names.
-_LISTS = {"other_starts": OtherStart, "tries": RepairWeights, "more_tries": RepairWeights}
+_LISTS = {"other_starts": OtherStart}
 
 
 def flattened(options: Any, prefix: str = "") -> Iterator[Tuple[str, Any]]:

@@ -27,6 +27,11 @@ class Progress:
         self.sweep: int = content.sweep
         self.cells: int = content.cells
         self.energy: float = content.energy
+        # Of a search for hexahedra: number of the attempt, from 1, 0 outside of one; hexahedra of the best
+        # mesh so far, and whether they fill the model.
+        self.attempt: int = content.attempt
+        self.hexahedra: int = content.hexahedra
+        self.is_whole: bool = bool(content.is_whole)
 
     def __repr__(self) -> str:
         return (f"Progress({self.phase!r}, level={self.level}/{self.levels}, sweep={self.sweep}, "

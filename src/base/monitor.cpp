@@ -2,6 +2,7 @@
 #include "crossgrain/monitor.hpp"
 
 #include <array>
+#include <utility>
 
 #include "base/names.hpp"
 #include "crossgrain/error.hpp"
@@ -13,6 +14,16 @@ const char* name_of(Phase phase) {
                               "write", "make tets", "repair", "hexahedra"};
   return name_among<Phase::kHexahedra>(kNames, phase);
 }
+
+Monitor::Monitor(const Monitor& whole, std::function<void(Progress&)> add)
+    : may_be_stopped_(whole.may_be_stopped()),
+      whole_(&whole),
+      on_progress_([&whole, add = std::move(add)](const Progress& progress) {
+        Progress with_more = progress;
+        add(with_more);
+        whole.report(with_more);
+      }),
+      on_expectation_([&whole](const Expectation& expectation) { whole.expect(expectation); }) {}
 
 void Monitor::check() const {
   if (cancelled()) throw Error(ErrorKind::kInterrupted, "interrupted");

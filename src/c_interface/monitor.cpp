@@ -19,6 +19,9 @@ crossgrain_progress passed_on(const Progress& progress) {
   result.sweep = progress.sweep;
   result.cells = progress.cells;
   result.energy = progress.energy;
+  result.attempt = progress.attempt;
+  result.hexahedra = progress.hexahedra;
+  result.is_whole = progress.is_whole ? 1 : 0;
   return result;
 }
 

@@ -140,37 +140,13 @@ void for_each_option(TetMakingOptions& options, const Visit& visit) {
 
 template <class Visit>
 void for_each_option(RepairOptions& options, const Visit& visit) {
-  CROSSGRAIN_OPTION(tries);
   CROSSGRAIN_OPTION(moves_vertices);
-  CROSSGRAIN_OPTION(moving_sweeps);
-  CROSSGRAIN_OPTION(least_quality);
-  CROSSGRAIN_OPTION(passes);
-  CROSSGRAIN_OPTION(most_sweeps);
-  CROSSGRAIN_OPTION(disturbances);
-  CROSSGRAIN_OPTION(finalists);
-  CROSSGRAIN_OPTION(wanderings);
-  CROSSGRAIN_OPTION(wandering_steps);
-  CROSSGRAIN_OPTION(temperature);
-  CROSSGRAIN_OPTION(seed);
-  CROSSGRAIN_OPTION(most_work);
-  CROSSGRAIN_OPTION(smoothing_sweeps);
-  CROSSGRAIN_OPTION(smoothing_rad);
 }
 
 template <class Visit>
 void for_each_option(HexOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(size);
   CROSSGRAIN_OPTION(cells);
-  for_each_inner_option("repair", options.repair, visit);
-  CROSSGRAIN_OPTION(more_tries);
-  CROSSGRAIN_OPTION(repair_work);
-  CROSSGRAIN_OPTION(wandering_faults);
-  CROSSGRAIN_OPTION(most_maps);
-  CROSSGRAIN_OPTION(most_mapped_tets);
-  CROSSGRAIN_OPTION(finer_sizes);
-  CROSSGRAIN_OPTION(finer_share);
-  CROSSGRAIN_OPTION(largest_gap);
-  CROSSGRAIN_OPTION(least_share);
   CROSSGRAIN_OPTION(threads);
 }
 
@@ -178,14 +154,6 @@ template <class Visit>
 void for_each_option(HexMeshingOptions& options, const Visit& visit) {
   for_each_inner_option("hexahedra", options.hexahedra, visit);
   for_each_inner_option("tets", options.tets, visit);
-  CROSSGRAIN_OPTION(tet_edge);
-  CROSSGRAIN_OPTION(tet_shares);
-  CROSSGRAIN_OPTION(most_sizes);
-  CROSSGRAIN_OPTION(most_tried_tets);
-  CROSSGRAIN_OPTION(least_quality);
-  CROSSGRAIN_OPTION(sizes_before_finer);
-  CROSSGRAIN_OPTION(repair_work);
-  CROSSGRAIN_OPTION(large_tets);
   for_each_inner_option("tags", options.tags, visit);
   for_each_inner_option("solve", options.solve, visit);
 }

@@ -206,19 +206,4 @@ OptionContent OptionOf<std::vector<OtherStart>>::content(const std::vector<Other
   return numbers;
 }
 
-std::vector<RepairWeights> OptionOf<std::vector<RepairWeights>>::of(const OptionValue& value) {
-  const std::vector<double>& numbers = threes_in(value, "three numbers for each try");
-  std::vector<RepairWeights> tries;
-  for (std::size_t i = 0; i < numbers.size(); i += 3)
-    tries.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
-  return tries;
-}
-
-OptionContent OptionOf<std::vector<RepairWeights>>::content(const std::vector<RepairWeights>& member) {
-  std::vector<double> numbers;
-  for (const RepairWeights& weights : member)
-    numbers.insert(numbers.end(), {weights.end, weights.crease, weights.corner});
-  return numbers;
-}
-
 }  // namespace crossgrain

@@ -214,12 +214,4 @@ struct OptionOf<std::vector<OtherStart>> {
   static OptionContent content(const std::vector<OtherStart>& member);
 };
 
-/// Three numbers for each try: end, crease, corner.
-template <>
-struct OptionOf<std::vector<RepairWeights>> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_NUMBERS;
-  static std::vector<RepairWeights> of(const OptionValue& value);
-  static OptionContent content(const std::vector<RepairWeights>& member);
-};
-
 }  // namespace crossgrain

@@ -11,6 +11,7 @@ struct RemovedOption {
 };
 
 constexpr std::string_view kFixed = "its former default is always taken";
+constexpr std::string_view kOneLimit = "all attempts have one limit of work";
 constexpr std::string_view kCreaseAngle = "use crease_angle_deg";
 
 /// The first row that fits counts.
@@ -28,6 +29,38 @@ constexpr RemovedOption kRemoved[] = {
     {CROSSGRAIN_TET_MAKING_OPTIONS, "cad_program", "install crossgrain_cad in libexec/crossgrain"},
     {CROSSGRAIN_TET_MAKING_OPTIONS, "gmsh", "put gmsh into PATH"},
     {CROSSGRAIN_TET_MAKING_OPTIONS, "netgen", "install crossgrain_netgen in libexec/crossgrain"},
+    {CROSSGRAIN_REPAIR_OPTIONS, "tries", kFixed},
+    {CROSSGRAIN_REPAIR_OPTIONS, "moving_sweeps", kFixed},
+    {CROSSGRAIN_REPAIR_OPTIONS, "least_quality", kFixed},
+    {CROSSGRAIN_REPAIR_OPTIONS, "passes", kFixed},
+    {CROSSGRAIN_REPAIR_OPTIONS, "most_sweeps", kFixed},
+    {CROSSGRAIN_REPAIR_OPTIONS, "disturbances", kFixed},
+    {CROSSGRAIN_REPAIR_OPTIONS, "finalists", kFixed},
+    {CROSSGRAIN_REPAIR_OPTIONS, "wanderings", kFixed},
+    {CROSSGRAIN_REPAIR_OPTIONS, "wandering_steps", kFixed},
+    {CROSSGRAIN_REPAIR_OPTIONS, "temperature", kFixed},
+    {CROSSGRAIN_REPAIR_OPTIONS, "seed", kFixed},
+    {CROSSGRAIN_REPAIR_OPTIONS, "most_work", kFixed},
+    {CROSSGRAIN_REPAIR_OPTIONS, "smoothing_sweeps", kFixed},
+    {CROSSGRAIN_REPAIR_OPTIONS, "smoothing_rad", kFixed},
+    {CROSSGRAIN_HEX_OPTIONS, "repair.", kFixed},
+    {CROSSGRAIN_HEX_OPTIONS, "more_tries", kFixed},
+    {CROSSGRAIN_HEX_OPTIONS, "wandering_faults", kFixed},
+    {CROSSGRAIN_HEX_OPTIONS, "largest_gap", kFixed},
+    {CROSSGRAIN_HEX_OPTIONS, "least_share", kFixed},
+    {CROSSGRAIN_HEX_OPTIONS, "finer_sizes", kFixed},
+    {CROSSGRAIN_HEX_OPTIONS, "finer_share", kFixed},
+    {CROSSGRAIN_HEX_OPTIONS, "repair_work", kOneLimit},
+    {CROSSGRAIN_HEX_OPTIONS, "most_maps", kOneLimit},
+    {CROSSGRAIN_HEX_OPTIONS, "most_mapped_tets", kOneLimit},
+    {CROSSGRAIN_HEX_MESHING_OPTIONS, "tet_edge", "use tets.size"},
+    {CROSSGRAIN_HEX_MESHING_OPTIONS, "tet_shares", kFixed},
+    {CROSSGRAIN_HEX_MESHING_OPTIONS, "most_sizes", kFixed},
+    {CROSSGRAIN_HEX_MESHING_OPTIONS, "large_tets", kFixed},
+    {CROSSGRAIN_HEX_MESHING_OPTIONS, "most_tried_tets", kOneLimit},
+    {CROSSGRAIN_HEX_MESHING_OPTIONS, "repair_work", kOneLimit},
+    {CROSSGRAIN_HEX_MESHING_OPTIONS, "least_quality", kFixed},
+    {CROSSGRAIN_HEX_MESHING_OPTIONS, "sizes_before_finer", kFixed},
 };
 
 /// Structs inside others, with the kind that has their options.
@@ -37,6 +70,7 @@ struct Inner {
   crossgrain_options_kind its_kind;
 };
 constexpr Inner kInner[] = {
+    {CROSSGRAIN_HEX_MESHING_OPTIONS, "hexahedra.", CROSSGRAIN_HEX_OPTIONS},
     {CROSSGRAIN_HEX_MESHING_OPTIONS, "solve.", CROSSGRAIN_SOLVE_OPTIONS},
     {CROSSGRAIN_HEX_MESHING_OPTIONS, "tets.", CROSSGRAIN_TET_MAKING_OPTIONS},
     {CROSSGRAIN_HEX_MESHING_OPTIONS, "tags.", CROSSGRAIN_TAG_OPTIONS},

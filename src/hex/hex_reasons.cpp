@@ -8,6 +8,7 @@
 
 #include "base/names.hpp"
 #include "base/vector3.hpp"
+#include "hex/mapped_field.hpp"
 
 namespace crossgrain {
 namespace {
@@ -45,26 +46,26 @@ void explain(const HexCandidate& best, HexReport& report) {
   const HexAttempt& attempt = best.attempt;
   const std::size_t flips = attempt.flips.value_or(0);
   if (attempt.faults > 0) {
-    report.places = places_of_faults(best.field.report().onto->singularity);
+    report.places = places_of_faults(best.mappable->field.report().onto->singularity);
     report.reason = fmt::format("no map: no hexahedra can meet at {}",
                                 counted(attempt.faults, "edge or vertex", "edges and vertices"));
     report.remedy = "tets of another size, or a model without its sharpest corners";
   } else if (attempt.arcs_without_length > 0) {
-    report.places = best.followed->arcs_without_length();
+    report.places = best.mappable->followed.arcs_without_length();
     report.reason =
         fmt::format("no map: {} would have no length, since both ends are on one layer of hexahedra",
                     counted(attempt.arcs_without_length, "singular arc"));
     report.remedy = "tets of another size";
   } else if (flips > 0) {
-    report.places = places_of_flips(best.followed->solid(), best.mapped->determinants);
+    report.places = places_of_flips(best.mappable->followed.solid(), best.following->determinants);
     const bool by_rounding = attempt.is_folded_by_rounding();
     report.reason = fmt::format("no map: {} inverted{}", counted(flips, "tet stays", "tets stay"),
                                 by_rounding ? " with whole numbers of hexahedra" : "");
     report.remedy = by_rounding ? "a smaller size of hexahedra" : "tets of another size";
-  } else if (best.mapped->hexahedra.left_out > 0) {
+  } else if (best.following->extracted.left_out > 0) {
     report.reason =
         fmt::format("no map: it covers {} more than once, or without a corner",
-                    counted(best.mapped->hexahedra.left_out, "cell of the grid", "cells of the grid"));
+                    counted(best.following->extracted.left_out, "cell of the grid", "cells of the grid"));
     report.remedy = "another size of hexahedra";
   } else if (report.quality.inverted > 0) {
     report.places = {report.quality.worst_place};

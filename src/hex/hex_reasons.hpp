@@ -3,7 +3,7 @@
 #pragma once
 
 #include "crossgrain/hex_report.hpp"
-#include "hex/hex_search.hpp"
+#include "hex/hex_candidate.hpp"
 
 namespace crossgrain {
 

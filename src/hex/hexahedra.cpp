@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "crossgrain/hexahedra.hpp"
-
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <utility>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
 #include "crossgrain/thread_limit.hpp"
+#include "hex/hex_making.hpp"
 #include "hex/hex_map.hpp"
-#include "hex/hex_options.hpp"
 #include "hex/hex_reasons.hpp"
 #include "hex/hex_report.hpp"
-#include "hex/hex_search.hpp"
+#include "hex/mapped_field.hpp"
+#include "hex/part_of_model.hpp"
+#include "hex/repaired_fields.hpp"
+#include "hex/smaller_hexahedra.hpp"
+#include "solve/tet_domain_data.hpp"
 
 namespace crossgrain {
 namespace {
@@ -37,37 +42,75 @@ void add_tags(const TetSolid& solid, const MapSurface& surface, const std::vecto
 
 }  // namespace
 
-Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const Monitor& monitor) {
+void check_options(const HexOptions& options) {
+  const auto demand = [](bool holds, const char* what) {
+    if (!holds) throw Error(ErrorKind::kUsage, {"", "hexahedra", what});
+  };
+  demand(options.size >= 0 && std::isfinite(options.size), "their size must be a number from 0");
+  demand(options.size > 0 || (options.cells > 0 && std::isfinite(options.cells)),
+         "there must be a positive number of them along the longest side");
+}
+
+StartingField starting_field(TetFrameField field, const HexOptions& options) {
+  const double longest = longest_side(field.domain().data().box);
+  return {std::move(field), options.size > 0 ? options.size : longest / options.cells};
+}
+
+void add_kinds_on_fields(const HexTuning& tuning, AttemptQueue& queue) {
+  queue.add(std::make_unique<RepairedFields>(tuning));
+  queue.add(std::make_unique<PartOfModel>(tuning));
+  queue.add(std::make_unique<SmallerHexahedra>(tuning));
+}
+
+Hexahedra best_hexahedra(const AttemptQueue& queue) {
+  Stopwatch stopwatch;
+  stopwatch.start();
+  const HexCandidate& best = *queue.best();
+  const TetFrameField& field = best.mappable->field;
+  const FollowedField& followed = best.mappable->followed;
+  const ExtractedHexahedra& extracted = best.following->extracted;
+  HexReport report;
+  report.size = best.asked_size;
+  report.used_size = best.attempt.size;
+  report.quality_before = quality_of(extracted.mesh);
+  HexMesh mesh = best.made->mesh;
+  mesh.unit = field.domain().mesh().unit;
+  add_tags(followed.solid(), MapSurface(followed.matched()), best.following->feet, extracted.centre_tets,
+           mesh);
+  report.left_out = extracted.left_out;
+  measure(mesh, followed.solid(), report);
+  report.outcome = queue.attempts()[queue.best_attempt()].outcome;
+  report.is_coarse = report.outcome == HexOutcome::kAllHex && best.made->is_coarse;
+  explain(best, report);
+  report.attempts = queue.attempts();
+  report.best_attempt = queue.best_attempt();
+  const HexSeconds& seconds = queue.seconds();
+  report.repair_seconds = seconds.repair;
+  report.map_seconds = seconds.map;
+  report.extraction_seconds = seconds.extraction;
+  report.smoothing_seconds = seconds.smoothing;
+  report.analysis_seconds = stopwatch.restart();
+  SolveReport whole = field.report();
+  whole.hexahedra = report;
+  HexMap map = hex_map_of(followed.unknowns(), best.following->map, report.used_size);
+  return {std::move(mesh), std::move(report), field.with_report(std::move(whole)), std::move(map)};
+}
+
+Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const HexTuning& tuning,
+                    const Monitor& monitor) {
   check_options(options);
   check_repairable(field.domain());
   const ThreadLimit limit(options.threads);
-  const WatchedLoops watched(monitor, Stops::kHeeded);
-  HexSearch search(field, options, monitor);
-  HexCandidate best = search.best();
-  HexReport report = std::move(search.report());
-  report.used_size = best.attempt.size;
-  Stopwatch stopwatch;
-  stopwatch.start();
-  const FollowedField& followed = *best.followed;
-  const ExtractedHexahedra& extracted = best.mapped->hexahedra;
-  const MapSurface surface(followed.matched());
-  report.quality_before = quality_of(extracted.mesh);
-  HexMesh mesh = std::move(best.mapped->smoothed);
+  AttemptQueue queue(tuning.most_work, tuning.least_quality, monitor);
+  const WatchedLoops watched(queue.monitor(), Stops::kHeeded);
+  add_kinds_on_fields(tuning, queue);
+  queue.start_on(starting_field(field, options));
+  queue.run();
+  return best_hexahedra(queue);
+}
 
-  mesh.unit = field.domain().mesh().unit;
-  add_tags(followed.solid(), surface, best.mapped->feet, extracted.centre_tets, mesh);
-  report.left_out = extracted.left_out;
-  measure(mesh, followed.solid(), report);
-  report.outcome = mesh.hexahedra.empty()       ? HexOutcome::kNone
-                   : best.mapped->is_complete() ? HexOutcome::kAllHex
-                                                : HexOutcome::kPartial;
-  report.is_coarse = report.outcome == HexOutcome::kAllHex && best.mapped->is_coarse;
-  explain(best, report);
-  report.analysis_seconds = stopwatch.restart();
-  SolveReport whole = best.field.report();
-  whole.hexahedra = report;
-  HexMap map = hex_map_of(followed.unknowns(), best.mapped->map, report.used_size);
-  return {std::move(mesh), std::move(report), best.field.with_report(std::move(whole)), std::move(map)};
+Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const Monitor& monitor) {
+  return hexahedra(field, options, HexTuning(), monitor);
 }
 
 }  // namespace crossgrain

@@ -49,7 +49,7 @@ double MatchingRepair::cost() const {
   return sum;
 }
 
-void MatchingRepair::run(const RepairOptions& options) {
+void MatchingRepair::run(const RepairTuning& options) {
   pull_off_creases();
   touch_faults();
   settle(options.most_sweeps);
@@ -67,7 +67,7 @@ void MatchingRepair::run(const RepairOptions& options) {
   }
 }
 
-void MatchingRepair::wander(const RepairOptions& options, std::uint64_t seed) {
+void MatchingRepair::wander(const RepairTuning& options, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::size_t best = journal_.size();
   double least = gained_;

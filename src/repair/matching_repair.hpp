@@ -18,15 +18,15 @@ namespace crossgrain {
 /// Lowers the cost of a field by moves that change the holonomies of few edges.
 class MatchingRepair {
  public:
-  /// `work` is that of repairs of the same try before (RepairOptions::most_work).
+  /// `work` is that of repairs of the same try before (RepairTuning::most_work).
   MatchingRepair(MatchedField& field, const RepairWeights& weights, std::size_t work = 0);
 
   /// Moves until none lowers the cost, then disturbs the vertices that are left
-  /// (RepairOptions::disturbances).
-  void run(const RepairOptions& options);
+  /// (RepairTuning::disturbances).
+  void run(const RepairTuning& options);
 
-  /// Lets faults wander once (RepairOptions::wandering_steps).
-  void wander(const RepairOptions& options, std::uint64_t seed);
+  /// Lets faults wander once (RepairTuning::wandering_steps).
+  void wander(const RepairTuning& options, std::uint64_t seed);
 
   double cost() const;
   std::size_t moves() const { return moves_; }
@@ -37,7 +37,7 @@ class MatchingRepair {
  private:
   using Vertices = std::set<std::uint32_t>;
 
-  bool may_go_on(const RepairOptions& options) const {
+  bool may_go_on(const RepairTuning& options) const {
     return options.most_work == 0 || work_ < options.most_work;
   }
   void pull_off_creases();

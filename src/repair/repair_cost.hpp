@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "crossgrain/repair.hpp"
 #include "matching/matched_field.hpp"
+#include "repair/repair_tuning.hpp"
 
 namespace crossgrain {
 

@@ -65,7 +65,7 @@ struct Try {
   }
 };
 
-void judge(Try& what, const RepairOptions& options) {
+void judge(Try& what, const RepairTuning& options) {
   what.tets.faults = faults_of(*what.field);
   what.zero_lengths = zero_lengths_of(*what.field);
   what.cost = cost_of(*what.field, options.tries.front());
@@ -73,7 +73,7 @@ void judge(Try& what, const RepairOptions& options) {
 
 /// Smooths frames for the matchings, and repairs what that leaves: faults depend on the directions of edges
 /// in their frames too.
-void finish(Try& what, const RepairOptions& options) {
+void finish(Try& what, const RepairTuning& options) {
   for (int pass = 0; pass < options.passes; ++pass) {
     what.tets.frames = smoothed_frames(*what.field, std::move(what.tets.frames),
                                        {options.smoothing_sweeps, options.smoothing_rad});
@@ -89,7 +89,7 @@ void finish(Try& what, const RepairOptions& options) {
 }
 
 /// Lets faults wander for the k-th time.
-void wander_once(Try& what, int k, const RepairOptions& options) {
+void wander_once(Try& what, int k, const RepairTuning& options) {
   MatchingRepair repair(*what.field, what.weights, what.tets.work);
   repair.wander(options, options.seed + static_cast<std::uint64_t>(k));
   what.tets.moves += repair.moves();
@@ -104,7 +104,7 @@ void for_each_try(std::vector<Try>& tries, std::size_t count, const Body& body) 
 }
 
 /// All tries with the frames given, the best first; those without faults have different matchings.
-std::vector<Try> ranked_tries(const MatchedField& given, const RepairOptions& options) {
+std::vector<Try> ranked_tries(const MatchedField& given, const RepairTuning& options) {
   std::vector<Try> tries(options.tries.size());
   for_each_try(tries, tries.size(), [&](Try& one, std::size_t k) {
     one.weights = options.tries[k];
@@ -146,14 +146,14 @@ std::vector<RepairTry> results_of(std::vector<Try> tries, const MatchedField& gi
 
 }  // namespace
 
-std::vector<RepairTry> repair_tries(const MatchedField& given, const RepairOptions& options) {
+std::vector<RepairTry> repair_tries(const MatchedField& given, const RepairTuning& options) {
   std::vector<Try> tries = ranked_tries(given, options);
   for_each_try(tries, tries.size(), [&](Try& one, std::size_t) { finish(one, options); });
   return results_of(std::move(tries), given);
 }
 
 std::vector<RepairTry> wandered_tries(const MatchedField& given, std::vector<RepairTry> tries,
-                                      std::size_t most_faults, const RepairOptions& options) {
+                                      std::size_t most_faults, const RepairTuning& options) {
   std::erase_if(tries,
                 [&](const RepairTry& one) { return one.tets.faults == 0 || one.tets.faults > most_faults; });
   std::vector<Try> wandering(tries.size());
@@ -174,7 +174,7 @@ std::vector<RepairTry> wandered_tries(const MatchedField& given, std::vector<Rep
   return results_of(std::move(wandering), given);
 }
 
-RepairedTets repaired_tets(const MatchedField& given, const RepairOptions& options) {
+RepairedTets repaired_tets(const MatchedField& given, const RepairTuning& options) {
   std::vector<Try> tries = ranked_tries(given, options);
   finish(tries.front(), options);
   Try* best = &tries.front();
@@ -191,8 +191,7 @@ RepairedTets repaired_tets(const MatchedField& given, const RepairOptions& optio
   return result_of(*best, given);
 }
 
-RepairedTets smoothed_tets(const MatchedField& given, std::size_t known_faults,
-                           const RepairOptions& options) {
+RepairedTets smoothed_tets(const MatchedField& given, std::size_t known_faults, const RepairTuning& options) {
   std::vector<Quaternion> frames = smoothed_frames(given, {given.frames().begin(), given.frames().end()},
                                                    {options.smoothing_sweeps, options.smoothing_rad});
   const MatchedField field = given.with_frames(frames);

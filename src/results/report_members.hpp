@@ -215,26 +215,22 @@ void describe_scaled_jacobian(File& file, const char* key, Quality& quality) {
 
 template <class File, class Attempt>
 void describe_attempt(File& file, Attempt& attempt) {
+  file.text("kind", attempt.kind);
+  file.member("round", attempt.round);
+  file.member("tets", attempt.tets);
+  file.member("tet_size", attempt.tet_size);
   file.member("repair", attempt.repair);
   file.member("size", attempt.size);
   file.member("faults", attempt.faults);
   file.member("arcs_without_length", attempt.arcs_without_length);
   file.member("seamless_flips", attempt.seamless_flips);
   file.member("flips", attempt.flips);
+  file.name("outcome", attempt.outcome);
   file.member("hexahedra", attempt.hexahedra);
+  file.text("failure", attempt.failure);
+  file.member("work", attempt.work);
+  file.member("tet_seconds", attempt.tet_seconds);
   file.member("seconds", attempt.seconds);
-}
-
-template <class File, class Tets>
-void describe_tried_tets(File& file, Tets& tets) {
-  file.member("size", tets.size);
-  file.member("tets", tets.tets);
-  file.name("outcome", tets.outcome);
-  file.member("hexahedra", tets.hexahedra);
-  file.member("is_used", tets.is_used);
-  file.text("failure", tets.failure);
-  file.member("tet_seconds", tets.tet_seconds);
-  file.member("seconds", tets.seconds);
 }
 
 template <class File, class Hexahedra>
@@ -266,8 +262,6 @@ void describe_hex_mesh(File& file, Hexahedra& hexahedra) {
   file.list("attempts", hexahedra.attempts,
             [](auto& list, auto& attempt) { describe_attempt(list, attempt); });
   file.member("best_attempt", hexahedra.best_attempt);
-  file.optional_list("tried_tets", hexahedra.tried_tets,
-                     [](auto& list, auto& tets) { describe_tried_tets(list, tets); });
   file.object("seconds", [&](auto& seconds) {
     seconds.member("repair", hexahedra.repair_seconds);
     seconds.member("map", hexahedra.map_seconds);

@@ -508,31 +508,15 @@ TEST(ARepairedFieldIsReadAsItWasWritten) {
   crossgrain_tet_field_free(again);
 }
 
-TEST(ARepairTakesWeightsAndCanBeCancelled) {
+TEST(ARepairTakesItsOptionAndCanBeCancelled) {
   crossgrain_tet_field *field = prepared_ball(), *repaired = NULL;
   crossgrain_options* options = NULL;
   OK(crossgrain_options_new(CROSSGRAIN_REPAIR_OPTIONS, &options, &g_error));
-  crossgrain_numbers* tries = NULL;
-  OK(crossgrain_options_get_numbers(options, "tries", &tries, &g_error));
-  CHECK(crossgrain_numbers_rows(tries) >= 3 && crossgrain_numbers_rows(tries) % 3 == 0);
-  crossgrain_numbers_free(tries);
-  const double weights[] = {3, 5, 200, 0, 0.05, 100};
-  OK(crossgrain_options_set_numbers(options, "tries", weights, 6, &g_error));
-  OK(crossgrain_options_get_numbers(options, "tries", &tries, &g_error));
-  CHECK(crossgrain_numbers_rows(tries) == 6 &&
-        memcmp(crossgrain_numbers_data(tries), weights, sizeof weights) == 0);
-  crossgrain_numbers_free(tries);
-  FAILS(CROSSGRAIN_USAGE, "three numbers for each try",
-        crossgrain_options_set_numbers(options, "tries", weights, 4, &g_error));
+  OK(crossgrain_options_set_integer(options, "moves_vertices", 0, &g_error));
   OK(crossgrain_tet_field_repaired(field, options, 1, NULL, &repaired, &g_error));
   crossgrain_tet_field_free(repaired);
-  OK(crossgrain_options_set_integer(options, "passes", 0, &g_error));
-  FAILS(CROSSGRAIN_USAGE, "repair",
-        crossgrain_tet_field_repaired(field, options, 1, NULL, &repaired, &g_error));
-  OK(crossgrain_options_set_integer(options, "passes", 1, &g_error));
-  OK(crossgrain_options_set_numbers(options, "tries", NULL, 0, &g_error));
-  FAILS(CROSSGRAIN_USAGE, "weights",
-        crossgrain_tet_field_repaired(field, options, 1, NULL, &repaired, &g_error));
+  FAILS(CROSSGRAIN_USAGE, "tries is no option any more",
+        crossgrain_options_set_integer(options, "tries", 0, &g_error));
   FAILS(CROSSGRAIN_USAGE, "threads",
         crossgrain_tet_field_repaired(field, NULL, -1, NULL, &repaired, &g_error));
   crossgrain_monitor* monitor = NULL;
@@ -899,7 +883,7 @@ int main(int argc, char** argv) {
       NAMED(MatchingsCarryFramesAcrossFacesOfTets),
       NAMED(TetsArePreparedForAMap),
       NAMED(ARepairedFieldIsReadAsItWasWritten),
-      NAMED(ARepairTakesWeightsAndCanBeCancelled),
+      NAMED(ARepairTakesItsOptionAndCanBeCancelled),
       NAMED(AFieldThatIsReadIsTheOneThatWasWritten),
       NAMED(ACompanionIsWrittenWithTheFieldOrNothingIs),
       NAMED(SamplesAreWrittenForPointsThatAreRead),

@@ -105,13 +105,15 @@ class HexTest(CommandTest):
         self.assertAlmostEqual(made["scaled_jacobian"]["mean"], quality.mean(), places=9)
         self.assertEqual(made["scaled_jacobian"]["inverted"], 0)
 
-    def test_the_report_tells_the_tets_that_were_tried(self):
+    def test_the_report_tells_the_attempts(self):
         self.write("box.stl", stl_bytes(box_triangles()))
-        tried, = self.hexahedra("box.stl", "--cells", "5", "--tet-size", "0.3")["tried_tets"]
-        self.assertAlmostEqual(tried["size"], 0.3)
-        self.assertEqual(tried["tets"], self.report["onto"]["tets"])
-        self.assertTrue(tried["is_used"])
-        self.assertEqual(self.report["seconds"]["read"], tried["tet_seconds"])
+        made = self.hexahedra("box.stl", "--cells", "5", "--tet-size", "0.3")
+        tets, repair = made["attempts"]
+        self.assertEqual((tets["kind"], repair["kind"], made["best_attempt"]), ("tets", "repair", 1))
+        self.assertAlmostEqual(tets["tet_size"], 0.3)
+        self.assertEqual(tets["tets"], self.report["onto"]["tets"])
+        self.assertEqual(repair["outcome"], "all-hex")
+        self.assertEqual(self.report["seconds"]["read"], tets["tet_seconds"])
         self.assertNotIn("tries", self.result.stdout)
         self.assert_succeeds(self.run_here("check", "out"))
 

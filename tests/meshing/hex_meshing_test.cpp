@@ -11,8 +11,11 @@
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
 #include "crossgrain/features.hpp"
+#include "crossgrain/reading.hpp"
 #include "crossgrain/solve.hpp"
+#include "crossgrain/tet_making.hpp"
 #include "crossgrain/writing.hpp"
+#include "meshing/hexahedra_of_models.hpp"
 #include "support/shapes.hpp"
 #include "tets/tet_meshes.hpp"
 
@@ -36,23 +39,45 @@ HexMeshingOptions of_size(double size) {
   return options;
 }
 
+/// Fails to make tets from the call `failing` on, counted from 0.
+Hexahedra tuned_hexahedra(const TriangleMesh& model, const HexMeshingOptions& options,
+                          const MeshingTuning& tuning, int failing = 1000) {
+  int calls = 0;
+  const auto make = [&](const TetMakingTuning& making, const Monitor& monitor) {
+    if (calls++ == failing) throw Error(ErrorKind::kLimit, "too many tets");
+    return make_tets(model, making, monitor);
+  };
+  return hexahedra_in_tets_of(make, options, tuning, {});
+}
+
 /// Hexahedra of a pyramid, at whose tip four faces meet and so no hexahedra; with a single repair each.
-Hexahedra partial_pyramid(std::vector<double> shares, std::size_t large_tets = 50000,
-                          std::size_t most_sizes = 5) {
+Hexahedra partial_pyramid(std::vector<double> shares, const MeshingTuning& given = MeshingTuning(),
+                          int failing = 1000) {
+  MeshingTuning tuning = given;
+  tuning.hexahedra.repair.tries = {{}};
+  tuning.hexahedra.repair.finalists = 0;
+  tuning.hexahedra.more_tries = {};
+  tuning.hexahedra.smaller_sizes = 0;
+  tuning.hexahedra.largest_gap = 1e-9;  // so that nothing counts as filled
+  tuning.tet_shares = std::move(shares);
   HexMeshingOptions options = of_size(0.5);
-  options.large_tets = large_tets;
-  options.most_sizes = most_sizes;
-  options.hexahedra.repair.tries = {{}};
-  options.hexahedra.repair.finalists = 0;
-  options.hexahedra.more_tries = {};
-  options.hexahedra.finer_sizes = 0;
-  options.hexahedra.largest_gap = 1e-9;  // so that nothing counts as filled
   options.tets.size = 0.3;
-  options.tet_shares = std::move(shares);
   TriangleMesh pyramid;
   pyramid.vertices = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1}};
   pyramid.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
-  return make_hexahedra(pyramid, options);
+  return tuned_hexahedra(pyramid, options, tuning, failing);
+}
+
+/// The attempts at tets.
+std::vector<HexAttempt> tets_of(const Hexahedra& made) {
+  std::vector<HexAttempt> tets;
+  for (const HexAttempt& attempt : made.report.attempts)
+    if (attempt.kind == "tets") tets.push_back(attempt);
+  return tets;
+}
+
+std::size_t used_round(const Hexahedra& made) {
+  return made.report.attempts[made.report.best_attempt].round;
 }
 
 ErrorKind kind_of_failure(const TetDomain& tets, const HexMeshingOptions& options,
@@ -73,61 +98,89 @@ TEST_F(HexMeshing, OfASurfaceFillsIt) {
   EXPECT_NEAR(made.report.volume, 24, 1e-9);
 }
 
-TEST_F(HexMeshing, TellsTheTetsItTried) {
+TEST_F(HexMeshing, TellsTheTetsItMade) {
   const Hexahedra made = make_hexahedra(make_box({4, 2, 3}), of_size(1));
-  ASSERT_EQ(made.report.tried_tets.size(), 1u);
-  const TriedTets& tried = made.report.tried_tets.front();
-  EXPECT_NEAR(tried.size, 1.4 * 4.0 / 20, 1e-9);  // 20 edges of 1.4
-  EXPECT_EQ(tried.tets, made.field.domain().mesh().tets.size());
-  EXPECT_EQ(tried.outcome, HexOutcome::kAllHex);
-  EXPECT_EQ(tried.hexahedra, 24u);
-  EXPECT_TRUE(tried.is_used);
-  EXPECT_GT(tried.tet_seconds, 0);
-  EXPECT_GT(tried.seconds, tried.tet_seconds);
-  EXPECT_EQ(made.field.report().seconds.read, tried.tet_seconds);
-  EXPECT_EQ(made.field.report().hexahedra->tried_tets.size(), 1u);
+  ASSERT_EQ(tets_of(made).size(), 1u);
+  const HexAttempt tets = tets_of(made).front();
+  EXPECT_NEAR(tets.tet_size, 1.4 * 4.0 / 20, 1e-9);  // 20 edges of 1.4
+  EXPECT_EQ(tets.tets, made.field.domain().mesh().tets.size());
+  EXPECT_GT(tets.tet_seconds, 0);
+  EXPECT_GT(tets.seconds, tets.tet_seconds);
+  EXPECT_EQ(made.field.report().seconds.read, tets.tet_seconds);
+  EXPECT_EQ(made.field.report().hexahedra->attempts.size(), made.report.attempts.size());
+}
+
+TEST_F(HexMeshing, TellsTheAttemptThatMadeTheMesh) {
+  const Hexahedra made = make_hexahedra(make_box({4, 2, 3}), of_size(1));
+  const HexAttempt& best = made.report.attempts[made.report.best_attempt];
+  EXPECT_EQ(best.kind, "repair");
+  EXPECT_EQ(best.outcome, HexOutcome::kAllHex);
+  EXPECT_EQ(best.hexahedra, 24u);
+  EXPECT_GT(best.work, 0);
 }
 
 TEST_F(HexMeshing, TriesAllSizesOfTetsWhereNoneIsFilledAndKeepsTheBest) {
   const Hexahedra made = partial_pyramid({1, 1.4, 2});
   ASSERT_NE(made.report.outcome, HexOutcome::kAllHex);
-  const std::vector<TriedTets>& tried = made.report.tried_tets;
-  ASSERT_EQ(tried.size(), 3u);
+  const std::vector<HexAttempt> tets = tets_of(made);
+  ASSERT_EQ(tets.size(), 3u);
   const std::vector<double> sizes{0.3, 0.42, 0.6};
   for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_NEAR(tried[k].size, sizes[k], 1e-9);
-    EXPECT_EQ(tried[k].is_used, tried[k].tets == made.field.domain().mesh().tets.size());
+    EXPECT_NEAR(tets[k].tet_size, sizes[k], 1e-9);
+    EXPECT_EQ(used_round(made) == k, tets[k].tets == made.field.domain().mesh().tets.size());
   }
-  EXPECT_GT(tried[0].tets, tried[1].tets);
-  EXPECT_GT(tried[1].tets, tried[2].tets);
-  EXPECT_EQ(std::count_if(tried.begin(), tried.end(), [](const TriedTets& tets) { return tets.is_used; }), 1);
+  EXPECT_GT(tets[0].tets, tets[1].tets);
+  EXPECT_GT(tets[1].tets, tets[2].tets);
 }
 
 TEST_F(HexMeshing, TriesNoMoreSizesThanItMay) {
-  EXPECT_EQ(partial_pyramid({1, 1.4, 2}, 50000, 2).report.tried_tets.size(), 2u);
+  MeshingTuning tuning;
+  tuning.most_sizes = 2;
+  EXPECT_EQ(tets_of(partial_pyramid({1, 1.4, 2}, tuning)).size(), 2u);
+}
+
+TEST_F(HexMeshing, TriesNoFurtherTetsOnceTheWorkIsDone) {
+  MeshingTuning tuning;
+  tuning.hexahedra.most_work = 1;
+  const Hexahedra made = partial_pyramid({1, 1.4, 2}, tuning);
+  EXPECT_EQ(tets_of(made).size(), 1u);
+  EXPECT_GT(made.mesh.hexahedra.size(), 0u);
 }
 
 TEST_F(HexMeshing, TriesOnlyTheCoarsestOfSizesWithManyTets) {
-  const std::vector<TriedTets> tried = partial_pyramid({1, 2, 1.4}, 1).report.tried_tets;
-  ASSERT_EQ(tried.size(), 1u);
-  EXPECT_NEAR(tried.front().size, 0.6, 1e-9);
+  MeshingTuning tuning;
+  tuning.large_tets = 1;
+  const std::vector<HexAttempt> tets = tets_of(partial_pyramid({1, 2, 1.4}, tuning));
+  ASSERT_EQ(tets.size(), 1u);
+  EXPECT_NEAR(tets.front().tet_size, 0.6, 1e-9);
 }
 
-TEST_F(HexMeshing, SearchesOnAfterPoorHexahedraAndKeepsThem) {
-  HexMeshingOptions options = of_size(1);
-  options.tet_shares = {1, 2};
-  options.least_quality = 1.5;  // more than any hexahedron has
-  const Hexahedra made = make_hexahedra(make_box({4, 2, 3}), options);
-  EXPECT_EQ(made.report.tried_tets.size(), 2u);
+TEST_F(HexMeshing, GoesOnAfterPoorHexahedraAndKeepsThem) {
+  MeshingTuning tuning;
+  tuning.tet_shares = {1, 2};
+  tuning.hexahedra.least_quality = 1.5;  // more than any hexahedron has
+  const Hexahedra made = tuned_hexahedra(make_box({4, 2, 3}), of_size(1), tuning);
+  EXPECT_EQ(tets_of(made).size(), 2u);
   EXPECT_EQ(made.report.outcome, HexOutcome::kAllHex);
   EXPECT_EQ(made.mesh.hexahedra.size(), 24u);
 }
 
 TEST_F(HexMeshing, KeepsWhatItHasWhereLaterTetsFail) {
-  const Hexahedra made = partial_pyramid({1, 0.01});
-  ASSERT_EQ(made.report.tried_tets.size(), 2u);
-  EXPECT_TRUE(made.report.tried_tets[0].is_used);
-  EXPECT_NE(made.report.tried_tets[1].failure.find("tets"), std::string::npos);
+  const Hexahedra made = partial_pyramid({1, 2}, MeshingTuning(), /*failing=*/1);
+  EXPECT_EQ(used_round(made), 0u);
+  const HexAttempt& last = made.report.attempts.back();
+  EXPECT_EQ(last.kind, "tets");
+  EXPECT_EQ(last.failure, "too many tets");
+}
+
+TEST_F(HexMeshing, ProgressTellsAttemptAndBestSoFar) {
+  std::vector<Progress> heard;
+  const Monitor monitor([&](const Progress& progress) { heard.push_back(progress); });
+  make_hexahedra(make_box({4, 2, 3}), of_size(1), monitor);
+  ASSERT_FALSE(heard.empty());
+  EXPECT_EQ(heard.front().attempt, 1u);
+  EXPECT_EQ(heard.back().attempt, 2u);
+  EXPECT_EQ(heard.back().phase, Phase::kHexahedra);
 }
 
 TEST_F(HexMeshing, IsTheSameForAnyNumberOfThreads) {
@@ -152,23 +205,10 @@ TEST_F(HexMeshing, NamesTheFileThatIsNoModel) {
   }
 }
 
-TEST_F(HexMeshing, RefusesSharesThatAreNone) {
-  for (const std::vector<double>& shares : {std::vector<double>{}, {1, 0}, {-1}, {NAN}}) {
-    HexMeshingOptions options;
-    options.tet_shares = shares;
-    try {
-      make_hexahedra(make_box({1, 1, 1}), options);
-      ADD_FAILURE() << "no error";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::kUsage);
-    }
-  }
-}
-
 TEST_F(HexMeshingOfTets, FillsThemAndMakesNoOthers) {
   const Hexahedra made = make_hexahedra(TetDomain(TetBox{{4, 3, 3}}.mesh()), of_size(0.5));
   EXPECT_EQ(made.mesh.hexahedra.size(), 8u * 6 * 6);
-  EXPECT_TRUE(made.report.tried_tets.empty());
+  EXPECT_TRUE(tets_of(made).empty());
   EXPECT_GT(made.field.report().seconds.total, 0);
 }
 
@@ -180,7 +220,7 @@ TEST_F(HexMeshingOfTets, OfAFileAreThoseOfTheMesh) {
   const Hexahedra of_mesh = make_hexahedra(TetDomain(mesh), of_size(0.5));
   EXPECT_EQ(of_file.mesh.vertices, of_mesh.mesh.vertices);
   EXPECT_EQ(of_file.mesh.hexahedra, of_mesh.mesh.hexahedra);
-  EXPECT_TRUE(of_file.report.tried_tets.empty());
+  EXPECT_TRUE(tets_of(of_file).empty());
   std::filesystem::remove(file);
 }
 

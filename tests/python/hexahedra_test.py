@@ -63,7 +63,7 @@ class Hexahedra(WithFolder):
         self.assertIsNone(mesh.regions)
         self.assertIn("all-hex, 64 hexahedra", str(mesh))
         self.assertEqual(mesh.report["hexahedra"]["hexahedra"], 64)
-        self.assertNotIn("tried_tets", mesh.report["hexahedra"])
+        self.assertEqual([attempt["kind"] for attempt in mesh.report["hexahedra"]["attempts"]], ["repair"])
 
     def test_have_the_quality_of_their_corners(self):
         np.testing.assert_allclose(self.ball.quality, scaled_jacobians(self.ball.points, self.ball.cells), atol=1e-12)
@@ -124,7 +124,7 @@ class Hexahedra(WithFolder):
         mesh = field.hexahedra(size=0.25)
         np.testing.assert_array_equal(mesh.points, self.cube.points)
         np.testing.assert_array_equal(mesh.cells, self.cube.cells)
-        self.assertEqual(len(field.hexahedra(cells=3, finer_sizes=0)), 27)
+        self.assertEqual(len(field.hexahedra(cells=3)), 27)
 
     def test_do_not_depend_on_threads(self):
         one, four = (cg.hex(*ball_of_tets(4), cells=6, threads=threads) for threads in (1, 4))
@@ -163,9 +163,9 @@ class HexahedraOfModels(WithFolder):
         self.assertEqual(sorted(np.bincount(mesh.tags)), [0, 6, 6, 8, 8, 12, 12])
         for tag in range(1, 7):
             self.assertEqual((np.ptp(mesh.points[mesh.faces[mesh.tags == tag]].reshape(-1, 3), axis=0) < 1e-9).sum(), 1)
-        tried, = mesh.report["hexahedra"]["tried_tets"]
-        self.assertAlmostEqual(tried["size"], 1.4 * 2 / 20)
-        self.assertTrue(tried["is_used"])
+        tets, repair = mesh.report["hexahedra"]["attempts"]
+        self.assertEqual((tets["kind"], repair["kind"], repair["outcome"]), ("tets", "repair", "all-hex"))
+        self.assertAlmostEqual(tets["tet_size"], 1.4 * 2 / 20)
 
     def test_are_the_same_from_files_and_arrays_and_surfaces(self):
         vertices, triangles = box()

@@ -14,7 +14,7 @@ import crossgrain as cg
 from crossgrain import _interface, _library, _options
 
 DOCS = Path(__file__).parents[2] / "docs"
-KINDS = {name: getattr(cg, name)._kind for name in ("ReadOptions", "OutputOptions", "TetMakingOptions")}
+KINDS = {name: getattr(cg, name)._kind for name in ("ReadOptions", "OutputOptions", "TetMakingOptions", "RepairOptions", "HexOptions")}
 MOST_NAMES = 45
 
 

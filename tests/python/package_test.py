@@ -208,23 +208,20 @@ class RepairedFields(WithFolder):
     def test_come_from_solves_too(self):
         solved = cg.solve(cg.TetMesh(*ball_of_tets()), prepare=True, repair=True)
         np.testing.assert_array_equal(solved.quaternions, self.field.quaternions)
-        quick = cg.RepairOptions(tries=[cg.RepairWeights(3, 5, 200)], passes=1, wanderings=0, disturbances=0)
-        carried = cg.carry_onto(cg.solve(*ball(), resolution=12), *ball_of_tets(), prepare=cg.MapPreparationOptions(), repair=quick)
+        still = cg.RepairOptions(moves_vertices=False)
+        carried = cg.carry_onto(cg.solve(*ball(), resolution=12), *ball_of_tets(), prepare=cg.MapPreparationOptions(), repair=still)
         self.assertIn("repair", carried.report["onto"])
         self.assertIn("prepared", carried.report["onto"])
 
-    def test_take_weights(self):
-        quick = {"passes": 1, "wanderings": 0, "disturbances": 0, "smoothing_sweeps": 0}
-        tries = [cg.RepairWeights(end=3, crease=5), cg.RepairWeights(0, 0.05, 0)]
-        moves = [self.plain.repaired(tries=[one], **quick).report["onto"]["repair"]["moves"] for one in tries]
-        self.assertNotEqual(*moves)
+    def test_keep_vertices_on_request(self):
+        moved, still = (self.plain.repaired(moves_vertices=moves).report["onto"]["repair"] for moves in (True, False))
+        self.assertGreater(moved["moved_vertices"], 0)
+        self.assertEqual(still["moved_vertices"], 0)
 
     def test_refuse_what_they_cannot_take(self):
-        for wrong, reason in (({"passes": 0}, "pass"), ({"tries": []}, "weights"), ({"tries": [cg.RepairWeights(end=-1)]}, "weights"),
-                              ({"temperature": float("nan")}, "temperature"), ({"threads": -1}, "threads")):
-            with self.assertRaisesRegex(cg.UsageError, reason):
-                self.plain.repaired(**wrong)
-        for wrong in ({"tries": [(3, 5, 200)]}, {"passes": None}, {"weights": 3}, {"options": cg.SolveOptions()}):
+        with self.assertRaisesRegex(cg.UsageError, "threads"):
+            self.plain.repaired(threads=-1)
+        for wrong in ({"moves_vertices": None}, {"weights": 3}, {"options": cg.SolveOptions()}):
             with self.assertRaises(TypeError):
                 self.plain.repaired(**wrong)
         for wrong in ({"prepare": True}, {"repair": True}):

@@ -33,7 +33,7 @@ TEST(RepairedMatchings, TakeRandomArcsOutOfABox) {
     turn_random_faces(field, 6, seed);
     MatchingRepair repair(field, RepairWeights{});
     EXPECT_GT(repair.cost(), 0);
-    repair.run(RepairOptions{});
+    repair.run(RepairTuning{});
     EXPECT_EQ(repair.cost(), 0) << "seed " << seed;
     for (std::uint32_t e = 0; e < kComplex.edges().size(); ++e) {
       if (kComplex.edges()[e].is_on_boundary()) continue;
@@ -45,7 +45,7 @@ TEST(RepairedMatchings, TakeRandomArcsOutOfABox) {
 TEST(RepairedMatchings, KnowTheCostOfTheFieldAfterAllMoves) {
   const auto frames = random_tet_frames(kBox, 3);
   MatchedField field(kComplex, frames);
-  RepairOptions options;
+  RepairTuning options;
   options.wandering_steps = 200;
   MatchingRepair repair(field, RepairWeights{});
   repair.run(options);
@@ -88,7 +88,7 @@ TEST(RepairedMatchings, KeepTheArcsThatACylinderNeeds) {
 TEST(RepairedMatchings, AreTheSameForAnyNumberOfThreads) {
   const auto frames =
       frames_at_centroids(kBox, TurningLine{{2.53, 2.54, 0}, {0, 0.1, 0.995}, {0, 0, 1}, 0.25});
-  RepairOptions options;
+  RepairTuning options;
   options.wandering_steps = 100;
   const auto repaired_on = [&](int threads) {
     const ThreadLimit limit(threads);
@@ -103,7 +103,7 @@ TEST(RepairedMatchings, AreTheSameForAnyNumberOfThreads) {
 TEST(RepairedMatchings, NeverEndWithMoreFaultsThanTheyBeganWith) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const auto frames = testing::random_tet_frames(kBox, seed);
-    RepairOptions options;
+    RepairTuning options;
     options.tries = {{1, 1, 200}};
     options.disturbances = 2;
     options.finalists = 0;

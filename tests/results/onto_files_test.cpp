@@ -139,7 +139,7 @@ TetFrameField repaired_ball() {
     const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
     if (largest > 0) v = largest / norm(v) * v;
   }
-  return repaired(solve_onto(TetDomain(mesh).prepared_for_map()), {.tries = {{3, 5, 200}}, .wanderings = 1});
+  return repaired(solve_onto(TetDomain(mesh).prepared_for_map()));
 }
 
 TEST(OntoFiles, GiveARepairedFieldBackToTheBit) {

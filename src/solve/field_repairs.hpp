@@ -12,12 +12,12 @@
 
 namespace crossgrain {
 
-/// The repairs of a field with each of RepairOptions::tries, for whoever needs another than the best. The
-/// field and the options must outlive it. Interrupted as watched loops say.
-class RepairSearch {
+/// The repairs of a field with each of RepairTuning::tries, for whoever needs another than the best.
+/// Interrupted as watched loops say.
+class FieldRepairs {
  public:
-  /// Throws as `repaired`.
-  RepairSearch(const TetFrameField& field, const RepairOptions& options, const Monitor& monitor);
+  /// The tuning is in range. Throws as `repaired`.
+  FieldRepairs(TetFrameField field, RepairOptions options, RepairTuning tuning, const Monitor& monitor);
 
   /// The best first.
   std::vector<RepairTry> tries() const;
@@ -25,7 +25,7 @@ class RepairSearch {
   /// Those of them that have faults, but no more than so many, after these have wandered.
   std::vector<RepairTry> wandered(std::vector<RepairTry> tries, std::size_t most_faults) const;
 
-  /// The field of one of them. Its report has no seconds of the repair.
+  /// The field of one of them; may be called on several threads. Its report has no seconds of the repair.
   TetFrameField field_of(RepairTry one) const;
 
   /// The result of `repaired`: the best of the tries, or what wandering faults make of it.
@@ -33,10 +33,11 @@ class RepairSearch {
 
  private:
   MatchedField given() const;
-  TetFrameField completed(RepairedTets tets, const RepairOptions& options) const;
+  TetFrameField completed(RepairedTets tets, const RepairTuning& tuning) const;
 
-  const TetFrameField* field_;
-  const RepairOptions* options_;
+  TetFrameField field_;
+  RepairOptions options_;
+  RepairTuning tuning_;
   std::vector<CubeRotation> matchings_;
   UsedFeatures used_;
   TetComplex complex_;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "solve/field_repairs.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -19,7 +21,6 @@
 #include "repair/moved_vertices.hpp"
 #include "repair/repair_cost.hpp"
 #include "repair/repaired_matchings.hpp"
-#include "solve/repair_search.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
 #include "solve/used_features.hpp"
@@ -30,24 +31,6 @@ namespace {
 using Repair = SolveReport::Onto::Repair;
 
 constexpr double kDegree = std::numbers::pi / 180;
-
-void check(const RepairOptions& options) {
-  const auto demand = [](bool holds, const char* what) {
-    if (!holds) throw Error(ErrorKind::kUsage, {"", "the repair", what});
-  };
-  demand(!options.tries.empty(), "there must be weights to try");
-  for (const RepairWeights& weights : options.tries)
-    for (const double weight : {weights.end, weights.crease, weights.corner})
-      demand(weight >= 0 && std::isfinite(weight), "weights must be numbers from 0");
-  demand(options.passes >= 1 && options.most_sweeps >= 0 && options.disturbances >= 0 &&
-             options.finalists >= 0 && options.wanderings >= 0 && options.wandering_steps >= 0 &&
-             options.smoothing_sweeps >= 0 && options.moving_sweeps >= 0,
-         "there must be a pass, and other numbers must be 0 or positive");
-  demand(options.temperature >= 0 && std::isfinite(options.temperature),
-         "the temperature must be a number from 0");
-  demand(options.least_quality >= 0 && options.least_quality <= 1, "the least quality must be from 0 to 1");
-  demand(options.smoothing_rad >= 0, "the angle at which smoothing ends must be a number from 0");
-}
 
 /// The frames of vertices that suit those of tets: nearest to the mean around, by volume, and exactly along
 /// the normal at smooth vertices of the surface.
@@ -156,17 +139,17 @@ struct Repaired {
 };
 
 /// Moves vertices for the matchings, and repairs what that leaves.
-Repaired with_moved_vertices(Repaired repaired, const InnerFeatures& features, const RepairOptions& options) {
+Repaired with_moved_vertices(Repaired repaired, const InnerFeatures& features, const RepairTuning& tuning) {
   constexpr int kMostRounds = 2;
   for (int round = 0; round < kMostRounds; ++round) {
     const TetComplex before(repaired.domain.data().solid, features);
     RepairedTets& former = repaired.tets;
     TetDomain domain = repaired.domain.with_vertices(
         moved_vertices(MatchedField(before, former.frames, former.matchings),
-                       {.sweeps = options.moving_sweeps, .least_quality = options.least_quality}));
+                       {.sweeps = tuning.moving_sweeps, .least_quality = tuning.least_quality}));
     const TetComplex complex(domain.data().solid, features);
     RepairedTets tets =
-        smoothed_tets(MatchedField(complex, former.frames, former.matchings), former.faults, options);
+        smoothed_tets(MatchedField(complex, former.frames, former.matchings), former.faults, tuning);
     if (tets.faults > former.faults) break;
     const bool goes_on = tets.moves > 0;
     tets.moves += former.moves;
@@ -210,50 +193,51 @@ void check_repairable(const TetDomain& domain) {
                                     "mesh the part again before a repair"});
 }
 
-RepairSearch::RepairSearch(const TetFrameField& field, const RepairOptions& options, const Monitor& monitor)
-    : field_(&field),
-      options_(&options),
-      matchings_(matchings_of(field.domain().data().solid, field.data())),
-      used_(field.domain().data(), is_united(field)),
-      complex_(field.domain().data().solid, used_.features()) {
-  check(options);
-  check_repairable(field.domain());
-  if (field.report().constraints)
+FieldRepairs::FieldRepairs(TetFrameField field, RepairOptions options, RepairTuning tuning,
+                           const Monitor& monitor)
+    : field_(std::move(field)),
+      options_(options),
+      tuning_(std::move(tuning)),
+      matchings_(matchings_of(field_.domain().data().solid, field_.data())),
+      used_(field_.domain().data(), is_united(field_)),
+      complex_(field_.domain().data().solid, used_.features()) {
+  check_repairable(field_.domain());
+  if (field_.report().constraints)
     throw Error(ErrorKind::kUsage, {"", "the repair", "smoothed frames would leave the field's constraints"});
   check_rings(complex_);
-  monitor.report({Phase::kRepair, 0, field.domain().data().solid.mesh.vertices.size(), 0, std::nan("")});
+  monitor.report({Phase::kRepair, 0, field_.domain().data().solid.mesh.vertices.size(), 0, std::nan("")});
 }
 
-MatchedField RepairSearch::given() const {
-  return {complex_, field_->data().tet_frames, matchings_};
+MatchedField FieldRepairs::given() const {
+  return {complex_, field_.data().tet_frames, matchings_};
 }
 
-std::vector<RepairTry> RepairSearch::tries() const {
-  return repair_tries(given(), *options_);
+std::vector<RepairTry> FieldRepairs::tries() const {
+  return repair_tries(given(), tuning_);
 }
 
-std::vector<RepairTry> RepairSearch::wandered(std::vector<RepairTry> tries, std::size_t most_faults) const {
-  return wandered_tries(given(), std::move(tries), most_faults, *options_);
+std::vector<RepairTry> FieldRepairs::wandered(std::vector<RepairTry> tries, std::size_t most_faults) const {
+  return wandered_tries(given(), std::move(tries), most_faults, tuning_);
 }
 
-TetFrameField RepairSearch::field_of(RepairTry one) const {
-  RepairOptions single = *options_;
+TetFrameField FieldRepairs::field_of(RepairTry one) const {
+  RepairTuning single = tuning_;
   single.tries = {one.weights};
   single.wanderings = std::min(single.wanderings, 1);
   return completed(std::move(one.tets), single);
 }
 
-TetFrameField RepairSearch::best() const {
-  return completed(repaired_tets(given(), *options_), *options_);
+TetFrameField FieldRepairs::best() const {
+  return completed(repaired_tets(given(), tuning_), tuning_);
 }
 
-TetFrameField RepairSearch::completed(RepairedTets repaired_tets, const RepairOptions& options) const {
-  const TetFrameField& field = *field_;
+TetFrameField FieldRepairs::completed(RepairedTets repaired_tets, const RepairTuning& tuning) const {
+  const TetFrameField& field = field_;
   const TetDomainData& given = field.domain().data();
   const InnerFeatures features = used_.features();
   Repaired found{field.domain(), std::move(repaired_tets)};
-  if (options.moves_vertices && given.preparation)
-    found = with_moved_vertices(std::move(found), features, options);
+  if (options_.moves_vertices && given.preparation)
+    found = with_moved_vertices(std::move(found), features, tuning);
 
   const std::vector<Quaternion>& former_frames = field.data().tet_frames;
   const TetDomainData& tets = found.domain.data();
@@ -300,7 +284,7 @@ TetFrameField repaired(const TetFrameField& field, const RepairOptions& options,
   const WatchedLoops watched(monitor, Stops::kHeeded);
   Stopwatch stopwatch;
   stopwatch.start();
-  TetFrameField result = RepairSearch(field, options, monitor).best();
+  TetFrameField result = FieldRepairs(field, options, RepairTuning(), monitor).best();
   SolveReport report = result.report();
   report.onto->repair->seconds = stopwatch.restart();
   return result.with_report(std::move(report));

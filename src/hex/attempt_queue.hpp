@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Attempts at hexahedra, one after the other, until one is good.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/interface.hpp"
+#include "crossgrain/hex_report.hpp"
+#include "crossgrain/monitor.hpp"
+#include "crossgrain/tet_frame_field.hpp"
+#include "hex/hex_candidate.hpp"
+
+namespace crossgrain {
+
+class AttemptQueue;
+
+/// When an attempt is due: rounds in their order, and steps within a round. A round begins with tets and a
+/// field on them.
+struct Turn {
+  std::size_t round = 0;
+
+  enum class Step : int { kTets, kRepair, kPart, kSmaller };
+  Step step = Step::kTets;
+
+  auto operator<=>(const Turn&) const = default;
+};
+
+/// Attempts of one kind: says when the next is due, and makes it.
+class AttemptKind : public Interface {
+ public:
+  /// A name for reports: "repair".
+  virtual const char* name() const = 0;
+
+  /// When the next attempt is due; none if there is none for now.
+  virtual std::optional<Turn> next(const AttemptQueue& queue) const = 0;
+
+  /// Makes the next attempt, or several at the same time, the first first; may find that there is none. What
+  /// is due next has changed afterwards, even after an exception.
+  virtual std::vector<HexCandidate> make(AttemptQueue& queue) = 0;
+
+  /// Whether its attempts are made without any work left if there is no mesh: they give one from what is
+  /// there.
+  virtual bool is_last_resort() const { return false; }
+};
+
+/// A field that attempts start from.
+struct StartingField {
+  TetFrameField field;
+  double size = 0;        ///< of the hexahedra that are asked for
+  double work_share = 1;  ///< of the work of repairs that this field may take
+};
+
+/// The only search: what is due first is made first, of what is due at the same time the kind that was added
+/// first. It ends with a good candidate (is_good), when nothing is due, or once the work of all attempts is
+/// `most_work` and there is a mesh. Work is counted, never timed, so that results are the same on every
+/// machine.
+class AttemptQueue {
+ public:
+  /// The monitor must outlive the queue.
+  AttemptQueue(double most_work, double least_quality, const Monitor& monitor);
+
+  void add(std::unique_ptr<AttemptKind> kind) { kinds_.push_back(std::move(kind)); }
+
+  /// Makes attempts until the end. An attempt that fails by an Error is reported, and others go on; but it is
+  /// thrown if there is no mesh yet, and kInterrupted always.
+  void run();
+
+  /// Begins a round with a field.
+  void start_on(StartingField field);
+
+  /// The number of rounds, those among them whose tets failed; the field of the last one, if it has one.
+  std::size_t rounds() const { return rounds_; }
+  const std::optional<StartingField>& start() const { return start_; }
+
+  /// The best candidate so far, or null; and of each round, where it may still be needed.
+  const HexCandidate* best() const { return best_.get(); }
+  const std::vector<std::shared_ptr<const HexCandidate>>& best_of_rounds() const { return of_rounds_; }
+
+  /// Number of the best attempt in attempts().
+  std::size_t best_attempt() const { return best_attempt_; }
+
+  /// All attempts, in the order in which they were made.
+  const std::vector<HexAttempt>& attempts() const { return attempts_; }
+
+  /// Seconds of the steps of all of them.
+  const HexSeconds& seconds() const { return seconds_; }
+
+  double most_work() const { return most_work_; }
+  double least_quality() const { return least_quality_; }
+
+  /// To be given to what an attempt calls: its progress tells the attempt and the best so far too.
+  const Monitor& monitor() const { return monitor_; }
+
+ private:
+  AttemptKind* due() const;
+  void make(AttemptKind& kind);
+  void add(const AttemptKind& kind, HexCandidate candidate);
+  void keep_if_better(const std::shared_ptr<const HexCandidate>& candidate);
+  bool has_mesh() const { return best_ && best_->made; }
+  bool is_done() const { return best_ && is_good(*best_, least_quality_); }
+  void tell_more(Progress& progress) const;
+
+  double most_work_, least_quality_, work_ = 0;
+  Monitor monitor_;
+  std::vector<std::unique_ptr<AttemptKind>> kinds_;
+  std::size_t rounds_ = 0, best_attempt_ = 0;
+  std::optional<StartingField> start_;
+  std::shared_ptr<const HexCandidate> best_;
+  std::vector<std::shared_ptr<const HexCandidate>> of_rounds_;
+  std::vector<HexAttempt> attempts_;
+  HexSeconds seconds_;
+};
+
+}  // namespace crossgrain

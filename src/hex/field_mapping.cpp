@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hex/field_mapping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/stopwatch.hpp"
+#include "hex/hex_report.hpp"
+#include "hex/mapped_field.hpp"
+#include "hex/work.hpp"
+#include "measure/hex_faces.hpp"
+#include "measure/hex_quality.hpp"
+#include "tets/tet_shape.hpp"
+
+namespace crossgrain {
+namespace {
+
+std::vector<Foot> feet_of(const MapSurface& surface, const std::vector<Carrier>& carriers) {
+  std::vector<Foot> feet;
+  for (const Carrier& carrier : carriers) feet.push_back(surface.foot_of(carrier));
+  return feet;
+}
+
+/// Whether hexahedra close up to a surface, and all vertices of that belong on the surface of the model.
+bool close_on_the_surface(const ExtractedHexahedra& hexahedra, const HexTopology& topology,
+                          const std::vector<Foot>& feet) {
+  if (!hexahedra.is_complete() || hexahedra.mesh.hexahedra.empty() || !topology.is_closed()) return false;
+  return std::all_of(topology.boundary.begin(), topology.boundary.end(), [&](const HexSide& side) {
+    return std::all_of(side.vertices.begin(), side.vertices.end(),
+                       [&](std::uint32_t v) { return feet[v].kind != Foot::Kind::kInside; });
+  });
+}
+
+/// Smooths hexahedra and judges them.
+MadeHexahedra made_of(const FollowedField& followed, const FollowingMap& following, double size,
+                      double asked_size, const HexTopology& topology, const HexTuning& tuning,
+                      const HexSmoothingOptions& smoothing) {
+  MadeHexahedra made;
+  const HexMesh& mesh = following.extracted.mesh;
+  made.mesh = smoothed(mesh, MapSurface(followed.matched()), following.feet, size, smoothing);
+  for (const HexSide& side : topology.boundary) made.mesh.boundary.push_back({side.vertices, 0});
+  made.quality = quality_of(made.mesh);
+  const TetSolid& solid = followed.solid();
+  made.fills =
+      close_on_the_surface(following.extracted, topology, following.feet) &&
+      largest_distance_to(made.mesh, {solid.mesh.vertices, solid.boundary}) <= tuning.largest_gap * size;
+  const double model_volume = volume_of(solid.mesh);
+  made.is_coarse = static_cast<double>(mesh.hexahedra.size()) <
+                   tuning.least_share * model_volume / std::pow(asked_size, 3);
+  const std::vector<double> volumes = volumes_of(made.mesh);
+  made.volume_missed = std::abs(std::accumulate(volumes.begin(), volumes.end(), 0.0) / model_volume - 1);
+  return made;
+}
+
+}  // namespace
+
+MappingEffort little_effort() {
+  MappingEffort effort;
+  effort.map.untangling.rounds = 2;
+  effort.map.quantisation.breakouts = 20;
+  effort.smoothing.rounds = 5;
+  effort.smoothing.powers = {1};
+  effort.smoothing.slack = 0;
+  return effort;
+}
+
+HexCandidate followed_candidate(TetFrameField field, double asked_size, std::size_t round) {
+  Stopwatch stopwatch;
+  stopwatch.start();
+  HexCandidate candidate;
+  candidate.asked_size = asked_size;
+  candidate.round = round;
+  HexAttempt& attempt = candidate.attempt;
+  attempt.tets = field.domain().mesh().tets.size();
+  attempt.work = kFieldWork * static_cast<double>(attempt.tets);
+  const auto& onto = field.report().onto;
+  if (onto && onto->repair) attempt.faults = onto->repair->faults;
+  candidate.mappable = std::make_shared<const MappableField>(std::move(field));
+  attempt.arcs_without_length = candidate.mappable->followed.arcs_without_length().size();
+  candidate.seconds.map = stopwatch.restart();
+  return candidate;
+}
+
+HexCandidate mapped_candidate(const HexCandidate& of, double size, const HexTuning& tuning,
+                              const MappingEffort& effort) {
+  Stopwatch stopwatch;
+  stopwatch.start();
+  HexCandidate candidate = of;
+  const FollowedField& followed = candidate.mappable->followed;
+  auto following = std::make_shared<FollowingMap>();
+  const MapEnergy energy(followed.unknowns(), size);
+  following->map = integer_grid_map(energy, effort.map);
+  following->determinants = determinants_of(energy, following->map.coordinates);
+  candidate.seconds.map += stopwatch.restart();
+  following->extracted = extracted_hexahedra(followed.unknowns(), following->map.coordinates);
+  following->feet = feet_of(MapSurface(followed.matched()), following->extracted.carriers);
+  const HexTopology topology = topology_of(following->extracted.mesh);
+  candidate.seconds.extraction += stopwatch.restart();
+  candidate.made = made_of(followed, *following, size, of.asked_size, topology, tuning, effort.smoothing);
+  candidate.seconds.smoothing += stopwatch.restart();
+
+  HexAttempt& attempt = candidate.attempt;
+  attempt.size = size;
+  attempt.seamless_flips = following->map.untangled.tets;
+  attempt.flips = following->extracted.flipped_tets;
+  attempt.hexahedra = following->extracted.mesh.hexahedra.size();
+  attempt.work +=
+      kMapWork * static_cast<double>(attempt.tets) + kHexahedronWork * static_cast<double>(attempt.hexahedra);
+  candidate.following = std::move(following);
+  return candidate;
+}
+
+}  // namespace crossgrain

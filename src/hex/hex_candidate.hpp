@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an attempt made, and which of two is better.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "crossgrain/hex_mesh.hpp"
+#include "crossgrain/hex_report.hpp"
+
+namespace crossgrain {
+
+/// Hexahedra with what they are judged by.
+struct MadeHexahedra {
+  HexMesh mesh;
+  HexReport::Quality quality;
+  bool fills = false;        ///< they close up to a surface near that of the model
+  bool is_coarse = false;    ///< far fewer than would fill the model at the size asked for
+  double volume_missed = 0;  ///< |their volume / that of the model - 1|
+
+  bool are_complete() const { return fills && quality.inverted == 0; }
+};
+
+struct MappableField;
+struct FollowingMap;
+
+/// Seconds of the steps of an attempt.
+struct HexSeconds {
+  double repair = 0, map = 0, extraction = 0, smoothing = 0;
+
+  double sum() const { return repair + map + extraction + smoothing; }
+};
+
+/// What an attempt made: perhaps a mesh; if that follows a field, the field and perhaps the map.
+struct HexCandidate {
+  HexAttempt attempt;
+  double asked_size = 0;  ///< of the hexahedra
+  std::size_t round = 0;  ///< AttemptQueue::round of the field or tets
+  std::optional<MadeHexahedra> made = {};
+  std::shared_ptr<const MappableField> mappable = {};
+  std::shared_ptr<const FollowingMap> following = {};
+  HexSeconds seconds = {};
+
+  /// Whether the hexahedra fill the model, and are not far fewer than asked for.
+  bool is_filled() const { return made && made->are_complete() && !made->is_coarse; }
+};
+
+/// Whether a candidate is worth more than another: first one that fills the model, with a worst scaled
+/// Jacobian of at least `least_quality`; then one that is complete; then one with hexahedra, those that miss
+/// less of the volume first; then one with a map; then a field with fewer faults and fewer arcs without
+/// length.
+bool is_better(const HexCandidate& candidate, const HexCandidate& other, double least_quality);
+
+/// Whether nothing better is looked for.
+bool is_good(const HexCandidate& candidate, double least_quality);
+
+}  // namespace crossgrain

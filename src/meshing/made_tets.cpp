@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meshing/made_tets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/stopwatch.hpp"
+#include "base/vector3.hpp"
+#include "crossgrain/error.hpp"
+#include "crossgrain/read_limits.hpp"
+#include "crossgrain/repair.hpp"
+#include "crossgrain/solve.hpp"
+#include "hex/hex_making.hpp"
+#include "hex/work.hpp"
+#include "solve/tet_domain_data.hpp"
+#include "tets/tet_shape.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// Returns how tets of a share of the first size are made.
+TetMakingTuning tet_options(const HexMeshingOptions& options, const MeshingTuning& tuning, double share) {
+  TetMakingTuning result{options.tets};
+  if (result.size == 0) {
+    const HexOptions& hexahedra = options.hexahedra;
+    result.size = hexahedra.size;
+    if (hexahedra.size == 0) result.edges = std::max(result.edges, hexahedra.cells);
+    result.at_least_edges = true;
+    share *= tuning.tet_edge;
+  }
+  result.size *= share;
+  result.edges /= share;
+  result.crease_angle_deg = options.solve.creases.least_deg;
+  result.max_memory_bytes = options.solve.max_memory_bytes;
+  return result;
+}
+
+/// Returns the size that `make_tets` takes.
+double size_of(const TetMakingTuning& options, const TetDomain& domain) {
+  const double of_edges = longest_side(domain.data().box) / options.edges;
+  if (options.size == 0) return of_edges;
+  return options.at_least_edges ? std::min(options.size, of_edges) : options.size;
+}
+
+bool are_same(const TetDomain& tets, const TetDomain& other) {
+  return other.mesh().vertices == tets.mesh().vertices && other.mesh().tets == tets.mesh().tets;
+}
+
+}  // namespace
+
+TetDomain prepared(const TetDomain& domain, const HexMeshingOptions& options) {
+  check_repairable(domain);
+  if (domain.preparation()) return domain;
+  return domain.prepared_for_map({.unite_solids = options.solve.unite_solids});
+}
+
+TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOptions& options, bool warns,
+                    const Monitor& monitor) {
+  const ReadLimits limits(monitor, options.solve.max_memory_bytes);
+  TetMesh mesh = make();
+  if (warns && options.on_warning)
+    for (const Warning& warning : mesh.warnings) options.on_warning(warning);
+  return prepared(TetDomain(std::move(mesh), options.tags), options);
+}
+
+StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, const Monitor& monitor) {
+  if (options.on_expected) {
+    const HexOptions& of = options.hexahedra;
+    const double size = of.size > 0 ? of.size : longest_side(domain.data().box) / of.cells;
+    options.on_expected({domain.mesh().tets.size(), size, volume_of(domain.mesh()) / std::pow(size, 3)});
+  }
+  TetFrameField field = solve_onto(domain, options.solve, monitor);
+  monitor.check_stop();
+  return starting_field(std::move(field), options.hexahedra);
+}
+
+std::optional<Turn> MadeTets::next(const AttemptQueue& queue) const {
+  if (at_ == tuning_.tet_shares.size() || sizes_ == tuning_.most_sizes) return std::nullopt;
+  return Turn{queue.rounds(), Turn::Step::kTets};
+}
+
+std::vector<HexCandidate> MadeTets::make(AttemptQueue& queue) {
+  Stopwatch stopwatch;
+  stopwatch.start();
+  HexCandidate made;
+  const std::optional<TetDomain> domain = next_domain(queue.monitor(), made.attempt);
+  if (!domain) return {};
+  made.round = queue.rounds();
+  StartingField start = solved_on(*domain, options_, queue.monitor());
+  start.work_share = tuning_.work_share;
+  queue.start_on(std::move(start));
+  made.attempt.work = kTetWork * static_cast<double>(made.attempt.tets);
+  made.attempt.seconds = stopwatch.restart();
+  return {std::move(made)};
+}
+
+/// The first of the next sizes whose tets are not those of an earlier one, nor too many: where the first
+/// size has too many, the coarsest comes next.
+std::optional<TetDomain> MadeTets::next_domain(const Monitor& monitor, HexAttempt& attempt) {
+  const std::vector<double>& shares = tuning_.tet_shares;
+  const double coarsest = *std::max_element(shares.begin(), shares.end());
+  while (at_ < shares.size()) {
+    const double share = shares[at_++];
+    if (share < large_share_) continue;
+    auto domain = domain_of(share, share == coarsest, monitor, attempt);
+    if (!domain && sizes_ == 0) domain = domain_of(coarsest, true, monitor, attempt);
+    if (domain) return domain;
+  }
+  return std::nullopt;
+}
+
+std::optional<TetDomain> MadeTets::domain_of(double share, bool may_be_large, const Monitor& monitor,
+                                             HexAttempt& attempt) {
+  Stopwatch stopwatch;
+  stopwatch.start();
+  const TetMakingTuning making = tet_options(options_, tuning_, share);
+  ++sizes_;  // also if this fails
+  const bool warns = !std::exchange(has_warned_, true);
+  TetDomain domain = crossgrain::domain_of([&] { return make_(making, monitor); }, options_, warns, monitor);
+  attempt.tet_size = size_of(making, domain);
+  attempt.tets = domain.mesh().tets.size();
+  attempt.tet_seconds += stopwatch.restart();
+  const bool is_known = std::any_of(domains_.begin(), domains_.end(),
+                                    [&](const TetDomain& other) { return are_same(domain, other); });
+  const bool is_large = !may_be_large && attempt.tets > tuning_.large_tets;
+  if (is_large) large_share_ = std::max(large_share_, share);
+  if (is_known || is_large) {
+    --sizes_;
+    return std::nullopt;
+  }
+  domains_.push_back(domain);
+  return domain;
+}
+
+}  // namespace crossgrain

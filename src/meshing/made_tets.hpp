@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "crossgrain/hex_meshing.hpp"
+#include "hex/attempt_queue.hpp"
+#include "meshing/meshing_tuning.hpp"
+#include "tet_making/tet_making_tuning.hpp"
+
+namespace crossgrain {
+
+using MakeTets = std::function<TetMesh(const TetMakingTuning& options, const Monitor& monitor)>;
+
+/// Attempts at tets of one size after the other, with a field on them: each begins a round.
+class MadeTets : public AttemptKind {
+ public:
+  /// The options and the tuning must outlive the object.
+  MadeTets(MakeTets make, const HexMeshingOptions& options, const MeshingTuning& tuning)
+      : make_(std::move(make)), options_(options), tuning_(tuning) {}
+
+  const char* name() const override { return "tets"; }
+  std::optional<Turn> next(const AttemptQueue& queue) const override;
+  std::vector<HexCandidate> make(AttemptQueue& queue) override;
+
+ private:
+  std::optional<TetDomain> next_domain(const Monitor& monitor, HexAttempt& attempt);
+  std::optional<TetDomain> domain_of(double share, bool may_be_large, const Monitor& monitor,
+                                     HexAttempt& attempt);
+
+  MakeTets make_;
+  const HexMeshingOptions& options_;
+  const MeshingTuning& tuning_;
+  std::size_t sizes_ = 0;   ///< that were tried
+  std::size_t at_ = 0;      ///< the next of MeshingTuning::tet_shares
+  double large_share_ = 0;  ///< finer sizes than this have too many tets
+  bool has_warned_ = false;
+  std::vector<TetDomain> domains_;  ///< of all rounds
+};
+
+/// Returns tets ready for a solve that leads to hexahedra; those that are not are prepared for a map.
+TetDomain prepared(const TetDomain& domain, const HexMeshingOptions& options);
+
+/// Returns a mesh of tets likewise; hands its warnings out if asked to.
+TetDomain domain_of(const std::function<TetMesh()>& make, const HexMeshingOptions& options, bool warns,
+                    const Monitor& monitor);
+
+/// Solves on tets, for a round of the queue.
+StartingField solved_on(const TetDomain& domain, const HexMeshingOptions& options, const Monitor& monitor);
+
+}  // namespace crossgrain

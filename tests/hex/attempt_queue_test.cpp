@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hex/attempt_queue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "crossgrain/error.hpp"
+
+namespace crossgrain {
+namespace {
+
+/// A candidate of one hexahedron that fills the model, or misses a share of its volume.
+HexCandidate candidate_that_misses(double share) {
+  HexCandidate candidate;
+  candidate.made.emplace();
+  candidate.made->mesh.hexahedra = {{0, 1, 2, 3, 4, 5, 6, 7}};
+  candidate.made->fills = share == 0;
+  candidate.made->quality.least = 1;
+  candidate.made->volume_missed = share;
+  candidate.attempt.work = 10;
+  return candidate;
+}
+
+/// A kind whose attempts give candidates of a list, each due at its turn; an empty one fails.
+class Dummy : public AttemptKind {
+ public:
+  struct Planned {
+    Turn turn;
+    std::vector<double> shares;
+  };
+
+  Dummy(std::string name, std::vector<Planned> planned)
+      : name_(std::move(name)), planned_(std::move(planned)) {}
+
+  const char* name() const override { return name_.c_str(); }
+
+  std::optional<Turn> next(const AttemptQueue&) const override {
+    if (at_ == planned_.size()) return std::nullopt;
+    return planned_[at_].turn;
+  }
+
+  std::vector<HexCandidate> make(AttemptQueue&) override {
+    const std::vector<double>& shares = planned_[at_++].shares;
+    if (shares.empty()) throw Error(ErrorKind::kLimit, "no memory for this one");
+    std::vector<HexCandidate> candidates;
+    for (const double share : shares) candidates.push_back(candidate_that_misses(share));
+    return candidates;
+  }
+
+ private:
+  std::string name_;
+  std::vector<Planned> planned_;
+  std::size_t at_ = 0;
+};
+
+using Step = Turn::Step;
+
+constexpr double kPlenty = 1e9;
+
+std::vector<std::string> kinds_of(const AttemptQueue& queue) {
+  std::vector<std::string> kinds;
+  for (const HexAttempt& attempt : queue.attempts()) kinds.push_back(attempt.kind);
+  return kinds;
+}
+
+TEST(AttemptQueue, TakesAFurtherKindByOneLine) {
+  const Monitor monitor;
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(std::make_unique<Dummy>("lattice", std::vector<Dummy::Planned>{{{0, Step::kTets}, {0}}}));
+  queue.run();
+  ASSERT_NE(queue.best(), nullptr);
+  EXPECT_TRUE(queue.best()->is_filled());
+  EXPECT_EQ(queue.attempts().front().kind, "lattice");
+  EXPECT_EQ(queue.attempts().front().outcome, HexOutcome::kAllHex);
+}
+
+TEST(AttemptQueue, MakesWhatIsDueFirstWhicheverKindItIs) {
+  const Monitor monitor;
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(std::make_unique<Dummy>(
+      "a", std::vector<Dummy::Planned>{{{0, Step::kRepair}, {0.5}}, {{2, Step::kTets}, {0.5}}}));
+  queue.add(std::make_unique<Dummy>(
+      "b", std::vector<Dummy::Planned>{{{0, Step::kTets}, {0.5}}, {{0, Step::kRepair}, {0.5}}}));
+  queue.run();
+  // Of two that are due at the same time, the kind that was added first.
+  EXPECT_EQ(kinds_of(queue), (std::vector<std::string>{"b", "a", "b", "a"}));
+}
+
+TEST(AttemptQueue, EndsWithTheFirstGoodCandidate) {
+  const Monitor monitor;
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(std::make_unique<Dummy>(
+      "a", std::vector<Dummy::Planned>{
+               {{0, Step::kRepair}, {0.5}}, {{0, Step::kRepair}, {0}}, {{0, Step::kRepair}, {0}}}));
+  queue.run();
+  EXPECT_EQ(queue.attempts().size(), 2u);
+  EXPECT_EQ(queue.best_attempt(), 1u);
+}
+
+TEST(AttemptQueue, KeepsTheCandidateThatMissesTheLeastVolume) {
+  const Monitor monitor;
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(std::make_unique<Dummy>("a", std::vector<Dummy::Planned>{{{0, Step::kRepair}, {0.5, 0.2, 0.3}}}));
+  queue.run();
+  EXPECT_EQ(queue.best()->made->volume_missed, 0.2);
+  EXPECT_EQ(queue.best_attempt(), 1u);
+  EXPECT_EQ(queue.attempts().size(), 3u);
+}
+
+TEST(AttemptQueue, EndsOnceItsWorkIsDone) {
+  const Monitor monitor;
+  AttemptQueue queue(/*most_work=*/20, 0, monitor);
+  queue.add(std::make_unique<Dummy>(
+      "a", std::vector<Dummy::Planned>(5, Dummy::Planned{{0, Step::kRepair}, {0.5}})));
+  queue.run();
+  EXPECT_EQ(queue.attempts().size(), 2u);
+}
+
+TEST(AttemptQueue, ReportsAFailureAndGoesOn) {
+  const Monitor monitor;
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(std::make_unique<Dummy>(
+      "a", std::vector<Dummy::Planned>{
+               {{0, Step::kRepair}, {0.5}}, {{0, Step::kRepair}, {}}, {{0, Step::kRepair}, {0}}}));
+  queue.run();
+  EXPECT_EQ(queue.attempts()[1].failure, "no memory for this one");
+  EXPECT_TRUE(queue.best()->is_filled());
+}
+
+TEST(AttemptQueue, ThrowsAFailureBeforeThereIsAMesh) {
+  const Monitor monitor;
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(std::make_unique<Dummy>("a", std::vector<Dummy::Planned>{{{0, Step::kRepair}, {}}}));
+  EXPECT_THROW(queue.run(), Error);
+}
+
+TEST(AttemptQueue, EndsWhenTheMonitorIsStopped) {
+  Monitor monitor;
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(std::make_unique<Dummy>("a", std::vector<Dummy::Planned>{{{0, Step::kRepair}, {0}}}));
+  monitor.stop();
+  EXPECT_THROW(queue.run(), Error);
+  EXPECT_TRUE(queue.attempts().empty());
+}
+
+TEST(AttemptQueue, TellsAttemptAndBestSoFarInItsProgress) {
+  std::vector<Progress> heard;
+  const Monitor monitor([&](const Progress& progress) { heard.push_back(progress); });
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(std::make_unique<Dummy>("a", std::vector<Dummy::Planned>{{{0, Step::kRepair}, {0.5}}}));
+  queue.monitor().report({Phase::kRepair, 0, 5, 0, 0});
+  queue.run();
+  queue.monitor().report({Phase::kHexahedra, 0, 5, 0, 0});
+  ASSERT_EQ(heard.size(), 2u);
+  EXPECT_EQ(heard[0].attempt, 1u);
+  EXPECT_EQ(heard[0].hexahedra, 0u);
+  EXPECT_EQ(heard[1].attempt, 2u);
+  EXPECT_EQ(heard[1].hexahedra, 1u);
+  EXPECT_FALSE(heard[1].is_whole);
+}
+
+}  // namespace
+}  // namespace crossgrain
