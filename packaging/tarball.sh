@@ -11,7 +11,7 @@ stage="$folder/tarball" tree="$folder/tarball/$name" lib="$folder/tarball/$name/
 
 install_components() {
   local component
-  for component in core hex files io meshing page picture program cad; do
+  for component in core hex files io meshing display page picture program cad; do
     cmake --install "$folder" --component "$component" --prefix "$tree" --strip >/dev/null
   done
   # One folder for our libraries and those of Debian.

@@ -14,7 +14,7 @@ newest_allowed="GLIBC=2.36 GLIBCXX=3.4.30 CXXABI=1.3.13 GCC=12.0.0"
 
 install_components() {
   local component
-  for component in core hex files io meshing page picture c python cad; do
+  for component in core hex files io meshing display page picture c python cad; do
     cmake --install "$folder" --component "$component" --prefix "$stage/prefix" --strip >/dev/null
   done
   mkdir -p "$lib"
