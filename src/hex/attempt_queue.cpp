@@ -72,6 +72,7 @@ void AttemptQueue::add(const AttemptKind& kind, HexCandidate candidate) {
   seconds_.extraction += seconds.extraction;
   seconds_.smoothing += seconds.smoothing;
   if (attempt.seconds == 0) attempt.seconds = seconds.sum();
+  candidate.number = attempts_.size();
   attempts_.push_back(attempt);
   if (candidate.made || candidate.mappable)
     keep_if_better(std::make_shared<const HexCandidate>(std::move(candidate)));
@@ -81,20 +82,18 @@ void AttemptQueue::keep_if_better(const std::shared_ptr<const HexCandidate>& can
   if (is_done()) return;
   const std::size_t round = candidate->round;
   if (of_rounds_.size() <= round) of_rounds_.resize(round + 1);
-  const auto beats = [&](const std::shared_ptr<const HexCandidate>& other) {
-    return !other || is_better(*candidate, *other, least_quality_);
-  };
-  if (beats(of_rounds_[round])) of_rounds_[round] = candidate;
-  if (!beats(best_)) return;
-  best_ = candidate;
-  best_attempt_ = attempts_.size() - 1;
+  if (of_rounds_[round] && !is_better_in_round(*candidate, *of_rounds_[round], least_quality_)) return;
+  of_rounds_[round] = candidate;
+  best_.reset();
+  for (const auto& one : of_rounds_)
+    if (one && (!best_ || is_better(*one, *best_, least_quality_))) best_ = one;
 }
 
 void AttemptQueue::start_on(StartingField field) {
   start_ = std::move(field);
   // Of earlier rounds only maps that rounding folds are gone on with.
   for (auto& earlier : of_rounds_)
-    if (earlier && !earlier->attempt.is_folded_by_rounding()) earlier.reset();
+    if (earlier && earlier != best_ && !earlier->attempt.is_folded_by_rounding()) earlier.reset();
   ++rounds_;
 }
 

@@ -82,7 +82,7 @@ class AttemptQueue {
   const std::vector<std::shared_ptr<const HexCandidate>>& best_of_rounds() const { return of_rounds_; }
 
   /// Number of the best attempt in attempts().
-  std::size_t best_attempt() const { return best_attempt_; }
+  std::size_t best_attempt() const { return best_ ? best_->number : 0; }
 
   /// All attempts, in the order in which they were made.
   const std::vector<HexAttempt>& attempts() const { return attempts_; }
@@ -108,7 +108,7 @@ class AttemptQueue {
   double most_work_, least_quality_, work_ = 0;
   Monitor monitor_;
   std::vector<std::unique_ptr<AttemptKind>> kinds_;
-  std::size_t rounds_ = 0, best_attempt_ = 0;
+  std::size_t rounds_ = 0;
   std::optional<StartingField> start_;
   std::shared_ptr<const HexCandidate> best_;
   std::vector<std::shared_ptr<const HexCandidate>> of_rounds_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hex/hex_candidate.hpp"
 
+#include <cstdint>
 #include <tuple>
 
 namespace crossgrain {
@@ -9,12 +10,20 @@ bool is_good(const HexCandidate& candidate, double least_quality) {
   return candidate.is_filled() && candidate.made->quality.least >= least_quality;
 }
 
+bool is_better_in_round(const HexCandidate& candidate, const HexCandidate& other, double least_quality) {
+  const auto rank = [&](const HexCandidate& of) {
+    const auto& made = of.made;
+    return std::tuple(!is_good(of, least_quality), !of.is_filled(), !(made && made->are_complete()),
+                      !(made && made->fills), made ? made->left_out + made->quality.inverted : SIZE_MAX,
+                      of.attempt.faults, of.attempt.arcs_without_length);
+  };
+  return rank(candidate) < rank(other);
+}
+
 bool is_better(const HexCandidate& candidate, const HexCandidate& other, double least_quality) {
   const auto rank = [&](const HexCandidate& of) {
-    const bool has_mesh = of.made && !of.made->mesh.hexahedra.empty();
-    return std::tuple(!is_good(of, least_quality), !(has_mesh && of.made->are_complete()), !has_mesh,
-                      has_mesh ? of.made->volume_missed : 0, !of.made, of.attempt.faults,
-                      of.attempt.arcs_without_length);
+    return std::tuple(!is_good(of, least_quality), !(of.made && of.made->are_complete()),
+                      of.made ? of.made->volume_missed : 1);
   };
   return rank(candidate) < rank(other);
 }

@@ -18,6 +18,7 @@ struct MadeHexahedra {
   bool fills = false;        ///< they close up to a surface near that of the model
   bool is_coarse = false;    ///< far fewer than would fill the model at the size asked for
   double volume_missed = 0;  ///< |their volume / that of the model - 1|
+  std::size_t left_out = 0;  ///< cells of the grid
 
   bool are_complete() const { return fills && quality.inverted == 0; }
 };
@@ -35,8 +36,9 @@ struct HexSeconds {
 /// What an attempt made: perhaps a mesh; if that follows a field, the field and perhaps the map.
 struct HexCandidate {
   HexAttempt attempt;
-  double asked_size = 0;  ///< of the hexahedra
-  std::size_t round = 0;  ///< AttemptQueue::round of the field or tets
+  double asked_size = 0;   ///< of the hexahedra
+  std::size_t round = 0;   ///< of the queue, that its field or tets belong to
+  std::size_t number = 0;  ///< in AttemptQueue::attempts
   std::optional<MadeHexahedra> made = {};
   std::shared_ptr<const MappableField> mappable = {};
   std::shared_ptr<const FollowingMap> following = {};
@@ -46,10 +48,13 @@ struct HexCandidate {
   bool is_filled() const { return made && made->are_complete() && !made->is_coarse; }
 };
 
-/// Whether a candidate is worth more than another: first one that fills the model, with a worst scaled
-/// Jacobian of at least `least_quality`; then one that is complete; then one with hexahedra, those that miss
-/// less of the volume first; then one with a map; then a field with fewer faults and fewer arcs without
-/// length.
+/// Whether a candidate is worth more than another of the same round: first one that is good; then one that
+/// fills the model; then one that is complete; then one that closes up; then the one with fewer hexahedra
+/// left out or inverted; then a field with fewer faults and fewer arcs without length.
+bool is_better_in_round(const HexCandidate& candidate, const HexCandidate& other, double least_quality);
+
+/// Whether a candidate is worth more than another of an earlier round: first one that is good; then one that
+/// is complete; then the one that misses less of the volume.
 bool is_better(const HexCandidate& candidate, const HexCandidate& other, double least_quality);
 
 /// Whether nothing better is looked for.

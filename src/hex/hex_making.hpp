@@ -15,7 +15,7 @@ void check_options(const HexOptions& options);
 StartingField starting_field(TetFrameField field, const HexOptions& options);
 
 /// Adds the kinds of attempts that go on with a field. The tuning must outlive the queue.
-void add_kinds_on_fields(const HexTuning& tuning, AttemptQueue& queue);
+void add_kinds_on_fields(const HexOptions& options, const HexTuning& tuning, AttemptQueue& queue);
 
 /// Returns the best of a queue that has a mesh, with the report of all attempts.
 Hexahedra best_hexahedra(const AttemptQueue& queue);

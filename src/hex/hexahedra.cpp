@@ -56,10 +56,10 @@ StartingField starting_field(TetFrameField field, const HexOptions& options) {
   return {std::move(field), options.size > 0 ? options.size : longest / options.cells};
 }
 
-void add_kinds_on_fields(const HexTuning& tuning, AttemptQueue& queue) {
+void add_kinds_on_fields(const HexOptions& options, const HexTuning& tuning, AttemptQueue& queue) {
   queue.add(std::make_unique<RepairedFields>(tuning));
   queue.add(std::make_unique<PartOfModel>(tuning));
-  queue.add(std::make_unique<SmallerHexahedra>(tuning));
+  queue.add(std::make_unique<SmallerHexahedra>(options, tuning));
 }
 
 Hexahedra best_hexahedra(const AttemptQueue& queue) {
@@ -103,7 +103,7 @@ Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const
   const ThreadLimit limit(options.threads);
   AttemptQueue queue(tuning.most_work, tuning.least_quality, monitor);
   const WatchedLoops watched(queue.monitor(), Stops::kHeeded);
-  add_kinds_on_fields(tuning, queue);
+  add_kinds_on_fields(options, tuning, queue);
   queue.start_on(starting_field(field, options));
   queue.run();
   return best_hexahedra(queue);

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "hex/field_mapping.hpp"
+#include "hex/hex_making.hpp"
 #include "hex/mapped_field.hpp"
-#include "solve/tet_domain_data.hpp"
 
 namespace crossgrain {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 /// So many more rounds come before smaller hexahedra.
 constexpr std::size_t kRoundsBefore = 1;
 
-bool may_go_on(const HexCandidate& candidate) {
-  return candidate.made && candidate.attempt.is_folded_by_rounding() && !candidate.is_filled();
+bool may_go_on(const HexCandidate& candidate, double least_quality) {
+  return candidate.made && candidate.attempt.is_folded_by_rounding() && !is_good(candidate, least_quality);
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ bool may_go_on(const HexCandidate& candidate) {
 std::size_t SmallerHexahedra::next_round(const AttemptQueue& queue) const {
   const auto& best = queue.best_of_rounds();
   std::size_t round = rounds_;
-  while (round < best.size() && !(best[round] && may_go_on(*best[round]))) ++round;
+  while (round < best.size() && !(best[round] && may_go_on(*best[round], queue.least_quality()))) ++round;
   return round;
 }
 
@@ -40,7 +40,8 @@ std::vector<HexCandidate> SmallerHexahedra::make(AttemptQueue& queue) {
     turn_ = next(queue);
     rounds_ = next_round(queue);
     best_ = *queue.best_of_rounds()[rounds_];
-    size_ = best_->asked_size;
+    // Vertices of the repaired tets have moved, those of the box by rounding too.
+    size_ = starting_field(best_->mappable->field, options_).size;
     sizes_ = 0;
   }
   queue.monitor().report(
@@ -51,8 +52,8 @@ std::vector<HexCandidate> SmallerHexahedra::make(AttemptQueue& queue) {
   size_ *= tuning_.smaller_share;
   const bool is_last = ++sizes_ == tuning_.smaller_sizes;
   HexCandidate candidate = mapped_candidate(base, size_, tuning_);
-  if (is_better(candidate, *best_, queue.least_quality())) best_ = candidate;
-  if (is_last || !may_go_on(*best_)) {
+  if (is_better_in_round(candidate, *best_, queue.least_quality())) best_ = candidate;
+  if (is_last || !may_go_on(*best_, queue.least_quality())) {
     best_.reset();
     ++rounds_;
   }

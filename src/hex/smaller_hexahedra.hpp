@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "crossgrain/hexahedra.hpp"
 #include "hex/attempt_queue.hpp"
 #include "hex/hex_tuning.hpp"
 
@@ -16,7 +17,7 @@ namespace crossgrain {
 class SmallerHexahedra : public AttemptKind {
  public:
   /// The tuning must outlive the object.
-  explicit SmallerHexahedra(const HexTuning& tuning) : tuning_(tuning) {}
+  SmallerHexahedra(const HexOptions& options, const HexTuning& tuning) : options_(options), tuning_(tuning) {}
 
   const char* name() const override { return "smaller hexahedra"; }
   std::optional<Turn> next(const AttemptQueue& queue) const override;
@@ -25,6 +26,7 @@ class SmallerHexahedra : public AttemptKind {
  private:
   std::size_t next_round(const AttemptQueue& queue) const;
 
+  const HexOptions options_;
   const HexTuning& tuning_;
   std::size_t rounds_ = 0;            ///< that were gone on with, or need not be
   std::optional<Turn> turn_;          ///< of the round that is gone on with

@@ -35,7 +35,7 @@ Hexahedra made_by_attempts(const Begin& begin, const HexMeshingOptions& options,
   Stopwatch stopwatch;
   stopwatch.start();
   AttemptQueue queue(tuning.most_work, tuning.least_quality, monitor);
-  add_kinds_on_fields(tuning, queue);
+  add_kinds_on_fields(options.hexahedra, tuning, queue);
   double tet_seconds = begin(queue);
   {
     const WatchedLoops watched(queue.monitor(), Stops::kHeeded);

@@ -21,6 +21,7 @@ HexCandidate candidate_that_misses(double share) {
   candidate.made->fills = share == 0;
   candidate.made->quality.least = 1;
   candidate.made->volume_missed = share;
+  candidate.made->left_out = static_cast<std::size_t>(100 * share);
   candidate.attempt.work = 10;
   return candidate;
 }
@@ -44,10 +45,14 @@ class Dummy : public AttemptKind {
   }
 
   std::vector<HexCandidate> make(AttemptQueue&) override {
+    const std::size_t round = planned_[at_].turn.round;
     const std::vector<double>& shares = planned_[at_++].shares;
     if (shares.empty()) throw Error(ErrorKind::kLimit, "no memory for this one");
     std::vector<HexCandidate> candidates;
-    for (const double share : shares) candidates.push_back(candidate_that_misses(share));
+    for (const double share : shares) {
+      candidates.push_back(candidate_that_misses(share));
+      candidates.back().round = round;
+    }
     return candidates;
   }
 
@@ -101,14 +106,32 @@ TEST(AttemptQueue, EndsWithTheFirstGoodCandidate) {
   EXPECT_EQ(queue.best_attempt(), 1u);
 }
 
-TEST(AttemptQueue, KeepsTheCandidateThatMissesTheLeastVolume) {
+TEST(AttemptQueue, KeepsTheCandidateOfARoundThatLeavesOutTheFewest) {
   const Monitor monitor;
   AttemptQueue queue(kPlenty, 0, monitor);
   queue.add(std::make_unique<Dummy>("a", std::vector<Dummy::Planned>{{{0, Step::kRepair}, {0.5, 0.2, 0.3}}}));
   queue.run();
-  EXPECT_EQ(queue.best()->made->volume_missed, 0.2);
+  EXPECT_EQ(queue.best()->made->left_out, 20u);
   EXPECT_EQ(queue.best_attempt(), 1u);
   EXPECT_EQ(queue.attempts().size(), 3u);
+}
+
+TEST(AttemptQueue, TakesAGoodMeshAfterAPoorOneOfTheSameRound) {
+  HexCandidate poor = candidate_that_misses(0), good = poor;
+  poor.made->quality.least = 0.01;
+  EXPECT_TRUE(is_better_in_round(good, poor, 0.05));
+  EXPECT_FALSE(is_better_in_round(poor, good, 0.05));
+}
+
+TEST(AttemptQueue, KeepsTheRoundThatMissesTheLeastVolume) {
+  const Monitor monitor;
+  AttemptQueue queue(kPlenty, 0, monitor);
+  queue.add(std::make_unique<Dummy>(
+      "a", std::vector<Dummy::Planned>{
+               {{0, Step::kRepair}, {0.5}}, {{1, Step::kRepair}, {0.2}}, {{2, Step::kRepair}, {0.3}}}));
+  queue.run();
+  EXPECT_EQ(queue.best()->made->volume_missed, 0.2);
+  EXPECT_EQ(queue.best()->round, 1u);
 }
 
 TEST(AttemptQueue, EndsOnceItsWorkIsDone) {
