@@ -18,6 +18,8 @@
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
+#include "crossgrain/field_parts.hpp"
+#include "crossgrain/page.hpp"
 #include "crossgrain/processes.hpp"
 #include "crossgrain/version.hpp"
 #include "messages.hpp"
@@ -157,9 +159,17 @@ void print_work(const std::vector<Processes::Work>& work) {
 int solve(Team& team, Processes& processes, const SolveArguments& arguments) {
   const CheckpointFolders checkpoint{arguments.checkpoint, 60 * arguments.checkpoint_minutes,
                                      arguments.restart};
-  const SolveOnGrid together = [&team, &checkpoint](const FrameField* earlier, const TriangleMesh& mesh,
-                                                    const SolveOptions& options, const Monitor& monitor) {
-    return team.solve(earlier, mesh, options, monitor, checkpoint);
+  const SolveOnGrid together = [&](const FrameField* earlier, const TriangleMesh& mesh,
+                                   const SolveOptions& options, const Monitor& monitor) -> GridField {
+    std::optional<FrameField> field = team.solve(earlier, mesh, options, monitor, checkpoint);
+    if (!field) return {};
+    // Only the first process carries a field onto tets, or clips it.
+    const bool has_tets = solves_tets(arguments) || !arguments.onto.empty();
+    if (has_tets || arguments.output_options.clip) {
+      const std::optional<FrameField> whole = whole_of_parts(*std::move(field));
+      return {whole, whole};
+    }
+    return {field, arguments.page ? thinned_from_parts(*field, kMostCellsOfPage) : std::nullopt};
   };
   if (processes.rank() == 0) return run_solve(arguments, together);
   help_solve(arguments, together);

@@ -10,19 +10,24 @@
 
 namespace crossgrain::app {
 
+/// A field on the grid, as one process writes it.
+struct GridField {
+  std::optional<FrameField> cells;  ///< those that this process writes; none: it writes none
+  std::optional<FrameField> shown;  ///< a field for the page, in the first process
+};
+
 /// Computes the field on the grid, from an earlier one unless that is null.
-using SolveOnGrid =
-    std::function<std::optional<FrameField>(const FrameField* earlier, const TriangleMesh& mesh,
+using SolveOnGrid = std::function<GridField(const FrameField* earlier, const TriangleMesh& mesh,
                                             const SolveOptions& options, const Monitor& monitor)>;
 
 // Each runs a command with its arguments and throws Error on failure.
 
 /// Solves and writes the field; prints a summary on standard output, progress on standard error. Returns the
 /// exit code: that of an interruption if a stop left the field unfinished. `together`, unless empty, solves
-/// with other processes; it returns a field, whole or in parts, and cannot be stopped at a finished level.
+/// with other processes, and cannot be stopped at a finished level.
 int run_solve(const SolveArguments& arguments, const SolveOnGrid& together = {});
 
-/// Reads the same inputs as run_solve in another process, solves with it, and writes its part of the field.
+/// Reads the same inputs as run_solve in another process, solves with it, and writes its cells.
 /// Prints nothing.
 void help_solve(const SolveArguments& arguments, const SolveOnGrid& together);
 

@@ -14,7 +14,6 @@
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/field_parts.hpp"
 #include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/message.hpp"
 #include "crossgrain/page.hpp"
@@ -126,22 +125,11 @@ void check_same_unit(const SolveArguments& arguments, const TriangleMesh& surfac
                                   Remedy::kMatchUnits});
 }
 
-std::optional<FrameField> solve_alone(const FrameField* earlier, const TriangleMesh& mesh,
-                                      const SolveOptions& options, const Monitor& monitor) {
-  return earlier == nullptr ? solve(mesh, options, monitor) : solve_from(*earlier, mesh, options, monitor);
-}
-
-std::optional<FrameField> solve_model(const SolveArguments& arguments, const SolveOptions& options,
-                                      const TriangleMesh& mesh, const Monitor& monitor,
-                                      const SolveOnGrid& on_grid) {
-  return naming(arguments.model, [&] {
-    if (arguments.from.empty()) return on_grid(nullptr, mesh, options, monitor);
-    const FrameField earlier = [&] {
-      const ReadLimits limits(monitor, options.max_memory_bytes);
-      return read_field(arguments.from);
-    }();
-    return on_grid(&earlier, mesh, options, monitor);
-  });
+GridField solve_alone(const FrameField* earlier, const TriangleMesh& mesh, const SolveOptions& options,
+                      const Monitor& monitor) {
+  const FrameField field =
+      earlier == nullptr ? solve(mesh, options, monitor) : solve_from(*earlier, mesh, options, monitor);
+  return {field, field};
 }
 
 std::string expected_line(const Expectation& expected) {
@@ -177,27 +165,8 @@ void announce_stop(const std::string& what_is_written) {
   print_message("interrupted: writing " + what_is_written + "; press Ctrl-C again to discard it");
 }
 
-/// Returns the field on the tets; none if a stop comes before it is complete.
-std::optional<TetFrameField> carried(const SolveArguments& arguments, const SolveOptions& options,
-                                     const FrameField& field, const TetDomain& domain, const Monitor& monitor,
-                                     const std::function<void()>& leave_line) {
-  if (monitor.stopped()) return std::nullopt;
-  try {
-    Interruption::set_has_field(false);
-    return naming(arguments.onto.empty() ? arguments.model : arguments.onto, [&] {
-      TetFrameField on_tets = carry_onto(field, domain, options, monitor);
-      return arguments.repair ? repaired(on_tets, {}, monitor) : on_tets;
-    });
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::kInterrupted || monitor.cancelled()) throw;
-    leave_line();
-    announce_stop(fmt::format("the field on the grid, {}, and none on the tets", cells_text(field.size())));
-    return std::nullopt;
-  }
-}
-
 struct Inputs {
-  SolveOptions options;  ///< with the constraints, and sized for the tets
+  SolveOptions options;  ///< with the constraints
   std::optional<TetDomain> domain;
   TriangleMesh mesh;
 };
@@ -209,45 +178,27 @@ Inputs read_inputs(const SolveArguments& arguments, const Monitor& monitor, cons
   Inputs inputs{arguments.options, {}, {}};
   inputs.options.for_page = arguments.page;
   if (!arguments.constraints.empty()) inputs.options.constraints = read_constraints(arguments.constraints);
-  // Whoever names a field to start from wants what that becomes.
-  if (!arguments.from.empty()) inputs.options.onto.other_starts.clear();
   inputs.domain = read_domain(arguments, monitor, warn);
   if (inputs.domain && arguments.repair)
     naming(arguments.onto.empty() ? arguments.model : arguments.onto,
            [&] { check_repairable(*inputs.domain); });
-  if (inputs.domain) inputs.options = sized_for(*inputs.domain, std::move(inputs.options));
-  // On tets several grids are compared instead (OntoOptions::other_starts).
-  if (solves_tets(arguments)) inputs.options.solver.decision_cells = 0;
-  inputs.mesh = solves_tets(arguments)
-                    ? inputs.domain->boundary()
-                    : read_surface(arguments.model, read_options(arguments, inputs.options), monitor);
+  if (solves_tets(arguments)) {
+    inputs.mesh = inputs.domain->boundary();
+  } else {
+    const SolveOptions sized = inputs.domain ? sized_for(*inputs.domain, inputs.options) : inputs.options;
+    inputs.mesh = read_surface(arguments.model, read_options(arguments, sized), monitor);
+  }
   for (const Warning& warning : inputs.mesh.warnings) warn(warning);
   if (!arguments.onto.empty()) check_same_unit(arguments, inputs.mesh, *inputs.domain);
   check_clip(arguments, inputs.mesh);
   return inputs;
 }
 
-/// What of a field this process writes, once it is solved. All that solve it call this together.
-struct ToWrite {
-  std::optional<FrameField> cells;  ///< the whole field or a part; none: this process has none
-  std::optional<FrameField> shown;  ///< a field for the page, in the first process
-};
-
-ToWrite gathered_to_write(FrameField field, const SolveArguments& arguments, bool has_tets) {
-  // Only the first process carries a field onto tets, or clips it.
-  const bool is_gathered = has_tets || arguments.output_options.clip;
-  if (!field.is_part() || is_gathered) {
-    const std::optional<FrameField> whole = whole_of_parts(std::move(field));
-    return {whole, whole};
-  }
-  return {field, arguments.page ? thinned_from_parts(field, kMostCellsOfPage) : std::nullopt};
-}
-
 /// What was read, solved, and made of it.
 struct Solved {
   double read_seconds = 0;
   bool has_tets = false;
-  ToWrite to_write;
+  GridField to_write;
   std::optional<TetFrameField> tet_field;
   std::shared_ptr<const Hexahedra> made;
 };
@@ -274,20 +225,55 @@ Solved meshed(const SolveArguments& arguments, const Monitor& monitor, const War
   return {made->field.report().seconds.read, true, {grid, grid}, made->field, made};
 }
 
+/// Solves, and transfers the field to the tets if there are any, unless a stop comes before that is complete.
+void solve_inputs(const SolveArguments& arguments, const Inputs& inputs, const Monitor& monitor,
+                  const std::function<void()>& leave_line, const SolveOnGrid& on_grid, Solved& result) {
+  const SolveOptions& options = inputs.options;
+  const std::optional<TetDomain>& domain = inputs.domain;
+  std::optional<FrameField> earlier = naming(arguments.model, [&]() -> std::optional<FrameField> {
+    if (arguments.from.empty()) return std::nullopt;
+    const ReadLimits limits(monitor, options.max_memory_bytes);
+    return read_field(arguments.from);
+  });
+  bool is_stopped = false;
+  OntoStart start{solves_tets(arguments) ? nullptr : &inputs.mesh, earlier ? &*earlier : nullptr, {}};
+  start.solve = [&](const FrameField* from, const TriangleMesh& surface, const SolveOptions& sized,
+                    const Monitor& heard) {
+    result.to_write = naming(arguments.model, [&] { return on_grid(from, surface, sized, heard); });
+    earlier.reset();  // makes room
+    is_stopped = heard.stopped();
+    if (domain && !is_stopped) Interruption::set_has_field(false);
+    return result.to_write.cells;
+  };
+  if (!domain) {
+    start.solve(start.earlier, inputs.mesh, options, monitor);
+    return;
+  }
+  try {
+    result.tet_field = naming(arguments.onto.empty() ? arguments.model : arguments.onto, [&] {
+      std::optional<TetFrameField> on_tets = solve_onto(*domain, start, options, monitor);
+      return on_tets && arguments.repair ? repaired(*on_tets, {}, monitor) : on_tets;
+    });
+  } catch (const Error& error) {
+    const bool has_grid = result.to_write.cells.has_value();
+    if (error.kind() != ErrorKind::kInterrupted || monitor.cancelled() || !has_grid) throw;
+    if (is_stopped) return;
+    leave_line();
+    announce_stop(fmt::format("the field on the grid, {}, and none on the tets",
+                              cells_text(result.to_write.cells->size())));
+  }
+}
+
 /// Reads, solves, and transfers the field to the tets if there are any.
 Solved solved(const SolveArguments& arguments, Clock::time_point start, const Monitor& monitor,
               const Warn& warn, const std::function<void()>& leave_line, const SolveOnGrid& on_grid) {
   Solved result;
   monitor.report({Phase::kRead, 0, 0, 0, 0});
-  const auto [options, domain, mesh] = read_inputs(arguments, monitor, warn);
+  const Inputs inputs = read_inputs(arguments, monitor, warn);
   result.read_seconds = seconds_since(start);
-  result.has_tets = domain.has_value();
+  result.has_tets = inputs.domain.has_value();
   monitor.check_stop();
-  result.to_write = gathered_to_write(solve_model(arguments, options, mesh, monitor, on_grid).value(),
-                                      arguments, result.has_tets);
-  if (domain)
-    result.tet_field =
-        carried(arguments, options, result.to_write.cells.value(), *domain, monitor, leave_line);
+  solve_inputs(arguments, inputs, monitor, leave_line, on_grid, result);
   return result;
 }
 
@@ -340,14 +326,14 @@ SolveReport solve_and_write(const SolveArguments& arguments,
 void help_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
   const ThreadLimit thread_limit(arguments.options.threads);
   const Monitor monitor;
-  const auto [options, domain, mesh] = read_inputs(arguments, monitor, [](const Warning&) {});
-  const std::optional<FrameField> field = solve_model(arguments, options, mesh, monitor, together);
-  if (!field) return;
-  const ToWrite to_write = gathered_to_write(*field, arguments, domain.has_value());
+  const Inputs inputs = read_inputs(arguments, monitor, [](const Warning&) {});
+  Solved result;
+  solve_inputs(
+      arguments, inputs, monitor, [] {}, together, result);
   OutputOptions output_options = arguments.output_options;
   output_options.formats.clear();
-  if (to_write.cells)
-    write_field(*to_write.cells, field->report(), arguments.output, monitor, output_options);
+  if (const auto& cells = result.to_write.cells)
+    write_field(*cells, cells->report(), arguments.output, monitor, output_options);
 }
 
 int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {

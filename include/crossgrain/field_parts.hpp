@@ -18,7 +18,7 @@ std::optional<FrameField> whole_of_parts(FrameField part);
 
 /// Returns in process 0 a field of at most `most_cells` cells, as far as merging cells gives that: those
 /// deeper than one level of the octree are merged (OutputOptions::level). Its report and its singular graph
-/// are those of the whole field. Nothing in others.
+/// are those of the whole field. Nothing in others. A field that is no part is returned as it is.
 std::optional<FrameField> thinned_from_parts(const FrameField& part, std::size_t most_cells);
 
 /// @}

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
@@ -53,6 +56,27 @@ TetFrameField carry_onto(const FrameField& field, const TetDomain& domain, const
 /// `sized_for`, then `carry_onto`. Errors: those of both.
 TetFrameField solve_onto(const TetDomain& domain, const SolveOptions& options = {},
                          const Monitor& monitor = {});
+
+/// Where a field for tets begins.
+struct OntoStart {
+  /// Surface of the solid that the tets fill; null: their boundary.
+  const TriangleMesh* surface = nullptr;
+
+  /// The field to begin with; null: none. Only what it becomes is carried onto the tets
+  /// (OntoOptions::other_starts).
+  const FrameField* earlier = nullptr;
+
+  /// Called in place of `solve`, or of `solve_from` if there is an earlier field. Whoever solves with other
+  /// processes returns nothing in those that only help.
+  std::function<std::optional<FrameField>(const FrameField* earlier, const TriangleMesh& surface,
+                                          const SolveOptions& options, const Monitor& monitor)>
+      solve;
+};
+
+/// Likewise from a start. Returns nothing if `start.solve` does. A stop after the field on the grid is
+/// complete throws kInterrupted: who wants that field keeps what `start.solve` returns.
+std::optional<TetFrameField> solve_onto(const TetDomain& domain, const OntoStart& start,
+                                        const SolveOptions& options, const Monitor& monitor);
 
 /// @}
 

@@ -18,6 +18,33 @@ namespace {
 /// What the first process says in place of a start.
 constexpr std::byte kNothing{0}, kFailure{1};
 
+Bytes message_of(const LevelStart& s) {
+  Bytes message;
+  append_to(message,
+            std::span<const int>(std::array{s.depth, s.coarsest_depth, static_cast<int>(s.is_uniform),
+                                            static_cast<int>(s.has_field), s.relaxation_sweeps}));
+  append_to(message, std::span(&s.relaxed_cells, 1));
+  append_to(message, std::span(&s.core_size, 1));
+  append_to(message, std::span(&s.expected, 1));
+  append_to(message, std::span<const LevelStatistics>(s.levels));
+  return message;
+}
+
+LevelStart start_in(const Bytes& message) {
+  MessageReader reader(message);
+  LevelStart result;
+  result.depth = reader.take<int>();
+  result.coarsest_depth = reader.take<int>();
+  result.is_uniform = reader.take<int>() != 0;
+  result.has_field = reader.take<int>() != 0;
+  result.relaxation_sweeps = reader.take<int>();
+  result.relaxed_cells = reader.take<std::size_t>();
+  result.core_size = reader.take<double>();
+  result.expected = reader.take<std::optional<Expectation>>();
+  result.levels = reader.take<LevelStatistics>(reader.size() / sizeof(LevelStatistics));
+  return result;
+}
+
 /// Makes a level of own leaves and of ghosts, both in the order of their numbers.
 LevelSharing::Level joined(const RootCube& root, LeafRecords own, const LeafRecords& ghosts,
                            std::uint64_t before) {
@@ -99,64 +126,43 @@ std::uint64_t LevelShares::fewest_leaves() const {
   return exchange_.ranks() > 1 ? kBlockedCells : std::numeric_limits<std::uint64_t>::max();
 }
 
-std::optional<LevelStart> LevelShares::resumed(std::uint64_t identity, LevelVisitor& visitor) {
-  if (checkpoint_ == nullptr) return std::nullopt;
-  auto start = checkpoint_->begin(identity);
-  is_resuming_ = start.has_value();
-  if (start && is_first()) checkpoint_->revisit(visitor);
-  return start;
+std::optional<LevelStart> LevelShares::begin(const Solid& solid, const SolveOptions& options,
+                                             LevelVisitor* visitor) {
+  has_begun_ = !is_first();
+  if (checkpoint_ != nullptr) {
+    if (auto start = checkpoint_->begin(identity_of(solid, options))) {
+      has_begun_ = is_resuming_ = true;
+      if (is_first() && visitor != nullptr) checkpoint_->revisit(*visitor);
+      return start;
+    }
+  }
+  if (is_first()) return std::nullopt;
+  const Bytes told = exchange_.gathered({}).front();
+  if (told.size() > 1) return start_in(told);
+  if (told.front() == kFailure) throw OtherProcessFailed();
+  return std::nullopt;
 }
 
-void LevelShares::keep(const LevelStart& start, const GridLevel& level,
-                       std::span<const StoredQuaternion> frames) {
-  if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_start(start, level, frames);
+void LevelShares::end_alone(bool has_failed) {
+  if (!std::exchange(has_begun_, true)) exchange_.gathered(std::span(has_failed ? &kFailure : &kNothing, 1));
+}
+
+LevelSharing::Level LevelShares::started(const LevelStart& start, Level level, const Solid& solid) {
+  if (!std::exchange(has_begun_, true)) exchange_.gathered(message_of(start));
+  level = shared_out(std::move(level), solid);
+  if (checkpoint_ != nullptr && checkpoint_->keeps())
+    checkpoint_->keep_start(start, level.made.level, level.frames.front());
+  return level;
 }
 
 void LevelShares::keep_seen(int depth, const Bytes& seen) {
-  if (checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_seen(depth, seen);
+  if (is_first() && checkpoint_ != nullptr && checkpoint_->keeps()) checkpoint_->keep_seen(depth, seen);
 }
 
 SweepKeeper* LevelShares::keeper_of(int depth, const Share& share) {
-  if (checkpoint_ == nullptr) return nullptr;
+  if (checkpoint_ == nullptr || share.is_whole()) return nullptr;
   checkpoint_->enter(depth, share);
   return checkpoint_;
-}
-
-std::optional<LevelStart> LevelShares::started(std::optional<LevelStart> start) {
-  Bytes message;
-  if (start) {
-    const LevelStart& s = *start;
-    append_to(message,
-              std::span<const int>(std::array{s.depth, s.coarsest_depth, static_cast<int>(s.is_uniform),
-                                              static_cast<int>(s.has_field), s.relaxation_sweeps}));
-    append_to(message, std::span(&s.relaxed_cells, 1));
-    append_to(message, std::span(&s.core_size, 1));
-    append_to(message, std::span(&s.expected, 1));
-    append_to(message, std::span<const LevelStatistics>(s.levels));
-  } else if (is_first()) {
-    message.push_back(kNothing);
-  }
-  const Bytes told = exchange_.gathered(message).front();
-  if (told.size() == 1) {
-    if (told.front() == kFailure) throw OtherProcessFailed();
-    return std::nullopt;
-  }
-  MessageReader reader(told);
-  LevelStart result;
-  result.depth = reader.take<int>();
-  result.coarsest_depth = reader.take<int>();
-  result.is_uniform = reader.take<int>() != 0;
-  result.has_field = reader.take<int>() != 0;
-  result.relaxation_sweeps = reader.take<int>();
-  result.relaxed_cells = reader.take<std::size_t>();
-  result.core_size = reader.take<double>();
-  result.expected = reader.take<std::optional<Expectation>>();
-  result.levels = reader.take<LevelStatistics>(reader.size() / sizeof(LevelStatistics));
-  return result;
-}
-
-void LevelShares::start_failed() {
-  exchange_.gathered(std::span(&kFailure, 1));
 }
 
 LevelSharing::Level LevelShares::shared_out(Level level, const Solid& solid) {
@@ -284,6 +290,7 @@ LeafRecords LevelShares::found_ghosts(const LeafRecords& own, const RootCube& ro
 
 void LevelShares::complete(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
                            std::span<const ReachedPlace> elsewhere, int finest_depth, Marks& marks) {
+  if (level.share().is_whole()) return;
   std::vector<Bytes> to(ranks());
   for (const ReachedPlace& reached : elsewhere)
     append_to(to[static_cast<std::size_t>(bounds_.owner(reached.place))], std::span(&reached, 1));
@@ -324,6 +331,7 @@ bool LevelShares::agree_on_marks(Marks& marks) {
 }
 
 void LevelShares::update_ghosts(std::span<std::byte> values, std::size_t size) {
+  if (held_by_.empty()) return;  // no level has been shared out
   const auto value = [&](CellIndex leaf) { return values.subspan(leaf * size, size); };
   std::vector<Bytes> to(ranks());
   for (std::size_t r = 0; r < ranks(); ++r)

@@ -34,16 +34,14 @@ class LevelShares : public LevelSharing {
 
   bool is_first() const override { return exchange_.rank() == 0; }
   int processes() const override { return exchange_.ranks(); }
-  bool all(bool here) override { return !any(exchange_, !here); }
   std::uint64_t fewest_leaves() const override;
-  std::optional<LevelStart> resumed(std::uint64_t identity, LevelVisitor& visitor) override;
-  void keep(const LevelStart& start, const GridLevel& level,
-            std::span<const StoredQuaternion> frames) override;
+  std::optional<LevelStart> begin(const Solid& solid, const SolveOptions& options,
+                                  LevelVisitor* visitor) override;
+  void end_alone(bool has_failed) override;
+  Level started(const LevelStart& start, Level level, const Solid& solid) override;
+  Level shared_out(Level level, const Solid& solid) override;
   void keep_seen(int depth, const Bytes& seen) override;
   SweepKeeper* keeper_of(int depth, const Share& share) override;
-  std::optional<LevelStart> started(std::optional<LevelStart> start) override;
-  void start_failed() override;
-  Level shared_out(Level level, const Solid& solid) override;
   void complete(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
                 std::span<const ReachedPlace> elsewhere, int finest_depth, Marks& marks) override;
 
@@ -69,6 +67,7 @@ class LevelShares : public LevelSharing {
   const Cuts cuts_;
   KeptSolve* const checkpoint_;
   bool is_resuming_ = false;  ///< the next level to share out is in the checkpoint
+  bool has_begun_ = false;    ///< all processes have the start of the first level that is shared
 
   // Of the level that was shared out last.
   Sizes sizes_;

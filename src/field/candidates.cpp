@@ -35,9 +35,10 @@ void Candidates::begin_at_random(std::size_t leaves, int starts, std::uint64_t s
     fields_[start].frames = random_frames(leaves, seed * 0x9e3779b97f4a7c15 + start);
 }
 
-void Candidates::inherit(std::span<const CellIndex> parent, const Frames& kept) {
-  for (SettledFrames& field : fields_)
-    field.frames = inherited(field.frames.empty() ? kept : field.frames, parent);
+void Candidates::inherit(const Candidates& before, std::span<const CellIndex> parent) {
+  fields_.resize(before.size());
+  for (std::size_t c = 0; c < fields_.size(); ++c)
+    fields_[c].frames = inherited(before.fields_[c].frames, parent);
 }
 
 Candidates::Best Candidates::find_best(const GridLevel& level, const Solid& solid, const Adjacency& adjacency,

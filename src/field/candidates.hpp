@@ -25,6 +25,7 @@ class Candidates {
   std::size_t size() const { return fields_.size(); }
   SettledFrames& operator[](std::size_t candidate) { return fields_[candidate]; }
   SettledFrames& front() { return fields_.front(); }
+  const SettledFrames& front() const { return fields_.front(); }
 
   /// Frames of the candidate of lowest energy on the last level.
   Frames& best_frames() { return fields_[best_].frames; }
@@ -35,8 +36,8 @@ class Candidates {
   /// Begins with `starts` fields of random frames, at least one.
   void begin_at_random(std::size_t leaves, int starts, std::uint64_t seed);
 
-  /// Goes on with the frames of parents: those of each candidate, or `kept` where it has none any more.
-  void inherit(std::span<const CellIndex> parent, const Frames& kept);
+  /// Begins with the frames that the candidates of the level before have in the parents.
+  void inherit(const Candidates& before, std::span<const CellIndex> parent);
 
   /// What the candidate of lowest energy has.
   struct Best {

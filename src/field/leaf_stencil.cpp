@@ -14,9 +14,6 @@
 namespace crossgrain {
 namespace {
 
-/// Cells per block: their frames, coefficients and neighbour lists fit into a core's own cache.
-constexpr std::size_t kBlockCells = kShareUnit;
-
 /// Parts of a step of FaceWeight that diagonal weights are counted in. Whole numbers make both leaves of an
 /// edge compute the same weight, and all weights inside the solid identical.
 constexpr int kShareSteps = 320;
@@ -134,14 +131,11 @@ Connectivity connectivity_of(const GridLevel& level, std::span<const FaceNeighbo
   Adjacency adjacency(level.size(), stencil.units(), [&](std::size_t i, Adjacency::RowInUnits& row) {
     if (share.owns(i)) stencil.row_of(static_cast<CellIndex>(i), row);
   });
-  if (!share.is_whole()) {
-    SweepOrder own_order(adjacency, colours, share, level.ghosts);
-    SweepHalo halo(adjacency, share, level.ghosts, own_order);
-    return {std::move(adjacency), std::move(own_order), std::move(halo), share};
-  }
-  SweepOrder order = level.size() < kBlockedCells ? SweepOrder(colouring_of(colours))
-                                                  : SweepOrder(adjacency, colours, kBlockCells);
-  return {std::move(adjacency), std::move(order)};
+  SweepOrder order = share.is_whole() && level.size() < kBlockedCells
+                         ? SweepOrder(colouring_of(colours))
+                         : SweepOrder(adjacency, colours, kShareUnit, share, level.ghosts);
+  SweepHalo halo(adjacency, share, level.ghosts, order);
+  return {std::move(adjacency), std::move(order), std::move(halo), share};
 }
 
 }  // namespace crossgrain

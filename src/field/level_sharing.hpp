@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,7 +25,7 @@ namespace crossgrain {
 struct CoarserLevel {
   int depth;
   const Octree& tree;
-  const std::optional<Share>& part;  ///< as in GridLevel
+  Share share;
   std::span<const StoredQuaternion> frames;
   std::span<const std::uint8_t> open_faces;  ///< as in LeafConnections
 };
@@ -52,8 +53,9 @@ struct LevelStart {
   std::optional<Expectation> expected;
 };
 
-/// How processes share the levels of a solve. The first process solves the small ones alone; then it shares
-/// out the next one, and from there on all of them call each function together.
+/// How processes share the levels of a solve: the first one solves the small levels alone; then it shares out
+/// the next one, and from there on all of them call each function together. This is the sharing of a process
+/// that is alone; src/distributed has that of several.
 class LevelSharing : public Interface {
  public:
   /// A level, and frames of its leaves.
@@ -62,44 +64,41 @@ class LevelSharing : public Interface {
     std::vector<std::vector<StoredQuaternion>> frames;
   };
 
-  virtual bool is_first() const = 0;
-  virtual int processes() const = 0;
-
-  /// Returns whether it is so in all processes.
-  virtual bool all(bool here) = 0;
+  virtual bool is_first() const { return true; }
+  virtual int processes() const { return 1; }
 
   /// Levels of so many leaves or more are shared.
-  virtual std::uint64_t fewest_leaves() const = 0;
+  virtual std::uint64_t fewest_leaves() const { return std::numeric_limits<std::uint64_t>::max(); }
 
-  /// Begins a solve. Returns the start from which an earlier one of the same `identity` goes on; none if this
-  /// one begins anew. If there is one, the first level is shared out from a tree without leaves in all
-  /// processes. `visitor`, in the first process, revisits the levels solved before.
-  virtual std::optional<LevelStart> resumed(std::uint64_t identity, LevelVisitor& visitor) = 0;
+  /// Begins a solve. Returns the start of the level with which this process begins: that of an earlier solve
+  /// that it goes on from, or, in other processes than the first, that of the first shared level, for which
+  /// they wait. That level begins as a tree without leaves. Nothing: the first process begins with the
+  /// coarsest level, the others have nothing to do. `visitor`, in the first process, revisits the levels of
+  /// the earlier solve. Throws OtherProcessFailed if the first one fails before it shares a level out.
+  virtual std::optional<LevelStart> begin(const Solid&, const SolveOptions&, LevelVisitor*) {
+    return std::nullopt;
+  }
 
-  /// Keeps the start of a level, and in the first process what was seen of a solved one, for a solve that
-  /// goes on after a break.
-  virtual void keep(const LevelStart& start, const GridLevel& level,
-                    std::span<const StoredQuaternion> frames) = 0;
-  virtual void keep_seen(int depth, const Bytes& seen) = 0;
+  /// Ends the wait of the others, if there is any, once the first process has solved alone or failed.
+  virtual void end_alone(bool /*has_failed*/) {}
 
-  /// Returns what keeps the sweeps of a level; null if nothing does.
-  virtual SweepKeeper* keeper_of(int depth, const Share& share) = 0;
-
-  /// Passes the start of the first shared level from the first process, where it is given, to the others,
-  /// which wait for it; nothing if no level is shared.
-  virtual std::optional<LevelStart> started(std::optional<LevelStart> start) = 0;
-
-  /// Ends the wait of the others, which throw OtherProcessFailed.
-  virtual void start_failed() = 0;
+  /// Shares out the level that has this start, and keeps both for a solve that goes on after a break.
+  virtual Level started(const LevelStart&, Level level, const Solid&) { return level; }
 
   /// Shares a level out anew. It has been refined from a shared one, or the first process has all of it and
   /// the others a tree without leaves. The result has ghosts, neighbours and guides, and no parents.
-  virtual Level shared_out(Level level, const Solid& solid) = 0;
+  virtual Level shared_out(Level level, const Solid&) { return level; }
 
   /// Adds the marks of other processes, those of places in their leaves, and those that balance requires,
   /// except on leaves at `finest_depth`.
-  virtual void complete(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
-                        std::span<const ReachedPlace> elsewhere, int finest_depth, Marks& marks) = 0;
+  virtual void complete(const GridLevel&, std::span<const FaceNeighbours> /*neighbours*/,
+                        std::span<const ReachedPlace> /*elsewhere*/, int /*finest_depth*/, Marks&) {}
+
+  /// Keeps what the first process has seen of a solved level, as `begin` revisits it.
+  virtual void keep_seen(int /*depth*/, const Bytes&) {}
+
+  /// Returns what keeps the sweeps of a level; null if nothing does.
+  virtual SweepKeeper* keeper_of(int /*depth*/, const Share&) { return nullptr; }
 
   /// Copies the values of own leaves to the processes that have them as ghosts. `values` has an entry for
   /// each leaf of the level that was shared out last.
@@ -109,7 +108,7 @@ class LevelSharing : public Interface {
   }
 
  private:
-  virtual void update_ghosts(std::span<std::byte> values, std::size_t size) = 0;
+  virtual void update_ghosts(std::span<std::byte> /*values*/, std::size_t /*size*/) {}
 };
 
 /// Returns a number that solves of another surface, other guides or other options hardly share.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -14,7 +13,9 @@
 #include "base/system_memory.hpp"
 #include "crossgrain/error.hpp"
 #include "field/candidates.hpp"
+#include "field/finished_level.hpp"
 #include "field/leaf_stencil.hpp"
+#include "field/level_progress.hpp"
 #include "field/level_solver.hpp"
 #include "field/solve_forecast.hpp"
 #include "grid/refinement.hpp"
@@ -38,7 +39,7 @@ class NestedSolver {
  public:
   NestedSolver(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
                const InitialField& initial, const PlaceInRun& place, LevelVisitor* visitor,
-               LevelSharing* sharing)
+               LevelSharing& sharing)
       : solid_(solid),
         options_(options),
         monitor_(monitor),
@@ -46,24 +47,21 @@ class NestedSolver {
         visitor_(visitor),
         sharing_(sharing),
         is_decision_(place.is_decision),
+        may_be_stopped_(monitor.may_be_stopped() && !place.is_decision && sharing.processes() == 1),
         has_field_(initial.frame_at != nullptr),
+        progress_(monitor, place.is_decision),
+        finished_(may_be_stopped_),
         seconds_so_far_(place.seconds_before) {}
 
   SolvedField run() {
     level_watch_.start();
     grid_watch_.start();
     try {
-      if (has_help()) {
-        solve_with_others();
-      } else {
-        solve_levels();
-        result_.frames = std::move(candidates_.front().frames);
-      }
+      solve_all_levels();
     } catch (const Error& error) {
       const bool is_stop = error.kind() == ErrorKind::kInterrupted && !monitor_.cancelled();
-      if (!is_stop || !may_be_stopped() || !has_inside(coarser_)) throw;
-      result_ = std::move(coarser_);
-      result_.stopped = true;
+      if (!is_stop || !finished_.is_result()) throw;
+      result_ = std::move(finished_).result();
     }
     result_.grid_seconds = grid_watch_.seconds();
     result_.solve_seconds = solve_watch_.seconds();
@@ -77,45 +75,37 @@ class NestedSolver {
     RefinedLevel made;
   };
 
-  /// The first process solves alone until a level is shared; the others begin with that one.
-  void solve_with_others() {
-    if (const auto earlier = sharing_->resumed(identity_of(solid_, options_), *visitor_)) {
-      has_started_ = true;
-      solve_levels_from(begun_from(*earlier));
-    } else if (sharing_->is_first()) {
+  void solve_all_levels() {
+    if (const auto start = sharing_.begin(solid_, options_, visitor_)) {
+      solve_levels_from(begun_from(*start));
+    } else if (sharing_.is_first()) {
       try {
-        solve_levels();
+        solve_levels_from(coarsest_level());
       } catch (...) {
-        if (!has_started_) sharing_->start_failed();
+        sharing_.end_alone(/*has_failed=*/true);
         throw;
       }
-      if (!has_started_) sharing_->started({});
-    } else if (const auto start = sharing_->started({})) {
-      solve_levels_from(begun_from(*start));
+      sharing_.end_alone(/*has_failed=*/false);
     } else {
       return;
     }
     result_.frames = std::move(candidates_.front().frames);
-    if (!is_shared()) return;
-    sharing_->update_ghosts(std::span(result_.frames));
-    sharing_->update_ghosts(std::span(result_.open_faces));
+    sharing_.update_ghosts(std::span(result_.frames));
+    sharing_.update_ghosts(std::span(result_.open_faces));
   }
 
   Start begun_from(const LevelStart& start) {
     initial_.relaxation_sweeps = start.relaxation_sweeps;
     initial_.relaxed_cells = start.relaxed_cells;
     initial_.core_size = start.core_size;
-    coarsest_depth_ = start.coarsest_depth;
+    begin_at(start.coarsest_depth);
     is_uniform_ = start.is_uniform;
     has_field_ = start.has_field;
     result_.levels = start.levels;
     result_.expected = start.expected;
     RefinedLevel made;
     made.level.tree = Octree(frame().root, {});
-    std::vector<Frames> frames(1);
-    share_out(made, frames);
-    candidates_.begin_with(std::move(frames.front()));
-    sharing_->keep(start, made.level, candidates_.front().frames);
+    made = started(start, std::move(made), {});
     return {start.depth, std::move(made)};
   }
 
@@ -123,20 +113,25 @@ class NestedSolver {
     return frame_around(solid_.surface.box, finest_cell_size(solid_.surface.box, options_));
   }
 
-  void solve_levels() {
+  Start coarsest_level() {
     monitor_.check_stop();
     const auto [root, finest_depth] = frame();
-    coarsest_depth_ = std::max(0, finest_depth - levels_above_finest());
-    report(Phase::kGrid, coarsest_depth_, 0);
-    solve_levels_from({coarsest_depth_, uniform_level(solid_, root, coarsest_depth_, monitor_)});
+    begin_at(std::max(0, finest_depth - levels_above_finest()));
+    progress_.tell_grid(coarsest_depth_, 0);
+    return {coarsest_depth_, uniform_level(solid_, root, coarsest_depth_, monitor_)};
+  }
+
+  void begin_at(int coarsest_depth) {
+    coarsest_depth_ = coarsest_depth;
+    progress_.begin_at(coarsest_depth);
   }
 
   void solve_levels_from(Start start) {
     const int finest_depth = frame().finest_depth;
-    level_count_ = number_of(finest_depth);
-    SolveForecast forecast(options_, finest_depth, current_memory_bytes(), may_be_stopped(),
+    progress_.end_at(finest_depth);
+    SolveForecast forecast(options_, finest_depth, current_memory_bytes(), may_be_stopped_,
                            {static_cast<double>(initial_.relaxed_cells), initial_.relaxation_sweeps},
-                           sharers());
+                           {sharing_.processes(), static_cast<double>(sharing_.fewest_leaves())});
     RefinedLevel made = std::move(start.made);
     for (int depth = start.depth;; ++depth) {
       result_.level = std::move(made.level);
@@ -147,8 +142,8 @@ class NestedSolver {
       result_.levels_left_out = finest_depth - depth;
       const LevelGrowth growth(result_.level, solid_, options_.refinement);
       const bool finest = depth == finest_depth || !next_fits(forecast, growth);
-      if (finest) level_count_ = number_of(depth);
-      report(Phase::kGrid, depth, leaves);
+      if (finest) progress_.end_at(depth);
+      progress_.tell_grid(depth, leaves);
       std::optional<RelaxedStart> relaxed;
       if (initial_.relaxation_sweeps > 0 && leaves <= initial_.relaxed_cells)
         relaxed = relaxed_and_refined(depth, made);
@@ -160,34 +155,6 @@ class NestedSolver {
       if (!is_decision_) predict(forecast, growth);
       made = refine(std::move(made.neighbours), depth, finest_depth);
     }
-  }
-
-  /// 1-based number of the level; 1 is the coarsest. 0 if levels have no numbers.
-  int number_of(int depth) const { return is_decision_ ? 0 : depth - coarsest_depth_ + 1; }
-
-  bool has_help() const { return sharing_ != nullptr && !is_decision_; }
-  bool may_be_stopped() const { return monitor_.may_be_stopped() && !is_decision_ && !has_help(); }
-  bool is_shared() const { return !result_.level.share().is_whole(); }
-
-  /// Whether it is so in all processes that share the level.
-  bool is_so_in_all(bool here) const { return is_shared() ? sharing_->all(here) : here; }
-
-  void report(Phase phase, int depth, std::size_t cells) const {
-    monitor_.report({is_decision_ ? Phase::kSolve : phase, depth, cells, 0,
-                     std::numeric_limits<double>::quiet_NaN(), number_of(depth), level_count_});
-  }
-
-  /// Reports the energy of the finished level as SolveReport::Energy has it, whatever the sweeps minimise.
-  void report_energy(Progress place, int sweeps) const {
-    place.sweep = sweeps;
-    place.energy = result_.energy.total() + result_.energy.unavoidable;
-    monitor_.report(place);
-  }
-
-  /// Returns whether a level, if it was kept, has an inside; very coarse ones may have none.
-  static bool has_inside(const SolvedField& field) {
-    const auto& winding = field.level.centre_winding;
-    return std::any_of(winding.begin(), winding.end(), [](int w) { return w > 0; });
   }
 
   int levels_above_finest() const {
@@ -205,16 +172,11 @@ class NestedSolver {
     return longest_side(box) / finest_cell_size(box, options_);
   }
 
-  Sharers sharers() const {
-    if (!has_help()) return {};
-    return {sharing_->processes(), static_cast<double>(sharing_->fewest_leaves())};
-  }
-
   /// Returns whether the next level fits into memory. Throws Error(kLimit) if too many levels would be left
   /// out.
   bool next_fits(const SolveForecast& forecast, const LevelGrowth& growth) {
     const LevelCounts next = growth.after(1);
-    if (is_so_in_all(forecast.fits(next))) return true;
+    if (is_so_in_all(result_.level.share(), forecast.fits(next))) return true;
     result_.memory_needed = static_cast<std::size_t>(forecast.peak_memory(next));
     if (result_.levels_left_out > kMostLevelsLeftOut) {
       throw Error(
@@ -231,13 +193,15 @@ class NestedSolver {
   void predict(SolveForecast& forecast, const LevelGrowth& growth) {
     const LevelStatistics& level = result_.levels.back();
     // A surface that encloses nothing is refused in the end, so there is nothing to expect.
-    if (is_so_in_all(!has_inside(result_))) return;
+    const auto& winding = result_.level.centre_winding;
+    const bool has_inside = std::any_of(winding.begin(), winding.end(), [](int w) { return w > 0; });
+    if (!is_so_in_any(result_.level.share(), has_inside)) return;
     const std::optional<Expectation> expected = forecast.forecast_from(
         level.depth, growth, level.sweeps, level.seconds, seconds_so_far_, finest_resolution());
     if (!expected) return;
     result_.expected = expected;
     const double left_out = std::log2(finest_resolution() / expected->resolution);
-    level_count_ = number_of(level.depth + result_.levels_left_out) - static_cast<int>(std::lround(left_out));
+    progress_.end_at(level.depth + result_.levels_left_out - static_cast<int>(std::lround(left_out)));
     monitor_.expect(*expected);
   }
 
@@ -262,24 +226,18 @@ class NestedSolver {
   /// more where singular lines have moved into larger cells: there they would move on for hundreds of sweeps.
   RelaxedStart relaxed_and_refined(int depth, RefinedLevel& made) {
     auto [start, marks] = relaxed_and_marked(depth, made);
-    if (is_so_in_all(std::find(marks.begin(), marks.end(), true) == marks.end())) return start;
-    if (is_shared()) sharing_->complete(result_.level, made.neighbours, {}, depth, marks);
-    RefinedLevel again = refined(result_.level, made.neighbours, solid_, std::move(marks), monitor_);
-    std::vector<Frames> frames{inherited(start.frames, again.parent),
-                               inherited(start.original, again.parent)};
-    if (is_shared()) share_out(again, frames);
-    start.frames = std::move(frames[0]);
-    start.original = std::move(frames[1]);
-    result_.level = std::move(again.level);
-    made = std::move(again);
+    const bool is_moved = std::find(marks.begin(), marks.end(), true) != marks.end();
+    if (!is_so_in_any(result_.level.share(), is_moved)) return start;
+    sharing_.complete(result_.level, made.neighbours, {}, depth, marks);
+    LevelSharing::Level again{refined(result_.level, made.neighbours, solid_, std::move(marks), monitor_),
+                              {}};
+    again.frames = {inherited(start.frames, again.made.parent), inherited(start.original, again.made.parent)};
+    if (!again.made.level.share().is_whole()) again = sharing_.shared_out(std::move(again), solid_);
+    start.frames = std::move(again.frames[0]);
+    start.original = std::move(again.frames[1]);
+    result_.level = std::move(again.made.level);
+    made = std::move(again.made);
     return start;
-  }
-
-  /// Shares a level out, with frames of its leaves.
-  void share_out(RefinedLevel& made, std::vector<Frames>& frames) {
-    LevelSharing::Level level = sharing_->shared_out({std::move(made), std::move(frames)}, solid_);
-    made = std::move(level.made);
-    frames = std::move(level.frames);
   }
 
   /// Relaxes, and marks the leaves to refine once more. All else ends with this function, to make room.
@@ -288,7 +246,8 @@ class NestedSolver {
     grid_watch_.stop();
     solve_watch_.start();
     start_candidates(depth, made.parent);
-    LevelSolver<D> solver(result_.level, solid_, connectivity, options_, monitor_, place_of(depth, 0));
+    LevelSolver<D> solver(result_.level, solid_, connectivity, options_, monitor_,
+                          progress_.place(depth, leaves_of_all(), 0));
     RelaxedStart start;
     start.original = std::move(candidates_.front().frames);
     start.frames = solver.relaxed_with_cores(start.original, initial_.relaxation_sweeps, initial_.core_size);
@@ -302,24 +261,23 @@ class NestedSolver {
     return {std::move(start), std::move(marks)};
   }
 
-  Progress place_of(int depth, int sweeps) const {
-    return {Phase::kSolve,    depth,       static_cast<std::size_t>(result_.level.share().of_all), sweeps, 0,
-            number_of(depth), level_count_};
-  }
+  std::size_t leaves_of_all() const { return static_cast<std::size_t>(result_.level.share().of_all); }
 
   /// `parent` as in RefinedLevel.
   void solve_level(int depth, Connectivity connectivity, std::vector<CellIndex> parent,
                    std::optional<RelaxedStart> relaxed, bool finest) {
-    const GridLevel& level = result_.level;
-    const auto leaves = static_cast<std::size_t>(level.share().of_all);
-    const Progress place = place_of(depth, relaxed ? relaxed->sweeps : 0);
+    const std::size_t leaves = leaves_of_all();
+    Progress place = progress_.place(depth, leaves, relaxed ? relaxed->sweeps : 0);
     const Swept swept = settle(std::move(connectivity), std::move(parent), std::move(relaxed), place);
     keep_best(swept, finest || leaves > options_.solver.start_cells, finest);
-    report_energy(place, swept.sweeps);
+    // The energy of SolveReport::Energy, whatever the sweeps minimise.
+    place.sweep = swept.sweeps;
+    place.energy = result_.energy.total() + result_.energy.unavoidable;
+    monitor_.report(place);
     if (!finest && visitor_ != nullptr) visit(depth);
     solve_watch_.stop();
-    result_.levels.push_back(
-        {depth, level.examined_leaves, leaves, swept.sweeps, result_.energy.total(), level_watch_.restart()});
+    result_.levels.push_back({depth, result_.level.examined_leaves, leaves, swept.sweeps,
+                              result_.energy.total(), level_watch_.restart()});
     seconds_so_far_ += result_.levels.back().seconds;
     grid_watch_.start();
   }
@@ -327,12 +285,10 @@ class NestedSolver {
   void visit(int depth) {
     const GridLevel& level = result_.level;
     Frames& frames = candidates_.best_frames();
-    if (is_shared()) {
-      sharing_->update_ghosts(std::span(frames));
-      sharing_->update_ghosts(std::span(result_.open_faces));
-    }
-    const Bytes seen = visitor_->visit({depth, level.tree, level.part, frames, result_.open_faces});
-    if (has_help() && sharing_->is_first()) sharing_->keep_seen(depth, seen);
+    sharing_.update_ghosts(std::span(frames));
+    sharing_.update_ghosts(std::span(result_.open_faces));
+    sharing_.keep_seen(depth,
+                       visitor_->visit({depth, level.tree, level.share(), frames, result_.open_faces}));
   }
 
   bool begins_with_field(const GridLevel& level, int depth) const {
@@ -342,14 +298,15 @@ class NestedSolver {
 
   /// Makes the first frames of every candidate. `parent` as in RefinedLevel.
   void start_candidates(int depth, const std::vector<CellIndex>& parent) {
-    // A shared level has been shared out with its frames.
-    if (is_shared()) return;
+    // A level that has been shared out has got its frames with its leaves.
+    if (depth != coarsest_depth_ && parent.empty()) return;
     if (begins_with_field(result_.level, depth))
       candidates_.begin_with(sampled(initial_, result_.level));
     else if (depth == coarsest_depth_)
       candidates_.begin_at_random(result_.level.size(), options_.solver.starts, options_.seed);
     else
-      candidates_.inherit(parent, coarser_.frames);
+      candidates_.inherit(finished_.candidates(), parent);
+    finished_.leave_frames();
   }
 
   /// What is left of a level's solver once all candidates have settled.
@@ -370,8 +327,7 @@ class NestedSolver {
       candidates_.front() = solver.settled_below(std::move(relaxed->frames), std::move(relaxed->original));
     } else {
       start_candidates(place.depth, std::exchange(parent, {}));
-      SweepKeeper* const keeper =
-          is_shared() ? sharing_->keeper_of(place.depth, result_.level.share()) : nullptr;
+      SweepKeeper* const keeper = sharing_.keeper_of(place.depth, result_.level.share());
       for (std::size_t c = 0; c < candidates_.size(); ++c) {
         SettledFrames& candidate = candidates_[c];
         candidate = solver.solved(std::move(candidate.frames), relaxation_sweeps(c, place.depth), keeper);
@@ -398,7 +354,7 @@ class NestedSolver {
     result_.energy_density = std::move(neighbours.energy_density);
     result_.settled = best.settled;
     if (!finest) return;
-    if (!swept.halo.empty()) swept.halo.refresh(std::span(neighbours.turns_sharply));
+    swept.halo.refresh(std::span(neighbours.turns_sharply));
     result_.near_sharp_turn = near_sharp_turns(swept.adjacency, neighbours.turns_sharply);
   }
 
@@ -411,30 +367,24 @@ class NestedSolver {
                       ? Marks(result_.level.size(), true)
                       : refinement_marks(result_.level, neighbours, solid_, result_.energy_density,
                                          finest_depth, options_.refinement, &elsewhere);
-    if (is_shared()) sharing_->complete(result_.level, neighbours, elsewhere, finest_depth, marks);
+    sharing_.complete(result_.level, neighbours, elsewhere, finest_depth, marks);
     SolvedField next;
     next.levels = result_.levels;
     next.expected = result_.expected;
-    GridLevel ending;  // the solved level, unless it is kept
-    if (may_be_stopped())
-      keep_solved();
-    else
-      ending = std::move(result_.level);
-    result_ = std::move(next);
-    report(Phase::kGrid, depth + 1, 0);
-    const GridLevel& level = may_be_stopped() ? coarser_.level : ending;
-    RefinedLevel made = refined(level, neighbours, solid_, std::move(marks), monitor_);
-    const bool is_to_share =
-        candidates_.size() == 1 && has_help() && made.level.size() >= sharing_->fewest_leaves();
-    if (is_to_share || !made.level.share().is_whole()) {
-      ending = {};
-      share_out_refined(made, depth + 1);
-    }
-    return made;
+    finished_.set(std::exchange(result_, std::move(next)), std::exchange(candidates_, {}));
+    progress_.tell_grid(depth + 1, 0);
+    RefinedLevel made = refined(finished_.level(), neighbours, solid_, std::move(marks), monitor_);
+    finished_.leave_level();
+    return is_to_share(made.level) ? shared_out(std::move(made), depth + 1) : made;
+  }
+
+  bool is_to_share(const GridLevel& level) const {
+    if (!level.share().is_whole()) return true;  // as the level that it was refined from
+    return finished_.candidates().size() == 1 && level.size() >= sharing_.fewest_leaves();
   }
 
   /// Shares out a refined level with the frames of the only candidate.
-  void share_out_refined(RefinedLevel& made, int depth) {
+  RefinedLevel shared_out(RefinedLevel made, int depth) {
     const LevelStart start{depth,
                            coarsest_depth_,
                            is_uniform_,
@@ -444,22 +394,19 @@ class NestedSolver {
                            initial_.core_size,
                            result_.levels,
                            result_.expected};
-    if (!std::exchange(has_started_, true) && sharing_->is_first()) sharing_->started(start);
-    Frames& frames = candidates_.front().frames;
-    std::vector<Frames> carried{begins_with_field(made.level, depth)
-                                    ? sampled(initial_, made.level)
-                                    : inherited(std::exchange(frames, {}), made.parent)};
-    share_out(made, carried);
-    frames = std::move(carried.front());
-    sharing_->keep(start, made.level, frames);
+    Frames frames = begins_with_field(made.level, depth)
+                        ? sampled(initial_, made.level)
+                        : inherited(finished_.candidates().front().frames, made.parent);
+    finished_.leave_frames();
+    return started(start, std::move(made), std::move(frames));
   }
 
-  /// Keeps the solved level, which is the result if the solve is stopped before the next level is finished.
-  void keep_solved() {
-    coarser_ = std::move(result_);
-    // Several candidates all need their frames for the next level; that happens on small levels only.
-    Frames& frames = candidates_.best_frames();
-    coarser_.frames = candidates_.size() == 1 ? std::move(frames) : frames;
+  RefinedLevel started(const LevelStart& start, RefinedLevel made, Frames frames) {
+    std::vector<Frames> of_level;
+    of_level.push_back(std::move(frames));
+    LevelSharing::Level level = sharing_.started(start, {std::move(made), std::move(of_level)}, solid_);
+    candidates_.begin_with(std::move(level.frames.front()));
+    return std::move(level.made);
   }
 
   const Solid& solid_;
@@ -467,18 +414,14 @@ class NestedSolver {
   const Monitor& monitor_;
   InitialField initial_;
   LevelVisitor* const visitor_;  ///< may be null
-  LevelSharing* const sharing_;  ///< null: this process solves alone
-  const bool is_decision_;
-  bool has_started_ = false;  ///< the others have begun
-  bool has_field_;            ///< the solve has begun with a field
-  SolvedField result_;        ///< the level being built or solved
-  SolvedField coarser_;       ///< the finished level before it, if the solve may be stopped
-
-  /// Fields of the starts that are still compared. If the solve may be stopped, a single one moves its frames
-  /// to coarser_ between levels.
-  Candidates candidates_;
+  LevelSharing& sharing_;
+  const bool is_decision_, may_be_stopped_;
+  bool has_field_;  ///< the solve has begun with a field
+  LevelProgress progress_;
+  SolvedField result_;      ///< the level being built or solved
+  Candidates candidates_;   ///< fields of the starts that are still compared
+  FinishedLevel finished_;  ///< the level before it
   int coarsest_depth_ = 0;
-  int level_count_ = 0;  ///< as far as known
   Stopwatch grid_watch_, solve_watch_, level_watch_;
   double seconds_so_far_;
   bool is_uniform_ = true;  ///< all cells of the level have one size; the level is small and relaxed
@@ -489,9 +432,11 @@ class NestedSolver {
 SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
                          const InitialField& initial, const PlaceInRun& place, LevelVisitor* visitor,
                          LevelSharing* sharing) {
+  LevelSharing alone;
+  LevelSharing& shares = sharing != nullptr ? *sharing : alone;
   return options.degree == Degree::kThree
-             ? NestedSolver<3>(solid, options, monitor, initial, place, visitor, sharing).run()
-             : NestedSolver<4>(solid, options, monitor, initial, place, visitor, sharing).run();
+             ? NestedSolver<3>(solid, options, monitor, initial, place, visitor, shares).run()
+             : NestedSolver<4>(solid, options, monitor, initial, place, visitor, shares).run();
 }
 
 }  // namespace crossgrain

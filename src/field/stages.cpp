@@ -24,7 +24,7 @@ std::vector<StoredQuaternion> relaxed(const FieldGraph<D>& graph, std::vector<St
     after_sweep(std::numeric_limits<double>::quiet_NaN());
   }
   project_to_frames(state);
-  if (!graph.halo().empty()) graph.halo().refresh(std::span(state.frames));
+  graph.halo().refresh(std::span(state.frames));
   return std::move(state.frames);
 }
 
@@ -45,14 +45,12 @@ class BlocksAwake {
   /// which a sweep is the last.
   void update(const std::vector<double>& decreases, double allowance) {
     const double share = allowance / static_cast<double>(decreases.size());
-    const bool is_whole = order_.of_all.places.empty();
     for (std::size_t block = 0; block < awake_.size(); ++block) {
-      const auto& beside = is_whole ? order_.blocks_beside[block] : order_.of_all.blocks_beside[block];
-      const std::size_t place = is_whole ? block : order_.of_all.places[block];
-      awake_[block] =
-          decreases[place] > share || std::any_of(beside.begin(), beside.end(), [&](std::uint32_t other) {
-            return decreases[other] > kWakesNeighbours * share;
-          });
+      const auto& beside = order_.of_all.blocks_beside[block];
+      awake_[block] = decreases[order_.of_all.places[block]] > share ||
+                      std::any_of(beside.begin(), beside.end(), [&](std::uint32_t other) {
+                        return decreases[other] > kWakesNeighbours * share;
+                      });
     }
   }
 
@@ -65,7 +63,7 @@ class BlocksAwake {
 
 /// Returns the decreases of the blocks of all processes, phase by phase.
 std::vector<double> decreases_of_all(const Share& share, const SweepOrder& order, std::vector<double> mine) {
-  if (share.is_whole()) return mine;
+  if (share.is_whole()) return mine;  // orders of small levels have no places
   struct Decrease {
     std::size_t place;
     double amount;
@@ -74,7 +72,7 @@ std::vector<double> decreases_of_all(const Share& share, const SweepOrder& order
   for (std::size_t block = 0; block < mine.size(); ++block)
     placed.push_back({order.of_all.places[block], mine[block]});
   std::vector<double> all(order.of_all.block_count());
-  for (const auto& [place, amount] : gathered_values<Decrease>(*share.exchange, placed)) all[place] = amount;
+  for (const auto& [place, amount] : of_all(share, std::move(placed))) all[place] = amount;
   return all;
 }
 
@@ -132,7 +130,7 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
     if (plan.keeper != nullptr && !result.settled && plan.keeper->is_due())
       plan.keeper->keep({sweep + 1, result.energy, decreases}, lists);
   }
-  if (!graph.halo().empty()) graph.halo().refresh(std::span(state.frames));
+  graph.halo().refresh(std::span(state.frames));
   result.frames = std::move(state.frames);
   return result;
 }

@@ -29,6 +29,7 @@ std::vector<std::uint32_t> blocks_in_sequence(const SweepOrder& order, const Sha
 SweepHalo::SweepHalo(const Adjacency& adjacency, const Share& share, const Ghosts& ghosts,
                      const SweepOrder& order)
     : exchange_(share.exchange) {
+  if (share.is_whole()) return;
   const auto phase_of = [&](std::uint32_t leaf) {
     return static_cast<int>(order.of_all.phase_of_block[ghosts.number(share, leaf) / kShareUnit]);
   };
@@ -63,6 +64,7 @@ SweepHalo::SweepHalo(const Adjacency& adjacency, const Share& share, const Ghost
 }
 
 void SweepHalo::refresh(std::span<std::byte> values, std::size_t size) const {
+  if (empty()) return;
   const auto value = [&](std::uint32_t leaf) { return values.subspan(leaf * size, size); };
   std::vector<Bytes> to(static_cast<std::size_t>(exchange_->ranks()));
   for (const Part& part : parts_)

@@ -40,7 +40,7 @@ class SweepHalo {
   const std::vector<Part>& parts() const { return parts_; }
 
   /// Copies the values of all own leaves that are neighbours of ghosts to the processes that have them as
-  /// ghosts.
+  /// ghosts, if there are others.
   template <class T>
   void refresh(std::span<T> values) const {
     refresh(std::as_writable_bytes(values), sizeof(T));

@@ -35,13 +35,13 @@ std::vector<Blocks> neighbouring_blocks(const Adjacency& adjacency, std::size_t 
 }
 
 /// Returns the lists of the blocks of all ranks, those of rank 0 first.
-std::vector<Blocks> lists_of_all(Exchange& exchange, const std::vector<Blocks>& mine) {
+std::vector<Blocks> lists_of_all(const Share& share, const std::vector<Blocks>& mine) {
   std::vector<std::uint32_t> packed;
   for (const Blocks& list : mine) {
     packed.push_back(static_cast<std::uint32_t>(list.size()));
     packed.insert(packed.end(), list.begin(), list.end());
   }
-  const std::vector<std::uint32_t> all = gathered_values<std::uint32_t>(exchange, packed);
+  const std::vector<std::uint32_t> all = of_all(share, std::move(packed));
   std::vector<Blocks> lists;
   for (auto at = all.begin(); at != all.end();) {
     const auto end = at + 1 + *at;
@@ -82,27 +82,13 @@ SweepOrder::SweepOrder(const Colouring& colouring) : cells(colouring.cells), run
 }
 
 SweepOrder::SweepOrder(const Adjacency& adjacency, std::span<const std::uint8_t> colour_of_cell,
-                       std::size_t block_size)
+                       std::size_t block_size, const Share& share, const Ghosts& ghosts)
     : run_begin{0}, block_begin{0}, phase_begin{0} {
-  const std::vector<Blocks> beside =
-      neighbouring_blocks(adjacency, 0, adjacency.size(), block_size,
-                          [&](std::size_t cell) { return static_cast<std::uint32_t>(cell / block_size); });
-  const Blocks places =
-      place_blocks(blocks_by_phase(beside), 0, adjacency.size(), colour_of_cell, block_size);
-  blocks_beside.resize(beside.size());
-  for (std::size_t block = 0; block < beside.size(); ++block) {
-    for (const std::uint32_t other : beside[block]) blocks_beside[places[block]].push_back(places[other]);
-  }
-}
-
-SweepOrder::SweepOrder(const Adjacency& adjacency, std::span<const std::uint8_t> colour_of_cell,
-                       const Share& share, const Ghosts& ghosts)
-    : run_begin{0}, block_begin{0}, phase_begin{0} {
-  const auto first = static_cast<std::uint32_t>(share.before / kShareUnit);
+  const auto first = static_cast<std::uint32_t>(share.before / block_size);
   const std::vector<Blocks> beside = neighbouring_blocks(
-      adjacency, share.begin, share.end, kShareUnit,
-      [&](std::size_t leaf) { return static_cast<std::uint32_t>(ghosts.number(share, leaf) / kShareUnit); });
-  const std::vector<Blocks> phases = blocks_by_phase(lists_of_all(*share.exchange, beside));
+      adjacency, share.begin, share.end, block_size,
+      [&](std::size_t leaf) { return static_cast<std::uint32_t>(ghosts.number(share, leaf) / block_size); });
+  const std::vector<Blocks> phases = blocks_by_phase(lists_of_all(share, beside));
 
   // Own blocks get numbers from 0 on, in phases of their own lists.
   std::vector<Blocks> own_phases(phases.size());
@@ -117,7 +103,7 @@ SweepOrder::SweepOrder(const Adjacency& adjacency, std::span<const std::uint8_t>
       if (block >= first && block < first + beside.size()) own_phases[p].push_back(block - first);
     }
   }
-  const Blocks places = place_blocks(own_phases, share.begin, share.end, colour_of_cell, kShareUnit);
+  const Blocks places = place_blocks(own_phases, share.begin, share.end, colour_of_cell, block_size);
   blocks_beside.resize(beside.size());
   of_all.places.resize(beside.size());
   of_all.blocks_beside.resize(beside.size());

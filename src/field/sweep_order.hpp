@@ -30,7 +30,7 @@ struct SweepOrder {
   /// Per block the others that contain a neighbour of one of its cells. Empty if all blocks have one run.
   std::vector<std::vector<std::uint32_t>> blocks_beside;
 
-  /// Blocks of all processes on a level that is shared. Those of this process are the blocks of this order.
+  /// Blocks of all processes that share the level. Those of this process are the blocks of this order.
   struct OfAll {
     std::vector<std::size_t> phase_of_block;  ///< in the order of the leaves
     std::vector<std::uint32_t> places;        ///< of each block of this order among all, phase by phase
@@ -38,7 +38,7 @@ struct SweepOrder {
 
     std::size_t block_count() const { return phase_of_block.size(); }
   };
-  OfAll of_all;  ///< empty if this process has the whole level
+  OfAll of_all;  ///< empty if all blocks have one run
 
   SweepOrder() = default;
 
@@ -47,15 +47,11 @@ struct SweepOrder {
 
   /// Blocks of `block_size` cells with successive indices, each with one run per colour. If cells that are
   /// close have close indices, a block is loaded into the processor's cache once per sweep instead of once
-  /// per colour. Neighbours must differ in colour.
-  SweepOrder(const Adjacency& adjacency, std::span<const std::uint8_t> colour_of_cell,
-             std::size_t block_size);
-
-  /// The same for the own leaves of a share, in blocks of kShareUnit, each in the phase that it has if one
-  /// process has the whole level. All processes call it together. Precondition: `adjacency` has the rows of
-  /// own leaves.
-  SweepOrder(const Adjacency& adjacency, std::span<const std::uint8_t> colour_of_cell, const Share& share,
-             const Ghosts& ghosts);
+  /// per colour. Neighbours must differ in colour. Of a share these are the blocks of its own leaves, whose
+  /// rows `adjacency` must have, each in the phase that it has if one process has the whole level; the block
+  /// size is then kShareUnit, and all processes call it together.
+  SweepOrder(const Adjacency& adjacency, std::span<const std::uint8_t> colour_of_cell, std::size_t block_size,
+             const Share& share, const Ghosts& ghosts = {});
 
   std::size_t block_count() const { return block_begin.empty() ? 0 : block_begin.size() - 1; }
   std::size_t phase_count() const { return phase_begin.empty() ? 0 : phase_begin.size() - 1; }

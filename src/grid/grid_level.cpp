@@ -283,8 +283,8 @@ RefinedLevel refined(const GridLevel& level, std::span<const FaceNeighbours> nei
       runs.size(), [&](std::size_t r) { runs[r] = refiner.refine(begins[r], begins[r + 1], marked); }, 1);
   const Share share = level.share();
   // Of processes that share a level, the first counts the leaves before.
-  const bool counts_leaves = share.is_whole() || share.exchange->rank() == 0;
-  RefinedLevel finer = joined(level.tree.root(), std::move(runs), counts_leaves ? level.examined_leaves : 0);
+  RefinedLevel finer =
+      joined(level.tree.root(), std::move(runs), share.is_of_first() ? level.examined_leaves : 0);
   finer.neighbours = face_neighbours({level.tree, neighbours, marked}, finer.level.tree, finer.parent);
   if (!share.is_whole()) {
     const auto index_of_first = [&](CellIndex parent) {

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <span>
+#include <utility>
 
 #include "base/vector3.hpp"
 #include "grid/cell_constraints.hpp"
@@ -56,12 +57,7 @@ LevelGrowth::LevelGrowth(const GridLevel& level, const Solid& solid, const Refin
   // The finest cells of a level are those that hold surface.
   int deepest = 0;
   for (const CellAddress leaf : level.tree.leaves()) deepest = std::max(deepest, leaf.depth());
-  const Share share = level.share();
-  if (!share.is_whole()) {
-    const std::vector<int> depths = gathered_value(*share.exchange, deepest);
-    deepest = *std::max_element(depths.begin(), depths.end());
-  }
-  const double cell_size = level.tree.root().cell_size(deepest);
+  const double cell_size = level.tree.root().cell_size(largest_of_all(level.share(), deepest));
   flat_surface_cells_ /= cell_size * cell_size;
   if (solid.guides != nullptr) {
     for (const auto& [corners, directions, weight] : solid.guides->faces) {
@@ -94,20 +90,14 @@ void LevelGrowth::count(const GridLevel& level) {
 void LevelGrowth::sample_surface(const GridLevel& level, const Solid& solid) {
   const Share share = level.share();
   const auto step = std::max<std::size_t>(1, static_cast<std::size_t>(now_.surface_cells) / kSampleSize);
-  std::size_t met = 0;
-  if (!share.is_whole()) {
-    std::size_t own = 0;
-    for (CellIndex i = share.begin; i < share.end; ++i) own += level.holds_surface(i);
-    const std::vector<std::size_t> counts = gathered_value(*share.exchange, own);
-    met = std::accumulate(counts.begin(), counts.begin() + share.exchange->rank(), std::size_t{0});
-  }
+  std::size_t own = 0;
+  for (CellIndex i = share.begin; i < share.end; ++i) own += level.holds_surface(i);
+  std::size_t met = sum_before(share, own);
   for (CellIndex i = share.begin; i < share.end; ++i) {
     if (level.holds_surface(i) && met++ % step == 0) look_around(level, solid, i);
   }
-  if (share.is_whole()) return;
-  columns_ = gathered_values<Column>(*share.exchange, columns_);
-  const std::vector<std::size_t> several = gathered_value(*share.exchange, several_normals_in_sample_);
-  several_normals_in_sample_ = std::accumulate(several.begin(), several.end(), std::size_t{0});
+  columns_ = of_all(share, std::move(columns_));
+  add_up(share, std::span(&several_normals_in_sample_, 1));
 }
 
 void LevelGrowth::count_guides(const GridLevel& level, const Solid& solid) {
@@ -120,11 +110,8 @@ void LevelGrowth::count_guides(const GridLevel& level, const Solid& solid) {
     ++guided_cells_;
     finest = std::min(finest, level.tree.cell_size(guide.leaf));
   }
-  if (!share.is_whole()) {
-    guided_cells_ = sum_of_all(share, {&guided_cells_, 1});
-    const std::vector<double> sizes = gathered_value(*share.exchange, finest);
-    finest = *std::min_element(sizes.begin(), sizes.end());
-  }
+  guided_cells_ = sum_of_all(share, {&guided_cells_, 1});
+  finest = smallest_of_all(share, finest);
   for (const GuidePoint& point : solid.guides->points)
     guided_by_points_ += point.reach_cells > 1 ? kCellsOfWidePoint : kCellsOfPoint;
   for (const GuideSegment& segment : solid.guides->segments)

@@ -8,6 +8,9 @@
 // order of their addresses; own leaves have successive numbers. Ghosts are leaves of other processes, in two
 // layers around the own ones: all that touch one of those, and all that touch one of these. They have surface
 // and winding numbers, and frames and coefficients that their owners send.
+//
+// All processes that share a level call the functions below together. Of a whole level they return what this
+// process has, so code that computes with a share hardly asks whether there are others.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -25,7 +29,7 @@
 namespace crossgrain {
 
 /// Own leaves are cut at multiples of so many: no block of a sweep and no chunk of a sum belongs to two
-/// processes.
+/// processes. The frames, coefficients and neighbour lists of a block fit into a core's own cache.
 inline constexpr std::size_t kShareUnit = 4096;
 
 struct Share {
@@ -35,6 +39,7 @@ struct Share {
   Exchange* exchange = nullptr;  ///< null: this process has the whole level
 
   bool is_whole() const { return exchange == nullptr; }
+  bool is_of_first() const { return is_whole() || exchange->rank() == 0; }
   std::size_t size() const { return end - begin; }
   bool owns(std::size_t leaf) const { return leaf >= begin && leaf < end; }
 };
@@ -57,6 +62,15 @@ struct Ghosts {
   std::uint64_t number(const Share& share, std::size_t leaf) const {
     return share.owns(leaf) ? share.before + (leaf - share.begin) : numbers[index(share, leaf)];
   }
+  /// Inverse of `number`; none if the leaf is not in this process.
+  std::optional<std::uint32_t> leaf_of(const Share& share, std::uint64_t number) const {
+    if (number >= share.before && number < share.before + share.size())
+      return share.begin + static_cast<std::uint32_t>(number - share.before);
+    const auto ghost = std::lower_bound(numbers.begin(), numbers.end(), number);
+    if (ghost == numbers.end() || *ghost != number) return std::nullopt;
+    const auto at = static_cast<std::uint32_t>(ghost - numbers.begin());
+    return at < share.begin ? at : at + (share.end - share.begin);
+  }
 };
 
 /// Returns the values of own leaves.
@@ -65,19 +79,53 @@ std::vector<T> own_values(const Share& share, const std::vector<T>& values) {
   return {values.begin() + share.begin, values.begin() + share.end};
 }
 
+/// Returns the values of all ranks, those of rank 0 first.
+template <class T>
+std::vector<T> of_all(const Share& share, std::vector<T> mine) {
+  return share.is_whole() ? std::move(mine) : gathered_values<T>(*share.exchange, mine);
+}
+
+/// Returns the value of each rank.
+template <class T>
+std::vector<T> of_each(const Share& share, const T& mine) {
+  return of_all(share, std::vector<T>{mine});
+}
+
 /// Returns the largest of the values that the ranks pass.
 template <class T>
 T largest_of_all(const Share& share, const T& mine) {
-  if (share.is_whole()) return mine;
-  const std::vector<T> all = gathered_value(*share.exchange, mine);
+  const std::vector<T> all = of_each(share, mine);
   return *std::max_element(all.begin(), all.end());
+}
+
+/// Returns the smallest of the values that the ranks pass.
+template <class T>
+T smallest_of_all(const Share& share, const T& mine) {
+  const std::vector<T> all = of_each(share, mine);
+  return *std::min_element(all.begin(), all.end());
+}
+
+/// Returns whether it is so in any rank.
+inline bool is_so_in_any(const Share& share, bool mine) {
+  return largest_of_all<char>(share, mine ? 1 : 0) != 0;
+}
+
+/// Returns whether it is so in all ranks.
+inline bool is_so_in_all(const Share& share, bool mine) {
+  return !is_so_in_any(share, !mine);
+}
+
+/// Returns the sum of the numbers that the ranks before this one pass.
+inline std::uint64_t sum_before(const Share& share, std::uint64_t mine) {
+  const std::vector<std::uint64_t> all = of_each(share, mine);
+  return std::accumulate(all.begin(), all.begin() + (share.is_whole() ? 0 : share.exchange->rank()),
+                         std::uint64_t{0});
 }
 
 /// Adds up the numbers that the ranks pass, those with one index each.
 template <std::unsigned_integral T>
 void add_up(const Share& share, std::span<T> numbers) {
-  if (share.is_whole()) return;
-  const std::vector<T> all = gathered_values<T>(*share.exchange, numbers);
+  const std::vector<T> all = of_all(share, std::vector<T>(numbers.begin(), numbers.end()));
   std::fill(numbers.begin(), numbers.end(), T{0});
   for (std::size_t k = 0; k < all.size(); ++k) numbers[k % numbers.size()] += all[k];
 }
@@ -85,7 +133,7 @@ void add_up(const Share& share, std::span<T> numbers) {
 /// Returns the values of all ranks, those of rank 0 first; only there.
 template <class T>
 std::vector<T> on_first(const Share& share, std::vector<T> values) {
-  return share.is_whole() ? values : moved_to_first(*share.exchange, std::move(values));
+  return share.is_whole() ? std::move(values) : moved_to_first(*share.exchange, std::move(values));
 }
 
 /// Adds the terms of all ranks in order, those of this one being terms[0], terms[1], ...

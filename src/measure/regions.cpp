@@ -197,9 +197,8 @@ Contested contested_leaves(const std::vector<std::uint8_t>& contested, const Gri
   const auto first = std::find(contested.begin(), contested.end(), 1);
   if (here.count > 0)
     here.first = level.tree.centre(static_cast<CellIndex>(share.begin + (first - contested.begin())));
-  if (share.is_whole()) return here;
   Contested all;
-  for (const Contested& part : gathered_value(*share.exchange, here)) {
+  for (const Contested& part : of_each(share, here)) {
     if (all.count == 0) all.first = part.first;
     all.count += part.count;
   }

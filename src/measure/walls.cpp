@@ -143,7 +143,7 @@ SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid,
       add_leaf(level, solid, static_cast<CellIndex>(share.begin + i), thin, least, runs[begin / kWallGrain]);
   });
   WallSums sums = total_of(runs, share);
-  const double thinnest = -largest_of_all(share, -least.get());
+  const double thinnest = smallest_of_all(share, least.get());
   std::sort(sums.thin_walls.begin(), sums.thin_walls.end());
   SolveReport::Walls report;
   report.cells_wanted = options.thickness_cells;

@@ -93,10 +93,11 @@ SolveReport write_folder(const FrameField& field, SolveReport report, const std:
   report.solve = solve;
   output.set_solve(solve);
   CompanionFile::Writer companion;
-  if (field.is_part()) write_cells(output, report);
+  const bool is_shared = !field.data().share().is_whole();
+  if (is_shared) write_cells(output, report);
   run_side_by_side(
       [&] {
-        if (!field.is_part()) write_cells(output, report);
+        if (!is_shared) write_cells(output, report);
         write_singularities(output.create(kSingularityFile), field.singularities(), monitor);
         if (const auto surface = field.data().surface.get())
           write_surface(output.create(kSurfaceFile), *surface, monitor);
@@ -144,7 +145,7 @@ SolveReport write_parts(const FrameField& field, SolveReport report, const std::
   std::optional<FieldData> merged;
   if (options.level) merged = merged_part(field.data(), options, monitor);
   const FieldData& cells = merged ? *merged : field.data();
-  if (cells.part->exchange->rank() != 0) {
+  if (!cells.share().is_of_first()) {
     write_pieces(cells, options, nullptr, monitor);
     return report;
   }
@@ -182,7 +183,8 @@ SolveReport write_field(const FrameField& field, SolveReport report, const std::
                 "'" + options.formats.front() + "' is a format of fields on tets, and this field has none");
   // The report of a field read from a folder may contain results on tets.
   report.onto.reset();
-  if (field.is_part()) return write_parts(field, std::move(report), folder, monitor, options);
+  if (!field.data().share().is_whole())
+    return write_parts(field, std::move(report), folder, monitor, options);
   return write_field_and(field, std::move(report), folder, monitor, options, solve_id(field.data(), options),
                          remove_tet_files);
 }

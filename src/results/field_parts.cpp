@@ -13,7 +13,7 @@ namespace {
 
 /// Returns the whole of the parts in the first process.
 std::optional<FrameField> gathered(std::shared_ptr<FieldData> part) {
-  const bool is_first = part->part->exchange->rank() == 0;
+  const bool is_first = part->share().is_of_first();
   move_to_first(*part);
   return is_first ? std::optional(FrameField(std::move(part))) : std::nullopt;
 }
@@ -21,7 +21,7 @@ std::optional<FrameField> gathered(std::shared_ptr<FieldData> part) {
 }  // namespace
 
 std::optional<FrameField> whole_of_parts(FrameField part) {
-  if (!part.is_part()) return part;
+  if (part.data().share().is_whole()) return part;
   auto data = std::make_shared<FieldData>(part.data());
   part = FrameField(std::make_shared<FieldData>());  // makes room
   return gathered(std::move(data));
@@ -29,6 +29,7 @@ std::optional<FrameField> whole_of_parts(FrameField part) {
 
 std::optional<FrameField> thinned_from_parts(const FrameField& part, std::size_t most_cells) {
   const FieldData& data = part.data();
+  if (data.share().is_whole()) return part;
   OutputOptions options;
   options.level = merged_depth(data.tree, most_cells, kMaxDepth, data.share());
   auto thinned = std::make_shared<FieldData>(merged_part(data, options, {}));

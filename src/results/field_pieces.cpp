@@ -124,7 +124,7 @@ void expect(const std::string& piece, const OutputOptions& options, OutputFolder
 
 void write_own_piece(const FieldData& part, const OutputOptions& options, const Order& order,
                      const Monitor& monitor) {
-  const std::string name = piece_name(part.part->exchange->rank());
+  const std::string name = piece_name(part.share().exchange->rank());
   const Descriptor folder = opened_soon(order.place);
   OutputFile file(folder.number(), name, (fs::path(order.shown) / name).string());
   file.set_solve(order.solve);
@@ -178,7 +178,7 @@ std::vector<std::string> pieces_in(const fs::path& folder) {
 
 void write_pieces(const FieldData& part, const OutputOptions& options, OutputFolder* output,
                   const Monitor& monitor) {
-  Exchange& exchange = *part.part->exchange;
+  Exchange& exchange = *part.share().exchange;
   std::optional<Order> mine;
   if (output != nullptr) mine = Order{output->place().string(), output->name(), output->solve()};
   const std::optional<Order> order = passed_on(exchange, mine);
@@ -214,7 +214,7 @@ void write_pieces(const FieldData& part, const OutputOptions& options, OutputFol
 }
 
 void cancel_pieces(const FieldData& part) {
-  passed_on(*part.part->exchange, std::nullopt);
+  passed_on(*part.share().exchange, std::nullopt);
 }
 
 }  // namespace crossgrain

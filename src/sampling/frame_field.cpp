@@ -90,10 +90,6 @@ std::size_t FrameField::size() const {
   return data_->tree.size();
 }
 
-bool FrameField::is_part() const {
-  return data_->part.has_value();
-}
-
 FrameField::Cell FrameField::cell(std::size_t index) const {
   check_index(index, size(), "cell");
   const auto i = static_cast<CellIndex>(index);

@@ -56,9 +56,7 @@ struct Nearby {
 std::vector<std::uint8_t> are_inside(std::span<const Vector3> places, const Octree& tree,
                                      const Share& share) {
   std::vector<std::uint8_t> inside = are_in_own_leaves(places, tree, share);
-  if (share.is_whole()) return inside;
-  for (const std::uint64_t k : gathered_values<std::uint64_t>(*share.exchange, indices_of(inside)))
-    inside[k] = 1;
+  for (const std::uint64_t k : of_all(share, indices_of(inside))) inside[k] = 1;
   return inside;
 }
 
@@ -74,11 +72,10 @@ std::vector<Quaternion> PlaceSampler::frames_here(std::span<const Vector3> place
 
 std::vector<Quaternion> PlaceSampler::frames_at(std::span<const Vector3> places) const {
   if (share_.is_whole()) return frames_here(places);
-  Exchange& exchange = *share_.exchange;
   std::vector<Quaternion> frames(places.size());
   const std::vector<std::uint64_t> own = indices_of(are_in_own_leaves(places, tree_, share_));
-  const auto held = gathered_values<std::uint64_t>(exchange, own);
-  const auto found = gathered_values<Quaternion>(exchange, frames_here(selected(places, own)));
+  const auto held = of_all(share_, own);
+  const auto found = of_all(share_, frames_here(selected(places, own)));
   std::vector<std::uint8_t> is_outside(places.size(), 1);
   for (std::size_t k = 0; k < held.size(); ++k) {
     frames[held[k]] = found[k];
@@ -93,11 +90,11 @@ std::vector<Quaternion> PlaceSampler::frames_at(std::span<const Vector3> places)
     nearest[k] = {squared_distance(place, tree_.root().box(tree_[leaf])), ghosts_.number(share_, leaf),
                   sampler_.frame_of(leaf)};
   });
-  const auto of_all = gathered_values<Nearby>(exchange, nearest);
+  const auto candidates = of_all(share_, nearest);
   std::fill(nearest.begin(), nearest.end(), Nearby{});
-  for (std::size_t k = 0; k < of_all.size(); ++k) {
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
     Nearby& best = nearest[k % outside.size()];
-    if (of_all[k].is_before(best)) best = of_all[k];
+    if (candidates[k].is_before(best)) best = candidates[k];
   }
   for (std::size_t k = 0; k < outside.size(); ++k) frames[outside[k]] = nearest[k].frame;
   return frames;

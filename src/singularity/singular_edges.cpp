@@ -129,9 +129,10 @@ class SingularEdgeFinder {
 
 std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                      std::span<const std::uint8_t> open_faces,
-                                     std::span<const std::uint8_t> owners, const std::optional<Share>& part) {
+                                     std::span<const std::uint8_t> owners,
+                                     const std::optional<Share>& given_share) {
   assert(frames.size() == tree.size() && open_faces.size() == tree.size());
-  const Share share = part.value_or(whole_share(tree.size()));
+  const Share share = given_share.value_or(whole_share(tree.size()));
   const SingularEdgeFinder finder(tree, frames, open_faces);
   std::vector<std::vector<GridEdge>> runs((share.size() + kLeafGrain - 1) / kLeafGrain);
   parallel_for_chunks(share.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
@@ -140,7 +141,7 @@ std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQ
   });
   std::vector<GridEdge> edges;
   for (const auto& run : runs) edges.insert(edges.end(), run.begin(), run.end());
-  return share.is_whole() ? edges : gathered_values<GridEdge>(*share.exchange, edges);
+  return of_all(share, std::move(edges));
 }
 
 SingularEdges by_end_points(const std::vector<GridEdge>& edges, const RootCube& root) {
@@ -171,11 +172,12 @@ SingularEdges by_end_points(const std::vector<GridEdge>& edges, const RootCube& 
 SingularEdges singular_grid_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                   std::span<const std::uint8_t> open_faces,
                                   std::span<const std::vector<Vector3>> creases,
-                                  std::span<const std::uint8_t> owners, const std::optional<Share>& part) {
-  SingularEdges singular = by_end_points(singular_edges(tree, frames, open_faces, owners, part), tree.root());
+                                  std::span<const std::uint8_t> owners, const std::optional<Share>& share) {
+  SingularEdges singular =
+      by_end_points(singular_edges(tree, frames, open_faces, owners, share), tree.root());
   singular.creases = creases;
   singular.surface_edges = touching_ends(singular, tree, open_faces, SingularityOptions().touch_cells,
-                                         part.value_or(whole_share(tree.size())));
+                                         share.value_or(whole_share(tree.size())));
   return singular;
 }
 

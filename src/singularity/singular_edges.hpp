@@ -45,11 +45,12 @@ struct GridEdge {
 ///
 /// `frames` and `open_faces` (as in LeafConnections) have one entry per leaf. So has `owners`, if given:
 /// leaves with 0 own no singular edge and are skipped; see near_sharp_turns in
-/// field/neighbour_comparison.hpp. Of a shared level, given its `part`, all processes get the edges of all.
+/// field/neighbour_comparison.hpp. Without a share the tree is the whole level; otherwise all processes get
+/// the edges of all.
 std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                      std::span<const std::uint8_t> open_faces,
                                      std::span<const std::uint8_t> owners = {},
-                                     const std::optional<Share>& part = {});
+                                     const std::optional<Share>& share = {});
 
 /// The singular edges by their end points, sorted. Points with just one edge, or with an odd number of odd
 /// ones, are on the boundary: neither occurs at a vertex surrounded by joined leaves. A line of the grid ends
@@ -62,6 +63,6 @@ SingularEdges singular_grid_edges(const Octree& tree, std::span<const StoredQuat
                                   std::span<const std::uint8_t> open_faces,
                                   std::span<const std::vector<Vector3>> creases = {},
                                   std::span<const std::uint8_t> owners = {},
-                                  const std::optional<Share>& part = {});
+                                  const std::optional<Share>& share = {});
 
 }  // namespace crossgrain

@@ -81,6 +81,7 @@ KeptForms forms_of(const GridLevel& level, const Solid& solid, const std::vector
 
 KeptForms kept_forms(const GridLevel& level, const Solid& solid, Degree degree,
                      std::span<const CellConstraint> constraints) {
+  if (!level.share().is_whole()) return {};
   const int depth = merged_depth(level.tree, kMostCellsOfPage, kDeepestShown);
   const CellsWithSurface found = cells_with_surface(level.tree, constraints, depth);
   std::vector<Cell> chosen;

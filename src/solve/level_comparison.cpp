@@ -76,8 +76,8 @@ std::vector<T> list_from(MessageReader& reader) {
 
 Bytes CoarserGraphs::visit(const CoarserLevel& level) {
   const SingularEdges singular =
-      singular_grid_edges(level.tree, level.frames, level.open_faces, creases_, {}, level.part);
-  if (level.part && level.part->exchange->rank() != 0) return {};
+      singular_grid_edges(level.tree, level.frames, level.open_faces, creases_, {}, level.share);
+  if (!level.share.is_of_first()) return {};
   const double cell_size = level.tree.root().cell_size(level.depth);
   add(level.depth, cell_size, singular);
   Bytes seen;

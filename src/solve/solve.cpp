@@ -112,14 +112,14 @@ void describe_cells(const PreparedModel& model, const TriangleMesh& mesh,
       measure_alignment(solved.level, model.solid(), {solved.level.tree, solved.frames, solved.open_faces});
   data.alignment_deg = std::move(alignment.leaf_mean_deg);
   data.constraints = std::move(alignment.leaf_constraints);
-  if (options.for_page && !solved.level.part)
+  if (options.for_page)
     data.kept_forms = kept_forms(solved.level, model.solid(), options.degree, data.constraints);
   data.report = report_of(model.solid(), solved, alignment, options);
   data.report.model = model.description();
   data.report.input = model.findings();
   data.singularities = std::make_shared<const SingularityGraph>(
       singularity_graph(singular_grid_edges(solved.level.tree, solved.frames, solved.open_faces, creases,
-                                            solved.near_sharp_turn, solved.level.part)));
+                                            solved.near_sharp_turn, solved.level.share())));
   data.report.singularity = summary_of(*data.singularities);
   data.report.coarser = coarser.before(solved.levels.back().depth, *data.singularities,
                                        data.report.resolution, cell_size_of(data.report));
@@ -174,8 +174,7 @@ void describe_surface(const PlaceSampler& sampler, FieldData& data) {
 
 /// Null in processes that have no part of the field.
 std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptions& options,
-                                      const Monitor& monitor, InitialField initial,
-                                      LevelSharing* sharing = nullptr) {
+                                      const Monitor& monitor, InitialField initial, LevelSharing& sharing) {
   check_options(options);
   check_constraints(options.constraints);
   Stopwatch watch;
@@ -187,14 +186,12 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const std::vector<std::vector<Vector3>> creases = model.crease_lines();
   CoarserGraphs coarser(creases);
   const std::unique_ptr<const DecidedField> decided =
-      initial.frame_at || (sharing != nullptr && !sharing->is_first())
-          ? nullptr
-          : DecidedField::solved(model.solid(), options, monitor);
+      initial.frame_at || !sharing.is_first() ? nullptr
+                                              : DecidedField::solved(model.solid(), options, monitor);
   if (decided) initial = decided->initial_field(options.solver);
   SolvedField solved =
-      nested_solve(model.solid(), options, monitor, initial, {watch.restart()}, &coarser, sharing);
-  const bool is_first = sharing == nullptr || sharing->is_first();
-  if (!is_first && !solved.level.part) return nullptr;
+      nested_solve(model.solid(), options, monitor, initial, {watch.restart()}, &coarser, &sharing);
+  if (solved.level.share().of_all == 0) return nullptr;
   check_interior(solved.level, model.mended());
   if (decided) {
     solved.grid_seconds += decided->seconds() - decided->field().solve_seconds;
@@ -231,44 +228,32 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
 
 }  // namespace
 
-FrameField solve(const TriangleMesh& mesh, const SolveOptions& options, const Monitor& monitor) {
-  return FrameField(solve_with(mesh, options, monitor, {}));
-}
-
-namespace {
-
-/// The field as a start of another solve. `sampler` is of `data`; both must outlive it.
-InitialField start_from(const Sampler& sampler) {
-  return {[&sampler](const Vector3& point) { return sampler.at(point).frame; }};
-}
-
-FrameField continued(const FieldData& earlier, std::shared_ptr<FieldData> result) {
-  if (auto warning =
-          other_model_warning(earlier.report.model.bounding_box, result->report.model.bounding_box))
-    result->report.warnings.push_back(std::move(*warning));
-  return FrameField(std::move(result));
-}
-
-}  // namespace
-
-FrameField solve_from(const FrameField& earlier, const TriangleMesh& mesh, const SolveOptions& options,
-                      const Monitor& monitor) {
-  const FieldData& data = earlier.data();
-  const Sampler sampler(data.tree, data.frames, data.open_faces);
-  return continued(data, solve_with(mesh, options, monitor, start_from(sampler)));
-}
-
 std::optional<FrameField> solve_together(LevelSharing& sharing, const FrameField* earlier,
                                          const TriangleMesh& mesh, const SolveOptions& options,
                                          const Monitor& monitor) {
   if (earlier == nullptr) {
-    auto result = solve_with(mesh, options, monitor, {}, &sharing);
+    auto result = solve_with(mesh, options, monitor, {}, sharing);
     return result ? std::optional(FrameField(std::move(result))) : std::nullopt;
   }
   const FieldData& data = earlier->data();
   const Sampler sampler(data.tree, data.frames, data.open_faces);
-  auto result = solve_with(mesh, options, monitor, start_from(sampler), &sharing);
-  return result ? std::optional(continued(data, std::move(result))) : std::nullopt;
+  const InitialField start{[&sampler](const Vector3& point) { return sampler.at(point).frame; }};
+  auto result = solve_with(mesh, options, monitor, start, sharing);
+  if (!result) return std::nullopt;
+  if (auto warning = other_model_warning(data.report.model.bounding_box, result->report.model.bounding_box))
+    result->report.warnings.push_back(std::move(*warning));
+  return FrameField(std::move(result));
+}
+
+FrameField solve(const TriangleMesh& mesh, const SolveOptions& options, const Monitor& monitor) {
+  LevelSharing alone;
+  return solve_together(alone, nullptr, mesh, options, monitor).value();
+}
+
+FrameField solve_from(const FrameField& earlier, const TriangleMesh& mesh, const SolveOptions& options,
+                      const Monitor& monitor) {
+  LevelSharing alone;
+  return solve_together(alone, &earlier, mesh, options, monitor).value();
 }
 
 }  // namespace crossgrain

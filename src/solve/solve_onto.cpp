@@ -131,9 +131,23 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
 }
 
 TetFrameField solve_onto(const TetDomain& domain, const SolveOptions& options, const Monitor& monitor) {
+  return solve_onto(domain, OntoStart(), options, monitor).value();
+}
+
+std::optional<TetFrameField> solve_onto(const TetDomain& domain, const OntoStart& start,
+                                        const SolveOptions& options, const Monitor& monitor) {
   SolveOptions sized = sized_for(domain, options);
-  sized.solver.decision_cells = 0;  // several grids are compared instead (OntoOptions::other_starts)
-  return carry_onto(solve(domain.boundary(), sized, monitor), domain, sized, monitor);
+  // In the tets' own boundary several grids are compared instead (OntoOptions::other_starts).
+  if (start.surface == nullptr) sized.solver.decision_cells = 0;
+  if (start.earlier != nullptr) sized.onto.other_starts.clear();
+  const TriangleMesh& surface = start.surface != nullptr ? *start.surface : domain.boundary();
+  const std::optional<FrameField> grid = start.solve ? start.solve(start.earlier, surface, sized, monitor)
+                                         : start.earlier != nullptr
+                                             ? solve_from(*start.earlier, surface, sized, monitor)
+                                             : solve(surface, sized, monitor);
+  if (!grid) return std::nullopt;
+  monitor.check_stop();
+  return carry_onto(*grid, domain, sized, monitor);
 }
 
 SolveOptions sized_for(const TetDomain& domain, SolveOptions options) {

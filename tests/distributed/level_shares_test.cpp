@@ -145,7 +145,7 @@ TEST(FieldParts, MergeToTheCellsOfTheWholeField) {
     SolveOptions options = at(320);
     options.threads = 1;
     const std::optional<FrameField> part = solve_together(shares, nullptr, mesh, options, {});
-    ASSERT_TRUE(part && part->is_part());
+    ASSERT_TRUE(part && part->data().part);
     EXPECT_THROW(part->sample({0, 0, 0}), Error);
     for (const std::size_t cells : most) {
       std::optional<FrameField> here = thinned_from_parts(*part, cells);

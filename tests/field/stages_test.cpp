@@ -114,8 +114,8 @@ TYPED_TEST(Stages, BlocksThatHaveSettledAreLeftAloneWithoutLosingEnergy) {
   const Adjacency& adjacency = this->graph_.adjacency();
   const std::vector<std::uint8_t> colours = testing::colours_of(greedy_colouring(adjacency));
   auto blocked = this->graph_;
-  blocked.connectivity =
-      std::make_shared<const Connectivity>(Connectivity{adjacency, SweepOrder(adjacency, colours, 64)});
+  blocked.connectivity = std::make_shared<const Connectivity>(
+      Connectivity{adjacency, SweepOrder(adjacency, colours, 64, whole_share(adjacency.size()))});
   auto unaware = blocked;
   SweepOrder order = blocked.order();
   order.blocks_beside.clear();  // so that all are visited in every sweep

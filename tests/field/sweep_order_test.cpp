@@ -45,7 +45,8 @@ class SweepOrderTest : public ::testing::TestWithParam<std::size_t> {
 
   /// By colours for a block size of 0.
   SweepOrder order() const {
-    return GetParam() == 0 ? SweepOrder(colouring_) : SweepOrder(adjacency_, colours_, GetParam());
+    return GetParam() == 0 ? SweepOrder(colouring_)
+                           : SweepOrder(adjacency_, colours_, GetParam(), whole_share(kCells));
   }
 };
 
