@@ -14,6 +14,7 @@
 #include "crossgrain/writing.hpp"
 #include "output.hpp"
 #include "results/one_solve.hpp"
+#include "summary.hpp"
 
 namespace crossgrain::app {
 namespace {
@@ -117,10 +118,10 @@ std::string comparison_with(const SolveReport::Coarser& coarser, const Singulari
 }
 
 std::string reasons_of(const Answer& answer) {
-  std::string text = sentence_of(answer) + "\n";
+  std::string text = line_of(answer) + "\n";
   for (std::size_t k = 1; k < answer.reasons.size(); ++k) {
     Answer one{answer.reasons[k].verdict, {answer.reasons[k]}};
-    text += "  also " + sentence_of(one) + "\n";
+    text += "  also " + line_of(one) + "\n";
   }
   return text;
 }

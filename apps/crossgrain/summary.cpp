@@ -25,7 +25,7 @@ std::string row(const char* what, const std::string& text) {
 }
 
 std::string answer_rows(const SolveReport& report, const SolveArguments& arguments) {
-  std::string text = row("hexahedra", sentence_of(report.answer));
+  std::string text = row("hexahedra", line_of(report.answer));
   if (const std::size_t more = report.answer.reasons.size(); more > 1)
     text += row(
         "", fmt::format("and {}: crossgrain check {}", counted(more - 1, "more reason"), arguments.output));
@@ -188,6 +188,12 @@ std::string warning_rows(const SolveReport& report, const SolveArguments& argume
 }
 
 }  // namespace
+
+std::string line_of(const Answer& answer) {
+  if (answer.reasons.empty() || answer.reasons.front().remedy != Remedy::kUseResolution)
+    return sentence_of(answer);
+  return sentence_of(answer, fmt::format("use --resolution {:.0f}", answer.reasons.front().remedy_number));
+}
 
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
   std::string text =

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `solve` prints in the end.
+// What `solve` prints in the end, and how the program words an answer.
 #pragma once
 
 #include <string>
 
 #include "arguments.hpp"
 #include "crossgrain/report.hpp"
+#include "crossgrain/verdict.hpp"
 
 namespace crossgrain::app {
 
@@ -13,6 +14,9 @@ namespace crossgrain::app {
 /// field and its cost, warnings, the energy and the files. Of tets it describes the field on them; the grid
 /// that they started from only if the arguments ask for it (--verbose).
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments);
+
+/// Returns the sentence of an answer, with the program's options in what to do next.
+std::string line_of(const Answer& answer);
 
 /// Returns whether the warning says that the energy has not settled.
 bool is_unsettled(const Warning& warning);

@@ -886,7 +886,9 @@ typedef struct crossgrain_reason {
   size_t count;    /**< number of places with this fault; 0 if it is about no place */
   double place[3]; /**< the first or worst one, if there is one */
   const char* text;
-  const char* next; /**< what to do; may be empty */
+  const char* next;     /**< what to do, in words; may be empty */
+  const char* remedy;   /**< a name for it, such as "use_resolution"; "none" if there is nothing to do */
+  double remedy_number; /**< the resolution or the length of edges to use; 0 for other remedies */
 } crossgrain_reason;
 
 CROSSGRAIN_API crossgrain_verdict crossgrain_answer_verdict(const crossgrain_answer* answer);

@@ -48,13 +48,10 @@ class FrameField {
 
   explicit FrameField(std::shared_ptr<const FieldData> data);
 
-  /// Number of active cells.
+  /// Number of active cells. Of a field that several processes have solved together
+  /// (crossgrain/processes.hpp), this and all properties of cells are of the part of this process, the report
+  /// and the singular graph are in process 0, and sampling throws Error(kUsage).
   std::size_t size() const;
-
-  /// Whether this is the part of one process of a field that several have solved together
-  /// (crossgrain/processes.hpp): then size() and all properties of cells are of this part, the report and the
-  /// singular graph are in process 0, and sampling throws Error(kUsage).
-  bool is_part() const;
 
   /// Cell `index`. Errors: kUsage unless index < size().
   Cell cell(std::size_t index) const;

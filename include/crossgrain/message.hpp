@@ -87,6 +87,17 @@ enum class Remedy : int {
   kUseLessMemory,
   kTurnView,
 
+  // The answer whether hexahedra can follow a field (Answer::Reason).
+  kRoundEdge,
+  kCutCorner,
+  kChangeAngles,  ///< or take smaller cells there
+  kCutTip,        ///< or take smaller cells
+  kTryOtherCells,
+  kUseResolution,  ///< SolveOptions::resolution; with a number
+  kUseEdgeLength,  ///< of the tets; with a number, model units
+  kLetFinish,
+  kMeshAgain,
+
   // A file that is written.
   kNameOutput,
   kChooseWritablePlace,
@@ -104,6 +115,14 @@ enum class Remedy : int {
 /// Returns the remedy in words, without options of any program: "raise the resolution, or take smaller
 /// cells"; empty for kNone.
 const char* words_of(Remedy remedy);
+
+/// Whether a remedy needs a number to say what to do.
+inline bool has_number(Remedy remedy) {
+  return remedy == Remedy::kUseResolution || remedy == Remedy::kUseEdgeLength;
+}
+
+/// Returns a remedy in words, with its number if it has one: "use a resolution of 128".
+std::string words_of(Remedy remedy, double number);
 
 /// Returns a name for files and scripts: "raise_resolution". Names do not change with the words.
 const char* name_of(Remedy remedy);

@@ -47,9 +47,9 @@ class Processes {
 
   /// Solves like `solve`, or `solve_from` if there is an earlier field, to the same bits. Levels of 200,000
   /// cells or more are shared: each process has a part of the cells, but the whole surface. If the last level
-  /// was shared, each gets its part of the field (FrameField::is_part); otherwise process 0 gets the whole,
-  /// and the others nothing. Throws like `solve`; some processes may throw and others wait for them, so
-  /// whoever catches an error calls `all_arrive`, then `abort`.
+  /// was shared, each gets its part of the field (whole_of_parts joins them); otherwise process 0 gets the
+  /// whole, and the others nothing. Throws like `solve`; some processes may throw and others wait for them,
+  /// so whoever catches an error calls `all_arrive`, then `abort`.
   std::optional<FrameField> solve(const FrameField* earlier, const TriangleMesh& mesh,
                                   const SolveOptions& options = {}, const Monitor& monitor = {},
                                   const CheckpointFolders& checkpoint = {});

@@ -125,7 +125,7 @@ struct OutputOptions {
 SolveReport write_field(const FrameField& field, const std::filesystem::path& folder,
                         const Monitor& monitor = {}, const OutputOptions& options = {});
 
-/// Writes a part of a field (FrameField::is_part): all processes call it together, each writes a file
+/// Of a field that processes share (whole_of_parts): all call it together, each writes a file
 /// FOLDER/field_N.vtu with its cells, and process 0 all else, with FOLDER/field.pvtu in place of field.vtu,
 /// which ParaView opens. Process 0 gets the report. Error(kUsage) with a box. If it fails in one process, the
 /// others throw OtherProcessFailed or wait for the failed one.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "crossgrain/message.hpp"
 #include "crossgrain/types.hpp"
 
 namespace crossgrain {
@@ -52,11 +53,12 @@ const char* name_of(ReasonKind kind);
 struct Answer {
   struct Reason {
     ReasonKind kind{};
-    Verdict verdict{};      ///< kNotMeshable or kUndecided
-    std::size_t count = 0;  ///< number of places with this fault; 0 if it is about no place
-    Vector3 place{};        ///< the first or worst one, model units; only if there is one
-    std::string text;       ///< such as "a knife edge of 30 degrees"
-    std::string next;       ///< what to do, such as "round it with a fillet"; may be empty
+    Verdict verdict{};              ///< kNotMeshable or kUndecided
+    std::size_t count = 0;          ///< number of places with this fault; 0 if it is about no place
+    Vector3 place{};                ///< the first or worst one, model units; only if there is one
+    std::string text;               ///< such as "a knife edge of 30 degrees"
+    Remedy remedy = Remedy::kNone;  ///< what to do next
+    double remedy_number = 0;       ///< if `has_number`
   };
   Verdict verdict = Verdict::kUndecided;
   std::vector<Reason> reasons;  ///< those of the verdict first; empty if meshable
@@ -86,6 +88,9 @@ Answer answer_of(const SolveReport& report, const AnswerOptions& options = {});
 /// Returns the answer in one line: "can be meshed locally (necessary, not sufficient)", "cannot be meshed,
 /// because ... at ...; next: ..." or "undecided, because ...; next: ...".
 std::string sentence_of(const Answer& answer);
+
+/// Returns the sentence with other words for the remedy of the first reason.
+std::string sentence_of(const Answer& answer, const std::string& remedy_words);
 
 /// @}
 

@@ -160,7 +160,11 @@ class Reason:
     """The first or worst one, (3,); None if it is about no place."""
     text: str
     next: str
-    """What to do; may be empty."""
+    """What to do, in words; may be empty."""
+    remedy: str
+    """A name for it, such as ``"use_resolution"``; ``"none"`` if there is nothing to do."""
+    remedy_number: float
+    """The resolution or the length of edges to use; 0 for other remedies."""
 
 
 class Answer:
@@ -181,7 +185,7 @@ class Answer:
             reason = found.contents
             self.reasons.append(Reason(_text(reason.kind), VERDICTS[reason.verdict], reason.count,
                                        np.array(reason.place) if reason.count else None, _text(reason.text),
-                                       _text(reason.next)))
+                                       _text(reason.next), _text(reason.remedy), reason.remedy_number))
 
     def __str__(self) -> str:
         return self.sentence

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crossgrain/message.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -79,6 +81,15 @@ constexpr Wording kWordings[] = {
     {Remedy::kUseLessMemory, "use_less_memory",
      "lower the resolution, take larger cells or allow more memory"},
     {Remedy::kTurnView, "turn_view", "choose another view or cut"},
+    {Remedy::kRoundEdge, "round_edge", "give the edge a fillet or a chamfer"},
+    {Remedy::kCutCorner, "cut_corner", "cut the corner off, or end the face that runs out in it"},
+    {Remedy::kChangeAngles, "change_angles", "use smaller cells there, or change the angles"},
+    {Remedy::kCutTip, "cut_tip", "use smaller cells, or cut a tip off"},
+    {Remedy::kTryOtherCells, "try_other_cells", "try other cells, or split the part where the line turns"},
+    {Remedy::kUseResolution, "use_resolution", "use another resolution"},
+    {Remedy::kUseEdgeLength, "use_edge_length", "mesh it with other edges"},
+    {Remedy::kLetFinish, "let_finish", "let it finish"},
+    {Remedy::kMeshAgain, "mesh_again", "mesh the part again"},
     {Remedy::kNameOutput, "name_output", "name one"},
     {Remedy::kChooseWritablePlace, "choose_writable_place", "choose a place you may write to"},
     {Remedy::kFreeSpace, "free_space", "free some space, or choose another disk"},
@@ -113,6 +124,12 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 const char* words_of(Remedy remedy) {
   const Wording* const wording = wording_of(remedy);
   return wording == nullptr ? "" : wording->words;
+}
+
+std::string words_of(Remedy remedy, double number) {
+  if (remedy == Remedy::kUseResolution) return fmt::format("use a resolution of {:.0f}", number);
+  if (remedy == Remedy::kUseEdgeLength) return fmt::format("mesh it with edges of {:.2g}", number);
+  return words_of(remedy);
 }
 
 const char* name_of(Remedy remedy) {

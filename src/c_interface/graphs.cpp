@@ -57,14 +57,16 @@ crossgrain_graph_summary summary_in_c(const SingularityGraph& graph) {
   return summary;
 }
 
-crossgrain_reason view_of(const Answer::Reason& reason) {
+crossgrain_reason view_of(const Answer::Reason& reason, const std::string& next) {
   crossgrain_reason view{};
   view.kind = name_of(reason.kind);
   view.verdict = static_cast<crossgrain_verdict>(reason.verdict);
   view.count = reason.count;
   for (std::size_t axis = 0; axis < 3; ++axis) view.place[axis] = reason.place[axis];
   view.text = reason.text.c_str();
-  view.next = reason.next.c_str();
+  view.next = next.c_str();
+  view.remedy = name_of(reason.remedy);
+  view.remedy_number = reason.remedy_number;
   return view;
 }
 
@@ -81,7 +83,9 @@ crossgrain_graph::crossgrain_graph(SingularityGraph its_graph)
 
 crossgrain_answer::crossgrain_answer(Answer its_answer)
     : answer(std::move(its_answer)), sentence(sentence_of(answer)) {
-  for (const Answer::Reason& reason : answer.reasons) reasons.push_back(view_of(reason));
+  for (const Answer::Reason& reason : answer.reasons)
+    next.push_back(words_of(reason.remedy, reason.remedy_number));
+  for (std::size_t k = 0; k < next.size(); ++k) reasons.push_back(view_of(answer.reasons[k], next[k]));
 }
 
 const crossgrain_graph_summary* crossgrain_graph_summary_of(const crossgrain_graph* graph) {

@@ -91,7 +91,8 @@ struct crossgrain_answer {
   explicit crossgrain_answer(crossgrain::Answer its_answer);
   crossgrain::Answer answer;
   std::string sentence;
-  std::vector<crossgrain_reason> reasons;  ///< views of answer.reasons
+  std::vector<std::string> next;           ///< of each reason, in words
+  std::vector<crossgrain_reason> reasons;  ///< views of answer.reasons and of `next`
 };
 
 struct crossgrain_tracer {

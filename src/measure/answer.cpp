@@ -19,17 +19,23 @@ namespace {
 using Reason = Answer::Reason;
 using Singularity = SolveReport::Singularity;
 
+/// What to do about a reason.
+struct Next {
+  Remedy remedy;
+  double number = 0;
+};
+
 /// Collects the reasons against a field.
 class Reasons {
  public:
-  void add(ReasonKind kind, Verdict verdict, std::string text, std::string next) {
-    reasons_.push_back({kind, verdict, 0, {}, std::move(text), std::move(next)});
+  void add(ReasonKind kind, Verdict verdict, std::string text, Next next) {
+    reasons_.push_back({kind, verdict, 0, {}, std::move(text), next.remedy, next.number});
   }
 
   /// Adds a reason about the parts of a list with this verdict, if there are any; `text(part)` of the first.
   template <class Part, class Text>
   void add_worst(ReasonKind kind, Verdict verdict, const std::vector<Part>& parts, Verdict counted,
-                 const Text& text, const char* next) {
+                 const Text& text, Remedy remedy) {
     const Part* first = nullptr;
     std::size_t count = 0;
     for (const Part& part : parts) {
@@ -37,7 +43,7 @@ class Reasons {
       if (!first) first = &part;
       ++count;
     }
-    if (first) reasons_.push_back({kind, verdict, count, first->place, text(*first), next});
+    if (first) reasons_.push_back({kind, verdict, count, first->place, text(*first), remedy});
   }
 
   bool empty() const { return reasons_.empty(); }
@@ -78,7 +84,7 @@ void judge_surface(const Singularity& singularity, Reasons& reasons) {
                        crease.least_angle_deg);
   };
   reasons.add_worst(ReasonKind::kKnifeEdge, Verdict::kNotMeshable, singularity.crease_list,
-                    Verdict::kNotMeshable, knife, "give the edge a fillet or a chamfer");
+                    Verdict::kNotMeshable, knife, Remedy::kRoundEdge);
   const auto corner = [](const Singularity::Corner& it) {
     if (it.creases.empty())
       return fmt::format("no hexahedra fit around a point of the surface where {} {}",
@@ -87,19 +93,19 @@ void judge_surface(const Singularity& singularity, Reasons& reasons) {
                        counted(it.creases.size(), "crease"), fmt::join(it.creases, ", "));
   };
   reasons.add_worst(ReasonKind::kCorner, Verdict::kNotMeshable, singularity.corner_list,
-                    Verdict::kNotMeshable, corner, "cut the corner off, or end the face that runs out in it");
+                    Verdict::kNotMeshable, corner, Remedy::kCutCorner);
   const auto rounded = [](const Singularity::Crease& crease) {
     return fmt::format("rounding decides whether an edge of {:.3g} degrees has a hexahedron",
                        crease.least_angle_deg);
   };
   reasons.add_worst(ReasonKind::kKnifeEdge, Verdict::kUndecided, singularity.crease_list, Verdict::kUndecided,
-                    rounded, "give the edge a fillet or a chamfer");
+                    rounded, Remedy::kRoundEdge);
   const auto undecided = [](const Singularity::Corner& it) {
     return fmt::format("rounding or the size of the cells decides about a corner of {}",
                        counted(it.creases.size(), "crease"));
   };
   reasons.add_worst(ReasonKind::kCorner, Verdict::kUndecided, singularity.corner_list, Verdict::kUndecided,
-                    undecided, "use smaller cells there, or change the angles");
+                    undecided, Remedy::kChangeAngles);
 }
 
 const char* fault_of(const Singularity::Arc& arc) {
@@ -116,7 +122,7 @@ const char* fault_of(const Singularity::Arc& arc) {
 
 /// Faults of lines are certain only if the cells resolve them: `fault` is kUndecided otherwise.
 void judge_lines(const Singularity& singularity, Verdict fault, Reasons& reasons) {
-  constexpr const char* kNext = "try other cells, or split the part where the line turns";
+  constexpr Remedy kNext = Remedy::kTryOtherCells;
   reasons.add_worst(ReasonKind::kArc, fault, singularity.arc_list, Verdict::kNotMeshable, fault_of, kNext);
   const auto across = [](const Singularity::Arc& arc) {
     return arc.type == SingularityGraph::ArcType::kNoAxis
@@ -141,11 +147,11 @@ void judge_lines(const Singularity& singularity, Verdict fault, Reasons& reasons
                        counted(it.arcs.size(), "arc"));
   };
   reasons.add_worst(ReasonKind::kEnds, Verdict::kUndecided, ends, Verdict::kUndecided, close,
-                    "use smaller cells, or cut a tip off");
+                    Remedy::kCutTip);
 }
 
 void judge_short_lines(const Singularity& singularity, std::size_t short_arcs, const AnswerOptions& options,
-                       const std::string& next, Reasons& reasons) {
+                       Next next, Reasons& reasons) {
   const std::size_t shorter = short_arcs + singularity.unresolved_loops + singularity.unresolved_stubs;
   const auto others = static_cast<double>(singularity.arcs - short_arcs);
   if (shorter <= options.few_short || static_cast<double>(shorter) <= options.short_per_arc * others) return;
@@ -156,7 +162,7 @@ void judge_short_lines(const Singularity& singularity, std::size_t short_arcs, c
 }
 
 /// Creases are unresolved if frames do not see the number of hexahedra that their angle asks for.
-void judge_creases(const Singularity& singularity, const AnswerOptions& options, const std::string& next,
+void judge_creases(const Singularity& singularity, const AnswerOptions& options, Next next,
                    Reasons& reasons) {
   double all = 0, unfollowed = 0;
   const Singularity::Crease* worst = nullptr;
@@ -182,13 +188,13 @@ bool agree(const Singularity& graph, const SolveReport::Coarser& coarser) {
          coarser.differences.empty();
 }
 
-std::string use_resolution(double resolution) {
-  return fmt::format("use --resolution {:.0f}", std::ceil(resolution));
+Next use_resolution(double resolution) {
+  return {Remedy::kUseResolution, std::ceil(resolution)};
 }
 
 /// Judges whether the grid resolves the model.
 void judge_grid(const SolveReport& report, const AnswerOptions& options, Reasons& reasons) {
-  const std::string finer = use_resolution(2 * report.resolution);
+  const Next finer = use_resolution(2 * report.resolution);
   const SolveReport::Walls& walls = report.walls;
   if (walls.unresolved_share > options.thin_share) {
     // The margin keeps the next solve from missing its wall by rounding.
@@ -214,7 +220,7 @@ void judge_grid(const SolveReport& report, const AnswerOptions& options, Reasons
 }
 
 void judge_comparison(const SolveReport& report, Reasons& reasons) {
-  const std::string finer = use_resolution(2 * report.resolution);
+  const Next finer = use_resolution(2 * report.resolution);
   if (!report.coarser) {
     reasons.add(ReasonKind::kNoComparison, Verdict::kUndecided,
                 "there is no level of half the resolution to compare with", finer);
@@ -239,7 +245,7 @@ void judge_tets(const SolveReport::Onto& onto, const AnswerOptions& options, Rea
   constexpr double kSmoothDeg = 15;
   const double off = std::max(onto.crease_deg.mean.value_or(0), onto.normal_deg.mean.value_or(0));
   const double share = std::min(0.5, kSmoothDeg / std::max(off, kSmoothDeg));
-  const std::string finer = fmt::format("mesh it with edges of {:.2g}", share * onto.edge_length);
+  const Next finer{Remedy::kUseEdgeLength, share * onto.edge_length};
   if (onto.unfollowed_share > options.unfollowed_share)
     reasons.add(ReasonKind::kSurface, Verdict::kUndecided,
                 fmt::format("frames are more than {:g} degrees off {:.2g} % of the surface",
@@ -253,10 +259,10 @@ void judge_tets(const SolveReport::Onto& onto, const AnswerOptions& options, Rea
 void judge_end(const SolveReport& report, Reasons& reasons) {
   if (report.unfinished)
     reasons.add(ReasonKind::kUnfinished, Verdict::kUndecided, "the solve was stopped before its end",
-                "let it finish");
+                {Remedy::kLetFinish});
   const auto overlaps = [](const Warning& it) { return it.kind == WarningKind::kOverlappingTets; };
   if (report.onto && std::any_of(report.warnings.begin(), report.warnings.end(), overlaps))
-    reasons.add(ReasonKind::kSurface, Verdict::kUndecided, "tets overlap", "mesh the part again");
+    reasons.add(ReasonKind::kSurface, Verdict::kUndecided, "tets overlap", {Remedy::kMeshAgain});
 }
 
 }  // namespace
@@ -295,6 +301,12 @@ Answer answer_of(const SolveReport& report, const AnswerOptions& options) {
 }
 
 std::string sentence_of(const Answer& answer) {
+  if (answer.reasons.empty()) return sentence_of(answer, "");
+  const Reason& first = answer.reasons.front();
+  return sentence_of(answer, words_of(first.remedy, first.remedy_number));
+}
+
+std::string sentence_of(const Answer& answer, const std::string& remedy_words) {
   std::string text = words_of(answer.verdict);
   if (answer.verdict == Verdict::kMeshable) return text + " (necessary, not sufficient)";
   text += ", because ";
@@ -306,7 +318,7 @@ std::string sentence_of(const Answer& answer) {
     text += fmt::format(" at {:.6g} {:.6g} {:.6g}", x, y, z);
   }
   if (first.count > 1) text += fmt::format(" and at {}", counted(first.count - 1, "other place"));
-  return first.next.empty() ? text : text + "; next: " + first.next;
+  return remedy_words.empty() ? text : text + "; next: " + remedy_words;
 }
 
 }  // namespace crossgrain

@@ -428,7 +428,9 @@ void describe_answer(File& file, Answer& answer) {
     inner.member("count", reason.count);
     inner.member("place", reason.place);
     inner.member("text", reason.text);
-    inner.text("next", reason.next);
+    inner.optional_name("remedy", reason.remedy);
+    if (has_number(reason.remedy)) inner.member("remedy_number", reason.remedy_number);
+    inner.note("next", words_of(reason.remedy, reason.remedy_number).c_str());
   });
 }
 

@@ -29,6 +29,11 @@ def run(*arguments, stdin=b"", program=PROGRAM, **options):
     return result
 
 
+def with_option(answer):
+    """The answer of a report as the program words it."""
+    return re.sub(r"use a resolution of (\d+)", r"use --resolution \1", answer)
+
+
 def no_more_processes():
     """For a process that has been started: it can start no other, nor a thread."""
     resource.setrlimit(resource.RLIMIT_NPROC, (1, 1))

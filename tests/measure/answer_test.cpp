@@ -67,9 +67,12 @@ TEST(Answer, NamesTheResolutionThatResolvesTheWalls) {
   SolveReport report = sound();
   report.walls.unresolved_share = 0.5;
   report.walls.deciding_cells = 1;
-  EXPECT_EQ(sentence_of(answer_of(report)),
+  const Answer answer = answer_of(report);
+  EXPECT_EQ(answer.reasons.front().remedy, Remedy::kUseResolution);
+  EXPECT_EQ(answer.reasons.front().remedy_number, 162);
+  EXPECT_EQ(sentence_of(answer),
             "undecided, because walls under 50 % of the surface have fewer than 2.5 cells; next: use "
-            "--resolution 162");
+            "a resolution of 162");
 }
 
 TEST(Answer, IsUndecidedIfMostLinesAreTooShort) {

@@ -64,9 +64,10 @@ inline SolveReport sample_report() {
       .corner_list = {{-2, {1, 3}, {5}, Verdict::kNotMeshable, {4, 5, 6}}}};
   report.coarser =
       SolveReport::Coarser{3.65, 1, 2, 3, Verdict::kUndecided, {{true, -0.25, {1, 2, 3}}, {false, 0.25, {}}}};
-  report.answer = {Verdict::kNotMeshable,
-                   {{ReasonKind::kCorner, Verdict::kNotMeshable, 1, {4, 5, 6}, "a corner", "cut it"},
-                    {ReasonKind::kUnfinished, Verdict::kUndecided, 0, {}, "unfinished", ""}}};
+  report.answer = {
+      Verdict::kNotMeshable,
+      {{ReasonKind::kCorner, Verdict::kNotMeshable, 1, {4, 5, 6}, "a corner", Remedy::kUseResolution, 256},
+       {ReasonKind::kUnfinished, Verdict::kUndecided, 0, {}, "unfinished", Remedy::kLetFinish, 0}}};
   report.walls = {4, 0.25, 0.125, 2.25, 1.5, 340, 11, 12};
   report.seconds = {0.1, 0.2, 0.3, 0.4, 1.5};
   report.peak_memory_bytes = 1;

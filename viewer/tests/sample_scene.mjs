@@ -168,8 +168,8 @@ export function plate_scene() {
   return assemble({
     solid, depth: 7, lattice: { low: [-1.5, -1.5, -0.75], unit: 1 }, arcs, nodes, streamlines, frame_at, total: 4_100_000, merged_to: 1,
     report: {
-      verdict: "undecided", answer: "undecided, because walls under 93 % of the surface have fewer than 2.5 cells; next: use --resolution 101",
-      reasons: [{ kind: "walls", verdict: "undecided", count: 0, place: [0, 0, 0], text: "walls under 93 % of the surface have fewer than 2.5 cells", next: "use --resolution 101" }],
+      verdict: "undecided", answer: "undecided, because walls under 93 % of the surface have fewer than 2.5 cells; next: use a resolution of 101",
+      reasons: [{ kind: "walls", verdict: "undecided", count: 0, place: [0, 0, 0], text: "walls under 93 % of the surface have fewer than 2.5 cells", next: "use a resolution of 101" }],
       model: { path: "/parts/perforated plate.stl", triangles: solid.surface.triangles.length, watertight: true, components: 1, unit: "mm" },
       resolution: 120, input: { closed: true, findings: [] }, walls: { cells_wanted: 4, thin_share: 0.93, thinnest_cells: 3 },
       warnings: [{ kind: "thin_walls", text: "walls below 4 cells under 93 % of the surface: under-resolved there", remedy: "raise_resolution", advice: "raise the resolution" }],
@@ -221,7 +221,7 @@ export function components_scene() {
       reasons: [
         { kind: "knife_edge", verdict: "not_meshable", count: 1, place: [46, 26, 6], text: "a knife edge of 30 degrees leaves room for no hexahedron", next: "give the edge a fillet or a chamfer" },
         { kind: "arc", verdict: "not_meshable", count: 2, place: [0, 0, 0], text: "an arc has a turning point: frames rotate about it in both senses", next: "try other cells" },
-        { kind: "walls", verdict: "undecided", count: 0, place: [0, 0, 0], text: "walls under 4 % of the surface have fewer than 2.5 cells", next: "use --resolution 101" },
+        { kind: "walls", verdict: "undecided", count: 0, place: [0, 0, 0], text: "walls under 4 % of the surface have fewer than 2.5 cells", next: "use a resolution of 101" },
       ],
       model: { path: "C:\\parts\\five components <v2>.step", triangles: solid.surface.triangles.length, watertight: false, components: 5, unit: "mm" },
       resolution: 63,
