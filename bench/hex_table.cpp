@@ -25,7 +25,7 @@ void add_row(const std::string& name, const TetFrameField& field, double cells, 
   stopwatch.start();
   HexOptions options;
   options.cells = cells;
-  const HexReport r = hexahedra(field, options).report;
+  const HexReport r = hexahedra(field, options).report();
   fmt::print(
       "| {} | {:g} | {} | {} | {} | {:.3f} → {:.3f} | {:.3f} | {} | {:.2f} % | {:.3f} | {:.3f} | {}, {}, {} "
       "| {:.2f} | {} |\n",

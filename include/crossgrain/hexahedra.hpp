@@ -29,9 +29,10 @@ struct HexOptions {
 /// Hexahedra with the field that they follow.
 struct Hexahedra {
   HexMesh mesh;
-  HexReport report;
   TetFrameField field;  ///< repaired; its report has that of the hexahedra
   HexMap map;           ///< that the hexahedra are cells of
+
+  const HexReport& report() const { return *field.report().hexahedra; }
 };
 
 /// Returns hexahedra that fill the tets of a field and follow its frames: the field is repaired unless it is

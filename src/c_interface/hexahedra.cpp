@@ -12,7 +12,7 @@ using namespace crossgrain;
 
 crossgrain_hexahedra::crossgrain_hexahedra(Hexahedra its_hexahedra)
     : made(std::move(its_hexahedra)),
-      sentence(sentence_of(made.report)),
+      sentence(sentence_of(made.report())),
       scaled_jacobians(crossgrain::scaled_jacobians(made.mesh)) {
   for (const HexMesh::Face& face : made.mesh.boundary) {
     faces.insert(faces.end(), face.vertices.begin(), face.vertices.end());
@@ -67,7 +67,7 @@ void crossgrain_hexahedra_free(crossgrain_hexahedra* hexahedra) {
 }
 
 crossgrain_hex_outcome crossgrain_hexahedra_outcome(const crossgrain_hexahedra* hexahedra) {
-  return static_cast<crossgrain_hex_outcome>(hexahedra->made.report.outcome);
+  return static_cast<crossgrain_hex_outcome>(hexahedra->made.report().outcome);
 }
 
 const char* crossgrain_hexahedra_sentence(const crossgrain_hexahedra* hexahedra) {

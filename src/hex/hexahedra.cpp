@@ -91,9 +91,9 @@ Hexahedra best_hexahedra(const AttemptQueue& queue) {
   report.smoothing_seconds = seconds.smoothing;
   report.analysis_seconds = stopwatch.restart();
   SolveReport whole = field.report();
-  whole.hexahedra = report;
   HexMap map = hex_map_of(followed.unknowns(), best.following->map, report.used_size);
-  return {std::move(mesh), std::move(report), field.with_report(std::move(whole)), std::move(map)};
+  whole.hexahedra = std::move(report);
+  return {std::move(mesh), field.with_report(std::move(whole)), std::move(map)};
 }
 
 Hexahedra hexahedra(const TetFrameField& field, const HexOptions& options, const HexTuning& tuning,

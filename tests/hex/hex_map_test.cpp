@@ -135,12 +135,12 @@ TEST(HexMap, HasTheVolumeOfAsManyCubesAsThereAreHexahedra) {
   double six_volumes = 0;
   for (const Corners& p : cylinder().map.integer_grid)
     six_volumes += dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]);
-  ASSERT_EQ(cylinder().report.outcome, HexOutcome::kAllHex);
+  ASSERT_EQ(cylinder().report().outcome, HexOutcome::kAllHex);
   EXPECT_NEAR(six_volumes / 6, static_cast<double>(cylinder().mesh.hexahedra.size()), 1e-9);
 }
 
 TEST(HexMap, TellsTheSizeThatWasTaken) {
-  EXPECT_EQ(cylinder().map.size, cylinder().report.used_size);
+  EXPECT_EQ(cylinder().map.size, cylinder().report().used_size);
 }
 
 }  // namespace

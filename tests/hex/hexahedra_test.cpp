@@ -47,7 +47,7 @@ const TetFrameField& cylinder_field() {
 
 TEST(Hexahedra, OfABoxAreTheBricksThatFitBest) {
   const Hexahedra made = hexahedra(box_field(), of_size(0.5));
-  const HexReport& report = made.report;
+  const HexReport& report = made.report();
   EXPECT_EQ(report.outcome, HexOutcome::kAllHex);
   EXPECT_EQ(report.reason, "");
   EXPECT_EQ(report.hexahedra, 8u * 6 * 6);
@@ -66,12 +66,12 @@ TEST(Hexahedra, OfABoxAreTheBricksThatFitBest) {
 }
 
 TEST(Hexahedra, CountAlongTheLongestSide) {
-  EXPECT_EQ(hexahedra(box_field(), of_cells(4)).report.hexahedra, 4u * 3 * 3);
+  EXPECT_EQ(hexahedra(box_field(), of_cells(4)).report().hexahedra, 4u * 3 * 3);
 }
 
 TEST(Hexahedra, OfACylinderHaveGoodShapesAndKeepToItsSurface) {
   for (const double size : {0.5, 0.2}) {
-    const HexReport report = hexahedra(cylinder_field(), of_size(size)).report;
+    const HexReport report = hexahedra(cylinder_field(), of_size(size)).report();
     EXPECT_EQ(report.outcome, HexOutcome::kAllHex);
     EXPECT_GT(report.quality.least, 0.6);
     EXPECT_GT(report.quality.mean, size < 0.3 ? 0.9 : 0.85);
@@ -92,7 +92,7 @@ TEST(Hexahedra, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Hexahedra, SayWhatTheyAreInOneSentence) {
-  const std::string text = sentence_of(hexahedra(box_field(), of_size(1)).report);
+  const std::string text = sentence_of(hexahedra(box_field(), of_size(1)).report());
   EXPECT_TRUE(text.starts_with("all-hex, 36 hexahedra, worst scaled Jacobian 1.00 at ")) << text;
 }
 

@@ -71,13 +71,13 @@ Hexahedra partial_pyramid(std::vector<double> shares, const MeshingTuning& given
 /// The attempts at tets.
 std::vector<HexAttempt> tets_of(const Hexahedra& made) {
   std::vector<HexAttempt> tets;
-  for (const HexAttempt& attempt : made.report.attempts)
+  for (const HexAttempt& attempt : made.report().attempts)
     if (attempt.kind == "tets") tets.push_back(attempt);
   return tets;
 }
 
 std::size_t used_round(const Hexahedra& made) {
-  return made.report.attempts[made.report.best_attempt].round;
+  return made.report().attempts[made.report().best_attempt].round;
 }
 
 ErrorKind kind_of_failure(const TetDomain& tets, const HexMeshingOptions& options,
@@ -93,9 +93,9 @@ ErrorKind kind_of_failure(const TetDomain& tets, const HexMeshingOptions& option
 
 TEST_F(HexMeshing, OfASurfaceFillsIt) {
   const Hexahedra made = make_hexahedra(make_box({4, 2, 3}), of_size(1));
-  EXPECT_EQ(made.report.outcome, HexOutcome::kAllHex);
+  EXPECT_EQ(made.report().outcome, HexOutcome::kAllHex);
   EXPECT_EQ(made.mesh.hexahedra.size(), 24u);
-  EXPECT_NEAR(made.report.volume, 24, 1e-9);
+  EXPECT_NEAR(made.report().volume, 24, 1e-9);
 }
 
 TEST_F(HexMeshing, TellsTheTetsItMade) {
@@ -107,12 +107,12 @@ TEST_F(HexMeshing, TellsTheTetsItMade) {
   EXPECT_GT(tets.tet_seconds, 0);
   EXPECT_GT(tets.seconds, tets.tet_seconds);
   EXPECT_EQ(made.field.report().seconds.read, tets.tet_seconds);
-  EXPECT_EQ(made.field.report().hexahedra->attempts.size(), made.report.attempts.size());
+  EXPECT_EQ(made.field.report().hexahedra->attempts.size(), made.report().attempts.size());
 }
 
 TEST_F(HexMeshing, TellsTheAttemptThatMadeTheMesh) {
   const Hexahedra made = make_hexahedra(make_box({4, 2, 3}), of_size(1));
-  const HexAttempt& best = made.report.attempts[made.report.best_attempt];
+  const HexAttempt& best = made.report().attempts[made.report().best_attempt];
   EXPECT_EQ(best.kind, "repair");
   EXPECT_EQ(best.outcome, HexOutcome::kAllHex);
   EXPECT_EQ(best.hexahedra, 24u);
@@ -121,7 +121,7 @@ TEST_F(HexMeshing, TellsTheAttemptThatMadeTheMesh) {
 
 TEST_F(HexMeshing, TriesAllSizesOfTetsWhereNoneIsFilledAndKeepsTheBest) {
   const Hexahedra made = partial_pyramid({1, 1.4, 2});
-  ASSERT_NE(made.report.outcome, HexOutcome::kAllHex);
+  ASSERT_NE(made.report().outcome, HexOutcome::kAllHex);
   const std::vector<HexAttempt> tets = tets_of(made);
   ASSERT_EQ(tets.size(), 3u);
   const std::vector<double> sizes{0.3, 0.42, 0.6};
@@ -161,14 +161,14 @@ TEST_F(HexMeshing, GoesOnAfterPoorHexahedraAndKeepsThem) {
   tuning.hexahedra.least_quality = 1.5;  // more than any hexahedron has
   const Hexahedra made = tuned_hexahedra(make_box({4, 2, 3}), of_size(1), tuning);
   EXPECT_EQ(tets_of(made).size(), 2u);
-  EXPECT_EQ(made.report.outcome, HexOutcome::kAllHex);
+  EXPECT_EQ(made.report().outcome, HexOutcome::kAllHex);
   EXPECT_EQ(made.mesh.hexahedra.size(), 24u);
 }
 
 TEST_F(HexMeshing, KeepsWhatItHasWhereLaterTetsFail) {
   const Hexahedra made = partial_pyramid({1, 2}, MeshingTuning(), /*failing=*/1);
   EXPECT_EQ(used_round(made), 0u);
-  const HexAttempt& last = made.report.attempts.back();
+  const HexAttempt& last = made.report().attempts.back();
   EXPECT_EQ(last.kind, "tets");
   EXPECT_EQ(last.failure, "too many tets");
 }

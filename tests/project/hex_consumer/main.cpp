@@ -20,7 +20,7 @@ int main() {
   std::printf("crossgrain %s\n", crossgrain::kVersion);
 
   const bool is_sound =
-      made.report.outcome == crossgrain::HexOutcome::kAllHex && made.mesh.hexahedra.size() == 8;
-  if (!is_sound) std::fprintf(stderr, "%s\n", sentence_of(made.report).c_str());
+      made.report().outcome == crossgrain::HexOutcome::kAllHex && made.mesh.hexahedra.size() == 8;
+  if (!is_sound) std::fprintf(stderr, "%s\n", sentence_of(made.report()).c_str());
   return is_sound ? 0 : 1;
 }
