@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep that chose SolverOptions::crease_weight (docs/notes/solver.md).
+// The sweep that chose SolverTuning::crease_weight (docs/notes/solver.md).
 //
 //   crease_sweep RESOLUTION MODEL...      models of any kind; RESOLUTION 0: the one of the program
 //
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "crossgrain/crossgrain.hpp"
+#include "solve/tuned_solve.hpp"
 
 namespace {
 
@@ -56,7 +57,7 @@ int main(int argc, char** argv) {
   for (const double weight : {0.0, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) {
     std::printf("%-8g", weight);
     for (const Model& model : models) {
-      SolveOptions options;
+      SolveTuning options;
       options.resolution = std::atoi(argv[1]);
       options.solver.crease_weight = weight;
       if (model.tets) print(solve_onto(*model.tets, options).report());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep that chose SolverOptions::diagonal_share (docs/notes/solver.md): ratios of the energies of
+// The sweep that chose SolverTuning::diagonal_share (docs/notes/solver.md): ratios of the energies of
 // rotated parts to those of the upright ones.
 //
 //   diagonal_sweep [PART.stl...]      default: the bracket of the tests
@@ -30,7 +30,7 @@ struct Range {
   }
 };
 
-EnergyParts energy_of(const TriangleMesh& mesh, const SolveOptions& options) {
+EnergyParts energy_of(const TriangleMesh& mesh, const SolveTuning& options) {
   const Surface surface = prepare_surface(mesh);
   const TriangleBvh bvh(surface);
   const WindingNumber winding(bvh);
@@ -53,7 +53,7 @@ void print_line(const std::string& name, const TriangleMesh& mesh, double share)
   const std::clock_t begin = std::clock();
   Range total, smoothness;
   for (int cells = 60; cells < 68; ++cells) {
-    SolveOptions options;
+    SolveTuning options;
     options.cell_size = extent / cells;
     options.solver.diagonal_share = share;
     const EnergyParts upright = energy_of(mesh, options);

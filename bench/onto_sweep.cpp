@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep that chose the defaults of OntoOptions (docs/notes/solver.md): the Dirichlet energy on tet meshes
+// The sweep that chose the defaults of OntoTuning (docs/notes/solver.md): the Dirichlet energy on tet meshes
 // for one option at a time, each over several seeds.
 //
 //   onto_sweep SEEDS MESH...      MESH as for `crossgrain solve`
@@ -23,18 +23,18 @@ using namespace crossgrain;
 
 std::vector<Variant> variants() {
   std::vector<Variant> list{
-      {"defaults", [](SolveOptions&) {}},
-      {"degree 3", [](SolveOptions& options) { options.degree = Degree::kThree; }},
-      {"smooth-only", [](SolveOptions& options) { options.onto.boundary = TetBoundary::kSmoothOnly; }}};
-  add(list, "cell_size_edges", &SolveOptions::onto, &OntoOptions::cell_size_edges, {0.7, 1.0, 1.4, 2.8});
-  add(list, "crease_weight", &SolveOptions::onto, &OntoOptions::crease_weight,
+      {"defaults", [](SolveTuning&) {}},
+      {"degree 3", [](SolveTuning& options) { options.degree = Degree::kThree; }},
+      {"smooth-only", [](SolveTuning& options) { options.boundary = TetBoundary::kSmoothOnly; }}};
+  add(list, "cell_size_edges", &SolveTuning::onto, &OntoTuning::cell_size_edges, {0.7, 1.0, 1.4, 2.8});
+  add(list, "crease_weight", &SolveTuning::onto, &OntoTuning::crease_weight,
       {0.1, 0.2, 1.0, 3.0, 10.0, 100.0});
-  add(list, "relaxation_sweeps", &SolveOptions::onto, &OntoOptions::relaxation_sweeps,
+  add(list, "relaxation_sweeps", &SolveTuning::onto, &OntoTuning::relaxation_sweeps,
       {0, 10, 20, 30, 60, 120});
-  add(list, "symmetrisation", &SolveOptions::onto, &OntoOptions::symmetrisation, {0.0, 0.5, 1.0, 2.0, 8.0});
-  add(list, "over_relaxation", &SolveOptions::onto, &OntoOptions::over_relaxation, {1.0, 1.3, 1.6, 1.8});
-  add(list, "most_sweeps", &SolveOptions::onto, &OntoOptions::most_sweeps, {10, 20, 40, 300});
-  add(list, "sweep_tolerance", &SolveOptions::onto, &OntoOptions::sweep_tolerance, {1e-3, 1e-4, 1e-6});
+  add(list, "symmetrisation", &SolveTuning::onto, &OntoTuning::symmetrisation, {0.0, 0.5, 1.0, 2.0, 8.0});
+  add(list, "over_relaxation", &SolveTuning::onto, &OntoTuning::over_relaxation, {1.0, 1.3, 1.6, 1.8});
+  add(list, "most_sweeps", &SolveTuning::onto, &OntoTuning::most_sweeps, {10, 20, 40, 300});
+  add(list, "sweep_tolerance", &SolveTuning::onto, &OntoTuning::sweep_tolerance, {1e-3, 1e-4, 1e-6});
   return list;
 }
 
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
     for (const TetDomain& domain : domains) {
       double lowest = INFINITY, highest = -INFINITY, crease_deg = 0;
       for (int seed = 0; seed < seeds; ++seed) {
-        SolveOptions options;
+        SolveTuning options;
         options.seed = static_cast<std::uint64_t>(seed);
         variant.apply(options);
         const TetFrameField field = solve_onto(domain, options);

@@ -16,7 +16,7 @@ void print_row(const char* name, const TriangleMesh& mesh, Degree degree, bool r
   const Surface surface = prepare_surface(mesh);
   const TriangleBvh bvh(surface);
   const WindingNumber winding(bvh);
-  SolveOptions options;
+  SolveTuning options;
   options.cell_size = 1.0 / 16;
   options.degree = degree;
   if (!relax) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses SingularityOptions::sign_cosine and sign_cells (docs/notes/verdict.md): how often an arc of known
+// Chooses SingularityTuning::sign_cosine and sign_cells (docs/notes/verdict.md): how often an arc of known
 // sense is said to change it, and how often a change is found.
 //
 //   sign_sweep
@@ -58,7 +58,7 @@ std::vector<SingularEdges> lines_of(const std::function<double(double)>& tilt_ra
 
 /// Number of directions in which an arc changes its sense.
 int changing(const std::vector<SingularEdges>& lines, double cosine, double cells) {
-  SingularityOptions options;
+  SingularityTuning options;
   options.sign_cosine = cosine;
   options.sign_cells = cells;
   int count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep that chose the defaults of SolverOptions (docs/notes/solver.md): the final degree-4 energy on
+// The sweep that chose the defaults of SolverTuning (docs/notes/solver.md): the final degree-4 energy on
 // four generated solids for one option at a time, each over several seeds.
 //
 //   solver_sweep [SEEDS]      default 3
@@ -37,26 +37,25 @@ std::vector<Shape> shapes() {
 }
 
 std::vector<Variant> variants() {
-  std::vector<Variant> list{{"defaults", [](SolveOptions&) {}},
-                            {"degree 3", [](SolveOptions& options) { options.degree = Degree::kThree; }}};
-  list.push_back({"degree 3, relaxed in degree 3", [](SolveOptions& options) {
+  std::vector<Variant> list{{"defaults", [](SolveTuning&) {}},
+                            {"degree 3", [](SolveTuning& options) { options.degree = Degree::kThree; }}};
+  list.push_back({"degree 3, relaxed in degree 3", [](SolveTuning& options) {
                     options.degree = options.solver.relaxation_degree = Degree::kThree;
                   }});
-  add(list, "starts", &SolveOptions::solver, &SolverOptions::starts, {1, 2, 5});
-  add(list, "start_cells", &SolveOptions::solver, &SolverOptions::start_cells, {0, 100, 300, 5000});
-  add(list, "start_relaxation", &SolveOptions::solver, &SolverOptions::start_relaxation, {1, 15, 50, 400});
-  add(list, "level_relaxation", &SolveOptions::solver, &SolverOptions::level_relaxation,
-      {0, 10, 20, 60, 120});
-  add(list, "relaxed_cells", &SolveOptions::solver, &SolverOptions::relaxed_cells, {0, 5000, 20000});
-  add(list, "symmetrisation", &SolveOptions::solver, &SolverOptions::symmetrisation,
+  add(list, "starts", &SolveTuning::solver, &SolverTuning::starts, {1, 2, 5});
+  add(list, "start_cells", &SolveTuning::solver, &SolverTuning::start_cells, {0, 100, 300, 5000});
+  add(list, "start_relaxation", &SolveTuning::solver, &SolverTuning::start_relaxation, {1, 15, 50, 400});
+  add(list, "level_relaxation", &SolveTuning::solver, &SolverTuning::level_relaxation, {0, 10, 20, 60, 120});
+  add(list, "relaxed_cells", &SolveTuning::solver, &SolverTuning::relaxed_cells, {0, 5000, 20000});
+  add(list, "symmetrisation", &SolveTuning::solver, &SolverTuning::symmetrisation,
       {0.0, 0.25, 0.5, 2.0, 4.0, 8.0});
-  add(list, "over_relaxation", &SolveOptions::solver, &SolverOptions::over_relaxation, {1.0, 1.2, 1.6, 1.8});
-  add(list, "most_sweeps", &SolveOptions::solver, &SolverOptions::most_sweeps, {10, 20, 200});
-  add(list, "sweep_tolerance", &SolveOptions::solver, &SolverOptions::sweep_tolerance, {1e-3, 3e-4, 1e-5});
-  list.push_back({"shift_relaxed_forms", [](SolveOptions& o) { o.solver.shift_relaxed_forms = true; }});
-  add(list, "coarsest_cells", &SolveOptions::refinement, &RefinementOptions::coarsest_cells, {3, 8});
-  add(list, "energy_density_threshold", &SolveOptions::refinement,
-      &RefinementOptions::energy_density_threshold, {0.05, 1.0});
+  add(list, "over_relaxation", &SolveTuning::solver, &SolverTuning::over_relaxation, {1.0, 1.2, 1.6, 1.8});
+  add(list, "most_sweeps", &SolveTuning::solver, &SolverTuning::most_sweeps, {10, 20, 200});
+  add(list, "sweep_tolerance", &SolveTuning::solver, &SolverTuning::sweep_tolerance, {1e-3, 3e-4, 1e-5});
+  list.push_back({"shift_relaxed_forms", [](SolveTuning& o) { o.solver.shift_relaxed_forms = true; }});
+  add(list, "coarsest_cells", &SolveTuning::refinement, &RefinementTuning::coarsest_cells, {3, 8});
+  add(list, "energy_density_threshold", &SolveTuning::refinement, &RefinementTuning::energy_density_threshold,
+      {0.05, 1.0});
   return list;
 }
 
@@ -77,7 +76,7 @@ int main(int argc, char** argv) {
       const WindingNumber winding(bvh);
       double lowest = INFINITY, highest = -INFINITY;
       for (int seed = 0; seed < seeds; ++seed) {
-        SolveOptions options;
+        SolveTuning options;
         options.cell_size = shape.cell_size;
         options.seed = static_cast<std::uint64_t>(seed);
         variant.apply(options);

@@ -16,11 +16,11 @@
 #include <utility>
 #include <vector>
 
-#include "crossgrain/options.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "field/leaf_stencil.hpp"
 #include "field/manifold_sweep.hpp"
 #include "field/octree_graph.hpp"
+#include "field/solve_tuning.hpp"
 #include "grid/refinement.hpp"
 #include "grid/test_solid.hpp"
 #include "support/shapes.hpp"
@@ -39,7 +39,7 @@ double seconds_of(const Work& work) {
 
 /// The graph of the finest level at a resolution; refinement by energy density is left out.
 FieldGraph<4> graph_of(const testing::TestSolid& part, int resolution) {
-  const SolverOptions options;
+  const SolverTuning options;
   const Solid& solid = part.solid();
   const GridFrame frame = frame_around(part.surface().box, longest_side(part.surface().box) / resolution);
   RefinedLevel made = uniform_level(solid, frame.root, kCoarsestDepth);

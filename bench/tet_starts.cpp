@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     for (const StoredQuaternion& frame :
          random_frames(tets.solid.mesh.vertices.size(), static_cast<std::uint64_t>(k)))
       frames.push_back(from_stored(frame));
-    OntoOptions options;
+    TetFinishing options;
     options.boundary = TetBoundary::kSmoothOnly;
     options.relaxation_sweeps = k % 3 == 0 ? 300 : k % 3 == 1 ? 60 : 0;
     options.symmetrisation = k % 2 == 0 ? 2 : 6;

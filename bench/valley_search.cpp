@@ -15,6 +15,7 @@
 #include <string>
 
 #include "crossgrain/crossgrain.hpp"
+#include "solve/tuned_solve.hpp"
 
 namespace {
 
@@ -32,11 +33,11 @@ struct Found {
 };
 
 /// The energy of the field that a model has with the options of its grid.
-using Carry = std::function<Found(const SolveOptions&)>;
+using Carry = std::function<Found(const SolveTuning&)>;
 
 Carry carry_onto_tets(const std::string& path) {
   const auto domain = std::make_shared<TetDomain>(read_tets(path));
-  return [domain](const SolveOptions& options) {
+  return [domain](const SolveTuning& options) {
     const TetFrameField field = solve_onto(*domain, options);
     return Found{field.report().onto->dirichlet, field.report().onto->singularity.arcs, ""};
   };
@@ -44,8 +45,8 @@ Carry carry_onto_tets(const std::string& path) {
 
 Carry carry_onto_grid(const std::string& path) {
   const auto mesh = std::make_shared<TriangleMesh>(read_surface(path));
-  return [mesh](const SolveOptions& options) {
-    SolveOptions common;
+  return [mesh](const SolveTuning& options) {
+    SolveTuning common;
     common.resolution = kCommonResolution;
     const FrameField field =
         options.resolution == 0 ? solve(*mesh, common) : solve_from(solve(*mesh, options), *mesh, common);
@@ -59,7 +60,7 @@ void search(const std::string& path, bool all) {
   Found best;
   for (int grid = 0; grid < kGrids; ++grid) {
     for (const double weight : kBoundaryWeights) {
-      SolveOptions options;
+      SolveTuning options;
       options.resolution =
           static_cast<int>(std::lround(kCoarsest * std::pow(kFinest / kCoarsest, grid / (kGrids - 1.0))));
       options.solver.boundary_weight = weight;

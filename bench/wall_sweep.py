@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Chooses AnswerOptions::wall_cells (docs/notes/verdict.md): the singular lines and the alignment of thin parts by the cells across their wall.
+"""Chooses kWallCells (docs/notes/verdict.md): the singular lines and the alignment of thin parts by the cells across their wall.
 
     bench/wall_sweep.py PROGRAM
 

@@ -58,7 +58,7 @@ NETGEN_PROGRAM = "tet_making/netgen_program/"
 OUTER_FOLDERS = ["apps", "examples"]
 
 # Headers of src/, not installed, that apps/ may include besides: what only the program needs of the library.
-PROGRAM_HEADERS = ["results/one_solve.hpp", "results/result_files.hpp"]
+PROGRAM_HEADERS = ["results/one_solve.hpp", "results/result_files.hpp", "solve/tuned_solve.hpp"]
 
 # Programs that share the commands of another.
 SHARES = {"crossgrain-mpi": "crossgrain"}

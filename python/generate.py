@@ -116,13 +116,9 @@ def interface_of(text, library):
 
 # The structs of options by header, inner ones before those that hold them, and their kind in crossgrain/c.h.
 OPTIONS = {
-    "options.hpp": ["RefinementOptions", "FadingCreases", "CreaseAngles", "TetTagOptions",
-                    "MapPreparationOptions", "CalmFieldOptions", "SolverOptions", "OtherStart", "OntoOptions",
-                    "SolveOptions"],
+    "options.hpp": ["TetTagOptions", "MapPreparationOptions", "SolveOptions"],
     "reading.hpp": ["ReadOptions"],
     "result_folder.hpp": ["OutputOptions"],
-    "singularity_graph.hpp": ["SingularityOptions"],
-    "verdict.hpp": ["AnswerOptions"],
     "repair.hpp": ["RepairOptions"],
     "streamlines.hpp": ["StreamlineOptions"],
     "picture.hpp": ["PictureOptions"],
@@ -132,8 +128,7 @@ OPTIONS = {
 }
 KINDS = {
     "SolveOptions": "SOLVE_OPTIONS", "ReadOptions": "READ_OPTIONS", "TetTagOptions": "TAG_OPTIONS",
-    "OutputOptions": "OUTPUT_OPTIONS", "SingularityOptions": "SINGULARITY_OPTIONS",
-    "AnswerOptions": "ANSWER_OPTIONS", "StreamlineOptions": "STREAMLINE_OPTIONS",
+    "OutputOptions": "OUTPUT_OPTIONS", "StreamlineOptions": "STREAMLINE_OPTIONS",
     "PictureOptions": "PICTURE_OPTIONS", "MapPreparationOptions": "PREPARATION_OPTIONS",
     "RepairOptions": "REPAIR_OPTIONS", "TetMakingOptions": "TET_MAKING_OPTIONS", "HexOptions": "HEX_OPTIONS",
     "HexMeshingOptions": "HEX_MESHING_OPTIONS",
@@ -166,7 +161,6 @@ TYPES = {
     "std::optional<Cut>": "Union[None, str, Tuple[Union[int, str], Optional[float]]]",
     "std::optional<std::array<double, 2>>": "Optional[Sequence[float]]",
     "std::array<bool, 3>": "Sequence[bool]", "std::vector<std::string>": "Sequence[str]",
-    "std::vector<OtherStart>": "Sequence[OtherStart]", "std::vector<double>": "Sequence[float]",
 }
 # What Python takes for a type, added to the comment.
 NOTES = {
@@ -196,7 +190,7 @@ def comment_before(text, at):
 
 
 def in_python(comment):
-    comment = comment.replace("SIZE_MAX", "infinity").replace("::", ".")
+    comment = comment.replace("::", ".")
     return re.sub(r"\bk(?=[A-Z])(\w+)\b", r"\1", comment).replace("DefaultResolution", "128")
 
 
@@ -235,12 +229,6 @@ def python_default(declared, default, structs):
         return empty.get(declared, "None")
     if default in ("true", "false"):
         return default.capitalize()
-    if default == "SIZE_MAX":
-        return "math.inf"
-    list_of = re.fullmatch(r"std::vector<(\w+)>", declared)
-    if list_of and list_of[1] in structs:
-        made = [f"{list_of[1]}({numbers})" for numbers in re.findall(r"\{([\d., ]+)\}", default)]
-        return f"field(default_factory=lambda: ({', '.join(made)},))"
     if default.startswith("{"):
         return "(" + default[1:-1].replace("true", "True").replace("false", "False") + ")"
     if "::" in default:
@@ -292,7 +280,6 @@ def options_of(include):
     yield LICENSE
     yield '"""The options of all functions. Made by python/generate.py from the C++ headers."""\n'
     yield "from __future__ import annotations\n"
-    yield "import math"
     yield "from dataclasses import dataclass, field"
     yield "from typing import Any, Optional, Sequence, Tuple, Union\n"
     yield "from . import _interface as c"
@@ -316,8 +303,7 @@ def options_of(include):
                     values = ", ".join(f"'{value}'" for value in NAMES[declared].values())
                     its_comment += f" One of {values}."
                 its_comment = " ".join(filter(None, [its_comment, NOTES.get(declared)]))
-                # Infinity stands for the largest count.
-                its_type = "float" if default == "SIZE_MAX" else python_type(declared, structs)
+                its_type = python_type(declared, structs)
                 its_default = python_default(declared, default, structs)
                 yield "    " + wrapped(f"{member}: {its_type} = {its_default}", " " * 8)
                 if its_comment:

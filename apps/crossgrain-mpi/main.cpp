@@ -68,7 +68,7 @@ class Team {
 
   /// Solves once all processes are ready. Throws FailedElsewhere if one is not.
   std::optional<FrameField> solve(const FrameField* earlier, const TriangleMesh& mesh,
-                                  const SolveOptions& options, const Monitor& monitor,
+                                  const SolveTuning& options, const Monitor& monitor,
                                   const CheckpointFolders& checkpoint) {
     if (const auto failure = first_failure({})) throw FailedElsewhere{failure->exit_code};
     has_begun_ = true;
@@ -160,7 +160,7 @@ int solve(Team& team, Processes& processes, const SolveArguments& arguments) {
   const CheckpointFolders checkpoint{arguments.checkpoint, 60 * arguments.checkpoint_minutes,
                                      arguments.restart};
   const SolveOnGrid together = [&](const FrameField* earlier, const TriangleMesh& mesh,
-                                   const SolveOptions& options, const Monitor& monitor) -> GridField {
+                                   const SolveTuning& options, const Monitor& monitor) -> GridField {
     std::optional<FrameField> field = team.solve(earlier, mesh, options, monitor, checkpoint);
     if (!field) return {};
     // Only the first process carries a field onto tets, or clips it.

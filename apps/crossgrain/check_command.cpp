@@ -127,9 +127,8 @@ std::string reasons_of(const Answer& answer) {
 }
 
 /// Replaces the lines of a report by those of the field itself, but for what the surface is needed for.
-void replace_lines(Singularity& of_report, const SingularityGraph& graph,
-                   const SingularityOptions& options = {}) {
-  Singularity own = summary_of(graph, options);
+void replace_lines(Singularity& of_report, const SingularityGraph& graph, bool is_repaired = false) {
+  Singularity own = summary_of(graph, is_repaired);
   own.crease_list = std::move(of_report.crease_list);
   own.corner_list = std::move(of_report.corner_list);
   of_report = std::move(own);
@@ -142,12 +141,7 @@ SolveReport judged(const FrameField& field, const std::string& folder) {
   if (is_clipped_field(folder)) return report;
   replace_lines(report.singularity, field.singularities());
   const auto onto = read_onto_singularities(folder);
-  if (onto && report.onto) {
-    SingularityOptions options;
-    if (report.onto->repair)
-      options.merge_cells = 0;  // its matchings are exact, so no arc is too short to tell
-    replace_lines(report.onto->singularity, *onto, options);
-  }
+  if (onto && report.onto) replace_lines(report.onto->singularity, *onto, report.onto->repair.has_value());
   report.answer = answer_of(report);
   return report;
 }

@@ -81,7 +81,7 @@ void add_tets_options(CLI::App& command, SolveArguments& arguments) {
                           ->type_name("TETS");
   add_making_of_tets(command, arguments, onto);
   add_choice(
-      command, "--boundary", arguments.options.onto.boundary,
+      command, "--boundary", arguments.options.boundary,
       {{name_of(TetBoundary::kAll), TetBoundary::kAll},
        {name_of(TetBoundary::kSmoothOnly), TetBoundary::kSmoothOnly}},
       "Boundary vertices of tets that are constrained to the surface: all (default), or smooth-only, which "

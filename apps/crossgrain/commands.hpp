@@ -8,6 +8,10 @@
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/solve.hpp"
 
+namespace crossgrain {
+struct SolveTuning;
+}
+
 namespace crossgrain::app {
 
 /// A field on the grid, as one process writes it.
@@ -18,7 +22,7 @@ struct GridField {
 
 /// Computes the field on the grid, from an earlier one unless that is null.
 using SolveOnGrid = std::function<GridField(const FrameField* earlier, const TriangleMesh& mesh,
-                                            const SolveOptions& options, const Monitor& monitor)>;
+                                            const SolveTuning& options, const Monitor& monitor)>;
 
 // Each runs a command with its arguments and throws Error on failure.
 

@@ -21,7 +21,6 @@
 #include "crossgrain/reading.hpp"
 #include "crossgrain/repair.hpp"
 #include "crossgrain/result_folder.hpp"
-#include "crossgrain/solve.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "crossgrain/thread_limit.hpp"
 #include "interruption.hpp"
@@ -29,6 +28,7 @@
 #include "output.hpp"
 #include "output_places.hpp"
 #include "progress_lines.hpp"
+#include "solve/tuned_solve.hpp"
 #include "summary.hpp"
 
 namespace crossgrain::app {
@@ -60,7 +60,7 @@ void print_warning(Warning warning, const std::string& model) {
 TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
   TetMakingOptions options;
   options.size = arguments.tet_size;
-  options.crease_angle_deg = arguments.options.creases.least_deg;
+  options.crease_angle_deg = arguments.options.crease_angle_deg;
   options.max_memory_bytes = arguments.options.max_memory_bytes;
   options.read_seconds = arguments.read_seconds;
   options.glue = arguments.glue;
@@ -125,7 +125,7 @@ void check_same_unit(const SolveArguments& arguments, const TriangleMesh& surfac
                                   Remedy::kMatchUnits});
 }
 
-GridField solve_alone(const FrameField* earlier, const TriangleMesh& mesh, const SolveOptions& options,
+GridField solve_alone(const FrameField* earlier, const TriangleMesh& mesh, const SolveTuning& options,
                       const Monitor& monitor) {
   const FrameField field =
       earlier == nullptr ? solve(mesh, options, monitor) : solve_from(*earlier, mesh, options, monitor);
@@ -211,6 +211,8 @@ Solved meshed(const SolveArguments& arguments, const Monitor& monitor, const War
   options.tags = arguments.tags;
   options.solve = arguments.options;
   options.solve.for_page = arguments.page;
+  options.tets.crease_angle_deg = options.solve.crease_angle_deg;
+  options.tets.max_memory_bytes = options.solve.max_memory_bytes;
   options.tets.read_seconds = arguments.read_seconds;
   options.tets.glue = arguments.glue;
   options.on_warning = warn;
@@ -237,7 +239,7 @@ void solve_inputs(const SolveArguments& arguments, const Inputs& inputs, const M
   });
   bool is_stopped = false;
   OntoStart start{solves_tets(arguments) ? nullptr : &inputs.mesh, earlier ? &*earlier : nullptr, {}};
-  start.solve = [&](const FrameField* from, const TriangleMesh& surface, const SolveOptions& sized,
+  start.solve = [&](const FrameField* from, const TriangleMesh& surface, const SolveTuning& sized,
                     const Monitor& heard) {
     result.to_write = naming(arguments.model, [&] { return on_grid(from, surface, sized, heard); });
     earlier.reset();  // makes room

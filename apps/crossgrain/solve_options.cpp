@@ -23,7 +23,7 @@ void add_run_options(CLI::App& command, SolveArguments& arguments) {
   constexpr int kMany = std::numeric_limits<int>::max();
   command
       .add_option(
-          "--crease-angle", options.creases.least_deg,
+          "--crease-angle", options.crease_angle_deg,
           "Edges between faces whose normals differ by more degrees are creases, which frames follow, unless "
           "they end in a smooth surface before long (default 35; 180 for none)")
       ->check(fault_of_angle)

@@ -2,7 +2,7 @@
 // Kernels of the octree and its graph; items are leaves of the finer level.
 #include <benchmark/benchmark.h>
 
-#include "crossgrain/options.hpp"
+#include "field/solve_tuning.hpp"
 #include "grid/open_faces.hpp"
 #include "kernels/levels.hpp"
 #include "kernels/surface_flops.hpp"
@@ -39,7 +39,7 @@ void connection(benchmark::State& state) {
 template <Part kPart>
 void adjacency(benchmark::State& state) {
   const PartLevel& part = part_level(kPart);
-  const double share = SolverOptions{}.diagonal_share;
+  const double share = SolverTuning{}.diagonal_share;
   for (auto _ : state)
     benchmark::DoNotOptimize(connectivity_of(part.level, part.neighbours, part.connections, share));
   const auto leaves = static_cast<double>(part.level.size());

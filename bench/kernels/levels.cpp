@@ -7,8 +7,8 @@
 #include <random>
 #include <utility>
 
-#include "crossgrain/options.hpp"
 #include "field/face_edges.hpp"
+#include "field/solve_tuning.hpp"
 #include "grid/open_faces.hpp"
 #include "support/shapes.hpp"
 
@@ -39,7 +39,7 @@ SweptField<D> swept(std::shared_ptr<const Connectivity> connectivity, CellForms<
 std::shared_ptr<const Connectivity> connected(const GridLevel& level,
                                               std::span<const FaceNeighbours> neighbours,
                                               const LeafConnections& connections) {
-  const double share = SolverOptions{}.diagonal_share;
+  const double share = SolverTuning{}.diagonal_share;
   return std::make_shared<const Connectivity>(connectivity_of(level, neighbours, connections, share));
 }
 
@@ -75,7 +75,7 @@ template <int D>
 SweptField<D> make_part_field(Part part) {
   const PartLevel& level = part_level(part);
   return swept<D>(part_connectivity(part), boundary_forms<D>(level.level, level.solid.solid(),
-                                                             SolverOptions{}.boundary_weight, Shift::kNone));
+                                                             SolverTuning{}.boundary_weight, Shift::kNone));
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ PartLevel::PartLevel(TriangleMesh mesh) : solid(std::move(mesh)) {
     before = std::move(made.level);
     neighbours_before = std::move(made.neighbours);
     marks = refinement_marks(before, neighbours_before, solid.solid(), {}, frame.finest_depth,
-                             RefinementOptions{});
+                             RefinementTuning{});
     made = refined(before, neighbours_before, solid.solid(), marks);
   }
   level = std::move(made.level);

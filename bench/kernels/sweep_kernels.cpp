@@ -2,9 +2,9 @@
 // Kernels of sweeps and projection; items are cells.
 #include <benchmark/benchmark.h>
 
-#include "crossgrain/options.hpp"
 #include "field/manifold_sweep.hpp"
 #include "field/relaxation.hpp"
+#include "field/solve_tuning.hpp"
 #include "guard/plain_box.hpp"
 #include "kernels/levels.hpp"
 
@@ -34,12 +34,12 @@ void manifold(benchmark::State& state, const SweptField<D>& field) {
   const ItemCost cost =
       sweep_cost<D>(field.graph, manifold_update_flops<D>, SweptData::kFramesAndCoefficients);
   sweep(state, field, cost,
-        [&](FieldState<D>& swept) { manifold_sweep(field.graph, swept, SolverOptions{}.over_relaxation); });
+        [&](FieldState<D>& swept) { manifold_sweep(field.graph, swept, SolverTuning{}.over_relaxation); });
 }
 
 template <int D>
 void relaxation(benchmark::State& state, const SweptField<D>& field) {
-  const SolverOptions options;
+  const SolverTuning options;
   const ItemCost cost = sweep_cost<D>(field.graph, relaxation_update_flops<D>, SweptData::kCoefficients);
   sweep(state, field, cost, [&](FieldState<D>& swept) {
     relaxation_sweep(field.graph, swept, options.symmetrisation, options.over_relaxation);
@@ -75,7 +75,7 @@ void plain(benchmark::State& state) {
 /// Projects coefficients after a relaxation to the nearest frames.
 template <int D, Part kPart>
 void projection(benchmark::State& state) {
-  const SolverOptions options;
+  const SolverTuning options;
   const SweptField<D>& field = part_field<D>(kPart);
   FieldState<D> relaxed = field.start;
   for (int k = 0; k < 3; ++k)

@@ -160,15 +160,13 @@ typedef enum crossgrain_options_kind {
   CROSSGRAIN_READ_OPTIONS = 1,         /**< ReadOptions */
   CROSSGRAIN_TAG_OPTIONS = 2,          /**< TetTagOptions */
   CROSSGRAIN_OUTPUT_OPTIONS = 3,       /**< OutputOptions, and "page": whether report.html is written too */
-  CROSSGRAIN_SINGULARITY_OPTIONS = 4,  /**< SingularityOptions */
-  CROSSGRAIN_ANSWER_OPTIONS = 5,       /**< AnswerOptions */
-  CROSSGRAIN_STREAMLINE_OPTIONS = 6,   /**< StreamlineOptions */
-  CROSSGRAIN_PICTURE_OPTIONS = 7,      /**< PictureOptions */
-  CROSSGRAIN_PREPARATION_OPTIONS = 8,  /**< MapPreparationOptions */
-  CROSSGRAIN_TET_MAKING_OPTIONS = 9,   /**< TetMakingOptions */
-  CROSSGRAIN_REPAIR_OPTIONS = 10,      /**< RepairOptions */
-  CROSSGRAIN_HEX_OPTIONS = 11,         /**< HexOptions */
-  CROSSGRAIN_HEX_MESHING_OPTIONS = 12, /**< HexMeshingOptions */
+  CROSSGRAIN_STREAMLINE_OPTIONS = 4,   /**< StreamlineOptions */
+  CROSSGRAIN_PICTURE_OPTIONS = 5,      /**< PictureOptions */
+  CROSSGRAIN_PREPARATION_OPTIONS = 6,  /**< MapPreparationOptions */
+  CROSSGRAIN_TET_MAKING_OPTIONS = 7,   /**< TetMakingOptions */
+  CROSSGRAIN_REPAIR_OPTIONS = 8,       /**< RepairOptions */
+  CROSSGRAIN_HEX_OPTIONS = 9,          /**< HexOptions */
+  CROSSGRAIN_HEX_MESHING_OPTIONS = 10, /**< HexMeshingOptions */
   CROSSGRAIN_NO_OPTIONS = 2147483647 /**< none; so that a function may be asked for any int, and refuse it */
 } crossgrain_options_kind;
 
@@ -544,9 +542,8 @@ CROSSGRAIN_API crossgrain_status crossgrain_field_sample(const crossgrain_field*
                                                          crossgrain_monitor* monitor,
                                                          crossgrain_error** error);
 
-/** The singular graph; with `options` of kind CROSSGRAIN_SINGULARITY_OPTIONS, or NULL. */
+/** The singular graph. */
 CROSSGRAIN_API crossgrain_status crossgrain_field_singularities(const crossgrain_field* field,
-                                                                const crossgrain_options* options,
                                                                 crossgrain_monitor* monitor,
                                                                 crossgrain_graph** out,
                                                                 crossgrain_error** error);
@@ -559,10 +556,8 @@ CROSSGRAIN_API crossgrain_status crossgrain_field_report(const crossgrain_field*
 CROSSGRAIN_API crossgrain_status crossgrain_field_check(const crossgrain_field* field, char** json,
                                                         crossgrain_error** error);
 
-/** Whether a hexahedral mesh can follow the field; with `options` of kind CROSSGRAIN_ANSWER_OPTIONS, or NULL.
- */
+/** Whether a hexahedral mesh can follow the field. */
 CROSSGRAIN_API crossgrain_status crossgrain_field_answer(const crossgrain_field* field,
-                                                         const crossgrain_options* options,
                                                          crossgrain_answer** out, crossgrain_error** error);
 
 /** Writes the field to a folder (write_field). `options` of kind CROSSGRAIN_OUTPUT_OPTIONS, or NULL. `model`
@@ -706,7 +701,6 @@ CROSSGRAIN_API const int8_t* crossgrain_matchings_axes(const crossgrain_matching
 
 /** As for fields on a grid. */
 CROSSGRAIN_API crossgrain_status crossgrain_tet_field_singularities(const crossgrain_tet_field* field,
-                                                                    const crossgrain_options* options,
                                                                     crossgrain_monitor* monitor,
                                                                     crossgrain_graph** out,
                                                                     crossgrain_error** error);
@@ -715,7 +709,6 @@ CROSSGRAIN_API crossgrain_status crossgrain_tet_field_report(const crossgrain_te
 CROSSGRAIN_API crossgrain_status crossgrain_tet_field_check(const crossgrain_tet_field* field, char** json,
                                                             crossgrain_error** error);
 CROSSGRAIN_API crossgrain_status crossgrain_tet_field_answer(const crossgrain_tet_field* field,
-                                                             const crossgrain_options* options,
                                                              crossgrain_answer** out,
                                                              crossgrain_error** error);
 CROSSGRAIN_API crossgrain_status crossgrain_tet_field_write(const crossgrain_tet_field* field,

@@ -100,7 +100,7 @@ struct FieldAnalysis {
     std::vector<Corner> corner_list;
   } singularity;
 
-  /// The uniform grid where the lines were decided (SolverOptions::decision_cells); none if there was none.
+  /// The uniform grid where the lines were decided (docs/solver.md); none if there was none.
   struct Decision {
     double cell_size = 0;  ///< model units
     std::size_t cells = 0;
@@ -133,14 +133,14 @@ struct FieldAnalysis {
 
   /// Walls that the finest cells do not resolve.
   struct Walls {
-    double cells_wanted = 0;      ///< RefinementOptions::thickness_cells
+    double cells_wanted = 0;      ///< across a wall that counts as resolved
     double thin_share = 0;        ///< share of the surface's area at walls of fewer cells
-    double unresolved_share = 0;  ///< share at walls of fewer than AnswerOptions::wall_cells
-    double deciding_cells = 0;    ///< thickness of the wall at AnswerOptions::thin_share of the area,
-                                  ///< thinnest first, in cells; 0 if walls take less
+    double unresolved_share = 0;  ///< share at walls of fewer cells than the answer needs
+    double deciding_cells = 0;    ///< thickness of the wall at 2 % of the area, thinnest first, in
+                                  ///< cells; 0 if walls take less
     double thinnest_cells = 0;    ///< thickness of the thinnest wall in cells; 0 if there are no walls
-    /// Number of cells along the longest side with which all but RefinementOptions::unresolved_share of the
-    /// area has `cells_wanted`; 0 if it has.
+    /// Number of cells along the longest side with which all but 2 % of the area has `cells_wanted`; 0 if it
+    /// has.
     int resolution_needed = 0;
     std::size_t two_sheet_cells = 0;  ///< cells with both sides of a wall or gap
     std::size_t tied_cells = 0;       ///< cells in small groups without an open face to other cells

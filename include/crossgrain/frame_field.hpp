@@ -94,10 +94,8 @@ class FrameField {
   /// above.
   void sample(std::span<const Vector3> points, std::span<Sample> samples) const;
 
-  /// The singular graph of the cells. Arcs end up to one cell before the surface. Errors: kUsage for options
-  /// out of range.
+  /// The singular graph of the cells. Arcs end up to one cell before the surface.
   const SingularityGraph& singularities() const;
-  SingularityGraph singularities(const SingularityOptions& options) const;
 
   const SolveReport& report() const;
 

@@ -30,8 +30,8 @@ struct HexMeshingOptions {
   HexOptions hexahedra;
 
   /// How tets are made of a model that has none. Without a size their edges are 1.4 times those of the
-  /// hexahedra, or 1.4 times the longest side over `tets.edges`, whichever is less. Creases and limit of
-  /// memory are those of `solve`.
+  /// hexahedra, or 1.4 times the longest side over `tets.edges`, whichever is less. Their crease angle and
+  /// limit of memory are their own: give those of `solve` too.
   TetMakingOptions tets;
 
   /// How tags of given tets are read.

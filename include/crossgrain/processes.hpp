@@ -15,6 +15,8 @@
 
 namespace crossgrain {
 
+struct SolveTuning;
+
 /// \addtogroup solving Solving
 /// @{
 
@@ -53,6 +55,11 @@ class Processes {
   std::optional<FrameField> solve(const FrameField* earlier, const TriangleMesh& mesh,
                                   const SolveOptions& options = {}, const Monitor& monitor = {},
                                   const CheckpointFolders& checkpoint = {});
+
+  /// Likewise with the options that the library passes to the program (OntoStart, solve/tuned_solve.hpp).
+  std::optional<FrameField> solve(const FrameField* earlier, const TriangleMesh& mesh,
+                                  const SolveTuning& options, const Monitor& monitor,
+                                  const CheckpointFolders& checkpoint);
 
   /// Returns what each process passed.
   std::vector<std::string> gathered(const std::string& mine);

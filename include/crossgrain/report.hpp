@@ -110,7 +110,7 @@ struct SolveReport : ResultInventory, FieldAnalysis {
 
     double edge_length = 0;       ///< TetDomain::typical_edge_length
     double unfollowed_share = 0;  ///< share of the surface's area off the axes of its tets' frames by more
-                                  ///< than AnswerOptions::unfollowed_deg
+                                  ///< than 25 degrees
     AngleSummary normal_deg;      ///< area-weighted normal to nearest axis, at smooth boundary vertices
     AngleSummary crease_deg;      ///< normal of each face to nearest axis, at other boundary vertices
 
@@ -124,7 +124,7 @@ struct SolveReport : ResultInventory, FieldAnalysis {
     bool united = false;              ///< frames ignore faces between regions (SolveOptions::unite_solids)
     std::size_t inverted_tets = 0;    ///< reoriented
     std::size_t left_out_tets = 0;    ///< tets without volume
-    /// From which field it comes: 0 that on the grid, k the k-th of OntoOptions::other_starts.
+    /// From which field it comes: 0 that on the grid, k the k-th other grid.
     std::size_t start = 0;
     double seconds = 0;  ///< from the field on the grid to that on the tets, with evaluation
 
@@ -169,8 +169,9 @@ struct SolveReport : ResultInventory, FieldAnalysis {
   std::vector<Warning> warnings;
 };
 
-/// Returns the summary of a graph for the report.
-SolveReport::Singularity summary_of(const SingularityGraph& graph, const SingularityOptions& options = {});
+/// Returns the summary of a graph for the report. The matchings of a repaired field are exact, so none of its
+/// arcs is too short to tell.
+SolveReport::Singularity summary_of(const SingularityGraph& graph, bool is_repaired = false);
 
 /// Marks the report of a field on the grid that was not transferred to the requested tet mesh because of a
 /// stop: sets `unfinished` and adds the warning.

@@ -17,8 +17,8 @@ namespace crossgrain {
 
 /// The singular graph of a field: arcs, and the nodes where they end.
 ///
-/// Arcs are smooth curves within SingularityOptions::shift_cells of the singular edges of cells or tets.
-/// Nodes that the cells cannot resolve are merged. The order of the lists depends on the field only.
+/// Arcs are smooth curves within a cell of the singular edges of cells or tets. Nodes that the cells cannot
+/// resolve are merged. The order of the lists depends on the field only.
 struct SingularityGraph {
   /// The rotation of a frame that is carried once around an arc. Its sense is that of the cosine between its
   /// axis and the arc: however oblique, hexahedra can have an arc of one sense.
@@ -81,20 +81,17 @@ struct SingularityGraph {
   std::size_t edges = 0;
   double edge_length = 0;
 
-  /// Number of closed arcs too short to be resolved (SingularityOptions::loop_cells); not among the arcs.
+  /// Number of closed arcs too short to be resolved; not among the arcs.
   std::size_t unresolved_loops = 0;
 
-  /// Number of arcs of third turns no longer than SingularityOptions::merge_cells from surface to surface;
-  /// not among the arcs.
+  /// Number of arcs of third turns of a few cells from surface to surface; not among the arcs.
   std::size_t unresolved_stubs = 0;
 
-  /// Number of short arcs from surface to surface along a crease (SingularityOptions::hook_cells), on grids;
-  /// not among the arcs.
+  /// Number of short arcs from surface to surface along a crease, on grids; not among the arcs.
   std::size_t crease_hooks = 0;
 
   /// Number of places where an arc that runs along the surface touches it: on tets, singular edges with one
-  /// end on the surface where no arc ends; on grids, gaps without cells on one side
-  /// (SingularityOptions::touch_cells).
+  /// end on the surface where no arc ends; on grids, gaps without cells on one side.
   std::size_t contacts = 0;
 
   /// The verdict of the worst arc or node: kNotMeshable, kUndecided, kMeshable.
@@ -103,58 +100,6 @@ struct SingularityGraph {
 
 /// Returns the name in report.json: "regular", "changing" or "no_axis".
 const char* name_of(SingularityGraph::ArcType type);
-
-/// How singular edges become a graph. Lengths are in sizes of the local cells, or in mean edge lengths of the
-/// local tets.
-struct SingularityOptions {
-  /// Largest length of an arc that is merged into its node: where several lines meet within a cell or two,
-  /// the singular edges form a few nodes joined by short arcs.
-  double merge_cells = 2.5;
-
-  /// On grids, largest length of an arc from a node to the surface that is merged into the node, in place of
-  /// `merge_cells`: lines that end side by side on the surface often meet in the cells before.
-  double end_cells = 4;
-
-  /// On grids, largest distance between two ends on the surface from which one line goes on, and how far the
-  /// other end may lie beside the direction of either: a line that touches the surface between cells has no
-  /// edges there.
-  double touch_cells = 3, touch_aside_cells = 1.5;
-
-  /// Largest length of an arc from surface to surface that is left out where it stays within
-  /// `hook_reach_cells` of one crease. Where the angle of solid at a crease passes 45, 135, 225 or 315
-  /// degrees, two numbers of hexahedra cost alike, and the line between them runs along the crease, in and
-  /// out of the first cells. docs/notes/verdict.md has the sweep.
-  double hook_cells = 12, hook_reach_cells = 1.5;
-
-  /// How near a crease an arc from surface to surface of at most `merge_cells` is left out too: at a knife
-  /// edge the tip has no room for lines across it.
-  double tip_reach_cells = 3;
-
-  /// Largest length of a closed arc that is left out: where frames of neighbours differ by more than 45
-  /// degrees the matching is ambiguous, and a wrong one produces a loop around its face.
-  double loop_cells = 6;
-
-  /// Largest distance by which smoothing moves a point. A straight line is nowhere further than sqrt(1/2)
-  /// from the nearest staircase of unit cells.
-  double shift_cells = 0.75;
-
-  /// Rounds of averaging over neighbours: enough to straighten steps every ten cells.
-  int smoothing_rounds = 100;
-
-  /// The sense of a rotation is noise where its axis is nearly across the arc: an arc changes its sense where
-  /// the cosine between them is above `sign_cosine` over a length of `sign_cells`, and below -`sign_cosine`
-  /// over as long a part. docs/notes/verdict.md has the sweep.
-  double sign_cosine = 0.2;
-  double sign_cells = 2;
-
-  /// Angle within which of 45, 135, 225 or 315 degrees of solid the number of hexahedra at a crease is left
-  /// to the frames, or undecided.
-  double rounding_deg = 5;
-
-  /// Smallest angle by which the surface turns at a crease, and by which a crease turns at a corner, for
-  /// these numbers: as on tets (tets/boundary_vertices.hpp).
-  double sharp_deg = 30, bend_deg = 45;
-};
 
 /// @}
 

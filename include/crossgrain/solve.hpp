@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
-#include <optional>
-
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/options.hpp"
@@ -38,17 +35,16 @@ FrameField solve_from(const FrameField& earlier, const TriangleMesh& mesh, const
                       const Monitor& monitor = {});
 
 /// Returns the options for a field that will be transferred to tets: if they give neither resolution nor cell
-/// size, with cells that suit the edges of the tets (OntoOptions). Errors: kUsage.
+/// size, with cells that suit the edges of the tets. Errors: kUsage.
 SolveOptions sized_for(const TetDomain& domain, SolveOptions options = {});
 
 /// Transfers a field to the vertices of a tet mesh and finishes it there (docs/solver.md): relaxation and
 /// sweeps lower the Dirichlet energy of the degree-4 coefficients, which are linear in every tet. The same is
-/// done with fields on other grids inside the tets (OntoOptions::other_starts; empty them to keep to `field`)
-/// and the one of the lowest energy is returned. Smooth
-/// boundary vertices keep an axis exactly along their area-weighted normal; `options.onto` says how creases
-/// and corners are constrained. Vertices outside all cells start with the frame of the nearest cell of their
-/// component. The degree is that of `field`. Errors: kUsage; kInput if no vertex lies in a cell, or for tets
-/// of a size or place beyond single precision; kLimit; kInterrupted.
+/// done with fields on other grids inside the tets, and the one of the lowest energy is returned. Smooth
+/// boundary vertices keep an axis exactly along their area-weighted normal; SolveOptions::boundary says
+/// whether creases and corners are constrained. Vertices outside all cells start with the frame of the
+/// nearest cell of their component. The degree is that of `field`. Errors: kUsage; kInput if no vertex lies
+/// in a cell, or for tets of a size or place beyond single precision; kLimit; kInterrupted.
 TetFrameField carry_onto(const FrameField& field, const TetDomain& domain, const SolveOptions& options = {},
                          const Monitor& monitor = {});
 
@@ -56,27 +52,6 @@ TetFrameField carry_onto(const FrameField& field, const TetDomain& domain, const
 /// `sized_for`, then `carry_onto`. Errors: those of both.
 TetFrameField solve_onto(const TetDomain& domain, const SolveOptions& options = {},
                          const Monitor& monitor = {});
-
-/// Where a field for tets begins.
-struct OntoStart {
-  /// Surface of the solid that the tets fill; null: their boundary.
-  const TriangleMesh* surface = nullptr;
-
-  /// The field to begin with; null: none. Only what it becomes is carried onto the tets
-  /// (OntoOptions::other_starts).
-  const FrameField* earlier = nullptr;
-
-  /// Called in place of `solve`, or of `solve_from` if there is an earlier field. Whoever solves with other
-  /// processes returns nothing in those that only help.
-  std::function<std::optional<FrameField>(const FrameField* earlier, const TriangleMesh& surface,
-                                          const SolveOptions& options, const Monitor& monitor)>
-      solve;
-};
-
-/// Likewise from a start. Returns nothing if `start.solve` does. A stop after the field on the grid is
-/// complete throws kInterrupted: who wants that field keeps what `start.solve` returns.
-std::optional<TetFrameField> solve_onto(const TetDomain& domain, const OntoStart& start,
-                                        const SolveOptions& options, const Monitor& monitor);
 
 /// @}
 

@@ -65,7 +65,6 @@ class TetFrameField {
 
   /// The singular graph of the frames of tets, along edges of the mesh.
   const SingularityGraph& singularities() const;
-  SingularityGraph singularities(const SingularityOptions& options) const;
 
   /// The report of grid() with the section `onto`, the warnings of the domain and the time for the tets. The
   /// grid only provides a starting field, so its resolution warnings are left out.

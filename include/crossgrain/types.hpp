@@ -29,8 +29,7 @@ struct CreaseCurve {
   std::vector<Vector3> tangents;  ///< unit vectors, one per point
   std::int32_t tag = 0;           ///< number of the edge in the file that it comes from
 
-  /// Whether the file tags it although the surface is not sharp there, or it lies inside the solid
-  /// (SolverOptions::tagged_weight).
+  /// Whether the file tags it although the surface is not sharp there, or it lies inside the solid.
   bool is_tagged = false;
 };
 

@@ -64,26 +64,8 @@ struct Answer {
   std::vector<Reason> reasons;  ///< those of the verdict first; empty if meshable
 };
 
-/// What the answer about a field rests on besides its singular lines. Shares and numbers of cells are
-/// dimensionless. docs/notes/verdict.md has the sweeps.
-struct AnswerOptions {
-  /// Fewest cells across a wall that decide, and the largest share of the surface at thinner walls.
-  double wall_cells = 2.5;
-  double thin_share = 0.02;
-
-  /// Largest share of the surface, or of the length of creases, that frames need not follow, and the angle
-  /// between the normal and the nearest axis from which they do not.
-  double unfollowed_share = 0.1;
-  double unfollowed_deg = 25;
-
-  /// Largest number of short lines for each other arc, and the number that is never too many.
-  double short_per_arc = 1;
-  std::size_t few_short = 2;
-};
-
 /// Returns the answer about the field of a report: that on tets if there is one, otherwise that on the grid.
-/// Errors: kUsage for options out of range.
-Answer answer_of(const SolveReport& report, const AnswerOptions& options = {});
+Answer answer_of(const SolveReport& report);
 
 /// Returns the answer in one line: "can be meshed locally (necessary, not sufficient)", "cannot be meshed,
 /// because ... at ...; next: ..." or "undecided, because ...; next: ...".

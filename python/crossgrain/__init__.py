@@ -24,11 +24,9 @@ from .field import CONSTRAINT_CLASSES, Field, Samples
 from .hex_meshing import hex  # pylint: disable=redefined-builtin
 from .matchings import Matchings
 from .models import Crease, Surface, TetMesh, make_tets, read_surface, read_tets
-from .options import (AnswerOptions, CalmFieldOptions, CreaseAngles, FadingCreases, HexMeshingOptions,
-                      HexOptions, MapPreparationOptions, OntoOptions, OtherStart,
-                      OutputOptions, PictureOptions, ReadOptions, RefinementOptions,
-                      RepairOptions, SingularityOptions, SolveOptions, SolverOptions,
-                      StreamlineOptions, TetMakingOptions, TetTagOptions)
+from .options import (HexMeshingOptions, HexOptions, MapPreparationOptions, OutputOptions, PictureOptions,
+                      ReadOptions, RepairOptions, SolveOptions, StreamlineOptions, TetMakingOptions,
+                      TetTagOptions)
 from .singularities import Answer, Arc, Node, Reason, SingularityGraph, read_singularities
 from .solving import carry_onto, is_clipped, read, solve, solve_onto
 from .spectra import Spectrum, coefficients, spectrum
@@ -38,15 +36,12 @@ from .tet_field import HexMesh, TetField
 __version__ = _library_of_c.crossgrain_version().decode()
 
 __all__ = [
-    "Answer", "AnswerOptions", "Arc", "CONSTRAINT_CLASSES", "CalmFieldOptions", "Constraints",
-    "Crease", "CreaseAngles", "Error", "FadingCreases", "Field", "HexMesh", "HexMeshingOptions",
-    "HexOptions", "InputError", "InternalError", "Interrupted", "LimitError",
-    "MapPreparationOptions", "Matchings", "Node", "OntoOptions", "OtherStart", "OutputError",
-    "OutputOptions", "PictureOptions", "Progress", "ReadOptions", "Reason", "RefinementOptions",
-    "RepairOptions", "Samples", "SingularityGraph",
-    "SingularityOptions", "SolveOptions", "SolverOptions", "Spectrum", "Streamline",
-    "StreamlineOptions", "Streamlines", "Surface", "TetField", "TetMakingOptions", "TetMesh",
-    "TetTagOptions", "UsageError", "carry_onto", "coefficients", "hex", "is_clipped", "make_tets",
-    "read", "read_constraints", "read_singularities", "read_streamlines", "read_surface", "read_tets",
-    "solve", "solve_onto", "spectrum",
+    "Answer", "Arc", "CONSTRAINT_CLASSES", "Constraints", "Crease", "Error", "Field", "HexMesh",
+    "HexMeshingOptions", "HexOptions", "InputError", "InternalError", "Interrupted", "LimitError",
+    "MapPreparationOptions", "Matchings", "Node", "OutputError", "OutputOptions", "PictureOptions",
+    "Progress", "ReadOptions", "Reason", "RepairOptions", "Samples", "SingularityGraph", "SolveOptions",
+    "Spectrum", "Streamline", "StreamlineOptions", "Streamlines", "Surface", "TetField",
+    "TetMakingOptions", "TetMesh", "TetTagOptions", "UsageError", "carry_onto", "coefficients", "hex",
+    "is_clipped", "make_tets", "read", "read_constraints", "read_singularities", "read_streamlines",
+    "read_surface", "read_tets", "solve", "solve_onto", "spectrum",
 ]

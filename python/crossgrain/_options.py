@@ -12,12 +12,9 @@ import numpy as np
 
 from . import _interface as c
 from ._library import Handle, call, library, made, text_bytes
-from .options import OtherStart, SolveOptions, refuse_removed
+from .options import SolveOptions, refuse_removed
 
 _AXES = {"x": 0, "y": 1, "z": 2}
-
-# Options that are lists of structs, which have only numbers, by their own names.
-_LISTS = {"other_starts": OtherStart}
 
 
 def flattened(options: Any, prefix: str = "") -> Iterator[Tuple[str, Any]]:
@@ -40,11 +37,6 @@ def _numbers_of(name: str, value: Any) -> Any:
     if name == "cut":
         axis, position = (value, None) if isinstance(value, str) else value
         return [_AXES.get(axis, axis), math.nan if position is None else position]
-    listed = _LISTS.get(name.split(".")[-1])
-    if listed is not None:
-        if not all(isinstance(item, listed) for item in value):
-            raise TypeError(f"the option {name} takes a list of {listed.__name__}, not {value!r}")
-        return [number for item in value for number in dataclasses.astuple(item)]
     return value
 
 

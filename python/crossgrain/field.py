@@ -14,7 +14,7 @@ from ._library import Handle, array_view, call, frozen, handle_in, library, made
 from ._options import handle_of, with_changes
 from ._watched import watched
 from .models import Surface
-from .options import AnswerOptions, OutputOptions, PictureOptions, SingularityOptions, StreamlineOptions
+from .options import OutputOptions, PictureOptions, StreamlineOptions
 from .singularities import Answer, SingularityGraph
 from .spectra import coefficients
 from .streamlines import Streamlines, traced
@@ -64,21 +64,13 @@ class _AnyField:
     @cached_property
     def singularities(self) -> SingularityGraph:
         """The singular graph of the field."""
-        return self._graph(None)
-
-    def singularities_with(self, options: SingularityOptions) -> SingularityGraph:
-        """The singular graph by other options than the defaults."""
-        return self._graph(handle_of(options, SingularityOptions))
-
-    def _graph(self, options: Optional[Handle]) -> SingularityGraph:
         return SingularityGraph(watched(lambda monitor: made("graph", f"{self._kind}_singularities",
-                                                             self._handle, options, monitor.handle)))
+                                                             self._handle, monitor.handle)))
 
-    def check(self, options: Optional[AnswerOptions] = None) -> Answer:
+    def check(self) -> Answer:
         """Whether a hexahedral mesh can follow the field locally, and why not: ``check().verdict``,
         ``print(check())``."""
-        handle = None if options is None else handle_of(options, AnswerOptions)
-        return Answer(made("answer", f"{self._kind}_answer", self._handle, handle))
+        return Answer(made("answer", f"{self._kind}_answer", self._handle))
 
     def write(self, folder: Any, *, page: Optional[bool] = None, options: Optional[OutputOptions] = None,
               **changes: Any) -> Dict[str, Any]:

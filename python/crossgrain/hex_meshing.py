@@ -19,11 +19,12 @@ from .tet_field import HexMesh, sized
 
 
 def _chosen(options: Optional[HexMeshingOptions], size: Optional[float], cells: Optional[float],
-            tet_size: Optional[float], **of_solve: Any) -> HexMeshingOptions:
+            tet_size: Optional[float], max_memory_bytes: Optional[int], **of_solve: Any) -> HexMeshingOptions:
     chosen = with_changes(options, HexMeshingOptions, {})
+    memory = unless_none(max_memory_bytes=max_memory_bytes)
     return dataclasses.replace(chosen, hexahedra=sized(chosen.hexahedra, size, cells),
-                               tets=dataclasses.replace(chosen.tets, **unless_none(size=tet_size)),
-                               solve=dataclasses.replace(chosen.solve, **unless_none(**of_solve)))
+                               tets=dataclasses.replace(chosen.tets, **unless_none(size=tet_size), **memory),
+                               solve=dataclasses.replace(chosen.solve, **unless_none(**of_solve), **memory))
 
 
 def _is_tets(model: Any, elements: Any) -> bool:
@@ -69,8 +70,7 @@ def hex(model: Any, elements: Any = None, *,  # pylint: disable=redefined-builti
     Raises InputError for a model that cannot be used or cut into tets, UsageError for options out of range,
     LimitError, TypeError.
     """
-    chosen = _chosen(options, size, cells, tet_size, seed=seed, threads=threads,
-                     max_memory_bytes=max_memory_bytes)
+    chosen = _chosen(options, size, cells, tet_size, max_memory_bytes, seed=seed, threads=threads)
     handle = solve_handle(chosen, None, HexMeshingOptions)
     path, read_seconds = "", 0.0
     if elements is None and is_path(model):

@@ -67,22 +67,11 @@ void render_result(const Field& field, const char* path, const crossgrain_option
                  monitor_of(monitor));
 }
 
-/// Returns the graph that the field has, or one by these options.
+/// Returns the graph of a field.
 template <class Field>
-crossgrain_graph* graph_of(const Field& field, const crossgrain_options* options,
-                           const crossgrain_monitor* monitor) {
+crossgrain_graph* graph_of(const Field& field, const crossgrain_monitor* monitor) {
   const WatchedLoops watched(monitor_of(monitor), Stops::kHeeded);
-  return new crossgrain_graph(options == nullptr
-                                  ? field.singularities()
-                                  : field.singularities(options_or_defaults<SingularityOptions>(options)));
-}
-
-/// Returns the answer that the report has, or one by these options.
-template <class Field>
-crossgrain_answer* answer_about(const Field& field, const crossgrain_options* options) {
-  return new crossgrain_answer(options == nullptr
-                                   ? field.report().answer
-                                   : answer_of(field.report(), options_or_defaults<AnswerOptions>(options)));
+  return new crossgrain_graph(field.singularities());
 }
 
 }  // namespace crossgrain

@@ -199,11 +199,9 @@ crossgrain_status crossgrain_field_sample(const crossgrain_field* field, const d
   });
 }
 
-crossgrain_status crossgrain_field_singularities(const crossgrain_field* field,
-                                                 const crossgrain_options* options,
-                                                 crossgrain_monitor* monitor, crossgrain_graph** out,
-                                                 crossgrain_error** error) {
-  return made(out, error, [&] { return graph_of(given(field, "field").field, options, monitor); });
+crossgrain_status crossgrain_field_singularities(const crossgrain_field* field, crossgrain_monitor* monitor,
+                                                 crossgrain_graph** out, crossgrain_error** error) {
+  return made(out, error, [&] { return graph_of(given(field, "field").field, monitor); });
 }
 
 crossgrain_status crossgrain_field_report(const crossgrain_field* field, char** json,
@@ -216,9 +214,9 @@ crossgrain_status crossgrain_field_check(const crossgrain_field* field, char** j
   return made(json, error, [&] { return copy_of(check_json(given(field, "field").field.report())); });
 }
 
-crossgrain_status crossgrain_field_answer(const crossgrain_field* field, const crossgrain_options* options,
-                                          crossgrain_answer** out, crossgrain_error** error) {
-  return made(out, error, [&] { return answer_about(given(field, "field").field, options); });
+crossgrain_status crossgrain_field_answer(const crossgrain_field* field, crossgrain_answer** out,
+                                          crossgrain_error** error) {
+  return made(out, error, [&] { return new crossgrain_answer(given(field, "field").field.report().answer); });
 }
 
 crossgrain_status crossgrain_field_write(const crossgrain_field* field, const char* folder,

@@ -17,10 +17,9 @@
 /// The alternatives are in the order of crossgrain_options_kind.
 struct crossgrain_options {
   std::variant<crossgrain::SolveOptions, crossgrain::ReadOptions, crossgrain::TetTagOptions,
-               crossgrain::OutputChoices, crossgrain::SingularityOptions, crossgrain::AnswerOptions,
-               crossgrain::StreamlineOptions, crossgrain::PictureOptions, crossgrain::MapPreparationOptions,
-               crossgrain::TetMakingOptions, crossgrain::RepairOptions, crossgrain::HexOptions,
-               crossgrain::HexMeshingOptions>
+               crossgrain::OutputChoices, crossgrain::StreamlineOptions, crossgrain::PictureOptions,
+               crossgrain::MapPreparationOptions, crossgrain::TetMakingOptions, crossgrain::RepairOptions,
+               crossgrain::HexOptions, crossgrain::HexMeshingOptions>
       values;
 };
 

@@ -163,47 +163,4 @@ OptionContent OptionOf<std::array<bool, 3>>::content(const std::array<bool, 3>& 
   return std::vector<double>(member.begin(), member.end());
 }
 
-std::vector<double> OptionOf<std::vector<double>>::of(const OptionValue& value) {
-  const auto* const numbers = std::get_if<std::vector<double>>(&value);
-  if (numbers == nullptr) refuse("a list of numbers");
-  return *numbers;
-}
-
-OptionContent OptionOf<std::vector<double>>::content(const std::vector<double>& member) {
-  return member;
-}
-
-namespace {
-
-/// Returns the numbers of a list of things that have three each.
-const std::vector<double>& threes_in(const OptionValue& value, const char* what_it_takes) {
-  const auto* const numbers = std::get_if<std::vector<double>>(&value);
-  if (numbers == nullptr || numbers->size() % 3 != 0) refuse(what_it_takes);
-  return *numbers;
-}
-
-}  // namespace
-
-std::vector<OtherStart> OptionOf<std::vector<OtherStart>>::of(const OptionValue& value) {
-  const std::vector<double>& numbers = threes_in(value, "three numbers for each start");
-  std::vector<OtherStart> starts;
-  for (std::size_t i = 0; i < numbers.size(); i += 3) {
-    OtherStart start{numbers[i], numbers[i + 1], SIZE_MAX};
-    const double most = numbers[i + 2];
-    if (!std::isinf(most)) start.most_vertices = OptionOf<std::uint64_t>::of(most);
-    starts.push_back(start);
-  }
-  return starts;
-}
-
-OptionContent OptionOf<std::vector<OtherStart>>::content(const std::vector<OtherStart>& member) {
-  std::vector<double> numbers;
-  for (const OtherStart& start : member) {
-    const double most = start.most_vertices == SIZE_MAX ? std::numeric_limits<double>::infinity()
-                                                        : static_cast<double>(start.most_vertices);
-    numbers.insert(numbers.end(), {start.cell_size, start.boundary_weight, most});
-  }
-  return numbers;
-}
-
 }  // namespace crossgrain

@@ -198,20 +198,4 @@ struct OptionOf<std::array<bool, 3>> {
   static OptionContent content(const std::array<bool, 3>& member);
 };
 
-/// Any number of numbers.
-template <>
-struct OptionOf<std::vector<double>> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_NUMBERS;
-  static std::vector<double> of(const OptionValue& value);
-  static OptionContent content(const std::vector<double>& member);
-};
-
-/// Three numbers for each start: cell_size, boundary_weight, most_vertices, which may be infinity.
-template <>
-struct OptionOf<std::vector<OtherStart>> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_NUMBERS;
-  static std::vector<OtherStart> of(const OptionValue& value);
-  static OptionContent content(const std::vector<OtherStart>& member);
-};
-
 }  // namespace crossgrain

@@ -16,6 +16,18 @@ constexpr std::string_view kCreaseAngle = "use crease_angle_deg";
 
 /// The first row that fits counts.
 constexpr RemovedOption kRemoved[] = {
+    {CROSSGRAIN_SOLVE_OPTIONS, "refinement.", kFixed},
+    {CROSSGRAIN_SOLVE_OPTIONS, "creases.least_deg", kCreaseAngle},
+    {CROSSGRAIN_SOLVE_OPTIONS, "creases.", kFixed},
+    {CROSSGRAIN_SOLVE_OPTIONS, "solver.", kFixed},
+    {CROSSGRAIN_SOLVE_OPTIONS, "onto.boundary", "use boundary"},
+    {CROSSGRAIN_SOLVE_OPTIONS, "onto.", kFixed},
+    {CROSSGRAIN_TAG_OPTIONS, "least_share", kFixed},
+    {CROSSGRAIN_TAG_OPTIONS, "most_other_share", kFixed},
+    {CROSSGRAIN_TAG_OPTIONS, "fewest_region_tets", kFixed},
+    {CROSSGRAIN_TAG_OPTIONS, "fewest", kFixed},
+    {CROSSGRAIN_PREPARATION_OPTIONS, "cut_off_creases", kFixed},
+    {CROSSGRAIN_PREPARATION_OPTIONS, "layer_spread_deg", kFixed},
     {CROSSGRAIN_READ_OPTIONS, "chord_error_cells", kFixed},
     {CROSSGRAIN_READ_OPTIONS, "glue_gap", kFixed},
     {CROSSGRAIN_READ_OPTIONS, "cad_program", "install crossgrain_cad in libexec/crossgrain"},

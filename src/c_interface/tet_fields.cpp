@@ -151,10 +151,9 @@ void crossgrain_matchings_free(crossgrain_matchings* matchings) {
 }
 
 crossgrain_status crossgrain_tet_field_singularities(const crossgrain_tet_field* field,
-                                                     const crossgrain_options* options,
                                                      crossgrain_monitor* monitor, crossgrain_graph** out,
                                                      crossgrain_error** error) {
-  return made(out, error, [&] { return graph_of(given(field, "field").field, options, monitor); });
+  return made(out, error, [&] { return graph_of(given(field, "field").field, monitor); });
 }
 
 crossgrain_status crossgrain_tet_field_report(const crossgrain_tet_field* field, char** json,
@@ -167,10 +166,9 @@ crossgrain_status crossgrain_tet_field_check(const crossgrain_tet_field* field, 
   return made(json, error, [&] { return copy_of(check_json(given(field, "field").field.report())); });
 }
 
-crossgrain_status crossgrain_tet_field_answer(const crossgrain_tet_field* field,
-                                              const crossgrain_options* options, crossgrain_answer** out,
+crossgrain_status crossgrain_tet_field_answer(const crossgrain_tet_field* field, crossgrain_answer** out,
                                               crossgrain_error** error) {
-  return made(out, error, [&] { return answer_about(given(field, "field").field, options); });
+  return made(out, error, [&] { return new crossgrain_answer(given(field, "field").field.report().answer); });
 }
 
 crossgrain_status crossgrain_tet_field_write(const crossgrain_tet_field* field, const char* folder,

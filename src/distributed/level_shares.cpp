@@ -126,7 +126,7 @@ std::uint64_t LevelShares::fewest_leaves() const {
   return exchange_.ranks() > 1 ? kBlockedCells : std::numeric_limits<std::uint64_t>::max();
 }
 
-std::optional<LevelStart> LevelShares::begin(const Solid& solid, const SolveOptions& options,
+std::optional<LevelStart> LevelShares::begin(const Solid& solid, const SolveTuning& options,
                                              LevelVisitor* visitor) {
   has_begun_ = !is_first();
   if (checkpoint_ != nullptr) {

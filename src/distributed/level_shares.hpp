@@ -35,7 +35,7 @@ class LevelShares : public LevelSharing {
   bool is_first() const override { return exchange_.rank() == 0; }
   int processes() const override { return exchange_.ranks(); }
   std::uint64_t fewest_leaves() const override;
-  std::optional<LevelStart> begin(const Solid& solid, const SolveOptions& options,
+  std::optional<LevelStart> begin(const Solid& solid, const SolveTuning& options,
                                   LevelVisitor* visitor) override;
   void end_alone(bool has_failed) override;
   Level started(const LevelStart& start, Level level, const Solid& solid) override;

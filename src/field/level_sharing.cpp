@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "field/nested_solve.hpp"
+#include "field/stages.hpp"
 
 namespace crossgrain {
 namespace {
@@ -38,7 +39,7 @@ void add_guides(const Guides& guides, const Add& add) {
 
 }  // namespace
 
-std::uint64_t identity_of(const Solid& solid, const SolveOptions& options) {
+std::uint64_t identity_of(const Solid& solid, const SolveTuning& options) {
   std::uint64_t hash = 0xcbf29ce484222325;
   const auto add = [&hash](double value) {
     hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3;
@@ -49,12 +50,12 @@ std::uint64_t identity_of(const Solid& solid, const SolveOptions& options) {
       for (const double x : corner) add(x);
   }
   if (solid.guides != nullptr) add_guides(*solid.guides, add);
-  const SolverOptions& solver = options.solver;
+  const SolverTuning& solver = options.solver;
   for (const double value :
        {finest_cell_size(solid.surface.box, options), static_cast<double>(options.degree),
-        static_cast<double>(options.seed), options.refinement.thickness_cells,
-        options.refinement.energy_density_threshold, solver.boundary_weight, solver.diagonal_share,
-        solver.over_relaxation, solver.sweep_tolerance, solver.resting_share})
+        static_cast<double>(options.seed), kThicknessCells, options.refinement.energy_density_threshold,
+        solver.boundary_weight, solver.diagonal_share, solver.over_relaxation, solver.sweep_tolerance,
+        kRestingShare})
     add(value);
   return hash;
 }

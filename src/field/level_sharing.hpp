@@ -12,9 +12,9 @@
 
 #include "base/exchange.hpp"
 #include "base/interface.hpp"
-#include "crossgrain/options.hpp"
 #include "crossgrain/statistics.hpp"
 #include "field/field_state.hpp"
+#include "field/solve_tuning.hpp"
 #include "field/sweep_keeper.hpp"
 #include "grid/grid_level.hpp"
 #include "grid/refinement.hpp"
@@ -75,7 +75,7 @@ class LevelSharing : public Interface {
   /// they wait. That level begins as a tree without leaves. Nothing: the first process begins with the
   /// coarsest level, the others have nothing to do. `visitor`, in the first process, revisits the levels of
   /// the earlier solve. Throws OtherProcessFailed if the first one fails before it shares a level out.
-  virtual std::optional<LevelStart> begin(const Solid&, const SolveOptions&, LevelVisitor*) {
+  virtual std::optional<LevelStart> begin(const Solid&, const SolveTuning&, LevelVisitor*) {
     return std::nullopt;
   }
 
@@ -112,6 +112,6 @@ class LevelSharing : public Interface {
 };
 
 /// Returns a number that solves of another surface, other guides or other options hardly share.
-std::uint64_t identity_of(const Solid& solid, const SolveOptions& options);
+std::uint64_t identity_of(const Solid& solid, const SolveTuning& options);
 
 }  // namespace crossgrain

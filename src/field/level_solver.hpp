@@ -9,8 +9,8 @@
 
 #include "base/parallel.hpp"
 #include "crossgrain/monitor.hpp"
-#include "crossgrain/options.hpp"
 #include "field/octree_graph.hpp"
+#include "field/solve_tuning.hpp"
 #include "field/stages.hpp"
 #include "grid/grid_level.hpp"
 
@@ -25,7 +25,7 @@ class LevelSolver {
   /// All arguments but `connectivity` and `place` must outlive the solver. Sweeps are counted from
   /// `place.sweep`.
   LevelSolver(const GridLevel& level, const Solid& solid, std::shared_ptr<const Connectivity> connectivity,
-              const SolveOptions& options, const Monitor& monitor, const Progress& place)
+              const SolveTuning& options, const Monitor& monitor, const Progress& place)
       : level_(level),
         solid_(solid),
         options_(options.solver),
@@ -120,7 +120,7 @@ class LevelSolver {
 
   const GridLevel& level_;
   const Solid& solid_;
-  const SolverOptions& options_;
+  const SolverTuning& options_;
   const Monitor& monitor_;
   Progress progress_;
   std::shared_ptr<const Connectivity> connectivity_;

@@ -37,7 +37,7 @@ Frames sampled(const InitialField& initial, const GridLevel& level) {
 template <int D>
 class NestedSolver {
  public:
-  NestedSolver(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
+  NestedSolver(const Solid& solid, const SolveTuning& options, const Monitor& monitor,
                const InitialField& initial, const PlaceInRun& place, LevelVisitor* visitor,
                LevelSharing& sharing)
       : solid_(solid),
@@ -338,7 +338,7 @@ class NestedSolver {
   }
 
   int relaxation_sweeps(std::size_t start, int depth) const {
-    const SolverOptions& options = options_.solver;
+    const SolverTuning& options = options_.solver;
     if (has_field_) return 0;
     if (depth == coarsest_depth_)
       return static_cast<int>(options.start_relaxation / std::pow(3.0, static_cast<double>(start)));
@@ -410,7 +410,7 @@ class NestedSolver {
   }
 
   const Solid& solid_;
-  const SolveOptions& options_;
+  const SolveTuning& options_;
   const Monitor& monitor_;
   InitialField initial_;
   LevelVisitor* const visitor_;  ///< may be null
@@ -429,7 +429,7 @@ class NestedSolver {
 
 }  // namespace
 
-SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
+SolvedField nested_solve(const Solid& solid, const SolveTuning& options, const Monitor& monitor,
                          const InitialField& initial, const PlaceInRun& place, LevelVisitor* visitor,
                          LevelSharing* sharing) {
   LevelSharing alone;

@@ -11,11 +11,11 @@
 
 #include "base/vector3.hpp"
 #include "crossgrain/monitor.hpp"
-#include "crossgrain/options.hpp"
 #include "crossgrain/statistics.hpp"
 #include "field/energy.hpp"
 #include "field/level_sharing.hpp"
 #include "field/octree_graph.hpp"
+#include "field/solve_tuning.hpp"
 #include "grid/grid_level.hpp"
 #include "grid/refinement.hpp"
 
@@ -53,7 +53,7 @@ struct InitialField {
   std::function<Quaternion(const Vector3& point)> frame_at;
 
   /// The first level is that whose cells are nearest to this size, as a ratio, and never the finest; 0: as
-  /// RefinementOptions::coarsest_cells says. Model units.
+  /// RefinementTuning::coarsest_cells says. Model units.
   double first_cell_size = 0;
 
   /// Levels with cells of at least this size begin with this field, and finer ones with that of the level
@@ -84,7 +84,7 @@ struct PlaceInRun {
 /// level. With `sharing`, several processes solve together, to the same bits. If a level was shared, each has
 /// its part of the result, GridLevel::part, with frames and open faces of ghosts; otherwise the first has the
 /// whole and others have no leaves. Levels that the first has alone are visited there only.
-SolvedField nested_solve(const Solid& solid, const SolveOptions& options, const Monitor& monitor,
+SolvedField nested_solve(const Solid& solid, const SolveTuning& options, const Monitor& monitor,
                          const InitialField& initial = {}, const PlaceInRun& place = {},
                          LevelVisitor* visitor = nullptr, LevelSharing* sharing = nullptr);
 

@@ -135,10 +135,18 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
   return result;
 }
 
+namespace {
+
+/// Below the energy of a turn by this angle, sweeps that run out are followed by more with this
+/// over-relaxation, which is better for errors that span the part (docs/notes/solver.md).
+constexpr double kCalmTurnDeg = 30, kCalmOverRelaxation = 1.9;
+
+}  // namespace
+
 template <class Options>
 SettlingPlan settling_plan(const Options& options, const Connectivity& connectivity, double volume,
                            double side) {
-  const CalmFieldOptions& calm = options.calm_fields;
+  const CalmFieldTuning& calm = options.calm_fields;
   const auto energy_of_turn = [&](double angle_deg) {
     const double turn = angle_deg * std::numbers::pi / 180;
     return 5.0 / 3 * turn * turn * volume / (side * side);
@@ -147,16 +155,16 @@ SettlingPlan settling_plan(const Options& options, const Connectivity& connectiv
           options.over_relaxation,
           options.sweep_tolerance,
           rounding_noise(connectivity.adjacency, connectivity.share()),
-          options.resting_share,
+          kRestingShare,
           energy_of_turn(calm.least_turn_deg),
-          energy_of_turn(calm.calm_turn_deg),
+          energy_of_turn(kCalmTurnDeg),
           calm.more_sweeps,
-          calm.over_relaxation,
+          kCalmOverRelaxation,
           nullptr};
 }
 
-template SettlingPlan settling_plan(const SolverOptions&, const Connectivity&, double, double);
-template SettlingPlan settling_plan(const OntoOptions&, const Connectivity&, double, double);
+template SettlingPlan settling_plan(const SolverTuning&, const Connectivity&, double, double);
+template SettlingPlan settling_plan(const TetFinishing&, const Connectivity&, double, double);
 
 double rounding_noise(const Adjacency& adjacency, const Share& share) {
   constexpr double kSquaredTurn = 1e-12;

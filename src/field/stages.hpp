@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "crossgrain/options.hpp"
 #include "field/energy.hpp"
 #include "field/field_graph.hpp"
 #include "field/field_state.hpp"
+#include "field/solve_tuning.hpp"
 #include "field/sweep_keeper.hpp"
 
 namespace crossgrain {
@@ -26,6 +26,11 @@ struct RelaxationPlan {
   std::span<const float> penalty_shares = {};  ///< of each cell, as in relaxation_sweep
 };
 
+/// Cells rest whose last step lowered the energy by at most this share of the tolerance, divided by the
+/// number of cells, until a neighbour's step lowers it by more. The tolerance counts less by this share, for
+/// what rests (docs/notes/performance.md, "The sweep").
+constexpr double kRestingShare = 0.3;
+
 struct SettlingPlan {
   int most_sweeps = 0;
   double over_relaxation = 1;
@@ -40,7 +45,7 @@ struct SettlingPlan {
   double resting_share = 0;
 
   /// `fraction` is of at least this energy. Below `calm_energy`, sweeps that run out are followed by up to
-  /// `more_sweeps` with an over-relaxation of their own (CalmFieldOptions).
+  /// `more_sweeps` with an over-relaxation of their own (CalmFieldTuning).
   double least_energy = 0;
   double calm_energy = 0;
   int more_sweeps = 0;
@@ -49,7 +54,7 @@ struct SettlingPlan {
   SweepKeeper* keeper = nullptr;  ///< null: nothing is kept
 };
 
-/// Returns a plan of SolverOptions or OntoOptions for a graph in a part of this volume and longest side.
+/// Returns a plan of SolverTuning or TetFinishing for a graph in a part of this volume and longest side.
 template <class Options>
 SettlingPlan settling_plan(const Options& options, const Connectivity& connectivity, double volume,
                            double side);

@@ -15,6 +15,11 @@
 namespace crossgrain {
 namespace {
 
+/// Starts are compared after their relaxation and so many manifold sweeps. A later start must end lower by
+/// more than this fraction, so that what the sweeps leave decides nothing (docs/notes/solver.md).
+constexpr int kRaceSweeps = 10;
+constexpr double kRaceTie = 3e-4;
+
 using Frames = std::vector<StoredQuaternion>;
 
 std::shared_ptr<const Connectivity> connectivity_of(std::size_t vertex_count,
@@ -87,7 +92,7 @@ QuadraticForm<D> crease_form(const BoundaryVertices& boundary, std::size_t k) {
 }
 
 template <int D>
-CellForms<D> vertex_forms(const Adjacency& adjacency, const Holds& holds, const OntoOptions& options,
+CellForms<D> vertex_forms(const Adjacency& adjacency, const Holds& holds, const TetFinishing& options,
                           std::span<const VertexGuide> guides) {
   const BoundaryVertices& boundary = holds.boundary();
   CellForms<D> forms(adjacency.size());
@@ -133,7 +138,7 @@ std::vector<Quaternion> aligned(const Holds& holds, const Frames& frames) {
 
 template <int D>
 FieldGraph<D> graph_of(const std::shared_ptr<const Connectivity>& connectivity, const Holds& holds,
-                       const OntoOptions& options, std::span<const VertexGuide> guides) {
+                       const TetFinishing& options, std::span<const VertexGuide> guides) {
   return {connectivity, vertex_forms<D>(connectivity->adjacency, holds, options, guides)};
 }
 
@@ -141,7 +146,7 @@ FieldGraph<D> graph_of(const std::shared_ptr<const Connectivity>& connectivity, 
 template <int D>
 class Finish {
  public:
-  Finish(std::shared_ptr<const Connectivity> connectivity, const Holds& holds, const OntoOptions& options,
+  Finish(std::shared_ptr<const Connectivity> connectivity, const Holds& holds, const TetFinishing& options,
          std::span<const VertexGuide> guides, const Extent& extent, const SweepMonitor& after_sweep)
       : connectivity_(std::move(connectivity)),
         holds_(holds),
@@ -171,7 +176,7 @@ class Finish {
       if (!(energies[k] <= highest + plan_.noise)) continue;
       if (!raced[k].settled) raced[k] = settled(graph_, std::move(raced[k].frames), plan_, after_sweep_);
       const double energy = compared(raced[k]);
-      if (!(energy < (1 - options_.race_tie) * lowest)) continue;
+      if (!(energy < (1 - kRaceTie) * lowest)) continue;
       lowest = energy;
       result = std::move(raced[k]);
       best = k;
@@ -187,7 +192,7 @@ class Finish {
   std::vector<SettledFrames> raced_from(const std::vector<Frames>& starts) {
     if (D != 4) relaxed_graph_ = graph_of<4>(connectivity_, holds_, options_, guides_);
     SettlingPlan race = plan_;
-    race.most_sweeps = std::min(options_.race_sweeps, plan_.most_sweeps);
+    race.most_sweeps = std::min(kRaceSweeps, plan_.most_sweeps);
     race.more_sweeps = 0;
     std::vector<SettledFrames> raced(starts.size());
     const auto run = [&](std::size_t begin, std::size_t end, const SweepMonitor& after_sweep) {
@@ -223,7 +228,7 @@ class Finish {
 
   const std::shared_ptr<const Connectivity> connectivity_;
   const Holds& holds_;
-  const OntoOptions& options_;
+  const TetFinishing& options_;
   const std::span<const VertexGuide> guides_;
   const SweepMonitor& after_sweep_;
   const SettlingPlan plan_;
@@ -255,7 +260,7 @@ Quaternion with_axis_along(const Quaternion& frame, const Vector3& direction) {
 
 TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const BoundaryVertices& boundary,
                          std::vector<std::vector<Quaternion>> starts, Degree degree,
-                         const OntoOptions& options, const Monitor& monitor,
+                         const TetFinishing& options, const Monitor& monitor,
                          const std::vector<VertexGuide>& guides, const Extent& extent) {
   const std::size_t vertices = starts.front().size();
   const auto connectivity = connectivity_of(vertices, edges);

@@ -7,8 +7,8 @@
 
 #include "base/quaternion.hpp"
 #include "crossgrain/monitor.hpp"
-#include "crossgrain/options.hpp"
 #include "crossgrain/types.hpp"
+#include "field/solve_tuning.hpp"
 #include "field/vertex_guides.hpp"
 #include "tets/boundary_vertices.hpp"
 #include "tets/stiffness.hpp"
@@ -29,7 +29,7 @@ struct TetFrames {
 };
 
 /// Returns frames on the vertices of a tet mesh that lower the Dirichlet energy of the linear elements,
-/// from the one of `starts` that ends lowest (OntoOptions::race_sweeps); there is at least one. Smooth
+/// from the one of `starts` that ends lowest (OntoTuning::race_margin); there is at least one. Smooth
 /// boundary vertices have an axis along their area-weighted normal, to rounding, and rotate about it only;
 /// with a tagged edge through them, they do not rotate. Vertices of tagged edges inside have an axis along
 /// the edge and rotate about it. Creases and corners follow the summed form of their faces, creases also
@@ -38,7 +38,7 @@ struct TetFrames {
 /// Error(kLimit) for a graph beyond the limits of Adjacency and greedy_colouring.
 TetFrames finish_on_tets(const std::vector<StiffnessEdge>& edges, const BoundaryVertices& boundary,
                          std::vector<std::vector<Quaternion>> starts, Degree degree,
-                         const OntoOptions& options, const Monitor& monitor,
+                         const TetFinishing& options, const Monitor& monitor,
                          const std::vector<VertexGuide>& guides = {}, const Extent& extent = {});
 
 /// Returns the frame rotated by the smallest angle that puts one of its axes along a unit vector.

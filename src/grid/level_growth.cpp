@@ -48,9 +48,9 @@ double sum_of_components(const Vector3& v) {
 
 }  // namespace
 
-LevelGrowth::LevelGrowth(const GridLevel& level, const Solid& solid, const RefinementOptions& options)
+LevelGrowth::LevelGrowth(const GridLevel& level, const Solid& solid, const RefinementTuning& options)
     : triangles_(static_cast<double>(solid.surface.size())),
-      thickness_cells_(options.by_thickness ? options.thickness_cells : 0) {
+      thickness_cells_(options.by_thickness ? kThicknessCells : 0) {
   count(level);
   for (std::size_t t = 0; t < solid.surface.size(); ++t)
     flat_surface_cells_ += solid.surface.areas[t] * sum_of_components(solid.surface.normals[t]);

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "crossgrain/options.hpp"
 #include "grid/grid_level.hpp"
+#include "grid/refinement_tuning.hpp"
 
 namespace crossgrain {
 
@@ -26,7 +26,7 @@ struct LevelCounts {
 /// surface.
 class LevelGrowth {
  public:
-  LevelGrowth(const GridLevel& level, const Solid& solid, const RefinementOptions& options);
+  LevelGrowth(const GridLevel& level, const Solid& solid, const RefinementTuning& options);
 
   /// Returns the counts after `levels` refinements; those of the given level for 0.
   LevelCounts after(int levels) const;

@@ -83,12 +83,12 @@ void mark_energy_density(const GridLevel& level, std::span<const float> energy_d
 
 Marks refinement_marks(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid,
                        std::span<const float> energy_density, int finest_depth,
-                       const RefinementOptions& options, std::vector<ReachedPlace>* elsewhere) {
+                       const RefinementTuning& options, std::vector<ReachedPlace>* elsewhere) {
   Marks marks(level.size(), false);
   if (options.by_surface) mark_surface(level, marks);
   if (options.by_spectral_conflict) mark_spectral_conflict(level, neighbours, solid, marks);
   if (options.by_thickness) {
-    std::vector<ReachedPlace> places = mark_thin_walls(level, solid, options.thickness_cells, marks);
+    std::vector<ReachedPlace> places = mark_thin_walls(level, solid, kThicknessCells, marks);
     if (elsewhere != nullptr) *elsewhere = std::move(places);
   }
   if (options.by_energy_density && !energy_density.empty()) {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "crossgrain/options.hpp"
 #include "grid/grid_level.hpp"
+#include "grid/refinement_tuning.hpp"
 
 namespace crossgrain {
 
@@ -34,7 +34,7 @@ std::vector<ReachedPlace> mark_thin_walls(const GridLevel& level, const Solid& s
 /// Marks the leaf at a place if it is not finer than the one that reached it.
 void mark_reached(const GridLevel& level, const ReachedPlace& reached, Marks& marks);
 
-/// Marks leaves with energy_density[i] * (cell size)^2 above `threshold` (RefinementOptions).
+/// Marks leaves with energy_density[i] * (cell size)^2 above `threshold` (RefinementTuning).
 void mark_energy_density(const GridLevel& level, std::span<const float> energy_density, double threshold,
                          Marks& marks);
 
@@ -43,6 +43,6 @@ void mark_energy_density(const GridLevel& level, std::span<const float> energy_d
 /// places to mark that are in leaves of other processes.
 Marks refinement_marks(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid,
                        std::span<const float> energy_density, int finest_depth,
-                       const RefinementOptions& options, std::vector<ReachedPlace>* elsewhere = nullptr);
+                       const RefinementTuning& options, std::vector<ReachedPlace>* elsewhere = nullptr);
 
 }  // namespace crossgrain

@@ -23,7 +23,8 @@ Verdict verdict_of(VertexState state) {
                                              : Verdict::kUndecided;
 }
 
-SingularityOptions exact(SingularityOptions options) {
+SingularityTuning exact() {
+  SingularityTuning options;
   options.merge_cells = options.end_cells = options.tip_reach_cells = 0;
   options.hook_cells = options.loop_cells = 0;
   return options;
@@ -91,10 +92,10 @@ Summary::Corner described_corner(const MatchedField& field, std::uint32_t vertex
 
 }  // namespace
 
-SingularityGraph repaired_graph(const MatchedField& field, const SingularityOptions& options) {
+SingularityGraph repaired_graph(const MatchedField& field) {
   SingularEdges singular = singular_tet_edges(field.complex().solid(), field.frames(), field.matchings());
   singular.surface_edges.clear();  // an arc that ends on the surface ends there
-  SingularityGraph graph = singularity_graph(singular, exact(options));
+  SingularityGraph graph = singularity_graph(singular, exact());
   for (SingularityGraph::Arc& arc : graph.arcs) {
     judge_arc(field, arc);
     if (!arc.nodes) continue;
@@ -106,12 +107,10 @@ SingularityGraph repaired_graph(const MatchedField& field, const SingularityOpti
   return graph;
 }
 
-SolveReport::Singularity repaired_summary(const MatchedField& field, const SingularityGraph& graph,
-                                          const SingularityOptions& options) {
+SolveReport::Singularity repaired_summary(const MatchedField& field, const SingularityGraph& graph) {
   const TetSolid& solid = field.complex().solid();
-  Summary summary = summary_of(graph, exact(options));
-  const SolidCreases creases =
-      solid_creases({solid.mesh.vertices, solid.boundary}, options.sharp_deg, options.bend_deg);
+  Summary summary = summary_of(graph, /*is_repaired=*/true);
+  const SolidCreases creases = solid_creases({solid.mesh.vertices, solid.boundary}, kSharpDeg, kBendDeg);
   for (const SolidCrease& crease : creases.creases) summary.crease_list.push_back(described(field, crease));
   std::set<std::uint32_t> corners;
   for (const SolidCorner& corner : creases.corners) corners.insert(corner.vertex);

@@ -12,6 +12,7 @@
 #include "crossgrain/message.hpp"
 #include "crossgrain/report.hpp"
 #include "crossgrain/verdict.hpp"
+#include "measure/answer_limits.hpp"
 
 namespace crossgrain {
 namespace {
@@ -63,19 +64,6 @@ class Reasons {
  private:
   std::vector<Reason> reasons_;
 };
-
-void check(const AnswerOptions& options) {
-  const auto demand = [](bool holds, const char* what) {
-    if (!holds) throw Error(ErrorKind::kUsage, {"", "the answer", what});
-  };
-  demand(options.wall_cells >= 0, "the fewest cells across a wall must be a number from 0");
-  demand(options.thin_share >= 0 && options.thin_share <= 1 && options.unfollowed_share >= 0 &&
-             options.unfollowed_share <= 1,
-         "shares must be from 0 to 1");
-  demand(options.unfollowed_deg >= 0 && options.unfollowed_deg <= 180,
-         "angles must be from 0 to 180 degrees");
-  demand(options.short_per_arc >= 0, "the number of short lines for each arc must be a number from 0");
-}
 
 /// The angle of the surface itself does not depend on the cells.
 void judge_surface(const Singularity& singularity, Reasons& reasons) {
@@ -150,11 +138,10 @@ void judge_lines(const Singularity& singularity, Verdict fault, Reasons& reasons
                     Remedy::kCutTip);
 }
 
-void judge_short_lines(const Singularity& singularity, std::size_t short_arcs, const AnswerOptions& options,
-                       Next next, Reasons& reasons) {
+void judge_short_lines(const Singularity& singularity, std::size_t short_arcs, Next next, Reasons& reasons) {
   const std::size_t shorter = short_arcs + singularity.unresolved_loops + singularity.unresolved_stubs;
   const auto others = static_cast<double>(singularity.arcs - short_arcs);
-  if (shorter <= options.few_short || static_cast<double>(shorter) <= options.short_per_arc * others) return;
+  if (shorter <= kFewShort || static_cast<double>(shorter) <= kShortPerArc * others) return;
   reasons.add(
       ReasonKind::kShortLines, Verdict::kUndecided,
       fmt::format("{} {} too short for the cells", counted(shorter, "singular line"), is_or_are(shorter)),
@@ -162,8 +149,7 @@ void judge_short_lines(const Singularity& singularity, std::size_t short_arcs, c
 }
 
 /// Creases are unresolved if frames do not see the number of hexahedra that their angle asks for.
-void judge_creases(const Singularity& singularity, const AnswerOptions& options, Next next,
-                   Reasons& reasons) {
+void judge_creases(const Singularity& singularity, Next next, Reasons& reasons) {
   double all = 0, unfollowed = 0;
   const Singularity::Crease* worst = nullptr;
   for (const Singularity::Crease& crease : singularity.crease_list) {
@@ -172,7 +158,7 @@ void judge_creases(const Singularity& singularity, const AnswerOptions& options,
     unfollowed += length;
     if (!worst || length > (1 - worst->followed) * worst->length) worst = &crease;
   }
-  if (!worst || unfollowed <= options.unfollowed_share * all) return;
+  if (!worst || unfollowed <= kUnfollowedShare * all) return;
   reasons.add(
       ReasonKind::kCreases, Verdict::kUndecided,
       fmt::format("frames do not follow the creases along {:.0f} % of their length", 100 * unfollowed / all),
@@ -193,30 +179,30 @@ Next use_resolution(double resolution) {
 }
 
 /// Judges whether the grid resolves the model.
-void judge_grid(const SolveReport& report, const AnswerOptions& options, Reasons& reasons) {
+void judge_grid(const SolveReport& report, Reasons& reasons) {
   const Next finer = use_resolution(2 * report.resolution);
   const SolveReport::Walls& walls = report.walls;
-  if (walls.unresolved_share > options.thin_share) {
+  if (walls.unresolved_share > kThinShare) {
     // The margin keeps the next solve from missing its wall by rounding.
-    const double enough = 1.01 * report.resolution * options.wall_cells / walls.deciding_cells;
+    const double enough = 1.01 * report.resolution * kWallCells / walls.deciding_cells;
     reasons.add(ReasonKind::kWalls, Verdict::kUndecided,
                 fmt::format("walls under {:.3g} % of the surface have fewer than {:g} cells",
-                            100 * walls.unresolved_share, options.wall_cells),
+                            100 * walls.unresolved_share, kWallCells),
                 use_resolution(enough));
   }
   const SolveReport::Alignment& alignment = report.alignment_deg;
-  if (alignment.excluded_share > options.unfollowed_share) {
+  if (alignment.excluded_share > kUnfollowedShare) {
     reasons.add(ReasonKind::kSurface, Verdict::kUndecided,
                 fmt::format("{:.2g} % of the surface lies in cells whose constraints no frame meets",
                             100 * alignment.excluded_share),
                 finer);
-  } else if (alignment.p95.value_or(0) > options.unfollowed_deg) {
+  } else if (alignment.p95.value_or(0) > kUnfollowedDeg) {
     reasons.add(ReasonKind::kSurface, Verdict::kUndecided,
                 fmt::format("frames are more than {:.3g} degrees off 5 % of the surface", *alignment.p95),
                 finer);
   }
-  judge_creases(report.singularity, options, finer, reasons);
-  judge_short_lines(report.singularity, report.singularity.short_arcs, options, finer, reasons);
+  judge_creases(report.singularity, finer, reasons);
+  judge_short_lines(report.singularity, report.singularity.short_arcs, finer, reasons);
 }
 
 void judge_comparison(const SolveReport& report, Reasons& reasons) {
@@ -239,21 +225,21 @@ void judge_comparison(const SolveReport& report, Reasons& reasons) {
   reason.place = coarser.differences.front().place;
 }
 
-void judge_tets(const SolveReport::Onto& onto, const AnswerOptions& options, Reasons& reasons) {
+void judge_tets(const SolveReport::Onto& onto, Reasons& reasons) {
   // Frames are half the turn of a facet off it; BoundaryVertexOptions::smooth_spread_deg is the largest half
   // at which they follow facets as one smooth surface.
   constexpr double kSmoothDeg = 15;
   const double off = std::max(onto.crease_deg.mean.value_or(0), onto.normal_deg.mean.value_or(0));
   const double share = std::min(0.5, kSmoothDeg / std::max(off, kSmoothDeg));
   const Next finer{Remedy::kUseEdgeLength, share * onto.edge_length};
-  if (onto.unfollowed_share > options.unfollowed_share)
+  if (onto.unfollowed_share > kUnfollowedShare)
     reasons.add(ReasonKind::kSurface, Verdict::kUndecided,
-                fmt::format("frames are more than {:g} degrees off {:.2g} % of the surface",
-                            options.unfollowed_deg, 100 * onto.unfollowed_share),
+                fmt::format("frames are more than {:g} degrees off {:.2g} % of the surface", kUnfollowedDeg,
+                            100 * onto.unfollowed_share),
                 finer);
-  judge_creases(onto.singularity, options, finer, reasons);
+  judge_creases(onto.singularity, finer, reasons);
   // The tets are what will be meshed: an arc of two of them is one.
-  judge_short_lines(onto.singularity, 0, options, finer, reasons);
+  judge_short_lines(onto.singularity, 0, finer, reasons);
 }
 
 void judge_end(const SolveReport& report, Reasons& reasons) {
@@ -283,14 +269,13 @@ const char* name_of(ReasonKind kind) {
   return name_among<ReasonKind::kUnfinished>(kNames, kind);
 }
 
-Answer answer_of(const SolveReport& report, const AnswerOptions& options) {
-  check(options);
+Answer answer_of(const SolveReport& report) {
   Reasons reasons;
   if (report.onto) {
     // The matchings of a repair are exact, so no size of tets is in doubt.
-    if (!report.onto->repair) judge_tets(*report.onto, options, reasons);
+    if (!report.onto->repair) judge_tets(*report.onto, reasons);
   } else {
-    judge_grid(report, options, reasons);
+    judge_grid(report, reasons);
     judge_comparison(report, reasons);
   }
   judge_end(report, reasons);

@@ -87,8 +87,8 @@ CreaseNetwork::CreaseNetwork(const Surface& surface, const TriangleMesh& inner, 
   const std::vector<EdgeUse> uses = sorted_edge_uses(surface.mesh.triangles);
   curves = surface.mesh.creases.empty() ? curves_of(surface, uses, inner, angles)
                                         : without_repeats(surface.mesh.creases);
-  corners = corners_of(curves, angles);
-  knives = knife_edges(surface, uses, angles, inside_out);
+  corners = corners_of(curves);
+  knives = knife_edges(surface, uses, inside_out);
 }
 
 SolveReport::Creases crease_report(const CreaseNetwork& creases, const PlaceSampler& sampler, double step) {

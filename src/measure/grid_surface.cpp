@@ -102,10 +102,10 @@ class VotingPlaces {
 }  // namespace
 
 void add_grid_surface(const SolvedSurface& solved, const PlaceSampler& sampler, double cell_size,
-                      const SingularityGraph& graph, const SingularityOptions& options,
+                      const SingularityGraph& graph, const SingularityTuning& options,
                       SolveReport::Singularity& summary) {
   const SolidSurface surface{solved.vertices, solved.triangles};
-  const SolidCreases creases = solid_creases(surface, options.sharp_deg, options.bend_deg);
+  const SolidCreases creases = solid_creases(surface, kSharpDeg, kBendDeg);
   const VotingPlaces voting(surface, creases, cell_size);
   const std::vector<Quaternion> frames = sampler.frames_at(voting.places());
   add_surface(

@@ -14,9 +14,14 @@
 #include "base/vector3.hpp"
 #include "grid/local_thickness.hpp"
 #include "grid/open_faces.hpp"
+#include "grid/refinement_tuning.hpp"
+#include "measure/answer_limits.hpp"
 
 namespace crossgrain {
 namespace {
+
+/// Share of the surface's area that may lie at walls of fewer cells than kThicknessCells without a warning.
+constexpr double kUnresolvedShare = 0.02;
 
 /// Cosine of the largest angle between the two sides of a wall, as in holds_two_sheets.
 constexpr double kOpposite = 0.5;
@@ -130,12 +135,10 @@ int resolution_for(double thickness, double wanted, double longest_side) {
 
 }  // namespace
 
-SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid,
-                                 const RefinementOptions& options) {
-  const AnswerOptions answer;
+SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid) {
   const Share share = level.share();
   const double finest = smallest_cell_size(level.tree, share);
-  const double thin = std::max(options.thickness_cells, answer.wall_cells) * finest;
+  const double thin = std::max(kThicknessCells, kWallCells) * finest;
   SharedLeast least;
   std::vector<WallSums> runs((share.size() + kWallGrain - 1) / kWallGrain);
   parallel_for_chunks(share.size(), kWallGrain, [&](std::size_t begin, std::size_t end) {
@@ -146,20 +149,20 @@ SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid,
   const double thinnest = smallest_of_all(share, least.get());
   std::sort(sums.thin_walls.begin(), sums.thin_walls.end());
   SolveReport::Walls report;
-  report.cells_wanted = options.thickness_cells;
+  report.cells_wanted = kThicknessCells;
   report.two_sheet_cells = sums.two_sheet_cells;
   if (sums.area > 0) {
-    report.thin_share = area_below(options.thickness_cells * finest, sums.thin_walls) / sums.area;
-    report.unresolved_share = area_below(answer.wall_cells * finest, sums.thin_walls) / sums.area;
+    report.thin_share = area_below(kThicknessCells * finest, sums.thin_walls) / sums.area;
+    report.unresolved_share = area_below(kWallCells * finest, sums.thin_walls) / sums.area;
   }
   if (std::isfinite(thinnest)) report.thinnest_cells = thinnest / finest;
-  if (report.unresolved_share > answer.thin_share)
-    report.deciding_cells = thickness_of_all_but(answer.thin_share * sums.area, sums.thin_walls) / finest;
-  if (report.thin_share > options.unresolved_share) {
+  if (report.unresolved_share > kThinShare)
+    report.deciding_cells = thickness_of_all_but(kThinShare * sums.area, sums.thin_walls) / finest;
+  if (report.thin_share > kUnresolvedShare) {
     // Half the share, since other cells meet the walls at other places.
-    const double spared = 0.5 * options.unresolved_share * sums.area;
-    report.resolution_needed = resolution_for(thickness_of_all_but(spared, sums.thin_walls),
-                                              options.thickness_cells, longest_side(solid.surface.box));
+    const double spared = 0.5 * kUnresolvedShare * sums.area;
+    report.resolution_needed = resolution_for(thickness_of_all_but(spared, sums.thin_walls), kThicknessCells,
+                                              longest_side(solid.surface.box));
   }
   return report;
 }

@@ -12,7 +12,6 @@ namespace crossgrain {
 /// in a wall if it leaves through a side that faces away from the side of entry, within 60 degrees: the tip
 /// of a wedge sharper than that is a thin wall, an edge of a box is not. Leaves `tied_cells` at 0. Complete
 /// in the first process.
-SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid,
-                                 const RefinementOptions& options);
+SolveReport::Walls measure_walls(const GridLevel& level, const Solid& solid);
 
 }  // namespace crossgrain

@@ -31,8 +31,6 @@ TetMakingTuning tet_options(const HexMeshingOptions& options, const MeshingTunin
   }
   result.size *= share;
   result.edges /= share;
-  result.crease_angle_deg = options.solve.creases.least_deg;
-  result.max_memory_bytes = options.solve.max_memory_bytes;
   return result;
 }
 

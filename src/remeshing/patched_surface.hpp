@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "crossgrain/options.hpp"
+#include "surface/crease_angles.hpp"
 #include "surface/surface.hpp"
 
 namespace crossgrain {

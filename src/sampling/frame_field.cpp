@@ -196,19 +196,14 @@ void FrameField::sample(std::span<const Vector3> points, std::span<Sample> sampl
 const SingularityGraph& FrameField::singularities() const {
   std::call_once(lazy_->singularities_once, [&] {
     lazy_->singularities = data_->singularities;
-    if (!lazy_->singularities)
-      lazy_->singularities = std::make_shared<const SingularityGraph>(singularities(SingularityOptions{}));
+    if (lazy_->singularities) return;
+    const std::shared_ptr<const SolvedSurface> surface = data_->surface.get();
+    std::span<const std::vector<Vector3>> creases;
+    if (surface) creases = surface->creases;
+    lazy_->singularities = std::make_shared<const SingularityGraph>(
+        singularity_graph(singular_grid_edges(data_->tree, data_->frames, data_->open_faces, creases)));
   });
   return *lazy_->singularities;
-}
-
-SingularityGraph FrameField::singularities(const SingularityOptions& options) const {
-  check_whole(*data_);
-  const std::shared_ptr<const SolvedSurface> surface = data_->surface.get();
-  std::span<const std::vector<Vector3>> creases;
-  if (surface) creases = surface->creases;
-  return singularity_graph(singular_grid_edges(data_->tree, data_->frames, data_->open_faces, creases),
-                           options);
 }
 
 const SolveReport& FrameField::report() const {

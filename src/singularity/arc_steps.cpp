@@ -70,7 +70,7 @@ struct Part {
   std::size_t first, last;  ///< steps
 };
 
-std::vector<Part> lasting_parts(std::span<const ArcStep> steps, const SingularityOptions& options) {
+std::vector<Part> lasting_parts(std::span<const ArcStep> steps, const SingularityTuning& options) {
   std::vector<Part> parts;
   Part now{true, 0, 0};
   double cells = 0;
@@ -117,7 +117,7 @@ std::vector<Vector3> axes_along(std::span<const ArcStep> steps, bool is_closed) 
 }
 
 std::vector<std::uint32_t> turning_points(std::span<const ArcStep> steps, bool is_closed,
-                                          const SingularityOptions& options) {
+                                          const SingularityTuning& options) {
   const std::vector<Part> parts = lasting_parts(steps, options);
   std::vector<std::uint32_t> points;
   const auto add_between = [&](const Part& before, const Part& after) {

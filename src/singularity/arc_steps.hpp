@@ -9,6 +9,7 @@
 #include "base/vector3.hpp"
 #include "crossgrain/singularity_graph.hpp"
 #include "singularity/frame_turn.hpp"
+#include "singularity/singularity_tuning.hpp"
 
 namespace crossgrain {
 
@@ -28,11 +29,11 @@ struct ArcStep {
 /// eigenvalue of sum w a a^T; zero where the most of them are about no axis.
 std::vector<Vector3> axes_along(std::span<const ArcStep> steps, bool is_closed);
 
-/// Returns SingularityGraph::Arc::turning_points. A sense lasts along SingularityOptions::sign_cells of edges
+/// Returns SingularityGraph::Arc::turning_points. A sense lasts along SingularityTuning::sign_cells of edges
 /// of more than `sign_cosine`, without one of the other sense between them. Of the points from the end of
 /// such a part to the beginning of the next with the other sense, it is the one that separates the senses
 /// best: the sum of cosine times length, with the sign of the sense expected on either side, is largest.
 std::vector<std::uint32_t> turning_points(std::span<const ArcStep> steps, bool is_closed,
-                                          const SingularityOptions& options);
+                                          const SingularityTuning& options);
 
 }  // namespace crossgrain

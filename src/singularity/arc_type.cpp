@@ -21,7 +21,7 @@ constexpr std::size_t kDirectionEdges = 2;
 /// Lengths along an arc in cells, by the rotation of the frames around it.
 class Stretches {
  public:
-  explicit Stretches(const SingularityOptions& options) : options_(options) {}
+  explicit Stretches(const SingularityTuning& options) : options_(options) {}
 
   void add(const FrameTurn& turn, double cells, double cosine) {
     all_ += cells;
@@ -54,7 +54,7 @@ class Stretches {
   bool is_by_half_turns() const { return 2 * half_ > all_; }
 
  private:
-  const SingularityOptions& options_;
+  const SingularityTuning& options_;
   double all_ = 0, half_ = 0;
   double all_no_axis_ = 0;
   double no_axis_ = 0, no_axis_here_ = 0;  ///< longest connected part, and the one up to here
@@ -109,7 +109,7 @@ Verdict verdict_of(const Graph::Arc& arc, const Stretches& stretches) {
 
 Graph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singular,
                      const MergedNetwork& network, std::span<const Vector3> positions,
-                     const SingularityOptions& options) {
+                     const SingularityTuning& options) {
   Graph::Arc out;
   for (const std::uint32_t place : arc.places) {
     const auto& points = network.places[place].points;

@@ -8,6 +8,7 @@
 #include "crossgrain/singularity_graph.hpp"
 #include "singularity/merged_network.hpp"
 #include "singularity/singular_edge.hpp"
+#include "singularity/singularity_tuning.hpp"
 
 namespace crossgrain {
 
@@ -15,7 +16,7 @@ namespace crossgrain {
 /// points, type, index, verdict, lengths.
 SingularityGraph::Arc described(const MergedNetwork::Arc& arc, const SingularEdges& singular,
                                 const MergedNetwork& network, std::span<const Vector3> positions,
-                                const SingularityOptions& options);
+                                const SingularityTuning& options);
 
 /// Returns whether hexahedra can meet at an inner point with exactly these arcs (`has_inner_link`): an arc of
 /// index 1/4 is an edge of 3 hexahedra, one of -1/4 of 5, one of -1/2 of 6. Undecided for nodes of more

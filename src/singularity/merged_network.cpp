@@ -29,7 +29,7 @@ bool is_one_line(const SingularEdge& edge, std::uint32_t end, const SingularEdge
 
 class Merger {
  public:
-  Merger(const SingularEdges& singular, const SingularityOptions& options)
+  Merger(const SingularEdges& singular, const SingularityTuning& options)
       : singular_(singular),
         creases_(singular.creases),
         options_(options),
@@ -119,8 +119,8 @@ class Merger {
     const Vector3 direction = normalised(from.place - singular_.points[before].place);
     const Vector3 gap = (1 / from.cell_size) * (singular_.points[other].place - from.place);
     const double forward = dot(gap, direction);
-    return forward >= -kBehind && norm(gap) <= options_.touch_cells &&
-           norm(gap - forward * direction) <= options_.touch_aside_cells;
+    return forward >= -kBehind && norm(gap) <= kTouchCells &&
+           norm(gap - forward * direction) <= kTouchAsideCells;
   }
 
   bool is_node(std::uint32_t point) const { return incident_[point].size() > 2; }
@@ -169,8 +169,7 @@ class Merger {
       places.push_back(singular_.points[point].place);
       cell_size = std::max(cell_size, singular_.points[point].cell_size);
     }
-    const double reach =
-        length <= options_.merge_cells ? options_.tip_reach_cells : options_.hook_reach_cells;
+    const double reach = length <= options_.merge_cells ? options_.tip_reach_cells : kHookReachCells;
     return creases_.one_follows(places, reach * cell_size);
   }
 
@@ -246,7 +245,7 @@ class Merger {
 
   const SingularEdges& singular_;
   const CreaseCurves creases_;
-  const SingularityOptions& options_;
+  const SingularityTuning& options_;
   std::vector<std::vector<std::uint32_t>> incident_;  ///< edges at each point
   std::vector<bool> linked_;                          ///< ends from which a line continues over the surface
   std::size_t touches_ = 0;                           ///< pairs of these on a grid
@@ -256,7 +255,7 @@ class Merger {
 
 }  // namespace
 
-MergedNetwork merged(const SingularEdges& singular, const SingularityOptions& options) {
+MergedNetwork merged(const SingularEdges& singular, const SingularityTuning& options) {
   return Merger(singular, options).merge();
 }
 

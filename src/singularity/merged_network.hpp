@@ -8,6 +8,7 @@
 
 #include "crossgrain/singularity_graph.hpp"
 #include "singularity/singular_edge.hpp"
+#include "singularity/singularity_tuning.hpp"
 
 namespace crossgrain {
 
@@ -31,8 +32,8 @@ struct MergedNetwork {
   std::size_t touches = 0;  ///< on a grid, gaps at the surface over which arcs continue
 };
 
-/// Joins singular edges to arcs and merges short ones (SingularityOptions). Arcs continue through places at
+/// Joins singular edges to arcs and merges short ones (SingularityTuning). Arcs continue through places at
 /// which two of them meet, unless one ends there at the surface.
-MergedNetwork merged(const SingularEdges& singular, const SingularityOptions& options);
+MergedNetwork merged(const SingularEdges& singular, const SingularityTuning& options);
 
 }  // namespace crossgrain

@@ -9,6 +9,7 @@
 #include "crossgrain/singularity_graph.hpp"
 #include "grid/leaf_surroundings.hpp"
 #include "singularity/matching.hpp"
+#include "singularity/singularity_tuning.hpp"
 #include "singularity/touching_ends.hpp"
 
 namespace crossgrain {
@@ -176,8 +177,8 @@ SingularEdges singular_grid_edges(const Octree& tree, std::span<const StoredQuat
   SingularEdges singular =
       by_end_points(singular_edges(tree, frames, open_faces, owners, share), tree.root());
   singular.creases = creases;
-  singular.surface_edges = touching_ends(singular, tree, open_faces, SingularityOptions().touch_cells,
-                                         share.value_or(whole_share(tree.size())));
+  singular.surface_edges =
+      touching_ends(singular, tree, open_faces, kTouchCells, share.value_or(whole_share(tree.size())));
   return singular;
 }
 

@@ -103,31 +103,7 @@ Verdict SingularityGraph::verdict() const {
   return worst;
 }
 
-namespace {
-
-/// Far more rounds than smooth anything further.
-constexpr int kMostRounds = 100000;
-
-void check(const SingularityOptions& options) {
-  const auto demand = [](bool holds, const char* what) {
-    if (!holds) throw Error(ErrorKind::kUsage, {"", "singular lines", what});
-  };
-  for (const double length :
-       {options.merge_cells, options.end_cells, options.touch_cells, options.touch_aside_cells,
-        options.hook_cells, options.hook_reach_cells, options.tip_reach_cells, options.loop_cells,
-        options.shift_cells, options.sign_cells})
-    demand(length >= 0 && std::isfinite(length), "lengths in cells must be 0 or positive numbers");
-  demand(options.smoothing_rounds >= 0 && options.smoothing_rounds <= kMostRounds,
-         "the number of rounds of smoothing must be from 0 to 100000");
-  demand(options.sign_cosine >= 0 && options.sign_cosine <= 1, "the cosine of a sense must be from 0 to 1");
-  for (const double angle : {options.rounding_deg, options.sharp_deg, options.bend_deg})
-    demand(angle >= 0 && angle <= 180, "angles must be from 0 to 180 degrees");
-}
-
-}  // namespace
-
-SingularityGraph singularity_graph(const SingularEdges& singular, const SingularityOptions& options) {
-  check(options);
+SingularityGraph singularity_graph(const SingularEdges& singular, const SingularityTuning& options) {
   const MergedNetwork network = merged(singular, options);
   const std::vector<Vector3> positions = smooth_places(singular, network, options);
   SingularityGraph graph;
@@ -145,7 +121,8 @@ SingularityGraph singularity_graph(const SingularEdges& singular, const Singular
   return graph;
 }
 
-SolveReport::Singularity summary_of(const SingularityGraph& graph, const SingularityOptions& options) {
+SolveReport::Singularity summary_of(const SingularityGraph& graph, bool is_repaired) {
+  const double short_cells = is_repaired ? 0 : SingularityTuning().merge_cells;
   SolveReport::Singularity summary;
   summary.edges = graph.edges;
   summary.length = graph.edge_length;
@@ -156,7 +133,7 @@ SolveReport::Singularity summary_of(const SingularityGraph& graph, const Singula
   summary.contacts = graph.contacts;
   summary.verdict = graph.verdict();
   for (const SingularityGraph::Arc& arc : graph.arcs) {
-    summary.short_arcs += arc.length_cells <= options.merge_cells;
+    summary.short_arcs += arc.length_cells <= short_cells;
     summary.not_meshable_arcs += arc.verdict == Verdict::kNotMeshable;
     summary.arc_list.push_back(summary_of(graph, arc));
   }

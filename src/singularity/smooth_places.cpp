@@ -16,15 +16,14 @@ struct Position {
 };
 
 /// Mean of each place's points, and the largest distance from it that smoothing may reach.
-std::vector<Position> means_of(const SingularEdges& singular, const MergedNetwork& network,
-                               const SingularityOptions& options) {
+std::vector<Position> means_of(const SingularEdges& singular, const MergedNetwork& network) {
   std::vector<Position> means;
   for (const MergedNetwork::Place& place : network.places) {
     Position mean;
     const double share = 1 / static_cast<double>(place.points.size());
     for (const std::uint32_t p : place.points) {
       mean.place = mean.place + share * singular.points[p].place;
-      mean.most_shift += share * options.shift_cells * singular.points[p].cell_size;
+      mean.most_shift += share * kShiftCells * singular.points[p].cell_size;
     }
     means.push_back(mean);
   }
@@ -69,8 +68,8 @@ std::vector<Pulls> pulls_on(const SingularEdges& singular, const MergedNetwork& 
 }  // namespace
 
 std::vector<Vector3> smooth_places(const SingularEdges& singular, const MergedNetwork& network,
-                                   const SingularityOptions& options) {
-  const std::vector<Position> means = means_of(singular, network, options);
+                                   const SingularityTuning& options) {
+  const std::vector<Position> means = means_of(singular, network);
   const std::vector<Pulls> pulls = pulls_on(singular, network);
   std::vector<Vector3> now, next;
   for (const Position& mean : means) now.push_back(mean.place);

@@ -7,13 +7,14 @@
 #include "base/vector3.hpp"
 #include "crossgrain/singularity_graph.hpp"
 #include "singularity/merged_network.hpp"
+#include "singularity/singularity_tuning.hpp"
 
 namespace crossgrain {
 
-/// Smooth positions of the places of the network, each within SingularityOptions::shift_cells of the mean of
-/// its points. Each round moves all places half-way to the mean of their neighbours. Ends on the boundary
-/// continue their arc on a grid, whose lines end short of the surface, and stay in place on tets.
+/// Smooth positions of the places of the network, each within kShiftCells of the mean of its points. Each
+/// round moves all places half-way to the mean of their neighbours. Ends on the boundary continue their arc
+/// on a grid, whose lines end short of the surface, and stay in place on tets.
 std::vector<Vector3> smooth_places(const SingularEdges& singular, const MergedNetwork& network,
-                                   const SingularityOptions& options);
+                                   const SingularityTuning& options);
 
 }  // namespace crossgrain

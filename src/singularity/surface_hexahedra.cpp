@@ -53,7 +53,7 @@ struct JudgedCrease {
 class SurfaceJudge {
  public:
   SurfaceJudge(const SolidSurface& surface, const SolidCreases& creases, const SurfaceCells& cells,
-               const SingularityGraph& graph, const SingularityOptions& options)
+               const SingularityGraph& graph, const SingularityTuning& options)
       : surface_(surface), creases_(creases), cells_(cells), graph_(graph), options_(options) {}
 
   void judge(const VotesAlong& votes_along, Summary& summary) {
@@ -70,7 +70,7 @@ class SurfaceJudge {
 
  private:
   JudgedCrease judged(const SolidCrease& crease, const std::vector<CreaseVote>& votes) const {
-    JudgedCrease result{numbers_near(crease.mean_angle_deg, options_.rounding_deg)};
+    JudgedCrease result{numbers_near(crease.mean_angle_deg, kRoundingDeg)};
     result.hexahedra = *std::max_element(result.numbers.begin(), result.numbers.end(), [&](int a, int b) {
       return length_of(votes, a) < length_of(votes, b);
     });
@@ -84,10 +84,10 @@ class SurfaceJudge {
   /// Knife edges have no room for a hexahedron, whatever the frames do.
   Verdict verdict_of(const SolidCrease& crease) const {
     const double least = crease.edges[crease.sharpest].angle_deg;
-    if (least > 45 + options_.rounding_deg) return Verdict::kMeshable;
+    if (least > 45 + kRoundingDeg) return Verdict::kMeshable;
     double knife = 0;
     for (const SolidCrease::Edge& edge : crease.edges)
-      if (edge.angle_deg < 45 - options_.rounding_deg) knife += edge.length;
+      if (edge.angle_deg < 45 - kRoundingDeg) knife += edge.length;
     const bool is_knife = knife >= cells_.size_at(crease.edges[crease.sharpest].ends[0]);
     return is_knife ? Verdict::kNotMeshable : Verdict::kUndecided;
   }
@@ -190,7 +190,7 @@ class SurfaceJudge {
     const auto& edges = creases_.creases[crease].edges;
     for (const SolidCrease::Edge* edge : {&edges.front(), &edges.back()}) {
       if (edge->ends[0] != vertex && edge->ends[1] != vertex) continue;
-      for (const int k : numbers_near(edge->angle_deg, options_.rounding_deg))
+      for (const int k : numbers_near(edge->angle_deg, kRoundingDeg))
         if (std::find(numbers.begin(), numbers.end(), k) == numbers.end()) numbers.push_back(k);
     }
     return numbers;
@@ -211,7 +211,7 @@ class SurfaceJudge {
   const SolidCreases& creases_;
   const SurfaceCells& cells_;
   const SingularityGraph& graph_;
-  const SingularityOptions& options_;
+  const SingularityTuning& options_;
   std::vector<JudgedCrease> judged_;
   std::map<std::pair<std::vector<int>, std::vector<int>>, std::optional<bool>> links_;
 };
@@ -231,7 +231,7 @@ int quarter_turns(std::span<const Quaternion> way, const std::array<Vector3, 2>&
 }
 
 void add_surface(const SolidSurface& surface, const SolidCreases& creases, const VotesAlong& votes_along,
-                 const SurfaceCells& cells, const SingularityGraph& graph, const SingularityOptions& options,
+                 const SurfaceCells& cells, const SingularityGraph& graph, const SingularityTuning& options,
                  SolveReport::Singularity& summary) {
   SurfaceJudge(surface, creases, cells, graph, options).judge(votes_along, summary);
 }

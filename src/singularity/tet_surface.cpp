@@ -77,7 +77,7 @@ std::vector<double> surface_sizes(const TetSolid& solid) {
 }  // namespace
 
 SolveReport::Singularity tet_summary(const TetSolid& solid, std::span<const Quaternion> frames,
-                                     const SingularityGraph& graph, const SingularityOptions& options) {
+                                     const SingularityGraph& graph, const SingularityTuning& options) {
   const SolidSurface surface{solid.mesh.vertices, solid.boundary};
   const TetFan fan(solid);
   const auto votes_along = [&](const SolidCrease& crease) {
@@ -94,8 +94,8 @@ SolveReport::Singularity tet_summary(const TetSolid& solid, std::span<const Quat
     return votes;
   };
   const std::vector<double> sizes = surface_sizes(solid);
-  SolveReport::Singularity summary = summary_of(graph, options);
-  add_surface(surface, solid_creases(surface, options.sharp_deg, options.bend_deg), votes_along,
+  SolveReport::Singularity summary = summary_of(graph);
+  add_surface(surface, solid_creases(surface, kSharpDeg, kBendDeg), votes_along,
               {[&](std::uint32_t vertex) { return sizes[vertex]; }, true}, graph, options, summary);
   return summary;
 }

@@ -24,6 +24,15 @@ constexpr double kSameAxes = 1e-6;
 /// Differences of extents and moments that may be rounding, as shares.
 constexpr double kRounding = 1e-9;
 
+/// The lines are decided where the finest cells are at most so many times as large as those of the decision.
+constexpr double kLargestDecided = 1.5;
+
+/// Relaxation sweeps on each level of at most so many cells after the decision, under a penalty that is
+/// weaker in finer cells, so that lines have cores as large as cells of the decision and move as in a
+/// continuum. More sweeps move lines further from what was decided (docs/notes/solver.md).
+constexpr int kDecidedRelaxation = 12;
+constexpr std::size_t kDecidedRelaxedCells = 400000;
+
 Vector3 centre_of(const Surface& surface) {
   Vector3 sum{};
   double area = 0;
@@ -102,11 +111,11 @@ Guides turned(Guides guides, const Quaternion& turn) {
 }
 
 /// Whether a solve of this many finest cells is worth a decision before it.
-bool is_wanted(const Solid& solid, const SolveOptions& options, double decided_size) {
-  return finest_cell_size(solid.surface.box, options) <= options.solver.largest_decided * decided_size;
+bool is_wanted(const Solid& solid, const SolveTuning& options, double decided_size) {
+  return finest_cell_size(solid.surface.box, options) <= kLargestDecided * decided_size;
 }
 
-SolveOptions on_one_grid(SolveOptions options, double cell_size) {
+SolveTuning on_one_grid(SolveTuning options, double cell_size) {
   options.resolution = 0;
   options.cell_size = cell_size;
   options.solver.relaxed_cells = std::numeric_limits<std::size_t>::max() / 8;  // all levels are uniform
@@ -116,7 +125,7 @@ SolveOptions on_one_grid(SolveOptions options, double cell_size) {
 constexpr PlaceInRun kPlace{0, true};
 
 /// The field of the turned solid.
-SolvedField solved_in(const Quaternion& turn, const Solid& solid, const SolveOptions& options,
+SolvedField solved_in(const Quaternion& turn, const Solid& solid, const SolveTuning& options,
                       const Monitor& monitor) {
   const SearchableSurface surface(turned(solid.surface, turn));
   const Guides guides = solid.guides ? turned(*solid.guides, turn) : Guides();
@@ -156,14 +165,14 @@ double cell_size_for(const Surface& surface, bool closed, std::size_t cells) {
   return high;
 }
 
-std::unique_ptr<const DecidedField> DecidedField::solved(const Solid& solid, const SolveOptions& options,
+std::unique_ptr<const DecidedField> DecidedField::solved(const Solid& solid, const SolveTuning& options,
                                                          const Monitor& monitor) {
   if (options.solver.decision_cells == 0) return nullptr;
   Stopwatch watch;
   watch.start();
   const double size = cell_size_for(solid.surface, solid.closed, options.solver.decision_cells);
   if (!is_wanted(solid, options, size)) return nullptr;
-  const SolveOptions own = on_one_grid(options, size);
+  const SolveTuning own = on_one_grid(options, size);
   try {
     const bool turns = solid.surface.size() <= options.solver.turned_triangles;
     const Quaternion turn = turns ? turn_to_own_axes(solid.surface) : Quaternion{1, 0, 0, 0};
@@ -186,15 +195,15 @@ Quaternion DecidedField::frame_at(const Vector3& point) const {
   return conjugate(turn_) * sampler_.at(rotate(turn_, point)).frame;
 }
 
-InitialField DecidedField::initial_field(const SolverOptions& options) const {
+InitialField DecidedField::initial_field() const {
   const double size = description().cell_size;
   InitialField initial;
   initial.frame_at = [this](const Vector3& point) { return frame_at(point); };
   initial.first_cell_size = initial.core_size = size;
   // The coarser of two levels may have merged lines that the decision tells apart.
   initial.last_cell_size = size / 2;
-  initial.relaxation_sweeps = options.decided_relaxation;
-  initial.relaxed_cells = options.decided_relaxed_cells;
+  initial.relaxation_sweeps = kDecidedRelaxation;
+  initial.relaxed_cells = kDecidedRelaxedCells;
   return initial;
 }
 

@@ -8,6 +8,7 @@
 #include "base/quaternion.hpp"
 #include "crossgrain/report.hpp"
 #include "field/nested_solve.hpp"
+#include "field/solve_tuning.hpp"
 #include "sampling/sampling.hpp"
 
 namespace crossgrain {
@@ -23,10 +24,10 @@ double cell_size_for(const Surface& surface, bool closed, std::size_t cells);
 /// A field on one uniform, relaxed grid.
 class DecidedField {
  public:
-  /// Solves on SolverOptions::decision_cells cells. `monitor` hears of levels without numbers; a stop
+  /// Solves on SolverTuning::decision_cells cells. `monitor` hears of levels without numbers; a stop
   /// ends the solve. Null if the options want no such field, or if these cells or the memory do not
   /// suffice for one. Throws Error(kInterrupted).
-  static std::unique_ptr<const DecidedField> solved(const Solid& solid, const SolveOptions& options,
+  static std::unique_ptr<const DecidedField> solved(const Solid& solid, const SolveTuning& options,
                                                     const Monitor& monitor);
 
   DecidedField(const DecidedField&) = delete;
@@ -36,7 +37,7 @@ class DecidedField {
   Quaternion frame_at(const Vector3& point) const;
 
   /// What a solve of the same model begins with. Refers to this object.
-  InitialField initial_field(const SolverOptions& options) const;
+  InitialField initial_field() const;
 
   const SolvedField& field() const { return field_; }
   double seconds() const { return seconds_; }  ///< that it took

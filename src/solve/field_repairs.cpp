@@ -17,6 +17,7 @@
 #include "matching/matched_field.hpp"
 #include "matching/repaired_graph.hpp"
 #include "measure/angle_statistics.hpp"
+#include "measure/answer_limits.hpp"
 #include "measure/tet_evaluation.hpp"
 #include "repair/moved_vertices.hpp"
 #include "repair/repair_cost.hpp"
@@ -274,7 +275,7 @@ TetFrameField FieldRepairs::completed(RepairedTets repaired_tets, const RepairTu
   onto.crease_deg = evaluation.crease_deg;
   onto.feature_edge_deg = angles_along(tets.solid, features.edges, result->vertex_frames);
   onto.singularity = repaired_summary(matched, *lines);
-  onto.unfollowed_share = unfollowed_share(tets.solid, result->tet_frames, AnswerOptions{}.unfollowed_deg);
+  onto.unfollowed_share = unfollowed_share(tets.solid, result->tet_frames, kUnfollowedDeg);
   onto.repair = repair;
   report.answer = answer_of(report);
   return {field.grid(), std::move(found.domain), std::move(result), std::move(report), std::move(lines)};

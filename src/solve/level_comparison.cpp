@@ -100,7 +100,7 @@ void CoarserGraphs::revisit(int depth, const Bytes& seen) {
 }
 
 void CoarserGraphs::add(int depth, double cell_size, const SingularEdges& singular) {
-  SingularityOptions shorter;
+  SingularityTuning shorter;
   shorter.end_cells = shorter.merge_cells;
   one_before_ = std::exchange(last_, Kept{depth, cell_size, singularity_graph(singular),
                                           summary_of(singularity_graph(singular, shorter))});

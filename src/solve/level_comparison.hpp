@@ -35,7 +35,7 @@ class CoarserGraphs : public LevelVisitor {
     double cell_size;
     SingularityGraph graph;
 
-    /// With arcs from nodes to the surface merged up to SingularityOptions::merge_cells only. An arc that is
+    /// With arcs from nodes to the surface merged up to SingularityTuning::merge_cells only. An arc that is
     /// just long enough for the finer level is too short for this one's `end_cells`, as on a sphere.
     SolveReport::Singularity less_merged;
   };

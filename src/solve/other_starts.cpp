@@ -12,10 +12,14 @@
 #include "solve/carried_frames.hpp"
 #include "solve/prepared_model.hpp"
 #include "solve/tet_domain_data.hpp"
+#include "solve/tuned_solve.hpp"
 
 namespace crossgrain {
 
 namespace {
+
+/// OntoTuning::other_starts.
+constexpr double kAlikeBoxes = 0.05;
 
 bool are_alike(const Box& a, const Box& b, double share) {
   const double most = share * std::max(longest_side(a), longest_side(b));
@@ -26,7 +30,7 @@ bool are_alike(const Box& a, const Box& b, double share) {
 }
 
 /// Returns the frames of the vertices; none if the solid has parts too small for the cells.
-std::vector<Quaternion> frames_on(const SolveOptions& options, const PreparedModel& model,
+std::vector<Quaternion> frames_on(const SolveTuning& options, const PreparedModel& model,
                                   const TetDomain& domain) {
   try {
     const SolvedField field = nested_solve(model.solid(), options, Monitor());
@@ -39,24 +43,23 @@ std::vector<Quaternion> frames_on(const SolveOptions& options, const PreparedMod
 
 }  // namespace
 
-std::vector<StartFrames> other_starts(const TetDomain& domain, const Box& box, const SolveOptions& options) {
+std::vector<StartFrames> other_starts(const TetDomain& domain, const Box& box, const SolveTuning& options) {
   const std::vector<OtherStart>& others = options.onto.other_starts;
-  if (others.empty() || !options.constraints.faces.empty() ||
-      !are_alike(domain.data().box, box, options.onto.same_box))
+  if (others.empty() || !options.constraints.faces.empty() || !are_alike(domain.data().box, box, kAlikeBoxes))
     return {};
-  SolveOptions sized = options;
+  SolveTuning sized = options;
   sized.cell_size = 0;
   sized.resolution = 0;
   sized = sized_for(domain, std::move(sized));
   const PreparedModel model(domain.boundary(), sized);
-  // Larger cells would be fewer than OntoOptions::fewest_cells across.
+  // Larger cells would be fewer than OntoTuning::fewest_cells across.
   const double largest = longest_side(model.surface().box) / options.onto.fewest_cells;
   const std::size_t vertices = domain.data().solid.mesh.vertices.size();
   std::vector<StartFrames> starts(others.size());
   const auto solve_from = [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       if (vertices > others[k].most_vertices) continue;
-      SolveOptions own = sized;
+      SolveTuning own = sized;
       own.cell_size = std::min(others[k].cell_size * sized.cell_size, largest);
       own.solver.boundary_weight *= others[k].boundary_weight;
       starts[k] = {k + 1, frames_on(own, model, domain)};

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "crossgrain/options.hpp"
 #include "crossgrain/report.hpp"
+#include "field/solve_tuning.hpp"
 #include "field/solved_surface.hpp"
 #include "grid/grid_level.hpp"
 #include "measure/crease_report.hpp"
@@ -21,7 +21,7 @@ class PreparedModel {
  public:
   /// Prepares a model. Throws Error for models that cannot be solved: kInput for an invalid model, kUsage for
   /// cells that are too large, kLimit if the memory does not suffice.
-  PreparedModel(const TriangleMesh& mesh, const SolveOptions& options);
+  PreparedModel(const TriangleMesh& mesh, const SolveTuning& options);
   PreparedModel(const PreparedModel&) = delete;
   PreparedModel& operator=(const PreparedModel&) = delete;
 
@@ -44,7 +44,7 @@ class PreparedModel {
   SurfaceSource solved_surface() &&;
 
  private:
-  PreparedModel(const TriangleMesh& mesh, SolidSplit split, const SolveOptions& options);
+  PreparedModel(const TriangleMesh& mesh, SolidSplit split, const SolveTuning& options);
 
   const TriangleMesh& mesh_;
   TriangleMesh inner_faces_;

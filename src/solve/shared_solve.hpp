@@ -6,6 +6,7 @@
 
 #include "crossgrain/solve.hpp"
 #include "field/nested_solve.hpp"
+#include "field/solve_tuning.hpp"
 
 namespace crossgrain {
 
@@ -13,7 +14,7 @@ namespace crossgrain {
 /// shared, each process gets its part of the field; otherwise the first gets the whole, and the others
 /// nothing. All call it with the same arguments. Throws like those, in any process.
 std::optional<FrameField> solve_together(LevelSharing& sharing, const FrameField* earlier,
-                                         const TriangleMesh& mesh, const SolveOptions& options,
+                                         const TriangleMesh& mesh, const SolveTuning& options,
                                          const Monitor& monitor);
 
 }  // namespace crossgrain

@@ -35,6 +35,7 @@
 #include "solve/prepared_model.hpp"
 #include "solve/shared_solve.hpp"
 #include "solve/solve_checks.hpp"
+#include "solve/tuned_solve.hpp"
 
 namespace crossgrain {
 namespace {
@@ -64,7 +65,7 @@ double largest_deviation(const Share& share, std::span<const StoredQuaternion> f
 }
 
 SolveReport report_of(const Solid& solid, const SolvedField& field, const AlignmentMeasurement& alignment,
-                      const SolveOptions& options) {
+                      const SolveTuning& options) {
   SolveReport report;
   const Share share = field.level.share();
   report.degree = static_cast<int>(options.degree);
@@ -86,7 +87,7 @@ SolveReport report_of(const Solid& solid, const SolvedField& field, const Alignm
                                                                  : largest_deviation<4>(share, field.frames);
   report.alignment_deg = alignment.alignment_deg;
   report.spectrum = alignment.spectrum;
-  report.walls = measure_walls(field.level, solid, options.refinement);
+  report.walls = measure_walls(field.level, solid);
   report.walls.tied_cells = field.tied_leaves;
   report.seconds.grid = field.grid_seconds;
   report.seconds.solve = field.solve_seconds;
@@ -107,7 +108,7 @@ double cell_size_of(const SolveReport& report) {
 /// `creases` as in SingularEdges.
 void describe_cells(const PreparedModel& model, const TriangleMesh& mesh,
                     std::span<const std::vector<Vector3>> creases, SolvedField& solved,
-                    const CoarserGraphs& coarser, const SolveOptions& options, FieldData& data) {
+                    const CoarserGraphs& coarser, const SolveTuning& options, FieldData& data) {
   AlignmentMeasurement alignment =
       measure_alignment(solved.level, model.solid(), {solved.level.tree, solved.frames, solved.open_faces});
   data.alignment_deg = std::move(alignment.leaf_mean_deg);
@@ -152,7 +153,7 @@ Sampler::Turns turns_for(const PreparedModel& model, const RequestedAxes& asked,
 }
 
 /// Reports how well the interpolated field meets the constraints besides the surface.
-void describe_guides(const PreparedModel& model, const RequestedAxes& asked, const SolveOptions& options,
+void describe_guides(const PreparedModel& model, const RequestedAxes& asked, const SolveTuning& options,
                      const PlaceSampler& sampler, FieldData& data) {
   const double finest = finest_cell_size(model.surface().box, options);
   data.report.creases = crease_report(model.creases(), sampler, finest);
@@ -173,7 +174,7 @@ void describe_surface(const PlaceSampler& sampler, FieldData& data) {
 }
 
 /// Null in processes that have no part of the field.
-std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptions& options,
+std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveTuning& options,
                                       const Monitor& monitor, InitialField initial, LevelSharing& sharing) {
   check_options(options);
   check_constraints(options.constraints);
@@ -188,7 +189,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
   const std::unique_ptr<const DecidedField> decided =
       initial.frame_at || !sharing.is_first() ? nullptr
                                               : DecidedField::solved(model.solid(), options, monitor);
-  if (decided) initial = decided->initial_field(options.solver);
+  if (decided) initial = decided->initial_field();
   SolvedField solved =
       nested_solve(model.solid(), options, monitor, initial, {watch.restart()}, &coarser, &sharing);
   if (solved.level.share().of_all == 0) return nullptr;
@@ -229,7 +230,7 @@ std::shared_ptr<FieldData> solve_with(const TriangleMesh& mesh, const SolveOptio
 }  // namespace
 
 std::optional<FrameField> solve_together(LevelSharing& sharing, const FrameField* earlier,
-                                         const TriangleMesh& mesh, const SolveOptions& options,
+                                         const TriangleMesh& mesh, const SolveTuning& options,
                                          const Monitor& monitor) {
   if (earlier == nullptr) {
     auto result = solve_with(mesh, options, monitor, {}, sharing);
@@ -245,12 +246,21 @@ std::optional<FrameField> solve_together(LevelSharing& sharing, const FrameField
   return FrameField(std::move(result));
 }
 
-FrameField solve(const TriangleMesh& mesh, const SolveOptions& options, const Monitor& monitor) {
+FrameField solve(const TriangleMesh& mesh, const SolveTuning& options, const Monitor& monitor) {
   LevelSharing alone;
   return solve_together(alone, nullptr, mesh, options, monitor).value();
 }
 
+FrameField solve(const TriangleMesh& mesh, const SolveOptions& options, const Monitor& monitor) {
+  return solve(mesh, SolveTuning(options), monitor);
+}
+
 FrameField solve_from(const FrameField& earlier, const TriangleMesh& mesh, const SolveOptions& options,
+                      const Monitor& monitor) {
+  return solve_from(earlier, mesh, SolveTuning(options), monitor);
+}
+
+FrameField solve_from(const FrameField& earlier, const TriangleMesh& mesh, const SolveTuning& options,
                       const Monitor& monitor) {
   LevelSharing alone;
   return solve_together(alone, &earlier, mesh, options, monitor).value();

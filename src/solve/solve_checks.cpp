@@ -34,13 +34,6 @@ constexpr double kCellsPerFace = 2;
 /// Share of cells with surface in that case; each has one piece.
 constexpr double kSurfaceShare = 0.5;
 
-/// Largest number of symmetrisation steps after a relaxation sweep; more cost more than they can gain.
-constexpr double kMostPenaltySteps = 100;
-
-/// Largest weight of creases. Up to this weight, rounding of forms in single precision is far below the
-/// weight of the edges.
-constexpr double kLargestCreaseWeight = 1e4;
-
 /// Mean thickness, relative to the longest side, below which a solid is a flat sheet with two sides.
 constexpr double kFlat = 1e-9;
 
@@ -88,69 +81,17 @@ void demand(bool met, const char* message) {
   if (!met) throw Error(ErrorKind::kUsage, message);
 }
 
-/// Checks what SolverOptions and OntoOptions have in common.
-template <class Options>
-void check_sweeps(const Options& options) {
-  demand(options.most_sweeps >= 0, "numbers of sweeps must not be negative");
-  demand(options.symmetrisation >= 0 && options.symmetrisation <= kMostPenaltySteps,
-         "the symmetrisation must lie in [0, 100]");
-  demand(options.over_relaxation >= 1 && options.over_relaxation < 2,
-         "the over-relaxation must lie in [1, 2)");
-  demand(options.sweep_tolerance >= 0, "the sweep tolerance must not be negative");
-  demand(options.resting_share >= 0 && options.resting_share < 1, "the resting share must lie in [0, 1)");
-  const CalmFieldOptions& calm = options.calm_fields;
-  demand(calm.more_sweeps >= 0, "numbers of sweeps must not be negative");
-  demand(calm.over_relaxation >= 1 && calm.over_relaxation < 2, "the over-relaxation must lie in [1, 2)");
-  demand(calm.least_turn_deg >= 0 && calm.calm_turn_deg >= 0, "turns of calm fields must not be negative");
-}
-
-void check_onto(const OntoOptions& options) {
-  check_sweeps(options);
-  demand(options.relaxation_sweeps >= 0, "numbers of sweeps must not be negative");
-  demand(options.cell_size_edges > 0 && std::isfinite(options.cell_size_edges),
-         "the cell size in edges must be a positive number");
-  demand(options.fewest_cells >= kSmallestResolution, "there must be at least 4 cells across a tet mesh");
-  demand(options.crease_weight >= 0 && options.crease_weight <= kLargestCreaseWeight,
-         "the weight of creases must lie in [0, 10000]");
-  for (const OtherStart& start : options.other_starts)
-    demand(start.cell_size > 0 && std::isfinite(start.cell_size) && start.boundary_weight > 0 &&
-               std::isfinite(start.boundary_weight),
-           "cell sizes and boundary weights of other starts must be positive numbers");
-  demand(options.same_box >= 0, "the difference of boxes must not be negative");
-  demand(options.race_sweeps >= 0, "numbers of sweeps must not be negative");
-  demand(options.race_margin >= 0 && options.race_tie >= 0, "margins of a race must not be negative");
-}
-
 }  // namespace
 
 void check_options(const SolveOptions& options) {
-  const SolverOptions& solver = options.solver;
-  demand(is_degree(options.degree) && is_degree(solver.relaxation_degree), "a degree must be 3 or 4");
+  demand(is_degree(options.degree), "a degree must be 3 or 4");
   demand(options.cell_size >= 0 && std::isfinite(options.cell_size),
          "the cell size must be a positive number");
   demand(options.cell_size > 0 || options.resolution == 0 || options.resolution >= kSmallestResolution,
          "the resolution must be at least 4");
   demand(options.threads >= 0, "the number of threads must not be negative");
-  demand(solver.boundary_weight > 0 && std::isfinite(solver.boundary_weight),
-         "the boundary weight must be positive");
-  demand(solver.diagonal_share >= 0 && solver.diagonal_share <= 0.25,
-         "the share of diagonals must lie in [0, 1/4]");
-  demand(solver.starts >= 1, "there must be at least one start");
-  demand(solver.start_relaxation >= 0 && solver.level_relaxation >= 0,
-         "numbers of sweeps must not be negative");
-  check_sweeps(solver);
-  for (const double weight : {solver.crease_weight, solver.tagged_weight})
-    demand(weight >= 0 && std::isfinite(weight), "weights of creases and tagged edges must not be negative");
-  for (const double angle : {options.creases.least_deg, options.creases.fading.sure_deg,
-                             options.creases.corner_deg, options.creases.knife_deg})
-    demand(angle > 0 && angle <= 180, "angles of creases must lie above 0 and be at most 180 degrees");
-  demand(options.creases.fading.least_radii >= 0, "the least length of a crease must not be negative");
-  demand(options.refinement.coarsest_cells >= 1, "the coarsest level needs a cell");
-  demand(options.refinement.thickness_cells >= 0, "the cells wanted across a wall must not be negative");
-  demand(options.refinement.unresolved_share >= 0, "the share of thin walls must not be negative");
-  demand(!std::isnan(options.refinement.energy_density_threshold),
-         "the threshold of the energy density must be a number");
-  check_onto(options.onto);
+  demand(options.crease_angle_deg > 0 && options.crease_angle_deg <= 180,
+         "the angle of creases must lie above 0 and be at most 180 degrees");
 }
 
 void check_scale(const Box& box) {

@@ -13,6 +13,7 @@
 #include "crossgrain/thread_limit.hpp"
 #include "field/field_data.hpp"
 #include "field/tet_finish.hpp"
+#include "measure/answer_limits.hpp"
 #include "measure/tet_evaluation.hpp"
 #include "singularity/tet_surface.hpp"
 #include "solve/carried_frames.hpp"
@@ -21,6 +22,7 @@
 #include "solve/tet_constraints.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
+#include "solve/tuned_solve.hpp"
 #include "solve/used_features.hpp"
 
 namespace crossgrain {
@@ -56,7 +58,7 @@ SolveReport::Onto describe(const TetDomainData& domain, const VertexFieldEvaluat
 /// Finishes the frames carried from the grid, or those of the other start that ends lower; `start` of the
 /// result is its number.
 TetFrames best_finish(std::vector<Quaternion> carried, const FrameField& grid, const TetDomain& domain,
-                      const BoundaryVertices& boundary, const SolveOptions& options, const Monitor& monitor) {
+                      const BoundaryVertices& boundary, const SolveTuning& options, const Monitor& monitor) {
   const TetDomainData& tets = domain.data();
   // With steps of half an edge, a polyline misses only corners of tets.
   const std::vector<VertexGuide> guides =
@@ -68,7 +70,7 @@ TetFrames best_finish(std::vector<Quaternion> carried, const FrameField& grid, c
     starts.push_back(std::move(other.frames));
   }
   TetFrames finished = finish_on_tets(tets.edges, boundary, std::move(starts), grid.data().degree,
-                                      options.onto, monitor, guides, extent_of(tets));
+                                      {options.onto, options.boundary}, monitor, guides, extent_of(tets));
   finished.start = numbers[finished.start];
   return finished;
 }
@@ -80,7 +82,7 @@ const char* name_of(TetBoundary boundary) {
   return name_among<TetBoundary::kSmoothOnly>(kNames, boundary);
 }
 
-TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const SolveOptions& options,
+TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const SolveTuning& options,
                          const Monitor& monitor) {
   check_options(options);
   check_constraints(options.constraints);
@@ -111,13 +113,12 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   report.onto = describe(tets, evaluate_vertex_field(tets.solid, boundary, tets.edges, field->vertex_frames));
   monitor.report({Phase::kTets, 0, tets.solid.mesh.vertices.size(), finished.sweeps, report.onto->dirichlet});
   report.onto->feature_edge_deg = angles_along(tets.solid, used.features().edges, field->vertex_frames);
-  report.onto->boundary = options.onto.boundary;
+  report.onto->boundary = options.boundary;
   report.onto->united = options.unite_solids && has_several_regions(tets.solid.mesh);
   report.onto->start = finished.start;
   report.onto->singularity = tet_summary(tets.solid, field->tet_frames, *lines);
   report.onto->edge_length = domain.typical_edge_length();
-  report.onto->unfollowed_share =
-      unfollowed_share(tets.solid, field->tet_frames, AnswerOptions{}.unfollowed_deg);
+  report.onto->unfollowed_share = unfollowed_share(tets.solid, field->tet_frames, kUnfollowedDeg);
   report.onto->edge_length_needed = edge_length_needed(report.walls, tets);
   report.onto->outside_vertices = start.outside;
   report.onto->seconds = stopwatch.restart();
@@ -130,14 +131,27 @@ TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const 
   return {grid, domain, std::move(field), std::move(report), std::move(lines)};
 }
 
+TetFrameField carry_onto(const FrameField& grid, const TetDomain& domain, const SolveOptions& options,
+                         const Monitor& monitor) {
+  return carry_onto(grid, domain, SolveTuning(options), monitor);
+}
+
 TetFrameField solve_onto(const TetDomain& domain, const SolveOptions& options, const Monitor& monitor) {
+  return solve_onto(domain, SolveTuning(options), monitor);
+}
+
+SolveOptions sized_for(const TetDomain& domain, SolveOptions options) {
+  return sized_for(domain, SolveTuning(options));
+}
+
+TetFrameField solve_onto(const TetDomain& domain, const SolveTuning& options, const Monitor& monitor) {
   return solve_onto(domain, OntoStart(), options, monitor).value();
 }
 
 std::optional<TetFrameField> solve_onto(const TetDomain& domain, const OntoStart& start,
-                                        const SolveOptions& options, const Monitor& monitor) {
-  SolveOptions sized = sized_for(domain, options);
-  // In the tets' own boundary several grids are compared instead (OntoOptions::other_starts).
+                                        const SolveTuning& options, const Monitor& monitor) {
+  SolveTuning sized = sized_for(domain, options);
+  // In the tets' own boundary several grids are compared instead (OntoTuning::other_starts).
   if (start.surface == nullptr) sized.solver.decision_cells = 0;
   if (start.earlier != nullptr) sized.onto.other_starts.clear();
   const TriangleMesh& surface = start.surface != nullptr ? *start.surface : domain.boundary();
@@ -150,7 +164,7 @@ std::optional<TetFrameField> solve_onto(const TetDomain& domain, const OntoStart
   return carry_onto(*grid, domain, sized, monitor);
 }
 
-SolveOptions sized_for(const TetDomain& domain, SolveOptions options) {
+SolveTuning sized_for(const TetDomain& domain, SolveTuning options) {
   check_options(options);
   if (options.cell_size > 0 || options.resolution > 0) return options;
   const double wanted = options.onto.cell_size_edges * domain.typical_edge_length();

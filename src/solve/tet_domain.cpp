@@ -59,7 +59,7 @@ TetDomain::TetDomain(TetMesh mesh, const TetTagOptions& tags) {
 TetDomain::TetDomain(std::shared_ptr<const TetDomainData> data) : data_(std::move(data)) {}
 
 TetDomain TetDomain::prepared_for_map(const MapPreparationOptions& options) const {
-  PreparedTets prepared = crossgrain::prepared_for_map(data_->solid, options);
+  PreparedTets prepared = crossgrain::prepared_for_map(data_->solid, {options});
   auto data = std::make_shared<TetDomainData>();
   data->warnings = data_->warnings;
   data->preparation = prepared.counts;

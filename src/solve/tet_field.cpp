@@ -70,10 +70,10 @@ std::vector<CubeRotation> matchings_of(const TetSolid& solid, const TetField& fi
   return field.is_repaired() ? field.matchings : tet_matchings(solid, field.tet_frames);
 }
 
-SingularityGraph graph_of(const TetSolid& solid, const TetField& field, const SingularityOptions& options) {
-  if (!field.is_repaired()) return singularity_graph(singular_tet_edges(solid, field.tet_frames), options);
+SingularityGraph graph_of(const TetSolid& solid, const TetField& field) {
+  if (!field.is_repaired()) return singularity_graph(singular_tet_edges(solid, field.tet_frames));
   const TetComplex complex(solid);
-  return repaired_graph(MatchedField(complex, field.tet_frames, field.matchings), options);
+  return repaired_graph(MatchedField(complex, field.tet_frames, field.matchings));
 }
 
 }  // namespace crossgrain

@@ -29,8 +29,7 @@ struct TetField {
 std::vector<CubeRotation> matchings_of(const TetSolid& solid, const TetField& field);
 
 /// The singular graph of a field on tets; that of a repaired field is exact (matching/repaired_graph.hpp).
-SingularityGraph graph_of(const TetSolid& solid, const TetField& field,
-                          const SingularityOptions& options = {});
+SingularityGraph graph_of(const TetSolid& solid, const TetField& field);
 
 /// Returns for each tet the frame nearest to the mean of its four vertices' degree-4 coefficients: the local
 /// maximum found from the most central of the four frames, or the global one if they differ too much.

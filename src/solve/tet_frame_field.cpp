@@ -87,13 +87,9 @@ std::vector<FaceMatching> TetFrameField::matchings() const {
 const SingularityGraph& TetFrameField::singularities() const {
   std::call_once(lines_->once, [&] {
     if (!lines_->graph)
-      lines_->graph = std::make_shared<const SingularityGraph>(singularities(SingularityOptions{}));
+      lines_->graph = std::make_shared<const SingularityGraph>(graph_of(domain_.data().solid, *field_));
   });
   return *lines_->graph;
-}
-
-SingularityGraph TetFrameField::singularities(const SingularityOptions& options) const {
-  return graph_of(domain_.data().solid, *field_, options);
 }
 
 }  // namespace crossgrain

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "crossgrain/options.hpp"
+#include "surface/crease_angles.hpp"
 
 namespace crossgrain {
 

@@ -68,12 +68,15 @@ struct Spoke {
   }
 };
 
+/// Two consecutive sharp edges belong to one curve if its direction changes by less than this.
+constexpr double kCornerDeg = 45;
+
 /// Both spokes of every sharp edge, sorted.
 class SharpEdges {
  public:
   SharpEdges(const Surface& surface, std::span<const EdgeUse> all_uses, const CreaseAngles& angles,
              std::span<const std::array<std::uint32_t, 2>> tagged)
-      : vertices_(surface.mesh.vertices), straight_(std::cos(angles.corner_deg * kDegree)) {
+      : vertices_(surface.mesh.vertices), straight_(std::cos(kCornerDeg * kDegree)) {
     for (const auto& [a, b] : sharp_edges(surface, all_uses, angles, tagged)) add(a, b);
     std::sort(spokes_.begin(), spokes_.end());
     const std::size_t sharp = spokes_.size();
@@ -220,8 +223,8 @@ std::vector<std::vector<std::uint32_t>> sharp_chains(const Surface& surface,
   return SharpEdges(surface, all_uses, angles, tagged).chains();
 }
 
-std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves, const CreaseAngles& angles) {
-  const double straight = std::cos(angles.corner_deg * kDegree);
+std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves) {
+  const double straight = std::cos(kCornerDeg * kDegree);
   std::vector<CurveEnd> ends;
   for (const CreaseCurve& curve : curves) {
     if (curve.points.size() < 2) continue;
@@ -241,10 +244,9 @@ std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves, const 
   return corners;
 }
 
-KnifeEdges knife_edges(const Surface& surface, std::span<const EdgeUse> all_uses, const CreaseAngles& angles,
-                       bool inside_out) {
+KnifeEdges knife_edges(const Surface& surface, std::span<const EdgeUse> all_uses, bool inside_out) {
   // The closer the faces, the further apart the normals.
-  const double largest_cosine = -std::cos(angles.knife_deg * kDegree);
+  const double largest_cosine = -std::cos(kKnifeDeg * kDegree);
   const auto& vertices = surface.mesh.vertices;
   KnifeEdges knives;
   for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {

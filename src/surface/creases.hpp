@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "crossgrain/options.hpp"
+#include "surface/crease_angles.hpp"
 #include "surface/edge_uses.hpp"
 #include "surface/guides.hpp"
 #include "surface/surface.hpp"
@@ -43,9 +43,13 @@ struct CreaseCorner {
 
 /// Returns the points where three or more curves end, or two that do not continue each other, ordered by
 /// position. The end of a single curve, where a crease fades out, is no corner.
-std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves, const CreaseAngles& angles);
+std::vector<CreaseCorner> corners_of(std::span<const CreaseCurve> curves);
 
-/// Edges of two triangles with less than CreaseAngles::knife_deg of solid between them.
+/// Edges with a smaller angle between their faces, measured inside the solid, are reported as knife edges: no
+/// frame is close to both faces.
+constexpr double kKnifeDeg = 45;
+
+/// Edges of two triangles with less than kKnifeDeg of solid between them.
 struct KnifeEdges {
   static constexpr std::size_t kMostPlaces = 100;
   std::size_t count = 0;
@@ -54,8 +58,7 @@ struct KnifeEdges {
 
 /// Returns the knife edges among those of `sorted_edge_uses`. Normals must point out of the solid, or into it
 /// if the surface is `inside_out`.
-KnifeEdges knife_edges(const Surface& surface, std::span<const EdgeUse> all_uses, const CreaseAngles& angles,
-                       bool inside_out = false);
+KnifeEdges knife_edges(const Surface& surface, std::span<const EdgeUse> all_uses, bool inside_out = false);
 
 /// Returns the curves as guides that end at the corners; tagged curves have their own weight.
 Guides guides_along(std::span<const CreaseCurve> curves, std::span<const CreaseCorner> corners, double weight,

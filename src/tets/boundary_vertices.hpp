@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "crossgrain/options.hpp"
 #include "crossgrain/types.hpp"
+#include "surface/crease_angles.hpp"
 #include "tets/inner_walls.hpp"
 #include "tets/tet_solid.hpp"
 

@@ -28,22 +28,39 @@ struct IgnoredTags {
   bool empty() const { return !all && tags.empty(); }
 };
 
-/// Decides by the rules of TetTagOptions for elements of one kind, of which the mesh has `total`.
+/// A list that names at least this share of all faces inside, of all edges inside or of all edges of the
+/// surface is one of the mesh, not of features. True features are far from it: in a mesh of n tets across,
+/// surfaces have a share of about 1/n; of the 18 edges of a box of twelve triangles, twelve are sharp.
+constexpr double kLeastShare = 0.9;
+
+/// In such a list the most common tag is ignored, and the others count if together they name at most this
+/// share; otherwise none does, because tags tell nothing apart. The sharp edges of a box are a quarter of
+/// all its edges if there are three along a side, and the fewer the finer the mesh.
+constexpr double kMostOtherShare = 0.25;
+
+/// Regions of fewer tets than this in the mean are no bodies and become one: around a single vertex inside
+/// there are about 20 tets, and a hexahedron is cut into 5 or 6.
+constexpr double kFewestRegionTets = 10;
+
+/// Shorter lists, and fewer regions, always count: in a mesh of a few tets a feature may be everything.
+constexpr std::size_t kFewest = 20;
+
+/// Decides for elements of one kind, of which the mesh has `total`.
 template <class Vertices>
-IgnoredTags ignored_tags(Listed<Vertices>& listed, std::size_t total, const TetTagOptions& options) {
+IgnoredTags ignored_tags(Listed<Vertices>& listed, std::size_t total) {
   std::sort(listed.begin(), listed.end());
   const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
   listed.erase(std::unique(listed.begin(), listed.end(), same), listed.end());
   const auto share_of_all = [&](std::size_t count) {
     return static_cast<double>(count) / static_cast<double>(total);
   };
-  if (listed.size() < options.fewest || share_of_all(listed.size()) < options.least_share) return {};
+  if (listed.size() < kFewest || share_of_all(listed.size()) < kLeastShare) return {};
   std::map<std::int32_t, std::size_t> counts;
   for (const auto& element : listed) ++counts[element.second];
   const auto most = std::max_element(counts.begin(), counts.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
   const std::size_t others = listed.size() - most->second;
-  if (share_of_all(others) > options.most_other_share) return {true, {}};
+  if (share_of_all(others) > kMostOtherShare) return {true, {}};
   return {false, {most->first}};
 }
 
@@ -54,15 +71,14 @@ std::string count_of(std::size_t listed, std::size_t total, const char* what) {
 /// Removes lists from a mesh, and collects what it has removed for a warning.
 class ListRemoval {
  public:
-  ListRemoval(TetSolid& solid, const TetTagOptions& options) : solid_(solid), options_(options) {}
+  explicit ListRemoval(TetSolid& solid) : solid_(solid) {}
 
   void remove_regions() {
     std::vector<std::int32_t> regions = solid_.mesh.regions;
     sort_uniquely(regions);
     const std::size_t tets = solid_.mesh.tets.size();
-    if (regions.size() < options_.fewest) return;
-    if (static_cast<double>(tets) >= options_.fewest_region_tets * static_cast<double>(regions.size()))
-      return;
+    if (regions.size() < kFewest) return;
+    if (static_cast<double>(tets) >= kFewestRegionTets * static_cast<double>(regions.size())) return;
     solid_.mesh.regions.clear();
     removed_.push_back(std::to_string(regions.size()) + " regions for " + std::to_string(tets) + " tets");
   }
@@ -81,14 +97,13 @@ class ListRemoval {
   /// Edges of the surface that are not stated count only where it is sharp, whatever is listed.
   void remove_edges() {
     std::vector<TetMesh::Edge>& edges = solid_.mesh.feature_edges;
-    if (edges.size() < options_.fewest) return;
+    if (edges.size() < kFewest) return;
     std::vector<Edge> surface, all;
     for (const Face& face : solid_.boundary)
       for (std::size_t k = 0; k < 3; ++k) surface.push_back(ascending(Edge{face[k], face[(k + 1) % 3]}));
     sort_uniquely(surface);
     // Shares of the surface and of the inside can only be large if the list is as long as one of them.
-    if (static_cast<double>(edges.size()) < options_.least_share * static_cast<double>(surface.size()))
-      return;
+    if (static_cast<double>(edges.size()) < kLeastShare * static_cast<double>(surface.size())) return;
     for (const auto& tet : solid_.mesh.tets)
       for (std::size_t a = 0; a < 4; ++a)
         for (std::size_t b = a + 1; b < 4; ++b) all.push_back(ascending(Edge{tet[a], tet[b]}));
@@ -116,7 +131,7 @@ class ListRemoval {
     Listed<decltype(Element::vertices)> listed;
     for (const Element& element : elements)
       if (is_of_kind(element)) listed.emplace_back(ascending(element.vertices), element.tag);
-    const IgnoredTags ignored = ignored_tags(listed, total, options_);
+    const IgnoredTags ignored = ignored_tags(listed, total);
     if (ignored.empty()) return;
     std::erase_if(elements,
                   [&](const Element& element) { return ignored.holds(element.tag) && is_of_kind(element); });
@@ -126,7 +141,6 @@ class ListRemoval {
   }
 
   TetSolid& solid_;
-  const TetTagOptions& options_;
   std::vector<std::string> removed_;
 };
 
@@ -134,7 +148,7 @@ class ListRemoval {
 
 void drop_listed_topology(TetSolid& solid, const TetTagOptions& options, std::vector<Warning>& warnings) {
   if (options.keep_all) return;
-  ListRemoval removal(solid, options);
+  ListRemoval removal(solid);
   removal.remove_regions();
   removal.remove_faces();
   removal.remove_edges();

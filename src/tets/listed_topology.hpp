@@ -9,7 +9,7 @@
 
 namespace crossgrain {
 
-/// Removes from the mesh what lists and tags name only as part of the mesh, by the rules of TetTagOptions:
+/// Removes from the mesh what lists and tags name only as part of the mesh, unless all is kept:
 /// faces inside, edges and regions. Tags of boundary faces stay: they only number faces. Adds one warning if
 /// anything is removed.
 void drop_listed_topology(TetSolid& solid, const TetTagOptions& options, std::vector<Warning>& warnings);

@@ -188,7 +188,7 @@ void split_inside(const TetSolid& solid, const HeldSurface& surface, double laye
 
 }  // namespace
 
-PreparedTets prepared_for_map(const TetSolid& solid, const MapPreparationOptions& options) {
+PreparedTets prepared_for_map(const TetSolid& solid, const MapPreparationTuning& options) {
   TetMesh mesh = solid.mesh;
   mesh.tets.insert(mesh.tets.end(), solid.flat_tets.begin(), solid.flat_tets.end());
   if (!mesh.regions.empty()) mesh.regions.resize(mesh.tets.size(), mesh.regions.back());

@@ -9,6 +9,19 @@
 
 namespace crossgrain {
 
+/// MapPreparationOptions with what tests set. docs/notes/map-preparation.md has the measurements.
+struct MapPreparationTuning : MapPreparationOptions {
+  /// Whether an edge of the surface is split that lies opposite a vertex of a crease in a face with two edges
+  /// of that crease: the map would take the face to a line.
+  bool cut_off_creases = true;
+
+  /// Edges between a vertex inside and a smooth vertex of the surface are split if the normals of the faces
+  /// there spread by at least this angle: singular lines that curved surfaces push outwards can then pass
+  /// below them. Flat faces have no need of it, and their edges would double the number of tets. 180 for
+  /// none.
+  double layer_spread_deg = 1;
+};
+
 struct PreparedTets {
   SplitTetMesh split;  ///< with the flat tets of the solid, whose parent is kNoTet
   MapPreparation counts;
@@ -22,6 +35,6 @@ struct PreparedTets {
 /// Splits come in this order: edges of the surface that cut off a crease, edges inside (longest first, then
 /// by their vertices), faces (by their vertices), tets. Whatever a split adds has the new vertex, which is
 /// not on the surface; so it makes no new faults, and there are as many splits as faults.
-PreparedTets prepared_for_map(const TetSolid& solid, const MapPreparationOptions& options);
+PreparedTets prepared_for_map(const TetSolid& solid, const MapPreparationTuning& options);
 
 }  // namespace crossgrain

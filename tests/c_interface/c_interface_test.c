@@ -291,18 +291,19 @@ TEST(EveryOptionKeepsWhatItHas) {
     }
     crossgrain_options_free(options);
   }
-  CHECK(all > 100);
+  CHECK(all > 50);
 }
 
 TEST(OptionsRefuseWhatTheyCannotHold) {
   crossgrain_options *options = of_resolution(16), *others = NULL;
-  FAILS(CROSSGRAIN_USAGE, "solver.starts",
-        crossgrain_options_set_integer(options, "solver.start", 1, &g_error));
+  FAILS(CROSSGRAIN_USAGE, "similar one is resolution",
+        crossgrain_options_set_integer(options, "resolutoin", 1, &g_error));
+  FAILS(CROSSGRAIN_USAGE, "use boundary",
+        crossgrain_options_set_text(options, "onto.boundary", "all", &g_error));
   FAILS(CROSSGRAIN_USAGE, "integer", crossgrain_options_set_number(options, "resolution", 1.5, &g_error));
   FAILS(CROSSGRAIN_USAGE, "not negative",
         crossgrain_options_set_integer(options, "max_memory_bytes", -1, &g_error));
-  FAILS(CROSSGRAIN_USAGE, "smooth-only",
-        crossgrain_options_set_text(options, "onto.boundary", "some", &g_error));
+  FAILS(CROSSGRAIN_USAGE, "smooth-only", crossgrain_options_set_text(options, "boundary", "some", &g_error));
   FAILS(CROSSGRAIN_USAGE, "0 or 1", crossgrain_options_set_integer(options, "unite_solids", 2, &g_error));
   FAILS(CROSSGRAIN_USAGE, "3 or 4", crossgrain_options_set_integer(options, "degree", 5, &g_error));
   FAILS(CROSSGRAIN_USAGE, "no options of kind",
@@ -449,15 +450,6 @@ TEST(TetsArePreparedForAMap) {
   for (size_t t = 0; t < crossgrain_domain_tet_count(prepared); ++t)
     CHECK(parents[t] < crossgrain_domain_tet_count(domain));
   crossgrain_domain_free(prepared);
-  crossgrain_options* options = NULL;
-  OK(crossgrain_options_new(CROSSGRAIN_PREPARATION_OPTIONS, &options, &g_error));
-  OK(crossgrain_options_set_number(options, "layer_spread_deg", 0, &g_error));
-  crossgrain_domain* layered = NULL;
-  OK(crossgrain_domain_prepared_for_map(domain, options, &layered, &g_error));
-  /* Edges from the faces, which are flat, to the vertex inside are split too. */
-  CHECK(crossgrain_domain_tet_count(layered) > crossgrain_domain_tet_count(domain) + 48);
-  crossgrain_domain_free(layered);
-  crossgrain_options_free(options);
   crossgrain_domain_free(domain);
 }
 
@@ -629,7 +621,7 @@ TEST(SamplesAreWrittenForPointsThatAreRead) {
 TEST(ArcsOfABallAreOfValenceThree) {
   crossgrain_field* field = solved(ball(12), 20);
   crossgrain_graph* graph = NULL;
-  OK(crossgrain_field_singularities(field, NULL, NULL, &graph, &g_error));
+  OK(crossgrain_field_singularities(field, NULL, &graph, &g_error));
   const crossgrain_graph_summary* summary = crossgrain_graph_summary_of(graph);
   CHECK(summary->arcs > 0 && crossgrain_graph_arc(graph, summary->arcs) == NULL);
   for (size_t i = 0; i < summary->arcs; ++i) {
@@ -643,23 +635,11 @@ TEST(ArcsOfABallAreOfValenceThree) {
     const crossgrain_node* node = crossgrain_graph_node(graph, i);
     CHECK(node->arc_count > 0 && node->arcs[0] < summary->arcs);
   }
-  crossgrain_options* wrong = NULL;
-  crossgrain_graph* none = NULL;
-  OK(crossgrain_options_new(CROSSGRAIN_SINGULARITY_OPTIONS, &wrong, &g_error));
-  OK(crossgrain_options_set_number(wrong, "merge_cells", -1, &g_error));
-  FAILS(CROSSGRAIN_USAGE, "lengths", crossgrain_field_singularities(field, wrong, NULL, &none, &g_error));
-  crossgrain_options_free(wrong);
   crossgrain_answer* answer = NULL;
-  OK(crossgrain_field_answer(field, NULL, &answer, &g_error));
+  OK(crossgrain_field_answer(field, &answer, &g_error));
   CHECK(strlen(crossgrain_answer_sentence(answer)) > 5);
   const int is_meshable = crossgrain_answer_verdict(answer) == CROSSGRAIN_MESHABLE;
   CHECK(is_meshable == (crossgrain_answer_reason(answer, 0) == NULL));
-  crossgrain_answer_free(answer);
-  crossgrain_options* options = NULL;
-  OK(crossgrain_options_new(CROSSGRAIN_ANSWER_OPTIONS, &options, &g_error));
-  OK(crossgrain_options_set_number(options, "wall_cells", 1e9, &g_error));
-  OK(crossgrain_field_answer(field, options, &answer, &g_error));
-  crossgrain_options_free(options);
   crossgrain_answer_free(answer);
   crossgrain_graph_free(graph);
   crossgrain_field_free(field);

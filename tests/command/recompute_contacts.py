@@ -6,7 +6,7 @@ from itertools import combinations
 import numpy as np
 from frame_math import matching
 
-# SingularityOptions::touch_cells and touch_aside_cells, and what docs/singularities.md says of them.
+# kTouchCells and kTouchAsideCells (singularity/singularity_tuning.hpp), and what docs/singularities.md says of them.
 REACH, ASIDE, BEHIND = 3, 1.5, 0.5
 LAST_EDGES = 5
 DETOUR = 2

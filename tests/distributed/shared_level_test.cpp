@@ -54,7 +54,7 @@ class SharedLevel : public ::testing::TestWithParam<int> {
  protected:
   static void expect_rows_of_the_whole(const TestSolid& part, int resolution) {
     const RefinedLevel whole = level_of(part, resolution);
-    const double share_of_diagonals = SolverOptions{}.diagonal_share;
+    const double share_of_diagonals = SolverTuning{}.diagonal_share;
     const LeafConnections connections = connect_leaves(whole.level, whole.neighbours, part.solid());
     const Connectivity expected =
         connectivity_of(whole.level, whole.neighbours, connections, share_of_diagonals);

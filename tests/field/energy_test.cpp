@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "crossgrain/options.hpp"
 #include "field/connected_level.hpp"
 #include "field/leaf_stencil.hpp"
 #include "field/octree_graph.hpp"
+#include "field/solve_tuning.hpp"
 #include "grid/test_solid.hpp"
 #include "support/shapes.hpp"
 
@@ -22,7 +22,7 @@ template <int D>
 FieldGraph<D> graph_of(const GridLevel& level, const Solid& solid) {
   const LeafConnections connections = connect_leaves(level, solid);
   return {std::make_shared<const Connectivity>(
-              connectivity_of(level, connections, SolverOptions().diagonal_share)),
+              connectivity_of(level, connections, SolverTuning().diagonal_share)),
           boundary_forms<D>(level, solid, 10, Shift::kNone)};
 }
 

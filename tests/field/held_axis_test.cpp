@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "constraint/normal_form.hpp"
-#include "crossgrain/options.hpp"
 #include "field/connected_level.hpp"
 #include "field/energy.hpp"
 #include "field/leaf_stencil.hpp"
 #include "field/manifold_sweep.hpp"
 #include "field/octree_graph.hpp"
 #include "field/relaxation.hpp"
+#include "field/solve_tuning.hpp"
 #include "grid/test_solid.hpp"
 #include "harmonics/frame.hpp"
 #include "harmonics/random_samples.hpp"
@@ -205,7 +205,7 @@ TYPED_TEST(HeldAxis, ProjectionFromTheOwnFrameFindsTheNearestOfAll) {
   const GridLevel level = bracket.level(0.08);
   const LeafConnections connections = connect_leaves(level, bracket.solid());
   const FieldGraph<D> graph{std::make_shared<const Connectivity>(
-                                connectivity_of(level, connections, SolverOptions().diagonal_share)),
+                                connectivity_of(level, connections, SolverTuning().diagonal_share)),
                             boundary_forms<D>(level, bracket.solid(), 10, Shift::kNone)};
   for (const int sweeps : {1, 3, 10, 40}) {
     FieldState<D> state = state_of<D>(random_frames(level.size(), 3));

@@ -7,10 +7,10 @@
 #include <map>
 
 #include "base/quaternion.hpp"
-#include "crossgrain/options.hpp"
 #include "field/connected_level.hpp"
 #include "field/face_edges.hpp"
 #include "field/octree_graph.hpp"
+#include "field/solve_tuning.hpp"
 #include "field/tet_finish.hpp"
 #include "grid/refinement.hpp"
 #include "grid/test_solid.hpp"
@@ -180,7 +180,7 @@ TEST(LeafStencil, CostsASingularArcTheSameInAllDirections) {
     }
     return most / least - 1;
   };
-  EXPECT_LT(spread(SolverOptions().diagonal_share), 0.015);
+  EXPECT_LT(spread(SolverTuning().diagonal_share), 0.015);
   EXPECT_GT(spread(0), 0.05) << "then there would be no need of diagonals";
 }
 

@@ -6,6 +6,7 @@
 #include "field/connected_level.hpp"
 #include "field/energy.hpp"
 #include "field/leaf_stencil.hpp"
+#include "field/solve_tuning.hpp"
 #include "grid/cell_constraints.hpp"
 #include "grid/refinement.hpp"
 #include "grid/test_solid.hpp"
@@ -81,7 +82,7 @@ TEST_F(MemoryBudget, HasALineForWhoNeighboursWhom) {
   const LeafConnections connections = connect_leaves(level_, part_.solid());
   expect_exact(memory_lines::kFaceWeights, bytes_of(connections.weights));
   expect_exact(memory_lines::kOpenFaces, bytes_of(connections.open_faces));
-  const Connectivity connectivity = connectivity_of(level_, connections, SolverOptions().diagonal_share);
+  const Connectivity connectivity = connectivity_of(level_, connections, SolverTuning().diagonal_share);
   expect_exact(memory_lines::kSweepOrder, bytes_of(connectivity.order.cells));
   // How long rows are, and how many weights are equal, is the part's own.
   const auto adjacency = static_cast<double>(connectivity.adjacency.bytes());

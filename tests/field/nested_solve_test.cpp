@@ -24,15 +24,15 @@ using testing::TestSolid;
 
 constexpr double kDegree_rad = 3.14159265358979323846 / 180;
 
-SolveOptions options_of(int resolution, Degree degree = Degree::kFour, std::uint64_t seed = 0) {
-  SolveOptions options;
+SolveTuning options_of(int resolution, Degree degree = Degree::kFour, std::uint64_t seed = 0) {
+  SolveTuning options;
   options.resolution = resolution;
   options.degree = degree;
   options.seed = seed;
   return options;
 }
 
-SolvedField solved(const TestSolid& solid, const SolveOptions& options) {
+SolvedField solved(const TestSolid& solid, const SolveTuning& options) {
   return nested_solve(solid.solid(), options, Monitor());
 }
 
@@ -142,7 +142,7 @@ TEST(NestedSolve, DescribesEveryLevel) {
 
 TEST(NestedSolve, EndsWithTheEnergyOfItsFrames) {
   const TestSolid solid(make_bracket(24));
-  const SolveOptions options = options_of(20);
+  const SolveTuning options = options_of(20);
   SolvedField field = solved(solid, options);
   const Adjacency adjacency =
       connectivity_of(field.level, connect_leaves(field.level, solid.solid()), options.solver.diagonal_share)
@@ -173,7 +173,7 @@ TEST(NestedSolve, HasItsFinestCellsOfTheSizeThatTheResolutionSays) {
 
 TEST(NestedSolve, TakesACellSizeInPlaceOfAResolution) {
   const TestSolid solid(make_bracket(24));
-  SolveOptions options = options_of(999);
+  SolveTuning options = options_of(999);
   options.cell_size = 0.1;
   EXPECT_NEAR(solved(solid, options).level.tree.cell_size(0), 0.1, 1e-12);
 }

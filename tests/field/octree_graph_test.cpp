@@ -6,11 +6,11 @@
 #include <map>
 
 #include "constraint/normal_form.hpp"
-#include "crossgrain/options.hpp"
 #include "field/connected_level.hpp"
 #include "field/energy.hpp"
 #include "field/face_edges.hpp"
 #include "field/leaf_stencil.hpp"
+#include "field/solve_tuning.hpp"
 #include "grid/refinement.hpp"
 #include "grid/test_solid.hpp"
 #include "harmonics/random_samples.hpp"
@@ -150,7 +150,7 @@ TEST(OctreeGraph, CostsALinearTwistWhatTheIntegralSaysToThreePercent) {
       const double angle_rad = rate * dot(along, level.tree.centre(i));
       frames.push_back(to_stored(from_rotation_vector(angle_rad * about) * base));
     }
-    const Adjacency adjacency = connectivity_of(level, connections, SolverOptions().diagonal_share).adjacency;
+    const Adjacency adjacency = connectivity_of(level, connections, SolverTuning().diagonal_share).adjacency;
     const double cost = level_energy(level, any_solid().solid(), adjacency, frames, 10).parts.smoothness;
     double exact = 0;
     for (int axis = 0; axis < 3; ++axis)

@@ -7,10 +7,10 @@
 
 #include <cmath>
 
-#include "crossgrain/options.hpp"
 #include "field/cell_colours.hpp"
 #include "field/leaf_stencil.hpp"
 #include "field/octree_graph.hpp"
+#include "field/solve_tuning.hpp"
 #include "grid/test_solid.hpp"
 #include "harmonics/random_samples.hpp"
 #include "support/shapes.hpp"
@@ -47,7 +47,7 @@ class Stages : public ::testing::Test {
     const GridLevel level = bracket.level(0.08);
     const LeafConnections connections = connect_leaves(level, bracket.solid());
     graph_ = {std::make_shared<const Connectivity>(
-                  connectivity_of(level, connections, SolverOptions().diagonal_share)),
+                  connectivity_of(level, connections, SolverTuning().diagonal_share)),
               boundary_forms<D>(level, bracket.solid(), 10, Shift::kNone)};
   }
 

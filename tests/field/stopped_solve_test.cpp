@@ -15,8 +15,8 @@ using testing::TestSolid;
 
 constexpr int kResolution = 48;  // four levels
 
-SolveOptions options_of(int resolution, Degree degree = Degree::kFour) {
-  SolveOptions options;
+SolveTuning options_of(int resolution, Degree degree = Degree::kFour) {
+  SolveTuning options;
   options.resolution = resolution;
   options.degree = degree;
   return options;
@@ -38,7 +38,7 @@ class StoppingMonitor {
   Monitor monitor_;
 };
 
-SolvedField stopped(const TestSolid& part, StoppingMonitor& monitor, const SolveOptions& options) {
+SolvedField stopped(const TestSolid& part, StoppingMonitor& monitor, const SolveTuning& options) {
   (*monitor).allow_stops();
   SolvedField field = nested_solve(part.solid(), options, *monitor);
   EXPECT_TRUE(monitor.was_seen());
@@ -46,7 +46,7 @@ SolvedField stopped(const TestSolid& part, StoppingMonitor& monitor, const Solve
 }
 
 /// A solve that ends `levels_left_out` levels above the finest one for want of memory.
-SolvedField ended_by_memory(const TestSolid& part, SolveOptions options, int levels_left_out) {
+SolvedField ended_by_memory(const TestSolid& part, SolveTuning options, int levels_left_out) {
   constexpr std::size_t kFirst = 6000000, kLast = 1000000000;  // bytes
   SolvedField field;
   for (std::size_t more = kFirst; more < kLast; more += more / 8) {
@@ -86,7 +86,7 @@ class StoppedSolveOf : public ::testing::TestWithParam<Degree> {};
 
 TEST_P(StoppedSolveOf, ADegreeIsToTheBitTheOneThatMemoryEndsThere) {
   const TestSolid part(make_bracket(48));
-  const SolveOptions options = options_of(kResolution, GetParam());
+  const SolveTuning options = options_of(kResolution, GetParam());
   const SolvedField expected = ended_by_memory(part, options, 1);
   const int finest = static_cast<int>(expected.levels.size()) + 1;
   StoppingMonitor while_sweeping(Phase::kSolve, finest, 3);
@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Degrees, StoppedSolveOf, ::testing::Values(Degree::kThr
 
 TEST(StoppedSolve, IsTheSameWhereverTheLevelThatIsDroppedHasGot) {
   const TestSolid part(make_bracket(48));
-  const SolveOptions options = options_of(kResolution);
+  const SolveTuning options = options_of(kResolution);
   StoppingMonitor while_refining(Phase::kGrid, 4, 1), while_connecting(Phase::kGrid, 4, 2),
       while_sweeping(Phase::kSolve, 4, 2);
   const SolvedField field = stopped(part, while_refining, options);
@@ -110,7 +110,7 @@ TEST(StoppedSolve, IsTheSameWhereverTheLevelThatIsDroppedHasGot) {
 
 TEST(StoppedSolve, WhileSeveralStartsAreInTheRaceHasTheBestOfThem) {
   const TestSolid part(make_sphere(0.8, 3));
-  SolveOptions options = options_of(kResolution);
+  SolveTuning options = options_of(kResolution);
   options.solver.start_cells = 1000000;
   StoppingMonitor monitor(Phase::kGrid, 3);
   const SolvedField field = stopped(part, monitor, options);

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "constraint/normal_form.hpp"
-#include "crossgrain/options.hpp"
 #include "field/connected_level.hpp"
 #include "field/octree_graph.hpp"
+#include "field/solve_tuning.hpp"
 #include "harmonics/random_samples.hpp"
 
 namespace crossgrain::testing {
@@ -22,7 +22,7 @@ template <int D>
 FieldGraph<D> graph_of(const GridLevel& level, const Solid& solid, Shift shift = Shift::kNone) {
   const LeafConnections connections = connect_leaves(level, solid);
   return {std::make_shared<const Connectivity>(
-              connectivity_of(level, connections, SolverOptions().diagonal_share)),
+              connectivity_of(level, connections, SolverTuning().diagonal_share)),
           boundary_forms<D>(level, solid, 10, shift)};
 }
 

@@ -35,7 +35,7 @@ class TetFinish : public ::testing::Test {
     }
   }
 
-  std::vector<Quaternion> finished(const OntoOptions& options) const {
+  std::vector<Quaternion> finished(const TetFinishing& options) const {
     return finish_on_tets(edges_, boundary_, {start_}, static_cast<crossgrain::Degree>(Degree::value),
                           options, Monitor())
         .frames;
@@ -49,7 +49,7 @@ class TetFinish : public ::testing::Test {
 TYPED_TEST_SUITE(TetFinish, testing::BothDegrees);
 
 TYPED_TEST(TetFinish, OfABoxEndsAtTheFrameOfTheBox) {
-  OntoOptions options;
+  TetFinishing options;
   options.sweep_tolerance = 0;
   options.most_sweeps = 200;
   for (const Quaternion& frame : this->finished(options)) {
@@ -59,7 +59,7 @@ TYPED_TEST(TetFinish, OfABoxEndsAtTheFrameOfTheBox) {
 }
 
 TYPED_TEST(TetFinish, HoldsTheNormalsOfSmoothVerticesToRounding) {
-  OntoOptions options;
+  TetFinishing options;
   options.most_sweeps = 3;
   const std::vector<Quaternion> frames = this->finished(options);
   std::size_t smooth = 0;
@@ -73,7 +73,7 @@ TYPED_TEST(TetFinish, HoldsTheNormalsOfSmoothVerticesToRounding) {
 }
 
 TYPED_TEST(TetFinish, ReturnsTheLowestOfSeveralStarts) {
-  OntoOptions options;
+  TetFinishing options;
   options.relaxation_sweeps = 0;
   options.most_sweeps = 200;
   const std::vector<Quaternion> along(this->start_.size(), Quaternion{});
@@ -90,7 +90,7 @@ TYPED_TEST(TetFinish, ReturnsTheLowestOfSeveralStarts) {
 }
 
 TYPED_TEST(TetFinish, DoesNotPreferAStartThatIgnoresGuides) {
-  OntoOptions options;
+  TetFinishing options;
   options.relaxation_sweeps = options.most_sweeps = 0;
   std::uint32_t inside = 0;
   const std::vector<std::uint32_t>& boundary = this->boundary_.vertices;
@@ -114,7 +114,7 @@ class FinishOfAPlate : public ::testing::Test {
  protected:
   /// From frames that all stand along the large faces but are turned against the sides.
   std::vector<Quaternion> finished(TetBoundary boundary_option) const {
-    OntoOptions options;
+    TetFinishing options;
     options.boundary = boundary_option;
     options.relaxation_sweeps = 0;
     options.most_sweeps = 200;
@@ -160,7 +160,7 @@ TYPED_TEST(TetFinish, HoldsTaggedEdgesInsideAndOnFacesToRounding) {
                     {box.at(1, 1, 3), box.at(2, 2, 3)}};
   this->boundary_ = classify_boundary_vertices(this->solid_, {}, features);
   const std::vector<Quaternion> held = this->finished({}),
-                                free = this->finished({.boundary = TetBoundary::kSmoothOnly});
+                                free = this->finished({{}, TetBoundary::kSmoothOnly});
   double freest_rad = 0;
   for (const auto& [a, b] : features.edges) {
     const Vector3 along = normalised(this->solid_.mesh.vertices[b] - this->solid_.mesh.vertices[a]);

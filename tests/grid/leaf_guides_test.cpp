@@ -137,7 +137,7 @@ TEST(LeafGuides, LeaveOutCellsOfCornersAndWhatIsOutside) {
   const TestSolid solid(make_box({1, 1, 1}));
   const GridLevel level = solid.level(0.1);
   const std::vector<CreaseCurve> curves = sharp_curves(solid.surface(), {});
-  const std::vector<CreaseCorner> corners = corners_of(curves, {});
+  const std::vector<CreaseCorner> corners = corners_of(curves);
   const LeafGuides all(level.tree, guides_along(curves, {}, 1));
   const LeafGuides between(level.tree, guides_along(curves, corners, 1));
   int left_out = 0;
@@ -150,7 +150,7 @@ TEST(LeafGuides, LeaveOutCellsOfCornersAndWhatIsOutside) {
 TEST(LeafGuides, ArePartOfTheFormsOfCells) {
   const TestSolid box(make_box({1, 1, 1}));
   const std::vector<CreaseCurve> curves = sharp_curves(box.surface(), {});
-  const Guides guides = guides_along(curves, corners_of(curves, {}), 1);
+  const Guides guides = guides_along(curves, corners_of(curves), 1);
   Solid solid = box.solid();
   const GridLevel plain = box.level(0.1);
   solid.guides = &guides;

@@ -52,7 +52,7 @@ TEST_P(LevelGrowthOf, ForetellsTheCountsOfTheNextTwoLevels) {
   const TestSolid part(mesh(GetParam()));
   const Solid solid = part.solid();
   const GridFrame frame = frame_around(solid.surface.box, std::ldexp(kCoarsestCell, -kLevels));
-  const RefinementOptions options;
+  const RefinementTuning options;
   RefinedLevel made = uniform_level(solid, frame.root, frame.finest_depth - kLevels);
   const GridLevel& level = made.level;
   std::vector<LevelGrowth> growths;
@@ -98,7 +98,7 @@ TEST_P(LevelGrowthAlong, GuidesInsideIsForetold) {
   Solid solid = part.solid();
   solid.guides = &guides;
   const GridFrame frame = frame_around(solid.surface.box, std::ldexp(kCoarsestCell, -kLevels));
-  const RefinementOptions options;
+  const RefinementTuning options;
   RefinedLevel made = uniform_level(solid, frame.root, frame.finest_depth - kLevels);
   const GridLevel& level = made.level;
   std::vector<LevelGrowth> growths;

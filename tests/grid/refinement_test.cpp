@@ -242,7 +242,7 @@ TEST(EnergyCriterion, MarksWhatExceedsTheThresholdInItsOwnSize) {
 
 class RefinementMarksTest : public ::testing::Test {
  protected:
-  RefinementMarksTest() { options_ = {false, false, false, false, 4, 0.2, 4}; }
+  RefinementMarksTest() { options_ = {false, false, false, false, 0.2, 4}; }
 
   Marks marks(const std::vector<float>& density = {}) const {
     return refinement_marks(level_, neighbours_, solid_.solid(), density, depth_ + 1, options_);
@@ -253,7 +253,7 @@ class RefinementMarksTest : public ::testing::Test {
   const GridLevel level_ = solid_.level(0.08);
   const std::vector<FaceNeighbours> neighbours_ = face_neighbours(level_.tree);
   const int depth_ = frame_around(solid_.surface().box, 0.08).finest_depth;
-  RefinementOptions options_;
+  RefinementTuning options_;
 };
 
 TEST_F(RefinementMarksTest, WithoutCriteriaAreNone) {
@@ -268,20 +268,20 @@ TEST_F(RefinementMarksTest, OfOneCriterionAreThatCriterion) {
 
   expected = no_marks(level_);
   mark_thin_walls(level_, solid_.solid(), 4, expected);
-  options_ = {false, false, true, false, 4, 0.2, 4};
+  options_ = {false, false, true, false, 0.2, 4};
   EXPECT_EQ(marks(), expected);
   EXPECT_TRUE(any(expected));
 
   expected = no_marks(level_);
   mark_spectral_conflict(level_, neighbours_, solid_.solid(), expected);
-  options_ = {false, true, false, false, 4, 0.2, 4};
+  options_ = {false, true, false, false, 0.2, 4};
   EXPECT_EQ(marks(), expected);
 
   std::vector<float> density(level_.size(), 0);
   density[5] = 1e6;
   expected = no_marks(level_);
   expected[5] = true;
-  options_ = {false, false, false, true, 4, 0.2, 4};
+  options_ = {false, false, false, true, 0.2, 4};
   EXPECT_EQ(marks(density), expected);
 }
 

@@ -16,7 +16,7 @@ SolveReport::Walls walls_of(const TriangleMesh& mesh, double cell_size) {
   const WindingNumber winding(bvh);
   const Solid solid{surface, bvh, winding};
   const auto [root, depth] = frame_around(surface.box, cell_size);
-  return measure_walls(uniform_level(solid, root, depth).level, solid, RefinementOptions());
+  return measure_walls(uniform_level(solid, root, depth).level, solid);
 }
 
 TEST(Walls, OfAPlateAreThinOverItsTwoSidesOnly) {

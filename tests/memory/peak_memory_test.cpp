@@ -60,7 +60,7 @@ TEST(PeakMemory, OfAMillionCellsStaysWithinTheBudget) {
   GTEST_SKIP() << "sanitizers have allocators of their own";
 #endif
   const testing::TestSolid part(make_bracket(48));
-  SolveOptions options;
+  SolveTuning options;
   options.resolution = 480;
   const std::size_t before = g_held.load();
   g_most_held.store(before);

@@ -14,7 +14,9 @@ import crossgrain as cg
 from crossgrain import _interface, _library, _options
 
 DOCS = Path(__file__).parents[2] / "docs"
-KINDS = {name: getattr(cg, name)._kind for name in ("ReadOptions", "OutputOptions", "TetMakingOptions", "RepairOptions", "HexOptions")}
+PARTS = {"hexahedra": "HexOptions", "tets": "TetMakingOptions", "tags": "TetTagOptions", "solve": "SolveOptions"}
+LISTED = ["SolveOptions", "ReadOptions", "TetTagOptions", "MapPreparationOptions", "OutputOptions", "TetMakingOptions", "RepairOptions", "HexOptions"]
+KINDS = {name: getattr(cg, name)._kind for name in [*LISTED, "HexMeshingOptions"]}
 MOST_NAMES = 45
 
 
@@ -42,7 +44,8 @@ class ListedOptions(unittest.TestCase):
         self.types = {of: _options.types_of(kind) for of, kind in KINDS.items()}
 
     def test_are_those_of_the_library(self):
-        listed = {of: [name for name, structs, *_ in self.rows if of in structs.split(", ")] for of in KINDS}
+        listed = {of: [name for name, structs, *_ in self.rows if of in structs.split(", ")] for of in LISTED}
+        listed["HexMeshingOptions"] = [f"{part}.{name}" for part, of in PARTS.items() for name in listed[of]]
         for of, types in self.types.items():
             self.assertEqual(sorted(listed[of]), sorted(types), of)
 

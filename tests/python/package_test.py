@@ -281,8 +281,6 @@ class FieldsOnTets(WithFolder):
         corners = lambda its_points, its_cells: its_points[its_cells[:, 1:]] - its_points[its_cells[:, :1]]
         volumes = np.bincount(prepared.parents, np.linalg.det(corners(prepared.points, prepared.cells)), len(cells))
         np.testing.assert_allclose(volumes, np.linalg.det(corners(tets.points, tets.cells)), atol=1e-15)
-        layered = tets.prepared_for_map(cg.MapPreparationOptions(layer_spread_deg=0))
-        self.assertGreater(len(layered.cells), len(prepared.cells))
         field = cg.solve_onto(prepared)
         self.assertEqual(field.report["onto"]["prepared"]["tets_before"], len(cells))
         self.assertEqual(len(field.frames), len(prepared.cells))
@@ -346,8 +344,8 @@ def content(handle, name, kind):
 
 class Options(unittest.TestCase):
     def test_have_the_defaults_of_the_library(self):
-        kinds = [cg.SolveOptions, cg.ReadOptions, cg.TetTagOptions, cg.OutputOptions, cg.SingularityOptions, cg.AnswerOptions,
-                 cg.StreamlineOptions, cg.PictureOptions, cg.MapPreparationOptions, cg.RepairOptions]
+        kinds = [cg.SolveOptions, cg.ReadOptions, cg.TetTagOptions, cg.OutputOptions, cg.StreamlineOptions,
+                 cg.PictureOptions, cg.MapPreparationOptions, cg.RepairOptions]
         for kind in kinds:
             types = _options.types_of(kind._kind)
             # Python sets for_page itself.
@@ -359,8 +357,8 @@ class Options(unittest.TestCase):
 
     def test_reach_the_library(self):
         options = cg.SolveOptions(resolution=8)
-        options.solver.starts = 0
-        with self.assertRaisesRegex(cg.UsageError, "at least one start"):
+        options.crease_angle_deg = 0
+        with self.assertRaisesRegex(cg.UsageError, "the angle of creases"):
             cg.solve(*box(), options=options)
 
     def test_that_do_not_exist_are_a_type_error(self):
@@ -370,11 +368,11 @@ class Options(unittest.TestCase):
             cg.SolveOptions(resolutoin=3)  # pylint: disable=unexpected-keyword-arg
         with self.assertRaisesRegex(AttributeError, "resolutoin"):
             cg.SolveOptions().resolutoin = 3
-        for wrong in (cg.OntoOptions(), {}, None, 5):
-            options = cg.SolveOptions()
-            options.solver = wrong
-            with self.assertRaisesRegex(TypeError, "SolverOptions"):
-                cg.solve(*box(), options=options)
+        for wrong in (cg.HexOptions(), {}, None, 5):
+            options = cg.HexMeshingOptions()
+            options.solve = wrong
+            with self.assertRaisesRegex(TypeError, "SolveOptions"):
+                _options.handle_of(options)
         with self.assertRaisesRegex(TypeError, "SolveOptions"):
             cg.solve(*box(), options=cg.ReadOptions())
 
@@ -383,12 +381,6 @@ class Options(unittest.TestCase):
             self.assertGreater(len(cg.solve(*box(), resolution=8, seed=seed)), 0)
         with self.assertRaises(cg.UsageError):
             cg.solve(*box(), resolution=8, seed=2**64)
-
-    def test_out_of_range_are_refused(self):
-        field = cg.solve(*ball(6), resolution=8)
-        for wrong in (cg.SingularityOptions(merge_cells=-1), cg.SingularityOptions(merge_cells=np.nan), cg.SingularityOptions(smoothing_rounds=-1)):
-            self.assertRaises(cg.UsageError, field.singularities_with, wrong)
-        self.assertRaises(cg.UsageError, field.check, cg.AnswerOptions(wall_cells=np.nan))
 
     def test_of_writing_say_whether_there_is_a_page(self):
         field = cg.solve(*box(), resolution=8)

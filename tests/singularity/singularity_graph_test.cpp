@@ -139,7 +139,7 @@ TEST(SingularityGraph, WhereThreeArcsMeetHasANode) {
   const auto node =
       std::find_if(graph.nodes.begin(), graph.nodes.end(), [](const auto& n) { return !n.on_boundary; });
   EXPECT_EQ(node->arcs, (std::vector<std::uint32_t>{0, 1, 2}));
-  EXPECT_LE(norm(node->place - Vector3{50, 50, 50}), SingularityOptions().shift_cells + 1e-12);
+  EXPECT_LE(norm(node->place - Vector3{50, 50, 50}), kShiftCells + 1e-12);
   EXPECT_EQ(node->verdict, Verdict::kNotMeshable) << "one line of a half turn, two of a quarter";
 }
 
@@ -161,7 +161,7 @@ TEST(SingularityGraph, TakesNodesOfShortArcsBetweenForOne) {
   const Graph graph = graph_of(edges);
   EXPECT_EQ(graph.arcs.size(), 4u);
   ASSERT_EQ(count_nodes(graph, false), 1u);
-  SingularityOptions exactly;
+  SingularityTuning exactly;
   exactly.merge_cells = 0;
   const Graph unmerged = singularity_graph(singular_of(edges), exactly);
   EXPECT_EQ(unmerged.arcs.size(), 5u);
@@ -235,13 +235,13 @@ TEST(SingularityGraph, MakesAStaircaseStraight) {
 
 TEST(SingularityGraph, MovesNoPointFurtherThanItMay) {
   const Graph graph = graph_of(square(10));
-  SingularityOptions still;
+  SingularityTuning still;
   still.smoothing_rounds = 0;
   const Graph staircase = singularity_graph(singular_of(square(10)), still);
   double most = 0;
   for (std::size_t k = 0; k < graph.arcs[0].points.size(); ++k)
     most = std::max(most, norm(graph.arcs[0].points[k] - staircase.arcs[0].points[k]));
-  EXPECT_LE(most, SingularityOptions().shift_cells + 1e-12);
+  EXPECT_LE(most, kShiftCells + 1e-12);
   EXPECT_GT(most, 0.5);
 }
 

@@ -13,9 +13,9 @@
 #include <optional>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/solve.hpp"
 #include "crossgrain/streamlines.hpp"
 #include "field/field_data.hpp"
+#include "solve/tuned_solve.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {
@@ -43,8 +43,8 @@ class Gate {
   bool is_open_ = false;
 };
 
-SolveOptions options_of(int threads, Degree degree, int resolution = 48) {  // four levels
-  SolveOptions options;
+SolveTuning options_of(int threads, Degree degree, int resolution = 48) {  // four levels
+  SolveTuning options;
   options.resolution = resolution;
   options.degree = degree;
   options.threads = threads;
@@ -68,7 +68,7 @@ void expect_same_field(const FrameField& a, const FrameField& b) {
   EXPECT_EQ(a.report().unfinished.has_value(), b.report().unfinished.has_value());
 }
 
-std::future<FrameField> started(const TriangleMesh& mesh, const SolveOptions& options,
+std::future<FrameField> started(const TriangleMesh& mesh, const SolveTuning& options,
                                 const Monitor& monitor) {
   return std::async(std::launch::async, [&] { return solve(mesh, options, monitor); });
 }
@@ -90,7 +90,7 @@ class AtLevel {
 class ConcurrentSolves : public ::testing::Test {
  protected:
   const TriangleMesh bracket_ = make_bracket(48), plates_ = make_plates(0.1);
-  const SolveOptions one_thread_ = options_of(1, Degree::kFour), two_threads_ = options_of(2, Degree::kThree);
+  const SolveTuning one_thread_ = options_of(1, Degree::kFour), two_threads_ = options_of(2, Degree::kThree);
 };
 
 TEST_F(ConcurrentSolves, GiveTheBitsOfTheSameSolvesAlone) {
@@ -112,8 +112,8 @@ TEST_F(ConcurrentSolves, GiveTheBitsOfTheSameSolvesAlone) {
 
 /// Ends the solve of the bracket by `end` in the middle of that of the plates, which nothing may change. What
 /// came of the bracket.
-std::optional<FrameField> ended(const TriangleMesh& bracket, const SolveOptions& options,
-                                const TriangleMesh& plates, const SolveOptions& other_options,
+std::optional<FrameField> ended(const TriangleMesh& bracket, const SolveTuning& options,
+                                const TriangleMesh& plates, const SolveTuning& other_options,
                                 void (Monitor::*end)() noexcept) {
   const FrameField alone = solve(plates, other_options);
   Gate other_is_at_work, is_over;

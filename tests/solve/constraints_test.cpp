@@ -8,9 +8,9 @@
 
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/solve.hpp"
 #include "field/field_data.hpp"
 #include "harmonics/random_samples.hpp"
+#include "solve/tuned_solve.hpp"
 #include "support/shapes.hpp"
 #include "tets/tet_meshes.hpp"
 
@@ -253,7 +253,7 @@ TEST(ConstrainedSolve, RefinesWhereConstraintsAre) {
   const Vector3 place{0.02, 0.03, -0.01};
   const Constraints constraints{.points = {{place, axes_in_list({1, 0, 0, 0})}}};
   const auto size_at = [&](const SolveOptions& options) {
-    SolveOptions plain = options;
+    SolveTuning plain = options;
     plain.refinement.by_energy_density = false;
     const FrameField field = solve(ball, plain);
     const Octree& tree = field.data().tree;

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "crossgrain/error.hpp"
-#include "crossgrain/solve.hpp"
 #include "grid/test_solid.hpp"
 #include "harmonics/random_samples.hpp"
+#include "solve/tuned_solve.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {
@@ -23,8 +23,8 @@ TriangleMesh moved(TriangleMesh mesh, const Quaternion& rotation, const Vector3&
   return mesh;
 }
 
-SolveOptions options_of(int resolution, std::size_t decision_cells) {
-  SolveOptions options;
+SolveTuning options_of(int resolution, std::size_t decision_cells) {
+  SolveTuning options;
   options.resolution = resolution;
   options.solver.decision_cells = decision_cells;
   return options;
@@ -102,7 +102,7 @@ TEST(DecidedField, EndsWhenItIsStoppedOrCancelled) {
 
 TEST(DecidedField, OfModelsWithTooManyTrianglesLiesAlongTheAxesOfSpace) {
   const TestSolid part(moved(make_box({1, 1, 2}), from_rotation_vector({0, 0, 0.5}), {5, 5, 5}));
-  SolveOptions options = options_of(32, 5000);
+  SolveTuning options = options_of(32, 5000);
   const auto extent = [&](int axis) {
     const auto decided = DecidedField::solved(part.solid(), options, Monitor());
     const Octree& tree = decided->field().level.tree;
@@ -138,7 +138,7 @@ TEST(DecidedField, IsToldOfInTheReportAndHasNoNumbersOfLevels) {
 
 TEST(DecidedField, SettlesIfCellsAreRefinedAroundTheLinesThatRelaxationMoves) {
   const TriangleMesh torus = make_torus(1, 0.5, 64, 32);
-  SolveOptions options = options_of(128, SolveOptions().solver.decision_cells);
+  SolveTuning options = options_of(128, SolveTuning().solver.decision_cells);
   const SolveReport refined = solve(torus, options).report();
   EXPECT_TRUE(refined.warnings.empty());
   options.refinement.energy_density_threshold = 0.2;

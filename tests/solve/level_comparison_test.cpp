@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "crossgrain/solve.hpp"
+#include "solve/tuned_solve.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {
@@ -11,7 +11,7 @@ namespace {
 
 /// Of levels that begin with those below them, not with a field of their own.
 SolveReport report_at(const TriangleMesh& mesh, int resolution) {
-  SolveOptions options;
+  SolveTuning options;
   options.resolution = resolution;
   options.solver.decision_cells = 0;
   return solve(mesh, options).report();
@@ -54,7 +54,7 @@ TEST(LevelComparison, TellsWhichLevelLastChangedTheLines) {
 }
 
 TEST(LevelComparison, CountsShortLinesToTheSurfaceThatOnlyTheCoarserCellsWouldMerge) {
-  SolveOptions options;
+  SolveTuning options;
   options.resolution = 96;
   const SolveReport report = solve(make_sphere(1, 5), options).report();
   ASSERT_TRUE(report.coarser);

@@ -10,8 +10,8 @@
 
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/solve.hpp"
 #include "harmonics/random_samples.hpp"
+#include "solve/tuned_solve.hpp"
 #include "tets/tet_meshes.hpp"
 
 namespace crossgrain {
@@ -114,23 +114,23 @@ class SolveOntoCylinder : public ::testing::Test {
 
 TEST_F(SolveOntoCylinder, LowersTheDirichletEnergyOfWhatIsCarriedOver) {
   const TetFrameField field = solve_onto(domain());
-  SolveOptions carried_only;
+  SolveTuning carried_only;
   carried_only.onto.relaxation_sweeps = carried_only.onto.most_sweeps = 0;
   const TetFrameField carried = carry_onto(field.grid(), domain(), carried_only);
   EXPECT_LT(onto_of(field).dirichlet, onto_of(carried).dirichlet);
 }
 
 TEST_F(SolveOntoCylinder, EndsAsLowAsFromTheBestOfItsStarts) {
-  SolveOptions options;
+  SolveTuning options;
   options.onto.race_margin = 1;  // all are finished
   const SolveReport::Onto best = onto_of(solve_onto(domain(), options));
   std::vector<OtherStart> starts = options.onto.other_starts;
   starts.insert(starts.begin(), OtherStart{});
   options.onto.other_starts.clear();
-  const SolveOptions sized = sized_for(domain(), options);
+  const SolveTuning sized = sized_for(domain(), options);
   std::vector<double> energies;
   for (const OtherStart& start : starts) {
-    SolveOptions own = sized;
+    SolveTuning own = sized;
     own.cell_size *= start.cell_size;
     own.solver.boundary_weight *= start.boundary_weight;
     energies.push_back(onto_of(solve_onto(domain(), own)).dirichlet);
@@ -142,8 +142,8 @@ TEST_F(SolveOntoCylinder, EndsAsLowAsFromTheBestOfItsStarts) {
 
 TEST_F(SolveOntoCylinder, HoldsTheNormalsOfSmoothVerticesExactly) {
   for (const TetBoundary boundary : {TetBoundary::kAll, TetBoundary::kSmoothOnly}) {
-    SolveOptions options;
-    options.onto.boundary = boundary;
+    SolveTuning options;
+    options.boundary = boundary;
     const TetFrameField field = solve_onto(domain(), options);
     const auto smooth = smooth_vertices(field.domain().mesh());
     EXPECT_GT(smooth.size(), 200u);
@@ -167,7 +167,7 @@ TEST_F(SolveOntoCylinder, IsTheSameToTheBitForOneAndTwoThreads) {
   std::vector<std::vector<Frame>> frames;
   std::vector<double> energies;
   for (const int threads : {1, 2}) {
-    SolveOptions options;
+    SolveTuning options;
     options.threads = threads;
     const TetFrameField field = solve_onto(domain(), options);
     frames.emplace_back();
@@ -193,7 +193,7 @@ TEST_F(SolveOntoCylinder, HasNearlyTheSameEnergyHoweverItIsTurned) {
 }
 
 TEST_F(SolveOntoCylinder, InDegreeThreeHasNearlyTheEnergyOfDegreeFour) {
-  SolveOptions options;
+  SolveTuning options;
   options.degree = Degree::kThree;
   EXPECT_NEAR(onto_of(solve_onto(domain(), options)).dirichlet / onto_of(solve_onto(domain())).dirichlet, 1,
               0.03);
@@ -216,20 +216,10 @@ TEST_F(SolveOntoCylinder, StopsWhenInterrupted) {
   Monitor monitor;
   monitor.cancel();
   try {
-    carry_onto(field, domain(), {}, monitor);
+    carry_onto(field, domain(), SolveOptions(), monitor);
     FAIL() << "went on";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::kInterrupted);
-  }
-}
-
-TEST(Solve, RefusesAShareOfDiagonalsOutOfRange) {
-  const TriangleMesh box = TetDomain(TetBox{{2, 2, 2}}.mesh()).boundary();
-  for (const double share : {-0.1, 0.26, double{NAN}}) {
-    SolveOptions options;
-    options.resolution = 4;
-    options.solver.diagonal_share = share;
-    EXPECT_THROW(solve(box, options), Error);
   }
 }
 
@@ -243,7 +233,7 @@ TEST(SolveOnto, OfABentPlateTwoTetsThickDoesNotDependOnTheGrid) {
   const TetDomain domain(std::move(plate));
   std::vector<double> energies;
   for (const double edges : {0.8, 2.0, 3.0}) {
-    SolveOptions options;
+    SolveTuning options;
     options.onto.cell_size_edges = edges;
     energies.push_back(solve_onto(domain, options).report().onto->dirichlet);
   }
@@ -256,9 +246,9 @@ TEST(CarryOnto, RefusesOptionsOutOfRange) {
   SolveOptions options;
   options.resolution = 4;
   const FrameField field = solve(domain.boundary(), options);
-  const auto refused = [&](const std::function<void(OntoOptions&)>& change) {
+  const auto refused = [&](const std::function<void(SolveOptions&)>& change) {
     SolveOptions changed = options;
-    change(changed.onto);
+    change(changed);
     try {
       carry_onto(field, domain, changed);
     } catch (const Error& error) {
@@ -266,28 +256,19 @@ TEST(CarryOnto, RefusesOptionsOutOfRange) {
     }
     return false;
   };
-  EXPECT_FALSE(refused([](OntoOptions&) {}));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.cell_size_edges = 0; }));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.cell_size_edges = NAN; }));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.fewest_cells = 3; }));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.crease_weight = -1; }));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.relaxation_sweeps = -1; }));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.most_sweeps = -1; }));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.over_relaxation = 2; }));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.symmetrisation = INFINITY; }));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.sweep_tolerance = -1; }));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.race_sweeps = -1; }));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.race_margin = NAN; }));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.race_tie = -1; }));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.other_starts = {{0, 1}}; }));
-  EXPECT_TRUE(refused([](OntoOptions& onto) { onto.other_starts = {{1, -1}}; }));
+  EXPECT_FALSE(refused([](SolveOptions&) {}));
+  EXPECT_TRUE(refused([](SolveOptions& wrong) { wrong.threads = -1; }));
+  EXPECT_TRUE(refused([](SolveOptions& wrong) { wrong.resolution = 3; }));
+  EXPECT_TRUE(refused([](SolveOptions& wrong) { wrong.cell_size = NAN; }));
+  EXPECT_TRUE(refused([](SolveOptions& wrong) { wrong.crease_angle_deg = 0; }));
+  EXPECT_TRUE(refused([](SolveOptions& wrong) { wrong.crease_angle_deg = NAN; }));
 }
 
 TEST(SizedFor, TakesCellsOfTheSizeOfTheEdges) {
   const TetDomain domain(TetBox{{20, 10, 10}}.mesh());
   // Six tets to a unit cube, of the volume of a regular tet with this edge.
   EXPECT_NEAR(domain.typical_edge_length(), std::cbrt(std::sqrt(2.0)), 1e-12);
-  SolveOptions options;
+  SolveTuning options;
   options.onto.cell_size_edges = 0.5;
   EXPECT_EQ(sized_for(domain, options).cell_size, 0.5 * domain.typical_edge_length());
 }
@@ -303,14 +284,14 @@ TEST(SizedFor, IsNotLedAstrayByATinyPartOfManyTets) {
 }
 
 TEST(SizedFor, TakesAFewCellsAtLeast) {
-  SolveOptions options;
+  SolveTuning options;
   options.onto.fewest_cells = 12;
   EXPECT_EQ(sized_for(TetDomain(TetBox{{6, 2, 2}}.mesh()), options).cell_size, 0.5);
 }
 
 TEST(SizedFor, LeavesSizesThatAreGiven) {
   const TetDomain domain(TetBox{{6, 2, 2}}.mesh());
-  SolveOptions with_size, with_resolution;
+  SolveTuning with_size, with_resolution;
   with_size.cell_size = 0.1;
   with_resolution.resolution = 33;
   EXPECT_EQ(sized_for(domain, with_size).cell_size, 0.1);

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "base/vector3.hpp"
-#include "crossgrain/solve.hpp"
 #include "field/field_data.hpp"
+#include "solve/tuned_solve.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {
@@ -19,7 +19,7 @@ TEST(SolveReport, PassesOnWhatReadingFound) {
   mesh.file_unit = "INCH";
   const Warning warning(WarningKind::kMissingFaces, {"a.step", "face 3", "is missing", Remedy::kRepairFile});
   mesh.warnings = {warning};
-  SolveOptions options;
+  SolveTuning options;
   options.resolution = 4;
   const SolveReport report = solve(mesh, options).report();
   EXPECT_EQ(report.model.unit, "mm");
@@ -53,7 +53,7 @@ bool is_unsettled(const SolveReport& report) {
 
 TEST(Solve, LeavesNoTwistInAThinPlateWhoseEnergyIsAlmostNothing) {
   for (const Degree degree : {Degree::kThree, Degree::kFour}) {
-    SolveOptions options;
+    SolveTuning options;
     options.degree = degree;
     options.resolution = 128;
     const TriangleMesh plate = make_box({1, 1.0 / 120, 1});
@@ -70,7 +70,7 @@ TEST(Solve, LeavesNoTwistInAThinPlateWhoseEnergyIsAlmostNothing) {
 }
 
 TEST(SolvedSurface, LooksOutOfTheSolidAlsoWhereTheModelIsInsideOut) {
-  SolveOptions options;
+  SolveTuning options;
   options.resolution = 4;
   TriangleMesh mesh = make_box({1, 1, 1});
   const auto box = solve(mesh, options).data().surface.get();
@@ -83,7 +83,7 @@ TEST(SolvedSurface, LooksOutOfTheSolidAlsoWhereTheModelIsInsideOut) {
 }
 
 TEST(SolvedSurface, LeavesOutWhatWasMendedAway) {
-  SolveOptions options;
+  SolveTuning options;
   options.resolution = 4;
   TriangleMesh mesh = make_box({1, 1, 1});
   mesh.triangles.push_back(mesh.triangles.front());

@@ -39,14 +39,14 @@ TEST(Creases, OfEdgesThatGoStraightOnInEachOtherCountAsOneAtACorner) {
   };
   // Where a face between two boxes meets an edge of both.
   const std::vector<CreaseCurve> at_edge{line({1, 0, 0}), line({-1, 0, 0}), line({0, 1, 0}), line({0, 0, 1})};
-  const std::vector<CreaseCorner> corners = corners_of(at_edge, kAngles);
+  const std::vector<CreaseCorner> corners = corners_of(at_edge);
   ASSERT_EQ(corners.size(), 1u);
   EXPECT_EQ(corners[0].curves, 4u);
   EXPECT_EQ(corners[0].directions, 3u);
   // A pyramid's apex.
   const std::vector<CreaseCurve> at_apex{line({1, 0, -1}), line({-1, 0, -1}), line({0, 1, -1}),
                                          line({0, -1, -1})};
-  EXPECT_EQ(corners_of(at_apex, kAngles)[0].directions, 4u);
+  EXPECT_EQ(corners_of(at_apex)[0].directions, 4u);
 }
 
 TEST(Creases, OfTaggedEdgesAreCurvesWhateverTheSurfaceDoes) {
@@ -72,7 +72,7 @@ TEST(Creases, OfABoxAreItsTwelveEdgesBetweenEightCornersOfThree) {
       for (const Vector3& tangent : curve.tangents)
         EXPECT_NEAR(norm(cross(tangent, normalised(curve.points.back() - curve.points.front()))), 0, 1e-12);
     }
-    const std::vector<CreaseCorner> corners = corners_of(curves, kAngles);
+    const std::vector<CreaseCorner> corners = corners_of(curves);
     EXPECT_EQ(corners.size(), 8u);
     for (const CreaseCorner& corner : corners) EXPECT_EQ(corner.curves, 3u);
   }
@@ -82,7 +82,7 @@ TEST(Creases, OfACylinderAreItsTwoRimsWithTangentsOfTheCircle) {
   const Surface cylinder = prepare_surface(make_cylinder(0.3, 0.5, 48, 3));
   const std::vector<CreaseCurve> curves = sharp_curves(cylinder, kAngles);
   ASSERT_EQ(curves.size(), 2u);
-  EXPECT_TRUE(corners_of(curves, kAngles).empty());
+  EXPECT_TRUE(corners_of(curves).empty());
   for (const CreaseCurve& curve : curves) {
     ASSERT_EQ(curve.points.size(), 49u);
     EXPECT_EQ(curve.points.front(), curve.points.back());
@@ -114,7 +114,7 @@ TEST(Creases, EndWhereTheBoundaryOfAnOpenSheetBegins) {
   const std::vector<CreaseCurve> curves = sharp_curves(prepare_surface(sheet), kAngles);
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_EQ(curves[0].points.size(), 2u);
-  EXPECT_TRUE(corners_of(curves, kAngles).empty());
+  EXPECT_TRUE(corners_of(curves).empty());
 }
 
 /// Without the rule for creases that fade out.
@@ -162,7 +162,7 @@ Surface wedge(double tip_deg) {
 }
 
 KnifeEdges knives_of(const Surface& surface, bool inside_out = false) {
-  return knife_edges(surface, sorted_edge_uses(surface.mesh.triangles), kAngles, inside_out);
+  return knife_edges(surface, sorted_edge_uses(surface.mesh.triangles), inside_out);
 }
 
 TEST(KnifeEdges, AreCountedInTheSolidOnly) {
@@ -185,10 +185,10 @@ TEST(CreaseCorners, AreWhereOneCurveBendsOrThreeMeet) {
     return CreaseCurve{{a, b}, {t, t}};
   };
   const std::vector<CreaseCurve> smooth{straight({0, 0, 0}, {1, 0, 0}), straight({2, 0.2, 0}, {1, 0, 0})};
-  EXPECT_TRUE(corners_of(smooth, kAngles).empty());
+  EXPECT_TRUE(corners_of(smooth).empty());
   const std::vector<CreaseCurve> bent{straight({0, 0, 0}, {1, 0, 0}), straight({1, 1, 0}, {1, 0, 0})};
-  ASSERT_EQ(corners_of(bent, kAngles).size(), 1u);
-  EXPECT_EQ(corners_of(bent, kAngles)[0].position, (Vector3{1, 0, 0}));
+  ASSERT_EQ(corners_of(bent).size(), 1u);
+  EXPECT_EQ(corners_of(bent)[0].position, (Vector3{1, 0, 0}));
 }
 
 }  // namespace

@@ -19,9 +19,9 @@ using Edge = std::array<std::uint32_t, 2>;
 using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr TetBox kBox{{3, 2, 2}};
-constexpr MapPreparationOptions kNoLayer{.layer_spread_deg = 180};
+constexpr MapPreparationTuning kNoLayer{{}, true, /*layer_spread_deg=*/180};
 
-TetSolid prepared_solid(const TetMesh& mesh, const MapPreparationOptions& options = {}) {
+TetSolid prepared_solid(const TetMesh& mesh, const MapPreparationTuning& options = {}) {
   return solid_of(prepared_for_map(solid_of(mesh), options).split.mesh);
 }
 
@@ -165,7 +165,7 @@ TEST(MapPreparation, LeavesNoFaceThatCutsOffACrease) {
   };
   EXPECT_EQ(cut_off(solid_of(mesh)), 4);
   EXPECT_EQ(cut_off(prepared_solid(mesh)), 0);
-  EXPECT_EQ(cut_off(prepared_solid(mesh, {.cut_off_creases = false})), 4);
+  EXPECT_EQ(cut_off(prepared_solid(mesh, {{}, /*cut_off_creases=*/false})), 4);
 }
 
 TEST(MapPreparation, KeepsFacesInTheCornersOfABox) {
@@ -193,14 +193,16 @@ TEST(MapPreparation, SplitsTheLayerUnderCurvedFacesOnly) {
   EXPECT_GT(edges_under(solid_of(mesh), mesh, /*on_flat_faces=*/false), 0u);
   EXPECT_EQ(edges_under(prepared_solid(mesh), mesh, /*on_flat_faces=*/false), 0u);
   EXPECT_GT(edges_under(prepared_solid(mesh), mesh, /*on_flat_faces=*/true), 0u);
-  EXPECT_EQ(edges_under(prepared_solid(mesh, {.layer_spread_deg = 0}), mesh, /*on_flat_faces=*/true), 0u);
+  EXPECT_EQ(
+      edges_under(prepared_solid(mesh, {{}, true, /*layer_spread_deg=*/0}), mesh, /*on_flat_faces=*/true),
+      0u);
   EXPECT_GT(edges_under(prepared_solid(mesh, kNoLayer), mesh, /*on_flat_faces=*/false), 0u);
 }
 
 TEST(MapPreparation, CanIgnoreFacesBetweenRegions) {
   const auto half = [](const Vector3& p) { return p[0] < 2 ? 1 : 2; };
   const TetSolid plain = prepared_solid(kBox.mesh(0.2));
-  const TetSolid united = prepared_solid(with_regions(kBox.mesh(0.2), half), {.unite_solids = true});
+  const TetSolid united = prepared_solid(with_regions(kBox.mesh(0.2), half), {{.unite_solids = true}});
   EXPECT_EQ(united.mesh.tets, plain.mesh.tets);
   EXPECT_EQ(faults_of(united, /*unite=*/true), 0u);
   EXPECT_GT(faults_of(united, /*unite=*/false), 0u);

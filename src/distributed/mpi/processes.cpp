@@ -51,6 +51,12 @@ int Processes::count() const {
 std::optional<FrameField> Processes::solve(const FrameField* earlier, const TriangleMesh& mesh,
                                            const SolveOptions& options, const Monitor& monitor,
                                            const CheckpointFolders& folders) {
+  return solve(earlier, mesh, SolveTuning(options), monitor, folders);
+}
+
+std::optional<FrameField> Processes::solve(const FrameField* earlier, const TriangleMesh& mesh,
+                                           const SolveTuning& options, const Monitor& monitor,
+                                           const CheckpointFolders& folders) {
   MpiFiles files(MPI_COMM_WORLD);
   KeptSolve checkpoint(state_->exchange, files, folders.keep, folders.resume, folders.keep_seconds);
   LevelShares shares(state_->exchange, equal_cuts, &checkpoint);

@@ -125,7 +125,7 @@ ReadOptions read_options_for(const SolveOptions& options) {
   ReadOptions result;
   result.resolution = options.resolution;
   result.cell_size = options.cell_size;
-  result.crease_angle_deg = options.creases.least_deg;
+  result.crease_angle_deg = options.crease_angle_deg;
   result.max_memory_bytes = options.max_memory_bytes;
   return result;
 }

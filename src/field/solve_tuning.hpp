@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numbers of a solve that tests and sweeps set, and users do not.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "crossgrain/options.hpp"
+#include "grid/refinement_tuning.hpp"
+
+namespace crossgrain {
+
+/// How sweeps end on fields that hardly turn, as in plates and rods: what is left of the energy may be
+/// rounding, or a twist over the whole part that fades slowly. Angles stand for the energy of a field that
+/// turns by so much evenly along the longest side of the bounding box, 5/3 angle^2 volume / side^2. The
+/// sweeps in docs/notes/solver.md chose the defaults.
+struct CalmFieldTuning {
+  /// Sweeps end when one lowers the energy by less than `sweep_tolerance` of that of this angle.
+  double least_turn_deg = 0.1;
+
+  /// So many sweeps may follow those that run out below the energy of kCalmTurnDeg (field/stages.cpp).
+  int more_sweeps = 1000;
+};
+
+/// The coarse-to-fine solve. The sweeps in docs/notes/solver.md chose the defaults.
+struct SolverTuning {
+  /// kappa: the weight of the boundary form is kappa / (cell size) (docs/design.md, "Energy").
+  double boundary_weight = 10;
+
+  /// Weight of creases. A crease of length L in a cell of size dx adds the form of a surface with area
+  /// crease_weight * L * dx whose normal is the tangent of the crease.
+  double crease_weight = 0.25;
+
+  /// Share of a face's smoothness weight that goes to each of the diagonals across its edges, 0 to 1/4. It
+  /// makes a singular arc cost the same in all directions of the grid. Rounded to a multiple of 1/320.
+  double diagonal_share = 0.2;
+
+  /// Number of random starts. Each is solved on all levels of up to `start_cells` active cells; only the one
+  /// with the lowest energy continues to finer levels.
+  int starts = 3;
+  std::size_t start_cells = 1000;
+
+  /// Relaxation sweeps of the first start on the coarsest level; enough of them make the result independent
+  /// of the random frames. Each later start takes a third of the sweeps of the one before, so that starts
+  /// differ.
+  int start_relaxation = 150;
+
+  /// Relaxation sweeps on every later uniform level, and the size of those levels: all levels are uniform
+  /// that are certain to have no more than `relaxed_cells` active cells. Finer levels refine where
+  /// RefinementTuning say and are not relaxed: a singular arc costs less in larger cells, so relaxation
+  /// would move it out of the cells that were refined for it.
+  int level_relaxation = 40;
+  std::size_t relaxed_cells = 40000;
+
+  /// Number of cells of a uniform grid, in axes of the model's own, where singular lines are decided: the
+  /// first level, of cells about as large, begins with the field there, so that the lines depend less on the
+  /// resolution and on how the model lies in space. 0, or finest cells larger than kLargestDecided times that
+  /// size: each resolution decides on its own coarse levels. docs/notes/solver.md has the sweeps.
+  std::size_t decision_cells = 28000;
+  /// Largest number of triangles of a model that is turned for the decision.
+  std::size_t turned_triangles = 500000;
+
+  /// Degree of the relaxed problems, whatever the degree of the field. In degree 4 they are quadratic but for
+  /// the penalty, so that a long relaxation becomes independent of its start; the degree-3 energy has many
+  /// poor minima.
+  Degree relaxation_degree = Degree::kFour;
+
+  /// Strength of the symmetrisation penalty at the end of a relaxation: the number of gradient steps on it,
+  /// each as long as is stable, after a sweep. It grows linearly from 0 over the sweeps.
+  double symmetrisation = 1;
+
+  /// Over-relaxation factor of sweeps, from 1 to below 2.
+  double over_relaxation = 1.4;
+
+  /// Whether relaxed levels use spectrally shifted forms, which penalise only what the constraints of a cell
+  /// exclude (crossgrain/spectrum.hpp). Takes more time and has not lowered an energy.
+  bool shift_relaxed_forms = false;
+
+  /// Largest number of manifold sweeps on each level.
+  int most_sweeps = 60;
+
+  /// Sweeps end when one lowers the energy by less than this fraction.
+  double sweep_tolerance = 1e-4;
+
+  CalmFieldTuning calm_fields = {};
+};
+
+/// A grid for a further field inside a tet mesh, relative to SolverTuning::boundary_weight and to cells of
+/// OntoTuning::cell_size_edges, whatever cells the field of the grid has.
+struct OtherStart {
+  double cell_size = 1;
+  double boundary_weight = 1;
+  std::size_t most_vertices = SIZE_MAX;  ///< left out on meshes of more vertices
+};
+
+/// How a field on the grid is transferred to a tet mesh and finished there. The sweeps in
+/// docs/notes/solver.md chose the defaults.
+struct OntoTuning {
+  /// Size of the finest octree cells in typical edge lengths of the tets (TetDomain::typical_edge_length),
+  /// used if neither a resolution nor a cell size is given, and the smallest number of cells along the
+  /// longest side.
+  double cell_size_edges = 2;
+  int fewest_cells = 8;
+
+  /// Fields on these grids inside the tets are transferred too, and the one that ends lowest is the result:
+  /// fields on one grid differ little by their seed, those on several by up to some per cent of their energy.
+  /// Empty: only the field on the grid itself. Left out where faces of the model have constraints, since
+  /// those of the tets have other numbers, and where the tets do not fill the solid of that field: the boxes
+  /// of both differ by more than kAlikeBoxes of their longest side.
+  std::vector<OtherStart> other_starts = {{0.63, 0.5, 20000}, {1.5874, 0.5, 20000}, {2, 0.1}};
+
+  /// Only starts within this fraction of the lowest energy after a few sweeps are finished.
+  double race_margin = 0.001;
+
+  /// Weight of the form of a crease or corner vertex, in units of the sum of its edge weights. Larger values
+  /// follow creases more closely and are less smooth.
+  double crease_weight = 0.4;
+
+  /// Relaxation sweeps on the tets and the penalty at their end, as in SolverTuning.
+  int relaxation_sweeps = 45;
+  double symmetrisation = 6;
+
+  /// As in SolverTuning.
+  double over_relaxation = 1.5;
+
+  /// Largest number of manifold sweeps; sweeps end when one lowers the energy by less than `sweep_tolerance`,
+  /// as a fraction of it.
+  int most_sweeps = 300;
+  double sweep_tolerance = 1e-5;
+
+  CalmFieldTuning calm_fields = {};
+};
+
+/// How a field is finished on tets.
+struct TetFinishing : OntoTuning {
+  TetBoundary boundary = TetBoundary::kAll;
+};
+
+/// The options of a solve with all that tests and sweeps set besides.
+struct SolveTuning : SolveOptions {
+  SolveTuning() = default;
+  SolveTuning(const SolveOptions& options) : SolveOptions(options) {}
+
+  RefinementTuning refinement;
+  SolverTuning solver;
+  OntoTuning onto;
+};
+
+}  // namespace crossgrain

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace crossgrain {
+
+/// Which sharp edges count as creases although they fade out: they form a path with an end in the smooth
+/// surface, as coarse triangles do where a surface is strongly curved. Closed paths and those between corners
+/// always count. The sweep in docs/notes/solver.md chose the values.
+struct FadingCreases {
+  /// A path counts if some edge of it has a larger angle between its normals.
+  double sure_deg = 80;
+
+  /// A path counts if it has at least this length, in radii of the curvature that a smooth surface with the
+  /// same triangles would have. 0 counts every path.
+  double least_radii = 80;
+};
+
+/// Which edges of a surface count as creases. Angles are in degrees, above 0 and at most 180.
+struct CreaseAngles {
+  /// Smallest angle between the normals beside a sharp edge; 180 makes no edge sharp. Ignored for meshes that
+  /// bring their creases along (TriangleMesh::creases), such as those of CAD files.
+  double least_deg = 35;
+
+  FadingCreases fading = {};
+};
+
+}  // namespace crossgrain
