@@ -15,6 +15,7 @@
 #include "field/field_data.hpp"
 #include "field/made_grid.hpp"
 #include "sampling/sampling.hpp"
+#include "sampling/streamline_tuning.hpp"
 #include "singularity/matching.hpp"
 #include "singularity/singular_edges.hpp"
 
@@ -66,20 +67,20 @@ void measure(const FrameField& field, const std::vector<Vector3>& seeds, const s
              const TriangleMesh* surface, double cell, double along, bool closed_only) {
   StreamlineOptions options;
   options.axes = axes;
-  options.tolerance = 1e-7;
-  options.smallest_step_cells = 1e-4;
-  options.largest_step_cells = 0.05;
-  const Streamlines reference = StreamlineTracer(field, options, surface).trace(seeds);
+  StreamlineTuning tuning;
+  tuning.tolerance = 1e-7;
+  tuning.smallest_step_cells = 1e-4;
+  tuning.largest_step_cells = 0.05;
+  const Streamlines reference = StreamlineTracer(field, options, tuning, surface).trace(seeds);
   std::printf(
       "tolerance  largest  seconds  lines/s   points  mean error  median error  p95 error, cells after %g\n",
       along / cell);
   for (const double largest : {0.5, 1.0, 2.0}) {
     for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
-      options = {};
-      options.axes = axes;
-      options.tolerance = tolerance;
-      options.largest_step_cells = largest;
-      const StreamlineTracer tracer(field, options, surface);
+      tuning = {};
+      tuning.tolerance = tolerance;
+      tuning.largest_step_cells = largest;
+      const StreamlineTracer tracer(field, options, tuning, surface);
       const auto start = Clock::now();
       const Streamlines result = tracer.trace(seeds);
       const double seconds = seconds_since(start);
@@ -181,13 +182,13 @@ void near_singular_line() {
 /// Measures the smallest step: its cost, and the number of lines that end elsewhere than with steps down to
 /// 1/1024.
 void small_steps(const FrameField& field, const std::vector<Vector3>& seeds, const TriangleMesh* surface) {
-  StreamlineOptions options;
-  options.smallest_step_cells = 1.0 / 1024;
-  const Streamlines reference = StreamlineTracer(field, options, surface).trace(seeds);
+  StreamlineTuning tuning;
+  tuning.smallest_step_cells = 1.0 / 1024;
+  const Streamlines reference = StreamlineTracer(field, {}, tuning, surface).trace(seeds);
   std::printf("\nsmallest step  seconds  points  lines that end for another reason\n");
   for (const int parts : {4, 16, 64, 256}) {
-    options.smallest_step_cells = 1.0 / parts;
-    const StreamlineTracer tracer(field, options, surface);
+    tuning.smallest_step_cells = 1.0 / parts;
+    const StreamlineTracer tracer(field, {}, tuning, surface);
     const auto start = Clock::now();
     const Streamlines result = tracer.trace(seeds);
     const double seconds = seconds_since(start);
@@ -206,10 +207,10 @@ void small_steps(const FrameField& field, const std::vector<Vector3>& seeds, con
 void closing(const FrameField& field, const std::vector<Vector3>& seeds, const TriangleMesh* surface) {
   std::printf("\nclosing distance  closed lines  ends that are too long\n");
   for (const double cells : {0.0, 0.01, 0.05, 0.2, 0.5}) {
-    StreamlineOptions options;
-    options.closing_cells = cells;
+    StreamlineTuning tuning;
+    tuning.closing_cells = cells;
     std::size_t closed = 0, longest = 0;
-    for (const Streamline& line : StreamlineTracer(field, options, surface).trace(seeds).lines) {
+    for (const Streamline& line : StreamlineTracer(field, {}, tuning, surface).trace(seeds).lines) {
       closed += line.first_end == StreamlineEnd::kClosed;
       longest += line.first_end == StreamlineEnd::kLongest;
       longest += line.last_end == StreamlineEnd::kLongest;

@@ -101,11 +101,7 @@ void check_arguments(StreamlinesArguments& arguments, const CLI::App* command) {
   if (arguments.field.empty()) refuse("DIR is empty", command);
   if (is_empty("SEEDS", arguments.seeds)) refuse("SEEDS is empty", command);
   if (is_empty("--output", arguments.output)) refuse("the file of -o is empty", command);
-  if (is_empty("--surface", arguments.surface)) refuse("the file of --surface is empty", command);
   if (arguments.output == "-") refuse("the lines go to a file; name one with -o", command);
-  // The largest step must not be below the smallest one.
-  StreamlineOptions& options = arguments.options;
-  options.smallest_step_cells = std::min(options.smallest_step_cells, options.largest_step_cells / 4);
   arguments.is_output_named = !arguments.output.empty();
   if (!arguments.is_output_named)
     arguments.output = (std::filesystem::path(arguments.field) / kStreamlinesFile).string();

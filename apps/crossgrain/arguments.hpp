@@ -84,7 +84,6 @@ struct StreamlinesArguments {
   std::string seeds;   ///< file, or "-"; empty for `count` evenly spread seeds
   std::string output;  ///< never empty
   bool is_output_named = false;
-  std::string surface;  ///< model; if empty, lines end on the surface of the field
   SeedPlaces places;
   std::size_t count = 1000;
   std::optional<double> spacing;  ///< in longest sides; by default 0 for seeds of a file

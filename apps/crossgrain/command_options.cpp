@@ -287,11 +287,6 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
       ->check(CLI::Range(0.0, 1.0))
       ->type_name("X");
   command
-      ->add_option("--surface", arguments.surface,
-                   "The model that was solved: lines on the grid end on it (default: on the surface of the "
-                   "field, with the cells where it has none)")
-      ->type_name("MODEL");
-  command
       ->add_option_function<std::string>(
           "--axes",
           [&options](const std::string& text) {
@@ -300,21 +295,6 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
           "Axes to follow, by their names at the seed (default xyz)")
       ->check(fault_of_axes)
       ->type_name("xyz");
-  command
-      ->add_option("--tolerance", options.tolerance,
-                   "Largest deviation of a line from the interpolated field, per length (default 1e-3)")
-      ->check(fault_of_length)
-      ->type_name("X");
-  command
-      ->add_option("--step", options.largest_step_cells,
-                   "Largest distance between points, in cells (default 1)")
-      ->check(CLI::Range(1e-3, 4.0))
-      ->type_name("X");
-  command
-      ->add_option("--longest", options.longest_sides,
-                   "Largest length in each direction from a seed, in longest sides of the field (default 4)")
-      ->check(fault_of_length)
-      ->type_name("X");
   command->add_flag("--quiet", arguments.quiet, "Print no summary");
   return command;
 }

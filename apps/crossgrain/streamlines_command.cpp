@@ -3,9 +3,7 @@
 
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -13,15 +11,12 @@
 
 #include "commands.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/reading.hpp"
 #include "crossgrain/result_folder.hpp"
 #include "crossgrain/samples.hpp"
 #include "crossgrain/streamlines.hpp"
-#include "crossgrain/tet_domain.hpp"
 #include "crossgrain/tet_frame_field.hpp"
 #include "crossgrain/writing.hpp"
 #include "interruption.hpp"
-#include "messages.hpp"
 #include "output.hpp"
 #include "output_places.hpp"
 #include "results/result_files.hpp"
@@ -41,7 +36,7 @@ double usual_spacing(const SeedPlaces& places) {
 void check_files(const StreamlinesArguments& arguments) {
   const auto normal = [](const std::filesystem::path& path) { return path.lexically_normal(); };
   const std::filesystem::path output = normal(arguments.output), folder = arguments.field;
-  std::vector<std::string> inputs{arguments.seeds, arguments.surface};
+  std::vector<std::string> inputs{arguments.seeds};
   for (const std::string& name : all_result_files())
     if (name != kStreamlinesFile) inputs.push_back((folder / name).string());
   for (const std::string& input : inputs) {
@@ -49,25 +44,6 @@ void check_files(const StreamlinesArguments& arguments) {
     throw Error(ErrorKind::kUsage,
                 {input, "", "is an input or belongs to the field; choose another file for the lines"});
   }
-}
-
-/// Reads the surface of the model; CAD files are triangulated as for the solve.
-std::optional<TriangleMesh> read_model(const StreamlinesArguments& arguments, const FrameField& field,
-                                       const Monitor& monitor) {
-  const std::string& file = arguments.surface;
-  if (file.empty()) return std::nullopt;
-  TriangleMesh mesh;
-  if (is_tet_file(file)) {
-    TetMesh tets = read_tets(file);
-    mesh = naming(file, [&] { return TetDomain(std::move(tets)).boundary(); });
-  } else {
-    ReadOptions options;
-    constexpr double kCoarsest = 4;  // also if the report has null
-    options.resolution = static_cast<int>(std::lround(std::max(kCoarsest, field.report().resolution)));
-    mesh = read_surface(file, options, monitor);
-  }
-  for (const Warning& warning : mesh.warnings) print_message("warning: " + line_of(warning, Command::kOther));
-  return mesh;
 }
 
 std::string ends_line(const std::vector<Streamline>& lines) {
@@ -128,11 +104,7 @@ using AnyField = std::variant<FrameField, TetFrameField>;
 
 AnyField read_any_field(const StreamlinesArguments& arguments) {
   if (arguments.choice == FieldChoice::kGrid) return read_field(arguments.field);
-  if (auto field = read_tet_field(arguments.field)) {
-    if (!arguments.surface.empty())
-      throw Error(ErrorKind::kUsage, "lines on tets end on their boundary; --surface is for --field grid");
-    return std::move(*field);
-  }
+  if (auto field = read_tet_field(arguments.field)) return std::move(*field);
   if (arguments.choice == FieldChoice::kTets)
     throw Error(ErrorKind::kInput, {arguments.field, "", "has no field on tets"});
   return read_field(arguments.field);
@@ -140,15 +112,6 @@ AnyField read_any_field(const StreamlinesArguments& arguments) {
 
 std::string solve_of(const AnyField& field) {
   return std::visit([](const auto& any) { return any.report().solve; }, field);
-}
-
-StreamlineTracer tracer_of(const AnyField& field, const StreamlinesArguments& arguments,
-                           const StreamlineOptions& options, const Monitor& monitor) {
-  if (const auto* tets = std::get_if<TetFrameField>(&field)) return StreamlineTracer(*tets, options);
-  const FrameField& grid = std::get<FrameField>(field);
-  const std::optional<TriangleMesh> surface = read_model(arguments, grid, monitor);
-  return naming(arguments.surface,
-                [&] { return StreamlineTracer(grid, options, surface ? &*surface : nullptr); });
 }
 
 std::vector<StreamlineSeed> seeds_of(const StreamlinesArguments& arguments, const StreamlineTracer& tracer,
@@ -178,7 +141,8 @@ void run_streamlines(const StreamlinesArguments& arguments) {
   const Interruption interruption(monitor);
   StreamlineOptions options = arguments.options;
   options.spacing_sides = arguments.spacing.value_or(are_given ? 0 : usual_spacing(arguments.places));
-  const StreamlineTracer tracer = tracer_of(field, arguments, options, monitor);
+  const StreamlineTracer tracer =
+      std::visit([&](const auto& any) { return StreamlineTracer(any, options); }, field);
   const auto start = Clock::now();
   if (!are_given) seeds = seeds_of(arguments, tracer, monitor);
   const Streamlines traced = tracer.trace(seeds, monitor);

@@ -16,11 +16,12 @@
 
 namespace crossgrain {
 
+struct StreamlineTuning;
+
 /// \addtogroup lines Singular lines, answers and streamlines
 /// @{
 
-/// How streamlines are traced. Lengths in cells are multiples of the side of the cell that holds the point;
-/// on tets, of the mean edge length of the tet. The sweeps in docs/notes/streamlines.md chose the defaults.
+/// Which streamlines are traced.
 struct StreamlineOptions {
   /// Axes of the frame at a seed to follow, each in both directions, by their names (Streamline::axis).
   std::array<bool, 3> axes{true, true, true};
@@ -29,42 +30,14 @@ struct StreamlineOptions {
   /// A line is left out if an earlier one in nearly its direction passes its seed within this distance, and
   /// ends where it comes within half of it of an earlier one or of itself.
   double spacing_sides = 0;
-
-  /// Integration error per length. With 1e-3 a line of a hundred cells is off by at most a tenth of a cell
-  /// where neighbouring lines are parallel to it.
-  double tolerance = 1e-3;
-
-  /// Largest step, and so the largest distance between points. With one cell, the straight segments are
-  /// within 1/40 of a cell of the cubics through points and tangents where frames rotate by 0.2 rad per cell.
-  double largest_step_cells = 1;
-
-  /// Smallest step, taken whatever the error: the interpolated field bends sharply only next to singular
-  /// arcs, over a part of a cell.
-  double smallest_step_cells = 1.0 / 64;
-
-  /// Distance from singular edges at which lines end. Closer to them the interpolated frames are not those of
-  /// a smooth field, and the edges locate the arc to half a cell only.
-  double arc_distance_cells = 0.5;
-
-  /// A line is closed if it returns to within this distance of its seed in its initial direction.
-  double closing_cells = 0.05;
-
-  /// Largest distance between the curve and the last segment, on which the line meets the boundary or an arc.
-  double end_tolerance_cells = 1e-3;
-
-  /// Largest length of a line in each direction from its seed, in longest sides of the field's bounding box.
-  double longest_sides = 4;
-
-  /// Largest number of points in each direction.
-  std::size_t most_points = 100000;
 };
 
 /// Why a streamline ends.
 enum class StreamlineEnd : std::uint8_t {
   kBoundary = 0,     ///< at the surface, or at the end of the active cells if no surface is known
-  kSingularArc = 1,  ///< at StreamlineOptions::arc_distance_cells from a singular edge
+  kSingularArc = 1,  ///< half a cell from a singular edge; on tets a cell is a mean edge
   kClosed = 2,       ///< back at its seed; both ends have this value
-  kLongest = 3,      ///< at `longest_sides` or `most_points`
+  kLongest = 3,      ///< at 4 longest sides of the field's bounding box, or 100,000 points, from its seed
   kAmbiguous = 4,    ///< no axis within 45 degrees of its direction, even with the smallest step
   kCrowded = 5       ///< near another line or itself (StreamlineOptions::spacing_sides)
 };
@@ -123,6 +96,12 @@ class StreamlineTracer {
   /// in each tet, and end exactly on the boundary of the tets. Takes about 150 bytes per tet. Errors: kUsage
   /// for options out of range.
   explicit StreamlineTracer(const TetFrameField& field, const StreamlineOptions& options = {});
+
+  /// For the library itself.
+  StreamlineTracer(const FrameField& field, const StreamlineOptions& options, const StreamlineTuning& tuning,
+                   const TriangleMesh* surface = nullptr);
+  StreamlineTracer(const TetFrameField& field, const StreamlineOptions& options,
+                   const StreamlineTuning& tuning);
 
   /// Returns `count` points evenly spread inside the solid: the points 1/2 + n (1/g, 1/g^2, 1/g^3) modulo 1
   /// with g^4 = g + 1, n = 1, 2, ... (M. Roberts 2018, sequence R3), scaled to the bounding box, without

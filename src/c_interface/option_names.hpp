@@ -109,14 +109,6 @@ template <class Visit>
 void for_each_option(StreamlineOptions& options, const Visit& visit) {
   CROSSGRAIN_OPTION(axes);
   CROSSGRAIN_OPTION(spacing_sides);
-  CROSSGRAIN_OPTION(tolerance);
-  CROSSGRAIN_OPTION(largest_step_cells);
-  CROSSGRAIN_OPTION(smallest_step_cells);
-  CROSSGRAIN_OPTION(arc_distance_cells);
-  CROSSGRAIN_OPTION(closing_cells);
-  CROSSGRAIN_OPTION(end_tolerance_cells);
-  CROSSGRAIN_OPTION(longest_sides);
-  CROSSGRAIN_OPTION(most_points);
 }
 
 template <class Visit>

@@ -191,8 +191,7 @@ class PageScene {
   void add_beside_lines(const Field& field, const std::function<void()>& add_rest) {
     std::optional<PageStreamlines> lines;
     run_side_by_side(add_rest, [&] {
-      lines.emplace(StreamlineTracer(field, page_streamlines()), origin_, static_cast<int>(first_cut_),
-                    monitor_);
+      lines.emplace(page_tracer(field), origin_, static_cast<int>(first_cut_), monitor_);
     });
     lines->write(scene_);
   }

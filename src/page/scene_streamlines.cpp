@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "sampling/streamline_tuning.hpp"
+
 namespace crossgrain {
 namespace {
 
@@ -24,11 +26,12 @@ constexpr std::size_t kMostPoints = 200;
 
 }  // namespace
 
-StreamlineOptions page_streamlines() {
-  StreamlineOptions options;
-  options.longest_sides = kSides;
-  options.spacing_sides = kSpacing;
-  return options;
+StreamlineTracer page_tracer(const FrameField& field) {
+  return {field, StreamlineOptions{.spacing_sides = kSpacing}, StreamlineTuning{.longest_sides = kSides}};
+}
+
+StreamlineTracer page_tracer(const TetFrameField& field) {
+  return {field, StreamlineOptions{.spacing_sides = kSpacing}, StreamlineTuning{.longest_sides = kSides}};
 }
 
 PageStreamlines::PageStreamlines(const StreamlineTracer& tracer, const Vector3& origin, int axis,

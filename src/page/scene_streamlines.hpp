@@ -11,8 +11,9 @@
 
 namespace crossgrain {
 
-/// How streamlines of a page are traced: few enough to see through.
-StreamlineOptions page_streamlines();
+/// Traces the streamlines of a page: few enough to see through.
+StreamlineTracer page_tracer(const FrameField& field);
+StreamlineTracer page_tracer(const TetFrameField& field);
 
 /// Streamlines in two sets: along the plane through the middle of the part across `axis`, and along the
 /// surface; relative to `origin`. Independent of the number of threads.

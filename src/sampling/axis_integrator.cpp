@@ -34,6 +34,9 @@ constexpr double kSafety = 0.9, kLeastFactor = 0.2, kMostFactor = 4;
 /// Smallest cosine between the directions at the seed and on return to it, of 25 degrees.
 constexpr double kSameDirection = 0.9;
 
+/// Largest distance between the curve and the last segment, on which the line meets the boundary or an arc.
+constexpr double kEndToleranceCells = 1e-3;
+
 /// Point at `share` on the cubic through two points with these tangents.
 Vector3 on_cubic(const LineFront& from, const Vector3& to, const Vector3& direction, double h, double share) {
   const double t = share, s = 1 - share;
@@ -50,8 +53,8 @@ struct AxisIntegrator::Step {
   bool is_ambiguous;  ///< a stage has no axis within 45 degrees of the first direction
 };
 
-AxisIntegrator::AxisIntegrator(const LineSpace& space, const StreamlineOptions& options)
-    : space_(space), options_(options), longest_(options.longest_sides * longest_side(space.bounds())) {}
+AxisIntegrator::AxisIntegrator(const LineSpace& space, const StreamlineTuning& tuning)
+    : space_(space), tuning_(tuning), longest_(tuning.longest_sides * longest_side(space.bounds())) {}
 
 Vector3 AxisIntegrator::direction_at(const LineFront& from, const Vector3& point, LineCell& cell) const {
   const Quaternion frame = space_.frame_at(from.place, point, cell);
@@ -91,27 +94,23 @@ AxisIntegrator::Step AxisIntegrator::step(const LineFront& from, double h) const
 class AxisIntegrator::Way {
  public:
   Way(const AxisIntegrator& integrator, const LineFront& seed)
-      : of_(integrator),
-        options_(integrator.options_),
-        seed_(seed),
-        front_(seed),
-        room_(integrator.longest_) {
+      : of_(integrator), tuning_(integrator.tuning_), seed_(seed), front_(seed), room_(integrator.longest_) {
     line_.points = {seed.place.point};
     line_.tangents = {seed.direction};
-    h_ = options_.largest_step_cells * cell();
+    h_ = tuning_.largest_step_cells * cell();
   }
 
   HalfLine take() { return std::move(line_); }
 
   /// Tries one step. Returns whether the line may continue.
   bool advance() {
-    h_ = std::clamp(h_, smallest_h(), options_.largest_step_cells * cell());
+    h_ = std::clamp(h_, smallest_h(), tuning_.largest_step_cells * cell());
     const Step step = of_.step(front_, h_);
     if (step.is_ambiguous) return shortened(kLeastFactor) || ended(StreamlineEnd::kAmbiguous);
     // The root of the lower order, two; it is exact, unlike pow, which differs between processors.
     const double factor =
-        std::clamp(kSafety * std::sqrt(options_.tolerance / step.error), kLeastFactor, kMostFactor);
-    if (step.error > options_.tolerance && shortened(std::min(factor, kSafety))) return true;
+        std::clamp(kSafety * std::sqrt(tuning_.tolerance / step.error), kLeastFactor, kMostFactor);
+    if (step.error > tuning_.tolerance && shortened(std::min(factor, kSafety))) return true;
     const Vector3 &from = front_.place.point, &to = step.front.place.point;
     LineStop stop = of_.space_.first_stop(front_.place, to);
     stop.at((room_ - line_.length) / norm(to - from), StreamlineEnd::kLongest);
@@ -121,12 +120,12 @@ class AxisIntegrator::Way {
     if (stop.cell != front_.place.cell) enter(stop.cell);
     append(front_.place.point, front_.direction);
     h_ *= factor;
-    return line_.points.size() < options_.most_points || ended(StreamlineEnd::kLongest);
+    return line_.points.size() < tuning_.most_points || ended(StreamlineEnd::kLongest);
   }
 
  private:
   double cell() const { return of_.space_.cell_size(front_.place.cell); }
-  double smallest_h() const { return options_.smallest_step_cells * cell(); }
+  double smallest_h() const { return tuning_.smallest_step_cells * cell(); }
 
   bool shortened(double factor) {
     if (h_ <= smallest_h()) return false;
@@ -158,8 +157,7 @@ class AxisIntegrator::Way {
   bool stopped(const Step& step, const LineStop& stop) {
     const Vector3 bend = step.front.direction - front_.direction;
     const double off = 0.5 * h_ * norm(bend) * stop.share * (1 - stop.share);
-    if (off > options_.end_tolerance_cells * cell() && shortened(std::max(stop.share, kLeastFactor)))
-      return true;
+    if (off > kEndToleranceCells * cell() && shortened(std::max(stop.share, kLeastFactor))) return true;
     const Vector3& from = front_.place.point;
     const Vector3 end = from + stop.share * (step.front.place.point - from);
     LineCell cell = front_.place.cell;
@@ -176,13 +174,13 @@ class AxisIntegrator::Way {
       return false;
     const Vector3 off = on_cubic(front_, to, step.front.direction, h_, before / (before - after)) - seed;
     const Vector3 beside = off - dot(off, seed_.direction) * seed_.direction;
-    if (!(norm(beside) <= options_.closing_cells * cell())) return false;
+    if (!(norm(beside) <= tuning_.closing_cells * cell())) return false;
     append(seed, seed_.direction);
     return true;
   }
 
   const AxisIntegrator& of_;
-  const StreamlineOptions& options_;
+  const StreamlineTuning& tuning_;
   LineFront seed_, front_;
   double room_;
   double h_;

@@ -7,6 +7,7 @@
 #include "crossgrain/monitor.hpp"
 #include "crossgrain/streamlines.hpp"
 #include "sampling/line_space.hpp"
+#include "sampling/streamline_tuning.hpp"
 
 namespace crossgrain {
 
@@ -33,7 +34,7 @@ struct HalfLine {
 /// the frame where that segment ends.
 class AxisIntegrator {
  public:
-  AxisIntegrator(const LineSpace& space, const StreamlineOptions& options);
+  AxisIntegrator(const LineSpace& space, const StreamlineTuning& tuning);
 
   /// The direction along an axis at the end of the straight segment to `point`, nearest to that of `from`.
   /// Sets `cell` to the one in which the segment ends.
@@ -49,7 +50,7 @@ class AxisIntegrator {
   Step step(const LineFront& from, double length) const;
 
   const LineSpace& space_;
-  StreamlineOptions options_;
+  StreamlineTuning tuning_;
   double longest_;  ///< model units
 };
 

@@ -14,6 +14,7 @@
 #include "sampling/grid_lines.hpp"
 #include "sampling/line_spacing.hpp"
 #include "sampling/streamline_seeds.hpp"
+#include "sampling/streamline_tuning.hpp"
 #include "sampling/tet_lines.hpp"
 #include "singularity/matching.hpp"
 #include "solve/tet_domain_data.hpp"
@@ -35,24 +36,10 @@ constexpr std::size_t kSeedBatch = 16;
 constexpr double kLeastSpacing = 1e-4;
 
 void check(const StreamlineOptions& options) {
-  const auto demand = [](bool holds, const char* what) {
-    if (!holds) throw Error(ErrorKind::kUsage, {"", "streamlines", what});
-  };
-  const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
-  demand(is_positive(options.tolerance), "the tolerance must be a positive number");
-  demand(options.largest_step_cells > 0 && options.largest_step_cells <= 4,
-         "the largest step must be above 0 and at most 4 cells");
-  demand(options.smallest_step_cells > 0 && options.smallest_step_cells <= options.largest_step_cells,
-         "the smallest step must be above 0 and at most the largest");
-  demand(options.arc_distance_cells >= 0 && options.arc_distance_cells <= 1,
-         "the distance from arcs must be from 0 to 1 cell");
-  demand(options.closing_cells >= 0 && options.closing_cells <= 1,
-         "the distance at which lines close must be from 0 to 1 cell");
-  demand(is_positive(options.end_tolerance_cells), "the tolerance of ends must be a positive number");
-  demand(options.spacing_sides == 0 || (options.spacing_sides >= kLeastSpacing && options.spacing_sides <= 1),
-         "the spacing must be 0, or from 0.0001 to 1 longest side");
-  demand(is_positive(options.longest_sides), "the largest length must be a positive number");
-  demand(options.most_points >= 2, "the largest number of points must be at least 2");
+  const double spacing = options.spacing_sides;
+  if (!(spacing == 0 || (spacing >= kLeastSpacing && spacing <= 1)))
+    throw Error(ErrorKind::kUsage,
+                {"", "streamlines", "the spacing must be 0, or from 0.0001 to 1 longest side"});
 }
 
 /// The equivalent frame nearest to the coordinate axes: at most 63 degrees from them, so that axis k has a
@@ -82,6 +69,7 @@ Streamline put_together(HalfLine forward, HalfLine backward) {
 struct StreamlineTracer::Parts {
   std::variant<FrameField, TetFrameField> field;
   StreamlineOptions options;
+  StreamlineTuning tuning;
   std::unique_ptr<const LineSpace> space;
 
   /// A seed in the solid.
@@ -108,7 +96,7 @@ struct StreamlineTracer::Parts {
   }
 
   Streamline line(const LinePlace& place, const Vector3& direction, const Monitor& monitor) const {
-    const AxisIntegrator integrator(*space, options);
+    const AxisIntegrator integrator(*space, tuning);
     HalfLine forward = integrator.follow({place, direction}, monitor);
     HalfLine backward{{place.point}, {-direction}, 0, StreamlineEnd::kClosed};
     if (forward.end != StreamlineEnd::kClosed) backward = integrator.follow({place, -direction}, monitor);
@@ -117,19 +105,27 @@ struct StreamlineTracer::Parts {
 };
 
 StreamlineTracer::StreamlineTracer(const FrameField& field, const StreamlineOptions& options,
-                                   const TriangleMesh* surface) {
+                                   const TriangleMesh* surface)
+    : StreamlineTracer(field, options, StreamlineTuning(), surface) {}
+
+StreamlineTracer::StreamlineTracer(const TetFrameField& field, const StreamlineOptions& options)
+    : StreamlineTracer(field, options, StreamlineTuning()) {}
+
+StreamlineTracer::StreamlineTracer(const FrameField& field, const StreamlineOptions& options,
+                                   const StreamlineTuning& tuning, const TriangleMesh* surface) {
   check(options);
   parts_ = std::make_shared<const Parts>(
-      field, options, std::make_unique<GridLines>(field.data(), surface, options.arc_distance_cells));
+      field, options, tuning, std::make_unique<GridLines>(field.data(), surface, tuning.arc_distance_cells));
 }
 
-StreamlineTracer::StreamlineTracer(const TetFrameField& field, const StreamlineOptions& options) {
+StreamlineTracer::StreamlineTracer(const TetFrameField& field, const StreamlineOptions& options,
+                                   const StreamlineTuning& tuning) {
   check(options);
   const TetDomainData& tets = field.domain().data();
   const FramesOnTets frames{tets.solid, tets.edges, field.data().vertex_frames, field.data().tet_frames,
                             matchings_of(tets.solid, field.data())};
-  parts_ = std::make_shared<const Parts>(field, options,
-                                         std::make_unique<TetLines>(frames, options.arc_distance_cells));
+  parts_ = std::make_shared<const Parts>(field, options, tuning,
+                                         std::make_unique<TetLines>(frames, tuning.arc_distance_cells));
 }
 
 std::vector<Vector3> StreamlineTracer::spread_seeds(std::size_t count, const Monitor& monitor) const {

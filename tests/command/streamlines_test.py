@@ -51,7 +51,7 @@ class Streamlines(CommandTest):
         return Lines(self.folder / file)
 
     def test_of_a_box_run_along_its_edges_from_face_to_face(self):
-        lines = self.lines("--surface", "box.stl", "--count", "100", "--spacing", "0")
+        lines = self.lines("--count", "100", "--spacing", "0")
         self.assertEqual(len(lines), 300)
         self.assertEqual(lines.arrays["seed"].tolist(), np.repeat(np.arange(100), 3).tolist())
         self.assertEqual(lines.arrays["axis"].tolist(), [0, 1, 2] * 100)
@@ -66,10 +66,6 @@ class Streamlines(CommandTest):
             self.assertAlmostEqual(length, size[axis], places=4)
             np.testing.assert_allclose(np.diff(distances), np.linalg.norm(np.diff(points, axis=0), axis=1), atol=1e-6)
             self.assertEqual(np.count_nonzero(distances == 0), 1)
-
-    def test_without_a_model_they_end_on_the_surface_of_the_field(self):
-        with_model = self.lines("--surface", "box.stl").arrays["Points"]
-        np.testing.assert_array_equal(self.lines().arrays["Points"], with_model)
 
     def test_of_a_field_without_a_surface_end_with_the_cells_at_most_one_further_out(self):
         (self.folder / "box/surface.vtu").unlink()
@@ -114,7 +110,6 @@ class Streamlines(CommandTest):
         np.testing.assert_array_equal(self.lines("--axes", "x", "--field", "tets").arrays["Points"],
                                       on_tets.arrays["Points"])
         self.lines("--axes", "x", "--field", "grid")
-        self.assert_fails(self.trace("--surface", "box.mesh"), USAGE, "--field grid")
 
     def test_tets_that_are_not_there_are_missed(self):
         self.assert_fails(self.trace("--field", "tets"), INPUT, "box", "no field on tets")
@@ -159,15 +154,6 @@ class Streamlines(CommandTest):
             r"result     box/streamlines.vtu\n$"))
         self.assertEqual(self.trace("--quiet").stdout, "")
 
-    def test_steps_and_lengths_are_as_asked_for(self):
-        cell = 2 / 8
-        lines = self.lines("--step", "0.25", "--longest", "0.1")
-        for points in lines.points:
-            steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
-            self.assertLess(steps.max(), 0.25 * cell + 1e-9)
-        self.assertLess(lines.arrays["length"].max(), 2 * 0.1 * (2 + 2 * cell) + 1e-9)
-        self.assertIn(LONGEST, lines.ends())
-
     def test_of_a_cylinder_end_on_its_surface_and_go_round_where_the_field_does(self):
         self.write("cylinder.stl", stl_bytes(cylinder_triangles(segments=64)))
         self.assert_succeeds(self.run_here("solve", "cylinder.stl", "--resolution", "32", "-o", "cylinder"))
@@ -201,26 +187,12 @@ class Streamlines(CommandTest):
         self.assertLess(np.percentile(off, 99), 1e-6)
 
     def test_the_pieces_of_a_line_go_along_its_tangents(self):
-        lines = self.lines("--surface", "box.stl")
+        lines = self.lines()
         for points, tangents in zip(lines.points, lines.tangents):
             pieces = np.diff(points, axis=0)
             pieces = pieces / np.linalg.norm(pieces, axis=1)[:, None]
             self.assertGreater(np.einsum("ij,ij->i", pieces, tangents[:-1]).min(), 0.99)
             self.assertGreater(np.einsum("ij,ij->i", pieces, tangents[1:]).min(), 0.99)
-
-    def test_the_surface_may_be_the_tets_that_were_solved(self):
-        self.write("box.mesh", medit_text(*tet_box()))
-        self.assert_succeeds(self.run_here("solve", "box.mesh", "-o", "box"))
-        lines = self.lines("--field", "grid", "--surface", "box.mesh", "--axes", "x")
-        np.testing.assert_allclose(lines.arrays["length"], 2, atol=1e-3)
-
-    def test_another_surface_is_refused_by_name(self):
-        self.write("other.stl", stl_bytes(box_triangles((2, 1, 1.5)) + 10))
-        self.assert_fails(self.trace("--surface", "other.stl"), INPUT, "other.stl: ", "does not match the field")
-        self.write("millimetres.stl", stl_bytes(1000 * box_triangles((2, 1, 1.5))))
-        self.assert_fails(self.trace("--surface", "millimetres.stl"), INPUT, "millimetres.stl: ")
-        self.write("open.stl", stl_bytes(box_triangles((2, 1, 1.5))[:2]))
-        self.assert_fails(self.trace("--surface", "open.stl"), INPUT, "open.stl: ")
 
     def test_a_new_solve_takes_the_lines_of_the_old_one_away(self):
         self.lines()
@@ -230,15 +202,13 @@ class Streamlines(CommandTest):
     def test_files_that_would_be_overwritten_are_refused(self):
         self.write("seeds.txt", "0.3 0.4 0.5\n")
         before = (self.folder / "box/field.vtu").read_bytes()
-        for arguments in (["seeds.txt", "-o", "./seeds.txt"], ["--surface", "box.stl", "-o", "box.stl"],
-                          ["-o", "box/field.vtu"], ["-o", "-"], ["-o", ""]):
+        for arguments in (["seeds.txt", "-o", "./seeds.txt"], ["-o", "box/field.vtu"], ["-o", "-"], ["-o", ""]):
             self.assert_fails(self.trace(*arguments), USAGE)
         self.assertEqual((self.folder / "box/field.vtu").read_bytes(), before)
 
     def test_options_that_make_no_sense_are_refused(self):
-        for arguments in (["--count", "0"], ["--axes", "xw"], ["--axes", "xx"], ["--axes", ""], ["--tolerance", "0"],
-                          ["--tolerance", "nan"], ["--step", "0"], ["--step", "5"], ["--longest", "-1"],
-                          ["--surface", ""], ["--on", "w"], ["--on", "none"], ["--on", ""], ["--spacing", "-1"],
+        for arguments in (["--count", "0"], ["--axes", "xw"], ["--axes", "xx"], ["--axes", ""],
+                          ["--on", "w"], ["--on", "none"], ["--on", ""], ["--spacing", "-1"],
                           ["--field", "cells"]):
             with self.subTest(arguments=arguments):
                 self.assert_fails(self.trace(*arguments), USAGE)
@@ -249,7 +219,6 @@ class Streamlines(CommandTest):
     def test_files_that_are_missing_or_wrong(self):
         self.assert_fails(self.run_here("streamlines", "none"), INPUT, "none")
         self.assert_fails(self.trace("none.txt"), INPUT, "none.txt")
-        self.assert_fails(self.trace("--surface", "none.stl"), INPUT, "none.stl")
         self.assert_fails(self.trace("-", stdin=b"0 0 0\n1 2\n"), INPUT, "standard input: line 2:")
         self.assert_fails(self.trace("-o", "none/lines.vtu"), OUTPUT, "none/lines.vtu")
         (self.folder / "box" / "field.vtu").write_bytes(b"<VTKFile>")
@@ -269,7 +238,7 @@ class Streamlines(CommandTest):
 
     def test_interrupting_leaves_nothing(self):
         # Far more lines than can be traced before the signal.
-        command = [PROGRAM, "streamlines", "box", "--count", "2000000", "--spacing", "0", "--step", "0.01"]
+        command = [PROGRAM, "streamlines", "box", "--count", "2000000", "--spacing", "0"]
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=self.folder) as process:
             try:
                 process.communicate(timeout=2)

@@ -13,6 +13,7 @@
 
 #include "base/quaternion.hpp"
 #include "crossgrain/streamlines.hpp"
+#include "sampling/streamline_tuning.hpp"
 
 namespace crossgrain::testing {
 
@@ -33,11 +34,12 @@ inline double distance_to_faces(const Vector3& p) {
   return least;
 }
 
-/// Expects lines to end on the cube or at arc_distance_cells from singular edges, and to come no nearer.
+/// Expects lines to end on the cube or at StreamlineTuning::arc_distance_cells from singular edges, and to
+/// come no nearer.
 template <class CellsToEdges>
 void expect_ends_on_the_cube_or_at_edges(const std::vector<Streamline>& lines,
                                          const CellsToEdges& cells_to_edges) {
-  const double least = StreamlineOptions{}.arc_distance_cells;
+  const double least = StreamlineTuning{}.arc_distance_cells;
   std::size_t at_arc = 0, at_boundary = 0;
   for (const Streamline& line : lines) {
     for (const Vector3& p : line.points) ASSERT_GT(cells_to_edges(p), least - 1e-6);

@@ -157,19 +157,19 @@ double distance_to(const Streamline& line, const Vector3& p) {
 /// How far, in cells, points of lines of circles() are off at most within 30 cells each way, against steps so
 /// small that neither their errors nor the straight pieces between them count.
 double error_on_circles(double tolerance) {
-  StreamlineOptions options;
-  options.largest_step_cells = 2;
-  options.closing_cells = 0;
-  options.longest_sides = 30 * kCell;
-  options.tolerance = tolerance;
+  StreamlineTuning tuning;
+  tuning.largest_step_cells = 2;
+  tuning.closing_cells = 0;
+  tuning.longest_sides = 30 * kCell;
+  tuning.tolerance = tolerance;
   const std::vector<Vector3> seeds{
       {0.5 + 6.3 * kCell, 0.5, 0.5}, {0.5 + 9.1 * kCell, 0.52, 0.5}, {0.5 + 13.7 * kCell, 0.47, 0.5}};
-  const Streamlines lines = StreamlineTracer(circles(), options).trace(seeds);
-  options.longest_sides = 31 * kCell;
-  options.tolerance = 1e-8;
-  options.largest_step_cells = 0.02;
-  options.smallest_step_cells = 1e-4;
-  const Streamlines exact = StreamlineTracer(circles(), options).trace(seeds);
+  const Streamlines lines = StreamlineTracer(circles(), {}, tuning).trace(seeds);
+  tuning.longest_sides = 31 * kCell;
+  tuning.tolerance = 1e-8;
+  tuning.largest_step_cells = 0.02;
+  tuning.smallest_step_cells = 1e-4;
+  const Streamlines exact = StreamlineTracer(circles(), {}, tuning).trace(seeds);
   double worst = 0;
   for (std::size_t k = 0; k < lines.lines.size(); ++k) {
     if (!goes_round(lines.lines[k])) continue;
@@ -371,18 +371,19 @@ TEST(Streamlines, AreTheSameToTheBitForAnyNumberOfThreads) {
 }
 
 TEST(Streamlines, AreNoLongerThanAllowed) {
-  StreamlineOptions options;
-  options.longest_sides = 0.25;
+  StreamlineTuning tuning;
+  tuning.longest_sides = 0.25;
   const FrameField field = circles();
-  for (const Streamline& line : StreamlineTracer(field, options).trace(random_points(50, kCube, 12)).lines) {
+  for (const Streamline& line :
+       StreamlineTracer(field, {}, tuning).trace(random_points(50, kCube, 12)).lines) {
     EXPECT_LT(line.length, 0.5 + 1e-9);
     if (line.first_end == StreamlineEnd::kLongest && line.last_end == StreamlineEnd::kLongest) {
       EXPECT_NEAR(line.length, 0.5, 1e-3);
     }
   }
-  options = {};
-  options.most_points = 5;
-  for (const Streamline& line : StreamlineTracer(field, options).trace(random_points(50, kCube, 12)).lines)
+  tuning = {};
+  tuning.most_points = 5;
+  for (const Streamline& line : StreamlineTracer(field, {}, tuning).trace(random_points(50, kCube, 12)).lines)
     EXPECT_LE(line.points.size(), 9u);
 }
 
@@ -407,10 +408,11 @@ TEST(Streamlines, EndAlsoInAFieldWithoutAnyOrder) {
   const FrameField field = field_of(testing::uniform_octree(3), [&](const Vector3&) {
     return normalised(Quaternion{normal(engine), normal(engine), normal(engine), normal(engine)});
   });
-  StreamlineOptions options;
-  options.arc_distance_cells = 0;
+  StreamlineTuning tuning;
+  tuning.arc_distance_cells = 0;
   std::array<int, 5> ends{};
-  for (const Streamline& line : StreamlineTracer(field, options).trace(random_points(20, kCube, 14)).lines) {
+  for (const Streamline& line :
+       StreamlineTracer(field, {}, tuning).trace(random_points(20, kCube, 14)).lines) {
     ++ends[static_cast<std::size_t>(line.first_end)];
     for (const Vector3& p : line.points) {
       for (const double x : p) ASSERT_TRUE(x >= -1e-12 && x <= 1 + 1e-12);
@@ -451,23 +453,13 @@ TEST(Streamlines, AreCancelledByTheMonitor) {
             ErrorKind::kInterrupted);
 }
 
-TEST(Streamlines, OptionsAndSurfacesThatMakeNoSenseAreRefused) {
+TEST(Streamlines, SpacingsAndSurfacesThatMakeNoSenseAreRefused) {
   const FrameField field = circles();
-  const auto refuses = [&](auto change) {
+  for (const double spacing : {-0.1, 1e-5, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
     StreamlineOptions options;
-    change(options);
-    return kind_of_error([&] { const StreamlineTracer tracer(field, options); }) == ErrorKind::kUsage;
-  };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(refuses([](auto& o) { o.tolerance = 0; }));
-  EXPECT_TRUE(refuses([&](auto& o) { o.tolerance = nan; }));
-  EXPECT_TRUE(refuses([](auto& o) { o.largest_step_cells = -1; }));
-  EXPECT_TRUE(refuses([](auto& o) { o.smallest_step_cells = 2; }));
-  EXPECT_TRUE(refuses([](auto& o) { o.arc_distance_cells = 1.5; }));
-  EXPECT_TRUE(refuses([&](auto& o) { o.closing_cells = nan; }));
-  EXPECT_TRUE(refuses([](auto& o) { o.end_tolerance_cells = 0; }));
-  EXPECT_TRUE(refuses([](auto& o) { o.longest_sides = INFINITY; }));
-  EXPECT_TRUE(refuses([](auto& o) { o.most_points = 1; }));
+    options.spacing_sides = spacing;
+    EXPECT_EQ(kind_of_error([&] { const StreamlineTracer tracer(field, options); }), ErrorKind::kUsage);
+  }
   const TriangleMesh elsewhere = translate_mesh(make_box({1, 1, 1}), {5, 0, 0});
   EXPECT_EQ(kind_of_error([&] { const StreamlineTracer tracer(field, {}, &elsewhere); }), ErrorKind::kInput);
 }

@@ -98,15 +98,15 @@ TEST(TetStreamlines, AroundAnAxisAreCircles) {
   const TetFrameField field = field_of(tet_cylinder(kAcross), [](const Vector3& p) {
     return from_rotation_vector({0, 0, std::atan2(p[1], p[0])});
   });
-  StreamlineOptions options;
-  options.closing_cells = 0.2;
+  StreamlineTuning tuning;
+  tuning.closing_cells = 0.2;
   std::vector<Vector3> seeds;
   for (int k = 0; k < 8; ++k) {
     const double angle = 0.3 * k, radius = 0.4 + 0.05 * k;
     seeds.push_back({radius * std::cos(angle), radius * std::sin(angle), -0.8 + 0.2 * k});
   }
   std::size_t closed = 0;
-  for (const Streamline& line : StreamlineTracer(field, options).trace(seeds).lines) {
+  for (const Streamline& line : StreamlineTracer(field, {}, tuning).trace(seeds).lines) {
     if (line.last_end != StreamlineEnd::kClosed) continue;
     ++closed;
     const Vector3& seed = seeds[line.seed];
