@@ -151,6 +151,7 @@ NAMES = {
     "PictureColour": {"kNone": "none", "kAlignment": "alignment", "kEnergy": "energy", "kConstraint": "class",
                       "kRegion": "region"},
     "PictureFrames": {"kLines": "lines", "kBoxes": "boxes", "kCrosses": "crosses", "kNone": "none"},
+    "PicturePart": {"kLines": "lines", "kCreases": "creases", "kLegend": "legend"},
     "PictureBackground": {"kLight": "light", "kDark": "dark", "kTransparent": "transparent"},
 }
 TYPES = {
@@ -160,7 +161,8 @@ TYPES = {
     "std::optional<View>": "Union[None, str, Sequence[float]]",
     "std::optional<Cut>": "Union[None, str, Tuple[Union[int, str], Optional[float]]]",
     "std::optional<std::array<double, 2>>": "Optional[Sequence[float]]",
-    "std::array<bool, 3>": "Sequence[bool]", "std::vector<std::string>": "Sequence[str]",
+    "std::array<bool, 3>": "Sequence[bool]", "std::array<int, 2>": "Sequence[int]",
+    "std::vector<PicturePart>": "Sequence[str]", "std::vector<std::string>": "Sequence[str]",
 }
 # What Python takes for a type, added to the comment.
 NOTES = {
@@ -225,8 +227,8 @@ def python_default(declared, default, structs):
     if declared in structs:
         return f"field(default_factory={declared})"
     if default is None or default == "{}":
-        empty = {"std::vector<std::string>": "()", "std::filesystem::path": "''"}
-        return empty.get(declared, "None")
+        empty = {"std::vector": "()", "std::filesystem::path": "''"}
+        return empty.get(declared.partition("<")[0], "None")
     if default in ("true", "false"):
         return default.capitalize()
     if default.startswith("{"):
@@ -299,9 +301,10 @@ def options_of(include):
             for declared, member, default, its_comment in options_members(struct_body(text, name)):
                 if member in LEFT_OUT.get(name, ()):
                     continue
-                if declared in NAMES:
-                    values = ", ".join(f"'{value}'" for value in NAMES[declared].values())
-                    its_comment += f" One of {values}."
+                listed = declared.removeprefix("std::vector<").rstrip(">")
+                if listed in NAMES:
+                    values = ", ".join(f"'{value}'" for value in NAMES[listed].values())
+                    its_comment += f" {'One' if listed == declared else 'Any'} of {values}."
                 its_comment = " ".join(filter(None, [its_comment, NOTES.get(declared)]))
                 its_type = python_type(declared, structs)
                 its_default = python_default(declared, default, structs)

@@ -106,8 +106,8 @@ std::optional<SeedPlaces> parse_places(const std::string& text) {
   if (text == "volume") return SeedPlaces{};
   if (text == "surface") return SeedPlaces{true, {}};
   const auto cut = parse_cut(text);
-  if (!cut || !*cut) return std::nullopt;
-  return SeedPlaces{false, *cut};
+  if (!cut) return std::nullopt;
+  return SeedPlaces{false, cut};
 }
 
 void add_field_choice(CLI::App& command, FieldChoice& choice) {
@@ -123,10 +123,8 @@ void add_hexahedra(CLI::App& command, RenderArguments& arguments) {
                        "Draw the hexahedra that 'crossgrain hex' has written to the folder instead, coloured "
                        "by scaled Jacobian; a cut removes whole ones");
   const std::vector<const CLI::Option*> of_fields{
-      command.get_option("--field"),    command.get_option("--streamlines"),
-      command.get_option("--colour"),   command.get_option("--range"),
-      command.get_option("--frames"),   command.get_option("--frame-spacing"),
-      command.get_option("--no-lines"), command.get_option("--no-creases")};
+      command.get_option("--field"), command.get_option("--streamlines"), command.get_option("--colour"),
+      command.get_option("--range"), command.get_option("--frames")};
   command.parse_complete_callback([hexahedra, of_fields] {
     if (hexahedra->count() == 0) return;
     for (const CLI::Option* option : of_fields)
@@ -155,10 +153,6 @@ void add_looks(CLI::App& command, PictureOptions& options) {
       "is not two numbers separated by a comma, the lower one first",
       "Ends of the colour scale (default: from the field)")
       ->type_name("LOW,HIGH");
-  command
-      .add_option("--opacity", options.opacity, "Opacity of faces, 0 to 1 (default: depends on the colour)")
-      ->check(CLI::Range(0.0, 1.0))
-      ->type_name("X");
   add_choice(command, "--frames", options.frames,
              {{"lines", PictureFrames::kLines},
               {"boxes", PictureFrames::kBoxes},
@@ -166,19 +160,16 @@ void add_looks(CLI::App& command, PictureOptions& options) {
               {"none", PictureFrames::kNone}},
              "Frames on the cut: curves along their axes, or glyphs (default lines)",
              "lines|boxes|crosses|none");
-  command
-      .add_option("--frame-spacing", options.frame_spacing,
-                  "Distance between frames on the cut, in pixels of a picture 1200 high (default 34)")
-      ->check(CLI::Range(4.0, 1000.0))
-      ->type_name("X");
   add_choice(command, "--background", options.background,
              {{"light", PictureBackground::kLight},
               {"dark", PictureBackground::kDark},
               {"transparent", PictureBackground::kTransparent}},
              "Background (default light)", "light|dark|transparent");
-  command.add_flag("!--no-lines", options.lines, "Leave out singular lines and nodes");
-  command.add_flag("!--no-creases", options.creases, "Leave out sharp edges");
-  command.add_flag("!--no-legend", options.legend, "Leave out legend and axes");
+  add_parsed(
+      command, "--without", parse_parts, [&options](const auto& parts) { options.without = parts; },
+      "is not a list of lines, creases and legend",
+      "Leave out singular lines and nodes, sharp edges, or legend and axes")
+      ->type_name("lines|creases|legend,...");
 }
 
 /// Takes one word for a file and several for coordinates.
@@ -313,8 +304,7 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
   command->add_flag("--streamlines", arguments.streamlines,
                     "Also draw the lines that 'crossgrain streamlines' has written to the folder");
   add_parsed(
-      *command, "--size", parse_size,
-      [&options](const auto& size) { options.width = size[0], options.height = size[1]; },
+      *command, "--size", parse_size, [&options](const auto& size) { options.size = size; },
       "is not a size such as 1600x1200", "Width and height in pixels (default 1600x1200)")
       ->type_name("WxH");
   add_parsed(
@@ -327,10 +317,10 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
              "The axis of the model that points up (default z)", "x|y|z");
   add_parsed(
       *command, "--cut", parse_cut, [&options](const auto& cut) { options.cut = cut; },
-      "is not a cut such as x, y=12.5 or none",
+      "is not a cut such as x or y=12.5",
       "Remove the part in front of a plane across this axis, at the middle or at the given place, and draw "
-      "the frames on the plane (default none)")
-      ->type_name("none|x|y|z[=AT]");
+      "the frames on the plane")
+      ->type_name("x|y|z[=AT]");
   add_looks(*command, options);
   add_hexahedra(*command, arguments);
   command->add_option("--threads", arguments.threads, "Number of threads; 0 (default) uses all")

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "picture_arguments.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
 
+#include "argument_values.hpp"
 #include "crossgrain/error.hpp"
 
 namespace crossgrain::app {
@@ -48,8 +50,7 @@ std::optional<PictureOptions::View> parse_view(const std::string& text) {
   }
 }
 
-std::optional<std::optional<PictureOptions::Cut>> parse_cut(const std::string& text) {
-  if (text == "none") return std::optional<PictureOptions::Cut>();
+std::optional<PictureOptions::Cut> parse_cut(const std::string& text) {
   const std::size_t axis = std::string_view("xyz").find(text.substr(0, 1));
   if (text.empty() || axis == std::string_view::npos) return std::nullopt;
   PictureOptions::Cut cut{static_cast<int>(axis), std::nullopt};
@@ -58,6 +59,17 @@ std::optional<std::optional<PictureOptions::Cut>> parse_cut(const std::string& t
     if (text[1] != '=' || !cut.position || !std::isfinite(*cut.position)) return std::nullopt;
   }
   return cut;
+}
+
+std::optional<std::vector<PicturePart>> parse_parts(const std::string& text) {
+  constexpr std::array<std::string_view, 3> kNames{"lines", "creases", "legend"};
+  std::vector<PicturePart> parts;
+  for (const std::string& name : parts_of(text)) {
+    const auto found = std::find(kNames.begin(), kNames.end(), name);
+    if (found == kNames.end()) return std::nullopt;
+    parts.push_back(static_cast<PicturePart>(found - kNames.begin()));
+  }
+  return parts;
 }
 
 std::optional<std::array<double, 2>> parse_range(const std::string& text) {

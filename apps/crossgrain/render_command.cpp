@@ -105,8 +105,8 @@ void run_render(const RenderArguments& arguments) {
   draw(arguments, monitor);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (arguments.quiet) return;
-  print_result(fmt::format("{} x {} pixels, drawn in {:.3g} s\nresult     {}\n", arguments.options.width,
-                           arguments.options.height, seconds.count(), arguments.output));
+  print_result(fmt::format("{} x {} pixels, drawn in {:.3g} s\nresult     {}\n", arguments.options.size[0],
+                           arguments.options.size[1], seconds.count(), arguments.output));
 }
 
 }  // namespace crossgrain::app

@@ -35,10 +35,17 @@ enum class PictureBackground { kLight, kDark, kTransparent };
 /// How frames on the cut are drawn: as curves along the axes in the plane, or as glyphs that stand on it.
 enum class PictureFrames { kLines, kBoxes, kCrosses, kNone };
 
+/// What may be left out.
+enum class PicturePart {
+  kLines,    ///< singular lines and their nodes
+  kCreases,  ///< sharp edges of the part
+  kLegend,   ///< meaning of the colours, and the axes of the model
+};
+
 /// Content and view of a picture. The defaults show the whole part, translucent, with its singular lines.
 struct PictureOptions {
-  /// Size in pixels, 64 to 10000 each and at most 64 million in all.
-  int width = 1600, height = 1200;
+  /// Width and height in pixels, 64 to 10000 each and at most 64 million in all.
+  std::array<int, 2> size{1600, 1200};
 
   /// Position of the viewer in degrees. The projection is parallel with z upright.
   struct View {
@@ -71,16 +78,8 @@ struct PictureOptions {
 
   PictureFrames frames = PictureFrames::kLines;
 
-  /// Distance between curves or frames on the cut, in pixels of a picture 1200 high; larger pictures show as
-  /// many frames.
-  double frame_spacing = 34;
-
-  bool lines = true;    ///< singular lines and their nodes
-  bool creases = true;  ///< sharp edges of the part
-  bool legend = true;   ///< meaning of the colours, and the axes of the model
-
-  /// Opacity of faces seen at a right angle, 0 to 1; chosen by colour by default.
-  std::optional<double> opacity;
+  /// Parts to leave out.
+  std::vector<PicturePart> without = {};
 
   PictureBackground background = PictureBackground::kLight;
 

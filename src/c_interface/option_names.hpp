@@ -113,19 +113,14 @@ void for_each_option(StreamlineOptions& options, const Visit& visit) {
 
 template <class Visit>
 void for_each_option(PictureOptions& options, const Visit& visit) {
-  CROSSGRAIN_OPTION(width);
-  CROSSGRAIN_OPTION(height);
+  CROSSGRAIN_OPTION(size);
   CROSSGRAIN_OPTION(view);
   CROSSGRAIN_OPTION(up_axis);
   CROSSGRAIN_OPTION(colour);
   CROSSGRAIN_OPTION(range);
   CROSSGRAIN_OPTION(cut);
   CROSSGRAIN_OPTION(frames);
-  CROSSGRAIN_OPTION(frame_spacing);
-  CROSSGRAIN_OPTION(lines);
-  CROSSGRAIN_OPTION(creases);
-  CROSSGRAIN_OPTION(legend);
-  CROSSGRAIN_OPTION(opacity);
+  CROSSGRAIN_OPTION(without);
   CROSSGRAIN_OPTION(background);
   CROSSGRAIN_OPTION(quality_below);
 }

@@ -154,13 +154,4 @@ std::vector<double> numbers_in(const OptionValue& value, std::size_t count, bool
   return numbers;
 }
 
-std::array<bool, 3> OptionOf<std::array<bool, 3>>::of(const OptionValue& value) {
-  const std::vector<double> numbers = numbers_in(value, 3, /*absent=*/false);
-  return {OptionOf<bool>::of(numbers[0]), OptionOf<bool>::of(numbers[1]), OptionOf<bool>::of(numbers[2])};
-}
-
-OptionContent OptionOf<std::array<bool, 3>>::content(const std::array<bool, 3>& member) {
-  return std::vector<double>(member.begin(), member.end());
-}
-
 }  // namespace crossgrain

@@ -92,6 +92,10 @@ struct OptionNames<PictureFrames> {
   static constexpr std::array names{"lines", "boxes", "crosses", "none"};
 };
 template <>
+struct OptionNames<PicturePart> {
+  static constexpr std::array names{"lines", "creases", "legend"};
+};
+template <>
 struct OptionNames<PictureBackground> {
   static constexpr std::array names{"light", "dark", "transparent"};
 };
@@ -125,6 +129,24 @@ struct OptionOf<std::vector<std::string>> {
   static constexpr crossgrain_option_type type = CROSSGRAIN_TEXT;
   static std::vector<std::string> of(const OptionValue& value);
   static OptionContent content(const std::vector<std::string>& member);
+};
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+struct OptionOf<std::vector<Enum>> {
+  static constexpr crossgrain_option_type type = CROSSGRAIN_TEXT;
+  static std::vector<Enum> of(const OptionValue& value) {
+    std::vector<Enum> members;
+    for (const std::string& name : OptionOf<std::vector<std::string>>::of(value))
+      members.push_back(OptionOf<Enum>::of(name));
+    return members;
+  }
+  static OptionContent content(const std::vector<Enum>& members) {
+    std::vector<std::string> names;
+    for (const Enum member : members)
+      names.push_back(OptionNames<Enum>::names[static_cast<std::size_t>(member)]);
+    return OptionOf<std::vector<std::string>>::content(names);
+  }
 };
 
 /// Types that are several numbers: `counts` are how many it may have, `from` and `to` convert.
@@ -190,12 +212,19 @@ struct OptionOf<std::optional<T>> {
   }
 };
 
-/// Three flags.
-template <>
-struct OptionOf<std::array<bool, 3>> {
+/// Flags or integers.
+template <class T, std::size_t n>
+struct OptionOf<std::array<T, n>> {
   static constexpr crossgrain_option_type type = CROSSGRAIN_NUMBERS;
-  static std::array<bool, 3> of(const OptionValue& value);
-  static OptionContent content(const std::array<bool, 3>& member);
+  static std::array<T, n> of(const OptionValue& value) {
+    const std::vector<double> numbers = numbers_in(value, n, /*absent=*/false);
+    std::array<T, n> member;
+    for (std::size_t i = 0; i < n; ++i) member[i] = OptionOf<T>::of(numbers[i]);
+    return member;
+  }
+  static OptionContent content(const std::array<T, n>& member) {
+    return std::vector<double>(member.begin(), member.end());
+  }
 };
 
 }  // namespace crossgrain

@@ -12,6 +12,8 @@ struct RemovedOption {
 
 constexpr std::string_view kFixed = "its former default is always taken";
 constexpr std::string_view kOneLimit = "all attempts have one limit of work";
+constexpr std::string_view kSize = "use size, which has width and height";
+constexpr std::string_view kWithout = "name it in without to leave it out";
 constexpr std::string_view kCreaseAngle = "use crease_angle_deg";
 
 /// The first row that fits counts.
@@ -49,6 +51,13 @@ constexpr RemovedOption kRemoved[] = {
     {CROSSGRAIN_STREAMLINE_OPTIONS, "end_tolerance_cells", kFixed},
     {CROSSGRAIN_STREAMLINE_OPTIONS, "longest_sides", kFixed},
     {CROSSGRAIN_STREAMLINE_OPTIONS, "most_points", kFixed},
+    {CROSSGRAIN_PICTURE_OPTIONS, "width", kSize},
+    {CROSSGRAIN_PICTURE_OPTIONS, "height", kSize},
+    {CROSSGRAIN_PICTURE_OPTIONS, "frame_spacing", kFixed},
+    {CROSSGRAIN_PICTURE_OPTIONS, "opacity", kFixed},
+    {CROSSGRAIN_PICTURE_OPTIONS, "lines", kWithout},
+    {CROSSGRAIN_PICTURE_OPTIONS, "creases", kWithout},
+    {CROSSGRAIN_PICTURE_OPTIONS, "legend", kWithout},
     {CROSSGRAIN_REPAIR_OPTIONS, "tries", kFixed},
     {CROSSGRAIN_REPAIR_OPTIONS, "moving_sweeps", kFixed},
     {CROSSGRAIN_REPAIR_OPTIONS, "least_quality", kFixed},

@@ -11,6 +11,7 @@
 #include "display/cut_lines.hpp"
 #include "picture/cut_frames.hpp"
 #include "picture/field_drawing.hpp"
+#include "picture/sheet.hpp"
 #include "picture/singular_lines.hpp"
 #include "picture/streamlines.hpp"
 
@@ -23,6 +24,9 @@ constexpr double kGhostRadius = 0.9, kOutlineRadius = 1.5, kInterfaceRadius = 1.
 
 /// Distance from the cut within which streamlines are drawn on it, in units of PictureWeights.
 constexpr double kOnCutReach = 8;
+
+/// Distance between curves or frames on the cut, in units of PictureWeights: larger pictures show as many.
+constexpr double kFrameSpacing = 34;
 
 /// Sides of boxes and lengths of crosses as a share of the distance between frames: in any orientation they
 /// stay within their place.
@@ -107,8 +111,8 @@ void CutDrawing::add_to(Drawing& drawing, const Camera& camera) {
     return subject_.colours.of_tet(mesh_.pieces()[*piece].element);
   };
   if (subject_.field.is_on_tets()) add_edges(drawing, unit);
-  if (options_.creases) add_outline(drawing, section, unit);
-  if (options_.lines) {
+  if (shows(options_, PicturePart::kCreases)) add_outline(drawing, section, unit);
+  if (shows(options_, PicturePart::kLines)) {
     DrawnRods crossings{RodLook::kSolid, {}, {}, true};
     crossings.facets =
         crossings_of(drawing.rods.front(), cut_.normal, section.offset, ink_on(options_.background));
@@ -179,7 +183,7 @@ void CutDrawing::add_seams(Drawing& drawing, double unit) {
 /// and smaller, so that none hides another.
 void CutDrawing::add_glyphs(Drawing& drawing, double unit, double towards) const {
   const double askew = std::sqrt(std::max(towards, 0.1));
-  const double usual = options_.frame_spacing * unit, spacing = usual / askew;
+  const double usual = kFrameSpacing * unit, spacing = usual / askew;
   std::vector<PlacedFrame> frames;
   const Box box = box_of(subject_.field.surface());
   for (const Vector3& place :
@@ -197,7 +201,7 @@ void CutDrawing::add_glyphs(Drawing& drawing, double unit, double towards) const
 }
 
 void CutDrawing::add_lines(Drawing& drawing, double unit) {
-  CutLineOptions options{options_.frame_spacing * unit};
+  CutLineOptions options{kFrameSpacing * unit};
   DrawnRods rods{RodLook::kInk, {}, {}, true};
   has_axis_ = {};
   for (const CutLine& line :

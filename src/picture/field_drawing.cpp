@@ -5,6 +5,7 @@
 
 #include "display/smooth_corners.hpp"
 #include "picture/answer_marks.hpp"
+#include "picture/sheet.hpp"
 #include "picture/singular_lines.hpp"
 #include "picture/streamlines.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 // Radii in units of PictureWeights.
 constexpr double kSingularRadius = 4.2, kCreaseRadius = 1.0;
 
-DrawnMesh part(const PictureSubject& subject, const PictureOptions& options) {
+DrawnMesh part(const PictureSubject& subject) {
   DrawnMesh mesh;
   mesh.vertices = subject.field.surface().vertices;
   mesh.triangles = subject.field.surface().triangles;
@@ -22,8 +23,8 @@ DrawnMesh part(const PictureSubject& subject, const PictureOptions& options) {
   mesh.colour = kPlainPart;
   mesh.bounds_solid = true;
   const bool is_plain = subject.colours.is_none();
-  mesh.opacity = static_cast<float>(options.opacity.value_or(is_plain ? 0.2 : 0.85));
-  mesh.grazing_opacity = std::max(mesh.opacity, is_plain ? 0.82f : 0.95f);
+  mesh.opacity = is_plain ? 0.2f : 0.85f;
+  mesh.grazing_opacity = is_plain ? 0.82f : 0.95f;
   if (!is_plain) {
     mesh.has_front_only = true;
     mesh.colour_at = [&colours = subject.colours](const MeshPoint& point) {
@@ -44,7 +45,7 @@ std::vector<Rod> rods_along(const std::vector<std::vector<Vector3>>& lines, doub
 }  // namespace
 
 PictureWeights::PictureWeights(const PictureOptions& options, const Camera& camera)
-    : unit(std::max(std::min(options.width, options.height) / 1200.0, 0.4) * camera.pixel_size()) {}
+    : unit(std::max(std::min(options.size[0], options.size[1]) / 1200.0, 0.4) * camera.pixel_size()) {}
 
 Colour ink_on(PictureBackground background) {
   return background == PictureBackground::kDark ? colour_of(0xe6ebf0) : colour_of(0x1d2630);
@@ -57,8 +58,8 @@ Colour paper_of(PictureBackground background) {
 Drawing field_drawing(const PictureSubject& subject, const PictureOptions& options, const Camera& camera) {
   const double unit = PictureWeights(options, camera).unit;
   Drawing drawing;
-  drawing.meshes.push_back(part(subject, options));
-  if (options.lines) {
+  drawing.meshes.push_back(part(subject));
+  if (shows(options, PicturePart::kLines)) {
     drawing.rods.push_back(
         singular_lines(drawn_lines(subject.field), kSingularRadius * unit, ink_on(options.background)));
     // The answer is about the tets.
@@ -66,7 +67,7 @@ Drawing field_drawing(const PictureSubject& subject, const PictureOptions& optio
       answer_marks(subject.field.report(), kSingularRadius * unit, drawing.rods.back().facets);
   }
   drawing.rods.push_back({RodLook::kSolid, streamlines(subject.streamlines, kStreamlineRadius * unit), {}});
-  if (options.creases)
+  if (shows(options, PicturePart::kCreases))
     drawing.rods.push_back(
         {RodLook::kInk,
          rods_along(subject.field.surface().creases, kCreaseRadius * unit, ink_on(options.background)),

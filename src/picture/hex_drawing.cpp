@@ -167,8 +167,6 @@ Drawing ShownHexahedra::drawing(const Camera& camera) const {
   mesh.vertices = surface_.vertices;
   mesh.triangles = surface_.triangles;
   mesh.corner_normals = normals_of(mesh_, skin_.faces);
-  mesh.opacity = static_cast<float>(options_.opacity.value_or(1));
-  mesh.grazing_opacity = mesh.opacity;
   mesh.shading = kShading;
   mesh.colour_at = [this](const MeshPoint& point) {
     return colour_of_shape(shapes_[skin_.faces[point.triangle / 4].hexahedron]);

@@ -38,7 +38,8 @@ void render_picture(const HexMesh& mesh, const std::filesystem::path& picture, c
   const ViewDirection direction = direction_of(options);
   const ShownHexahedra shown(mesh, options, ViewAxes(direction).towards);
   monitor.check();
-  const std::vector<LegendBlock> blocks = options.legend ? shown.legend(report) : std::vector<LegendBlock>();
+  const std::vector<LegendBlock> blocks =
+      shows(options, PicturePart::kLegend) ? shown.legend(report) : std::vector<LegendBlock>();
   const Sheet sheet(options, direction, shown.kept_surface(), blocks);
   write_picture(file, shown.drawing(*sheet.camera), sheet, options, blocks, monitor);
 }

@@ -42,12 +42,13 @@ SolvedSurface kept_surface(const SolvedSurface& surface, const std::optional<Pic
 std::vector<LegendBlock> legend_blocks(const ShownField& field, const CellColours& colours,
                                        const PictureOptions& options, const PictureCurves& curves) {
   std::vector<LegendBlock> blocks;
-  if (!options.legend) return blocks;
+  const bool has_lines = shows(options, PicturePart::kLines);
+  if (!shows(options, PicturePart::kLegend)) return blocks;
   // The answer is about the tets.
   blocks.push_back(field.is_starting_grid() ? LegendBlock{"Starting grid of a field on tets"}
-                                            : answer_legend(field.report(), options.lines));
+                                            : answer_legend(field.report(), has_lines));
   if (const auto block = colours.legend()) blocks.push_back(*block);
-  if (options.lines)
+  if (has_lines)
     if (const auto block = legend_of(
             field, field.is_starting_grid() ? "Singular lines of the starting grid" : "Singular lines",
             ink_on(options.background)))
@@ -71,7 +72,7 @@ void render_shown(const ShownField& field, const std::filesystem::path& picture,
   if (plane) cut.emplace(subject, options, *plane);
   const auto blocks = [&] {
     auto all = legend_blocks(field, colours, options, curves);
-    if (cut && options.legend)
+    if (cut && shows(options, PicturePart::kLegend))
       if (auto block = cut->legend()) all.push_back(std::move(*block));
     return all;
   };

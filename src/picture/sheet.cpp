@@ -37,21 +37,17 @@ void check_option(bool sound, const std::string& message) {
 }
 
 void check_options(const PictureOptions& options) {
+  const auto [width, height] = options.size;
   const auto is_side = [](int pixels) { return pixels >= kLeastSide && pixels <= kLargestSide; };
   check_option(
-      is_side(options.width) && is_side(options.height) &&
-          static_cast<double>(options.width) * options.height <= kMostPixels,
+      is_side(width) && is_side(height) && static_cast<double>(width) * height <= kMostPixels,
       fmt::format("a picture of {} x {} pixels is not possible: each side must have {} to {}, at most 64 "
                   "million in total",
-                  options.width, options.height, kLeastSide, kLargestSide));
+                  width, height, kLeastSide, kLargestSide));
   check_option(!options.view ||
                    (std::isfinite(options.view->azimuth_deg) && std::abs(options.view->elevation_deg) <= 90),
                "the azimuth must be finite and the elevation from -90 to 90 degrees");
   check_option(options.up_axis >= 0 && options.up_axis <= 2, "the axis that points up must be 0, 1 or 2");
-  check_option(options.frame_spacing >= 4 && options.frame_spacing <= 1000,
-               "the distance between frames must be from 4 to 1000 pixels");
-  check_option(!options.opacity || (*options.opacity >= 0 && *options.opacity <= 1),
-               "the opacity must be from 0 to 1");
   check_option(!options.cut || (options.cut->axis >= 0 && options.cut->axis <= 2),
                "the axis of the cut must be 0, 1 or 2");
   check_option(!options.quality_below || std::isfinite(*options.quality_below),
@@ -63,6 +59,10 @@ void check_options(const PictureOptions& options) {
   check_option(std::isfinite(low) && std::isfinite(high) && low < high &&
                    (low > 0 || options.colour == PictureColour::kAlignment),
                "the colour range must have its lower end first, above 0 for energy");
+}
+
+bool shows(const PictureOptions& options, PicturePart part) {
+  return std::find(options.without.begin(), options.without.end(), part) == options.without.end();
 }
 
 ViewDirection direction_of(const PictureOptions& options) {
@@ -97,14 +97,15 @@ PictureOptions::View view_named(const std::string& name) {
 
 Sheet::Sheet(const PictureOptions& options, const ViewDirection& direction, const SolvedSurface& surface,
              const std::vector<LegendBlock>& blocks) {
-  text_size = std::max(21 * std::min(options.width, options.height) / 1200.0, 10.0);
+  const auto [pixels_wide, pixels_high] = options.size;
+  text_size = std::max(21 * std::min(pixels_wide, pixels_high) / 1200.0, 10.0);
   margin = 1.5 * text_size;
   std::vector<Vector3> seen;
   for (const auto& corners : surface.triangles)
     for (const std::uint32_t vertex : corners) seen.push_back(surface.vertices[vertex]);
-  const PixelBox whole{0, 0, static_cast<double>(options.width), static_cast<double>(options.height)};
+  const PixelBox whole{0, 0, static_cast<double>(pixels_wide), static_cast<double>(pixels_high)};
   camera.emplace(direction, seen, whole);
-  if (!options.legend) return;
+  if (!shows(options, PicturePart::kLegend)) return;
 
   const Legend measured(blocks, text_size);
   const double width = measured.width() + 2 * margin, height = measured.height() + 2 * margin;
@@ -148,13 +149,13 @@ void write_picture(OutputFile& file, const Drawing& drawing, const Sheet& sheet,
                    const PictureOptions& options, const std::vector<LegendBlock>& blocks,
                    const Monitor& monitor) {
   const bool is_transparent = options.background == PictureBackground::kTransparent;
-  Image image(options.width, options.height,
+  Image image(options.size[0], options.size[1],
               is_transparent ? Pixel{} : pixel_of(paper_of(options.background)));
   RenderOptions render_options;
   render_options.haze = paper_of(options.background);
   if (options.background == PictureBackground::kDark) render_options.haze_share *= 0.5f;  // dark hides more
   render(drawing, *sheet.camera, render_options, image, monitor);
-  if (options.legend) draw_legend(blocks, sheet, options, image);
+  if (shows(options, PicturePart::kLegend)) draw_legend(blocks, sheet, options, image);
   write_png(file, image, monitor, {.has_mark = true, .description = text_of(blocks)});
   file.commit();
 }

@@ -21,6 +21,9 @@ void check_options(const PictureOptions& options);
 /// Throws Error(kUsage) with this text unless `sound`.
 void check_option(bool sound, const std::string& message);
 
+/// Whether the options leave a part in.
+bool shows(const PictureOptions& options, PicturePart part);
+
 /// The direction from which the options ask to see the model.
 ViewDirection direction_of(const PictureOptions& options);
 

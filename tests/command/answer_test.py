@@ -82,7 +82,7 @@ class AnswerTest(CommandTest):
     def test_a_picture_marks_a_corner_without_hexahedra_as_impossible(self):
         crimson = {}
         for name in ("high", "box"):
-            self.assert_succeeds(self.run_here("render", f"{name}.frames", "--no-legend", "--size", "240x180", "-o", "a.png"))
+            self.assert_succeeds(self.run_here("render", f"{name}.frames", "--without", "legend", "--size", "240x180", "-o", "a.png"))
             r, g, b = (read_png(self.folder / "a.png").astype(int)[:, :, k] for k in range(3))
             crimson[name] = ((r > 150) & (g < 60) & (b < 140)).sum()
         self.assertGreater(crimson["high"], 10)

@@ -121,8 +121,7 @@ class HexPictures(CommandTest):
         self.assertIn("box.hexahedra/hexahedra.vtu: ", self.refused("box.hexahedra", "--hexahedra", code=INPUT))
 
     def test_options_of_fields_are_refused(self):
-        for option in (("--field", "tets"), ("--colour", "energy"), ("--color", "none"), ("--range", "0,1"), ("--frames", "boxes"), ("--frame-spacing", "9"),
-                       ("--streamlines",), ("--no-lines",), ("--no-creases",)):
+        for option in (("--field", "tets"), ("--colour", "energy"), ("--color", "none"), ("--range", "0,1"), ("--frames", "boxes"), ("--streamlines",)):
             self.assertIn("--hexahedra excludes ", self.refused("box.hexahedra", "--hexahedra", *option, code=USAGE))
         self.assertIn("--below requires --hexahedra", self.refused("box.hexahedra", "--below", "0.5", code=USAGE))
         self.assertIn("leaves no hexahedron", self.refused("box.hexahedra", "--hexahedra", "--view", "right", "--cut", f"x={self.vertices[:, 0].min() + 1e-3}", code=USAGE))

@@ -95,18 +95,18 @@ class Files(RenderTest):
 
 class Pixels(RenderTest):
     def test_background_is_where_nothing_is(self):
-        light = self.picture("--no-legend")
+        light = self.picture("--without", "legend")
         self.assertEqual(light[0, 0].tolist(), [255, 255, 255])
-        self.assertLess(self.picture("--no-legend", "--background", "dark")[0, 0].max(), 40)
-        clear = self.picture("--no-legend", "--background", "transparent")
+        self.assertLess(self.picture("--without", "legend", "--background", "dark")[0, 0].max(), 40)
+        clear = self.picture("--without", "legend", "--background", "transparent")
         self.assertEqual(clear[0, 0].tolist(), [0, 0, 0, 0])
         part = clear[:, :, 3] > 0
         self.assertGreater(part.mean(), 0.2)
         self.assertTrue((light[~part] == 255).all())
 
     def test_lines_are_seen_through_the_part(self):
-        with_lines = self.picture("--no-legend", "--no-creases").astype(int)
-        without = self.picture("--no-legend", "--no-creases", "--no-lines").astype(int)
+        with_lines = self.picture("--without", "legend,creases").astype(int)
+        without = self.picture("--without", "legend,creases,lines").astype(int)
         blueness = with_lines[:, :, 2] - with_lines[:, :, 0]
         self.assertGreater((blueness > 60).sum(), 50)
         self.assertEqual(((without[:, :, 2] - without[:, :, 0]) > 60).sum(), 0)
@@ -122,7 +122,7 @@ class Pixels(RenderTest):
     def test_cells_colour_a_surface_of_two_triangles_a_side(self):
         self.write("box.stl", stl_bytes(box_triangles()))
         self.assert_succeeds(self.run_here("solve", "box.stl", "--resolution", 16, "--quiet"))
-        arguments = ("render", "box.frames", "--view", "top", "--no-legend", "--no-lines", "--no-creases", "--opacity", 1,
+        arguments = ("render", "box.frames", "--view", "top", "--without", "legend,lines,creases",
                      "--size", "300x200", "--colour", "class", "-o", "box.png")
         self.assert_succeeds(self.run_here(*arguments))
         picture = read_png(self.folder / "box.png").astype(int)
@@ -133,17 +133,17 @@ class Pixels(RenderTest):
 
     def test_a_cut_shows_frames_and_is_where_it_is_asked_for(self):
         pictures = {self.picture(*arguments).tobytes() for arguments in
-                    ((), ("--cut", "none"), ("--cut", "z"), ("--cut", "z=0.2"), ("--cut", "z", "--frames", "crosses"),
+                    ((), ("--cut", "z"), ("--cut", "z=0.2"), ("--cut", "z", "--frames", "crosses"),
                      ("--cut", "z", "--frames", "none"))}
         self.assertEqual(len(pictures), 5)
 
 
     def test_streamlines_are_drawn_where_they_have_been_traced(self):
-        without = self.picture("--no-lines")
+        without = self.picture("--without", "lines")
         result = self.run_here("render", "part.frames", "--streamlines", "-o", "b.png")
         self.assert_fails(result, 3, "streamlines.vtu", "crossgrain streamlines")
         self.assert_succeeds(self.run_here("streamlines", "part.frames", "--count", 5, "--quiet"))
-        self.assertFalse((self.picture("--no-lines", "--streamlines") == without).all())
+        self.assertFalse((self.picture("--without", "lines", "--streamlines") == without).all())
 
 
 class Errors(RenderTest):
@@ -155,7 +155,7 @@ class Errors(RenderTest):
     def test_wrong_usage_is_code_2(self):
         for option, value in (("--size", "10x10"), ("--size", "wide"), ("--size", "100000x100"), ("--view", "inside"),
                               ("--view", "10,100"), ("--cut", "w"), ("--cut", "x=there"), ("--colour", "red"),
-                              ("--range", "2,1"), ("--background", "pink"), ("--opacity", "2"), ("--threads", "-1"),
+                              ("--range", "2,1"), ("--background", "pink"), ("--without", "frames"), ("--without", ""), ("--threads", "-1"),
                               ("--up", "w"), ("-o", "-"), ("-o", ""), ("-o", "part.frames/field.vtu")):
             with self.subTest(option=option, value=value):
                 self.refused(2, "part.frames", f"{option}={value}" if option.startswith("--") else option,

@@ -224,7 +224,7 @@ TEST(AllocationFailure, OfAPictureLeavesTheEarlierOne) {
   const TemporaryFolder folder;
   const std::filesystem::path picture = folder.path() / "field.png";
   PictureOptions options;
-  options.width = options.height = 64;
+  options.size = {64, 64};
   const auto draw = [&] {
     render_picture(field, picture, options);
     return content_of(picture);

@@ -27,7 +27,7 @@ const FrameField& solved_field() {
 
 class Picture : public testing::Test {
  protected:
-  Picture() { options.width = 200, options.height = 150; }
+  Picture() { options.size = {200, 150}; }
 
   std::filesystem::path drawn(const char* name) {
     render_picture(solved_field(), folder.path() / name, options);
@@ -89,14 +89,14 @@ TEST_F(Picture, IsAnotherForEveryOption) {
     options = before;
   };
   with([&] { options.colour = PictureColour::kAlignment; });
+  with([&] { options.colour = PictureColour::kAlignment, options.range = {0, 1}; });
   with([&] { options.colour = PictureColour::kEnergy; });
   with([&] { options.colour = PictureColour::kConstraint; });
   with([&] { options.cut = PictureOptions::Cut{0, std::nullopt}; });
   with([&] { options.cut = PictureOptions::Cut{2, std::nullopt}, options.frames = PictureFrames::kCrosses; });
   with([&] { options.cut = PictureOptions::Cut{2, std::nullopt}, options.frames = PictureFrames::kNone; });
-  with([&] { options.lines = false; });
-  with([&] { options.creases = false; });
-  with([&] { options.opacity = 0.5; });
+  with([&] { options.without = {PicturePart::kLines}; });
+  with([&] { options.without = {PicturePart::kCreases}; });
   with([&] { options.up_axis = 1; });
   EXPECT_EQ(contents.size(), 11u);
 }
@@ -104,11 +104,11 @@ TEST_F(Picture, IsAnotherForEveryOption) {
 TEST_F(Picture, HasALegendWhereThereIsRoomForOne) {
   const auto pixels = [&] { return read_png(drawn("a.png")).bytes; };
   const auto small = pixels();
-  options.legend = false;
+  options.without = {PicturePart::kLegend};
   EXPECT_EQ(pixels(), small) << "letters would take half of it";
-  options.width = 800, options.height = 600;
+  options.size = {800, 600};
   const auto without = pixels();
-  options.legend = true;
+  options.without = {};
   EXPECT_NE(pixels(), without);
 }
 
@@ -119,9 +119,9 @@ TEST_F(Picture, OfWrongSizesViewsAndCutsIsRefused) {
     EXPECT_EQ(error(), ErrorKind::kUsage);
     options = before;
   };
-  refused([&] { options.width = 63; });
-  refused([&] { options.height = 10001; });
-  refused([&] { options.width = options.height = 9000; });
+  refused([&] { options.size[0] = 63; });
+  refused([&] { options.size[1] = 10001; });
+  refused([&] { options.size = {9000, 9000}; });
   refused([&] { options.view = {{0, 91}}; });
   refused([&] { options.view = {{NAN, 0}}; });
   refused([&] { options.cut = PictureOptions::Cut{1, 1e6}; });

@@ -15,7 +15,8 @@ from crossgrain import _interface, _library, _options
 
 DOCS = Path(__file__).parents[2] / "docs"
 PARTS = {"hexahedra": "HexOptions", "tets": "TetMakingOptions", "tags": "TetTagOptions", "solve": "SolveOptions"}
-LISTED = ["SolveOptions", "ReadOptions", "TetTagOptions", "MapPreparationOptions", "OutputOptions", "TetMakingOptions", "RepairOptions", "HexOptions", "StreamlineOptions"]
+LISTED = ["SolveOptions", "ReadOptions", "TetTagOptions", "MapPreparationOptions", "OutputOptions", "TetMakingOptions", "RepairOptions", "HexOptions", "StreamlineOptions",
+          "PictureOptions"]
 KINDS = {name: getattr(cg, name)._kind for name in [*LISTED, "HexMeshingOptions"]}
 MOST_NAMES = 45
 

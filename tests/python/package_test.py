@@ -128,9 +128,9 @@ class Fields(WithFolder):
         self.assertLess(len(cg.read(self.folder / "part.frames")), len(self.ball))
 
     def test_are_drawn_and_shown_on_pages(self):
-        self.ball.render(self.folder / "ball.png", cut=("y", 0.1), view="front", width=200, height=150, colour="energy")
+        self.ball.render(self.folder / "ball.png", cut=("y", 0.1), view="front", size=(200, 150), colour="energy")
         self.assertEqual((self.folder / "ball.png").read_bytes()[:4], b"\x89PNG")
-        self.ball.render(self.folder / "cut.png", cut="x", width=200, height=150)
+        self.ball.render(self.folder / "cut.png", cut="x", size=(200, 150))
         self.assertNotEqual((self.folder / "cut.png").read_bytes(), (self.folder / "ball.png").read_bytes())
         with self.assertRaises(TypeError):
             self.ball.render(self.folder / "cut.png", cut="w")
