@@ -187,7 +187,7 @@ int run(Processes& processes, int argc, char** argv) {
     if (const auto* finished = std::get_if<Finished>(&parsed)) return finished->exit_code;
     const auto& arguments = std::get<SolveArguments>(parsed);
     model = arguments.model;
-    tells_work = arguments.verbose;
+    tells_work = arguments.tells_work;
     failure.exit_code = solve(team, processes, arguments);
   } catch (const FailedElsewhere& failed) {
     return failed.exit_code;

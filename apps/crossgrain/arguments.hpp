@@ -38,7 +38,7 @@ struct SolveArguments {
   std::optional<HexMeshingOptions> hexahedra;
   bool repair = false;  ///< whether to repair the matchings of the field on tets
   double read_seconds = ReadOptions().read_seconds;
-  bool verbose = false;  ///< whether the summary tells of the grid that a field on tets started from
+  bool tells_work = false;  ///< whether several processes tell of the work of each
   bool glue = false;
   bool quiet = false;
   bool progress = false;

@@ -63,6 +63,7 @@ CommandLineOfProcesses::CommandLineOfProcesses()
                    "Go on from the folder of --checkpoint, on any number of processes; give the same model "
                    "and options")
       ->type_name("DIR");
+  solve_command->add_flag("--verbose", solve.tells_work, "Print a table of the work of each process");
 }
 
 }  // namespace crossgrain::app

@@ -219,8 +219,6 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
                    "and on faces, and stress tensors (docs/constraints.md)")
       ->type_name("FILE");
   command->add_option("--from", arguments.from, "Start from the field in this folder")->type_name("DIR");
-  command->add_flag("--verbose", arguments.verbose,
-                    "Of a field on tets, also tell of the grid that it started from");
   add_talk(*command, arguments);
   return command;
 }

@@ -198,15 +198,9 @@ std::string line_of(const Answer& answer) {
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
   std::string text =
       (report.hexahedra ? hexahedra_rows(report) : answer_rows(report, arguments)) + model_row(report);
-  if (report.onto) {
-    text += tets_rows(*report.onto);
-    if (arguments.verbose) text += "the grid that the tets started from:\n" + grid_rows(report);
-  } else {
-    text += grid_rows(report);
-  }
+  text += report.onto ? tets_rows(*report.onto) : grid_rows(report);
   text += cost_row(report) + warning_rows(report, arguments);
-  if (!report.onto || arguments.verbose) text += grid_energy_row(report.energy);
-  if (report.onto) text += tets_energy_row(*report.onto);
+  text += report.onto ? tets_energy_row(*report.onto) : grid_energy_row(report.energy);
   return text + files_row(report, arguments);
 }
 

@@ -11,8 +11,7 @@
 namespace crossgrain::app {
 
 /// Returns the summary of a solve, several lines: the answer about hexahedra and what to do next, then the
-/// field and its cost, warnings, the energy and the files. Of tets it describes the field on them; the grid
-/// that they started from only if the arguments ask for it (--verbose).
+/// field and its cost, warnings, the energy and the files. Of tets it describes the field on them.
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments);
 
 /// Returns the sentence of an answer, with the program's options in what to do next.
