@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the table of docs/notes/hexahedra.md: maps to the grid of repaired fields on tets, and the hexahedra
-// in them.
+// Prints a table of maps to the grid of repaired fields on tets, and of the hexahedra in them
+// (docs/notes/hexahedra.md).
 //
 //   grid_maps CELLS OUT FOLDER...      folders of `crossgrain solve --repair`; CELLS hexahedra along the
 //   longest side
