@@ -7,7 +7,6 @@
 // Prints for every value, rotation and resolution: the range of the mean radii of the four arcs, relative to
 // their mean, and the largest distance of a point from its arc's mean line, in cells; both for the parts
 // farther than 0.2 from the caps.
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

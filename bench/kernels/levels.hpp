@@ -4,7 +4,6 @@
 // graphs and states.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "field/field_state.hpp"

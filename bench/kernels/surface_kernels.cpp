@@ -2,7 +2,6 @@
 // Kernels of the geometry of the surface and of its forms.
 #include <benchmark/benchmark.h>
 
-#include <utility>
 #include <vector>
 
 #include "grid/cell_constraints.hpp"

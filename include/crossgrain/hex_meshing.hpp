@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <vector>
 
 #include "crossgrain/hexahedra.hpp"
 #include "crossgrain/monitor.hpp"

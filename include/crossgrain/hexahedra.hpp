@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
 #include "crossgrain/hex_map.hpp"
 #include "crossgrain/hex_mesh.hpp"
 #include "crossgrain/hex_report.hpp"

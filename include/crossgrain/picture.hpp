@@ -14,7 +14,6 @@
 #include "crossgrain/singularity_graph.hpp"
 #include "crossgrain/streamlines.hpp"
 #include "crossgrain/tet_frame_field.hpp"
-#include "crossgrain/types.hpp"
 
 namespace crossgrain {
 

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "crossgrain/error.hpp"
 #include "crossgrain/frame_field.hpp"
 #include "crossgrain/solve.hpp"
 

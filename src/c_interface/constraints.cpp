@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <vector>
 
 #include "c_interface/guarded.hpp"
 #include "c_interface/handles.hpp"

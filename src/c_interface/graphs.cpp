@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdint>
 #include <utility>
 
 #include "c_interface/guarded.hpp"

@@ -15,7 +15,6 @@
 #include "crossgrain/c.h"
 #include "crossgrain/options.hpp"
 #include "crossgrain/picture.hpp"
-#include "crossgrain/repair.hpp"
 #include "crossgrain/result_folder.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "crossgrain/types.hpp"

@@ -16,7 +16,6 @@
 #include "c_interface/option_value.hpp"
 #include "c_interface/removed_options.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/page.hpp"
 
 namespace crossgrain {
 namespace {

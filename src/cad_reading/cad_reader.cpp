@@ -11,7 +11,6 @@
 #include <optional>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "base/system_memory.hpp"
 #include "cad_reading/cad_checks.hpp"

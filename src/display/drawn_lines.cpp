@@ -2,9 +2,7 @@
 #include "display/drawn_lines.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <utility>
 
 #include "base/parallel.hpp"
 #include "base/vector3.hpp"

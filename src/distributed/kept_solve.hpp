@@ -14,7 +14,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "base/exchange.hpp"
 #include "distributed/checkpoint_files.hpp"

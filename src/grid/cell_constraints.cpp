@@ -2,7 +2,6 @@
 #include "grid/cell_constraints.hpp"
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 #include "base/instruction_set.hpp"

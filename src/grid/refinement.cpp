@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grid/refinement.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "base/parallel.hpp"

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 
 #include "base/quaternion.hpp"
 #include "harmonics/coefficients.hpp"

@@ -2,11 +2,9 @@
 // Attempts at hexahedra, one after the other, until one is good.
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "base/interface.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hex/hex_candidate.hpp"
 
-#include <cstdint>
 #include <tuple>
 
 namespace crossgrain {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "map/nested_dissection.hpp"
 
-#include <cstdio>  // scotch.h needs it and does not include it
-
 #include <scotch.h>
 
 #include <mutex>

@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "base/parallel.hpp"
 #include "singularity/tet_matchings.hpp"

@@ -2,7 +2,6 @@
 // Frames of tets with matchings that need not be the nearest, and what they say about edges and vertices.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>

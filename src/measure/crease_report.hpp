@@ -2,8 +2,6 @@
 // The creases of a surface, and the alignment of a field with them.
 #pragma once
 
-#include <span>
-#include <string>
 #include <vector>
 
 #include "crossgrain/report.hpp"

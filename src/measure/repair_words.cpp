@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "base/names.hpp"
 #include "crossgrain/message.hpp"
 #include "crossgrain/report.hpp"
 

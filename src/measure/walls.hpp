@@ -2,7 +2,6 @@
 // Walls that the cells of a level do not resolve.
 #pragma once
 
-#include "crossgrain/options.hpp"
 #include "crossgrain/report.hpp"
 #include "grid/grid_level.hpp"
 

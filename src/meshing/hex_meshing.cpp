@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crossgrain/hex_meshing.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 

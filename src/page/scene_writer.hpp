@@ -2,13 +2,10 @@
 // The container of the scene of a page (viewer/README.md): a header in JSON, then arrays.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
-
-#include "crossgrain/types.hpp"
 
 namespace crossgrain {
 

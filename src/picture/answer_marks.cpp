@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "crossgrain/message.hpp"
 #include "picture/mark_shapes.hpp"
 #include "picture/singular_lines.hpp"

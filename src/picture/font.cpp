@@ -2,7 +2,6 @@
 #include "picture/font.hpp"
 
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
 #include <vector>
 

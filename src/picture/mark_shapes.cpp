@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "picture/mark_shapes.hpp"
 
-#include <array>
 #include <cstddef>
 
 namespace crossgrain {

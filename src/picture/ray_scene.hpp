@@ -2,7 +2,6 @@
 // The shapes of a drawing, prepared for casting rays at them.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>

@@ -5,8 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "crossgrain/error.hpp"
-
 namespace crossgrain {
 
 /// A new folder for files that this process exchanges with another one, which nobody else may open. It is

@@ -2,7 +2,6 @@
 // Exact elimination of unknowns by linear equations with integer factors.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>

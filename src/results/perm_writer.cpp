@@ -9,7 +9,6 @@
 // counted from 1.
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <vector>
 
 #include "results/tet_writers.hpp"

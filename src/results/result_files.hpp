@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "crossgrain/result_folder.hpp"
-
 namespace crossgrain {
 
 inline constexpr const char* kSurfaceFile = "surface.vtu";

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes onto.vtu, the tets, and onto_features.vtu, the tagged edges and triangles.
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <vector>
 

@@ -4,7 +4,6 @@
 // Boxes around segments are in one array in depth-first order, as those of triangles in surface/bvh.hpp.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -2,7 +2,6 @@
 #include "sampling/cell_names.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <queue>

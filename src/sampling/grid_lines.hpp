@@ -2,7 +2,6 @@
 // The field on the cells of a grid, for tracing lines.
 #pragma once
 
-#include <memory>
 #include <mutex>
 #include <optional>
 

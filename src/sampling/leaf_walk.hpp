@@ -2,8 +2,6 @@
 // A walk along a straight segment from leaf to leaf.
 #pragma once
 
-#include <optional>
-
 #include "sampling/leaf_turn.hpp"
 
 namespace crossgrain {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sampling/point_order.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 

@@ -2,7 +2,6 @@
 // The field on tets, for tracing lines.
 #pragma once
 
-#include <array>
 #include <mutex>
 #include <optional>
 #include <span>

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "crossgrain/singularity_graph.hpp"
 #include "singularity/merged_network.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "singularity/singularity_graph.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "singularity/smooth_places.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 

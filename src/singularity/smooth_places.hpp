@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "base/vector3.hpp"
-#include "crossgrain/singularity_graph.hpp"
 #include "singularity/merged_network.hpp"
 #include "singularity/singularity_tuning.hpp"
 

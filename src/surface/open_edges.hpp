@@ -2,7 +2,6 @@
 // Edges of one triangle: holes, and cracks, where open edges run along others.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 

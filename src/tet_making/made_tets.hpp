@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tet_making/tet_program.hpp"
-
 namespace crossgrain {
 
 /// Returns what a program made as a mesh for a field: without vertices that no tet uses, all tets with a

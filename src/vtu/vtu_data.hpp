@@ -3,8 +3,6 @@
 // compressed ones).
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>

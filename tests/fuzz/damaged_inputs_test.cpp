@@ -2,7 +2,6 @@
 // Every reader given damaged inputs: those that once broke it, and some hundreds made anew.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "files/temporary_folder.hpp"

@@ -18,7 +18,6 @@
 #include "results/sample_field.hpp"
 #include "results/singularity_file.hpp"
 #include "results/surface_file.hpp"
-#include "text/json_file.hpp"
 #include "vtu/array_names.hpp"
 
 namespace crossgrain {

@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <string_view>
 
 #include "crossgrain/thread_limit.hpp"
 #include "fuzz/reader_checks.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/reader_checks.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace crossgrain {

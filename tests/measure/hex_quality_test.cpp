@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "base/quaternion.hpp"
 #include "measure/hex_faces.hpp"

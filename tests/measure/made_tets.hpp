@@ -4,7 +4,6 @@
 
 #include <numbers>
 #include <random>
-#include <string>
 #include <vector>
 
 #include "base/quaternion.hpp"

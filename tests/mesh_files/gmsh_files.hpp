@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <span>
 
 #include "mesh_files/made_tet_mesh.hpp"

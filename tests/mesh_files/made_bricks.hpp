@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <utility>
 
 #include "crossgrain/hex_mesh.hpp"
 #include "measure/hex_faces.hpp"

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "crossgrain/solve.hpp"
 #include "picture/mark_shapes.hpp"
 #include "support/shapes.hpp"

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 
 #include "matching/made_matchings.hpp"
 #include "tets/tet_meshes.hpp"

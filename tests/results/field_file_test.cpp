@@ -12,7 +12,6 @@
 #include "crossgrain/result_folder.hpp"
 #include "field/field_data.hpp"
 #include "files/temporary_folder.hpp"
-#include "results/field_arrays.hpp"
 #include "results/onto_files.hpp"
 #include "results/sample_field.hpp"
 #include "tets/tet_meshes.hpp"

@@ -9,7 +9,6 @@
 #include <array>
 #include <cstdlib>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <string>

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <random>
 #include <set>
-#include <tuple>
 
 #include "base/parallel.hpp"
 #include "field/made_grid.hpp"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 
 #include "base/vector3.hpp"
 #include "crossgrain/solve.hpp"

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <numbers>
 #include <random>
-#include <vector>
 
 #include "base/vector3.hpp"
 #include "support/shapes.hpp"

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "base/vector3.hpp"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <string>
 #include <utility>
 
 #include "base/vector3.hpp"

@@ -13,7 +13,6 @@
 #include "base/vector3.hpp"
 #include "cad_reading/made_cad_files.hpp"
 #include "crossgrain/error.hpp"
-#include "crossgrain/features.hpp"
 #include "crossgrain/tet_domain.hpp"
 #include "crossgrain/tet_making.hpp"
 #include "support/shapes.hpp"

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "tets/listed_meshes.hpp"
 #include "tets/tet_meshes.hpp"
 

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <map>
-#include <random>
 #include <set>
 
 #include "crossgrain/thread_limit.hpp"

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <numbers>
 #include <random>
-#include <string>
 #include <utility>
 #include <vector>
 

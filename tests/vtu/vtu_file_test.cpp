@@ -5,7 +5,6 @@
 #include <zlib.h>
 
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <numeric>
 #include <random>

@@ -8,7 +8,6 @@
 
 #include <cstdlib>
 #include <sstream>
-#include <string_view>
 #include <vector>
 
 namespace crossgrain::app {

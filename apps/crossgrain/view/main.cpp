@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <signal.h>
 
-#include <array>
 #include <atomic>
 #include <exception>
 #include <string>

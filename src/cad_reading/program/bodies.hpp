@@ -5,7 +5,6 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "cad_reading/cad_reading.hpp"

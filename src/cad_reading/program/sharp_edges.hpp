@@ -2,7 +2,6 @@
 #pragma once
 
 #include <TopoDS_Edge.hxx>
-#include <map>
 #include <vector>
 
 #include "cad_reading/program/bodies.hpp"

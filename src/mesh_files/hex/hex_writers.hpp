@@ -2,7 +2,6 @@
 // Writers of hexahedra, one for each format.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -2,11 +2,9 @@
 // Reads the sections of a Gmsh mesh with nodes, elements, and the entities they belong to.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "mesh_files/tets/node_numbers.hpp"

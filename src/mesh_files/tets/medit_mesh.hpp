@@ -2,7 +2,6 @@
 // Common parts of Medit meshes in text and in binary: sections, and how their rows are interpreted.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
