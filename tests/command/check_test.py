@@ -19,7 +19,7 @@ SHARED = Path(os.environ.get("CROSSGRAIN_SHARED", Path(__file__).resolve().paren
 
 class CheckTest(CommandTest):
     def solve(self, name, *arguments):
-        self.assert_succeeds(self.run_here("solve", name, "-o", "out", "--quiet", *arguments))
+        self.assert_succeeds(self.run_here("solve", name, "-o", "out", "--quiet", "--no-report", *arguments))
         return json.loads((self.folder / "out" / "report.json").read_text())
 
     def check(self, *arguments):
@@ -123,7 +123,7 @@ def prism_stl(polygon, height=1.0):
 class OfSolidsThatHexahedraDoNotFit(CheckTest):
     def answer(self, stl, *arguments):
         self.write("part.stl", stl)
-        result = self.run_here("solve", "part.stl", "-o", "out", "--resolution", "32", "--quiet", *arguments)
+        result = self.run_here("solve", "part.stl", "-o", "out", "--resolution", "32", "--quiet", "--no-report", *arguments)
         self.assertIn(result.returncode, (0, NOT_SETTLED))
         report = json.loads((self.folder / "out" / "report.json").read_text())
         self.assertEqual(self.check().splitlines()[0], with_option(report["answer"]))
@@ -175,7 +175,7 @@ class Faults(CheckTest):
 
     def test_of_a_report_with_unknown_names_or_of_an_earlier_schema_are_one_line_and_exit_code_3(self):
         self.write("box.stl", stl_bytes(box_triangles((2, 1, 1.5))))
-        sound = self.solve("box.stl", "--resolution", "8", "--no-report")
+        sound = self.solve("box.stl", "--resolution", "8")
         finding = {"kind": "holes", "count": 1, "at_least": False, "place": [0, 0, 0], "length": None, "done": "left_out"}
         arc = {"type": "regular", "index": 0.25, "verdict": "meshable", "length": 1, "oblique_length": 0,
                "on_boundary": False, "place": [0, 0, 0], "nodes": []}

@@ -62,7 +62,7 @@ def edge_keys(edges):
 class PrepareTest(CommandTest):
     def solve(self, *arguments, folder="out"):
         """The report."""
-        result = self.run_here("solve", *arguments, "-o", folder)
+        result = self.run_here("solve", *arguments, "-o", folder, "--no-report")
         self.assert_succeeds(result)
         self.summary = result.stdout
         return json.loads((self.folder / folder / "report.json").read_text())
@@ -214,7 +214,7 @@ class WrongUse(PrepareTest):
 class HexMe(PrepareTest):
     def prepared(self, name):
         self.write(name + ".vtk", lzma.decompress((SHARED / "hexme" / (name + ".vtk.xz")).read_bytes()))
-        return self.solve(name + ".vtk", "--prepare", "--write", "mesh", "--no-report")
+        return self.solve(name + ".vtk", "--prepare", "--write", "mesh")
 
     def test_meshes_are_prepared(self):
         for name in ("s02c_prism", "s04c_tetrahedron", "s10c_cyl_cutsphere", "n09c_pyramid", "i17c_s20"):
@@ -229,7 +229,7 @@ class HexMe(PrepareTest):
         for name, before in (("s15c_cylinder", 50), ("s17c_sphere", 50)):
             with self.subTest(name):
                 self.assertEqual(self.prepared(name)["onto"]["singularity"]["contacts"], 0)
-                plain = self.solve(name + ".vtk", "--no-report", folder="plain")
+                plain = self.solve(name + ".vtk", folder="plain")
                 self.assertGreater(plain["onto"]["singularity"]["contacts"], before)
 
 

@@ -41,7 +41,7 @@ def angles_deg(axes, direction):
 
 class RegionsTest(CommandTest):
     def solve(self, *arguments, folder="out"):
-        result = self.run_here("solve", *arguments, "-o", folder)
+        result = self.run_here("solve", *arguments, "-o", folder, "--no-report")
         self.assert_succeeds(result)
         return json.loads((self.folder / folder / "report.json").read_text())
 

@@ -46,12 +46,12 @@ class Solve(CommandTest):
         self.assertTrue((self.folder / "torus.frames" / "report.json").is_file())
 
     def test_cells_get_larger_where_memory_does_not_last_and_that_is_said(self):
-        self.assert_succeeds(self.run_here("solve", "torus.stl", "--resolution", "128", "-o", "whole"))
+        self.assert_succeeds(self.run_here("solve", "torus.stl", "--resolution", "128", "-o", "whole", "--no-report"))
         whole = self.report("whole")
         self.assertNotIn("limited", whole)
         cells_before = whole["levels"][-2]["active_cells"]
         memory = int(0.8 * whole["peak_memory_bytes"])
-        result = self.run_here("solve", "torus.stl", "--resolution", "128", "-o", "out", "--max-memory", memory, "--quiet")
+        result = self.run_here("solve", "torus.stl", "--resolution", "128", "-o", "out", "--max-memory", memory, "--quiet", "--no-report")
         self.assert_succeeds(result)
         self.assertEqual(result.stdout, "")
         self.assertIn("warning: torus.stl: memory: 64 cells along the longest side in place of 128", result.stderr)
@@ -68,7 +68,7 @@ class Solve(CommandTest):
     def test_memory_is_given_in_units_of_1000_or_1024_or_in_bytes(self):
         for text, size in (("64MB", 64e6), ("64M", 64e6), ("64MiB", 64 * 2**20), ("0.064GB", 64e6), ("64000000", 64e6),
                            ("64000000B", 64e6)):
-            result = self.run_here("solve", "torus.stl", "--resolution", "512", "-o", "out", "--max-memory", text)
+            result = self.run_here("solve", "torus.stl", "--resolution", "512", "-o", "out", "--max-memory", text, "--no-report")
             self.assert_succeeds(result)
             self.assertEqual(self.report("out")["limited"]["memory_bytes"], size)
 
@@ -87,7 +87,7 @@ class Solve(CommandTest):
         self.assertLess(expected["depth"], report["levels"][-1]["depth"])
 
     def field_bytes(self, model, *arguments):
-        self.assert_succeeds(self.run_here("solve", model, "-o", "out", *arguments))
+        self.assert_succeeds(self.run_here("solve", model, "-o", "out", "--no-report", *arguments))
         return (self.folder / "out" / "field.vtu").read_bytes()
 
     def test_the_result_does_not_depend_on_the_number_of_threads(self):

@@ -156,7 +156,7 @@ class Streamlines(CommandTest):
 
     def test_of_a_cylinder_end_on_its_surface_and_go_round_where_the_field_does(self):
         self.write("cylinder.stl", stl_bytes(cylinder_triangles(segments=64)))
-        self.assert_succeeds(self.run_here("solve", "cylinder.stl", "--resolution", "32", "-o", "cylinder"))
+        self.assert_succeeds(self.run_here("solve", "cylinder.stl", "--resolution", "32", "-o", "cylinder", "--no-report"))
         self.assert_succeeds(self.run_here("streamlines", "cylinder", "--spacing", "0", "--count", "200"))
         lines = Lines(self.folder / "cylinder/streamlines.vtu")
         self.assertIn(ARC, lines.ends())
@@ -171,7 +171,7 @@ class Streamlines(CommandTest):
 
     def test_tangents_are_axes_of_the_frames_that_sample_gives(self):
         self.write("cylinder.stl", stl_bytes(cylinder_triangles()))
-        self.assert_succeeds(self.run_here("solve", "cylinder.stl", "--resolution", "16", "-o", "cylinder"))
+        self.assert_succeeds(self.run_here("solve", "cylinder.stl", "--resolution", "16", "-o", "cylinder", "--no-report"))
         self.assert_succeeds(self.run_here("streamlines", "cylinder", "--spacing", "0", "--count", "50"))
         lines = Lines(self.folder / "cylinder/streamlines.vtu")
         points, tangents = lines.arrays["Points"], lines.arrays["tangent"].astype(float)

@@ -115,8 +115,8 @@ class Made(TetsTest):
     def test_solving_the_file_and_solving_with_tets_is_the_same(self):
         self.write("box.stl", stl_bytes(box_triangles()))
         self.assert_succeeds(self.tets("box.stl", "--size", "0.3", "-o", "tets.mesh"))
-        self.assert_succeeds(self.run_here("solve", "tets.mesh", "-o", "one", "--quiet"))
-        result = self.run_here("solve", "box.stl", "--tet-size", "0.3", "-o", "other", "--write", "fra", env=self.environment)
+        self.assert_succeeds(self.run_here("solve", "tets.mesh", "-o", "one", "--quiet", "--no-report"))
+        result = self.run_here("solve", "box.stl", "--tet-size", "0.3", "-o", "other", "--write", "fra", "--no-report", env=self.environment)
         self.assert_succeeds(result)
         self.assertEqual(os.listdir(self.places.name), [])
         self.assertEqual((self.folder / "one" / "onto.frames").read_bytes().split(b"\n", 1)[1],
@@ -186,7 +186,7 @@ class MadeOfCad(TetsTest):
 
     def test_constraints_on_faces_hold_on_made_tets(self):
         self.write("c.json", '{"schema": 1, "faces": [{"face": 1, "axis": "normal"}]}')
-        self.assert_succeeds(self.run_here("solve", "plate.step", "--tets", "--constraints", "c.json", "-o", "out"))
+        self.assert_succeeds(self.run_here("solve", "plate.step", "--tets", "--constraints", "c.json", "-o", "out", "--no-report"))
         report = json.loads((self.folder / "out" / "report.json").read_text())
         self.assertEqual(report["constraints"]["faces"]["count"], 1)
         self.assertLess(report["constraints"]["faces"]["angle_deg"]["mean"], 5)
@@ -194,7 +194,7 @@ class MadeOfCad(TetsTest):
     def test_the_report_has_the_unit_of_the_file(self):
         for tets in ((), ("--tets",), ("--tets", "--prepare")):
             with self.subTest(tets):
-                self.assert_succeeds(self.run_here("solve", "plate.step", *tets, "-o", "out", "--force"))
+                self.assert_succeeds(self.run_here("solve", "plate.step", *tets, "-o", "out", "--force", "--no-report"))
                 model = json.loads((self.folder / "out" / "report.json").read_text())["model"]
                 self.assertEqual((model["unit"], model["file_unit"]), ("mm", "mm"))
 
