@@ -10,6 +10,8 @@
 #include <memory>
 #include <system_error>
 
+#include "crossgrain/error.hpp"
+
 namespace crossgrain {
 namespace {
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gp_Vec.hxx>
+#include <map>
 #include <numbers>
 
 #include "base/vector3.hpp"
