@@ -137,9 +137,9 @@ std::string cost_row(const SolveReport& report) {
 std::string grid_energy_row(const SolveReport::Energy& energy) {
   return row(
       "energy",
-      fmt::format("{:.6g}: smoothness {:.6g}, boundary {:.6g}, and {:.6g} that no frame avoids; "
+      fmt::format("{:.6g}: smoothness {:.6g} and boundary {:.6g}, without {:.6g} that no frame avoids; "
                   "compare it at the same resolution only",
-                  energy.total + energy.unavoidable, energy.smoothness, energy.boundary, energy.unavoidable));
+                  energy.total, energy.smoothness, energy.boundary, energy.unavoidable));
 }
 
 std::string tets_energy_row(const SolveReport::Onto& onto) {

@@ -37,7 +37,7 @@ struct Progress {
   int sweep;          ///< sweeps done on that level
 
   /// Energy after that sweep, in the degree of the solve, including what the report calls unavoidable; in
-  /// degree 3 an upper bound. Not finite if it is not known yet.
+  /// degree 3 an upper bound. At the end of a level that of the report. Not finite if it is not known yet.
   double energy;
 
   int level = 0;   ///< 1-based number of the level; 1 is the coarsest, 0 if there is none

@@ -272,7 +272,7 @@ class NestedSolver {
     keep_best(swept, finest || leaves > options_.solver.start_cells, finest);
     // The energy of SolveReport::Energy, whatever the sweeps minimise.
     place.sweep = swept.sweeps;
-    place.energy = result_.energy.total() + result_.energy.unavoidable;
+    place.energy = result_.energy.total();
     monitor_.report(place);
     if (!finest && visitor_ != nullptr) visit(depth);
     solve_watch_.stop();
