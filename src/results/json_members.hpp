@@ -10,6 +10,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -20,6 +21,10 @@
 
 namespace crossgrain {
 
+/// A struct of which describe(file, value) lists the members.
+template <class T>
+concept Described = std::is_class_v<T> && !std::ranges::range<T>;
+
 /// Sets members of a JSON object.
 class JsonWriter {
  public:
@@ -27,9 +32,13 @@ class JsonWriter {
 
   explicit JsonWriter(Json& json) : json_(json) {}
 
+  /// Writes a number, a text that is always there, an array of such, or the name of an enumerator.
   template <class T>
   void member(const char* key, const T& value) {
-    json_[key] = value;
+    if constexpr (std::is_enum_v<T>)
+      json_[key] = name_of(value);
+    else
+      json_[key] = value;
   }
 
   /// Writes an optional number; null if there is none.
@@ -38,21 +47,41 @@ class JsonWriter {
     json_[key] = value ? Json(*value) : Json(nullptr);
   }
 
+  template <Described T>
+  void member(const char* key, const T& value) {
+    object(key, [&](JsonWriter& inner) { describe(inner, value); });
+  }
+
+  /// Writes an optional object; no key if there is none.
+  template <Described T>
+  void member(const char* key, const std::optional<T>& value) {
+    if (value) member(key, *value);
+  }
+
+  template <Described T>
+  void member(const char* key, const std::vector<T>& values) {
+    Json& list = json_[key] = Json::array();
+    for (const T& value : values) {
+      JsonWriter inner(list.emplace_back(Json::object()));
+      describe(inner, value);
+    }
+  }
+
+  /// Writes a list; no key if it is empty.
+  template <class T>
+  void optional_list(const char* key, const std::vector<T>& values) {
+    if (!values.empty()) member(key, values);
+  }
+
   /// Writes a text; no key if it is empty.
   void text(const char* key, const std::string& value) {
     if (!value.empty()) json_[key] = value;
   }
 
-  /// Writes the name of an enumerator.
-  template <class Enum>
-  void name(const char* key, Enum value) {
-    json_[key] = name_of(value);
-  }
-
   /// Writes the name of an enumerator; no key for the first one.
   template <class Enum>
   void optional_name(const char* key, Enum value) {
-    if (value != Enum{}) name(key, value);
+    if (value != Enum{}) member(key, value);
   }
 
   /// Writes a text for people that follows from other members; no key if it is empty. Reading skips it.
@@ -62,27 +91,6 @@ class JsonWriter {
   void object(const char* key, const Members& members) {
     JsonWriter inner(json_[key] = Json::object());
     members(inner);
-  }
-
-  /// Writes an optional object; no key if there is none.
-  template <class T, class Describe>
-  void optional_object(const char* key, const std::optional<T>& value, const Describe& describe) {
-    if (value) object(key, [&](auto& inner) { describe(inner, *value); });
-  }
-
-  /// Writes a list; no key if it is empty.
-  template <class T, class Describe>
-  void optional_list(const char* key, const std::vector<T>& values, const Describe& describe) {
-    if (!values.empty()) list(key, values, describe);
-  }
-
-  template <class T, class Describe>
-  void list(const char* key, const std::vector<T>& values, const Describe& describe) {
-    Json& list = json_[key] = Json::array();
-    for (const T& value : values) {
-      JsonWriter inner(list.emplace_back(Json::object()));
-      describe(inner, value);
-    }
   }
 
  private:
@@ -115,19 +123,9 @@ class JsonReader {
     }
   }
 
-  template <class T>
-  void member(const char* key, std::optional<T>& value) {
-    value.reset();
-    if (!require(key).is_null()) member(key, value.emplace());
-  }
-
-  void text(const char* key, std::string& value) {
-    value.clear();
-    if (json_.is_object() && json_.contains(key)) member(key, value);
-  }
-
   template <class Enum>
-  void name(const char* key, Enum& value) {
+  requires std::is_enum_v<Enum>
+  void member(const char* key, Enum& value) {
     std::string name;
     member(key, name);
     const std::optional<Enum> named = value_named<Enum>(name);
@@ -137,43 +135,58 @@ class JsonReader {
     value = *named;
   }
 
-  template <class Enum>
-  void optional_name(const char* key, Enum& value) {
-    value = {};
-    if (json_.is_object() && json_.contains(key)) name(key, value);
+  template <class T>
+  void member(const char* key, std::optional<T>& value) {
+    value.reset();
+    if (!require(key).is_null()) member(key, value.emplace());
   }
 
-  void note(const char*, const char*) {}
+  template <Described T>
+  void member(const char* key, T& value) {
+    object(key, [&](JsonReader& inner) { describe(inner, value); });
+  }
 
-  template <class T, class Describe>
-  void optional_object(const char* key, std::optional<T>& value, const Describe& describe) {
+  template <Described T>
+  void member(const char* key, std::optional<T>& value) {
     value.reset();
     // T{} is needed because clang takes a nested struct with initialisers for one without a default
     // constructor.
-    if (json_.is_object() && json_.contains(key))
-      object(key, [&](auto& inner) { describe(inner, value.emplace(T{})); });
+    if (has(key)) member(key, value.emplace(T{}));
   }
 
-  template <class Members>
-  void object(const char* key, const Members& members) {
-    JsonReader inner(require(key), file_);
-    members(inner);
-  }
-
-  template <class T, class Describe>
-  void optional_list(const char* key, std::vector<T>& values, const Describe& describe) {
-    values.clear();
-    if (json_.is_object() && json_.contains(key)) list(key, values, describe);
-  }
-
-  template <class T, class Describe>
-  void list(const char* key, std::vector<T>& values, const Describe& describe) {
+  template <Described T>
+  void member(const char* key, std::vector<T>& values) {
     const Json& list = require(key);
     if (!list.is_array()) fail(key);
     for (const Json& json : list) {
       JsonReader inner(json, file_);
       describe(inner, values.emplace_back());
     }
+  }
+
+  template <class T>
+  void optional_list(const char* key, std::vector<T>& values) {
+    values.clear();
+    if (has(key)) member(key, values);
+  }
+
+  void text(const char* key, std::string& value) {
+    value.clear();
+    if (has(key)) member(key, value);
+  }
+
+  template <class Enum>
+  void optional_name(const char* key, Enum& value) {
+    value = {};
+    if (has(key)) member(key, value);
+  }
+
+  void note(const char*, const char*) {}
+
+  template <class Members>
+  void object(const char* key, const Members& members) {
+    JsonReader inner(require(key), file_);
+    members(inner);
   }
 
  private:
@@ -195,8 +208,9 @@ class JsonReader {
     value = json.get<T>();
   }
 
+  bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
   const Json& require(const char* key) const {
-    if (!json_.is_object() || !json_.contains(key)) fail(key);
+    if (!has(key)) fail(key);
     return json_.at(key);
   }
   [[noreturn]] void fail(const char* key) const {

@@ -61,11 +61,10 @@ void warn_of_numbers_not_finite(SolveReport& report) {
 std::string check_json(const SolveReport& report) {
   Json json;
   JsonWriter writer(json);
-  describe_answer(writer, report.answer);
-  describe_singularity(writer, "grid", report.singularity);
-  if (report.onto) describe_singularity(writer, "tets", report.onto->singularity);
-  writer.optional_object("coarser", report.coarser,
-                         [](auto& inner, auto& coarser) { describe_coarser(inner, coarser); });
+  describe(writer, report.answer);
+  writer.member("grid", report.singularity);
+  if (report.onto) writer.member("tets", report.onto->singularity);
+  writer.member("coarser", report.coarser);
   return json_text(json);
 }
 
@@ -74,8 +73,7 @@ std::vector<ResultInventory::UnmarkedFile> unmarked_files_of(const std::filesyst
   try {
     const InputFile file(path);
     const Json json = Json::parse(file.bytes(), nullptr, false);
-    JsonReader reader(json, file);
-    describe_unmarked_files(reader, report);
+    JsonReader(json, file).optional_list("unmarked_files", report.unmarked_files);
   } catch (const Error&) {
     report.unmarked_files.clear();
   }
