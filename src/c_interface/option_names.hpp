@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "base/each_name.hpp"
 #include "c_interface/output_choices.hpp"
 #include "crossgrain/hex_meshing.hpp"
 #include "crossgrain/options.hpp"
@@ -17,7 +18,12 @@
 namespace crossgrain {
 
 /// The name of a member is its name in C++.
-#define CROSSGRAIN_OPTION(member) visit(#member, options.member)
+#define CROSSGRAIN_OPTION(visit, member) visit(#member, options.member);
+#define CROSSGRAIN_OPTIONS(Struct, ...)                       \
+  template <class Visit>                                      \
+  void for_each_option(Struct& options, const Visit& visit) { \
+    CROSSGRAIN_EACH(CROSSGRAIN_OPTION, visit, __VA_ARGS__)    \
+  }
 
 /// Those of an inner struct with a list of its own, as `name`.member.
 template <class Options, class Visit>
@@ -27,65 +33,16 @@ void for_each_inner_option(const char* name, Options& options, const Visit& visi
   });
 }
 
-template <class Visit>
-void for_each_option(SolveOptions& options, const Visit& visit) {
-  CROSSGRAIN_OPTION(degree);
-  CROSSGRAIN_OPTION(resolution);
-  CROSSGRAIN_OPTION(cell_size);
-  CROSSGRAIN_OPTION(threads);
-  CROSSGRAIN_OPTION(max_memory_bytes);
-  CROSSGRAIN_OPTION(unite_solids);
-  CROSSGRAIN_OPTION(seed);
-  CROSSGRAIN_OPTION(crease_angle_deg);
-  CROSSGRAIN_OPTION(boundary);
-  CROSSGRAIN_OPTION(for_page);
-}
-
-template <class Visit>
-void for_each_option(ReadOptions& options, const Visit& visit) {
-  CROSSGRAIN_OPTION(resolution);
-  CROSSGRAIN_OPTION(cell_size);
-  CROSSGRAIN_OPTION(facet_angle_deg);
-  CROSSGRAIN_OPTION(crease_angle_deg);
-  CROSSGRAIN_OPTION(glue);
-  CROSSGRAIN_OPTION(read_seconds);
-  CROSSGRAIN_OPTION(max_memory_bytes);
-}
-
-template <class Visit>
-void for_each_option(TetTagOptions& options, const Visit& visit) {
-  CROSSGRAIN_OPTION(keep_all);
-}
-
-template <class Visit>
-void for_each_option(MapPreparationOptions& options, const Visit& visit) {
-  CROSSGRAIN_OPTION(unite_solids);
-}
-
-template <class Visit>
-void for_each_option(TetMakingOptions& options, const Visit& visit) {
-  CROSSGRAIN_OPTION(size);
-  CROSSGRAIN_OPTION(edges);
-  CROSSGRAIN_OPTION(maker);
-  CROSSGRAIN_OPTION(edges_per_circle);
-  CROSSGRAIN_OPTION(crease_angle_deg);
-  CROSSGRAIN_OPTION(seconds);
-  CROSSGRAIN_OPTION(max_memory_bytes);
-  CROSSGRAIN_OPTION(read_seconds);
-  CROSSGRAIN_OPTION(glue);
-}
-
-template <class Visit>
-void for_each_option(RepairOptions& options, const Visit& visit) {
-  CROSSGRAIN_OPTION(moves_vertices);
-}
-
-template <class Visit>
-void for_each_option(HexOptions& options, const Visit& visit) {
-  CROSSGRAIN_OPTION(size);
-  CROSSGRAIN_OPTION(cells);
-  CROSSGRAIN_OPTION(threads);
-}
+CROSSGRAIN_OPTIONS(SolveOptions, degree, resolution, cell_size, threads, max_memory_bytes, unite_solids, seed,
+                   crease_angle_deg, boundary, for_page)
+CROSSGRAIN_OPTIONS(ReadOptions, resolution, cell_size, facet_angle_deg, crease_angle_deg, glue, read_seconds,
+                   max_memory_bytes)
+CROSSGRAIN_OPTIONS(TetTagOptions, keep_all)
+CROSSGRAIN_OPTIONS(MapPreparationOptions, unite_solids)
+CROSSGRAIN_OPTIONS(TetMakingOptions, size, edges, maker, edges_per_circle, crease_angle_deg, seconds,
+                   max_memory_bytes, read_seconds, glue)
+CROSSGRAIN_OPTIONS(RepairOptions, moves_vertices)
+CROSSGRAIN_OPTIONS(HexOptions, size, cells, threads)
 
 template <class Visit>
 void for_each_option(HexMeshingOptions& options, const Visit& visit) {
@@ -95,36 +52,12 @@ void for_each_option(HexMeshingOptions& options, const Visit& visit) {
   for_each_inner_option("solve", options.solve, visit);
 }
 
-template <class Visit>
-void for_each_option(OutputChoices& options, const Visit& visit) {
-  CROSSGRAIN_OPTION(level);
-  CROSSGRAIN_OPTION(clip);
-  CROSSGRAIN_OPTION(formats);
-  CROSSGRAIN_OPTION(hex_size);
-  CROSSGRAIN_OPTION(foreign_files);
-  CROSSGRAIN_OPTION(page);
-}
+CROSSGRAIN_OPTIONS(OutputChoices, level, clip, formats, hex_size, foreign_files, page)
+CROSSGRAIN_OPTIONS(StreamlineOptions, axes, spacing_sides)
+CROSSGRAIN_OPTIONS(PictureOptions, size, view, up_axis, colour, range, cut, frames, without, background,
+                   quality_below)
 
-template <class Visit>
-void for_each_option(StreamlineOptions& options, const Visit& visit) {
-  CROSSGRAIN_OPTION(axes);
-  CROSSGRAIN_OPTION(spacing_sides);
-}
-
-template <class Visit>
-void for_each_option(PictureOptions& options, const Visit& visit) {
-  CROSSGRAIN_OPTION(size);
-  CROSSGRAIN_OPTION(view);
-  CROSSGRAIN_OPTION(up_axis);
-  CROSSGRAIN_OPTION(colour);
-  CROSSGRAIN_OPTION(range);
-  CROSSGRAIN_OPTION(cut);
-  CROSSGRAIN_OPTION(frames);
-  CROSSGRAIN_OPTION(without);
-  CROSSGRAIN_OPTION(background);
-  CROSSGRAIN_OPTION(quality_below);
-}
-
+#undef CROSSGRAIN_OPTIONS
 #undef CROSSGRAIN_OPTION
 
 }  // namespace crossgrain
