@@ -40,10 +40,6 @@ std::optional<std::uint64_t> parse_seed(const std::string& text) {
   return seed;
 }
 
-std::string fault_of_seed(const std::string& text) {
-  return parse_seed(text) ? "" : "'" + text + "' is not a whole number from 0 to 18446744073709551615";
-}
-
 std::string fault_of_length(const std::string& text) {
   double value = 0;
   const bool is_number = parse_number(text, value);
@@ -115,10 +111,6 @@ std::optional<std::size_t> parse_bytes(const std::string& text) {
   const double bytes = number * std::pow(base, power);
   if (!(bytes >= 1 && bytes < std::ldexp(1.0, 63))) return std::nullopt;
   return static_cast<std::size_t>(bytes);
-}
-
-std::string fault_of_bytes(const std::string& text) {
-  return parse_bytes(text) ? "" : "'" + text + "' is not an amount of memory such as 12GB, 800MB or 1.5GiB";
 }
 
 std::vector<std::string> parts_of(const std::string& text) {

@@ -16,7 +16,6 @@ namespace crossgrain::app {
 
 /// Returns a whole number below 2^64; none for other texts, which CLI11 would clamp.
 std::optional<std::uint64_t> parse_seed(const std::string& text);
-std::string fault_of_seed(const std::string& text);
 
 /// Accepts a positive, finite number. CLI11's own check accepts NaN.
 std::string fault_of_length(const std::string& text);
@@ -37,7 +36,6 @@ std::optional<std::vector<Vector3>> parse_points(const std::vector<std::string>&
 
 /// Returns the bytes of a number with or without a unit, in powers of 1000 or 1024; none for other texts.
 std::optional<std::size_t> parse_bytes(const std::string& text);
-std::string fault_of_bytes(const std::string& text);
 
 /// Returns the parts of a text separated by commas.
 std::vector<std::string> parts_of(const std::string& text);

@@ -2,6 +2,7 @@
 #include "command_line.hpp"
 
 #include "command_options.hpp"
+#include "option_adders.hpp"
 #include "version_text.hpp"
 
 namespace crossgrain::app {
@@ -48,21 +49,13 @@ CommandLineOfProcesses::CommandLineOfProcesses()
   app.footer(kFooterOfProcesses);
   app.require_subcommand(1);
   solve_command = add_solve(app, solve);
-  solve_command
-      ->add_option(
-          "--checkpoint", solve.checkpoint,
-          "Keep in this folder what is needed to go on after a break, whenever a shared level begins")
-      ->type_name("DIR");
-  solve_command
-      ->add_option("--checkpoint-minutes", solve.checkpoint_minutes,
-                   "And so often within a level (default 10)")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("N");
-  solve_command
-      ->add_option("--restart", solve.restart,
-                   "Go on from the folder of --checkpoint, on any number of processes; give the same model "
-                   "and options")
-      ->type_name("DIR");
+  add_value(*solve_command, "--checkpoint", solve.checkpoint, "DIR",
+            "Keep in this folder what is needed to go on after a break, whenever a shared level begins");
+  add_value(*solve_command, "--checkpoint-minutes", solve.checkpoint_minutes, "N", CLI::NonNegativeNumber,
+            "And so often within a level (default 10)");
+  add_value(*solve_command, "--restart", solve.restart, "DIR",
+            "Go on from the folder of --checkpoint, on any number of processes; give the same model "
+            "and options");
   solve_command->add_flag("--verbose", solve.tells_work, "Print a table of the work of each process");
 }
 

@@ -1,33 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command_options.hpp"
 
-#include <CLI/CLI.hpp>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "argument_values.hpp"
+#include "option_adders.hpp"
 #include "picture_arguments.hpp"
 #include "solve_options.hpp"
 #include "tets_options.hpp"
 
 namespace crossgrain::app {
 namespace {
-
-/// Adds an option whose text is parsed by parse(text), which returns a pointer or optional, and passed to
-/// use(value).
-template <class Parse, class Use>
-CLI::Option* add_parsed(CLI::App& command, const char* name, Parse parse, Use use, const char* fault,
-                        const char* help) {
-  return command
-      .add_option_function<std::string>(
-          name, [parse, use](const std::string& text) { use(*parse(text)); }, help)
-      ->check([parse, fault](const std::string& text) {
-        return parse(text) ? std::string() : "'" + text + "' " + fault;
-      });
-}
 
 template <class T>
 void add_choice(CLI::App& command, const char* names, T& choice, std::map<std::string, T> choices,
@@ -52,12 +37,8 @@ void add_degree(CLI::App& command, Degree& degree) {
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
   constexpr int kDeepest = 19;  // OutputOptions::level
-  command
-      .add_option(
-          "--output-level", options.level,
-          "Octree depth of the smallest cells in field.vtu (its array 'level'); deeper cells are merged")
-      ->check(CLI::Range(0, kDeepest))
-      ->type_name("N");
+  add_value(command, "--output-level", options.level, "N", CLI::Range(0, kDeepest),
+            "Octree depth of the smallest cells in field.vtu (its array 'level'); deeper cells are merged");
   command
       .add_option_function<std::string>(
           "--clip", [&options](const std::string& text) { options.clip = parse_box(text); },
@@ -65,20 +46,14 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
       ->check(fault_of_box)
       ->type_name("XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX");
   add_formats(command, options, /*has_map=*/false);
-  command
-      .add_option(
-          "--hex-size", options.hex_size,
-          "Edge of the hexahedra that a map makes of onto.fra, in model units: its axes get the length 1/X "
-          "(default 1)")
-      ->check(fault_of_length)
-      ->type_name("X");
+  add_value(command, "--hex-size", options.hex_size, "X", fault_of_length,
+            "Edge of the hexahedra that a map makes of onto.fra, in model units: its axes get the length 1/X "
+            "(default 1)");
 }
 
 void add_tets_options(CLI::App& command, SolveArguments& arguments) {
-  CLI::Option* onto = command
-                          .add_option("--onto", arguments.onto,
-                                      "Transfer the field of a surface to this tet mesh and relax it there")
-                          ->type_name("TETS");
+  CLI::Option* onto = add_value(command, "--onto", arguments.onto, "TETS",
+                                "Transfer the field of a surface to this tet mesh and relax it there");
   add_making_of_tets(command, arguments, onto);
   add_choice(
       command, "--boundary", arguments.options.boundary,
@@ -91,10 +66,7 @@ void add_tets_options(CLI::App& command, SolveArguments& arguments) {
       "--repair", arguments.repair,
       "Repair the matchings of the field on tets, so that hexahedra can follow it, and smooth its "
       "frames for them; docs/repair.md");
-  command.add_flag(
-      "--keep-tags", arguments.tags.keep_all,
-      "Follow all edges, triangles and regions that a tet mesh lists, even if they are nearly all "
-      "that it has");
+  add_keep_tags(command, arguments.tags);
   command.add_flag(
       "--prepare", arguments.prepare,
       "Split tets first so that a map to hexahedra can take their surface to integer planes, and solve "
@@ -130,12 +102,9 @@ void add_hexahedra(CLI::App& command, RenderArguments& arguments) {
     for (const CLI::Option* option : of_fields)
       if (option->count() > 0) throw CLI::ExcludesError(hexahedra->get_name(), option->get_name());
   });
-  command
-      .add_option("--below", arguments.options.quality_below,
-                  "With --hexahedra, draw only those with a scaled Jacobian below this")
-      ->needs(hexahedra)
-      ->check(CLI::Range(-1.0, 2.0))
-      ->type_name("X");
+  add_value(command, "--below", arguments.options.quality_below, "X", CLI::Range(-1.0, 2.0),
+            "With --hexahedra, draw only those with a scaled Jacobian below this")
+      ->needs(hexahedra);
 }
 
 void add_looks(CLI::App& command, PictureOptions& options) {
@@ -189,55 +158,41 @@ CLI::App* add_solve(CLI::App& app, SolveArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("solve", "Computes the frame field inside a surface or on a tet mesh");
   SolveOptions& options = arguments.options;
-  constexpr int kMany = std::numeric_limits<int>::max();
-  command
-      ->add_option("MODEL", arguments.model,
-                   "The surface, an STL, OBJ, PLY, OFF, STEP, IGES or BREP file; or a tet mesh (Medit .mesh "
-                   "or .meshb, Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface")
-      ->required()
-      ->type_name("");
+  add_argument(*command, "MODEL", arguments.model,
+               "The surface, an STL, OBJ, PLY, OFF, STEP, IGES or BREP file; or a tet mesh (Medit .mesh "
+               "or .meshb, Gmsh .msh, VTK .vtk or .vtu), whose boundary is the surface");
   add_folder(*command, arguments, "Folder to write (default: MODEL-stem.frames here)");
   add_degree(*command, options.degree);
-  CLI::Option* resolution =
-      command
-          ->add_option(
-              "--resolution", options.resolution,
-              "Finest cells along the longest side of the bounding box (default 128; with tets, cells "
-              "twice as large as their edges)")
-          ->check(CLI::Range(4, kMany))
-          ->type_name("N");
-  command->add_option("--cell-size", options.cell_size, "Size of the finest cells in model units instead")
-      ->check(fault_of_length)
-      ->excludes(resolution)
-      ->type_name("X");
+  CLI::Option* resolution = add_value(
+      *command, "--resolution", options.resolution, "N", CLI::Range(4, std::numeric_limits<int>::max()),
+      "Finest cells along the longest side of the bounding box (default 128; with tets, cells "
+      "twice as large as their edges)");
+  add_value(*command, "--cell-size", options.cell_size, "X", fault_of_length,
+            "Size of the finest cells in model units instead")
+      ->excludes(resolution);
   add_run_options(*command, arguments);
   add_tets_options(*command, arguments);
   add_output_options(*command, arguments.output_options);
-  command
-      ->add_option("--constraints", arguments.constraints,
-                   "JSON file of constraints besides the surface: axes and frames at points, along polylines "
-                   "and on faces, and stress tensors (docs/constraints.md)")
-      ->type_name("FILE");
-  command->add_option("--from", arguments.from, "Start from the field in this folder")->type_name("DIR");
+  add_value(*command, "--constraints", arguments.constraints, "FILE",
+            "JSON file of constraints besides the surface: axes and frames at points, along polylines "
+            "and on faces, and stress tensors (docs/constraints.md)");
+  add_value(*command, "--from", arguments.from, "DIR", "Start from the field in this folder");
   add_talk(*command, arguments);
   return command;
 }
 
 CLI::App* add_sample(CLI::App& app, SampleArguments& arguments) {
   CLI::App* command = app.add_subcommand("sample", "Prints the frames of a field at given points");
-  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
-      ->required()
-      ->type_name("");
+  add_argument(*command, "DIR", arguments.field, "The folder that 'crossgrain solve' wrote");
   command
       ->add_option_function<std::vector<std::string>>(
           "POINTS", [&arguments](const std::vector<std::string>& words) { take_points(words, arguments); },
           "A file of one 'x y z' a line, # for comments; - for standard input; or the numbers themselves")
       ->required()
       ->type_name("");
-  command->add_option("-o,--output", arguments.output, "File for the frames (default: standard output)")
-      ->type_name("FILE");
-  command->add_option("--outside", arguments.outside, "File for the points outside the field")
-      ->type_name("FILE");
+  add_value(*command, "-o,--output", arguments.output, "FILE",
+            "File for the frames (default: standard output)");
+  add_value(*command, "--outside", arguments.outside, "FILE", "File for the points outside the field");
   return command;
 }
 
@@ -245,18 +200,12 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("streamlines", "Traces lines along the axes of a field, as polylines for ParaView");
   StreamlineOptions& options = arguments.options;
-  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
-      ->required()
-      ->type_name("");
-  CLI::Option* seeds =
-      command
-          ->add_option("SEEDS", arguments.seeds,
-                       "Points to trace through, one 'x y z' a line; - for standard input (default: evenly "
-                       "spread ones)")
-          ->type_name("");
-  command
-      ->add_option("-o,--output", arguments.output, "The .vtu file to write (default: DIR/streamlines.vtu)")
-      ->type_name("FILE");
+  add_argument(*command, "DIR", arguments.field, "The folder that 'crossgrain solve' wrote");
+  CLI::Option* seeds = add_value(
+      *command, "SEEDS", arguments.seeds, "",
+      "Points to trace through, one 'x y z' a line; - for standard input (default: evenly spread ones)");
+  add_value(*command, "-o,--output", arguments.output, "FILE",
+            "The .vtu file to write (default: DIR/streamlines.vtu)");
   add_field_choice(*command, arguments.choice);
   add_parsed(
       *command, "--on", parse_places, [&arguments](const auto& places) { arguments.places = places; },
@@ -265,16 +214,12 @@ CLI::App* add_streamlines(CLI::App& app, StreamlinesArguments& arguments) {
       "follow the two axes along surface or cut")
       ->excludes(seeds)
       ->type_name("volume|surface|x|y|z[=AT]");
-  command->add_option("--count", arguments.count, "Number of seeds to try (default 1000)")
-      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
-      ->excludes(seeds)
-      ->type_name("N");
-  command
-      ->add_option("--spacing", arguments.spacing,
-                   "Least distance between lines along like axes, in longest sides of the field; 0 for any "
-                   "(default 0.15 in the volume, 0.08 on the surface, 0.05 on a cut, 0 for given seeds)")
-      ->check(CLI::Range(0.0, 1.0))
-      ->type_name("X");
+  add_value(*command, "--count", arguments.count, "N", CLI::Range(1, std::numeric_limits<int>::max()),
+            "Number of seeds to try (default 1000)")
+      ->excludes(seeds);
+  add_value(*command, "--spacing", arguments.spacing, "X", CLI::Range(0.0, 1.0),
+            "Least distance between lines along like axes, in longest sides of the field; 0 for any "
+            "(default 0.15 in the volume, 0.08 on the surface, 0.05 on a cut, 0 for given seeds)");
   command
       ->add_option_function<std::string>(
           "--axes",
@@ -293,11 +238,10 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
                                          "Draws a picture of a field: the part, its singular lines, "
                                          "and frames on a cut; or of hexahedra");
   PictureOptions& options = arguments.options;
-  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' or 'crossgrain hex' wrote")
-      ->required()
-      ->type_name("");
-  command->add_option("-o,--output", arguments.output, "PNG file to write (default: DIR-stem.png here)")
-      ->type_name("FILE");
+  add_argument(*command, "DIR", arguments.field,
+               "The folder that 'crossgrain solve' or 'crossgrain hex' wrote");
+  add_value(*command, "-o,--output", arguments.output, "FILE",
+            "PNG file to write (default: DIR-stem.png here)");
   add_field_choice(*command, arguments.choice);
   command->add_flag("--streamlines", arguments.streamlines,
                     "Also draw the lines that 'crossgrain streamlines' has written to the folder");
@@ -321,9 +265,7 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
       ->type_name("x|y|z[=AT]");
   add_looks(*command, options);
   add_hexahedra(*command, arguments);
-  command->add_option("--threads", arguments.threads, "Number of threads; 0 (default) uses all")
-      ->check(CLI::Range(0, std::numeric_limits<int>::max()))
-      ->type_name("N");
+  add_threads(*command, arguments.threads);
   command->add_flag("--quiet", arguments.quiet, "Print no summary");
   return command;
 }
@@ -331,14 +273,12 @@ CLI::App* add_render(CLI::App& app, RenderArguments& arguments) {
 CLI::App* add_spectrum(CLI::App& app, SpectrumArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "spectrum", "Prints eigenvalues and null space of the constraint of a set of normals");
-  CLI::Option* preset = command->add_option("--preset", arguments.preset, "Use the normals of this shape")
-                            ->check(CLI::IsMember({"plane", "cube", "cylinder", "sphere"}))
-                            ->type_name("plane|cube|cylinder|sphere");
-  command
-      ->add_option("NORMALS", arguments.normals,
-                   "One 'nx ny nz [weight]' a line, # for comments; - for standard input")
-      ->excludes(preset)
-      ->type_name("");
+  CLI::Option* preset =
+      add_value(*command, "--preset", arguments.preset, "plane|cube|cylinder|sphere",
+                CLI::IsMember({"plane", "cube", "cylinder", "sphere"}), "Use the normals of this shape");
+  add_value(*command, "NORMALS", arguments.normals, "",
+            "One 'nx ny nz [weight]' a line, # for comments; - for standard input")
+      ->excludes(preset);
   add_degree(*command, arguments.degree);
   command->add_flag("--json", arguments.json, "Print JSON");
   return command;
@@ -347,9 +287,7 @@ CLI::App* add_spectrum(CLI::App& app, SpectrumArguments& arguments) {
 CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("check", "Says whether a hexahedral mesh can have the singular lines of a field");
-  command->add_option("DIR", arguments.field, "The folder that 'crossgrain solve' wrote")
-      ->required()
-      ->type_name("");
+  add_argument(*command, "DIR", arguments.field, "The folder that 'crossgrain solve' wrote");
   command->add_flag("--json", arguments.json, "Print JSON");
   return command;
 }
@@ -358,12 +296,9 @@ CLI::App* add_view(CLI::App& app, ViewArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("view", "Shows the page of a field in a browser on this machine, until Ctrl-C");
   constexpr int kMostPort = 65535;
-  command->add_option("DIR", arguments.folder, "The folder that 'crossgrain solve' wrote")
-      ->required()
-      ->type_name("");
-  command->add_option("--port", arguments.port, "Port on 127.0.0.1 (default: a free one)")
-      ->check(CLI::Range(1, kMostPort))
-      ->type_name("N");
+  add_argument(*command, "DIR", arguments.folder, "The folder that 'crossgrain solve' wrote");
+  add_value(*command, "--port", arguments.port, "N", CLI::Range(1, kMostPort),
+            "Port on 127.0.0.1 (default: a free one)");
   command->add_flag("--no-browser", arguments.no_browser,
                     "Only print the address, without starting a browser");
   return command;

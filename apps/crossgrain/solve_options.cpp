@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve_options.hpp"
 
-#include <CLI/CLI.hpp>
-#include <limits>
 #include <string>
 
-#include "argument_values.hpp"
+#include "option_adders.hpp"
 
 namespace crossgrain::app {
 
 void add_folder(CLI::App& command, SolveArguments& arguments, const char* help) {
-  command.add_option("-o,--output", arguments.output, help)->type_name("DIR");
+  add_value(command, "-o,--output", arguments.output, "DIR", help);
   command.add_flag_callback(
       "--force", [&arguments] { arguments.output_options.foreign_files = ForeignFiles::kReplace; },
       "Write to the folder even if it holds files that Crossgrain did not write, and replace those with "
@@ -20,40 +18,30 @@ void add_folder(CLI::App& command, SolveArguments& arguments, const char* help) 
 
 void add_run_options(CLI::App& command, SolveArguments& arguments) {
   SolveOptions& options = arguments.options;
-  constexpr int kMany = std::numeric_limits<int>::max();
-  command
-      .add_option(
-          "--crease-angle", options.crease_angle_deg,
-          "Edges between faces whose normals differ by more degrees are creases, which frames follow, unless "
-          "they end in a smooth surface before long (default 35; 180 for none)")
-      ->check(fault_of_angle)
-      ->type_name("DEG");
-  command.add_option("--threads", options.threads, "Number of threads; 0 (default) uses all")
-      ->check(CLI::Range(0, kMany))
-      ->type_name("N");
-  command
-      .add_option_function<std::string>(
-          "--max-memory",
-          [&options](const std::string& text) { options.max_memory_bytes = *parse_bytes(text); },
-          "Most memory to use, such as 12GB, 800MB or bytes; cells become up to 8 times larger to stay "
-          "within it (default: nine tenths of the machine or container)")
-      ->check(fault_of_bytes)
-      ->type_name("SIZE");
-  command
-      .add_option_function<std::string>(
-          "--seed", [&options](const std::string& text) { options.seed = *parse_seed(text); },
-          "Seed of the random initial frames (default 0)")
-      ->check(fault_of_seed)
+  add_value(
+      command, "--crease-angle", options.crease_angle_deg, "DEG", fault_of_angle,
+      "Edges between faces whose normals differ by more degrees are creases, which frames follow, unless "
+      "they end in a smooth surface before long (default 35; 180 for none)");
+  add_threads(command, options.threads);
+  add_max_memory(
+      command, options.max_memory_bytes,
+      "Most memory to use, such as 12GB, 800MB or bytes; cells become up to 8 times larger to stay "
+      "within it (default: nine tenths of the machine or container)");
+  add_parsed(
+      command, "--seed", parse_seed, [&options](std::uint64_t seed) { options.seed = seed; },
+      "is not a whole number from 0 to 18446744073709551615", "Seed of the random initial frames (default 0)")
       ->type_name("N");
   command.add_flag("--union", options.unite_solids,
                    "Treat several solids as one: ignore the faces between them");
-  command.add_flag("--glue", arguments.glue,
-                   "Make the solids of a CAD file share the faces where they touch");
-  command
-      .add_option("--read-seconds", arguments.read_seconds,
-                  "Time limit for reading a CAD file, to which 10 s per megabyte are added (default 60)")
-      ->check(fault_of_length)
-      ->type_name("SECONDS");
+  add_glue(command, arguments.glue);
+  add_read_seconds(command, arguments.read_seconds);
+}
+
+void add_keep_tags(CLI::App& command, TetTagOptions& options) {
+  command.add_flag(
+      "--keep-tags", options.keep_all,
+      "Follow all edges, triangles and regions that a tet mesh lists, even if they are nearly all "
+      "that it has");
 }
 
 void add_formats(CLI::App& command, OutputOptions& options, bool has_map) {
@@ -74,9 +62,7 @@ void add_formats(CLI::App& command, OutputOptions& options, bool has_map) {
 }
 
 void add_talk(CLI::App& command, SolveArguments& arguments) {
-  command.add_flag("--quiet", arguments.quiet, "Print no summary and no progress");
-  command.add_flag("--progress", arguments.progress,
-                   "Show progress on standard error even if it is not a terminal");
+  add_quiet(command, arguments.quiet, arguments.progress);
   command.add_flag("!--no-report", arguments.page,
                    "Write no report.html, the page that shows the field; report.json is always written");
 }

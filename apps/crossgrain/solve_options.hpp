@@ -15,6 +15,8 @@ void add_folder(CLI::App& command, SolveArguments& arguments, const char* help);
 /// Creases, threads, memory, seed, and how solids are read.
 void add_run_options(CLI::App& command, SolveArguments& arguments);
 
+void add_keep_tags(CLI::App& command, TetTagOptions& options);
+
 /// --write; with the formats of maps, if the command makes hexahedra.
 void add_formats(CLI::App& command, OutputOptions& options, bool has_map);
 

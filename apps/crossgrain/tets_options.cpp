@@ -1,53 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tets_options.hpp"
 
-#include <CLI/CLI.hpp>
-#include <limits>
 #include <string>
 
-#include "argument_values.hpp"
 #include "command_options.hpp"
+#include "option_adders.hpp"
 
 namespace crossgrain::app {
 namespace {
 
 void add_sizes(CLI::App& command, TetMakingOptions& options) {
-  CLI::Option* size = command
-                          .add_option("--size", options.size,
-                                      "Largest edge of the tets, in model units (default: see --edges)")
-                          ->check(fault_of_length)
-                          ->type_name("X");
-  command.add_option("--edges", options.edges, "Number of edges along the longest side instead (default 20)")
-      ->check(CLI::Range(1.0, 1e6))
-      ->excludes(size)
-      ->type_name("N");
-  command
-      .add_option("--per-circle", options.edges_per_circle,
-                  "Edges around a full circle of any curvature (default 18: triangles within 10 degrees of "
-                  "the surface)")
-      ->check(CLI::Range(3.0, 1e6))
-      ->type_name("N");
+  CLI::Option* size = add_value(command, "--size", options.size, "X", fault_of_length,
+                                "Largest edge of the tets, in model units (default: see --edges)");
+  add_value(command, "--edges", options.edges, "N", CLI::Range(1.0, 1e6),
+            "Number of edges along the longest side instead (default 20)")
+      ->excludes(size);
+  add_value(command, "--per-circle", options.edges_per_circle, "N", CLI::Range(3.0, 1e6),
+            "Edges around a full circle of any curvature (default 18: triangles within 10 degrees of "
+            "the surface)");
 }
 
 void add_limits(CLI::App& command, TetMakingOptions& options) {
-  command
-      .add_option("--seconds", options.seconds,
-                  "Time limit for the program that makes the tets (default 600)")
-      ->check(fault_of_length)
-      ->type_name("SECONDS");
-  command
-      .add_option("--read-seconds", options.read_seconds,
-                  "Time limit for reading a CAD file, to which 10 s per megabyte are added (default 60)")
-      ->check(fault_of_length)
-      ->type_name("SECONDS");
-  command
-      .add_option_function<std::string>(
-          "--max-memory",
-          [&options](const std::string& text) { options.max_memory_bytes = *parse_bytes(text); },
-          "Most memory to use, such as 12GB, 800MB or bytes (default: nine tenths of the machine or "
-          "container)")
-      ->check(fault_of_bytes)
-      ->type_name("SIZE");
+  add_value(command, "--seconds", options.seconds, "SECONDS", fault_of_length,
+            "Time limit for the program that makes the tets (default 600)");
+  add_read_seconds(command, options.read_seconds);
+  add_max_memory(command, options.max_memory_bytes,
+                 "Most memory to use, such as 12GB, 800MB or bytes (default: nine tenths of the machine or "
+                 "container)");
 }
 
 }  // namespace
@@ -74,15 +53,10 @@ CLI::App* add_tets(CLI::App& app, TetsArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "tets", "Cuts the solids of a CAD file or of a closed surface into tets, by gmsh or Netgen");
   TetMakingOptions& options = arguments.options;
-  command
-      ->add_option("MODEL", arguments.model,
-                   "A STEP, IGES or BREP file, or a closed surface in an STL, OBJ, PLY or OFF file")
-      ->required()
-      ->type_name("");
-  command
-      ->add_option("-o,--output", arguments.output,
-                   "The .mesh (Medit) or .msh (Gmsh) file to write (default: MODEL-stem.mesh here)")
-      ->type_name("FILE");
+  add_argument(*command, "MODEL", arguments.model,
+               "A STEP, IGES or BREP file, or a closed surface in an STL, OBJ, PLY or OFF file");
+  add_value(*command, "-o,--output", arguments.output, "FILE",
+            "The .mesh (Medit) or .msh (Gmsh) file to write (default: MODEL-stem.mesh here)");
   add_sizes(*command, options);
   command
       ->add_option_function<std::string>(
@@ -93,20 +67,13 @@ CLI::App* add_tets(CLI::App& app, TetsArguments& arguments) {
           "The program that makes the tets (default: the first of these that is installed and succeeds)")
       ->check(CLI::IsMember({"gmsh", "netgen"}))
       ->type_name("gmsh|netgen");
-  command
-      ->add_option("--crease-angle", options.crease_angle_deg,
-                   "Edges between faces whose normals differ by more degrees are creases, which stay edges "
-                   "(default 35)")
-      ->check(fault_of_angle)
-      ->type_name("DEG");
-  command->add_flag("--glue", options.glue, "Make the solids of a CAD file share the faces where they touch");
+  add_value(*command, "--crease-angle", options.crease_angle_deg, "DEG", fault_of_angle,
+            "Edges between faces whose normals differ by more degrees are creases, which stay edges "
+            "(default 35)");
+  add_glue(*command, options.glue);
   add_limits(*command, options);
-  command->add_option("--threads", arguments.threads, "Number of threads; 0 (default) uses all")
-      ->check(CLI::Range(0, std::numeric_limits<int>::max()))
-      ->type_name("N");
-  command->add_flag("--quiet", arguments.quiet, "Print no summary and no progress");
-  command->add_flag("--progress", arguments.progress,
-                    "Show progress on standard error even if it is not a terminal");
+  add_threads(*command, arguments.threads);
+  add_quiet(*command, arguments.quiet, arguments.progress);
   return command;
 }
 
