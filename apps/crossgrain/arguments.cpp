@@ -32,48 +32,43 @@ const CLI::App& program_of(const CLI::App& command) {
   throw Error(ErrorKind::kUsage, line + "; try '" + name + " --help'");
 }
 
-/// Checks combinations of options.
-void check_arguments(TetsArguments& arguments, const CLI::App* command) {
-  if (arguments.model.empty()) refuse("MODEL is empty", command);
-  if (command->count("--output") > 0 && arguments.output.empty()) refuse("the file of -o is empty", command);
-  if (arguments.options.glue && !is_cad_file(arguments.model))
-    refuse("--glue is for CAD files (STEP, IGES, BREP); glue meshes where they are made", command);
-  arguments.is_output_named = !arguments.output.empty();
-  if (!arguments.is_output_named)
-    arguments.output = std::filesystem::path(arguments.model).stem().string() + ".mesh";
+/// Refuses an option, or argument by its place, that is given as an empty text.
+void refuse_empty(const CLI::App* command, const char* option, const std::string& value, const char* what) {
+  if (command->count(option) > 0 && value.empty()) refuse(std::string(what) + " is empty", command);
 }
 
-/// Checks what `solve` and `hex` share, and names the folder after the model if the user has not.
-void check_model(SolveArguments& arguments, const CLI::App* command, const char* extension) {
+/// Checks what commands share that read a model, and names the output after it if the user has not.
+template <class AnyArguments>
+void check_model(AnyArguments& arguments, bool glue, const CLI::App* command, const char* output,
+                 const char* extension) {
   if (arguments.model.empty()) refuse("MODEL is empty", command);
-  if (command->count("--output") > 0 && arguments.output.empty())
-    refuse("the folder of -o is empty", command);
-  if (arguments.glue && !is_cad_file(arguments.model))
+  refuse_empty(command, "--output", arguments.output, output);
+  if (glue && !is_cad_file(arguments.model))
     refuse("--glue is for CAD files (STEP, IGES, BREP); glue meshes where they are made", command);
   arguments.is_output_named = !arguments.output.empty();
   if (!arguments.is_output_named)
     arguments.output = std::filesystem::path(arguments.model).stem().string() + extension;
 }
 
+// Each checks combinations of options.
+
+void check_arguments(TetsArguments& arguments, const CLI::App* command) {
+  check_model(arguments, arguments.options.glue, command, "the file of -o", ".mesh");
+}
+
 void check_solve(SolveArguments& arguments, const CLI::App* command) {
-  check_model(arguments, command, ".frames");
-  if (command->count("--onto") > 0 && arguments.onto.empty()) refuse("the file of --onto is empty", command);
-  if (command->count("--constraints") > 0 && arguments.constraints.empty())
-    refuse("the file of --constraints is empty", command);
+  check_model(arguments, arguments.glue, command, "the folder of -o", ".frames");
+  refuse_empty(command, "--onto", arguments.onto, "the file of --onto");
+  refuse_empty(command, "--constraints", arguments.constraints, "the file of --constraints");
   if (arguments.makes_tets && is_tet_file(arguments.model))
     refuse("MODEL is a tet mesh, which --tets is not for; give a surface or a CAD file", command);
   const bool is_tets = solves_tets(arguments);
   if (is_tets && !arguments.onto.empty())
     refuse("MODEL is a tet mesh, which --onto is not for; give a surface or leave out --onto", command);
-  if (!is_tets && arguments.onto.empty() && command->count("--boundary") > 0)
-    refuse("--boundary is for tet meshes; give one as MODEL or with --onto, or make one with --tets",
-           command);
-  if (!is_tets && arguments.onto.empty() && command->count("--write") > 0)
-    refuse("--write is for tet meshes; give one as MODEL or with --onto, or make one with --tets", command);
-  if (!is_tets && arguments.onto.empty() && arguments.repair)
-    refuse("--repair is for tet meshes; give one as MODEL or with --onto, or make one with --tets", command);
-  if (!is_tets && arguments.onto.empty() && arguments.prepare)
-    refuse("--prepare is for tet meshes; give one as MODEL or with --onto, or make one with --tets", command);
+  for (const std::string option : {"--boundary", "--write", "--repair", "--prepare"})
+    if (!is_tets && arguments.onto.empty() && command->count(option) > 0)
+      refuse(option + " is for tet meshes; give one as MODEL or with --onto, or make one with --tets",
+             command);
   if (arguments.repair && !arguments.constraints.empty())
     refuse("--repair smooths frames off --constraints; leave one of them out", command);
   const std::vector<std::string>& formats = arguments.output_options.formats;
@@ -85,7 +80,7 @@ void check_solve(SolveArguments& arguments, const CLI::App* command) {
 void check_hex(SolveArguments& arguments, const CLI::App* command) {
   if (is_tet_file(arguments.model) && command->count("--tet-size") > 0)
     refuse("MODEL is a tet mesh, which --tet-size is not for; give a surface or a CAD file", command);
-  check_model(arguments, command, ".hexahedra");
+  check_model(arguments, arguments.glue, command, "the folder of -o", ".hexahedra");
   arguments.makes_tets = !is_tet_file(arguments.model);
 }
 
@@ -95,21 +90,22 @@ void check_arguments(const SpectrumArguments& arguments, const CLI::App* command
 }
 
 void check_arguments(StreamlinesArguments& arguments, const CLI::App* command) {
-  const auto is_empty = [&](const char* option, const std::string& value) {
-    return command->count(option) > 0 && value.empty();
-  };
   if (arguments.field.empty()) refuse("DIR is empty", command);
-  if (is_empty("SEEDS", arguments.seeds)) refuse("SEEDS is empty", command);
-  if (is_empty("--output", arguments.output)) refuse("the file of -o is empty", command);
+  refuse_empty(command, "SEEDS", arguments.seeds, "SEEDS");
+  refuse_empty(command, "--output", arguments.output, "the file of -o");
   if (arguments.output == "-") refuse("the lines go to a file; name one with -o", command);
   arguments.is_output_named = !arguments.output.empty();
   if (!arguments.is_output_named)
     arguments.output = (std::filesystem::path(arguments.field) / kStreamlinesFile).string();
 }
 
+void check_arguments(const ViewArguments& arguments, const CLI::App* command) {
+  if (arguments.folder.empty()) refuse("DIR is empty", command);
+}
+
 void check_arguments(RenderArguments& arguments, const CLI::App* command) {
   if (arguments.field.empty()) refuse("DIR is empty", command);
-  if (command->count("--output") > 0 && arguments.output.empty()) refuse("the file of -o is empty", command);
+  refuse_empty(command, "--output", arguments.output, "the file of -o");
   if (arguments.output == "-") refuse("the picture goes to a file; name one with -o", command);
   arguments.is_output_named = !arguments.output.empty();
   if (arguments.is_output_named) {
@@ -170,6 +166,10 @@ Arguments parse_arguments(int argc, char** argv) {
   CommandLine line;
   if (argc > 1 && argv[1][0] != '-') command_of(line.app, argv[1]);
   if (parse(line.app, argc, argv)) return Finished{0};
+  const auto checked = [](auto& arguments, const CLI::App* command) -> Arguments {
+    check_arguments(arguments, command);
+    return arguments;
+  };
   if (*line.solve_command) {
     check_solve(line.solve, line.solve_command);
     return line.solve;
@@ -187,27 +187,12 @@ Arguments parse_arguments(int argc, char** argv) {
     return Finished{0};
   }
   if (*line.sample_command) return line.sample;
-  if (*line.tets_command) {
-    check_arguments(line.tets, line.tets_command);
-    return line.tets;
-  }
+  if (*line.tets_command) return checked(line.tets, line.tets_command);
   if (*line.check_command) return line.check;
-  if (*line.view_command) {
-    if (line.view.folder.empty()) refuse("DIR is empty", line.view_command);
-    return line.view;
-  }
-  if (*line.streamlines_command) {
-    check_arguments(line.streamlines, line.streamlines_command);
-    return line.streamlines;
-  }
-  if (*line.render_command) {
-    check_arguments(line.render, line.render_command);
-    return line.render;
-  }
-  if (*line.spectrum_command) {
-    check_arguments(line.spectrum, line.spectrum_command);
-    return line.spectrum;
-  }
+  if (*line.view_command) return checked(line.view, line.view_command);
+  if (*line.streamlines_command) return checked(line.streamlines, line.streamlines_command);
+  if (*line.render_command) return checked(line.render, line.render_command);
+  if (*line.spectrum_command) return checked(line.spectrum, line.spectrum_command);
   std::cerr << line.app.help();
   return Finished{exit_code_of(ErrorKind::kUsage)};
 }
