@@ -40,7 +40,15 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-using Warn = std::function<void(const Warning& warning)>;
+/// A run of `solve` or `hex`.
+struct Job {
+  const SolveArguments& arguments;
+  SolveOnGrid on_grid;
+  const Monitor& monitor;
+  std::function<void(const Warning&)> warn = [](const Warning&) {};  ///< of reading, before the solve
+  std::function<void()> leave_line = [] {};                          ///< before a line is printed
+  Clock::time_point start = Clock::now();
+};
 
 /// No mesh of hexahedra fills the model.
 constexpr int kNotAllHex = 6;
@@ -68,12 +76,12 @@ TetMesh made_tets(const SolveArguments& arguments, const Monitor& monitor) {
 }
 
 /// Returns the tet mesh given as MODEL or with --onto, or made of MODEL; none otherwise.
-std::optional<TetDomain> read_domain(const SolveArguments& arguments, const Monitor& monitor,
-                                     const Warn& warn) {
+std::optional<TetDomain> read_domain(const Job& job) {
+  const SolveArguments& arguments = job.arguments;
   const std::string& file = arguments.onto.empty() ? arguments.model : arguments.onto;
   if (!solves_tets(arguments) && arguments.onto.empty()) return std::nullopt;
-  TetMesh mesh = arguments.makes_tets ? made_tets(arguments, monitor) : read_tets(file);
-  for (const Warning& warning : mesh.warnings) warn(warning);
+  TetMesh mesh = arguments.makes_tets ? made_tets(arguments, job.monitor) : read_tets(file);
+  for (const Warning& warning : mesh.warnings) job.warn(warning);
   return naming(file, [&] {
     const TetDomain domain(std::move(mesh), arguments.tags);
     return arguments.prepare ? domain.prepared_for_map({.unite_solids = arguments.options.unite_solids})
@@ -171,14 +179,15 @@ struct Inputs {
   TriangleMesh mesh;
 };
 
-/// Reads and checks all files but the field of --from. Warnings go to `warn`.
-Inputs read_inputs(const SolveArguments& arguments, const Monitor& monitor, const Warn& warn) {
-  const ReadLimits limits(monitor, arguments.options.max_memory_bytes);
+/// Reads and checks all files but the field of --from.
+Inputs read_inputs(const Job& job) {
+  const SolveArguments& arguments = job.arguments;
+  const ReadLimits limits(job.monitor, arguments.options.max_memory_bytes);
   check_start(arguments);
   Inputs inputs{arguments.options, {}, {}};
   inputs.options.for_page = arguments.page;
   if (!arguments.constraints.empty()) inputs.options.constraints = read_constraints(arguments.constraints);
-  inputs.domain = read_domain(arguments, monitor, warn);
+  inputs.domain = read_domain(job);
   if (inputs.domain && arguments.repair)
     naming(arguments.onto.empty() ? arguments.model : arguments.onto,
            [&] { check_repairable(*inputs.domain); });
@@ -186,9 +195,9 @@ Inputs read_inputs(const SolveArguments& arguments, const Monitor& monitor, cons
     inputs.mesh = inputs.domain->boundary();
   } else {
     const SolveOptions sized = inputs.domain ? sized_for(*inputs.domain, inputs.options) : inputs.options;
-    inputs.mesh = read_surface(arguments.model, read_options(arguments, sized), monitor);
+    inputs.mesh = read_surface(arguments.model, read_options(arguments, sized), job.monitor);
   }
-  for (const Warning& warning : inputs.mesh.warnings) warn(warning);
+  for (const Warning& warning : inputs.mesh.warnings) job.warn(warning);
   if (!arguments.onto.empty()) check_same_unit(arguments, inputs.mesh, *inputs.domain);
   check_clip(arguments, inputs.mesh);
   return inputs;
@@ -204,9 +213,8 @@ struct Solved {
 };
 
 /// Makes hexahedra of the model.
-Solved meshed(const SolveArguments& arguments, const Monitor& monitor, const Warn& warn,
-              const std::function<void()>& leave_line) {
-  monitor.report({Phase::kRead, 0, 0, 0, 0});
+Solved meshed(const Job& job) {
+  const SolveArguments& arguments = job.arguments;
   HexMeshingOptions options = *arguments.hexahedra;
   options.tags = arguments.tags;
   options.solve = arguments.options;
@@ -215,30 +223,31 @@ Solved meshed(const SolveArguments& arguments, const Monitor& monitor, const War
   options.tets.max_memory_bytes = options.solve.max_memory_bytes;
   options.tets.read_seconds = arguments.read_seconds;
   options.tets.glue = arguments.glue;
-  options.on_warning = warn;
+  options.on_warning = job.warn;
   options.on_expected = [&](const HexExpectation& expected) {
     if (arguments.quiet) return;
-    leave_line();
+    job.leave_line();
     print_result(expected_line(expected));
   };
   const auto made = std::make_shared<const Hexahedra>(
-      make_hexahedra(std::filesystem::path(arguments.model), options, monitor));
+      make_hexahedra(std::filesystem::path(arguments.model), options, job.monitor));
   const FrameField& grid = made->field.grid();
   return {made->field.report().seconds.read, true, {grid, grid}, made->field, made};
 }
 
 /// Solves, and transfers the field to the tets if there are any, unless a stop comes before that is complete.
-void solve_inputs(const SolveArguments& arguments, const Inputs& inputs, const Monitor& monitor,
-                  const std::function<void()>& leave_line, const SolveOnGrid& on_grid, Solved& result) {
-  const SolveOptions& options = inputs.options;
-  const std::optional<TetDomain>& domain = inputs.domain;
+Solved solve_inputs(const Job& job, const Inputs& inputs) {
+  const auto& [arguments, on_grid, monitor, warn, leave_line, begun] = job;
+  const auto& [options, domain, mesh] = inputs;
+  Solved result;
+  result.has_tets = domain.has_value();
   std::optional<FrameField> earlier = naming(arguments.model, [&]() -> std::optional<FrameField> {
     if (arguments.from.empty()) return std::nullopt;
     const ReadLimits limits(monitor, options.max_memory_bytes);
     return read_field(arguments.from);
   });
   bool is_stopped = false;
-  OntoStart start{solves_tets(arguments) ? nullptr : &inputs.mesh, earlier ? &*earlier : nullptr, {}};
+  OntoStart start{solves_tets(arguments) ? nullptr : &mesh, earlier ? &*earlier : nullptr, {}};
   start.solve = [&](const FrameField* from, const TriangleMesh& surface, const SolveTuning& sized,
                     const Monitor& heard) {
     result.to_write = naming(arguments.model, [&] { return on_grid(from, surface, sized, heard); });
@@ -248,8 +257,8 @@ void solve_inputs(const SolveArguments& arguments, const Inputs& inputs, const M
     return result.to_write.cells;
   };
   if (!domain) {
-    start.solve(start.earlier, inputs.mesh, options, monitor);
-    return;
+    start.solve(start.earlier, mesh, options, monitor);
+    return result;
   }
   try {
     result.tet_field = naming(arguments.onto.empty() ? arguments.model : arguments.onto, [&] {
@@ -259,38 +268,34 @@ void solve_inputs(const SolveArguments& arguments, const Inputs& inputs, const M
   } catch (const Error& error) {
     const bool has_grid = result.to_write.cells.has_value();
     if (error.kind() != ErrorKind::kInterrupted || monitor.cancelled() || !has_grid) throw;
-    if (is_stopped) return;
+    if (is_stopped) return result;
     leave_line();
     announce_stop(fmt::format("the field on the grid, {}, and none on the tets",
                               cells_text(result.to_write.cells->size())));
   }
-}
-
-/// Reads, solves, and transfers the field to the tets if there are any.
-Solved solved(const SolveArguments& arguments, Clock::time_point start, const Monitor& monitor,
-              const Warn& warn, const std::function<void()>& leave_line, const SolveOnGrid& on_grid) {
-  Solved result;
-  monitor.report({Phase::kRead, 0, 0, 0, 0});
-  const Inputs inputs = read_inputs(arguments, monitor, warn);
-  result.read_seconds = seconds_since(start);
-  result.has_tets = inputs.domain.has_value();
-  monitor.check_stop();
-  solve_inputs(arguments, inputs, monitor, leave_line, on_grid, result);
   return result;
 }
 
-/// Solves, transfers the field to the tets if there are any, and writes all files. Warnings from reading go
-/// to `warn` before the solve.
-SolveReport solve_and_write(const SolveArguments& arguments,
-                            const std::shared_ptr<FolderReservation>& reservation, Clock::time_point start,
-                            const Monitor& monitor, const Warn& warn, const std::function<void()>& leave_line,
-                            const SolveOnGrid& on_grid) {
+/// Reads, solves, and transfers the field to the tets if there are any.
+Solved solved(const Job& job) {
+  const Inputs inputs = read_inputs(job);
+  const double read_seconds = seconds_since(job.start);
+  job.monitor.check_stop();
+  Solved result = solve_inputs(job, inputs);
+  result.read_seconds = read_seconds;
+  return result;
+}
+
+/// Solves, transfers the field to the tets if there are any, and writes all files.
+SolveReport solve_and_write(const Job& job, const std::shared_ptr<FolderReservation>& reservation) {
+  const SolveArguments& arguments = job.arguments;
+  const Monitor& monitor = job.monitor;
+  monitor.report({Phase::kRead, 0, 0, 0, 0});
   const auto [read_seconds, has_tets, to_write, tet_field, made] =
-      arguments.hexahedra ? meshed(arguments, monitor, warn, leave_line)
-                          : solved(arguments, start, monitor, warn, leave_line, on_grid);
+      arguments.hexahedra ? meshed(job) : solved(job);
   const FrameField& field = to_write.cells.value();
   if (const auto replaced = replaced_model(arguments); replaced && !arguments.quiet) {
-    leave_line();
+    job.leave_line();
     print_message(arguments.output + ": the field of " + *replaced + " will be replaced");
   }
 
@@ -311,7 +316,7 @@ SolveReport solve_and_write(const SolveArguments& arguments,
   SolveReport report = tet_field ? tet_field->report() : field.report();
   report.model.path = arguments.model;
   report.seconds.read = read_seconds;
-  report.seconds.total = seconds_since(start);
+  report.seconds.total = seconds_since(job.start);
   if (report.expected) {
     // The library's clock starts after reading.
     report.expected->after_seconds += read_seconds;
@@ -328,10 +333,8 @@ SolveReport solve_and_write(const SolveArguments& arguments,
 void help_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
   const ThreadLimit thread_limit(arguments.options.threads);
   const Monitor monitor;
-  const Inputs inputs = read_inputs(arguments, monitor, [](const Warning&) {});
-  Solved result;
-  solve_inputs(
-      arguments, inputs, monitor, [] {}, together, result);
+  const Job job{arguments, together, monitor};
+  const Solved result = solve_inputs(job, read_inputs(job));
   OutputOptions output_options = arguments.output_options;
   output_options.formats.clear();
   if (const auto& cells = result.to_write.cells)
@@ -371,9 +374,9 @@ int run_solve(const SolveArguments& arguments, const SolveOnGrid& together) {
       lines.end_line();
       print_warning(warning, arguments.model);
     };
-    report = solve_and_write(
-        arguments, reservation, start, monitor, warn, [&lines] { lines.leave_line(); },
-        together ? together : SolveOnGrid(solve_alone));
+    const auto leave_line = [&lines] { lines.leave_line(); };
+    const SolveOnGrid on_grid = together ? together : solve_alone;
+    report = solve_and_write({arguments, on_grid, monitor, warn, leave_line, start}, reservation);
     lines.end_line();
   }
   for (const Warning& warning : report.warnings)

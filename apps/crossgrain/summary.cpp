@@ -157,6 +157,10 @@ std::string files_row(const SolveReport& report, const SolveArguments& arguments
   return row("result", fmt::format("{}: {}", arguments.output, fmt::join(names, ", ")));
 }
 
+std::string resolution_option(double cells) {
+  return fmt::format("use --resolution {:.0f}", cells);
+}
+
 /// Returns the options with which walls are resolved.
 std::string options_for_walls(const SolveReport& report, const Warning& warning,
                               const SolveArguments& arguments) {
@@ -164,7 +168,7 @@ std::string options_for_walls(const SolveReport& report, const Warning& warning,
   const double side = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
   const int resolution = report.walls.resolution_needed;
   return (arguments.options.cell_size > 0 ? fmt::format("use --cell-size {:.6g}", side / resolution)
-                                          : fmt::format("use --resolution {}", resolution)) +
+                                          : resolution_option(resolution)) +
          (warning.remedy == Remedy::kAllowMemory ? " and allow more memory with --max-memory" : "");
 }
 
@@ -192,7 +196,7 @@ std::string warning_rows(const SolveReport& report, const SolveArguments& argume
 std::string line_of(const Answer& answer) {
   if (answer.reasons.empty() || answer.reasons.front().remedy != Remedy::kUseResolution)
     return sentence_of(answer);
-  return sentence_of(answer, fmt::format("use --resolution {:.0f}", answer.reasons.front().remedy_number));
+  return sentence_of(answer, resolution_option(answer.reasons.front().remedy_number));
 }
 
 std::string summary_of(const SolveReport& report, const SolveArguments& arguments) {
