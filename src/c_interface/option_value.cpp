@@ -47,100 +47,20 @@ Integer any_integer_in(const OptionValue& value) {
                     Limits::is_signed ? "an integer" : "an integer that is not negative");
 }
 
-const std::string& text_in(const OptionValue& value) {
-  const auto* const text = std::get_if<std::string>(&value);
-  if (text == nullptr) refuse("a text");
-  return *text;
-}
-
-OptionContent number(double value) {
-  return std::vector<double>{value};
+/// Sets an option that may be absent to made(numbers).
+template <class T, class Made>
+void set_numbers(std::optional<T>& option, std::size_t count, const OptionValue& value, const Made& made) {
+  const std::vector<double> numbers = numbers_in(value, count, /*absent=*/true);
+  option = numbers.empty() ? std::nullopt : std::optional<T>(made(numbers));
 }
 
 }  // namespace
 
-bool OptionOf<bool>::of(const OptionValue& value) {
-  return integer_in(value, 0, 1, "a flag, 0 or 1") != 0;
-}
-
-OptionContent OptionOf<bool>::content(bool member) {
-  return number(member);
-}
-
-int OptionOf<int>::of(const OptionValue& value) {
-  return any_integer_in<int>(value);
-}
-
-OptionContent OptionOf<int>::content(int member) {
-  return number(member);
-}
-
-std::uint64_t OptionOf<std::uint64_t>::of(const OptionValue& value) {
-  return any_integer_in<std::uint64_t>(value);
-}
-
-OptionContent OptionOf<std::uint64_t>::content(std::uint64_t member) {
-  return number(static_cast<double>(member));
-}
-
-double OptionOf<double>::of(const OptionValue& value) {
-  if (const auto* const integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
-  if (const auto* const its_number = std::get_if<double>(&value)) return *its_number;
-  refuse("a number");
-}
-
-OptionContent OptionOf<double>::content(double member) {
-  return number(member);
-}
-
-Degree OptionOf<Degree>::of(const OptionValue& value) {
-  return static_cast<Degree>(integer_in(value, 3, 4, "3 or 4"));
-}
-
-OptionContent OptionOf<Degree>::content(Degree member) {
-  return number(static_cast<int>(member));
-}
-
-std::size_t position_among(const char* const* names, std::size_t count, const OptionValue& value) {
-  const std::span all(names, count);
+std::size_t position_among(std::span<const char* const> names, const OptionValue& value) {
   const auto* const text = std::get_if<std::string>(&value);
-  const auto found = text == nullptr ? all.end() : std::find(all.begin(), all.end(), *text);
-  if (found == all.end()) refuse(fmt::format("one of {}", fmt::join(all, ", ")));
-  return static_cast<std::size_t>(found - all.begin());
-}
-
-std::filesystem::path OptionOf<std::filesystem::path>::of(const OptionValue& value) {
-  return text_in(value);
-}
-
-OptionContent OptionOf<std::filesystem::path>::content(const std::filesystem::path& member) {
-  return member.string();
-}
-
-std::vector<std::string> OptionOf<std::vector<std::string>>::of(const OptionValue& value) {
-  std::vector<std::string> names;
-  const std::string& text = text_in(value);
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    names.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return names;
-}
-
-OptionContent OptionOf<std::vector<std::string>>::content(const std::vector<std::string>& member) {
-  return fmt::format("{}", fmt::join(member, ","));
-}
-
-PictureOptions::Cut OptionNumbers<PictureOptions::Cut>::from(const std::vector<double>& n) {
-  PictureOptions::Cut cut;
-  cut.axis = OptionOf<int>::of(n[0]);
-  if (!std::isnan(n[1])) cut.position = n[1];
-  return cut;
-}
-
-std::vector<double> OptionNumbers<PictureOptions::Cut>::to(const PictureOptions::Cut& cut) {
-  return {static_cast<double>(cut.axis), cut.position.value_or(std::numeric_limits<double>::quiet_NaN())};
+  const auto found = text == nullptr ? names.end() : std::find(names.begin(), names.end(), *text);
+  if (found == names.end()) refuse(fmt::format("one of {}", fmt::join(names, ", ")));
+  return static_cast<std::size_t>(found - names.begin());
 }
 
 std::vector<double> numbers_in(const OptionValue& value, std::size_t count, bool absent) {
@@ -148,10 +68,95 @@ std::vector<double> numbers_in(const OptionValue& value, std::size_t count, bool
   if (const auto* const several = std::get_if<std::vector<double>>(&value))
     numbers = *several;
   else if (!std::holds_alternative<std::string>(value))
-    numbers = {OptionOf<double>::of(value)};
+    set_option(numbers.emplace_back(), value);
   if (std::holds_alternative<std::string>(value) || (numbers.size() != count && !(absent && numbers.empty())))
     refuse(fmt::format("{} number{}{}", count, count == 1 ? "" : "s", absent ? " or none" : ""));
   return numbers;
+}
+
+void set_option(bool& option, const OptionValue& value) {
+  option = integer_in(value, 0, 1, "a flag, 0 or 1") != 0;
+}
+
+void set_option(int& option, const OptionValue& value) {
+  option = any_integer_in<int>(value);
+}
+
+void set_option(std::uint64_t& option, const OptionValue& value) {
+  option = any_integer_in<std::uint64_t>(value);
+}
+
+void set_option(double& option, const OptionValue& value) {
+  if (const auto* const integer = std::get_if<std::int64_t>(&value))
+    option = static_cast<double>(*integer);
+  else if (const auto* const number = std::get_if<double>(&value))
+    option = *number;
+  else
+    refuse("a number");
+}
+
+void set_option(Degree& option, const OptionValue& value) {
+  option = static_cast<Degree>(integer_in(value, 3, 4, "3 or 4"));
+}
+
+void set_option(std::optional<int>& option, const OptionValue& value) {
+  set_numbers(option, 1, value, [](const auto& n) { return any_integer_in<int>(n[0]); });
+}
+
+void set_option(std::optional<double>& option, const OptionValue& value) {
+  set_numbers(option, 1, value, [](const auto& n) { return n[0]; });
+}
+
+void set_option(std::optional<std::array<double, 2>>& option, const OptionValue& value) {
+  set_numbers(option, 2, value, [](const auto& n) { return std::array{n[0], n[1]}; });
+}
+
+void set_option(std::optional<Box>& option, const OptionValue& value) {
+  set_numbers(option, 6, value, [](const auto& n) { return Box{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}}; });
+}
+
+void set_option(std::optional<PictureOptions::View>& option, const OptionValue& value) {
+  if (const auto* const name = std::get_if<std::string>(&value))
+    option = view_named(*name);
+  else
+    set_numbers(option, 2, value, [](const auto& n) { return PictureOptions::View{n[0], n[1]}; });
+}
+
+void set_option(std::optional<PictureOptions::Cut>& option, const OptionValue& value) {
+  set_numbers(option, 2, value, [](const auto& n) {
+    PictureOptions::Cut cut{any_integer_in<int>(n[0]), {}};
+    if (!std::isnan(n[1])) cut.position = n[1];
+    return cut;
+  });
+}
+
+void set_option(std::vector<std::string>& option, const OptionValue& value) {
+  const auto* const text = std::get_if<std::string>(&value);
+  if (text == nullptr) refuse("a text");
+  option.clear();
+  for (std::size_t begin = 0; begin < text->size();) {
+    const std::size_t end = std::min(text->find(',', begin), text->size());
+    option.push_back(text->substr(begin, end - begin));
+    begin = end + 1;
+  }
+}
+
+OptionContent content_of(const Box& box) {
+  const auto& [low, high] = box;
+  return std::vector<double>{low[0], low[1], low[2], high[0], high[1], high[2]};
+}
+
+OptionContent content_of(const PictureOptions::View& view) {
+  return std::vector<double>{view.azimuth_deg, view.elevation_deg};
+}
+
+OptionContent content_of(const PictureOptions::Cut& cut) {
+  constexpr double kMiddle = std::numeric_limits<double>::quiet_NaN();
+  return std::vector<double>{static_cast<double>(cut.axis), cut.position.value_or(kMiddle)};
+}
+
+OptionContent content_of(const std::vector<std::string>& option) {
+  return fmt::format("{}", fmt::join(option, ","));
 }
 
 }  // namespace crossgrain

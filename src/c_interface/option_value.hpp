@@ -5,15 +5,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "crossgrain/c.h"
-#include "crossgrain/options.hpp"
 #include "crossgrain/picture.hpp"
 #include "crossgrain/result_folder.hpp"
 #include "crossgrain/tet_making.hpp"
@@ -27,203 +26,119 @@ using OptionValue = std::variant<std::int64_t, double, std::vector<double>, std:
 /// A value as it is read: numbers, or a text.
 using OptionContent = std::variant<std::vector<double>, std::string>;
 
-/// How options of type T are passed: `type` for the interface; `of(value)`, which throws
-/// std::invalid_argument with what the option takes; `content(member)`.
+/// What options of a type take.
 template <class T>
-struct OptionOf;
-
+inline constexpr crossgrain_option_type kOptionType = CROSSGRAIN_TEXT;
 template <>
-struct OptionOf<bool> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_FLAG;
-  static bool of(const OptionValue& value);
-  static OptionContent content(bool member);
-};
-
+inline constexpr crossgrain_option_type kOptionType<bool> = CROSSGRAIN_FLAG;
 template <>
-struct OptionOf<int> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_INTEGER;
-  static int of(const OptionValue& value);
-  static OptionContent content(int member);
-};
-
+inline constexpr crossgrain_option_type kOptionType<int> = CROSSGRAIN_INTEGER;
 template <>
-struct OptionOf<std::uint64_t> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_INTEGER;
-  static std::uint64_t of(const OptionValue& value);
-  static OptionContent content(std::uint64_t member);
-};
-
+inline constexpr crossgrain_option_type kOptionType<std::uint64_t> = CROSSGRAIN_INTEGER;
 template <>
-struct OptionOf<double> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_NUMBER;
-  static double of(const OptionValue& value);
-  static OptionContent content(double member);
-};
-
+inline constexpr crossgrain_option_type kOptionType<Degree> = CROSSGRAIN_INTEGER;
 template <>
-struct OptionOf<Degree> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_INTEGER;
-  static Degree of(const OptionValue& value);
-  static OptionContent content(Degree member);
-};
+inline constexpr crossgrain_option_type kOptionType<double> = CROSSGRAIN_NUMBER;
+template <class T>
+inline constexpr crossgrain_option_type kOptionType<std::optional<T>> = CROSSGRAIN_NUMBERS;
+template <class T, std::size_t n>
+inline constexpr crossgrain_option_type kOptionType<std::array<T, n>> = CROSSGRAIN_NUMBERS;
 
 /// Names of the values of an enumeration, from 0 on.
 template <class Enum>
-struct OptionNames;
+inline constexpr std::array<const char*, 0> kOptionNames;
 template <>
-struct OptionNames<TetBoundary> {
-  static constexpr std::array names{"all", "smooth-only"};
-};
+inline constexpr std::array kOptionNames<TetBoundary>{"all", "smooth-only"};
 template <>
-struct OptionNames<TetMaker> {
-  static constexpr std::array names{"automatic", "gmsh", "netgen"};
-};
+inline constexpr std::array kOptionNames<TetMaker>{"automatic", "gmsh", "netgen"};
 template <>
-struct OptionNames<ForeignFiles> {
-  static constexpr std::array names{"refuse", "keep", "replace"};
-};
+inline constexpr std::array kOptionNames<ForeignFiles>{"refuse", "keep", "replace"};
 template <>
-struct OptionNames<PictureColour> {
-  static constexpr std::array names{"none", "alignment", "energy", "class", "region"};
-};
+inline constexpr std::array kOptionNames<PictureColour>{"none", "alignment", "energy", "class", "region"};
 template <>
-struct OptionNames<PictureFrames> {
-  static constexpr std::array names{"lines", "boxes", "crosses", "none"};
-};
+inline constexpr std::array kOptionNames<PictureFrames>{"lines", "boxes", "crosses", "none"};
 template <>
-struct OptionNames<PicturePart> {
-  static constexpr std::array names{"lines", "creases", "legend"};
-};
+inline constexpr std::array kOptionNames<PicturePart>{"lines", "creases", "legend"};
 template <>
-struct OptionNames<PictureBackground> {
-  static constexpr std::array names{"light", "dark", "transparent"};
-};
+inline constexpr std::array kOptionNames<PictureBackground>{"light", "dark", "transparent"};
 
 /// Returns the position of a text among names.
-std::size_t position_among(const char* const* names, std::size_t count, const OptionValue& value);
-
-template <class Enum>
-requires std::is_enum_v<Enum>
-struct OptionOf<Enum> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_TEXT;
-  static Enum of(const OptionValue& value) {
-    const auto& names = OptionNames<Enum>::names;
-    return static_cast<Enum>(position_among(names.data(), names.size(), value));
-  }
-  static OptionContent content(Enum member) {
-    return std::string(OptionNames<Enum>::names[static_cast<std::size_t>(member)]);
-  }
-};
-
-template <>
-struct OptionOf<std::filesystem::path> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_TEXT;
-  static std::filesystem::path of(const OptionValue& value);
-  static OptionContent content(const std::filesystem::path& member);
-};
-
-/// Names separated by commas.
-template <>
-struct OptionOf<std::vector<std::string>> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_TEXT;
-  static std::vector<std::string> of(const OptionValue& value);
-  static OptionContent content(const std::vector<std::string>& member);
-};
-
-template <class Enum>
-requires std::is_enum_v<Enum>
-struct OptionOf<std::vector<Enum>> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_TEXT;
-  static std::vector<Enum> of(const OptionValue& value) {
-    std::vector<Enum> members;
-    for (const std::string& name : OptionOf<std::vector<std::string>>::of(value))
-      members.push_back(OptionOf<Enum>::of(name));
-    return members;
-  }
-  static OptionContent content(const std::vector<Enum>& members) {
-    std::vector<std::string> names;
-    for (const Enum member : members)
-      names.push_back(OptionNames<Enum>::names[static_cast<std::size_t>(member)]);
-    return OptionOf<std::vector<std::string>>::content(names);
-  }
-};
-
-/// Types that are several numbers: `counts` are how many it may have, `from` and `to` convert.
-template <class T>
-struct OptionNumbers;
-template <>
-struct OptionNumbers<Box> {
-  static constexpr std::size_t count = 6;
-  static Box from(const std::vector<double>& n) { return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}}; }
-  static std::vector<double> to(const Box& b) {
-    return {b.low[0], b.low[1], b.low[2], b.high[0], b.high[1], b.high[2]};
-  }
-};
-template <>
-struct OptionNumbers<std::array<double, 2>> {
-  static constexpr std::size_t count = 2;
-  static std::array<double, 2> from(const std::vector<double>& n) { return {n[0], n[1]}; }
-  static std::vector<double> to(const std::array<double, 2>& a) { return {a[0], a[1]}; }
-};
-template <>
-struct OptionNumbers<PictureOptions::View> {
-  static constexpr std::size_t count = 2;
-  static PictureOptions::View from(const std::vector<double>& n) { return {n[0], n[1]}; }
-  static std::vector<double> to(const PictureOptions::View& v) { return {v.azimuth_deg, v.elevation_deg}; }
-};
-template <>
-struct OptionNumbers<double> {
-  static constexpr std::size_t count = 1;
-  static double from(const std::vector<double>& n) { return n[0]; }
-  static std::vector<double> to(double number) { return {number}; }
-};
-/// The position may be NaN for the middle.
-template <>
-struct OptionNumbers<PictureOptions::Cut> {
-  static constexpr std::size_t count = 2;
-  static PictureOptions::Cut from(const std::vector<double>& n);
-  static std::vector<double> to(const PictureOptions::Cut& cut);
-};
-template <>
-struct OptionNumbers<int> {
-  static constexpr std::size_t count = 1;
-  static int from(const std::vector<double>& n) { return OptionOf<int>::of(n[0]); }
-  static std::vector<double> to(int number) { return {static_cast<double>(number)}; }
-};
+std::size_t position_among(std::span<const char* const> names, const OptionValue& value);
 
 /// Returns the numbers of a value: one, several or, if it may be `absent`, none.
 std::vector<double> numbers_in(const OptionValue& value, std::size_t count, bool absent);
 
-/// An option that may be absent: no numbers. A view may be given by its name.
-template <class T>
-struct OptionOf<std::optional<T>> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_NUMBERS;
-  static std::optional<T> of(const OptionValue& value) {
-    if constexpr (std::is_same_v<T, PictureOptions::View>) {
-      if (const auto* const name = std::get_if<std::string>(&value)) return view_named(*name);
-    }
-    const std::vector<double> numbers = numbers_in(value, OptionNumbers<T>::count, /*absent=*/true);
-    if (numbers.empty()) return std::nullopt;
-    return OptionNumbers<T>::from(numbers);
-  }
-  static OptionContent content(const std::optional<T>& member) {
-    return member ? OptionNumbers<T>::to(*member) : std::vector<double>{};
-  }
-};
+// set_option sets an option to a value, or throws std::invalid_argument with what it takes; content_of
+// returns its value. An option that may be absent is no numbers then.
 
-/// Flags or integers.
+void set_option(bool& option, const OptionValue& value);
+void set_option(int& option, const OptionValue& value);
+void set_option(std::uint64_t& option, const OptionValue& value);
+void set_option(double& option, const OptionValue& value);
+void set_option(Degree& option, const OptionValue& value);
+void set_option(std::optional<int>& option, const OptionValue& value);
+void set_option(std::optional<double>& option, const OptionValue& value);
+void set_option(std::optional<std::array<double, 2>>& option, const OptionValue& value);
+void set_option(std::optional<Box>& option, const OptionValue& value);
+/// A view may be given by its name.
+void set_option(std::optional<PictureOptions::View>& option, const OptionValue& value);
+/// The position may be NaN for the middle.
+void set_option(std::optional<PictureOptions::Cut>& option, const OptionValue& value);
+/// Names separated by commas.
+void set_option(std::vector<std::string>& option, const OptionValue& value);
+
+OptionContent content_of(const Box& box);
+OptionContent content_of(const PictureOptions::View& view);
+OptionContent content_of(const PictureOptions::Cut& cut);
+OptionContent content_of(const std::vector<std::string>& option);
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+void set_option(Enum& option, const OptionValue& value) {
+  option = static_cast<Enum>(position_among(kOptionNames<Enum>, value));
+}
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+void set_option(std::vector<Enum>& option, const OptionValue& value) {
+  std::vector<std::string> names;
+  set_option(names, value);
+  std::vector<Enum> members(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) set_option(members[i], names[i]);
+  option = members;
+}
+
 template <class T, std::size_t n>
-struct OptionOf<std::array<T, n>> {
-  static constexpr crossgrain_option_type type = CROSSGRAIN_NUMBERS;
-  static std::array<T, n> of(const OptionValue& value) {
-    const std::vector<double> numbers = numbers_in(value, n, /*absent=*/false);
-    std::array<T, n> member;
-    for (std::size_t i = 0; i < n; ++i) member[i] = OptionOf<T>::of(numbers[i]);
-    return member;
-  }
-  static OptionContent content(const std::array<T, n>& member) {
-    return std::vector<double>(member.begin(), member.end());
-  }
-};
+void set_option(std::array<T, n>& option, const OptionValue& value) {
+  const std::vector<double> numbers = numbers_in(value, n, /*absent=*/false);
+  std::array<T, n> members;
+  for (std::size_t i = 0; i < n; ++i) set_option(members[i], numbers[i]);
+  option = members;
+}
+
+template <class T>
+requires std::is_arithmetic_v<T> || std::is_enum_v<T> OptionContent content_of(T option) {
+  if constexpr (kOptionType<T> == CROSSGRAIN_TEXT)
+    return kOptionNames<T>[static_cast<std::size_t>(option)];
+  else
+    return std::vector<double>{static_cast<double>(option)};
+}
+
+template <class Enum>
+OptionContent content_of(const std::vector<Enum>& option) {
+  std::vector<std::string> names;
+  for (const Enum member : option) names.push_back(kOptionNames<Enum>[static_cast<std::size_t>(member)]);
+  return content_of(names);
+}
+
+template <class T, std::size_t n>
+OptionContent content_of(const std::array<T, n>& option) {
+  return std::vector<double>(option.begin(), option.end());
+}
+
+template <class T>
+OptionContent content_of(const std::optional<T>& option) {
+  return option ? content_of(*option) : std::vector<double>();
+}
 
 }  // namespace crossgrain

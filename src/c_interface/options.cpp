@@ -46,7 +46,7 @@ const std::vector<NamedType>& options_of(crossgrain_options_kind kind) {
     for (std::size_t k = 0; k < lists.size(); ++k) {
       Values values = defaults_of(static_cast<crossgrain_options_kind>(k));
       const auto note = [&]<class T>(const char* name, const T&) {
-        lists[k].push_back({name, OptionOf<T>::type});
+        lists[k].push_back({name, kOptionType<T>});
       };
       std::visit([&](auto& options) { for_each_option(options, note); }, values);
     }
@@ -102,26 +102,21 @@ void with_option(AnyValues& values, const char* name, const Use& use) {
 }
 
 void set(crossgrain_options* options, const char* name, const OptionValue& value) {
-  with_option(given(options, "options").values, name, [&]<class T>(T& member) {
+  with_option(given(options, "options").values, name, [&](auto& member) {
     try {
-      member = OptionOf<T>::of(value);
+      set_option(member, value);
     } catch (const std::invalid_argument& error) {
       throw Error(ErrorKind::kUsage, fmt::format("the option {} {}", name, error.what()));
     }
   });
 }
 
-OptionContent content_of(const crossgrain_options* options, const char* name) {
+template <class Part>
+Part part_of(const crossgrain_options* options, const char* name) {
   // The members are only read; a copy serves the one function that names them.
   Values values = given(options, "options").values;
   OptionContent content;
-  with_option(values, name, [&]<class T>(T& member) { content = OptionOf<T>::content(member); });
-  return content;
-}
-
-template <class Part>
-Part part_of(const crossgrain_options* options, const char* name) {
-  OptionContent content = content_of(options, name);
+  with_option(values, name, [&](const auto& member) { content = content_of(member); });
   auto* const part = std::get_if<Part>(&content);
   if (part == nullptr)
     throw Error(ErrorKind::kUsage, fmt::format("the option {} is {}", name,
