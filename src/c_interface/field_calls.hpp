@@ -74,3 +74,43 @@ crossgrain_graph* graph_of(const Field& field, const crossgrain_monitor* monitor
 }
 
 }  // namespace crossgrain
+
+/// The functions that are the same for both handles.
+#define CROSSGRAIN_FIELD_CALLS(Handle)                                                                       \
+  crossgrain_status Handle##_singularities(const Handle* field, crossgrain_monitor* monitor,                 \
+                                           crossgrain_graph** out, crossgrain_error** error) {               \
+    return made(out, error, [&] { return graph_of(given(field, "field").field, monitor); });                 \
+  }                                                                                                          \
+  crossgrain_status Handle##_report(const Handle* field, char** json, crossgrain_error** error) {            \
+    return made(json, error, [&] { return copy_of(report_json(given(field, "field").field.report())); });    \
+  }                                                                                                          \
+  crossgrain_status Handle##_check(const Handle* field, char** json, crossgrain_error** error) {             \
+    return made(json, error, [&] { return copy_of(check_json(given(field, "field").field.report())); });     \
+  }                                                                                                          \
+  crossgrain_status Handle##_answer(const Handle* field, crossgrain_answer** out,                            \
+                                    crossgrain_error** error) {                                              \
+    return made(out, error,                                                                                  \
+                [&] { return new crossgrain_answer(given(field, "field").field.report().answer); });         \
+  }                                                                                                          \
+  crossgrain_status Handle##_write(                                                                          \
+      const Handle* field, const char* folder, const crossgrain_options* options, const char* model,         \
+      double read_seconds, crossgrain_monitor* monitor, char** json, crossgrain_error** error) {             \
+    return guarded(error, [&] {                                                                              \
+      const auto& written = given(field, "field").field;                                                     \
+      write_result(written, folder, output_options_for(written, options), model, read_seconds, monitor,      \
+                   json);                                                                                    \
+    });                                                                                                      \
+  }                                                                                                          \
+  crossgrain_status Handle##_write_page(const Handle* field, const char* path, crossgrain_monitor* monitor,  \
+                                        crossgrain_error** error) {                                          \
+    return guarded(                                                                                          \
+        error, [&] { write_page(given(field, "field").field, &given(path, "path"), monitor_of(monitor)); }); \
+  }                                                                                                          \
+  crossgrain_status Handle##_render(const Handle* field, const char* path,                                   \
+                                    const crossgrain_options* options,                                       \
+                                    const crossgrain_graph* singularities, const crossgrain_lines* lines,    \
+                                    crossgrain_monitor* monitor, crossgrain_error** error) {                 \
+    return guarded(error, [&] {                                                                              \
+      render_result(given(field, "field").field, path, options, singularities, lines, monitor);              \
+    });                                                                                                      \
+  }

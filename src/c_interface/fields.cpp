@@ -199,48 +199,4 @@ crossgrain_status crossgrain_field_sample(const crossgrain_field* field, const d
   });
 }
 
-crossgrain_status crossgrain_field_singularities(const crossgrain_field* field, crossgrain_monitor* monitor,
-                                                 crossgrain_graph** out, crossgrain_error** error) {
-  return made(out, error, [&] { return graph_of(given(field, "field").field, monitor); });
-}
-
-crossgrain_status crossgrain_field_report(const crossgrain_field* field, char** json,
-                                          crossgrain_error** error) {
-  return made(json, error, [&] { return copy_of(report_json(given(field, "field").field.report())); });
-}
-
-crossgrain_status crossgrain_field_check(const crossgrain_field* field, char** json,
-                                         crossgrain_error** error) {
-  return made(json, error, [&] { return copy_of(check_json(given(field, "field").field.report())); });
-}
-
-crossgrain_status crossgrain_field_answer(const crossgrain_field* field, crossgrain_answer** out,
-                                          crossgrain_error** error) {
-  return made(out, error, [&] { return new crossgrain_answer(given(field, "field").field.report().answer); });
-}
-
-crossgrain_status crossgrain_field_write(const crossgrain_field* field, const char* folder,
-                                         const crossgrain_options* options, const char* model,
-                                         double read_seconds, crossgrain_monitor* monitor, char** json,
-                                         crossgrain_error** error) {
-  return guarded(error, [&] {
-    const auto& written = given(field, "field").field;
-    write_result(written, folder, output_options_for(written, options), model, read_seconds, monitor, json);
-  });
-}
-
-crossgrain_status crossgrain_field_write_page(const crossgrain_field* field, const char* path,
-                                              crossgrain_monitor* monitor, crossgrain_error** error) {
-  return guarded(error,
-                 [&] { write_page(given(field, "field").field, &given(path, "path"), monitor_of(monitor)); });
-}
-
-crossgrain_status crossgrain_field_render(const crossgrain_field* field, const char* path,
-                                          const crossgrain_options* options,
-                                          const crossgrain_graph* singularities,
-                                          const crossgrain_lines* lines, crossgrain_monitor* monitor,
-                                          crossgrain_error** error) {
-  return guarded(error, [&] {
-    render_result(given(field, "field").field, path, options, singularities, lines, monitor);
-  });
-}
+CROSSGRAIN_FIELD_CALLS(crossgrain_field)
