@@ -17,8 +17,8 @@ namespace {
 template <class ValueOf>
 VtuArray frame_array(const FieldData& data, const char* name, std::size_t components,
                      const ValueOf& value_of) {
-  return float_array(VtuSection::kCellData, name, components, data.frames.size(),
-                     [&data, value_of](std::size_t i) { return value_of(from_stored(data.frames[i])); });
+  return row_array<float>(VtuSection::kCellData, name, components, data.frames.size(),
+                          [&data, value_of](std::size_t i) { return value_of(from_stored(data.frames[i])); });
 }
 
 /// Returns the coefficients of a frame in single precision, as in the file.
@@ -37,14 +37,6 @@ void add_coefficients(const FieldData& data, std::vector<VtuArray>& arrays) {
   }));
 }
 
-VtuArray constraint_array(const std::vector<CellConstraint>& constraints) {
-  return vtu_array<std::uint8_t>(VtuSection::kCellData, field_arrays::kConstraint, 1, constraints.size(),
-                                 [&constraints](std::size_t begin, std::size_t end, std::uint8_t* out) {
-                                   for (std::size_t i = begin; i < end; ++i)
-                                     *out++ = static_cast<std::uint8_t>(constraints[i]);
-                                 });
-}
-
 }  // namespace
 
 std::vector<VtuArray> cell_data_arrays(const FieldData& data) {
@@ -59,13 +51,13 @@ std::vector<VtuArray> cell_data_arrays(const FieldData& data) {
   arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kEnergyDensity, data.energy_density));
   arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kAlignment, data.alignment_deg));
   const auto& leaves = data.tree.leaves();
-  arrays.push_back(vtu_array<std::uint8_t>(VtuSection::kCellData, "level", 1, leaves.size(),
-                                           [&leaves](std::size_t begin, std::size_t end, std::uint8_t* out) {
-                                             for (std::size_t i = begin; i < end; ++i)
-                                               *out++ = static_cast<std::uint8_t>(leaves[i].depth());
-                                           }));
+  arrays.push_back(value_array<std::uint8_t>(VtuSection::kCellData, "level", leaves.size(),
+                                             [&leaves](std::size_t i) { return leaves[i].depth(); }));
   arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kOnBoundary, data.on_boundary));
-  if (!data.constraints.empty()) arrays.push_back(constraint_array(data.constraints));
+  if (!data.constraints.empty())
+    arrays.push_back(value_array<std::uint8_t>(VtuSection::kCellData, field_arrays::kConstraint,
+                                               data.constraints.size(),
+                                               [&data](std::size_t i) { return data.constraints[i]; }));
   if (!data.regions.empty())
     arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kRegion, data.regions));
   return arrays;
@@ -101,20 +93,14 @@ void add_field_data(const FieldData& data, std::vector<VtuArray>& arrays) {
   arrays.push_back(constant_array<double>(field_arrays::kRootCube,
                                           {root.origin[0], root.origin[1], root.origin[2], root.size}));
   const auto& leaves = data.tree.leaves();
-  arrays.push_back(
-      vtu_array<std::uint64_t>(VtuSection::kFieldData, field_arrays::kCellAddress, 1, leaves.size(),
-                               [&leaves](std::size_t begin, std::size_t end, std::uint64_t* out) {
-                                 for (std::size_t i = begin; i < end; ++i) *out++ = leaves[i].packed();
-                               }));
-  arrays.push_back(vtu_array<float>(
-      VtuSection::kFieldData, field_arrays::kFrame, 4, data.frames.size(),
-      [&data](std::size_t begin, std::size_t end, float* out) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const StoredQuaternion& q = data.frames[i];
-          for (const float part : {q.w, q.x, q.y, q.z}) *out++ = part;
-        }
-      },
-      VtuPacking::kMeasured));
+  arrays.push_back(value_array<std::uint64_t>(VtuSection::kFieldData, field_arrays::kCellAddress,
+                                              leaves.size(),
+                                              [&leaves](std::size_t i) { return leaves[i].packed(); }));
+  arrays.push_back(row_array<float>(VtuSection::kFieldData, field_arrays::kFrame, 4, data.frames.size(),
+                                    [&data](std::size_t i) {
+                                      const StoredQuaternion& q = data.frames[i];
+                                      return std::array{q.w, q.x, q.y, q.z};
+                                    }));
   arrays.push_back(stored_array(VtuSection::kFieldData, field_arrays::kOpenFaces, data.open_faces));
 }
 

@@ -95,13 +95,6 @@ void add_arc(const SingularityGraph& graph, const SingularityGraph::Arc& arc, Po
   lines.arcs.closed.push_back(arc.is_closed());
 }
 
-VtuArray axes_array(const std::vector<Vector3>& axes) {
-  const auto copy = [&axes](std::size_t begin, std::size_t end, double* out) {
-    for (std::size_t i = begin; i < end; ++i, out += 3) std::ranges::copy(axes[i], out);
-  };
-  return vtu_array<double>(VtuSection::kPointData, "axis", 3, axes.size(), copy, VtuPacking::kMeasured);
-}
-
 std::vector<VtuArray> arrays_of(const Polylines& lines) {
   std::vector<VtuArray> arrays;
   const auto add = [&arrays](VtuSection section, const char* name, const auto& values) {
@@ -112,7 +105,8 @@ std::vector<VtuArray> arrays_of(const Polylines& lines) {
   add(VtuSection::kPointData, "vertex", lines.points.vertices);
   add(VtuSection::kPointData, "node_on_boundary", lines.points.on_boundary);
   add(VtuSection::kPointData, "node_verdict", lines.points.verdicts);
-  arrays.push_back(axes_array(lines.points.axes));
+  arrays.push_back(row_array<double>(VtuSection::kPointData, "axis", 3, lines.points.axes.size(),
+                                     [&lines](std::size_t i) { return lines.points.axes[i]; }));
   add(VtuSection::kPointData, "turning_point", lines.points.turning);
   add(VtuSection::kCellData, "index", lines.arcs.indices);
   add(VtuSection::kCellData, "type", lines.arcs.types);

@@ -2,7 +2,7 @@
 // Writes streamlines as polylines in a VTU file (docs/streamlines.md). Lines do not share points.
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
+#include <functional>
 
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
@@ -72,10 +72,8 @@ VtuArray point_vectors(VtuSection section, const char* name, const LinesInFile& 
 /// One T per line.
 template <class T, class ValueOf>
 VtuArray line_array(const char* name, const LinesInFile& lines, ValueOf value_of) {
-  return vtu_array<T>(VtuSection::kCellData, name, 1, lines.size(),
-                      [&lines, value_of](std::size_t begin, std::size_t end, T* out) {
-                        for (std::size_t k = begin; k < end; ++k) *out++ = static_cast<T>(value_of(lines[k]));
-                      });
+  return value_array<T>(VtuSection::kCellData, name, lines.size(),
+                        [&lines, value_of](std::size_t k) { return value_of(lines[k]); });
 }
 
 void add_line_data(const LinesInFile& lines, std::vector<VtuArray>& arrays) {
@@ -91,16 +89,9 @@ void add_line_data(const LinesInFile& lines, std::vector<VtuArray>& arrays) {
 
 template <class Index>
 void add_polylines(const LinesInFile& lines, std::vector<VtuArray>& arrays) {
-  arrays.push_back(vtu_array<Index>(VtuSection::kCells, "connectivity", 1, lines.points(),
-                                    [](std::size_t begin, std::size_t end, Index* out) {
-                                      for (std::size_t i = begin; i < end; ++i)
-                                        *out++ = static_cast<Index>(i);
-                                    }));
-  arrays.push_back(vtu_array<Index>(VtuSection::kCells, "offsets", 1, lines.size(),
-                                    [&lines](std::size_t begin, std::size_t end, Index* out) {
-                                      for (std::size_t k = begin; k < end; ++k)
-                                        *out++ = static_cast<Index>(lines.points_before(k + 1));
-                                    }));
+  arrays.push_back(value_array<Index>(VtuSection::kCells, "connectivity", lines.points(), std::identity()));
+  arrays.push_back(value_array<Index>(VtuSection::kCells, "offsets", lines.size(),
+                                      [&lines](std::size_t k) { return lines.points_before(k + 1); }));
   arrays.push_back(uniform_types(lines.size(), kVtkPolyLine));
 }
 

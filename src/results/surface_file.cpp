@@ -72,16 +72,10 @@ struct SurfaceRows {
 
 template <class Index>
 void add_cells(const SurfaceRows& rows, std::vector<VtuArray>& arrays) {
-  arrays.push_back(vtu_array<Index>(VtuSection::kCells, "connectivity", 1, rows.entries(),
-                                    [&rows](std::size_t begin, std::size_t end, Index* out) {
-                                      for (std::size_t i = begin; i < end; ++i)
-                                        *out++ = static_cast<Index>(rows.entry(i));
-                                    }));
-  arrays.push_back(vtu_array<Index>(VtuSection::kCells, "offsets", 1, rows.cells(),
-                                    [&rows](std::size_t begin, std::size_t end, Index* out) {
-                                      for (std::size_t i = begin; i < end; ++i)
-                                        *out++ = static_cast<Index>(rows.cell_end(i));
-                                    }));
+  arrays.push_back(value_array<Index>(VtuSection::kCells, "connectivity", rows.entries(),
+                                      [&rows](std::size_t i) { return rows.entry(i); }));
+  arrays.push_back(value_array<Index>(VtuSection::kCells, "offsets", rows.cells(),
+                                      [&rows](std::size_t i) { return rows.cell_end(i); }));
 }
 
 std::vector<VtuArray> arrays_of(const SurfaceRows& rows) {
@@ -92,18 +86,14 @@ std::vector<VtuArray> arrays_of(const SurfaceRows& rows) {
     add_cells<std::int32_t>(rows, arrays);
   else
     add_cells<std::int64_t>(rows, arrays);
-  arrays.push_back(vtu_array<std::uint8_t>(VtuSection::kCells, "types", 1, rows.cells(),
-                                           [&rows](std::size_t begin, std::size_t end, std::uint8_t* out) {
-                                             for (std::size_t i = begin; i < end; ++i)
-                                               *out++ = i < rows.triangles ? kVtkTriangle : kVtkPolyLine;
-                                           }));
+  arrays.push_back(value_array<std::uint8_t>(
+      VtuSection::kCells, "types", rows.cells(),
+      [&rows](std::size_t i) { return i < rows.triangles ? kVtkTriangle : kVtkPolyLine; }));
   if (!rows.surface.regions.empty()) {
     for (const std::size_t side : {0, 1})
       arrays.push_back(
-          vtu_array<std::int32_t>(VtuSection::kCellData, kRegionArrays[side], 1, rows.cells(),
-                                  [&rows, side](std::size_t begin, std::size_t end, std::int32_t* out) {
-                                    for (std::size_t i = begin; i < end; ++i) *out++ = rows.region(i, side);
-                                  }));
+          value_array<std::int32_t>(VtuSection::kCellData, kRegionArrays[side], rows.cells(),
+                                    [&rows, side](std::size_t i) { return rows.region(i, side); }));
   }
   return arrays;
 }

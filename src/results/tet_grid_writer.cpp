@@ -20,31 +20,22 @@ void add_points(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
 
 template <class Index>
 void add_tets(const TetMesh& mesh, std::vector<VtuArray>& arrays) {
-  arrays.push_back(vtu_array<Index>(
-      VtuSection::kCells, "connectivity", 1, 4 * mesh.tets.size(),
-      [&mesh](std::size_t begin, std::size_t end, Index* out) {
-        for (std::size_t i = begin; i < end; ++i) *out++ = static_cast<Index>(mesh.tets[i / 4][i % 4]);
-      },
-      VtuPacking::kAlways));
+  arrays.push_back(value_array<Index>(VtuSection::kCells, "connectivity", 4 * mesh.tets.size(),
+                                      [&mesh](std::size_t i) { return mesh.tets[i / 4][i % 4]; }));
   add_uniform_cells<Index>(mesh.tets.size(), 4, kVtkTet, arrays);
 }
 
 /// Adds what a repaired field is read from: exact frames, and its matchings.
 void add_repair(const TetOutput& output, std::vector<VtuArray>& arrays) {
   const std::vector<Quaternion>& frames = output.field.tet_frames;
-  arrays.push_back(
-      vtu_array<double>(VtuSection::kCellData, field_arrays::kTetFrame, 4, frames.size(),
-                        [&frames](std::size_t begin, std::size_t end, double* out) {
-                          for (std::size_t t = begin; t < end; ++t)
-                            for (const double part : {frames[t].w, frames[t].x, frames[t].y, frames[t].z})
-                              *out++ = part;
-                        }));
-  arrays.push_back(vtu_array<std::int8_t>(VtuSection::kCellData, field_arrays::kMatching, 12, frames.size(),
-                                          [axes = axes_behind_faces(output.solid, output.field.matchings)](
-                                              std::size_t begin, std::size_t end, std::int8_t* out) {
-                                            for (std::size_t t = begin; t < end; ++t)
-                                              out = std::copy(axes[t].begin(), axes[t].end(), out);
-                                          }));
+  const auto parts = [&frames](std::size_t t) {
+    return std::array{frames[t].w, frames[t].x, frames[t].y, frames[t].z};
+  };
+  arrays.push_back(row_array<double>(VtuSection::kCellData, field_arrays::kTetFrame, 4, frames.size(), parts,
+                                     VtuPacking::kAlways));
+  arrays.push_back(row_array<std::int8_t>(
+      VtuSection::kCellData, field_arrays::kMatching, 12, frames.size(),
+      [axes = axes_behind_faces(output.solid, output.field.matchings)](std::size_t t) { return axes[t]; }));
 }
 
 /// The tagged edges and then the tagged triangles of a mesh, as cells with tags.

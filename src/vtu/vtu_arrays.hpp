@@ -17,6 +17,11 @@
 
 namespace crossgrain {
 
+/// Numbers that are measured hardly get shorter by packing.
+template <class T>
+inline constexpr VtuPacking kUsualPacking =
+    std::is_floating_point_v<T> ? VtuPacking::kMeasured : VtuPacking::kAlways;
+
 /// Writes a vector as it stands in memory. It must outlive the array.
 template <class T>
 VtuArray stored_array(VtuSection section, const char* name, const std::vector<T>& values) {
@@ -24,23 +29,24 @@ VtuArray stored_array(VtuSection section, const char* name, const std::vector<T>
     std::copy(values.begin() + static_cast<std::ptrdiff_t>(begin),
               values.begin() + static_cast<std::ptrdiff_t>(end), out);
   };
-  constexpr bool kIsMeasured = std::is_floating_point_v<T>;
-  return vtu_array<T>(section, name, 1, values.size(), copy,
-                      kIsMeasured ? VtuPacking::kMeasured : VtuPacking::kAlways);
+  return vtu_array<T>(section, name, 1, values.size(), copy, kUsualPacking<T>);
 }
 
-/// Rows of `components` floats; row_of(i) returns row i, any sequence of that many numbers.
-template <class RowOf>
-VtuArray float_array(VtuSection section, const char* name, std::size_t components, std::size_t rows,
-                     RowOf row_of) {
-  return vtu_array<float>(
-      section, name, components, rows,
-      [row_of = std::move(row_of)](std::size_t begin, std::size_t end, float* out) {
-        for (std::size_t i = begin; i < end; ++i) {
-          for (const double value : row_of(i)) *out++ = static_cast<float>(value);
-        }
-      },
-      VtuPacking::kMeasured);
+/// Rows of `components` numbers; row_of(i) returns row i, any sequence of that many numbers.
+template <class T, class RowOf>
+VtuArray row_array(VtuSection section, const char* name, std::size_t components, std::size_t rows,
+                   RowOf row_of, VtuPacking packing = kUsualPacking<T>) {
+  auto put = [row_of = std::move(row_of)](std::size_t begin, std::size_t end, T* out) {
+    for (std::size_t i = begin; i < end; ++i)
+      for (const auto value : row_of(i)) *out++ = static_cast<T>(value);
+  };
+  return vtu_array<T>(section, name, components, rows, std::move(put), packing);
+}
+
+/// A number value_of(i) for each row.
+template <class T, class ValueOf>
+VtuArray value_array(VtuSection section, const char* name, std::size_t rows, ValueOf value_of) {
+  return row_array<T>(section, name, 1, rows, [value_of](std::size_t i) { return std::array{value_of(i)}; });
 }
 
 /// Arrays axis_u, axis_v and axis_w of the unit quaternions frame_of(i), i < count.
@@ -48,20 +54,15 @@ template <class FrameOf>
 void add_axes(VtuSection section, std::size_t count, const FrameOf& frame_of, std::vector<VtuArray>& arrays) {
   const std::array names{"axis_u", "axis_v", "axis_w"};
   for (std::size_t k = 0; k < names.size(); ++k) {
-    arrays.push_back(float_array(section, names[k], 3, count,
-                                 [frame_of, k](std::size_t i) { return axes_of(frame_of(i))[k]; }));
+    arrays.push_back(row_array<float>(section, names[k], 3, count,
+                                      [frame_of, k](std::size_t i) { return axes_of(frame_of(i))[k]; }));
   }
 }
 
 /// Positions of the points of the grid: point_of(i), i < count.
 template <class PointOf>
 VtuArray points_array(std::size_t count, PointOf point_of) {
-  return vtu_array<double>(
-      VtuSection::kPoints, "Points", 3, count,
-      [point_of = std::move(point_of)](std::size_t begin, std::size_t end, double* out) {
-        for (std::size_t i = begin; i < end; ++i, out += 3) std::ranges::copy(point_of(i), out);
-      },
-      VtuPacking::kMeasured);
+  return row_array<double>(VtuSection::kPoints, "Points", 3, count, std::move(point_of));
 }
 
 /// Numbers that belong to the grid as a whole.
@@ -80,10 +81,8 @@ inline constexpr std::uint8_t kVtkLine = 3, kVtkPolyLine = 4, kVtkTriangle = 5, 
 
 /// Array of types for `cells` cells of one type.
 inline VtuArray uniform_types(std::size_t cells, std::uint8_t vtk_type) {
-  return vtu_array<std::uint8_t>(VtuSection::kCells, "types", 1, cells,
-                                 [vtk_type](std::size_t begin, std::size_t end, std::uint8_t* out) {
-                                   std::fill_n(out, end - begin, vtk_type);
-                                 });
+  return value_array<std::uint8_t>(VtuSection::kCells, "types", cells,
+                                   [vtk_type](std::size_t) { return vtk_type; });
 }
 
 /// Returns whether 32-bit indices suffice for a connectivity of `entries` indices of `points` points, and for
@@ -97,11 +96,8 @@ inline bool fits_32_bits(std::size_t points, std::size_t entries) {
 template <class Index>
 void add_uniform_cells(std::size_t cells, std::size_t corners, std::uint8_t vtk_type,
                        std::vector<VtuArray>& arrays) {
-  arrays.push_back(vtu_array<Index>(VtuSection::kCells, "offsets", 1, cells,
-                                    [corners](std::size_t begin, std::size_t end, Index* out) {
-                                      for (std::size_t i = begin; i < end; ++i)
-                                        *out++ = static_cast<Index>(corners * (i + 1));
-                                    }));
+  arrays.push_back(value_array<Index>(VtuSection::kCells, "offsets", cells,
+                                      [corners](std::size_t i) { return corners * (i + 1); }));
   arrays.push_back(uniform_types(cells, vtk_type));
 }
 

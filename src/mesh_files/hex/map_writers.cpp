@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "base/vector3.hpp"
 #include "crossgrain/error.hpp"
@@ -34,27 +35,16 @@ double determinant(const HexMap& map, std::size_t tet) {
 }
 
 VtuArray coordinates_array(const char* name, const std::vector<HexMap::Corners>& coordinates) {
-  return vtu_array<double>(
-      VtuSection::kPointData, name, 3, 4 * coordinates.size(),
-      [&coordinates](std::size_t begin, std::size_t end, double* out) {
-        for (std::size_t i = begin; i < end; ++i) out = std::ranges::copy(coordinates[i / 4][i % 4], out).out;
-      },
-      VtuPacking::kMeasured);
+  return row_array<double>(VtuSection::kPointData, name, 3, 4 * coordinates.size(),
+                           [&coordinates](std::size_t i) { return coordinates[i / 4][i % 4]; });
 }
 
 template <class Index>
 void add_tets(const HexMap& map, std::vector<VtuArray>& arrays) {
   const std::size_t corners = 4 * map.tets.size();
-  arrays.push_back(vtu_array<Index>(VtuSection::kPointData, "vertex", 1, corners,
-                                    [&map](std::size_t begin, std::size_t end, Index* out) {
-                                      for (std::size_t i = begin; i < end; ++i)
-                                        *out++ = static_cast<Index>(map.tets[i / 4][i % 4]);
-                                    }));
-  arrays.push_back(vtu_array<Index>(VtuSection::kCells, "connectivity", 1, corners,
-                                    [](std::size_t begin, std::size_t end, Index* out) {
-                                      for (std::size_t i = begin; i < end; ++i)
-                                        *out++ = static_cast<Index>(i);
-                                    }));
+  arrays.push_back(value_array<Index>(VtuSection::kPointData, "vertex", corners,
+                                      [&map](std::size_t i) { return map.tets[i / 4][i % 4]; }));
+  arrays.push_back(value_array<Index>(VtuSection::kCells, "connectivity", corners, std::identity()));
   add_uniform_cells<Index>(map.tets.size(), 4, kVtkTet, arrays);
 }
 
@@ -102,12 +92,8 @@ void write_vtu_map(OutputFile& file, const HexMap& map, const Monitor& monitor) 
   std::vector<VtuArray> arrays;
   arrays.push_back(coordinates_array("seamless", map.seamless));
   arrays.push_back(coordinates_array("integer_grid", map.integer_grid));
-  arrays.push_back(vtu_array<double>(
-      VtuSection::kCellData, "determinant", 1, tets,
-      [&map](std::size_t begin, std::size_t end, double* out) {
-        for (std::size_t t = begin; t < end; ++t) *out++ = determinant(map, t);
-      },
-      VtuPacking::kMeasured));
+  arrays.push_back(value_array<double>(VtuSection::kCellData, "determinant", tets,
+                                       [&map](std::size_t t) { return determinant(map, t); }));
   arrays.push_back(
       points_array(points, [&map](std::size_t i) { return map.vertices[map.tets[i / 4][i % 4]]; }));
   if (fits_32_bits(points, points))

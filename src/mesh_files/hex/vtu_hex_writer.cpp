@@ -14,17 +14,10 @@ namespace {
 
 template <class Index>
 void add_hexahedra(const HexMesh& mesh, std::vector<VtuArray>& arrays) {
-  arrays.push_back(vtu_array<Index>(VtuSection::kCells, "connectivity", 1, 8 * mesh.hexahedra.size(),
-                                    [&mesh](std::size_t begin, std::size_t end, Index* out) {
-                                      for (std::size_t i = begin; i < end; ++i)
-                                        *out++ = static_cast<Index>(mesh.hexahedra[i / 8][i % 8]);
-                                    }));
-  arrays.push_back(vtu_array<Index>(VtuSection::kFieldData, hex_arrays::kBoundary, 4, mesh.boundary.size(),
-                                    [&mesh](std::size_t begin, std::size_t end, Index* out) {
-                                      for (std::size_t i = begin; i < end; ++i)
-                                        for (const std::uint32_t vertex : mesh.boundary[i].vertices)
-                                          *out++ = static_cast<Index>(vertex);
-                                    }));
+  arrays.push_back(value_array<Index>(VtuSection::kCells, "connectivity", 8 * mesh.hexahedra.size(),
+                                      [&mesh](std::size_t i) { return mesh.hexahedra[i / 8][i % 8]; }));
+  arrays.push_back(row_array<Index>(VtuSection::kFieldData, hex_arrays::kBoundary, 4, mesh.boundary.size(),
+                                    [&mesh](std::size_t i) { return mesh.boundary[i].vertices; }));
   add_uniform_cells<Index>(mesh.hexahedra.size(), 8, kVtkHexahedron, arrays);
 }
 
@@ -37,12 +30,9 @@ void write_vtu_hexahedra(OutputFile& file, const HexOutput& output, const Monito
   arrays.push_back(stored_array(VtuSection::kCellData, "scaled_jacobian", shapes));
   if (!mesh.regions.empty())
     arrays.push_back(stored_array(VtuSection::kCellData, field_arrays::kRegion, mesh.regions));
-  arrays.push_back(vtu_array<std::int32_t>(VtuSection::kFieldData, hex_arrays::kBoundaryTag, 1,
-                                           mesh.boundary.size(),
-                                           [&mesh](std::size_t begin, std::size_t end, std::int32_t* out) {
-                                             for (std::size_t i = begin; i < end; ++i)
-                                               *out++ = mesh.boundary[i].tag;
-                                           }));
+  arrays.push_back(value_array<std::int32_t>(VtuSection::kFieldData, hex_arrays::kBoundaryTag,
+                                             mesh.boundary.size(),
+                                             [&mesh](std::size_t i) { return mesh.boundary[i].tag; }));
   arrays.push_back(points_array(mesh.vertices.size(), [&mesh](std::size_t i) { return mesh.vertices[i]; }));
   if (fits_32_bits(mesh.vertices.size(), 8 * mesh.hexahedra.size()))
     add_hexahedra<std::int32_t>(mesh, arrays);
