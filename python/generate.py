@@ -38,7 +38,7 @@ class Header:
         self.enums, self.structs = self.bodies("enum"), self.bodies("struct")
         callbacks = re.findall(r"typedef (\w+) \(\*(\w+)\)\(([^)]*)\);", self.text)
         self.callbacks = {name: (returned, arguments) for returned, name, arguments in callbacks}
-        self.functions = re.findall(r"CROSSGRAIN_API ([\w ]+?[ *]+)(\w+)\(([^)]*)\);", self.text)
+        self.functions = re.findall(r"([\w ]+?[ *]+)(crossgrain_\w+)\(([^)]*)\);", self.text)
 
     def bodies(self, keyword):
         found = re.findall(rf"typedef {keyword} \w+ \{{([^}}]*)\}} (\w+);", self.text)

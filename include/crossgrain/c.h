@@ -33,12 +33,9 @@
 
 #include "crossgrain/version.h"
 
-#if defined(__GNUC__)
-#define CROSSGRAIN_API __attribute__((visibility("default")))
-#else
-#define CROSSGRAIN_API
+#ifdef __GNUC__
+#pragma GCC visibility push(default)
 #endif
-
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -50,10 +47,10 @@ extern "C" {
 #define CROSSGRAIN_C_VERSION 1
 
 /** Returns the CROSSGRAIN_C_VERSION of the library that is loaded. */
-CROSSGRAIN_API int crossgrain_c_version(void);
+int crossgrain_c_version(void);
 
 /** Returns the version of the library, such as "0.1.0"; CROSSGRAIN_VERSION_NUMBER is that of the header. */
-CROSSGRAIN_API const char* crossgrain_version(void);
+const char* crossgrain_version(void);
 
 /** @} */
 /** \defgroup c_errors Errors
@@ -81,10 +78,10 @@ typedef struct crossgrain_error {
   const char* remedy_name; /**< the same as a name for scripts that does not change: "raise_resolution" */
 } crossgrain_error;
 
-CROSSGRAIN_API void crossgrain_error_free(crossgrain_error* error);
+void crossgrain_error_free(crossgrain_error* error);
 
 /** Releases a text that was returned through `char **`. */
-CROSSGRAIN_API void crossgrain_text_free(char* text);
+void crossgrain_text_free(char* text);
 
 /** @} */
 /** \defgroup c_handles Handles
@@ -125,28 +122,28 @@ typedef struct crossgrain_reservation crossgrain_reservation;
 /** Rows of numbers whose count was not known before. */
 typedef struct crossgrain_numbers crossgrain_numbers;
 
-CROSSGRAIN_API void crossgrain_options_free(crossgrain_options* options);
-CROSSGRAIN_API void crossgrain_monitor_free(crossgrain_monitor* monitor);
-CROSSGRAIN_API void crossgrain_constraints_free(crossgrain_constraints* constraints);
-CROSSGRAIN_API void crossgrain_mesh_free(crossgrain_mesh* mesh);
-CROSSGRAIN_API void crossgrain_tets_free(crossgrain_tets* tets);
-CROSSGRAIN_API void crossgrain_domain_free(crossgrain_domain* domain);
-CROSSGRAIN_API void crossgrain_field_free(crossgrain_field* field);
-CROSSGRAIN_API void crossgrain_tet_field_free(crossgrain_tet_field* field);
-CROSSGRAIN_API void crossgrain_hexahedra_free(crossgrain_hexahedra* hexahedra);
-CROSSGRAIN_API void crossgrain_matchings_free(crossgrain_matchings* matchings);
-CROSSGRAIN_API void crossgrain_graph_free(crossgrain_graph* graph);
-CROSSGRAIN_API void crossgrain_answer_free(crossgrain_answer* answer);
-CROSSGRAIN_API void crossgrain_tracer_free(crossgrain_tracer* tracer);
-CROSSGRAIN_API void crossgrain_lines_free(crossgrain_lines* lines);
-CROSSGRAIN_API void crossgrain_spectrum_free(crossgrain_spectrum* spectrum);
-CROSSGRAIN_API void crossgrain_reservation_free(crossgrain_reservation* reservation);
-CROSSGRAIN_API void crossgrain_numbers_free(crossgrain_numbers* numbers);
+void crossgrain_options_free(crossgrain_options* options);
+void crossgrain_monitor_free(crossgrain_monitor* monitor);
+void crossgrain_constraints_free(crossgrain_constraints* constraints);
+void crossgrain_mesh_free(crossgrain_mesh* mesh);
+void crossgrain_tets_free(crossgrain_tets* tets);
+void crossgrain_domain_free(crossgrain_domain* domain);
+void crossgrain_field_free(crossgrain_field* field);
+void crossgrain_tet_field_free(crossgrain_tet_field* field);
+void crossgrain_hexahedra_free(crossgrain_hexahedra* hexahedra);
+void crossgrain_matchings_free(crossgrain_matchings* matchings);
+void crossgrain_graph_free(crossgrain_graph* graph);
+void crossgrain_answer_free(crossgrain_answer* answer);
+void crossgrain_tracer_free(crossgrain_tracer* tracer);
+void crossgrain_lines_free(crossgrain_lines* lines);
+void crossgrain_spectrum_free(crossgrain_spectrum* spectrum);
+void crossgrain_reservation_free(crossgrain_reservation* reservation);
+void crossgrain_numbers_free(crossgrain_numbers* numbers);
 
 /** Number of rows, numbers in each, and all of them row by row. */
-CROSSGRAIN_API size_t crossgrain_numbers_rows(const crossgrain_numbers* numbers);
-CROSSGRAIN_API size_t crossgrain_numbers_columns(const crossgrain_numbers* numbers);
-CROSSGRAIN_API const double* crossgrain_numbers_data(const crossgrain_numbers* numbers);
+size_t crossgrain_numbers_rows(const crossgrain_numbers* numbers);
+size_t crossgrain_numbers_columns(const crossgrain_numbers* numbers);
+const double* crossgrain_numbers_data(const crossgrain_numbers* numbers);
 
 /** @} */
 /** \defgroup c_options Options
@@ -180,57 +177,53 @@ typedef enum crossgrain_option_type {
 } crossgrain_option_type;
 
 /** Makes options with all defaults. */
-CROSSGRAIN_API crossgrain_status crossgrain_options_new(crossgrain_options_kind kind,
-                                                        crossgrain_options** out, crossgrain_error** error);
+crossgrain_status crossgrain_options_new(crossgrain_options_kind kind, crossgrain_options** out,
+                                         crossgrain_error** error);
 
 /** The options of a kind: how many, and the name and type of each. NULL and CROSSGRAIN_FLAG beyond the last.
  */
-CROSSGRAIN_API size_t crossgrain_options_count(crossgrain_options_kind kind);
-CROSSGRAIN_API const char* crossgrain_options_name(crossgrain_options_kind kind, size_t index);
-CROSSGRAIN_API crossgrain_option_type crossgrain_options_type(crossgrain_options_kind kind, size_t index);
+size_t crossgrain_options_count(crossgrain_options_kind kind);
+const char* crossgrain_options_name(crossgrain_options_kind kind, size_t index);
+crossgrain_option_type crossgrain_options_type(crossgrain_options_kind kind, size_t index);
 
 /** What to do instead of setting an option of earlier versions: "use crease_angle_deg". NULL if there was
  * none of this name. */
-CROSSGRAIN_API const char* crossgrain_options_replacement(crossgrain_options_kind kind, const char* name);
+const char* crossgrain_options_replacement(crossgrain_options_kind kind, const char* name);
 
 /** Sets an option. CROSSGRAIN_USAGE for a name that is unknown, naming the nearest one or what replaced it,
  * and for a value of another type or that its member cannot hold. Ranges are checked where the options are
  * used. */
-CROSSGRAIN_API crossgrain_status crossgrain_options_set_integer(crossgrain_options* options, const char* name,
-                                                                int64_t value, crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_options_set_number(crossgrain_options* options, const char* name,
-                                                               double value, crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_options_set_numbers(crossgrain_options* options, const char* name,
-                                                                const double* values, size_t count,
-                                                                crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_options_set_text(crossgrain_options* options, const char* name,
-                                                             const char* value, crossgrain_error** error);
+crossgrain_status crossgrain_options_set_integer(crossgrain_options* options, const char* name, int64_t value,
+                                                 crossgrain_error** error);
+crossgrain_status crossgrain_options_set_number(crossgrain_options* options, const char* name, double value,
+                                                crossgrain_error** error);
+crossgrain_status crossgrain_options_set_numbers(crossgrain_options* options, const char* name,
+                                                 const double* values, size_t count,
+                                                 crossgrain_error** error);
+crossgrain_status crossgrain_options_set_text(crossgrain_options* options, const char* name,
+                                              const char* value, crossgrain_error** error);
 
 /** The value of an option that takes numbers (flags and integers too; none if it is absent), and of one that
  * takes text. */
-CROSSGRAIN_API crossgrain_status crossgrain_options_get_numbers(const crossgrain_options* options,
-                                                                const char* name, crossgrain_numbers** out,
-                                                                crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_options_get_text(const crossgrain_options* options,
-                                                             const char* name, char** out,
-                                                             crossgrain_error** error);
+crossgrain_status crossgrain_options_get_numbers(const crossgrain_options* options, const char* name,
+                                                 crossgrain_numbers** out, crossgrain_error** error);
+crossgrain_status crossgrain_options_get_text(const crossgrain_options* options, const char* name, char** out,
+                                              crossgrain_error** error);
 
 /** Copies constraints into options of a solve (SolveOptions::constraints). Here and below, options of kind
  * CROSSGRAIN_HEX_MESHING_OPTIONS have those of a solve inside. */
-CROSSGRAIN_API crossgrain_status crossgrain_options_set_constraints(crossgrain_options* options,
-                                                                    const crossgrain_constraints* constraints,
-                                                                    crossgrain_error** error);
+crossgrain_status crossgrain_options_set_constraints(crossgrain_options* options,
+                                                     const crossgrain_constraints* constraints,
+                                                     crossgrain_error** error);
 
 /** Gives options of a solve the cells that suit a tet mesh, if they name none (sized_for). A solve onto tets
  * does so. */
-CROSSGRAIN_API crossgrain_status crossgrain_options_size_for(crossgrain_options* options,
-                                                             const crossgrain_domain* domain,
-                                                             crossgrain_error** error);
+crossgrain_status crossgrain_options_size_for(crossgrain_options* options, const crossgrain_domain* domain,
+                                              crossgrain_error** error);
 
 /** The options for reading a surface that will be solved with options of a solve. */
-CROSSGRAIN_API crossgrain_status crossgrain_options_for_reading(const crossgrain_options* solve,
-                                                                crossgrain_options** out,
-                                                                crossgrain_error** error);
+crossgrain_status crossgrain_options_for_reading(const crossgrain_options* solve, crossgrain_options** out,
+                                                 crossgrain_error** error);
 
 /** @} */
 /** \defgroup c_monitor Progress and cancelling
@@ -280,19 +273,19 @@ typedef int (*crossgrain_on_progress)(const crossgrain_progress* progress, void*
 typedef int (*crossgrain_on_expectation)(const crossgrain_expectation* expectation, void* state);
 
 /** Makes a monitor. Each listener may be NULL. Computations take a monitor that may be NULL too. */
-CROSSGRAIN_API crossgrain_status crossgrain_monitor_new(crossgrain_on_progress on_progress,
-                                                        crossgrain_on_expectation on_expectation, void* state,
-                                                        crossgrain_monitor** out, crossgrain_error** error);
+crossgrain_status crossgrain_monitor_new(crossgrain_on_progress on_progress,
+                                         crossgrain_on_expectation on_expectation, void* state,
+                                         crossgrain_monitor** out, crossgrain_error** error);
 
 /** Ends computations with this monitor soon, with CROSSGRAIN_INTERRUPTED. */
-CROSSGRAIN_API void crossgrain_monitor_cancel(crossgrain_monitor* monitor);
+void crossgrain_monitor_cancel(crossgrain_monitor* monitor);
 
 /** Asks a solve for which stops are allowed to return the field of its last finished level (Monitor::stop).
  */
-CROSSGRAIN_API void crossgrain_monitor_stop(crossgrain_monitor* monitor);
+void crossgrain_monitor_stop(crossgrain_monitor* monitor);
 
 /** Allows stops; to be called before the solve. */
-CROSSGRAIN_API void crossgrain_monitor_allow_stops(crossgrain_monitor* monitor);
+void crossgrain_monitor_allow_stops(crossgrain_monitor* monitor);
 
 /** @} */
 /** \defgroup c_meshes Models
@@ -300,44 +293,41 @@ CROSSGRAIN_API void crossgrain_monitor_allow_stops(crossgrain_monitor* monitor);
 
 /** Makes a surface: `vertices` holds 3 vertex_count numbers, `triangles` 3 triangle_count indices. Checked by
  * a solve. */
-CROSSGRAIN_API crossgrain_status crossgrain_mesh_new(const double* vertices, size_t vertex_count,
-                                                     const uint32_t* triangles, size_t triangle_count,
-                                                     crossgrain_mesh** out, crossgrain_error** error);
+crossgrain_status crossgrain_mesh_new(const double* vertices, size_t vertex_count, const uint32_t* triangles,
+                                      size_t triangle_count, crossgrain_mesh** out, crossgrain_error** error);
 
 /** Reads a surface or a CAD file; `options` of kind CROSSGRAIN_READ_OPTIONS, or NULL. */
-CROSSGRAIN_API crossgrain_status crossgrain_mesh_read(const char* path, const crossgrain_options* options,
-                                                      crossgrain_monitor* monitor, crossgrain_mesh** out,
-                                                      crossgrain_error** error);
+crossgrain_status crossgrain_mesh_read(const char* path, const crossgrain_options* options,
+                                       crossgrain_monitor* monitor, crossgrain_mesh** out,
+                                       crossgrain_error** error);
 
 /** Sets what belongs to each triangle (TriangleMesh): numbers of faces and of solids, and nine numbers for
  * the normals at its corners. `count` is the number of triangles, or 0 for none. */
-CROSSGRAIN_API crossgrain_status crossgrain_mesh_set_faces(crossgrain_mesh* mesh, const int32_t* faces,
-                                                           size_t count, crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_mesh_set_solids(crossgrain_mesh* mesh, const int32_t* solids,
-                                                            size_t count, crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_mesh_set_corner_normals(crossgrain_mesh* mesh,
-                                                                    const double* normals, size_t count,
-                                                                    crossgrain_error** error);
+crossgrain_status crossgrain_mesh_set_faces(crossgrain_mesh* mesh, const int32_t* faces, size_t count,
+                                            crossgrain_error** error);
+crossgrain_status crossgrain_mesh_set_solids(crossgrain_mesh* mesh, const int32_t* solids, size_t count,
+                                             crossgrain_error** error);
+crossgrain_status crossgrain_mesh_set_corner_normals(crossgrain_mesh* mesh, const double* normals,
+                                                     size_t count, crossgrain_error** error);
 
 /** Adds a sharp edge: points and unit tangents, `count` of each. */
-CROSSGRAIN_API crossgrain_status crossgrain_mesh_add_crease(crossgrain_mesh* mesh, const double* points,
-                                                            const double* tangents, size_t count, int32_t tag,
-                                                            int is_tagged, crossgrain_error** error);
+crossgrain_status crossgrain_mesh_add_crease(crossgrain_mesh* mesh, const double* points,
+                                             const double* tangents, size_t count, int32_t tag, int is_tagged,
+                                             crossgrain_error** error);
 
 /** Adds triangles inside the solid whose normal frames should follow. */
-CROSSGRAIN_API crossgrain_status crossgrain_mesh_add_inner_faces(crossgrain_mesh* mesh,
-                                                                 const uint32_t* triangles, size_t count,
-                                                                 crossgrain_error** error);
+crossgrain_status crossgrain_mesh_add_inner_faces(crossgrain_mesh* mesh, const uint32_t* triangles,
+                                                  size_t count, crossgrain_error** error);
 
 /** The arrays of a surface. Those that belong to triangles are NULL where the mesh has none. */
-CROSSGRAIN_API size_t crossgrain_mesh_vertex_count(const crossgrain_mesh* mesh);
-CROSSGRAIN_API size_t crossgrain_mesh_triangle_count(const crossgrain_mesh* mesh);
-CROSSGRAIN_API const double* crossgrain_mesh_vertices(const crossgrain_mesh* mesh);
-CROSSGRAIN_API const uint32_t* crossgrain_mesh_triangles(const crossgrain_mesh* mesh);
-CROSSGRAIN_API const int32_t* crossgrain_mesh_faces(const crossgrain_mesh* mesh);
-CROSSGRAIN_API const int32_t* crossgrain_mesh_solids(const crossgrain_mesh* mesh);
-CROSSGRAIN_API const double* crossgrain_mesh_corner_normals(const crossgrain_mesh* mesh);
-CROSSGRAIN_API const char* crossgrain_mesh_unit(const crossgrain_mesh* mesh);
+size_t crossgrain_mesh_vertex_count(const crossgrain_mesh* mesh);
+size_t crossgrain_mesh_triangle_count(const crossgrain_mesh* mesh);
+const double* crossgrain_mesh_vertices(const crossgrain_mesh* mesh);
+const uint32_t* crossgrain_mesh_triangles(const crossgrain_mesh* mesh);
+const int32_t* crossgrain_mesh_faces(const crossgrain_mesh* mesh);
+const int32_t* crossgrain_mesh_solids(const crossgrain_mesh* mesh);
+const double* crossgrain_mesh_corner_normals(const crossgrain_mesh* mesh);
+const char* crossgrain_mesh_unit(const crossgrain_mesh* mesh);
 
 /** The creases of a surface: how many, and one of them; NULL beyond the last. */
 typedef struct crossgrain_crease {
@@ -347,95 +337,87 @@ typedef struct crossgrain_crease {
   int32_t tag;
   int is_tagged;
 } crossgrain_crease;
-CROSSGRAIN_API size_t crossgrain_mesh_crease_count(const crossgrain_mesh* mesh);
-CROSSGRAIN_API const crossgrain_crease* crossgrain_mesh_crease(const crossgrain_mesh* mesh, size_t index);
+size_t crossgrain_mesh_crease_count(const crossgrain_mesh* mesh);
+const crossgrain_crease* crossgrain_mesh_crease(const crossgrain_mesh* mesh, size_t index);
 
 /** What reading found, one line each; NULL beyond the last. */
-CROSSGRAIN_API const char* crossgrain_mesh_warning(const crossgrain_mesh* mesh, size_t index);
+const char* crossgrain_mesh_warning(const crossgrain_mesh* mesh, size_t index);
 
 /** Makes a tet mesh: `tets` holds 4 tet_count indices, `regions` one number per tet or is NULL. */
-CROSSGRAIN_API crossgrain_status crossgrain_tets_new(const double* vertices, size_t vertex_count,
-                                                     const uint32_t* tets, size_t tet_count,
-                                                     const int32_t* regions, crossgrain_tets** out,
-                                                     crossgrain_error** error);
+crossgrain_status crossgrain_tets_new(const double* vertices, size_t vertex_count, const uint32_t* tets,
+                                      size_t tet_count, const int32_t* regions, crossgrain_tets** out,
+                                      crossgrain_error** error);
 
 /** Reads a tet mesh. `max_memory_bytes` limits the memory of the process, 0 for nine tenths of the machine's.
  */
-CROSSGRAIN_API crossgrain_status crossgrain_tets_read(const char* path, size_t max_memory_bytes,
-                                                      crossgrain_monitor* monitor, crossgrain_tets** out,
-                                                      crossgrain_error** error);
+crossgrain_status crossgrain_tets_read(const char* path, size_t max_memory_bytes, crossgrain_monitor* monitor,
+                                       crossgrain_tets** out, crossgrain_error** error);
 
 /** Cuts the solids of a CAD file or of a closed surface, in a file or in memory, into tets (make_tets), by
  * gmsh or Netgen; `options` of kind CROSSGRAIN_TET_MAKING_OPTIONS, or NULL. */
-CROSSGRAIN_API crossgrain_status crossgrain_tets_make(const char* path, const crossgrain_options* options,
-                                                      crossgrain_monitor* monitor, crossgrain_tets** out,
-                                                      crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_tets_make_inside(const crossgrain_mesh* surface,
-                                                             const crossgrain_options* options,
-                                                             crossgrain_monitor* monitor,
-                                                             crossgrain_tets** out, crossgrain_error** error);
+crossgrain_status crossgrain_tets_make(const char* path, const crossgrain_options* options,
+                                       crossgrain_monitor* monitor, crossgrain_tets** out,
+                                       crossgrain_error** error);
+crossgrain_status crossgrain_tets_make_inside(const crossgrain_mesh* surface,
+                                              const crossgrain_options* options, crossgrain_monitor* monitor,
+                                              crossgrain_tets** out, crossgrain_error** error);
 
 /** Adds features: 2 or 3 indices each, and a tag each or NULL for 0. Edges that are not stated to be features
  * may be any curve of the meshed model (TetMesh::Edge): on the surface they count only where that is sharp.
  */
-CROSSGRAIN_API crossgrain_status crossgrain_tets_add_feature_edges(crossgrain_tets* tets,
-                                                                   const uint32_t* edges, const int32_t* tags,
-                                                                   size_t count, int are_stated,
-                                                                   crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_tets_add_feature_faces(crossgrain_tets* tets,
-                                                                   const uint32_t* faces, const int32_t* tags,
-                                                                   size_t count, crossgrain_error** error);
+crossgrain_status crossgrain_tets_add_feature_edges(crossgrain_tets* tets, const uint32_t* edges,
+                                                    const int32_t* tags, size_t count, int are_stated,
+                                                    crossgrain_error** error);
+crossgrain_status crossgrain_tets_add_feature_faces(crossgrain_tets* tets, const uint32_t* faces,
+                                                    const int32_t* tags, size_t count,
+                                                    crossgrain_error** error);
 
 /** Prepares a tet mesh for a field (TetDomain): tets that are inverted are reoriented, those without volume
  * left out. `options` of kind CROSSGRAIN_TAG_OPTIONS, or NULL. */
-CROSSGRAIN_API crossgrain_status crossgrain_domain_new(const crossgrain_tets* tets,
-                                                       const crossgrain_options* options,
-                                                       crossgrain_monitor* monitor, crossgrain_domain** out,
-                                                       crossgrain_error** error);
+crossgrain_status crossgrain_domain_new(const crossgrain_tets* tets, const crossgrain_options* options,
+                                        crossgrain_monitor* monitor, crossgrain_domain** out,
+                                        crossgrain_error** error);
 
 /** The tets of a domain, split so that a map can take the surface to integer planes
  * (TetDomain::prepared_for_map). `options` of kind CROSSGRAIN_PREPARATION_OPTIONS, or NULL. */
-CROSSGRAIN_API crossgrain_status crossgrain_domain_prepared_for_map(const crossgrain_domain* domain,
-                                                                    const crossgrain_options* options,
-                                                                    crossgrain_domain** out,
-                                                                    crossgrain_error** error);
+crossgrain_status crossgrain_domain_prepared_for_map(const crossgrain_domain* domain,
+                                                     const crossgrain_options* options,
+                                                     crossgrain_domain** out, crossgrain_error** error);
 
 /** For each tet of a prepared domain the tet that it was a part of before, UINT32_MAX if that is flat;
  * otherwise NULL. */
-CROSSGRAIN_API const uint32_t* crossgrain_domain_parents(const crossgrain_domain* domain);
+const uint32_t* crossgrain_domain_parents(const crossgrain_domain* domain);
 
 /** All vertices, and the tets that have frames. Regions are NULL if there are none. */
-CROSSGRAIN_API size_t crossgrain_domain_vertex_count(const crossgrain_domain* domain);
-CROSSGRAIN_API size_t crossgrain_domain_tet_count(const crossgrain_domain* domain);
-CROSSGRAIN_API const double* crossgrain_domain_vertices(const crossgrain_domain* domain);
-CROSSGRAIN_API const uint32_t* crossgrain_domain_tets(const crossgrain_domain* domain);
-CROSSGRAIN_API const int32_t* crossgrain_domain_regions(const crossgrain_domain* domain);
+size_t crossgrain_domain_vertex_count(const crossgrain_domain* domain);
+size_t crossgrain_domain_tet_count(const crossgrain_domain* domain);
+const double* crossgrain_domain_vertices(const crossgrain_domain* domain);
+const uint32_t* crossgrain_domain_tets(const crossgrain_domain* domain);
+const int32_t* crossgrain_domain_regions(const crossgrain_domain* domain);
 
 /** Tagged triangles and edges of the mesh. The functions write 3 or 2 vertices and a tag each; and 1 for
  * edges that are stated to be features, otherwise 0. */
-CROSSGRAIN_API size_t crossgrain_domain_face_count(const crossgrain_domain* domain);
-CROSSGRAIN_API size_t crossgrain_domain_edge_count(const crossgrain_domain* domain);
-CROSSGRAIN_API void crossgrain_domain_faces(const crossgrain_domain* domain, uint32_t* vertices,
-                                            int32_t* tags);
-CROSSGRAIN_API void crossgrain_domain_edges(const crossgrain_domain* domain, uint32_t* vertices,
-                                            int32_t* tags, uint8_t* are_stated);
+size_t crossgrain_domain_face_count(const crossgrain_domain* domain);
+size_t crossgrain_domain_edge_count(const crossgrain_domain* domain);
+void crossgrain_domain_faces(const crossgrain_domain* domain, uint32_t* vertices, int32_t* tags);
+void crossgrain_domain_edges(const crossgrain_domain* domain, uint32_t* vertices, int32_t* tags,
+                             uint8_t* are_stated);
 
 /** Writes the mesh with regions and tags: .mesh for Medit, .msh for Gmsh (write_tets). */
-CROSSGRAIN_API crossgrain_status crossgrain_domain_write(const crossgrain_domain* domain, const char* path,
-                                                         crossgrain_monitor* monitor,
-                                                         crossgrain_error** error);
-CROSSGRAIN_API double crossgrain_domain_typical_edge_length(const crossgrain_domain* domain);
+crossgrain_status crossgrain_domain_write(const crossgrain_domain* domain, const char* path,
+                                          crossgrain_monitor* monitor, crossgrain_error** error);
+double crossgrain_domain_typical_edge_length(const crossgrain_domain* domain);
 
 /** What was repaired or is unusual, one line each; NULL beyond the last. */
-CROSSGRAIN_API const char* crossgrain_domain_warning(const crossgrain_domain* domain, size_t index);
+const char* crossgrain_domain_warning(const crossgrain_domain* domain, size_t index);
 
 /** The boundary as a surface that points outward. */
-CROSSGRAIN_API crossgrain_status crossgrain_domain_boundary(const crossgrain_domain* domain,
-                                                            crossgrain_mesh** out, crossgrain_error** error);
+crossgrain_status crossgrain_domain_boundary(const crossgrain_domain* domain, crossgrain_mesh** out,
+                                             crossgrain_error** error);
 
 /** Whether the extension of a file is one of a tet mesh, or of a CAD file. */
-CROSSGRAIN_API int crossgrain_is_tet_file(const char* path);
-CROSSGRAIN_API int crossgrain_is_cad_file(const char* path);
+int crossgrain_is_tet_file(const char* path);
+int crossgrain_is_cad_file(const char* path);
 
 /** @} */
 /** \defgroup c_constraints Constraints
@@ -443,33 +425,30 @@ CROSSGRAIN_API int crossgrain_is_cad_file(const char* path);
  * segment, or the normal of the face. Checked by a solve.
  * @{ */
 
-CROSSGRAIN_API crossgrain_status crossgrain_constraints_new(crossgrain_constraints** out,
-                                                            crossgrain_error** error);
+crossgrain_status crossgrain_constraints_new(crossgrain_constraints** out, crossgrain_error** error);
 
 /** Reads and checks the constraints in a JSON file. */
-CROSSGRAIN_API crossgrain_status crossgrain_constraints_read(const char* path, crossgrain_constraints** out,
-                                                             crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_constraints_add_point(crossgrain_constraints* constraints,
-                                                                  const double at[3], const double* axes,
-                                                                  size_t axis_count, double weight,
-                                                                  crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_constraints_add_polyline(crossgrain_constraints* constraints,
-                                                                     const double* points, size_t point_count,
-                                                                     const double* axes, size_t axis_count,
-                                                                     double weight, crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_constraints_add_face(crossgrain_constraints* constraints,
-                                                                 int32_t face, const double* axes,
-                                                                 size_t axis_count, double weight,
-                                                                 crossgrain_error** error);
+crossgrain_status crossgrain_constraints_read(const char* path, crossgrain_constraints** out,
+                                              crossgrain_error** error);
+crossgrain_status crossgrain_constraints_add_point(crossgrain_constraints* constraints, const double at[3],
+                                                   const double* axes, size_t axis_count, double weight,
+                                                   crossgrain_error** error);
+crossgrain_status crossgrain_constraints_add_polyline(crossgrain_constraints* constraints,
+                                                      const double* points, size_t point_count,
+                                                      const double* axes, size_t axis_count, double weight,
+                                                      crossgrain_error** error);
+crossgrain_status crossgrain_constraints_add_face(crossgrain_constraints* constraints, int32_t face,
+                                                  const double* axes, size_t axis_count, double weight,
+                                                  crossgrain_error** error);
 
 /** Fails with CROSSGRAIN_INPUT for the first constraint that is invalid by itself (check_constraints). */
-CROSSGRAIN_API crossgrain_status crossgrain_constraints_check(const crossgrain_constraints* constraints,
-                                                              crossgrain_error** error);
+crossgrain_status crossgrain_constraints_check(const crossgrain_constraints* constraints,
+                                               crossgrain_error** error);
 
 /** `tensor` holds xx, yy, zz, yz, xz, xy. */
-CROSSGRAIN_API crossgrain_status crossgrain_constraints_add_stress(crossgrain_constraints* constraints,
-                                                                   const double at[3], const double tensor[6],
-                                                                   double weight, crossgrain_error** error);
+crossgrain_status crossgrain_constraints_add_stress(crossgrain_constraints* constraints, const double at[3],
+                                                    const double tensor[6], double weight,
+                                                    crossgrain_error** error);
 
 /** @} */
 /** \defgroup c_fields Fields on a grid
@@ -477,33 +456,31 @@ CROSSGRAIN_API crossgrain_status crossgrain_constraints_add_stress(crossgrain_co
 
 /** Solves for the frame field inside a surface, from `earlier` if that is not NULL (solve, solve_from).
  * `options` of kind CROSSGRAIN_SOLVE_OPTIONS, or NULL. */
-CROSSGRAIN_API crossgrain_status crossgrain_solve(const crossgrain_mesh* mesh,
-                                                  const crossgrain_field* earlier,
-                                                  const crossgrain_options* options,
-                                                  crossgrain_monitor* monitor, crossgrain_field** out,
-                                                  crossgrain_error** error);
+crossgrain_status crossgrain_solve(const crossgrain_mesh* mesh, const crossgrain_field* earlier,
+                                   const crossgrain_options* options, crossgrain_monitor* monitor,
+                                   crossgrain_field** out, crossgrain_error** error);
 
 /** Reads the field on the grid from a folder. */
-CROSSGRAIN_API crossgrain_status crossgrain_field_read(const char* folder, size_t max_memory_bytes,
-                                                       crossgrain_monitor* monitor, crossgrain_field** out,
-                                                       crossgrain_error** error);
+crossgrain_status crossgrain_field_read(const char* folder, size_t max_memory_bytes,
+                                        crossgrain_monitor* monitor, crossgrain_field** out,
+                                        crossgrain_error** error);
 
 /** Number of active cells. */
-CROSSGRAIN_API size_t crossgrain_field_size(const crossgrain_field* field);
+size_t crossgrain_field_size(const crossgrain_field* field);
 
 /** Degree of the harmonics, 3 or 4. */
-CROSSGRAIN_API int crossgrain_field_degree(const crossgrain_field* field);
+int crossgrain_field_degree(const crossgrain_field* field);
 
 /** Writes a property of all cells to an array of the caller's: 3 numbers per cell for centers, 1 for sizes
  * and levels, 9 for frames. */
-CROSSGRAIN_API crossgrain_status crossgrain_field_centers(const crossgrain_field* field, double* centers,
-                                                          crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_field_sizes(const crossgrain_field* field, double* sizes,
-                                                        crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_field_levels(const crossgrain_field* field, int32_t* levels,
-                                                         crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_field_frames(const crossgrain_field* field, double* frames,
-                                                         crossgrain_error** error);
+crossgrain_status crossgrain_field_centers(const crossgrain_field* field, double* centers,
+                                           crossgrain_error** error);
+crossgrain_status crossgrain_field_sizes(const crossgrain_field* field, double* sizes,
+                                         crossgrain_error** error);
+crossgrain_status crossgrain_field_levels(const crossgrain_field* field, int32_t* levels,
+                                          crossgrain_error** error);
+crossgrain_status crossgrain_field_frames(const crossgrain_field* field, double* frames,
+                                          crossgrain_error** error);
 
 /** Class of the constraints in a cell (CellConstraint). */
 typedef enum crossgrain_cell_constraint {
@@ -517,70 +494,63 @@ typedef enum crossgrain_cell_constraint {
 
 /** Properties of all cells as they are stored: 4 numbers (w, x, y, z) per cell for quaternions, 1 for all
  * others. NULL where the field has none. */
-CROSSGRAIN_API const float* crossgrain_field_quaternions(const crossgrain_field* field);
-CROSSGRAIN_API const uint8_t* crossgrain_field_on_boundary(const crossgrain_field* field);
-CROSSGRAIN_API const float* crossgrain_field_energy_density(const crossgrain_field* field);
-CROSSGRAIN_API const float* crossgrain_field_alignment_deg(const crossgrain_field* field);
-CROSSGRAIN_API const uint8_t* crossgrain_field_constraint_classes(const crossgrain_field* field);
-CROSSGRAIN_API const int32_t* crossgrain_field_regions(const crossgrain_field* field);
+const float* crossgrain_field_quaternions(const crossgrain_field* field);
+const uint8_t* crossgrain_field_on_boundary(const crossgrain_field* field);
+const float* crossgrain_field_energy_density(const crossgrain_field* field);
+const float* crossgrain_field_alignment_deg(const crossgrain_field* field);
+const uint8_t* crossgrain_field_constraint_classes(const crossgrain_field* field);
+const int32_t* crossgrain_field_regions(const crossgrain_field* field);
 
 /** Writes the coefficients of `count` frames, 9 numbers each, in real orthonormal spherical harmonics of a
  * degree (7 numbers for 3, 9 for 4), in the order m = -degree ... degree, of unit length. The axes of a frame
  * may have any of their 24 orders and signs; in degree 3 the sign of the coefficients depends on them. */
-CROSSGRAIN_API crossgrain_status crossgrain_coefficients_of_frames(const double* frames, size_t count,
-                                                                   int degree, double* coefficients,
-                                                                   crossgrain_error** error);
+crossgrain_status crossgrain_coefficients_of_frames(const double* frames, size_t count, int degree,
+                                                    double* coefficients, crossgrain_error** error);
 
 /** Samples the field at points (FrameField::sample). Each of the four arrays may be NULL: `frames` takes 9
  * numbers per point, the others one each: whether the point is in an active cell, the disagreement of the
  * cells around it, the distance to the nearest arc. `threads` is the number of threads, 0 for all processors;
  * results do not depend on it. After a failure the arrays may be written in part. */
-CROSSGRAIN_API crossgrain_status crossgrain_field_sample(const crossgrain_field* field, const double* points,
-                                                         size_t count, int threads, double* frames,
-                                                         uint8_t* in_active_cell, double* deviation,
-                                                         double* singular_distance,
-                                                         crossgrain_monitor* monitor,
-                                                         crossgrain_error** error);
+crossgrain_status crossgrain_field_sample(const crossgrain_field* field, const double* points, size_t count,
+                                          int threads, double* frames, uint8_t* in_active_cell,
+                                          double* deviation, double* singular_distance,
+                                          crossgrain_monitor* monitor, crossgrain_error** error);
 
 /** The singular graph. */
-CROSSGRAIN_API crossgrain_status crossgrain_field_singularities(const crossgrain_field* field,
-                                                                crossgrain_monitor* monitor,
-                                                                crossgrain_graph** out,
-                                                                crossgrain_error** error);
+crossgrain_status crossgrain_field_singularities(const crossgrain_field* field, crossgrain_monitor* monitor,
+                                                 crossgrain_graph** out, crossgrain_error** error);
 
 /** The report as the text of report.json (docs/report.md). */
-CROSSGRAIN_API crossgrain_status crossgrain_field_report(const crossgrain_field* field, char** json,
-                                                         crossgrain_error** error);
+crossgrain_status crossgrain_field_report(const crossgrain_field* field, char** json,
+                                          crossgrain_error** error);
 
 /** The answer and the singular graph as JSON, as `crossgrain check --json` prints them (check_json). */
-CROSSGRAIN_API crossgrain_status crossgrain_field_check(const crossgrain_field* field, char** json,
-                                                        crossgrain_error** error);
+crossgrain_status crossgrain_field_check(const crossgrain_field* field, char** json,
+                                         crossgrain_error** error);
 
 /** Whether a hexahedral mesh can follow the field. */
-CROSSGRAIN_API crossgrain_status crossgrain_field_answer(const crossgrain_field* field,
-                                                         crossgrain_answer** out, crossgrain_error** error);
+crossgrain_status crossgrain_field_answer(const crossgrain_field* field, crossgrain_answer** out,
+                                          crossgrain_error** error);
 
 /** Writes the field to a folder (write_field). `options` of kind CROSSGRAIN_OUTPUT_OPTIONS, or NULL. `model`
  * is the path of the model for the report, and `read_seconds` the time that reading it took; NULL and 0 if
  * there is none. Returns the report as written through `json` unless that is NULL. */
-CROSSGRAIN_API crossgrain_status crossgrain_field_write(const crossgrain_field* field, const char* folder,
-                                                        const crossgrain_options* options, const char* model,
-                                                        double read_seconds, crossgrain_monitor* monitor,
-                                                        char** json, crossgrain_error** error);
+crossgrain_status crossgrain_field_write(const crossgrain_field* field, const char* folder,
+                                         const crossgrain_options* options, const char* model,
+                                         double read_seconds, crossgrain_monitor* monitor, char** json,
+                                         crossgrain_error** error);
 
 /** Writes the page that shows the field as one HTML file. */
-CROSSGRAIN_API crossgrain_status crossgrain_field_write_page(const crossgrain_field* field, const char* path,
-                                                             crossgrain_monitor* monitor,
-                                                             crossgrain_error** error);
+crossgrain_status crossgrain_field_write_page(const crossgrain_field* field, const char* path,
+                                              crossgrain_monitor* monitor, crossgrain_error** error);
 
 /** Draws the field as a PNG file. `options` of kind CROSSGRAIN_PICTURE_OPTIONS, or NULL; `singularities` NULL
  * for those of the field; `lines` NULL for none. */
-CROSSGRAIN_API crossgrain_status crossgrain_field_render(const crossgrain_field* field, const char* path,
-                                                         const crossgrain_options* options,
-                                                         const crossgrain_graph* singularities,
-                                                         const crossgrain_lines* lines,
-                                                         crossgrain_monitor* monitor,
-                                                         crossgrain_error** error);
+crossgrain_status crossgrain_field_render(const crossgrain_field* field, const char* path,
+                                          const crossgrain_options* options,
+                                          const crossgrain_graph* singularities,
+                                          const crossgrain_lines* lines, crossgrain_monitor* monitor,
+                                          crossgrain_error** error);
 
 /** @} */
 /** \defgroup c_results Files and folders of results
@@ -596,46 +566,42 @@ typedef int (*crossgrain_companion_writer)(const char* report, crossgrain_sink s
 
 /** Adds a file that is written together with a field, both or none, to options of kind
  * CROSSGRAIN_OUTPUT_OPTIONS, in place of one before. Not together with the option `page`. */
-CROSSGRAIN_API crossgrain_status crossgrain_options_set_companion(crossgrain_options* options,
-                                                                  const char* name,
-                                                                  crossgrain_companion_writer writer,
-                                                                  void* state, crossgrain_error** error);
+crossgrain_status crossgrain_options_set_companion(crossgrain_options* options, const char* name,
+                                                   crossgrain_companion_writer writer, void* state,
+                                                   crossgrain_error** error);
 
 /** Reserves the folder for a field, on a grid or `on_tets`, until the reservation and all options that have
  * it are released: fails early where a field could not be written (check_field_folder, check_onto_folder). */
-CROSSGRAIN_API crossgrain_status crossgrain_reserve_folder(const char* folder,
-                                                           const crossgrain_options* options, int on_tets,
-                                                           crossgrain_reservation** out,
-                                                           crossgrain_error** error);
+crossgrain_status crossgrain_reserve_folder(const char* folder, const crossgrain_options* options,
+                                            int on_tets, crossgrain_reservation** out,
+                                            crossgrain_error** error);
 
 /** Gives options of kind CROSSGRAIN_OUTPUT_OPTIONS the right to write to a folder; NULL takes it away. */
-CROSSGRAIN_API crossgrain_status crossgrain_options_set_reservation(crossgrain_options* options,
-                                                                    const crossgrain_reservation* reservation,
-                                                                    crossgrain_error** error);
+crossgrain_status crossgrain_options_set_reservation(crossgrain_options* options,
+                                                     const crossgrain_reservation* reservation,
+                                                     crossgrain_error** error);
 
 /** Writes the frames at points to a text file, and the points outside to another unless `outside` is NULL
  * (write_samples). `outside_count`, their number, may be NULL. */
-CROSSGRAIN_API crossgrain_status crossgrain_field_write_samples(
-    const crossgrain_field* field, const double* points, size_t count, const char* frames,
-    const char* outside, crossgrain_monitor* monitor, size_t* outside_count, crossgrain_error** error);
+crossgrain_status crossgrain_field_write_samples(const crossgrain_field* field, const double* points,
+                                                 size_t count, const char* frames, const char* outside,
+                                                 crossgrain_monitor* monitor, size_t* outside_count,
+                                                 crossgrain_error** error);
 
 /** Reads points, 3 numbers a row, or normals and their weights, 4 numbers a row, from a text file. */
-CROSSGRAIN_API crossgrain_status crossgrain_points_read(const char* path, crossgrain_numbers** out,
-                                                        crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_normals_read(const char* path, crossgrain_numbers** out,
-                                                         crossgrain_error** error);
+crossgrain_status crossgrain_points_read(const char* path, crossgrain_numbers** out,
+                                         crossgrain_error** error);
+crossgrain_status crossgrain_normals_read(const char* path, crossgrain_numbers** out,
+                                          crossgrain_error** error);
 
 /** The path of the model of the field in a folder; `*out` is NULL if there is no readable report. */
-CROSSGRAIN_API crossgrain_status crossgrain_model_of_result(const char* folder, char** out,
-                                                            crossgrain_error** error);
+crossgrain_status crossgrain_model_of_result(const char* folder, char** out, crossgrain_error** error);
 
 /** The name of the solve that all files in a folder name (SolveReport::solve). */
-CROSSGRAIN_API crossgrain_status crossgrain_solve_of_result(const char* folder, char** out,
-                                                            crossgrain_error** error);
+crossgrain_status crossgrain_solve_of_result(const char* folder, char** out, crossgrain_error** error);
 
 /** Whether a folder has a field that was written with a box, and so lacks cells. */
-CROSSGRAIN_API crossgrain_status crossgrain_is_clipped_field(const char* folder, int* out,
-                                                             crossgrain_error** error);
+crossgrain_status crossgrain_is_clipped_field(const char* folder, int* out, crossgrain_error** error);
 
 /** @} */
 /** \defgroup c_tet_fields Fields on tets
@@ -643,92 +609,80 @@ CROSSGRAIN_API crossgrain_status crossgrain_is_clipped_field(const char* folder,
 
 /** Solves inside the boundary of a tet mesh and transfers the field to it (solve_onto). `options` of kind
  * CROSSGRAIN_SOLVE_OPTIONS, or NULL. */
-CROSSGRAIN_API crossgrain_status crossgrain_solve_onto(const crossgrain_domain* domain,
-                                                       const crossgrain_options* options,
-                                                       crossgrain_monitor* monitor,
-                                                       crossgrain_tet_field** out, crossgrain_error** error);
+crossgrain_status crossgrain_solve_onto(const crossgrain_domain* domain, const crossgrain_options* options,
+                                        crossgrain_monitor* monitor, crossgrain_tet_field** out,
+                                        crossgrain_error** error);
 
 /** Transfers a field to a tet mesh and finishes it there (carry_onto). */
-CROSSGRAIN_API crossgrain_status crossgrain_carry_onto(const crossgrain_field* field,
-                                                       const crossgrain_domain* domain,
-                                                       const crossgrain_options* options,
-                                                       crossgrain_monitor* monitor,
-                                                       crossgrain_tet_field** out, crossgrain_error** error);
+crossgrain_status crossgrain_carry_onto(const crossgrain_field* field, const crossgrain_domain* domain,
+                                        const crossgrain_options* options, crossgrain_monitor* monitor,
+                                        crossgrain_tet_field** out, crossgrain_error** error);
 
 /** The field with matchings that hexahedra can follow, as far as they were found, and with frames smoothed
  * for them (repaired). It has a mesh of its own, on which vertices may have moved if it was prepared for a
  * map. `options` of kind CROSSGRAIN_REPAIR_OPTIONS, or NULL; `threads` as in crossgrain_field_sample. */
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_repaired(const crossgrain_tet_field* field,
-                                                               const crossgrain_options* options, int threads,
-                                                               crossgrain_monitor* monitor,
-                                                               crossgrain_tet_field** out,
-                                                               crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_repaired(const crossgrain_tet_field* field,
+                                                const crossgrain_options* options, int threads,
+                                                crossgrain_monitor* monitor, crossgrain_tet_field** out,
+                                                crossgrain_error** error);
 
 /** Reads the field on tets from a folder; `*out` is NULL if the folder has none. */
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_read(const char* folder, size_t max_memory_bytes,
-                                                           crossgrain_monitor* monitor,
-                                                           crossgrain_tet_field** out,
-                                                           crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_read(const char* folder, size_t max_memory_bytes,
+                                            crossgrain_monitor* monitor, crossgrain_tet_field** out,
+                                            crossgrain_error** error);
 
 /** The field on the grid from which it started, and its tets. */
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_grid(const crossgrain_tet_field* field,
-                                                           crossgrain_field** out, crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_domain(const crossgrain_tet_field* field,
-                                                             crossgrain_domain** out,
-                                                             crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_grid(const crossgrain_tet_field* field, crossgrain_field** out,
+                                            crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_domain(const crossgrain_tet_field* field, crossgrain_domain** out,
+                                              crossgrain_error** error);
 
 /** Writes the frames of all tets or vertices of the domain, 9 numbers each. */
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_frames(const crossgrain_tet_field* field,
-                                                             double* frames, crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_vertex_frames(const crossgrain_tet_field* field,
-                                                                    double* frames, crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_frames(const crossgrain_tet_field* field, double* frames,
+                                              crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_vertex_frames(const crossgrain_tet_field* field, double* frames,
+                                                     crossgrain_error** error);
 
 /** The same as unit quaternions (w, x, y, z), as they are stored. */
-CROSSGRAIN_API const double* crossgrain_tet_field_quaternions(const crossgrain_tet_field* field);
-CROSSGRAIN_API const double* crossgrain_tet_field_vertex_quaternions(const crossgrain_tet_field* field);
+const double* crossgrain_tet_field_quaternions(const crossgrain_tet_field* field);
+const double* crossgrain_tet_field_vertex_quaternions(const crossgrain_tet_field* field);
 
 /** The matchings across all faces between two tets (TetFrameField::matchings), ascending by vertices. For
  * each face its vertices (3, ascending), its two tets, and where the axes of the first go (3): axis k of the
  * first tet continues in the second as its axis |axes[k]|, counted from 1, with the sign of axes[k]. */
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_matchings(const crossgrain_tet_field* field,
-                                                                crossgrain_monitor* monitor,
-                                                                crossgrain_matchings** out,
-                                                                crossgrain_error** error);
-CROSSGRAIN_API size_t crossgrain_matchings_count(const crossgrain_matchings* matchings);
-CROSSGRAIN_API const uint32_t* crossgrain_matchings_faces(const crossgrain_matchings* matchings);
-CROSSGRAIN_API const uint32_t* crossgrain_matchings_tets(const crossgrain_matchings* matchings);
-CROSSGRAIN_API const int8_t* crossgrain_matchings_axes(const crossgrain_matchings* matchings);
+crossgrain_status crossgrain_tet_field_matchings(const crossgrain_tet_field* field,
+                                                 crossgrain_monitor* monitor, crossgrain_matchings** out,
+                                                 crossgrain_error** error);
+size_t crossgrain_matchings_count(const crossgrain_matchings* matchings);
+const uint32_t* crossgrain_matchings_faces(const crossgrain_matchings* matchings);
+const uint32_t* crossgrain_matchings_tets(const crossgrain_matchings* matchings);
+const int8_t* crossgrain_matchings_axes(const crossgrain_matchings* matchings);
 
 /** As for fields on a grid. */
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_singularities(const crossgrain_tet_field* field,
-                                                                    crossgrain_monitor* monitor,
-                                                                    crossgrain_graph** out,
-                                                                    crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_report(const crossgrain_tet_field* field, char** json,
-                                                             crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_check(const crossgrain_tet_field* field, char** json,
-                                                            crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_answer(const crossgrain_tet_field* field,
-                                                             crossgrain_answer** out,
-                                                             crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_write(const crossgrain_tet_field* field,
-                                                            const char* folder,
-                                                            const crossgrain_options* options,
-                                                            const char* model, double read_seconds,
-                                                            crossgrain_monitor* monitor, char** json,
-                                                            crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_write_page(const crossgrain_tet_field* field,
-                                                                 const char* path,
-                                                                 crossgrain_monitor* monitor,
-                                                                 crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_render(
-    const crossgrain_tet_field* field, const char* path, const crossgrain_options* options,
-    const crossgrain_graph* singularities, const crossgrain_lines* lines, crossgrain_monitor* monitor,
-    crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_singularities(const crossgrain_tet_field* field,
+                                                     crossgrain_monitor* monitor, crossgrain_graph** out,
+                                                     crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_report(const crossgrain_tet_field* field, char** json,
+                                              crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_check(const crossgrain_tet_field* field, char** json,
+                                             crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_answer(const crossgrain_tet_field* field, crossgrain_answer** out,
+                                              crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_write(const crossgrain_tet_field* field, const char* folder,
+                                             const crossgrain_options* options, const char* model,
+                                             double read_seconds, crossgrain_monitor* monitor, char** json,
+                                             crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_write_page(const crossgrain_tet_field* field, const char* path,
+                                                  crossgrain_monitor* monitor, crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_render(const crossgrain_tet_field* field, const char* path,
+                                              const crossgrain_options* options,
+                                              const crossgrain_graph* singularities,
+                                              const crossgrain_lines* lines, crossgrain_monitor* monitor,
+                                              crossgrain_error** error);
 
 /** The formats that the option "formats" of CROSSGRAIN_OUTPUT_OPTIONS names; NULL beyond the last. */
-CROSSGRAIN_API const char* crossgrain_format_name(size_t index);
-CROSSGRAIN_API const char* crossgrain_format_description(size_t index);
+const char* crossgrain_format_name(size_t index);
+const char* crossgrain_format_description(size_t index);
 
 /** @} */
 /** \defgroup c_hexahedra Hexahedra
@@ -739,29 +693,24 @@ CROSSGRAIN_API const char* crossgrain_format_description(size_t index);
  * closed surface in memory, or in given tets, which are prepared for a map unless they are so already.
  * `options` of kind CROSSGRAIN_HEX_MESHING_OPTIONS, or NULL. A mesh that does not fill the model is a result
  * too: see crossgrain_hexahedra_outcome. */
-CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_make(const char* path,
-                                                           const crossgrain_options* options,
-                                                           crossgrain_monitor* monitor,
-                                                           crossgrain_hexahedra** out,
-                                                           crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_make_inside(const crossgrain_mesh* surface,
-                                                                  const crossgrain_options* options,
-                                                                  crossgrain_monitor* monitor,
-                                                                  crossgrain_hexahedra** out,
-                                                                  crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_make_in_tets(const crossgrain_domain* domain,
-                                                                   const crossgrain_options* options,
-                                                                   crossgrain_monitor* monitor,
-                                                                   crossgrain_hexahedra** out,
-                                                                   crossgrain_error** error);
+crossgrain_status crossgrain_hexahedra_make(const char* path, const crossgrain_options* options,
+                                            crossgrain_monitor* monitor, crossgrain_hexahedra** out,
+                                            crossgrain_error** error);
+crossgrain_status crossgrain_hexahedra_make_inside(const crossgrain_mesh* surface,
+                                                   const crossgrain_options* options,
+                                                   crossgrain_monitor* monitor, crossgrain_hexahedra** out,
+                                                   crossgrain_error** error);
+crossgrain_status crossgrain_hexahedra_make_in_tets(const crossgrain_domain* domain,
+                                                    const crossgrain_options* options,
+                                                    crossgrain_monitor* monitor, crossgrain_hexahedra** out,
+                                                    crossgrain_error** error);
 
 /** Hexahedra that follow a field on tets (hexahedra), which were prepared for a map before. `options` of kind
  * CROSSGRAIN_HEX_OPTIONS, or NULL. */
-CROSSGRAIN_API crossgrain_status crossgrain_tet_field_hexahedra(const crossgrain_tet_field* field,
-                                                                const crossgrain_options* options,
-                                                                crossgrain_monitor* monitor,
-                                                                crossgrain_hexahedra** out,
-                                                                crossgrain_error** error);
+crossgrain_status crossgrain_tet_field_hexahedra(const crossgrain_tet_field* field,
+                                                 const crossgrain_options* options,
+                                                 crossgrain_monitor* monitor, crossgrain_hexahedra** out,
+                                                 crossgrain_error** error);
 
 /** What became of the hexahedra (HexOutcome). */
 typedef enum crossgrain_hex_outcome {
@@ -769,47 +718,43 @@ typedef enum crossgrain_hex_outcome {
   CROSSGRAIN_PARTIAL_HEX = 1, /**< some are left out or inverted; the report says why */
   CROSSGRAIN_NO_HEX = 2       /**< none were found */
 } crossgrain_hex_outcome;
-CROSSGRAIN_API crossgrain_hex_outcome crossgrain_hexahedra_outcome(const crossgrain_hexahedra* hexahedra);
+crossgrain_hex_outcome crossgrain_hexahedra_outcome(const crossgrain_hexahedra* hexahedra);
 
 /** The outcome in one line. */
-CROSSGRAIN_API const char* crossgrain_hexahedra_sentence(const crossgrain_hexahedra* hexahedra);
+const char* crossgrain_hexahedra_sentence(const crossgrain_hexahedra* hexahedra);
 
 /** The arrays of the mesh (HexMesh): 3 numbers a vertex; 8 vertices a hexahedron, in the order of VTK, and
  * its scaled Jacobian and region; 4 vertices a face of the boundary, outward, and its tag. Regions are NULL
  * if the model has none. */
-CROSSGRAIN_API size_t crossgrain_hexahedra_vertex_count(const crossgrain_hexahedra* hexahedra);
-CROSSGRAIN_API size_t crossgrain_hexahedra_count(const crossgrain_hexahedra* hexahedra);
-CROSSGRAIN_API size_t crossgrain_hexahedra_face_count(const crossgrain_hexahedra* hexahedra);
-CROSSGRAIN_API const double* crossgrain_hexahedra_vertices(const crossgrain_hexahedra* hexahedra);
-CROSSGRAIN_API const uint32_t* crossgrain_hexahedra_corners(const crossgrain_hexahedra* hexahedra);
-CROSSGRAIN_API const double* crossgrain_hexahedra_scaled_jacobians(const crossgrain_hexahedra* hexahedra);
-CROSSGRAIN_API const int32_t* crossgrain_hexahedra_regions(const crossgrain_hexahedra* hexahedra);
-CROSSGRAIN_API const uint32_t* crossgrain_hexahedra_faces(const crossgrain_hexahedra* hexahedra);
-CROSSGRAIN_API const int32_t* crossgrain_hexahedra_face_tags(const crossgrain_hexahedra* hexahedra);
-CROSSGRAIN_API const char* crossgrain_hexahedra_unit(const crossgrain_hexahedra* hexahedra);
+size_t crossgrain_hexahedra_vertex_count(const crossgrain_hexahedra* hexahedra);
+size_t crossgrain_hexahedra_count(const crossgrain_hexahedra* hexahedra);
+size_t crossgrain_hexahedra_face_count(const crossgrain_hexahedra* hexahedra);
+const double* crossgrain_hexahedra_vertices(const crossgrain_hexahedra* hexahedra);
+const uint32_t* crossgrain_hexahedra_corners(const crossgrain_hexahedra* hexahedra);
+const double* crossgrain_hexahedra_scaled_jacobians(const crossgrain_hexahedra* hexahedra);
+const int32_t* crossgrain_hexahedra_regions(const crossgrain_hexahedra* hexahedra);
+const uint32_t* crossgrain_hexahedra_faces(const crossgrain_hexahedra* hexahedra);
+const int32_t* crossgrain_hexahedra_face_tags(const crossgrain_hexahedra* hexahedra);
+const char* crossgrain_hexahedra_unit(const crossgrain_hexahedra* hexahedra);
 
 /** The repaired field that the hexahedra follow, on tets. */
-CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_field(const crossgrain_hexahedra* hexahedra,
-                                                            crossgrain_tet_field** out,
-                                                            crossgrain_error** error);
+crossgrain_status crossgrain_hexahedra_field(const crossgrain_hexahedra* hexahedra,
+                                             crossgrain_tet_field** out, crossgrain_error** error);
 
 /** The report of that field, with the section "hexahedra" (docs/report.md). */
-CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_report(const crossgrain_hexahedra* hexahedra,
-                                                             char** json, crossgrain_error** error);
+crossgrain_status crossgrain_hexahedra_report(const crossgrain_hexahedra* hexahedra, char** json,
+                                              crossgrain_error** error);
 
 /** Writes the mesh in the format of the extension: .vtu, .mesh, .msh or .inp (write_hexahedra). */
-CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_write(const crossgrain_hexahedra* hexahedra,
-                                                            const char* path, crossgrain_monitor* monitor,
-                                                            crossgrain_error** error);
+crossgrain_status crossgrain_hexahedra_write(const crossgrain_hexahedra* hexahedra, const char* path,
+                                             crossgrain_monitor* monitor, crossgrain_error** error);
 
 /** Writes the folder that `crossgrain hex` writes: the field on tets and the mesh in all formats. Arguments
  * as of crossgrain_field_write. */
-CROSSGRAIN_API crossgrain_status crossgrain_hexahedra_write_folder(const crossgrain_hexahedra* hexahedra,
-                                                                   const char* folder,
-                                                                   const crossgrain_options* options,
-                                                                   const char* model, double read_seconds,
-                                                                   crossgrain_monitor* monitor, char** json,
-                                                                   crossgrain_error** error);
+crossgrain_status crossgrain_hexahedra_write_folder(const crossgrain_hexahedra* hexahedra, const char* folder,
+                                                    const crossgrain_options* options, const char* model,
+                                                    double read_seconds, crossgrain_monitor* monitor,
+                                                    char** json, crossgrain_error** error);
 
 /** @} */
 /** \defgroup c_singularities Singular graph and answer
@@ -862,15 +807,14 @@ typedef struct crossgrain_graph_summary {
   size_t unresolved_loops, unresolved_stubs, crease_hooks, contacts; /**< as in SingularityGraph */
 } crossgrain_graph_summary;
 
-CROSSGRAIN_API const crossgrain_graph_summary* crossgrain_graph_summary_of(const crossgrain_graph* graph);
+const crossgrain_graph_summary* crossgrain_graph_summary_of(const crossgrain_graph* graph);
 
 /** An arc or node; NULL beyond the last. */
-CROSSGRAIN_API const crossgrain_arc* crossgrain_graph_arc(const crossgrain_graph* graph, size_t index);
-CROSSGRAIN_API const crossgrain_node* crossgrain_graph_node(const crossgrain_graph* graph, size_t index);
+const crossgrain_arc* crossgrain_graph_arc(const crossgrain_graph* graph, size_t index);
+const crossgrain_node* crossgrain_graph_node(const crossgrain_graph* graph, size_t index);
 
 /** Reads the graph of a whole field from singularities.vtu or onto_singularities.vtu. */
-CROSSGRAIN_API crossgrain_status crossgrain_graph_read(const char* path, crossgrain_graph** out,
-                                                       crossgrain_error** error);
+crossgrain_status crossgrain_graph_read(const char* path, crossgrain_graph** out, crossgrain_error** error);
 
 /** Why a field is not meshable or undecided (Answer::Reason). */
 typedef struct crossgrain_reason {
@@ -884,14 +828,13 @@ typedef struct crossgrain_reason {
   double remedy_number; /**< the resolution or the length of edges to use; 0 for other remedies */
 } crossgrain_reason;
 
-CROSSGRAIN_API crossgrain_verdict crossgrain_answer_verdict(const crossgrain_answer* answer);
+crossgrain_verdict crossgrain_answer_verdict(const crossgrain_answer* answer);
 
 /** The answer in one line. */
-CROSSGRAIN_API const char* crossgrain_answer_sentence(const crossgrain_answer* answer);
+const char* crossgrain_answer_sentence(const crossgrain_answer* answer);
 
 /** A reason; NULL beyond the last. */
-CROSSGRAIN_API const crossgrain_reason* crossgrain_answer_reason(const crossgrain_answer* answer,
-                                                                 size_t index);
+const crossgrain_reason* crossgrain_answer_reason(const crossgrain_answer* answer, size_t index);
 
 /** @} */
 /** \defgroup c_streamlines Streamlines
@@ -899,40 +842,32 @@ CROSSGRAIN_API const crossgrain_reason* crossgrain_answer_reason(const crossgrai
 
 /** Prepares the tracing of a field (StreamlineTracer), inside `surface`, or the surface that the field has if
  * that is NULL. `options` of kind CROSSGRAIN_STREAMLINE_OPTIONS, or NULL. */
-CROSSGRAIN_API crossgrain_status crossgrain_tracer_new(const crossgrain_field* field,
-                                                       const crossgrain_options* options,
-                                                       const crossgrain_mesh* surface,
-                                                       crossgrain_monitor* monitor, crossgrain_tracer** out,
-                                                       crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_tracer_new_on_tets(const crossgrain_tet_field* field,
-                                                               const crossgrain_options* options,
-                                                               crossgrain_monitor* monitor,
-                                                               crossgrain_tracer** out,
-                                                               crossgrain_error** error);
+crossgrain_status crossgrain_tracer_new(const crossgrain_field* field, const crossgrain_options* options,
+                                        const crossgrain_mesh* surface, crossgrain_monitor* monitor,
+                                        crossgrain_tracer** out, crossgrain_error** error);
+crossgrain_status crossgrain_tracer_new_on_tets(const crossgrain_tet_field* field,
+                                                const crossgrain_options* options,
+                                                crossgrain_monitor* monitor, crossgrain_tracer** out,
+                                                crossgrain_error** error);
 
 /** Seeds as rows of numbers: evenly spread points inside (3 a row); points on the surface or on the plane
  * across an axis (0 x, 1 y, 2 z), each with a direction that no line follows (6 a row). `position` is a
  * coordinate along the axis, NaN for the middle. */
-CROSSGRAIN_API crossgrain_status crossgrain_tracer_spread_seeds(const crossgrain_tracer* tracer, size_t count,
-                                                                crossgrain_monitor* monitor,
-                                                                crossgrain_numbers** out,
-                                                                crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_tracer_surface_seeds(const crossgrain_tracer* tracer,
-                                                                 size_t count, crossgrain_monitor* monitor,
-                                                                 crossgrain_numbers** out,
-                                                                 crossgrain_error** error);
-CROSSGRAIN_API crossgrain_status crossgrain_tracer_cut_seeds(const crossgrain_tracer* tracer, int axis,
-                                                             double position, size_t count,
-                                                             crossgrain_monitor* monitor,
-                                                             crossgrain_numbers** out,
-                                                             crossgrain_error** error);
+crossgrain_status crossgrain_tracer_spread_seeds(const crossgrain_tracer* tracer, size_t count,
+                                                 crossgrain_monitor* monitor, crossgrain_numbers** out,
+                                                 crossgrain_error** error);
+crossgrain_status crossgrain_tracer_surface_seeds(const crossgrain_tracer* tracer, size_t count,
+                                                  crossgrain_monitor* monitor, crossgrain_numbers** out,
+                                                  crossgrain_error** error);
+crossgrain_status crossgrain_tracer_cut_seeds(const crossgrain_tracer* tracer, int axis, double position,
+                                              size_t count, crossgrain_monitor* monitor,
+                                              crossgrain_numbers** out, crossgrain_error** error);
 
 /** Traces the lines through seeds: `count` rows of `columns` numbers, 3 or 6, as above. `threads` as in
  * crossgrain_field_sample. */
-CROSSGRAIN_API crossgrain_status crossgrain_tracer_trace(const crossgrain_tracer* tracer, const double* seeds,
-                                                         size_t count, size_t columns, int threads,
-                                                         crossgrain_monitor* monitor, crossgrain_lines** out,
-                                                         crossgrain_error** error);
+crossgrain_status crossgrain_tracer_trace(const crossgrain_tracer* tracer, const double* seeds, size_t count,
+                                          size_t columns, int threads, crossgrain_monitor* monitor,
+                                          crossgrain_lines** out, crossgrain_error** error);
 
 /** Why a line ends (StreamlineEnd). */
 typedef enum crossgrain_line_end {
@@ -955,23 +890,21 @@ typedef struct crossgrain_line {
   crossgrain_line_end first_end, last_end;
 } crossgrain_line;
 
-CROSSGRAIN_API size_t crossgrain_lines_count(const crossgrain_lines* lines);
+size_t crossgrain_lines_count(const crossgrain_lines* lines);
 
 /** Seeds outside the solid, and at a singular arc, where no line starts. */
-CROSSGRAIN_API size_t crossgrain_lines_outside_seeds(const crossgrain_lines* lines);
-CROSSGRAIN_API size_t crossgrain_lines_arc_seeds(const crossgrain_lines* lines);
+size_t crossgrain_lines_outside_seeds(const crossgrain_lines* lines);
+size_t crossgrain_lines_arc_seeds(const crossgrain_lines* lines);
 
 /** A line; NULL beyond the last. */
-CROSSGRAIN_API const crossgrain_line* crossgrain_lines_line(const crossgrain_lines* lines, size_t index);
+const crossgrain_line* crossgrain_lines_line(const crossgrain_lines* lines, size_t index);
 
 /** Writes lines to a .vtu file. `solve` names the solve of their field, or is NULL (SolveReport::solve). */
-CROSSGRAIN_API crossgrain_status crossgrain_lines_write(const crossgrain_lines* lines, const char* path,
-                                                        const char* solve, crossgrain_monitor* monitor,
-                                                        crossgrain_error** error);
+crossgrain_status crossgrain_lines_write(const crossgrain_lines* lines, const char* path, const char* solve,
+                                         crossgrain_monitor* monitor, crossgrain_error** error);
 
 /** Reads lines that were written, for pictures: they have points and an axis only. */
-CROSSGRAIN_API crossgrain_status crossgrain_lines_read(const char* path, crossgrain_lines** out,
-                                                       crossgrain_error** error);
+crossgrain_status crossgrain_lines_read(const char* path, crossgrain_lines** out, crossgrain_error** error);
 
 /** @} */
 /** \defgroup c_spectra Forms of normals
@@ -990,21 +923,22 @@ typedef struct crossgrain_form {
 } crossgrain_form;
 
 /** The form of `count` normals with their weights. */
-CROSSGRAIN_API crossgrain_status crossgrain_spectrum_of_normals(const double* normals, const double* weights,
-                                                                size_t count, int degree,
-                                                                crossgrain_spectrum** out,
-                                                                crossgrain_error** error);
+crossgrain_status crossgrain_spectrum_of_normals(const double* normals, const double* weights, size_t count,
+                                                 int degree, crossgrain_spectrum** out,
+                                                 crossgrain_error** error);
 
 /** The form of a "plane", "cube", "cylinder" or "sphere". */
-CROSSGRAIN_API crossgrain_status crossgrain_spectrum_of_preset(const char* name, int degree,
-                                                               crossgrain_spectrum** out,
-                                                               crossgrain_error** error);
-CROSSGRAIN_API const crossgrain_form* crossgrain_spectrum_form(const crossgrain_spectrum* spectrum);
+crossgrain_status crossgrain_spectrum_of_preset(const char* name, int degree, crossgrain_spectrum** out,
+                                                crossgrain_error** error);
+const crossgrain_form* crossgrain_spectrum_form(const crossgrain_spectrum* spectrum);
 
 /** @} */
 
 #ifdef __cplusplus
 }
+#endif
+#ifdef __GNUC__
+#pragma GCC visibility pop
 #endif
 
 #endif
