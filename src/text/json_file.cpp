@@ -30,8 +30,4 @@ std::string json_text(const nlohmann::ordered_json& value) {
   return value.dump(kIndent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-void write_json(OutputFile& file, const nlohmann::ordered_json& value) {
-  file.write(json_text(value));
-}
-
 }  // namespace crossgrain

@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "files/output_file.hpp"
-
 namespace crossgrain {
 
 /// Returns the text of a value: members in the order of insertion, two blanks of indentation, doubles with
@@ -19,8 +17,5 @@ std::string json_text(const nlohmann::ordered_json& value);
 /// Returns the places of numbers that are not finite, such as "energy.total" or "levels[2].energy", in the
 /// order of the text.
 std::vector<std::string> numbers_not_finite(const nlohmann::ordered_json& value);
-
-/// Writes json_text(value).
-void write_json(OutputFile& file, const nlohmann::ordered_json& value);
 
 }  // namespace crossgrain

@@ -55,8 +55,8 @@ std::string escaped(const std::string& text) {
 
 class VtuWriter {
  public:
-  VtuWriter(OutputFile& file, const std::vector<VtuArray>& arrays, const VtuOptions& options)
-      : file_(file), arrays_(arrays), options_(options), offset_places_(arrays.size()) {}
+  VtuWriter(OutputFile& file, const std::vector<VtuArray>& arrays)
+      : file_(file), arrays_(arrays), offset_places_(arrays.size()) {}
 
   void write(std::size_t points, std::size_t cells) {
     write_header(points, cells);
@@ -167,14 +167,13 @@ class VtuWriter {
     const std::size_t bytes = (end - begin) * row_bytes;
     slot.raw.resize((bytes + 7) / 8);
     array.produce(begin, end, slot.raw.data());
-    if (!slot.packer) slot.packer.emplace(options_.compression_level);
+    if (!slot.packer) slot.packer.emplace();
     slot.compressed_bytes = slot.packer->pack(
         {reinterpret_cast<const unsigned char*>(slot.raw.data()), bytes}, array.packing, slot.compressed);
   }
 
   OutputFile& file_;
   const std::vector<VtuArray>& arrays_;
-  const VtuOptions& options_;
   std::vector<std::uint64_t> offset_places_;
   std::uint64_t data_begin_ = 0;
   std::array<Slots, 2> slots_;
@@ -182,14 +181,13 @@ class VtuWriter {
 
 }  // namespace
 
-void write_vtu(OutputFile& file, std::size_t points, std::size_t cells, const std::vector<VtuArray>& arrays,
-               const VtuOptions& options) {
+void write_vtu(OutputFile& file, std::size_t points, std::size_t cells, const std::vector<VtuArray>& arrays) {
   for ([[maybe_unused]] const VtuArray& array : arrays) {
     assert(array.components > 0);
     assert(array.section != VtuSection::kPointData || array.tuples == points);
     assert(array.section != VtuSection::kCellData || array.tuples == cells);
   }
-  VtuWriter(file, arrays, options).write(points, cells);
+  VtuWriter(file, arrays).write(points, cells);
 }
 
 }  // namespace crossgrain

@@ -47,16 +47,9 @@ VtuArray vtu_array(VtuSection section, std::string name, std::size_t components,
           packing};
 }
 
-struct VtuOptions {
-  /// Level of zlib, 1 to 9. On the points, indices and axes of a field, 6 takes eight times as long as 1 for
-  /// files that are 2 % smaller.
-  int compression_level = 1;
-};
-
 /// Writes a grid of `points` points and `cells` cells. Arrays keep their order within a section; point data
 /// must have one row per point, cell data one per cell. The bytes do not depend on the number of threads.
 /// Throws Error(kOutput), and what a producer throws. `file` must be a regular file.
-void write_vtu(OutputFile& file, std::size_t points, std::size_t cells, const std::vector<VtuArray>& arrays,
-               const VtuOptions& options = {});
+void write_vtu(OutputFile& file, std::size_t points, std::size_t cells, const std::vector<VtuArray>& arrays);
 
 }  // namespace crossgrain

@@ -9,6 +9,10 @@
 namespace crossgrain {
 namespace {
 
+/// Of 12. On the points, indices and axes of a field, 6 takes eight times as long as 1 for files that are 2 %
+/// smaller.
+constexpr int kLevel = 1;
+
 /// A block is searched for repetitions if its first 1 / kSampleShare shrinks to this share. Packing takes
 /// a fifth of the time at a half that it takes for data without repetitions.
 constexpr std::size_t kSampleShare = 16;
@@ -45,7 +49,7 @@ void ZlibPacker::Free::operator()(libdeflate_compressor* compressor) const {
   libdeflate_free_compressor(compressor);
 }
 
-ZlibPacker::ZlibPacker(int level) : compressor_(libdeflate_alloc_compressor(level)) {
+ZlibPacker::ZlibPacker() : compressor_(libdeflate_alloc_compressor(kLevel)) {
   // With a valid level, only lack of memory can fail.
   if (!compressor_) throw std::bad_alloc();
 }

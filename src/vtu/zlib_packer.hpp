@@ -22,8 +22,7 @@ enum class VtuPacking {
 /// Makes zlib streams whose bytes do not depend on earlier calls.
 class ZlibPacker {
  public:
-  /// `level` of libdeflate, 1 to 12.
-  explicit ZlibPacker(int level);
+  ZlibPacker();
 
   /// Writes `bytes` as a stream to the start of `out`, which is enlarged if needed. Returns its length.
   std::size_t pack(std::span<const unsigned char> bytes, VtuPacking packing, std::vector<unsigned char>& out);

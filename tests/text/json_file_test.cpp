@@ -6,8 +6,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "files/temporary_folder.hpp"
-
 namespace crossgrain {
 namespace {
 
@@ -44,14 +42,6 @@ TEST(NumbersNotFinite, AreNamedByTheirPlaces) {
 TEST(JsonText, ReplacesBytesThatAreNoUtf8) {
   const nlohmann::ordered_json value = {{"path", "part\xff.stl"}};
   EXPECT_NE(json_text(value).find("part\xEF\xBF\xBD.stl"), std::string::npos);
-}
-
-TEST(WriteJson, WritesTheText) {
-  const TemporaryFolder folder;
-  OutputFile file(folder.path() / "a.json");
-  write_json(file, {{"schema", 1}});
-  file.commit();
-  EXPECT_EQ(content_of(folder.path() / "a.json"), "{\n  \"schema\": 1\n}\n");
 }
 
 }  // namespace

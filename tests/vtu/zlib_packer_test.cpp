@@ -36,7 +36,7 @@ class ZlibPackerOf : public testing::TestWithParam<VtuPacking> {};
 INSTANTIATE_TEST_SUITE_P(Packings, ZlibPackerOf, testing::Values(VtuPacking::kAlways, VtuPacking::kMeasured));
 
 TEST_P(ZlibPackerOf, MakesStreamsThatZlibUnpacks) {
-  ZlibPacker packer(1);
+  ZlibPacker packer;
   // About the lengths of a stored block, and what no sample can be taken of.
   for (const std::size_t size : {0u, 1u, 15u, 16u, 65534u, 65535u, 65536u, 131070u, 262144u}) {
     for (const Bytes& bytes : {random_bytes(size), Bytes(size, 7)})
@@ -45,19 +45,19 @@ TEST_P(ZlibPackerOf, MakesStreamsThatZlibUnpacks) {
 }
 
 TEST_P(ZlibPackerOf, MakesTheSameBytesWhateverItMadeBefore) {
-  ZlibPacker used(1);
+  ZlibPacker used;
   for (const VtuPacking packing : {VtuPacking::kAlways, VtuPacking::kMeasured}) {
     packed(used, random_bytes(100000), packing);
     packed(used, Bytes(1000, 1), packing);
   }
   Bytes bytes = random_bytes(3000);
   for (int i = 0; i < 5; ++i) bytes.insert(bytes.end(), bytes.begin(), bytes.begin() + 2000);
-  ZlibPacker fresh(1);
+  ZlibPacker fresh;
   EXPECT_EQ(packed(used, bytes, GetParam()), packed(fresh, bytes, GetParam()));
 }
 
 TEST(ZlibPacker, StoresMeasuredNumbersOnlyWhereTheyDoNotRepeat) {
-  ZlibPacker packer(1);
+  ZlibPacker packer;
   constexpr std::size_t kSize = 1 << 18;
   const std::size_t noise = packed(packer, random_bytes(kSize), VtuPacking::kMeasured).size();
   EXPECT_GE(noise, kSize);

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "text/text_scanner.hpp"
@@ -65,10 +64,6 @@ std::size_t PlyElement::least_row_bytes() const {
   for (const PlyProperty& property : properties)
     bytes += size_of(property.is_list ? property.count_type : property.type);
   return bytes;
-}
-
-bool PlyElement::has_list() const {
-  return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.is_list; });
 }
 
 PlyHeader read_ply_header(const InputFile& file) {

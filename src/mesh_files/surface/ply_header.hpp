@@ -26,7 +26,6 @@ struct PlyElement {
 
   /// Bytes of one binary row when all its lists are empty.
   std::size_t least_row_bytes() const;
-  bool has_list() const;
 };
 
 enum class PlyEncoding { kAscii, kLittleEndian, kBigEndian };
