@@ -9,7 +9,6 @@
 #include <fstream>
 #include <functional>
 #include <limits>
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,31 +34,10 @@ namespace {
 /// How long a process that fails waits for the others to fail alike, before it ends them.
 constexpr double kSecondsForOthers = 2;
 
-struct Failure {
-  int exit_code = 0;
-  std::string line;
-};
-
 /// Another process has failed before the solve, and process 0 has told of it.
 struct FailedElsewhere {
   int exit_code;
 };
-
-Failure failure_of(const std::exception_ptr& exception, const std::string& model) {
-  try {
-    std::rethrow_exception(exception);
-  } catch (const Error& error) {
-    return {exit_code_of(error.kind()), line_of(error.message(), Command::kSolve)};
-  } catch (const std::bad_alloc&) {
-    return {exit_code_of(ErrorKind::kLimit),
-            model + ": " + line_of({"", "", "out of memory", Remedy::kUseLessMemory}, Command::kSolve)};
-  } catch (const std::exception& error) {
-    const Unexpected unexpected = unexpected_of(error);
-    return {unexpected.exit_code, model + ": " + unexpected.text};
-  } catch (...) {
-    return {kInternalError, model + ": unexpected; please report this"};
-  }
-}
 
 /// Brings the processes to the solve together, and to one exit code.
 class Team {
@@ -194,7 +172,7 @@ int run(Processes& processes, int argc, char** argv) {
   } catch (const OtherProcessFailed&) {
     // That process tells of it.
   } catch (...) {
-    failure = failure_of(std::current_exception(), model);
+    failure = failure_of(std::current_exception(), model, Command::kSolve);
     tells_work = false;
   }
   const int exit_code = team.end(failure);

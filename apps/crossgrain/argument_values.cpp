@@ -113,10 +113,10 @@ std::optional<std::size_t> parse_bytes(const std::string& text) {
   return static_cast<std::size_t>(bytes);
 }
 
-std::vector<std::string> parts_of(const std::string& text) {
+std::vector<std::string> parts_of(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
   for (const char c : text) {
-    if (c == ',')
+    if (c == separator)
       parts.emplace_back();
     else
       parts.back() += c;

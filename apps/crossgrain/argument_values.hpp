@@ -37,8 +37,8 @@ std::optional<std::vector<Vector3>> parse_points(const std::vector<std::string>&
 /// Returns the bytes of a number with or without a unit, in powers of 1000 or 1024; none for other texts.
 std::optional<std::size_t> parse_bytes(const std::string& text);
 
-/// Returns the parts of a text separated by commas.
-std::vector<std::string> parts_of(const std::string& text);
+/// Returns the parts of a text on both sides of each separator.
+std::vector<std::string> parts_of(const std::string& text, char separator = ',');
 
 /// A format that may be chosen: of a field on tets, and with `has_map` of the map of its hexahedra.
 bool is_choice(const OutputFormat& format, bool has_map);

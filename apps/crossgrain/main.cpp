@@ -36,14 +36,14 @@ struct Run {
 /// Returns the file of a command, for errors that name none.
 struct Subject {
   std::string operator()(const Finished&) const { return ""; }
-  std::string operator()(const SolveArguments& arguments) const { return arguments.model + ": "; }
-  std::string operator()(const TetsArguments& arguments) const { return arguments.model + ": "; }
-  std::string operator()(const SampleArguments& arguments) const { return arguments.field + ": "; }
-  std::string operator()(const SpectrumArguments&) const { return "spectrum: "; }
-  std::string operator()(const CheckArguments& arguments) const { return arguments.field + ": "; }
-  std::string operator()(const StreamlinesArguments& arguments) const { return arguments.field + ": "; }
-  std::string operator()(const RenderArguments& arguments) const { return arguments.field + ": "; }
-  std::string operator()(const ViewArguments& arguments) const { return arguments.folder + ": "; }
+  std::string operator()(const SolveArguments& arguments) const { return arguments.model; }
+  std::string operator()(const TetsArguments& arguments) const { return arguments.model; }
+  std::string operator()(const SampleArguments& arguments) const { return arguments.field; }
+  std::string operator()(const SpectrumArguments&) const { return "spectrum"; }
+  std::string operator()(const CheckArguments& arguments) const { return arguments.field; }
+  std::string operator()(const StreamlinesArguments& arguments) const { return arguments.field; }
+  std::string operator()(const RenderArguments& arguments) const { return arguments.field; }
+  std::string operator()(const ViewArguments& arguments) const { return arguments.folder; }
 };
 
 Command command_of(const Arguments& arguments) {
@@ -52,30 +52,16 @@ Command command_of(const Arguments& arguments) {
   return Command::kOther;
 }
 
-int fail(int exit_code, const std::string& message) {
-  print_message(message);
-  return exit_code;
-}
-
 int run(int argc, char** argv) {
   Arguments arguments = Finished{0};
   try {
     arguments = parse_arguments(argc, argv);
     return std::visit(Run(), arguments);
-  } catch (const Error& error) {
-    return fail(exit_code_of(error.kind()), line_of(error.message(), command_of(arguments)));
-  } catch (const std::bad_alloc&) {
-    const Command command = command_of(arguments);
-    const Remedy remedy = command == Command::kSolve  ? Remedy::kUseLessMemory
-                          : command == Command::kTets ? Remedy::kTakeLargerTets
-                                                      : Remedy::kFreeMemory;
-    return fail(exit_code_of(ErrorKind::kLimit),
-                std::visit(Subject(), arguments) + line_of({"", "", "out of memory", remedy}, command));
-  } catch (const std::exception& error) {
-    const Unexpected unexpected = unexpected_of(error);
-    return fail(unexpected.exit_code, std::visit(Subject(), arguments) + unexpected.text);
   } catch (...) {
-    return fail(kInternalError, std::visit(Subject(), arguments) + "unexpected; please report this");
+    const Failure failure =
+        failure_of(std::current_exception(), std::visit(Subject(), arguments), command_of(arguments));
+    print_message(failure.line);
+    return failure.exit_code;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <new>
 #include <system_error>
 #include <thread>
 
@@ -97,19 +98,34 @@ int exit_code_of(ErrorKind kind) {
   return 1;
 }
 
-Unexpected unexpected_of(const std::exception& exception) {
-  if (has_no_threads_left())
-    return {exit_code_of(ErrorKind::kLimit),
-            "the system starts no more threads; end some processes, or raise their limit (ulimit -u)"};
-  return {kInternalError,
-          std::string("unexpected: ") + exception.what() + "; please report this with the input"};
-}
-
 std::string line_of(const Message& message, Command command) {
   const auto found = std::find_if(
       std::begin(kOptionWords), std::end(kOptionWords),
       [&](const OptionWords& row) { return row.remedy == message.remedy && is_for(row.commands, command); });
   return sentence_of(message, found == std::end(kOptionWords) ? words_of(message.remedy) : found->words);
+}
+
+Failure failure_of(const std::exception_ptr& exception, const std::string& subject, Command command) {
+  constexpr int kInternalError = 1;
+  const std::string begin = subject.empty() ? "" : subject + ": ";
+  try {
+    std::rethrow_exception(exception);
+  } catch (const Error& error) {
+    return {exit_code_of(error.kind()), line_of(error.message(), command)};
+  } catch (const std::bad_alloc&) {
+    const Remedy remedy = command == Command::kSolve  ? Remedy::kUseLessMemory
+                          : command == Command::kTets ? Remedy::kTakeLargerTets
+                                                      : Remedy::kFreeMemory;
+    return {exit_code_of(ErrorKind::kLimit), begin + line_of({"", "", "out of memory", remedy}, command)};
+  } catch (const std::exception& error) {
+    if (!has_no_threads_left())
+      return {kInternalError, begin + "unexpected: " + error.what() + "; please report this with the input"};
+    return {
+        exit_code_of(ErrorKind::kLimit),
+        begin + "the system starts no more threads; end some processes, or raise their limit (ulimit -u)"};
+  } catch (...) {
+    return {kInternalError, begin + "unexpected; please report this"};
+  }
 }
 
 }  // namespace crossgrain::app

@@ -12,16 +12,6 @@ namespace crossgrain::app {
 /// Exit code of an error (docs/command-line.md).
 int exit_code_of(ErrorKind kind);
 
-/// Exit code of a fault in the program itself.
-constexpr int kInternalError = 1;
-
-/// What to tell of an exception that is no Error.
-struct Unexpected {
-  int exit_code;
-  std::string text;
-};
-Unexpected unexpected_of(const std::exception& exception);
-
 /// `solve` and `tets` have options for sizes, memory and time that other commands lack.
 enum class Command { kSolve, kTets, kOther };
 
@@ -39,5 +29,14 @@ auto naming(const std::string& file, const Compute& compute) {
 
 /// Returns the line for a message, with the command's options in its remedy.
 std::string line_of(const Message& message, Command command);
+
+/// What ended a command.
+struct Failure {
+  int exit_code = 0;
+  std::string line;
+};
+
+/// Returns what to tell of an exception. `subject` is the file of the command, for those that name none.
+Failure failure_of(const std::exception_ptr& exception, const std::string& subject, Command command);
 
 }  // namespace crossgrain::app

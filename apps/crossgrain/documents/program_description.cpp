@@ -5,26 +5,17 @@
 #include <algorithm>
 #include <set>
 
+#include "argument_values.hpp"
+
 namespace crossgrain::app {
 namespace {
 
 using Values = OptionDescription::Values;
 
-std::vector<std::string> split(const std::string& text, char between) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == between)
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
 /// Words to type have small letters, figures and hyphens; names of values have capitals. "z[=AT]" allows "z".
 std::vector<std::string> choices_of(const std::string& value) {
   std::vector<std::string> choices;
-  for (const std::string& part : split(value, '|')) {
+  for (const std::string& part : parts_of(value, '|')) {
     const std::string word = part.substr(0, part.find_first_of("[,"));
     const bool is_word = word.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == word.npos;
     if (is_word && !word.empty()) choices.push_back(word);

@@ -67,13 +67,10 @@ int run(int argc, char** argv) {
   try {
     serve(argv[1], std::stoi(argv[2]), std::string_view(argv[3]) == "browser");
     return 0;
-  } catch (const Error& error) {
-    print_message(line_of(error.message(), Command::kOther));
-    return exit_code_of(error.kind());
-  } catch (const std::exception& error) {
-    const Unexpected unexpected = unexpected_of(error);
-    print_message(std::string(argv[1]) + ": " + unexpected.text);
-    return unexpected.exit_code;
+  } catch (...) {
+    const Failure failure = failure_of(std::current_exception(), argv[1], Command::kOther);
+    print_message(failure.line);
+    return failure.exit_code;
   }
 }
 
