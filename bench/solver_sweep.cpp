@@ -38,9 +38,6 @@ std::vector<Shape> shapes() {
 std::vector<Variant> variants() {
   std::vector<Variant> list{{"defaults", [](SolveTuning&) {}},
                             {"degree 3", [](SolveTuning& options) { options.degree = Degree::kThree; }}};
-  list.push_back({"degree 3, relaxed in degree 3", [](SolveTuning& options) {
-                    options.degree = options.solver.relaxation_degree = Degree::kThree;
-                  }});
   add(list, "starts", &SolveTuning::solver, &SolverTuning::starts, {1, 2, 5});
   add(list, "start_cells", &SolveTuning::solver, &SolverTuning::start_cells, {0, 100, 300, 5000});
   add(list, "start_relaxation", &SolveTuning::solver, &SolverTuning::start_relaxation, {1, 15, 50, 400});
@@ -51,9 +48,8 @@ std::vector<Variant> variants() {
   add(list, "over_relaxation", &SolveTuning::solver, &SolverTuning::over_relaxation, {1.0, 1.2, 1.6, 1.8});
   add(list, "most_sweeps", &SolveTuning::solver, &SolverTuning::most_sweeps, {10, 20, 200});
   add(list, "sweep_tolerance", &SolveTuning::solver, &SolverTuning::sweep_tolerance, {1e-3, 3e-4, 1e-5});
-  list.push_back({"shift_relaxed_forms", [](SolveTuning& o) { o.solver.shift_relaxed_forms = true; }});
-  add(list, "coarsest_cells", &SolveTuning::refinement, &RefinementTuning::coarsest_cells, {3, 8});
-  add(list, "energy_density_threshold", &SolveTuning::refinement, &RefinementTuning::energy_density_threshold,
+  add(list, "coarsest_cells", &SolveTuning::solver, &SolverTuning::coarsest_cells, {3, 8});
+  add(list, "energy_density_threshold", &SolveTuning::solver, &SolverTuning::energy_density_threshold,
       {0.05, 1.0});
   return list;
 }

@@ -45,11 +45,11 @@ FieldGraph<4> graph_of(const testing::TestSolid& part, int resolution) {
   RefinedLevel made = uniform_level(solid, frame.root, kCoarsestDepth);
   for (int depth = kCoarsestDepth; depth < frame.finest_depth; ++depth)
     made = refined(made.level, made.neighbours, solid,
-                   refinement_marks(made.level, made.neighbours, solid, {}, frame.finest_depth, {}));
+                   refinement_marks(made.level, made.neighbours, solid, {}, 0, frame.finest_depth));
   const LeafConnections connections = connect_leaves(made.level, made.neighbours, solid);
   return {std::make_shared<const Connectivity>(
               connectivity_of(made.level, made.neighbours, connections, options.diagonal_share)),
-          boundary_forms<4>(made.level, solid, options.boundary_weight, Shift::kNone)};
+          boundary_forms<4>(made.level, solid, options.boundary_weight)};
 }
 
 /// The seconds of each block in a sweep of its own, the others being asleep, less those of a sweep asleep.

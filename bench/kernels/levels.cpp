@@ -74,8 +74,8 @@ std::shared_ptr<const Connectivity> part_connectivity(Part part) {
 template <int D>
 SweptField<D> make_part_field(Part part) {
   const PartLevel& level = part_level(part);
-  return swept<D>(part_connectivity(part), boundary_forms<D>(level.level, level.solid.solid(),
-                                                             SolverTuning{}.boundary_weight, Shift::kNone));
+  return swept<D>(part_connectivity(part),
+                  boundary_forms<D>(level.level, level.solid.solid(), SolverTuning{}.boundary_weight));
 }
 
 }  // namespace
@@ -87,8 +87,7 @@ PartLevel::PartLevel(TriangleMesh mesh) : solid(std::move(mesh)) {
   for (int depth = kCoarsestDepth; depth < frame.finest_depth; ++depth) {
     before = std::move(made.level);
     neighbours_before = std::move(made.neighbours);
-    marks = refinement_marks(before, neighbours_before, solid.solid(), {}, frame.finest_depth,
-                             RefinementTuning{});
+    marks = refinement_marks(before, neighbours_before, solid.solid(), {}, 0, frame.finest_depth);
     made = refined(before, neighbours_before, solid.solid(), marks);
   }
   level = std::move(made.level);

@@ -53,7 +53,7 @@ std::uint64_t identity_of(const Solid& solid, const SolveTuning& options) {
   const SolverTuning& solver = options.solver;
   for (const double value :
        {finest_cell_size(solid.surface.box, options), static_cast<double>(options.degree),
-        static_cast<double>(options.seed), kThicknessCells, options.refinement.energy_density_threshold,
+        static_cast<double>(options.seed), kThicknessCells, solver.energy_density_threshold,
         solver.boundary_weight, solver.diagonal_share, solver.over_relaxation, solver.sweep_tolerance,
         kRestingShare})
     add(value);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -77,28 +78,19 @@ class LevelSolver {
     return shares;
   }
 
+  /// In degree 4, whatever the degree of the field: the relaxed problem is then quadratic but for the
+  /// penalty, so that a long relaxation becomes independent of its start; the degree-3 energy has many poor
+  /// minima.
   Frames relaxed_by(const RelaxationPlan& plan, Frames frames) {
-    return options_.relaxation_degree == Degree::kThree
-               ? relaxed_in(relaxed_graph3_, plan, std::move(frames))
-               : relaxed_in(relaxed_graph4_, plan, std::move(frames));
+    return relaxed(graph<4>(), std::move(frames), plan, after_sweep());
   }
 
-  template <int R>
-  Frames relaxed_in(FieldGraph<R>& relaxed_graph, const RelaxationPlan& plan, Frames frames) {
-    if constexpr (R == D) {
-      if (!options_.shift_relaxed_forms) return relaxed(graph(), std::move(frames), plan, after_sweep());
-    }
-    if (!relaxed_graph.connectivity) {
-      const Shift shift = options_.shift_relaxed_forms ? Shift::kSpectral : Shift::kNone;
-      relaxed_graph = {connectivity_, boundary_forms<R>(level_, solid_, options_.boundary_weight, shift)};
-    }
-    return relaxed(relaxed_graph, std::move(frames), plan, after_sweep());
-  }
-
-  FieldGraph<D>& graph() {
-    if (!graph_.connectivity)
-      graph_ = {connectivity_, boundary_forms<D>(level_, solid_, options_.boundary_weight, Shift::kNone)};
-    return graph_;
+  template <int R = D>
+  FieldGraph<R>& graph() {
+    FieldGraph<R>& graph = std::get<FieldGraph<R>>(graphs_);
+    if (!graph.connectivity)
+      graph = {connectivity_, boundary_forms<R>(level_, solid_, options_.boundary_weight)};
+    return graph;
   }
 
   SettlingPlan settling() const {
@@ -124,9 +116,7 @@ class LevelSolver {
   const Monitor& monitor_;
   Progress progress_;
   std::shared_ptr<const Connectivity> connectivity_;
-  FieldGraph<D> graph_;  ///< made when it is first needed, like those of relaxed problems
-  FieldGraph<3> relaxed_graph3_;
-  FieldGraph<4> relaxed_graph4_;
+  std::tuple<FieldGraph<3>, FieldGraph<4>> graphs_;  ///< each made when it is first needed
 };
 
 }  // namespace crossgrain

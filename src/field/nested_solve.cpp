@@ -140,7 +140,7 @@ class NestedSolver {
         throw Error(ErrorKind::kInput,
                     "the parts of the surface are too small for the cells; raise the resolution");
       result_.levels_left_out = finest_depth - depth;
-      const LevelGrowth growth(result_.level, solid_, options_.refinement);
+      const LevelGrowth growth(result_.level, solid_);
       const bool finest = depth == finest_depth || !next_fits(forecast, growth);
       if (finest) progress_.end_at(depth);
       progress_.tell_grid(depth, leaves);
@@ -162,7 +162,7 @@ class NestedSolver {
       const double finest = finest_cell_size(solid_.surface.box, options_);
       return std::max(1, static_cast<int>(std::lround(std::log2(initial_.first_cell_size / finest))));
     }
-    const double ratio = finest_resolution() / options_.refinement.coarsest_cells;
+    const double ratio = finest_resolution() / options_.solver.coarsest_cells;
     // The margin keeps powers of two exact.
     return std::max(0, static_cast<int>(std::floor(std::log2(ratio) + 1e-9)));
   }
@@ -252,10 +252,8 @@ class NestedSolver {
     start.original = std::move(candidates_.front().frames);
     start.frames = solver.relaxed_with_cores(start.original, initial_.relaxation_sweeps, initial_.core_size);
     start.sweeps = solver.sweeps();
-    Marks marks;
-    if (options_.refinement.by_energy_density)
-      marks = moved_line_marks(result_.level, connectivity->adjacency, start.frames, depth,
-                               options_.refinement.energy_density_threshold);
+    Marks marks = moved_line_marks(result_.level, connectivity->adjacency, start.frames, depth,
+                                   options_.solver.energy_density_threshold);
     solve_watch_.stop();
     grid_watch_.start();
     return {std::move(start), std::move(marks)};
@@ -366,7 +364,7 @@ class NestedSolver {
     Marks marks = is_uniform_ || candidates_.size() > 1
                       ? Marks(result_.level.size(), true)
                       : refinement_marks(result_.level, neighbours, solid_, result_.energy_density,
-                                         finest_depth, options_.refinement, &elsewhere);
+                                         options_.solver.energy_density_threshold, finest_depth, &elsewhere);
     sharing_.complete(result_.level, neighbours, elsewhere, finest_depth, marks);
     SolvedField next;
     next.levels = result_.levels;

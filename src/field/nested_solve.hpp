@@ -51,7 +51,7 @@ struct InitialField {
   std::function<Quaternion(const Vector3& point)> frame_at;
 
   /// The first level is that whose cells are nearest to this size, as a ratio, and never the finest; 0: as
-  /// RefinementTuning::coarsest_cells says. Model units.
+  /// SolverTuning::coarsest_cells says. Model units.
   double first_cell_size = 0;
 
   /// Levels with cells of at least this size begin with this field, and finer ones with that of the level

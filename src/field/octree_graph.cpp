@@ -2,7 +2,6 @@
 #include "field/octree_graph.hpp"
 
 #include "base/parallel.hpp"
-#include "constraint/spectral_shift.hpp"
 #include "field/leaf_connector.hpp"
 #include "field/speck_ties.hpp"
 #include "grid/cell_constraints.hpp"
@@ -36,7 +35,7 @@ LeafConnections connect_leaves(const GridLevel& level, std::span<const FaceNeigh
 }
 
 template <int D>
-CellForms<D> boundary_forms(const GridLevel& level, const Solid& solid, double boundary_weight, Shift shift) {
+CellForms<D> boundary_forms(const GridLevel& level, const Solid& solid, double boundary_weight) {
   CellForms<D> forms(level.size());
   const double degree_factor = D == 3 ? 5.0 / 3 : 1.0;
   const auto scale_of = [&](CellIndex i) {
@@ -60,15 +59,13 @@ CellForms<D> boundary_forms(const GridLevel& level, const Solid& solid, double b
   parallel_for(
       generals.size(),
       [&](std::size_t k) {
-        const QuadraticForm<D> form = cell_form<D>(level, solid, generals[k]);
-        forms.set_general(generals[k], shift == Shift::kSpectral ? shifted(form) : form,
-                          scale_of(generals[k]));
+        forms.set_general(generals[k], cell_form<D>(level, solid, generals[k]), scale_of(generals[k]));
       },
       level.leaves_per_task());
   return forms;
 }
 
-template CellForms<3> boundary_forms<3>(const GridLevel&, const Solid&, double, Shift);
-template CellForms<4> boundary_forms<4>(const GridLevel&, const Solid&, double, Shift);
+template CellForms<3> boundary_forms<3>(const GridLevel&, const Solid&, double);
+template CellForms<4> boundary_forms<4>(const GridLevel&, const Solid&, double);
 
 }  // namespace crossgrain

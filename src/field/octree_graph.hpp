@@ -65,15 +65,11 @@ struct LeafConnections {
 LeafConnections connect_leaves(const GridLevel& level, std::span<const FaceNeighbours> neighbours,
                                const Solid& solid, const Monitor& monitor = {});
 
-/// Whether forms are shifted so that they penalise only what their constraints exclude (docs/design.md
-/// section 3). A shift changes relaxed coefficients; the energy of frames changes by a constant.
-enum class Shift : bool { kNone, kSpectral };
-
 /// Returns the boundary forms of a level times `boundary_weight` / (cell size) (times 5/3 in degree 3).
 template <int D>
-CellForms<D> boundary_forms(const GridLevel& level, const Solid& solid, double boundary_weight, Shift shift);
+CellForms<D> boundary_forms(const GridLevel& level, const Solid& solid, double boundary_weight);
 
-extern template CellForms<3> boundary_forms<3>(const GridLevel&, const Solid&, double, Shift);
-extern template CellForms<4> boundary_forms<4>(const GridLevel&, const Solid&, double, Shift);
+extern template CellForms<3> boundary_forms<3>(const GridLevel&, const Solid&, double);
+extern template CellForms<4> boundary_forms<4>(const GridLevel&, const Solid&, double);
 
 }  // namespace crossgrain

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "crossgrain/options.hpp"
-#include "grid/refinement_tuning.hpp"
 
 namespace crossgrain {
 
@@ -35,6 +34,15 @@ struct SolverTuning {
   /// makes a singular arc cost the same in all directions of the grid. Rounded to a multiple of 1/320.
   double diagonal_share = 0.2;
 
+  /// Smallest number of cells along the longest side of the bounding box on the coarsest level.
+  int coarsest_cells = 4;
+
+  /// Cells with a larger energy density times the squared cell size are refined, that is, those near singular
+  /// arcs; dimensionless. A rotation of t radians across a cell gives 10/3 t^2 / 2. Above 0.1 lines escape
+  /// from the cells refined for them, and sweeps run out while they slide on into larger ones
+  /// (docs/notes/solver.md).
+  double energy_density_threshold = 0.1;
+
   /// Number of random starts. Each is solved on all levels of up to `start_cells` active cells; only the one
   /// with the lowest energy continues to finer levels.
   int starts = 3;
@@ -47,7 +55,7 @@ struct SolverTuning {
 
   /// Relaxation sweeps on every later uniform level, and the size of those levels: all levels are uniform
   /// that are certain to have no more than `relaxed_cells` active cells. Finer levels refine where
-  /// RefinementTuning say and are not relaxed: a singular arc costs less in larger cells, so relaxation
+  /// refinement_marks says and are not relaxed: a singular arc costs less in larger cells, so relaxation
   /// would move it out of the cells that were refined for it.
   int level_relaxation = 40;
   std::size_t relaxed_cells = 40000;
@@ -60,21 +68,12 @@ struct SolverTuning {
   /// Largest number of triangles of a model that is turned for the decision.
   std::size_t turned_triangles = 500000;
 
-  /// Degree of the relaxed problems, whatever the degree of the field. In degree 4 they are quadratic but for
-  /// the penalty, so that a long relaxation becomes independent of its start; the degree-3 energy has many
-  /// poor minima.
-  Degree relaxation_degree = Degree::kFour;
-
   /// Strength of the symmetrisation penalty at the end of a relaxation: the number of gradient steps on it,
   /// each as long as is stable, after a sweep. It grows linearly from 0 over the sweeps.
   double symmetrisation = 1;
 
   /// Over-relaxation factor of sweeps, from 1 to below 2.
   double over_relaxation = 1.4;
-
-  /// Whether relaxed levels use spectrally shifted forms, which penalise only what the constraints of a cell
-  /// exclude (crossgrain/spectrum.hpp). Takes more time and has not lowered an energy.
-  bool shift_relaxed_forms = false;
 
   /// Largest number of manifold sweeps on each level.
   int most_sweeps = 60;
@@ -141,7 +140,6 @@ struct SolveTuning : SolveOptions {
   SolveTuning() = default;
   SolveTuning(const SolveOptions& options) : SolveOptions(options) {}
 
-  RefinementTuning refinement;
   SolverTuning solver;
   OntoTuning onto;
 };

@@ -10,6 +10,7 @@
 #include "base/vector3.hpp"
 #include "grid/cell_constraints.hpp"
 #include "grid/local_thickness.hpp"
+#include "grid/refinement.hpp"
 
 namespace crossgrain {
 namespace {
@@ -48,9 +49,8 @@ double sum_of_components(const Vector3& v) {
 
 }  // namespace
 
-LevelGrowth::LevelGrowth(const GridLevel& level, const Solid& solid, const RefinementTuning& options)
-    : triangles_(static_cast<double>(solid.surface.size())),
-      thickness_cells_(options.by_thickness ? kThicknessCells : 0) {
+LevelGrowth::LevelGrowth(const GridLevel& level, const Solid& solid)
+    : triangles_(static_cast<double>(solid.surface.size())) {
   count(level);
   for (std::size_t t = 0; t < solid.surface.size(); ++t)
     flat_surface_cells_ += solid.surface.areas[t] * sum_of_components(solid.surface.normals[t]);
@@ -140,7 +140,7 @@ double LevelGrowth::cells_in(const Column& column, double cell_size) const {
   for (int level = 0; level < kLevelsCounted; ++level) {
     const double size = std::ldexp(cell_size, level);
     // Cells were marked for splitting when they were twice as large.
-    const bool throughout = column.thickness < thickness_cells_ * 2 * size;
+    const bool throughout = column.thickness < kThicknessCells * 2 * size;
     const double filled = throughout ? half : std::min(half, std::ldexp(kFinestLayers, level));
     if (filled > filled_before) {
       cells += std::ldexp(filled - filled_before, -3 * level);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "grid/grid_level.hpp"
-#include "grid/refinement_tuning.hpp"
 
 namespace crossgrain {
 
@@ -26,7 +25,7 @@ struct LevelCounts {
 /// surface.
 class LevelGrowth {
  public:
-  LevelGrowth(const GridLevel& level, const Solid& solid, const RefinementTuning& options);
+  LevelGrowth(const GridLevel& level, const Solid& solid);
 
   /// Returns the counts after `levels` refinements; those of the given level for 0.
   LevelCounts after(int levels) const;
@@ -56,7 +55,6 @@ class LevelGrowth {
   /// length of curves, in cells of this level.
   double guided_cells_ = 0, guided_by_points_ = 0, guide_length_ = 0;
 
-  double thickness_cells_;  ///< walls with fewer cells across are refined throughout
   std::vector<Column> columns_;
   std::size_t several_normals_in_sample_ = 0;
 };

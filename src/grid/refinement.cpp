@@ -32,8 +32,7 @@ void mark_spectral_conflict(const GridLevel& level, std::span<const FaceNeighbou
   }
 }
 
-std::vector<ReachedPlace> mark_thin_walls(const GridLevel& level, const Solid& solid, double thickness_cells,
-                                          Marks& marks) {
+std::vector<ReachedPlace> mark_thin_walls(const GridLevel& level, const Solid& solid, Marks& marks) {
   struct Found {
     std::vector<CellIndex> here;
     std::vector<ReachedPlace> elsewhere;
@@ -45,8 +44,8 @@ std::vector<ReachedPlace> mark_thin_walls(const GridLevel& level, const Solid& s
     Found& found = thin[begin / kParallelGrain];
     for (auto i = static_cast<CellIndex>(begin); i < end; ++i) {
       const double size = level.tree.cell_size(i);
-      const auto ray = inward_ray(level, solid, i, thickness_cells * size);
-      if (!ray || ray->thickness >= thickness_cells * size) continue;
+      const auto ray = inward_ray(level, solid, i, kThicknessCells * size);
+      if (!ray || ray->thickness >= kThicknessCells * size) continue;
       found.here.push_back(i);
       // Steps of half a cell miss at most a corner of a cell.
       for (double t = size / 2; t < ray->thickness; t += size / 2) {
@@ -81,18 +80,14 @@ void mark_energy_density(const GridLevel& level, std::span<const float> energy_d
 }
 
 Marks refinement_marks(const GridLevel& level, std::span<const FaceNeighbours> neighbours, const Solid& solid,
-                       std::span<const float> energy_density, int finest_depth,
-                       const RefinementTuning& options, std::vector<ReachedPlace>* elsewhere) {
+                       std::span<const float> energy_density, double energy_density_threshold,
+                       int finest_depth, std::vector<ReachedPlace>* elsewhere) {
   Marks marks(level.size(), false);
-  if (options.by_surface) mark_surface(level, marks);
-  if (options.by_spectral_conflict) mark_spectral_conflict(level, neighbours, solid, marks);
-  if (options.by_thickness) {
-    std::vector<ReachedPlace> places = mark_thin_walls(level, solid, kThicknessCells, marks);
-    if (elsewhere != nullptr) *elsewhere = std::move(places);
-  }
-  if (options.by_energy_density && !energy_density.empty()) {
-    mark_energy_density(level, energy_density, options.energy_density_threshold, marks);
-  }
+  mark_surface(level, marks);
+  mark_spectral_conflict(level, neighbours, solid, marks);
+  std::vector<ReachedPlace> places = mark_thin_walls(level, solid, marks);
+  if (elsewhere != nullptr) *elsewhere = std::move(places);
+  if (!energy_density.empty()) mark_energy_density(level, energy_density, energy_density_threshold, marks);
   for (CellIndex i = 0; i < level.size(); ++i) {
     if (level.tree[i].depth() >= finest_depth) marks[i] = false;
   }

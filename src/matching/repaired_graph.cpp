@@ -23,13 +23,6 @@ Verdict verdict_of(VertexState state) {
                                              : Verdict::kUndecided;
 }
 
-SingularityTuning exact() {
-  SingularityTuning options;
-  options.merge_cells = options.end_cells = options.tip_reach_cells = 0;
-  options.hook_cells = options.loop_cells = 0;
-  return options;
-}
-
 /// The index in the sense that an arc has along most of its length.
 double index_along(const MatchedField& field, const SingularityGraph::Arc& arc) {
   double sum = 0, quarters = 0;
@@ -95,7 +88,7 @@ Summary::Corner described_corner(const MatchedField& field, std::uint32_t vertex
 SingularityGraph repaired_graph(const MatchedField& field) {
   SingularEdges singular = singular_tet_edges(field.complex().solid(), field.frames(), field.matchings());
   singular.surface_edges.clear();  // an arc that ends on the surface ends there
-  SingularityGraph graph = singularity_graph(singular, exact());
+  SingularityGraph graph = singularity_graph(singular, {.merge_cells = 0, .end_cells = 0});
   for (SingularityGraph::Arc& arc : graph.arcs) {
     judge_arc(field, arc);
     if (!arc.nodes) continue;
@@ -110,7 +103,7 @@ SingularityGraph repaired_graph(const MatchedField& field) {
 SolveReport::Singularity repaired_summary(const MatchedField& field, const SingularityGraph& graph) {
   const TetSolid& solid = field.complex().solid();
   Summary summary = summary_of(graph, /*is_repaired=*/true);
-  const SolidCreases creases = solid_creases({solid.mesh.vertices, solid.boundary}, kSharpDeg, kBendDeg);
+  const SolidCreases creases = solid_creases({solid.mesh.vertices, solid.boundary});
   for (const SolidCrease& crease : creases.creases) summary.crease_list.push_back(described(field, crease));
   std::set<std::uint32_t> corners;
   for (const SolidCorner& corner : creases.corners) corners.insert(corner.vertex);

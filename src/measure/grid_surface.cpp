@@ -102,15 +102,14 @@ class VotingPlaces {
 }  // namespace
 
 void add_grid_surface(const SolvedSurface& solved, const PlaceSampler& sampler, double cell_size,
-                      const SingularityGraph& graph, const SingularityTuning& options,
-                      SolveReport::Singularity& summary) {
+                      const SingularityGraph& graph, SolveReport::Singularity& summary) {
   const SolidSurface surface{solved.vertices, solved.triangles};
-  const SolidCreases creases = solid_creases(surface, kSharpDeg, kBendDeg);
+  const SolidCreases creases = solid_creases(surface);
   const VotingPlaces voting(surface, creases, cell_size);
   const std::vector<Quaternion> frames = sampler.frames_at(voting.places());
   add_surface(
       surface, creases, [&](const SolidCrease& crease) { return voting.votes(crease, frames); },
-      {[&](std::uint32_t) { return cell_size; }, false}, graph, options, summary);
+      {[&](std::uint32_t) { return cell_size; }, false}, graph, summary);
 }
 
 }  // namespace crossgrain

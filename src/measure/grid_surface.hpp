@@ -5,7 +5,6 @@
 #include "crossgrain/report.hpp"
 #include "field/solved_surface.hpp"
 #include "sampling/places.hpp"
-#include "singularity/singularity_tuning.hpp"
 
 namespace crossgrain {
 
@@ -13,7 +12,6 @@ namespace crossgrain {
 /// beside the creases, on quarter circles of one cell through the solid; `cell_size` is that of the cells at
 /// the surface, model units.
 void add_grid_surface(const SolvedSurface& surface, const PlaceSampler& sampler, double cell_size,
-                      const SingularityGraph& graph, const SingularityTuning& options,
-                      SolveReport::Singularity& summary);
+                      const SingularityGraph& graph, SolveReport::Singularity& summary);
 
 }  // namespace crossgrain

@@ -14,7 +14,7 @@
 #include "base/vector3.hpp"
 #include "grid/local_thickness.hpp"
 #include "grid/open_faces.hpp"
-#include "grid/refinement_tuning.hpp"
+#include "grid/refinement.hpp"
 #include "measure/answer_limits.hpp"
 
 namespace crossgrain {

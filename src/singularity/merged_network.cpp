@@ -8,6 +8,7 @@
 #include "base/disjoint_sets.hpp"
 #include "singularity/chains.hpp"
 #include "singularity/crease_curves.hpp"
+#include "singularity/touching_ends.hpp"
 
 namespace crossgrain {
 namespace {
@@ -26,6 +27,23 @@ bool is_one_line(const SingularEdge& edge, std::uint32_t end, const SingularEdge
   return edge.turn.kind == other.turn.kind &&
          -dot(axis_away_from(edge, end), axis_away_from(other, other_end)) > 1 / std::numbers::sqrt2;
 }
+
+/// Largest length of a closed arc that is left out: where frames of neighbours differ by more than 45 degrees
+/// the matching is ambiguous, and a wrong one produces a loop around its face.
+constexpr double kLoopCells = 6;
+
+/// Largest length of an arc from surface to surface that is left out where it stays within kHookReachCells of
+/// one crease. Where the angle of solid at a crease passes 45, 135, 225 or 315 degrees, two numbers of
+/// hexahedra cost alike, and the line between them runs along the crease, in and out of the first cells.
+/// docs/notes/verdict.md has the sweep.
+constexpr double kHookCells = 12, kHookReachCells = 1.5;
+
+/// How near a crease an arc from surface to surface of at most SingularityTuning::merge_cells is left out
+/// too: at a knife edge the tip has no room for lines across it.
+constexpr double kTipReachCells = 3;
+
+/// How far on grids the other end of a line that touches the surface may lie beside the direction of either.
+constexpr double kTouchAsideCells = 1.5;
 
 class Merger {
  public:
@@ -70,7 +88,7 @@ class Merger {
     for (const Chain* line : kept) {
       const bool is_loop =
           !line->is_closed() && sets_.root(line->vertices.front()) == sets_.root(line->vertices.back());
-      if (is_loop && length_in_cells(*line) <= options_.loop_cells)
+      if (is_loop && is_short_loop(*line))
         take_in(*line);
       else if (is_hook(*line))
         ++network.crease_hooks;
@@ -135,9 +153,12 @@ class Merger {
     return cells;
   }
 
+  bool is_short_loop(const Chain& line) const {
+    return options_.merge_cells > 0 && length_in_cells(line) <= kLoopCells;
+  }
+
   bool is_mere_loop(const Chain& line) const {
-    return line.is_closed() && !is_node(line.vertices.front()) &&
-           length_in_cells(line) <= options_.loop_cells;
+    return line.is_closed() && !is_node(line.vertices.front()) && is_short_loop(line);
   }
 
   /// Whether a line is shorter than two lines that it might be: third turns are two quarter turns that the
@@ -159,7 +180,7 @@ class Merger {
   /// Whether a short line from surface to surface keeps close to one crease.
   bool is_hook(const Chain& line) {
     const double length = length_in_cells(line);
-    if (line.is_closed() || length > options_.hook_cells ||
+    if (line.is_closed() || options_.merge_cells == 0 || length > kHookCells ||
         !reaches_surface_[sets_.root(line.vertices.front())] ||
         !reaches_surface_[sets_.root(line.vertices.back())])
       return false;
@@ -169,7 +190,7 @@ class Merger {
       places.push_back(singular_.points[point].place);
       cell_size = std::max(cell_size, singular_.points[point].cell_size);
     }
-    const double reach = length <= options_.merge_cells ? options_.tip_reach_cells : kHookReachCells;
+    const double reach = length <= options_.merge_cells ? kTipReachCells : kHookReachCells;
     return creases_.one_follows(places, reach * cell_size);
   }
 
@@ -181,7 +202,7 @@ class Merger {
   bool is_part_of_a_node(const Chain& line) const {
     const std::uint32_t front = line.vertices.front(), back = line.vertices.back();
     if (!is_node(front) && !is_node(back)) return false;
-    if (line.is_closed()) return length_in_cells(line) <= options_.loop_cells;
+    if (line.is_closed()) return is_short_loop(line);
     const bool ends_on_a_grid = is_end_on_a_grid(front) || is_end_on_a_grid(back);
     return length_in_cells(line) <= (ends_on_a_grid ? options_.end_cells : options_.merge_cells);
   }

@@ -9,7 +9,6 @@
 #include "crossgrain/singularity_graph.hpp"
 #include "grid/leaf_surroundings.hpp"
 #include "singularity/matching.hpp"
-#include "singularity/singularity_tuning.hpp"
 #include "singularity/touching_ends.hpp"
 
 namespace crossgrain {
@@ -178,7 +177,7 @@ SingularEdges singular_grid_edges(const Octree& tree, std::span<const StoredQuat
       by_end_points(singular_edges(tree, frames, open_faces, owners, share), tree.root());
   singular.creases = creases;
   singular.surface_edges =
-      touching_ends(singular, tree, open_faces, kTouchCells, share.value_or(whole_share(tree.size())));
+      touching_ends(singular, tree, open_faces, share.value_or(whole_share(tree.size())));
   return singular;
 }
 

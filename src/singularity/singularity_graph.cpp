@@ -121,7 +121,7 @@ SingularityGraph singularity_graph(const SingularEdges& singular, const Singular
 }
 
 SolveReport::Singularity summary_of(const SingularityGraph& graph, bool is_repaired) {
-  const double short_cells = is_repaired ? 0 : SingularityTuning().merge_cells;
+  const double short_cells = is_repaired ? 0 : kMergeCells;
   SolveReport::Singularity summary;
   summary.edges = graph.edges;
   summary.length = graph.edge_length;

@@ -19,6 +19,10 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
+/// Smallest angle by which the surface turns at a crease, and by which a crease turns at a corner: as on tets
+/// (tets/boundary_vertices.hpp).
+constexpr double kSharpDeg = 30, kBendDeg = 45;
+
 /// The edge if two triangles run along it in opposite directions and it is long enough to have one.
 std::optional<Edge> edge_of(const SolidSurface& surface, std::span<const EdgeUse> uses) {
   if (uses.size() != 2 || uses[0].forward == uses[1].forward) return std::nullopt;
@@ -34,12 +38,12 @@ std::optional<Edge> edge_of(const SolidSurface& surface, std::span<const EdgeUse
       {forward.low(), forward.high()}, {back.triangle, forward.triangle}, 180 + turn / kDegree, length};
 }
 
-std::vector<Edge> sharp_edges(const SolidSurface& surface, double sharp_deg) {
+std::vector<Edge> sharp_edges(const SolidSurface& surface) {
   std::vector<Edge> edges;
   const std::vector<EdgeUse> all_uses = sorted_edge_uses(surface.triangles);
   for_each_edge(all_uses, [&](std::span<const EdgeUse> uses) {
     const auto edge = edge_of(surface, uses);
-    if (edge && std::abs(edge->angle_deg - 180) > sharp_deg) edges.push_back(*edge);
+    if (edge && std::abs(edge->angle_deg - 180) > kSharpDeg) edges.push_back(*edge);
   });
   return edges;
 }
@@ -47,12 +51,12 @@ std::vector<Edge> sharp_edges(const SolidSurface& surface, double sharp_deg) {
 /// Sharp edges at each of their vertices.
 using Spokes = std::map<std::uint32_t, std::vector<std::uint32_t>>;
 
-bool go_on(const SolidSurface& surface, const Edge& a, const Edge& b, std::uint32_t at, double bend_deg) {
+bool go_on(const SolidSurface& surface, const Edge& a, const Edge& b, std::uint32_t at) {
   const auto away = [&](const Edge& edge) {
     return normalised(surface.vertices[edge.ends[0] == at ? edge.ends[1] : edge.ends[0]] -
                       surface.vertices[at]);
   };
-  return -dot(away(a), away(b)) > std::cos(bend_deg * kDegree);
+  return -dot(away(a), away(b)) > std::cos(kBendDeg * kDegree);
 }
 
 /// The edge with the direction of the crease from `first`.
@@ -134,8 +138,8 @@ Vector3 normal_of(const SolidSurface& surface, std::uint32_t triangle) {
   return length > 0 ? (1 / length) * normal : Vector3{0, 0, 0};
 }
 
-SolidCreases solid_creases(const SolidSurface& surface, double sharp_deg, double bend_deg) {
-  const std::vector<Edge> edges = sharp_edges(surface, sharp_deg);
+SolidCreases solid_creases(const SolidSurface& surface) {
+  const std::vector<Edge> edges = sharp_edges(surface);
   Spokes spokes;
   for (std::uint32_t e = 0; e < edges.size(); ++e)
     for (const std::uint32_t end : edges[e].ends) spokes[end].push_back(e);
@@ -145,7 +149,7 @@ SolidCreases solid_creases(const SolidSurface& surface, double sharp_deg, double
   for (const auto& [vertex, at] : spokes) {
     place[vertex] = static_cast<std::uint32_t>(vertices.size());
     vertices.push_back(vertex);
-    goes_through.push_back(at.size() == 2 && go_on(surface, edges[at[0]], edges[at[1]], vertex, bend_deg));
+    goes_through.push_back(at.size() == 2 && go_on(surface, edges[at[0]], edges[at[1]], vertex));
   }
   std::vector<std::array<std::uint32_t, 2>> links;
   for (const Edge& edge : edges) links.push_back({place[edge.ends[0]], place[edge.ends[1]]});

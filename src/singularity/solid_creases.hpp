@@ -45,10 +45,10 @@ struct SolidSurface {
   std::span<const std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Returns the creases: edges of two triangles that turn by more than `sharp_deg`, joined where two meet that
-/// turn by less than `bend_deg`. Edges of other numbers of triangles are none. Their order depends on the
+/// Returns the creases: edges of two triangles that turn by more than 30 degrees, joined where two meet that
+/// turn by less than 45. Edges of other numbers of triangles are none. Their order depends on the
 /// numbers of vertices only.
-SolidCreases solid_creases(const SolidSurface& surface, double sharp_deg, double bend_deg);
+SolidCreases solid_creases(const SolidSurface& surface);
 
 /// Unit normal of a triangle; {0, 0, 0} if it has no area.
 Vector3 normal_of(const SolidSurface& surface, std::uint32_t triangle);

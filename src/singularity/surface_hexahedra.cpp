@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "singularity/cube_group.hpp"
 #include "singularity/matching.hpp"
+#include "singularity/singularity_tuning.hpp"
 #include "singularity/vertex_link.hpp"
 
 namespace crossgrain {
@@ -19,15 +20,19 @@ using Summary = SolveReport::Singularity;
 
 constexpr int kFlat = 2;
 
+/// Angle within which of 45, 135, 225 or 315 degrees of solid the number of hexahedra at a crease is left to
+/// the frames, or undecided.
+constexpr double kRoundingDeg = 5;
+
 /// Largest number of arcs at a corner of which every selection is tried: the nearest ones.
 constexpr std::size_t kMostArcs = 4;
 
 /// The numbers of hexahedra that a crease of this angle may have: the nearest, and another where rounding
 /// decides.
-std::vector<int> numbers_near(double angle_deg, double rounding_deg) {
+std::vector<int> numbers_near(double angle_deg) {
   std::vector<int> numbers;
   for (int k = 0; k <= 4; ++k)
-    if (std::abs(angle_deg - 90 * k) < 45 + rounding_deg) numbers.push_back(k);
+    if (std::abs(angle_deg - 90 * k) < 45 + kRoundingDeg) numbers.push_back(k);
   std::sort(numbers.begin(), numbers.end(),
             [&](int a, int b) { return std::abs(angle_deg - 90 * a) < std::abs(angle_deg - 90 * b); });
   return numbers;
@@ -53,8 +58,8 @@ struct JudgedCrease {
 class SurfaceJudge {
  public:
   SurfaceJudge(const SolidSurface& surface, const SolidCreases& creases, const SurfaceCells& cells,
-               const SingularityGraph& graph, const SingularityTuning& options)
-      : surface_(surface), creases_(creases), cells_(cells), graph_(graph), options_(options) {}
+               const SingularityGraph& graph)
+      : surface_(surface), creases_(creases), cells_(cells), graph_(graph) {}
 
   void judge(const VotesAlong& votes_along, Summary& summary) {
     judged_.resize(creases_.creases.size());
@@ -70,14 +75,14 @@ class SurfaceJudge {
 
  private:
   JudgedCrease judged(const SolidCrease& crease, const std::vector<CreaseVote>& votes) const {
-    JudgedCrease result{numbers_near(crease.mean_angle_deg, kRoundingDeg)};
+    JudgedCrease result{numbers_near(crease.mean_angle_deg)};
     result.hexahedra = *std::max_element(result.numbers.begin(), result.numbers.end(), [&](int a, int b) {
       return length_of(votes, a) < length_of(votes, b);
     });
     double all = 0;
     for (const CreaseVote& vote : votes) all += vote.length;
     result.followed = all > 0 ? length_of(votes, result.hexahedra) / all : 0;
-    result.is_resolved = crease.length > options_.merge_cells * cells_.size_at(crease.edges.front().ends[0]);
+    result.is_resolved = crease.length > kMergeCells * cells_.size_at(crease.edges.front().ends[0]);
     return result;
   }
 
@@ -130,7 +135,7 @@ class SurfaceJudge {
   /// Valences of the arcs that end near a vertex, nearest first.
   std::vector<int> valences_near(std::uint32_t vertex) const {
     // On a grid lines end up to a cell short of the surface.
-    const double reach = (options_.merge_cells + 1) * cells_.size_at(vertex);
+    const double reach = (kMergeCells + 1) * cells_.size_at(vertex);
     std::vector<std::pair<double, int>> ends;
     for (const SingularityGraph::Node& node : graph_.nodes) {
       const double distance = norm(node.place - surface_.vertices[vertex]);
@@ -190,7 +195,7 @@ class SurfaceJudge {
     const auto& edges = creases_.creases[crease].edges;
     for (const SolidCrease::Edge* edge : {&edges.front(), &edges.back()}) {
       if (edge->ends[0] != vertex && edge->ends[1] != vertex) continue;
-      for (const int k : numbers_near(edge->angle_deg, kRoundingDeg))
+      for (const int k : numbers_near(edge->angle_deg))
         if (std::find(numbers.begin(), numbers.end(), k) == numbers.end()) numbers.push_back(k);
     }
     return numbers;
@@ -211,7 +216,6 @@ class SurfaceJudge {
   const SolidCreases& creases_;
   const SurfaceCells& cells_;
   const SingularityGraph& graph_;
-  const SingularityTuning& options_;
   std::vector<JudgedCrease> judged_;
   std::map<std::pair<std::vector<int>, std::vector<int>>, std::optional<bool>> links_;
 };
@@ -231,9 +235,9 @@ int quarter_turns(std::span<const Quaternion> way, const std::array<Vector3, 2>&
 }
 
 void add_surface(const SolidSurface& surface, const SolidCreases& creases, const VotesAlong& votes_along,
-                 const SurfaceCells& cells, const SingularityGraph& graph, const SingularityTuning& options,
+                 const SurfaceCells& cells, const SingularityGraph& graph,
                  SolveReport::Singularity& summary) {
-  SurfaceJudge(surface, creases, cells, graph, options).judge(votes_along, summary);
+  SurfaceJudge(surface, creases, cells, graph).judge(votes_along, summary);
 }
 
 }  // namespace crossgrain

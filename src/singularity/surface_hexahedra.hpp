@@ -9,7 +9,6 @@
 #include "base/quaternion.hpp"
 #include "crossgrain/report.hpp"
 #include "crossgrain/singularity_graph.hpp"
-#include "singularity/singularity_tuning.hpp"
 #include "singularity/solid_creases.hpp"
 
 namespace crossgrain {
@@ -43,12 +42,11 @@ struct SurfaceCells {
 /// Adds to a summary of a graph what the field makes of the surface: creases with other than two hexahedra,
 /// or where rounding decides, and the corners where such creases end.
 ///
-/// k of a crease is its mean angle in quarter turns, rounded. Within kRoundingDeg of 45,
+/// k of a crease is its mean angle in quarter turns, rounded. Within 5 degrees of 45,
 /// 135, 225 and 315 degrees frames decide, by length. A corner has F = 4 - sum (4 - n) - sum (2 - k)
 /// hexahedra over its arcs of n and its creases of k, and needs a link with exactly these
 /// (`has_surface_link`), for some of the arcs that end within a few cells: the others may end beside it.
 void add_surface(const SolidSurface& surface, const SolidCreases& creases, const VotesAlong& votes_along,
-                 const SurfaceCells& cells, const SingularityGraph& graph, const SingularityTuning& options,
-                 SolveReport::Singularity& summary);
+                 const SurfaceCells& cells, const SingularityGraph& graph, SolveReport::Singularity& summary);
 
 }  // namespace crossgrain

@@ -77,7 +77,7 @@ std::vector<double> surface_sizes(const TetSolid& solid) {
 }  // namespace
 
 SolveReport::Singularity tet_summary(const TetSolid& solid, std::span<const Quaternion> frames,
-                                     const SingularityGraph& graph, const SingularityTuning& options) {
+                                     const SingularityGraph& graph) {
   const SolidSurface surface{solid.mesh.vertices, solid.boundary};
   const TetFan fan(solid);
   const auto votes_along = [&](const SolidCrease& crease) {
@@ -95,8 +95,8 @@ SolveReport::Singularity tet_summary(const TetSolid& solid, std::span<const Quat
   };
   const std::vector<double> sizes = surface_sizes(solid);
   SolveReport::Singularity summary = summary_of(graph);
-  add_surface(surface, solid_creases(surface, kSharpDeg, kBendDeg), votes_along,
-              {[&](std::uint32_t vertex) { return sizes[vertex]; }, true}, graph, options, summary);
+  add_surface(surface, solid_creases(surface), votes_along,
+              {[&](std::uint32_t vertex) { return sizes[vertex]; }, true}, graph, summary);
   return summary;
 }
 

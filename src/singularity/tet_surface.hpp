@@ -6,7 +6,7 @@
 
 #include "base/quaternion.hpp"
 #include "crossgrain/report.hpp"
-#include "singularity/singularity_tuning.hpp"
+#include "crossgrain/singularity_graph.hpp"
 #include "tets/tet_solid.hpp"
 
 namespace crossgrain {
@@ -14,6 +14,6 @@ namespace crossgrain {
 /// The summary of a graph of these tets, with creases and corners (`add_surface`). `frames` has one entry per
 /// tet.
 SolveReport::Singularity tet_summary(const TetSolid& solid, std::span<const Quaternion> frames,
-                                     const SingularityGraph& graph, const SingularityTuning& options = {});
+                                     const SingularityGraph& graph);
 
 }  // namespace crossgrain

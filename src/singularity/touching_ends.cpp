@@ -87,8 +87,8 @@ struct PairOfEnds {
   auto operator<=>(const PairOfEnds&) const = default;
 };
 
-/// Returns the pairs of ends at most `reach_cells` apart.
-std::vector<PairOfEnds> near_pairs(const SingularEdges& singular, double reach_cells) {
+/// Returns the pairs of ends at most kTouchCells apart.
+std::vector<PairOfEnds> near_pairs(const SingularEdges& singular) {
   std::vector<std::uint32_t> degrees(singular.points.size(), 0), ends;
   for (const SingularEdge& edge : singular.edges)
     for (const std::uint32_t end : edge.ends) ++degrees[end];
@@ -106,10 +106,10 @@ std::vector<PairOfEnds> near_pairs(const SingularEdges& singular, double reach_c
   for (std::size_t i = 0; i < ends.size(); ++i) {
     for (std::size_t j = i + 1; j < ends.size(); ++j) {
       const auto [a, b] = std::minmax(ends[i], ends[j]);
-      if (place(ends[j])[0] - place(ends[i])[0] > reach_cells * largest) break;
+      if (place(ends[j])[0] - place(ends[i])[0] > kTouchCells * largest) break;
       const SingularEdges::Point &from = singular.points[a], &to = singular.points[b];
       const double cells = 2 * norm(to.place - from.place) / (from.cell_size + to.cell_size);
-      if (cells <= reach_cells) pairs.push_back({cells, a, b});
+      if (cells <= kTouchCells) pairs.push_back({cells, a, b});
     }
   }
   return pairs;
@@ -142,8 +142,8 @@ std::vector<OpenLeaf> leaves_around(std::span<const PairOfEnds> pairs, const Sin
 
 std::vector<std::array<std::uint32_t, 2>> touching_ends(const SingularEdges& singular, const Octree& tree,
                                                         std::span<const std::uint8_t> open_faces,
-                                                        double reach_cells, const Share& share) {
-  std::vector<PairOfEnds> pairs = near_pairs(singular, reach_cells);
+                                                        const Share& share) {
+  std::vector<PairOfEnds> pairs = near_pairs(singular);
   if (!share.is_whole()) {
     const auto leaves = leaves_around(pairs, singular, tree, open_faces, share);
     std::vector<CellAddress> addresses;
@@ -152,7 +152,7 @@ std::vector<std::array<std::uint32_t, 2>> touching_ends(const SingularEdges& sin
       addresses.push_back(leaf.address);
       faces.push_back(leaf.open_faces);
     }
-    return touching_ends(singular, Octree(tree.root(), std::move(addresses)), faces, reach_cells,
+    return touching_ends(singular, Octree(tree.root(), std::move(addresses)), faces,
                          whole_share(leaves.size()));
   }
   std::erase_if(pairs, [&](const PairOfEnds& pair) {

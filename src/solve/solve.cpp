@@ -167,7 +167,7 @@ void describe_guides(const PreparedModel& model, const RequestedAxes& asked, con
 
 /// Sets what the field makes of the creases and corners of the surface, and with that the answer.
 void describe_surface(const PlaceSampler& sampler, FieldData& data) {
-  add_grid_surface(*data.surface.get(), sampler, cell_size_of(data.report), *data.singularities, {},
+  add_grid_surface(*data.surface.get(), sampler, cell_size_of(data.report), *data.singularities,
                    data.report.singularity);
   data.report.answer = answer_of(data.report);
 }

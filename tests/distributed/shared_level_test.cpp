@@ -28,7 +28,7 @@ RefinedLevel level_of(const TestSolid& part, int resolution) {
   RefinedLevel made = uniform_level(part.solid(), frame.root, kCoarsestDepth);
   for (int depth = kCoarsestDepth; depth < frame.finest_depth; ++depth)
     made = refined(made.level, made.neighbours, part.solid(),
-                   refinement_marks(made.level, made.neighbours, part.solid(), {}, frame.finest_depth, {}));
+                   refinement_marks(made.level, made.neighbours, part.solid(), {}, 0, frame.finest_depth));
   return made;
 }
 
@@ -85,15 +85,14 @@ class SharedLevel : public ::testing::TestWithParam<int> {
     RefinedLevel whole = start;
     for (int round = 0; round < 2; ++round)
       whole = refined(whole.level, whole.neighbours, part.solid(),
-                      refinement_marks(whole.level, whole.neighbours, part.solid(), {}, deepest, {}));
+                      refinement_marks(whole.level, whole.neighbours, part.solid(), {}, 0, deepest));
     run_ranks(GetParam(), [&](Exchange& exchange) {
       LevelShares shares(exchange, random_cuts);
       LevelSharing::Level shared = shares.shared_out({in_the_first(exchange, start), {}}, part.solid());
       for (int round = 0; round < 2; ++round) {
         RefinedLevel& made = shared.made;
         std::vector<ReachedPlace> elsewhere;
-        Marks marks =
-            refinement_marks(made.level, made.neighbours, part.solid(), {}, deepest, {}, &elsewhere);
+        Marks marks = refinement_marks(made.level, made.neighbours, part.solid(), {}, 0, deepest, &elsewhere);
         shares.complete(made.level, made.neighbours, elsewhere, deepest, marks);
         shared =
             shares.shared_out({refined(made.level, made.neighbours, part.solid(), marks), {}}, part.solid());

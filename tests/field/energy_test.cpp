@@ -23,7 +23,7 @@ FieldGraph<D> graph_of(const GridLevel& level, const Solid& solid) {
   const LeafConnections connections = connect_leaves(level, solid);
   return {std::make_shared<const Connectivity>(
               connectivity_of(level, connections, SolverTuning().diagonal_share)),
-          boundary_forms<D>(level, solid, 10, Shift::kNone)};
+          boundary_forms<D>(level, solid, 10)};
 }
 
 class EnergyTest : public ::testing::Test {

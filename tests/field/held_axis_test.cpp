@@ -206,7 +206,7 @@ TYPED_TEST(HeldAxis, ProjectionFromTheOwnFrameFindsTheNearestOfAll) {
   const LeafConnections connections = connect_leaves(level, bracket.solid());
   const FieldGraph<D> graph{std::make_shared<const Connectivity>(
                                 connectivity_of(level, connections, SolverTuning().diagonal_share)),
-                            boundary_forms<D>(level, bracket.solid(), 10, Shift::kNone)};
+                            boundary_forms<D>(level, bracket.solid(), 10)};
   for (const int sweeps : {1, 3, 10, 40}) {
     FieldState<D> state = state_of<D>(random_frames(level.size(), 3));
     for (int sweep = 0; sweep < sweeps; ++sweep) relaxation_sweep(graph, state, 0.5 * (sweep + 1) / sweeps);

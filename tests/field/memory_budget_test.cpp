@@ -48,9 +48,9 @@ class MemoryBudget : public ::testing::Test {
     for (int k = 0; k < 3; ++k) {
       const auto& [level, neighbours, parent] = refined_;
       refined_ = refined(level, neighbours, solid,
-                         refinement_marks(level, neighbours, solid, {}, frame.finest_depth, {}));
+                         refinement_marks(level, neighbours, solid, {}, 0, frame.finest_depth));
     }
-    counts_ = LevelGrowth(level_, solid, {}).after(0);
+    counts_ = LevelGrowth(level_, solid).after(0);
     // Of a sample elsewhere.
     counts_.several_normals = 0;
     for (CellIndex i = 0; i < level_.size(); ++i)
@@ -91,7 +91,7 @@ TEST_F(MemoryBudget, HasALineForWhoNeighboursWhom) {
 }
 
 TEST_F(MemoryBudget, HasALineForForms) {
-  const auto forms = boundary_forms<4>(level_, part_.solid(), 10, Shift::kNone);
+  const auto forms = boundary_forms<4>(level_, part_.solid(), 10);
   expect_exact(memory_lines::kFormSlots, static_cast<double>(MemoryOfForms::of_slots(forms)));
   expect_exact(memory_lines::kPlaneForms, static_cast<double>(MemoryOfForms::of_planes(forms)));
   expect_exact(memory_lines::kGeneralForms, static_cast<double>(MemoryOfForms::of_general(forms)));

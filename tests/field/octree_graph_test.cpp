@@ -177,7 +177,7 @@ TYPED_TEST(BoundaryFormsTest, AreTheSumsOverThePiecesTimesWeightOverCellSize) {
   LeafConnections none;
   none.weights.resize(level.size());
   FieldGraph<D> graph{std::make_shared<const Connectivity>(connectivity_of(level, none, 0)),
-                      boundary_forms<D>(level, solid.solid(), 10, Shift::kNone)};
+                      boundary_forms<D>(level, solid.solid(), 10)};
   FieldState<D> state;
   state.frames.resize(level.size());
   double expected = 0;

@@ -48,7 +48,7 @@ class Stages : public ::testing::Test {
     const LeafConnections connections = connect_leaves(level, bracket.solid());
     graph_ = {std::make_shared<const Connectivity>(
                   connectivity_of(level, connections, SolverTuning().diagonal_share)),
-              boundary_forms<D>(level, bracket.solid(), 10, Shift::kNone)};
+              boundary_forms<D>(level, bracket.solid(), 10)};
   }
 
   double energy_of(const Frames& frames) const { return graph_energy(graph_, state_of<D>(frames)); }

@@ -18,11 +18,11 @@ namespace crossgrain::testing {
 inline constexpr double kStored = 2e-6;
 
 template <int D>
-FieldGraph<D> graph_of(const GridLevel& level, const Solid& solid, Shift shift = Shift::kNone) {
+FieldGraph<D> graph_of(const GridLevel& level, const Solid& solid) {
   const LeafConnections connections = connect_leaves(level, solid);
   return {std::make_shared<const Connectivity>(
               connectivity_of(level, connections, SolverTuning().diagonal_share)),
-          boundary_forms<D>(level, solid, 10, shift)};
+          boundary_forms<D>(level, solid, 10)};
 }
 
 /// A few cells all of which neighbour each other; plane forms on some, general ones on others.

@@ -52,7 +52,6 @@ TEST_P(LevelGrowthOf, ForetellsTheCountsOfTheNextTwoLevels) {
   const TestSolid part(mesh(GetParam()));
   const Solid solid = part.solid();
   const GridFrame frame = frame_around(solid.surface.box, std::ldexp(kCoarsestCell, -kLevels));
-  const RefinementTuning options;
   RefinedLevel made = uniform_level(solid, frame.root, frame.finest_depth - kLevels);
   const GridLevel& level = made.level;
   std::vector<LevelGrowth> growths;
@@ -64,9 +63,9 @@ TEST_P(LevelGrowthOf, ForetellsTheCountsOfTheNextTwoLevels) {
       expect_near(foretold.several_normals, cells_of_several_normals(level, solid), kMostOffOfFew,
                   "several normals", ahead);
     }
-    growths.emplace_back(level, solid, options);
+    growths.emplace_back(level, solid);
     made = refined(level, made.neighbours, solid,
-                   refinement_marks(level, made.neighbours, solid, {}, frame.finest_depth, options));
+                   refinement_marks(level, made.neighbours, solid, {}, 0, frame.finest_depth));
   }
 }
 
@@ -98,7 +97,6 @@ TEST_P(LevelGrowthAlong, GuidesInsideIsForetold) {
   Solid solid = part.solid();
   solid.guides = &guides;
   const GridFrame frame = frame_around(solid.surface.box, std::ldexp(kCoarsestCell, -kLevels));
-  const RefinementTuning options;
   RefinedLevel made = uniform_level(solid, frame.root, frame.finest_depth - kLevels);
   const GridLevel& level = made.level;
   std::vector<LevelGrowth> growths;
@@ -108,9 +106,9 @@ TEST_P(LevelGrowthAlong, GuidesInsideIsForetold) {
                   static_cast<double>(level.size()), ahead == 1 ? kMostOff : kMostOffTwoAhead, "cells",
                   ahead);
     }
-    growths.emplace_back(level, solid, options);
+    growths.emplace_back(level, solid);
     made = refined(level, made.neighbours, solid,
-                   refinement_marks(level, made.neighbours, solid, {}, frame.finest_depth, options));
+                   refinement_marks(level, made.neighbours, solid, {}, 0, frame.finest_depth));
   }
 }
 
@@ -120,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(Guides, LevelGrowthAlong,
 TEST(LevelGrowth, CountsWhatThereIs) {
   const TestSolid part(make_bracket(24));
   const GridLevel level = part.level(0.05);
-  const LevelCounts counts = LevelGrowth(level, part.solid(), {}).after(0);
+  const LevelCounts counts = LevelGrowth(level, part.solid()).after(0);
   EXPECT_EQ(counts.cells, static_cast<double>(level.size()));
   EXPECT_EQ(counts.pieces, static_cast<double>(level.pieces.size()));
   double surface_cells = 0;
@@ -140,10 +138,10 @@ TEST(LevelGrowth, CountsTheCellsOfGuideFacesInside) {
   const GridFrame frame = frame_around(solid.surface.box, 1.0 / 48);
   RefinedLevel made = uniform_level(solid, frame.root, frame.finest_depth - 2);
   const GridLevel& level = made.level;
-  const LevelGrowth growth(level, solid, {});
+  const LevelGrowth growth(level, solid);
   for (int ahead = 1; ahead <= 2; ++ahead) {
     made = refined(level, made.neighbours, solid,
-                   refinement_marks(level, made.neighbours, solid, {}, frame.finest_depth, {}));
+                   refinement_marks(level, made.neighbours, solid, {}, 0, frame.finest_depth));
     expect_near(growth.after(ahead).cells, static_cast<double>(level.size()), kMostOff, "cells", ahead);
   }
 }

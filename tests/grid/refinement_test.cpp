@@ -182,7 +182,7 @@ TEST(ThicknessCriterion, MarksAllOfAWallThinnerThanFourCells) {
     const TestSolid wall(rotate_mesh(make_wall(cells * size), turn));
     const GridLevel level = wall.level(size);
     Marks marks = no_marks(level);
-    mark_thin_walls(level, wall.solid(), 4, marks);
+    mark_thin_walls(level, wall.solid(), marks);
     std::size_t away = 0, missed = 0;
     for (CellIndex i = 0; i < level.size(); ++i) {
       const Vector3 p = rotate(conjugate(turn), level.tree.centre(i));
@@ -203,7 +203,7 @@ TEST(ThicknessCriterion, MarksEverySurfaceCellOfThinWallsAwayFromTheRim) {
   const TestSolid wall(rotate_mesh(make_wall(0.17), turn));
   const GridLevel level = wall.level(0.05);
   Marks marks = no_marks(level);
-  mark_thin_walls(level, wall.solid(), 4, marks);
+  mark_thin_walls(level, wall.solid(), marks);
   for (CellIndex i = 0; i < level.size(); ++i) {
     const Vector3 p = rotate(conjugate(turn), level.tree.centre(i));
     if (!level.holds_surface(i) || std::max(std::abs(p[0]), std::abs(p[1])) > 0.4) continue;
@@ -218,7 +218,7 @@ TEST(ThicknessCriterion, MarksNothingInABlockOfMoreThanFourCells) {
     const TestSolid block(rotate_mesh(make_wall(random.uniform(4.01, 8) * size), random.rotation()));
     const GridLevel level = block.level(size);
     Marks marks = no_marks(level);
-    mark_thin_walls(level, block.solid(), 4, marks);
+    mark_thin_walls(level, block.solid(), marks);
     EXPECT_FALSE(any(marks));
   }
 }
@@ -242,58 +242,43 @@ TEST(EnergyCriterion, MarksWhatExceedsTheThresholdInItsOwnSize) {
 
 class RefinementMarksTest : public ::testing::Test {
  protected:
-  RefinementMarksTest() { options_ = {false, false, false, false, 0.2, 4}; }
-
-  Marks marks(const std::vector<float>& density = {}) const {
-    return refinement_marks(level_, neighbours_, solid_.solid(), density, depth_ + 1, options_);
+  Marks marks(int finest_depth, const std::vector<float>& density = {}) const {
+    return refinement_marks(level_, neighbours_, solid_.solid(), density, 0.2, finest_depth);
   }
 
-  // A wall of three cells, with a cylinder's rim for conflict.
-  const TestSolid solid_{make_cylinder(0.5, 0.12, 40)};
+  // A wall of three cells, and a part thick enough for cells without a mark, with a small cavity for
+  // conflict.
+  const TestSolid solid_{
+      join_meshes(join_meshes(make_cylinder(0.5, 0.6, 40), flip_mesh(make_sphere(0.03, 2))),
+                  translate_mesh(make_cylinder(0.5, 0.12, 40), {1.2, 0, 0}))};
   const GridLevel level_ = solid_.level(0.08);
   const std::vector<FaceNeighbours> neighbours_ = face_neighbours(level_.tree);
   const int depth_ = frame_around(solid_.surface().box, 0.08).finest_depth;
-  RefinementTuning options_;
 };
 
-TEST_F(RefinementMarksTest, WithoutCriteriaAreNone) {
-  EXPECT_FALSE(any(marks()));
-}
-
-TEST_F(RefinementMarksTest, OfOneCriterionAreThatCriterion) {
-  Marks expected = no_marks(level_);
-  mark_surface(level_, expected);
-  options_.by_surface = true;
-  EXPECT_EQ(marks(), expected);
-
-  expected = no_marks(level_);
-  mark_thin_walls(level_, solid_.solid(), 4, expected);
-  options_ = {false, false, true, false, 0.2, 4};
-  EXPECT_EQ(marks(), expected);
-  EXPECT_TRUE(any(expected));
-
-  expected = no_marks(level_);
+TEST_F(RefinementMarksTest, AreThoseOfAllCriteria) {
+  Marks of_surface = no_marks(level_);
+  mark_surface(level_, of_surface);
+  Marks of_walls = of_surface;
+  mark_thin_walls(level_, solid_.solid(), of_walls);
+  EXPECT_NE(of_walls, of_surface);
+  Marks expected = of_walls;
   mark_spectral_conflict(level_, neighbours_, solid_.solid(), expected);
-  options_ = {false, true, false, false, 0.2, 4};
-  EXPECT_EQ(marks(), expected);
+  EXPECT_NE(expected, of_walls);
+  EXPECT_EQ(marks(depth_ + 1), expected);
 
+  const auto inside =
+      static_cast<CellIndex>(std::find(expected.begin(), expected.end(), false) - expected.begin());
+  ASSERT_LT(inside, level_.size());
   std::vector<float> density(level_.size(), 0);
-  density[5] = 1e6;
-  expected = no_marks(level_);
-  expected[5] = true;
-  options_ = {false, false, false, true, 0.2, 4};
-  EXPECT_EQ(marks(density), expected);
-}
-
-TEST_F(RefinementMarksTest, WithoutAFieldPassOverTheEnergyCriterion) {
-  options_.by_energy_density = true;
-  EXPECT_FALSE(any(marks()));
+  density[inside] = 1e6;
+  expected[inside] = true;
+  EXPECT_EQ(marks(depth_ + 1, density), expected);
 }
 
 TEST_F(RefinementMarksTest, SpareWhatIsFinestAlready) {
-  options_ = {};
-  EXPECT_FALSE(any(refinement_marks(level_, neighbours_, solid_.solid(), {}, depth_, options_)));
-  EXPECT_TRUE(any(refinement_marks(level_, neighbours_, solid_.solid(), {}, depth_ + 1, options_)));
+  EXPECT_FALSE(any(marks(depth_)));
+  EXPECT_TRUE(any(marks(depth_ + 1)));
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST(PeakMemory, OfAMillionCellsStaysWithinTheBudget) {
   g_most_held.store(before);
   const SolvedField field = nested_solve(part.solid(), options, Monitor());
   const auto most = static_cast<double>(g_most_held.load() - before);
-  const LevelCounts counts = LevelGrowth(field.level, part.solid(), options.refinement).after(0);
+  const LevelCounts counts = LevelGrowth(field.level, part.solid()).after(0);
   const double budget = peak_memory_bytes(counts);
   RecordProperty("bytes_per_cell", std::to_string(most / counts.cells));
   std::printf("%.0f cells, %.1f bytes a cell of a budget of %.1f\n", counts.cells, most / counts.cells,

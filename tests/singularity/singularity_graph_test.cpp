@@ -10,6 +10,7 @@
 #include "crossgrain/report.hpp"
 #include "field/made_grid.hpp"
 #include "singularity/singular_edges.hpp"
+#include "singularity/smooth_places.hpp"
 
 namespace crossgrain {
 namespace {

@@ -11,10 +11,8 @@
 namespace crossgrain {
 namespace {
 
-constexpr double kSharp = 30, kBend = 45;
-
 SolidCreases creases_of(const MadeSolid& solid) {
-  return solid_creases(solid.surface(), kSharp, kBend);
+  return solid_creases(solid.surface());
 }
 
 /// Number of creases of each angle, in whole degrees.

@@ -70,11 +70,11 @@ Summary summary_with(const MadeSolid& solid, int vote, double cell_size = 0.1,
                      const SingularityGraph& graph = {}, bool see_all = true) {
   Summary summary;
   add_surface(
-      solid.surface(), solid_creases(solid.surface(), 30, 45),
+      solid.surface(), solid_creases(solid.surface()),
       [&](const SolidCrease& crease) {
         return std::vector{CreaseVote{vote, crease.length}};
       },
-      {[&](std::uint32_t) { return cell_size; }, see_all}, graph, {}, summary);
+      {[&](std::uint32_t) { return cell_size; }, see_all}, graph, summary);
   return summary;
 }
 

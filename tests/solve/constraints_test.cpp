@@ -253,8 +253,8 @@ TEST(ConstrainedSolve, RefinesWhereConstraintsAre) {
   const Vector3 place{0.02, 0.03, -0.01};
   const Constraints constraints{.points = {{place, axes_in_list({1, 0, 0, 0})}}};
   const auto size_at = [&](const SolveOptions& options) {
-    SolveTuning plain = options;
-    plain.refinement.by_energy_density = false;
+    SolveTuning plain(options);
+    plain.solver.energy_density_threshold = std::numeric_limits<double>::infinity();
     const FrameField field = solve(ball, plain);
     const Octree& tree = field.data().tree;
     return tree.cell_size(tree.find_containing(*tree.root().locate(place)));

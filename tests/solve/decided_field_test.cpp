@@ -141,7 +141,7 @@ TEST(DecidedField, SettlesIfCellsAreRefinedAroundTheLinesThatRelaxationMoves) {
   SolveTuning options = options_of(128, SolveTuning().solver.decision_cells);
   const SolveReport refined = solve(torus, options).report();
   EXPECT_TRUE(refined.warnings.empty());
-  options.refinement.energy_density_threshold = 0.2;
+  options.solver.energy_density_threshold = 0.2;
   const SolveReport narrow = solve(torus, options).report();
   ASSERT_EQ(narrow.warnings.size(), 1u);
   EXPECT_EQ(narrow.warnings.front().kind, WarningKind::kNotSettled);
