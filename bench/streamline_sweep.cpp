@@ -15,9 +15,9 @@
 #include "field/field_data.hpp"
 #include "field/made_grid.hpp"
 #include "sampling/sampling.hpp"
-#include "sampling/streamline_tuning.hpp"
 #include "singularity/matching.hpp"
 #include "singularity/singular_edges.hpp"
+#include "solve/tuned_tracer.hpp"
 
 namespace crossgrain {
 namespace {
@@ -71,7 +71,7 @@ void measure(const FrameField& field, const std::vector<Vector3>& seeds, const s
   tuning.tolerance = 1e-7;
   tuning.smallest_step_cells = 1e-4;
   tuning.largest_step_cells = 0.05;
-  const Streamlines reference = StreamlineTracer(field, options, tuning, surface).trace(seeds);
+  const Streamlines reference = TunedTracer(field, options, tuning, surface).trace(seeds);
   std::printf(
       "tolerance  largest  seconds  lines/s   points  mean error  median error  p95 error, cells after %g\n",
       along / cell);
@@ -80,7 +80,7 @@ void measure(const FrameField& field, const std::vector<Vector3>& seeds, const s
       tuning = {};
       tuning.tolerance = tolerance;
       tuning.largest_step_cells = largest;
-      const StreamlineTracer tracer(field, options, tuning, surface);
+      const TunedTracer tracer(field, options, tuning, surface);
       const auto start = Clock::now();
       const Streamlines result = tracer.trace(seeds);
       const double seconds = seconds_since(start);
@@ -184,11 +184,11 @@ void near_singular_line() {
 void small_steps(const FrameField& field, const std::vector<Vector3>& seeds, const TriangleMesh* surface) {
   StreamlineTuning tuning;
   tuning.smallest_step_cells = 1.0 / 1024;
-  const Streamlines reference = StreamlineTracer(field, {}, tuning, surface).trace(seeds);
+  const Streamlines reference = TunedTracer(field, {}, tuning, surface).trace(seeds);
   std::printf("\nsmallest step  seconds  points  lines that end for another reason\n");
   for (const int parts : {4, 16, 64, 256}) {
     tuning.smallest_step_cells = 1.0 / parts;
-    const StreamlineTracer tracer(field, {}, tuning, surface);
+    const TunedTracer tracer(field, {}, tuning, surface);
     const auto start = Clock::now();
     const Streamlines result = tracer.trace(seeds);
     const double seconds = seconds_since(start);
@@ -210,7 +210,7 @@ void closing(const FrameField& field, const std::vector<Vector3>& seeds, const T
     StreamlineTuning tuning;
     tuning.closing_cells = cells;
     std::size_t closed = 0, longest = 0;
-    for (const Streamline& line : StreamlineTracer(field, {}, tuning, surface).trace(seeds).lines) {
+    for (const Streamline& line : TunedTracer(field, {}, tuning, surface).trace(seeds).lines) {
       closed += line.first_end == StreamlineEnd::kClosed;
       longest += line.first_end == StreamlineEnd::kLongest;
       longest += line.last_end == StreamlineEnd::kLongest;

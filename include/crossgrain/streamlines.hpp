@@ -16,8 +16,6 @@
 
 namespace crossgrain {
 
-struct StreamlineTuning;
-
 /// \addtogroup lines Singular lines, answers and streamlines
 /// @{
 
@@ -97,12 +95,6 @@ class StreamlineTracer {
   /// for options out of range.
   explicit StreamlineTracer(const TetFrameField& field, const StreamlineOptions& options = {});
 
-  /// For the library itself.
-  StreamlineTracer(const FrameField& field, const StreamlineOptions& options, const StreamlineTuning& tuning,
-                   const TriangleMesh* surface = nullptr);
-  StreamlineTracer(const TetFrameField& field, const StreamlineOptions& options,
-                   const StreamlineTuning& tuning);
-
   /// Returns `count` points evenly spread inside the solid: the points 1/2 + n (1/g, 1/g^2, 1/g^3) modulo 1
   /// with g^4 = g + 1, n = 1, 2, ... (M. Roberts 2018, sequence R3), scaled to the bounding box, without
   /// those outside and at singular arcs. More points extend the same sequence, and no two lie on one line
@@ -127,7 +119,9 @@ class StreamlineTracer {
   Streamlines trace(std::span<const StreamlineSeed> seeds, const Monitor& monitor = {}) const;
 
  private:
+  friend class TunedTracer;  // of the library itself
   struct Parts;
+  StreamlineTracer() = default;
   std::shared_ptr<const Parts> parts_;
 };
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "sampling/streamline_tuning.hpp"
+#include "solve/tuned_tracer.hpp"
 
 namespace crossgrain {
 namespace {
@@ -27,11 +27,11 @@ constexpr std::size_t kMostPoints = 200;
 }  // namespace
 
 StreamlineTracer page_tracer(const FrameField& field) {
-  return {field, StreamlineOptions{.spacing_sides = kSpacing}, StreamlineTuning{.longest_sides = kSides}};
+  return TunedTracer(field, {.spacing_sides = kSpacing}, {.longest_sides = kSides});
 }
 
 StreamlineTracer page_tracer(const TetFrameField& field) {
-  return {field, StreamlineOptions{.spacing_sides = kSpacing}, StreamlineTuning{.longest_sides = kSides}};
+  return TunedTracer(field, {.spacing_sides = kSpacing}, {.longest_sides = kSides});
 }
 
 PageStreamlines::PageStreamlines(const StreamlineTracer& tracer, const Vector3& origin, int axis,

@@ -14,11 +14,11 @@
 #include "sampling/grid_lines.hpp"
 #include "sampling/line_spacing.hpp"
 #include "sampling/streamline_seeds.hpp"
-#include "sampling/streamline_tuning.hpp"
 #include "sampling/tet_lines.hpp"
 #include "singularity/matching.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
+#include "solve/tuned_tracer.hpp"
 
 namespace crossgrain {
 namespace {
@@ -106,20 +106,20 @@ struct StreamlineTracer::Parts {
 
 StreamlineTracer::StreamlineTracer(const FrameField& field, const StreamlineOptions& options,
                                    const TriangleMesh* surface)
-    : StreamlineTracer(field, options, StreamlineTuning(), surface) {}
+    : StreamlineTracer(TunedTracer(field, options, {}, surface)) {}
 
 StreamlineTracer::StreamlineTracer(const TetFrameField& field, const StreamlineOptions& options)
-    : StreamlineTracer(field, options, StreamlineTuning()) {}
+    : StreamlineTracer(TunedTracer(field, options, {})) {}
 
-StreamlineTracer::StreamlineTracer(const FrameField& field, const StreamlineOptions& options,
-                                   const StreamlineTuning& tuning, const TriangleMesh* surface) {
+TunedTracer::TunedTracer(const FrameField& field, const StreamlineOptions& options,
+                         const StreamlineTuning& tuning, const TriangleMesh* surface) {
   check(options);
   parts_ = std::make_shared<const Parts>(
       field, options, tuning, std::make_unique<GridLines>(field.data(), surface, tuning.arc_distance_cells));
 }
 
-StreamlineTracer::StreamlineTracer(const TetFrameField& field, const StreamlineOptions& options,
-                                   const StreamlineTuning& tuning) {
+TunedTracer::TunedTracer(const TetFrameField& field, const StreamlineOptions& options,
+                         const StreamlineTuning& tuning) {
   check(options);
   const TetDomainData& tets = field.domain().data();
   const FramesOnTets frames{tets.solid, tets.edges, field.data().vertex_frames, field.data().tet_frames,

@@ -18,6 +18,7 @@
 #include "sampling/leaf_turn.hpp"
 #include "singularity/singular_edges.hpp"
 #include "solve/lines_in_cube.hpp"
+#include "solve/tuned_tracer.hpp"
 #include "support/shapes.hpp"
 
 namespace crossgrain {
@@ -164,12 +165,12 @@ double error_on_circles(double tolerance) {
   tuning.tolerance = tolerance;
   const std::vector<Vector3> seeds{
       {0.5 + 6.3 * kCell, 0.5, 0.5}, {0.5 + 9.1 * kCell, 0.52, 0.5}, {0.5 + 13.7 * kCell, 0.47, 0.5}};
-  const Streamlines lines = StreamlineTracer(circles(), {}, tuning).trace(seeds);
+  const Streamlines lines = TunedTracer(circles(), {}, tuning).trace(seeds);
   tuning.longest_sides = 31 * kCell;
   tuning.tolerance = 1e-8;
   tuning.largest_step_cells = 0.02;
   tuning.smallest_step_cells = 1e-4;
-  const Streamlines exact = StreamlineTracer(circles(), {}, tuning).trace(seeds);
+  const Streamlines exact = TunedTracer(circles(), {}, tuning).trace(seeds);
   double worst = 0;
   for (std::size_t k = 0; k < lines.lines.size(); ++k) {
     if (!goes_round(lines.lines[k])) continue;
@@ -374,8 +375,7 @@ TEST(Streamlines, AreNoLongerThanAllowed) {
   StreamlineTuning tuning;
   tuning.longest_sides = 0.25;
   const FrameField field = circles();
-  for (const Streamline& line :
-       StreamlineTracer(field, {}, tuning).trace(random_points(50, kCube, 12)).lines) {
+  for (const Streamline& line : TunedTracer(field, {}, tuning).trace(random_points(50, kCube, 12)).lines) {
     EXPECT_LT(line.length, 0.5 + 1e-9);
     if (line.first_end == StreamlineEnd::kLongest && line.last_end == StreamlineEnd::kLongest) {
       EXPECT_NEAR(line.length, 0.5, 1e-3);
@@ -383,7 +383,7 @@ TEST(Streamlines, AreNoLongerThanAllowed) {
   }
   tuning = {};
   tuning.most_points = 5;
-  for (const Streamline& line : StreamlineTracer(field, {}, tuning).trace(random_points(50, kCube, 12)).lines)
+  for (const Streamline& line : TunedTracer(field, {}, tuning).trace(random_points(50, kCube, 12)).lines)
     EXPECT_LE(line.points.size(), 9u);
 }
 
@@ -411,8 +411,7 @@ TEST(Streamlines, EndAlsoInAFieldWithoutAnyOrder) {
   StreamlineTuning tuning;
   tuning.arc_distance_cells = 0;
   std::array<int, 5> ends{};
-  for (const Streamline& line :
-       StreamlineTracer(field, {}, tuning).trace(random_points(20, kCube, 14)).lines) {
+  for (const Streamline& line : TunedTracer(field, {}, tuning).trace(random_points(20, kCube, 14)).lines) {
     ++ends[static_cast<std::size_t>(line.first_end)];
     for (const Vector3& p : line.points) {
       for (const double x : p) ASSERT_TRUE(x >= -1e-12 && x <= 1 + 1e-12);

@@ -17,6 +17,7 @@
 #include "solve/lines_in_cube.hpp"
 #include "solve/tet_domain_data.hpp"
 #include "solve/tet_field.hpp"
+#include "solve/tuned_tracer.hpp"
 #include "tets/tet_meshes.hpp"
 
 namespace crossgrain {
@@ -106,7 +107,7 @@ TEST(TetStreamlines, AroundAnAxisAreCircles) {
     seeds.push_back({radius * std::cos(angle), radius * std::sin(angle), -0.8 + 0.2 * k});
   }
   std::size_t closed = 0;
-  for (const Streamline& line : StreamlineTracer(field, {}, tuning).trace(seeds).lines) {
+  for (const Streamline& line : TunedTracer(field, {}, tuning).trace(seeds).lines) {
     if (line.last_end != StreamlineEnd::kClosed) continue;
     ++closed;
     const Vector3& seed = seeds[line.seed];
