@@ -23,6 +23,7 @@
 #include "crossgrain/version.hpp"
 #include "messages.hpp"
 #include "output.hpp"
+#include "solve/tuned_solve.hpp"
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -50,7 +51,7 @@ class Team {
                                   const CheckpointFolders& checkpoint) {
     if (const auto failure = first_failure({})) throw FailedElsewhere{failure->exit_code};
     has_begun_ = true;
-    return processes_.solve(earlier, mesh, options, monitor, checkpoint);
+    return TunedProcesses::solve(processes_, earlier, mesh, options, monitor, checkpoint);
   }
 
   /// Ends the work of this process, with a failure or without one. Returns the exit code of all.

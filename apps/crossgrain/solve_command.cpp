@@ -257,12 +257,12 @@ Solved solve_inputs(const Job& job, const Inputs& inputs) {
     return result.to_write.cells;
   };
   if (!domain) {
-    start.solve(start.earlier, mesh, options, monitor);
+    start.solve(start.earlier, mesh, SolveTuning(options), monitor);
     return result;
   }
   try {
     result.tet_field = naming(arguments.onto.empty() ? arguments.model : arguments.onto, [&] {
-      std::optional<TetFrameField> on_tets = solve_onto(*domain, start, options, monitor);
+      std::optional<TetFrameField> on_tets = solve_onto(*domain, start, SolveTuning(options), monitor);
       return on_tets && arguments.repair ? repaired(*on_tets, {}, monitor) : on_tets;
     });
   } catch (const Error& error) {

@@ -14,8 +14,6 @@
 
 namespace crossgrain {
 
-struct SolveTuning;
-
 /// \addtogroup solving Solving
 /// @{
 
@@ -50,15 +48,11 @@ class Processes {
   /// cells or more are shared: each process has a part of the cells, but the whole surface. If the last level
   /// was shared, each gets its part of the field (whole_of_parts joins them); otherwise process 0 gets the
   /// whole, and the others nothing. Throws like `solve`; some processes may throw and others wait for them,
-  /// so whoever catches an error calls `all_arrive`, then `abort`.
+  /// so whoever catches an error calls `all_arrive`, then `abort`. Only one process alone can be stopped at a
+  /// finished level: several may have heard of a stop at different levels.
   std::optional<FrameField> solve(const FrameField* earlier, const TriangleMesh& mesh,
                                   const SolveOptions& options = {}, const Monitor& monitor = {},
                                   const CheckpointFolders& checkpoint = {});
-
-  /// Likewise with the options that the library passes to the program (OntoStart, solve/tuned_solve.hpp).
-  std::optional<FrameField> solve(const FrameField* earlier, const TriangleMesh& mesh,
-                                  const SolveTuning& options, const Monitor& monitor,
-                                  const CheckpointFolders& checkpoint);
 
   /// Returns what each process passed.
   std::vector<std::string> gathered(const std::string& mine);
@@ -85,6 +79,7 @@ class Processes {
   [[noreturn]] void abort(int exit_code);
 
  private:
+  friend struct TunedProcesses;  // of the library itself
   class State;
   std::unique_ptr<State> state_;
 };

@@ -76,7 +76,7 @@ struct SolverTuning {
 /// The options of a solve with all that tests and sweeps set besides.
 struct SolveTuning : SolveOptions {
   SolveTuning() = default;
-  SolveTuning(const SolveOptions& options) : SolveOptions(options) {}
+  explicit SolveTuning(const SolveOptions& options) : SolveOptions(options) {}
 
   SolverTuning solver;
   OntoTuning onto;

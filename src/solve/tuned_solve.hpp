@@ -39,4 +39,14 @@ struct OntoStart {
 std::optional<TetFrameField> solve_onto(const TetDomain& domain, const OntoStart& start,
                                         const SolveTuning& options, const Monitor& monitor);
 
+class Processes;
+struct CheckpointFolders;
+
+/// Processes::solve with all that tests and sweeps set besides, in the library crossgrain::processes.
+struct TunedProcesses {
+  static std::optional<FrameField> solve(Processes& processes, const FrameField* earlier,
+                                         const TriangleMesh& mesh, const SolveTuning& options,
+                                         const Monitor& monitor, const CheckpointFolders& checkpoint);
+};
+
 }  // namespace crossgrain

@@ -41,7 +41,7 @@ FrameField solved_by(int ranks, const Cuts& cuts, const TriangleMesh& mesh, Solv
     LocalFiles files;
     KeptSolve checkpoint(exchange, files, folders.keep, folders.resume, 0);
     LevelShares shares(exchange, cuts, &checkpoint);
-    std::optional<FrameField> field = solve_together(shares, nullptr, mesh, options, {});
+    std::optional<FrameField> field = solve_together(shares, nullptr, mesh, SolveTuning(options), {});
     if (field) field = whole_of_parts(*std::move(field));
     EXPECT_EQ(field.has_value(), exchange.rank() == 0);
     if (field) result = std::move(field);
@@ -144,7 +144,7 @@ TEST(FieldParts, MergeToTheCellsOfTheWholeField) {
     LevelShares shares(exchange, random_cuts);
     SolveOptions options = at(320);
     options.threads = 1;
-    const std::optional<FrameField> part = solve_together(shares, nullptr, mesh, options, {});
+    const std::optional<FrameField> part = solve_together(shares, nullptr, mesh, SolveTuning(options), {});
     ASSERT_TRUE(part && part->data().part);
     EXPECT_THROW(part->sample({0, 0, 0}), Error);
     for (const std::size_t cells : most) {

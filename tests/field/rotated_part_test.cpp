@@ -91,7 +91,7 @@ Comparison turned_bracket(int resolution, double cells_away, unsigned rotation_s
   const TriangleMesh mesh = make_bracket(48);
   const Quaternion turn = RandomSamples(rotation_seed).rotation();
   const TestSolid upright(mesh), turned(rotate_mesh(mesh, turn));
-  SolveOptions options;
+  SolveTuning options;
   options.cell_size = 1.3 / resolution;  // the bracket is 1.3 long
   return compare(nested_solve(upright.solid(), options, Monitor()),
                  nested_solve(turned.solid(), options, Monitor()), turn, options.cell_size,
@@ -115,7 +115,7 @@ std::vector<double> energy_gaps(std::initializer_list<int> resolutions) {
   const TriangleMesh mesh = make_bracket(48);
   std::vector<double> gaps;
   for (const int resolution : resolutions) {
-    SolveOptions options;
+    SolveTuning options;
     options.cell_size = 1.3 / resolution;
     const auto energy = [&](const TriangleMesh& part) {
       return nested_solve(TestSolid(part).solid(), options, Monitor()).energy.total();

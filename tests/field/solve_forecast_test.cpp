@@ -16,8 +16,8 @@ using testing::TestSolid;
 
 constexpr double kMostOff = 1.5;
 
-SolveOptions options_of(int resolution, std::size_t more_memory = 0) {
-  SolveOptions options;
+SolveTuning options_of(int resolution, std::size_t more_memory = 0) {
+  SolveTuning options;
   options.resolution = resolution;
   if (more_memory > 0) options.max_memory_bytes = current_memory_bytes() + more_memory;
   return options;
@@ -100,7 +100,7 @@ TEST(SolveForecast, RefusesWhereOnlyMuchCoarserCellsWouldFit) {
 }
 
 TEST(SolveForecast, CountsForEachProcessItsShareOfALevelWithGhosts) {
-  const SolveOptions options = options_of(1000);
+  const SolveTuning options = options_of(1000);
   const auto memory = [&](const Sharers& sharers, double cells) {
     const SolveForecast forecast(options, 10, 0, false, {}, sharers);
     return forecast.peak_memory({cells, cells, cells, cells}) - forecast.peak_memory({});
@@ -112,7 +112,7 @@ TEST(SolveForecast, CountsForEachProcessItsShareOfALevelWithGhosts) {
 }
 
 TEST(SolveForecast, AllowsMoreThanFourBillionCellsToManyProcesses) {
-  SolveOptions options = options_of(100000);
+  SolveTuning options = options_of(100000);
   options.max_memory_bytes = std::size_t{1} << 50;
   const auto fits = [&](int processes) {
     return SolveForecast(options, 17, 0, false, {}, {processes, 200000}).fits({1e10, 1e9, 1e8, 1e9});

@@ -20,7 +20,7 @@ namespace {
 struct Solved {
   Solved(const TriangleMesh& mesh, int resolution)
       : surface(prepare_surface(mesh)), bvh(surface), winding(bvh) {
-    SolveOptions options;
+    SolveTuning options;
     options.resolution = resolution;
     field = nested_solve(solid, options, {});
     adjacency =

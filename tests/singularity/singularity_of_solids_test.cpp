@@ -42,7 +42,7 @@ Solved solve_coarsely(const TriangleMesh& mesh, const Setting& setting) {
   const Surface surface = prepare_surface(mesh);
   const TriangleBvh bvh(surface);
   const WindingNumber winding(bvh);
-  SolveOptions options;
+  SolveTuning options;
   std::tie(options.degree, options.resolution) = setting;
   Solved solved;
   solved.field = nested_solve({surface, bvh, winding}, options, Monitor());

@@ -11,6 +11,7 @@
 #include "distributed/mpi/mpi_exchange.hpp"
 #include "distributed/mpi/mpi_files.hpp"
 #include "solve/shared_solve.hpp"
+#include "solve/tuned_solve.hpp"
 
 namespace crossgrain {
 
@@ -51,17 +52,18 @@ int Processes::count() const {
 std::optional<FrameField> Processes::solve(const FrameField* earlier, const TriangleMesh& mesh,
                                            const SolveOptions& options, const Monitor& monitor,
                                            const CheckpointFolders& folders) {
-  return solve(earlier, mesh, SolveTuning(options), monitor, folders);
+  return TunedProcesses::solve(*this, earlier, mesh, SolveTuning(options), monitor, folders);
 }
 
-std::optional<FrameField> Processes::solve(const FrameField* earlier, const TriangleMesh& mesh,
-                                           const SolveTuning& options, const Monitor& monitor,
-                                           const CheckpointFolders& folders) {
+std::optional<FrameField> TunedProcesses::solve(Processes& processes, const FrameField* earlier,
+                                                const TriangleMesh& mesh, const SolveTuning& options,
+                                                const Monitor& monitor, const CheckpointFolders& folders) {
+  Processes::State& state = *processes.state_;
   MpiFiles files(MPI_COMM_WORLD);
-  KeptSolve checkpoint(state_->exchange, files, folders.keep, folders.resume, folders.keep_seconds);
-  LevelShares shares(state_->exchange, equal_cuts, &checkpoint);
+  KeptSolve checkpoint(state.exchange, files, folders.keep, folders.resume, folders.keep_seconds);
+  LevelShares shares(state.exchange, equal_cuts, &checkpoint);
   std::optional<FrameField> field = solve_together(shares, earlier, mesh, options, monitor);
-  state_->finest = shares.last_share();
+  state.finest = shares.last_share();
   return field;
 }
 
