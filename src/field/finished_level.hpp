@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <utility>
 
 #include "field/candidates.hpp"
@@ -37,10 +36,7 @@ class FinishedLevel {
   }
 
   /// Whether it is a result; very coarse levels may have no inside.
-  bool is_result() const {
-    const auto& winding = field_.level.centre_winding;
-    return stays_ && std::any_of(winding.begin(), winding.end(), [](int w) { return w > 0; });
-  }
+  bool is_result() const { return stays_ && field_.level.has_inside(); }
   SolvedField result() && {
     field_.frames = std::move(candidates_.best_frames());
     field_.stopped = true;

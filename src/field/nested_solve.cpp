@@ -193,9 +193,7 @@ class NestedSolver {
   void predict(SolveForecast& forecast, const LevelGrowth& growth) {
     const LevelStatistics& level = result_.levels.back();
     // A surface that encloses nothing is refused in the end, so there is nothing to expect.
-    const auto& winding = result_.level.centre_winding;
-    const bool has_inside = std::any_of(winding.begin(), winding.end(), [](int w) { return w > 0; });
-    if (!is_so_in_any(result_.level.share(), has_inside)) return;
+    if (!is_so_in_any(result_.level.share(), result_.level.has_inside())) return;
     const std::optional<Expectation> expected = forecast.forecast_from(
         level.depth, growth, level.sweeps, level.seconds, seconds_so_far_, finest_resolution());
     if (!expected) return;

@@ -55,6 +55,9 @@ struct GridLevel {
     return {pieces.data() + piece_begin[i], pieces.data() + piece_begin[i + 1]};
   }
   bool centre_inside(CellIndex i) const { return centre_winding[i] > 0; }
+  bool has_inside() const {
+    return std::any_of(centre_winding.begin(), centre_winding.end(), [](int w) { return w > 0; });
+  }
   bool holds_surface(CellIndex i) const { return piece_begin[i + 1] > piece_begin[i]; }
   bool is_constrained(CellIndex i) const { return holds_surface(i) || guides.has(i); }
 

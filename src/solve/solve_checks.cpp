@@ -159,9 +159,7 @@ void check_size(const Surface& surface, const SolveOptions& options) {
 }
 
 void check_interior(const GridLevel& finest, const MendedSurface& mended) {
-  const auto& winding = finest.centre_winding;
-  const bool has_inside = std::any_of(winding.begin(), winding.end(), [](int w) { return w > 0; });
-  if (is_so_in_any(finest.share(), has_inside)) return;
+  if (is_so_in_any(finest.share(), finest.has_inside())) return;
   const Surface& surface = mended.surface;
   if (!mended.closed) {
     const Finding* hole = find(mended.findings, FindingKind::kHole);
