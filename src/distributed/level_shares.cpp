@@ -193,8 +193,8 @@ LevelSharing::Level LevelShares::shared_out(Level level, const Solid& solid) {
 
   Level result = joined(root, std::move(own), ghosts, cuts[rank]);
   RefinedLevel& made = result.made;
-  made.level.part->of_all = leaves;
-  made.level.part->exchange = &exchange_;
+  made.level.part.of_all = leaves;
+  made.level.part.exchange = &exchange_;
   made.level.examined_leaves = is_resuming
                                    ? checkpoint_->examined_leaves()
                                    : std::accumulate(examined.begin(), examined.end(), std::uint64_t{0});

@@ -31,18 +31,18 @@ void change_leaves(FieldData& data, const Change& change) {
 }  // namespace
 
 void leave_own_leaves(FieldData& data) {
-  if (!data.part) return;
-  const Share share = *data.part;
+  if (data.part.is_whole()) return;
+  const Share share = data.part;
   change_leaves(data, [&]<class T>(std::vector<T>& values) {
     if (!values.empty()) values = own_values(share, values);
   });
-  data.part->begin = 0;
-  data.part->end = static_cast<std::uint32_t>(share.size());
+  data.part.begin = 0;
+  data.part.end = static_cast<std::uint32_t>(share.size());
 }
 
 void renumber(FieldData& data) {
-  if (!data.part) return;
-  Share& share = *data.part;
+  if (data.part.is_whole()) return;
+  Share& share = data.part;
   const auto sizes = gathered_value<std::uint64_t>(*share.exchange, data.tree.size());
   const auto own = sizes.begin() + share.exchange->rank();
   share.begin = 0;
@@ -52,8 +52,8 @@ void renumber(FieldData& data) {
 }
 
 void unite_cells(FieldData& data, int depth) {
-  if (!data.part) return;
-  Exchange& exchange = *data.part->exchange;
+  if (data.part.is_whole()) return;
+  Exchange& exchange = *data.part.exchange;
   const std::vector<CellAddress>& leaves = data.tree.leaves();
   const auto cell_of = [&](CellAddress leaf) { return leaf.ancestor_at(depth); };
   struct LastCell {
@@ -89,11 +89,11 @@ void unite_cells(FieldData& data, int depth) {
 }
 
 void move_to_first(FieldData& data) {
-  if (!data.part) return;
-  Exchange& exchange = *data.part->exchange;
+  if (data.part.is_whole()) return;
+  Exchange& exchange = *data.part.exchange;
   change_leaves(
       data, [&]<class T>(std::vector<T>& values) { values = moved_to_first(exchange, std::move(values)); });
-  data.part.reset();
+  data.part = {};
 }
 
 }  // namespace crossgrain

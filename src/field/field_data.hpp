@@ -49,9 +49,9 @@ struct FieldData {
   std::optional<Merged> merged;
 
   /// Which leaves of the field these are, if processes share it.
-  std::optional<Share> part;
+  Share part;
 
-  Share share() const { return part ? *part : whole_share(tree.size()); }
+  Share share() const { return share_of(part, tree.size()); }
 };
 
 /// Removes the leaves that the process does not own, and their values.

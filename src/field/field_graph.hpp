@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -110,10 +109,10 @@ extern template class CellForms<4>;
 struct Connectivity {
   Adjacency adjacency;  ///< ghosts have no neighbours
   SweepOrder order;
-  SweepHalo halo = {};             ///< empty if this process has all cells
-  std::optional<Share> part = {};  ///< of the cells; none: all
+  SweepHalo halo = {};  ///< empty if this process has all cells
+  Share part = {};      ///< of the cells, if this process does not have all
 
-  Share share() const { return part ? *part : whole_share(adjacency.size()); }
+  Share share() const { return share_of(part, adjacency.size()); }
 };
 
 /// The graph of one sweep. Graphs of both degrees over the same cells share their connectivity.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,12 +44,12 @@ struct GridLevel {
   /// Number of leaves of the complete octree, including those outside; of all processes.
   std::size_t examined_leaves = 0;
 
-  /// Which of the leaves this process owns; none: it has the whole level.
-  std::optional<Share> part;
+  /// Which of the leaves this process owns, if it does not have the whole level.
+  Share part;
   Ghosts ghosts;
 
   std::size_t size() const { return tree.size(); }
-  Share share() const { return part ? *part : whole_share(size()); }
+  Share share() const { return share_of(part, size()); }
   std::span<const SurfacePiece> pieces_of(CellIndex i) const {
     return {pieces.data() + piece_begin[i], pieces.data() + piece_begin[i + 1]};
   }

@@ -49,6 +49,11 @@ inline Share whole_share(std::size_t leaves) {
   return {0, static_cast<std::uint32_t>(leaves), 0, leaves, nullptr};
 }
 
+/// The share in so many leaves of a process that has this part, or all if the part has no exchange.
+inline Share share_of(const Share& part, std::size_t leaves) {
+  return part.is_whole() ? whole_share(leaves) : part;
+}
+
 /// Numbers and owners of the ghosts, those below first.
 struct Ghosts {
   std::vector<std::uint64_t> numbers;

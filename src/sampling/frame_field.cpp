@@ -51,7 +51,7 @@ namespace {
 
 /// Throws unless a process has the whole field.
 void check_whole(const FieldData& data) {
-  if (data.part)
+  if (!data.part.is_whole())
     throw Error(ErrorKind::kUsage, "this is the part of one process; sample and analyse the whole field");
 }
 

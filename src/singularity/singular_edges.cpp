@@ -129,10 +129,9 @@ class SingularEdgeFinder {
 
 std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                      std::span<const std::uint8_t> open_faces,
-                                     std::span<const std::uint8_t> owners,
-                                     const std::optional<Share>& given_share) {
+                                     std::span<const std::uint8_t> owners, const Share& part) {
   assert(frames.size() == tree.size() && open_faces.size() == tree.size());
-  const Share share = given_share.value_or(whole_share(tree.size()));
+  const Share share = share_of(part, tree.size());
   const SingularEdgeFinder finder(tree, frames, open_faces);
   std::vector<std::vector<GridEdge>> runs((share.size() + kLeafGrain - 1) / kLeafGrain);
   parallel_for_chunks(share.size(), kLeafGrain, [&](std::size_t begin, std::size_t end) {
@@ -172,12 +171,10 @@ SingularEdges by_end_points(const std::vector<GridEdge>& edges, const RootCube& 
 SingularEdges singular_grid_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                   std::span<const std::uint8_t> open_faces,
                                   std::span<const std::vector<Vector3>> creases,
-                                  std::span<const std::uint8_t> owners, const std::optional<Share>& share) {
-  SingularEdges singular =
-      by_end_points(singular_edges(tree, frames, open_faces, owners, share), tree.root());
+                                  std::span<const std::uint8_t> owners, const Share& part) {
+  SingularEdges singular = by_end_points(singular_edges(tree, frames, open_faces, owners, part), tree.root());
   singular.creases = creases;
-  singular.surface_edges =
-      touching_ends(singular, tree, open_faces, share.value_or(whole_share(tree.size())));
+  singular.surface_edges = touching_ends(singular, tree, open_faces, part);
   return singular;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,12 +44,11 @@ struct GridEdge {
 ///
 /// `frames` and `open_faces` (as in LeafConnections) have one entry per leaf. So has `owners`, if given:
 /// leaves with 0 own no singular edge and are skipped; see near_sharp_turns in
-/// field/neighbour_comparison.hpp. Without a share the tree is the whole level; otherwise all processes get
+/// field/neighbour_comparison.hpp. Without a part the tree is the whole level; otherwise all processes get
 /// the edges of all.
 std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                      std::span<const std::uint8_t> open_faces,
-                                     std::span<const std::uint8_t> owners = {},
-                                     const std::optional<Share>& share = {});
+                                     std::span<const std::uint8_t> owners = {}, const Share& part = {});
 
 /// The singular edges by their end points, sorted. Points with just one edge, or with an odd number of odd
 /// ones, are on the boundary: neither occurs at a vertex surrounded by joined leaves. A line of the grid ends
@@ -62,7 +60,6 @@ SingularEdges by_end_points(const std::vector<GridEdge>& edges, const RootCube& 
 SingularEdges singular_grid_edges(const Octree& tree, std::span<const StoredQuaternion> frames,
                                   std::span<const std::uint8_t> open_faces,
                                   std::span<const std::vector<Vector3>> creases = {},
-                                  std::span<const std::uint8_t> owners = {},
-                                  const std::optional<Share>& share = {});
+                                  std::span<const std::uint8_t> owners = {}, const Share& part = {});
 
 }  // namespace crossgrain

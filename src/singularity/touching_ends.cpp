@@ -142,18 +142,17 @@ std::vector<OpenLeaf> leaves_around(std::span<const PairOfEnds> pairs, const Sin
 
 std::vector<std::array<std::uint32_t, 2>> touching_ends(const SingularEdges& singular, const Octree& tree,
                                                         std::span<const std::uint8_t> open_faces,
-                                                        const Share& share) {
+                                                        const Share& part) {
   std::vector<PairOfEnds> pairs = near_pairs(singular);
-  if (!share.is_whole()) {
-    const auto leaves = leaves_around(pairs, singular, tree, open_faces, share);
+  if (!part.is_whole()) {
+    const auto leaves = leaves_around(pairs, singular, tree, open_faces, part);
     std::vector<CellAddress> addresses;
     std::vector<std::uint8_t> faces;
     for (const OpenLeaf& leaf : leaves) {
       addresses.push_back(leaf.address);
       faces.push_back(leaf.open_faces);
     }
-    return touching_ends(singular, Octree(tree.root(), std::move(addresses)), faces,
-                         whole_share(leaves.size()));
+    return touching_ends(singular, Octree(tree.root(), std::move(addresses)), faces);
   }
   std::erase_if(pairs, [&](const PairOfEnds& pair) {
     const SingularEdges::Point &a = singular.points[pair.a], &b = singular.points[pair.b];

@@ -22,6 +22,6 @@ constexpr double kTouchCells = 3;
 /// `open_faces` as in LeafConnections.
 std::vector<std::array<std::uint32_t, 2>> touching_ends(const SingularEdges& singular, const Octree& tree,
                                                         std::span<const std::uint8_t> open_faces,
-                                                        const Share& share);
+                                                        const Share& part = {});
 
 }  // namespace crossgrain

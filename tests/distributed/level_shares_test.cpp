@@ -145,7 +145,7 @@ TEST(FieldParts, MergeToTheCellsOfTheWholeField) {
     SolveOptions options = at(320);
     options.threads = 1;
     const std::optional<FrameField> part = solve_together(shares, nullptr, mesh, SolveTuning(options), {});
-    ASSERT_TRUE(part && part->data().part);
+    ASSERT_TRUE(part && !part->data().part.is_whole());
     EXPECT_THROW(part->sample({0, 0, 0}), Error);
     for (const std::size_t cells : most) {
       std::optional<FrameField> here = thinned_from_parts(*part, cells);

@@ -29,7 +29,7 @@ std::size_t pairs_over_gap(int second, const std::vector<std::uint8_t>& open_fac
   std::vector<GridEdge> edges;
   add_line(edges, 1, 6);
   add_line(edges, second, 15);
-  return touching_ends(by_end_points(edges, tree.root()), tree, open_faces, whole_share(tree.size())).size();
+  return touching_ends(by_end_points(edges, tree.root()), tree, open_faces).size();
 }
 
 /// All faces open but those at x = `cut` cells: a gap in the solid that no cell resolves.
@@ -60,7 +60,7 @@ TEST(TouchingEnds, ComeNearestFirst) {
   add_line(edges, 6, 8);
   add_line(edges, 9, 12);
   const SingularEdges singular = by_end_points(edges, tree.root());
-  const auto pairs = touching_ends(singular, tree, all_open(tree), whole_share(tree.size()));
+  const auto pairs = touching_ends(singular, tree, all_open(tree));
   // 8 to 9, then 6 to 8 and 9 to 12 along lines, 3 to 1, and those three cells apart: the places decide
   // later.
   ASSERT_FALSE(pairs.empty());
