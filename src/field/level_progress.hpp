@@ -14,6 +14,8 @@ class LevelProgress {
  public:
   LevelProgress(const Monitor& monitor, bool is_decision) : monitor_(monitor), is_decision_(is_decision) {}
 
+  int coarsest_depth() const { return coarsest_depth_; }
+
   void begin_at(int coarsest_depth) { coarsest_depth_ = coarsest_depth; }
   void end_at(int finest_depth) { levels_ = number_of(finest_depth); }
 

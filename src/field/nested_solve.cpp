@@ -98,7 +98,7 @@ class NestedSolver {
     initial_.relaxation_sweeps = start.relaxation_sweeps;
     initial_.relaxed_cells = start.relaxed_cells;
     initial_.core_size = start.core_size;
-    begin_at(start.coarsest_depth);
+    progress_.begin_at(start.coarsest_depth);
     is_uniform_ = start.is_uniform;
     has_field_ = start.has_field;
     result_.levels = start.levels;
@@ -116,14 +116,10 @@ class NestedSolver {
   Start coarsest_level() {
     monitor_.check_stop();
     const auto [root, finest_depth] = frame();
-    begin_at(std::max(0, finest_depth - levels_above_finest()));
-    progress_.tell_grid(coarsest_depth_, 0);
-    return {coarsest_depth_, uniform_level(solid_, root, coarsest_depth_, monitor_)};
-  }
-
-  void begin_at(int coarsest_depth) {
-    coarsest_depth_ = coarsest_depth;
-    progress_.begin_at(coarsest_depth);
+    const int depth = std::max(0, finest_depth - levels_above_finest());
+    progress_.begin_at(depth);
+    progress_.tell_grid(depth, 0);
+    return {depth, uniform_level(solid_, root, depth, monitor_)};
   }
 
   void solve_levels_from(Start start) {
@@ -288,17 +284,17 @@ class NestedSolver {
   }
 
   bool begins_with_field(const GridLevel& level, int depth) const {
-    return initial_.frame_at &&
-           (depth == coarsest_depth_ || level.tree.root().cell_size(depth) >= initial_.last_cell_size);
+    return initial_.frame_at && (depth == progress_.coarsest_depth() ||
+                                 level.tree.root().cell_size(depth) >= initial_.last_cell_size);
   }
 
   /// Makes the first frames of every candidate. `parent` as in RefinedLevel.
   void start_candidates(int depth, const std::vector<CellIndex>& parent) {
     // A level that has been shared out has got its frames with its leaves.
-    if (depth != coarsest_depth_ && parent.empty()) return;
+    if (depth != progress_.coarsest_depth() && parent.empty()) return;
     if (begins_with_field(result_.level, depth))
       candidates_.begin_with(sampled(initial_, result_.level));
-    else if (depth == coarsest_depth_)
+    else if (depth == progress_.coarsest_depth())
       candidates_.begin_at_random(result_.level.size(), options_.solver.starts, options_.seed);
     else
       candidates_.inherit(finished_.candidates(), parent);
@@ -336,7 +332,7 @@ class NestedSolver {
   int relaxation_sweeps(std::size_t start, int depth) const {
     const SolverTuning& options = options_.solver;
     if (has_field_) return 0;
-    if (depth == coarsest_depth_)
+    if (depth == progress_.coarsest_depth())
       return static_cast<int>(options.start_relaxation / std::pow(3.0, static_cast<double>(start)));
     return is_uniform_ ? options.level_relaxation : 0;
   }
@@ -382,7 +378,7 @@ class NestedSolver {
   /// Shares out a refined level with the frames of the only candidate.
   RefinedLevel shared_out(RefinedLevel made, int depth) {
     const LevelStart start{depth,
-                           coarsest_depth_,
+                           progress_.coarsest_depth(),
                            is_uniform_,
                            has_field_,
                            initial_.relaxation_sweeps,
@@ -417,7 +413,6 @@ class NestedSolver {
   SolvedField result_;      ///< the level being built or solved
   Candidates candidates_;   ///< fields of the starts that are still compared
   FinishedLevel finished_;  ///< the level before it
-  int coarsest_depth_ = 0;
   Stopwatch grid_watch_, solve_watch_, level_watch_;
   double seconds_so_far_;
   bool is_uniform_ = true;  ///< all cells of the level have one size; the level is small and relaxed
