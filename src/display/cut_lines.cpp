@@ -30,6 +30,23 @@ constexpr double kSeedShare = 0.98;
 /// Smallest length of a curve, in spacings, unless it runs from boundary to boundary.
 constexpr double kShortest = 1;
 
+/// Curves end where another along the same axis is nearer than this share of the spacing.
+constexpr double kEndShare = 0.55;
+
+/// Curves follow the two axes that run along the plane, not the third. One ends where the component of its
+/// axis normal to the plane exceeds that of both others by this; axes closer than that are equally steep.
+constexpr double kNormalMargin = 0.1;
+
+/// Smallest distance of a curve's seed from the outline, across the curve, as a share of the spacing; in
+/// walls of less than twice that the seed is in the middle.
+constexpr double kOutlineShare = 0.25;
+
+/// Thickness of walls, as a share of the spacing, below which there is no curve along them.
+constexpr double kWallShare = 0.12;
+
+/// Length of a step as a share of the spacing.
+constexpr double kStepShare = 0.2;
+
 /// An axis of the field at a point, and its name there.
 struct Heading {
   Vector3 axis;      ///< unit, in space
@@ -73,13 +90,14 @@ class CutField {
 
   /// The axis of a piece along which no curve begins: the steepest one. Of two that are about equally steep
   /// that with the later name, so that curves over a whole part have the same.
-  std::size_t across(std::uint32_t piece, double margin) const {
+  std::size_t across(std::uint32_t piece) const {
     std::size_t most = 0;
     for (std::size_t k = 1; k < 3; ++k)
       if (steepness(piece, k) > steepness(piece, most)) most = k;
     std::size_t across = most;
     for (std::size_t k = 0; k < 3; ++k)
-      if (steepness(piece, k) > steepness(piece, most) - margin && names_[piece][k] > names_[piece][across])
+      if (steepness(piece, k) > steepness(piece, most) - kNormalMargin &&
+          names_[piece][k] > names_[piece][across])
         across = k;
     return across;
   }
@@ -158,13 +176,13 @@ class DrawnPoints {
 
 class CutTracer {
  public:
-  CutTracer(const CutMesh& mesh, std::span<const AxisNames> names, const CutLineOptions& options,
+  CutTracer(const CutMesh& mesh, std::span<const AxisNames> names, double spacing,
             const std::function<bool(const Vector3&)>& is_inside)
       : mesh_(mesh),
         field_(mesh, names),
-        options_(options),
+        spacing_(spacing),
         is_inside_(is_inside),
-        drawn_(mesh.plane(), options.spacing) {}
+        drawn_(mesh.plane(), spacing) {}
 
   std::vector<CutLine> lines() {
     for (const std::uint32_t piece : by_size()) {
@@ -192,26 +210,25 @@ class CutTracer {
   void try_from(const Vector3& seed) {
     const auto piece = mesh_.piece_at(seed);
     if (!piece || !is_inside_(seed)) return;
-    const std::size_t across_plane = field_.across(*piece, options_.normal_margin);
+    const std::size_t across_plane = field_.across(*piece);
     for (std::size_t k = 0; k < 3; ++k) {
       if (k == across_plane) continue;
       const Heading heading = field_.towards(*piece, seed, field_.axes(*piece)[k]);
       const auto place = off_outline(seed, heading.in_plane);
-      if (place && drawn_.has_room(*place, heading.in_plane, kSeedShare * options_.spacing))
-        trace(*place, heading);
+      if (place && drawn_.has_room(*place, heading.in_plane, kSeedShare * spacing_)) trace(*place, heading);
     }
   }
 
   /// The seed, or the middle of the thin wall that it is in; none if a curve would run next to the outline.
   std::optional<Vector3> off_outline(const Vector3& seed, const Vector3& way) const {
-    const double least = options_.outline_share * options_.spacing;
+    const double least = kOutlineShare * spacing_;
     const Vector3 aside = across(way);
     if (has(seed + least * aside) && has(seed - least * aside)) return seed;
     const Vector3 left = seed + 2 * least * aside, right = seed - 2 * least * aside;
     if (has(left) || has(right)) return std::nullopt;
     const Vector3 from = last_inside(seed, left), to = last_inside(seed, right);
     const double wall = norm(to - from);
-    if (wall < options_.wall_share * options_.spacing || wall > 2 * least) return std::nullopt;
+    if (wall < kWallShare * spacing_ || wall > 2 * least) return std::nullopt;
     return 0.5 * (from + to);
   }
 
@@ -234,10 +251,10 @@ class CutTracer {
   /// Half a curve. Steps by the midpoint rule. Ends next to earlier curves, and to the other half or itself
   /// where it comes round.
   Way half(const Vector3& seed, Vector3 direction, const Way& other_half) const {
-    const double step = options_.step_share * options_.spacing;
-    const double least = options_.least_share * options_.spacing;
-    const auto lag = static_cast<std::size_t>(std::ceil(kOwnLag / options_.step_share));
-    DrawnPoints own(mesh_.plane(), options_.spacing);
+    const double step = kStepShare * spacing_;
+    const double least = kEndShare * spacing_;
+    const auto lag = static_cast<std::size_t>(std::ceil(kOwnLag / kStepShare));
+    DrawnPoints own(mesh_.plane(), spacing_);
     for (std::size_t k = lag; k < other_half.points.size(); ++k)
       own.add(other_half.points[k], other_half.ways[k]);
     Way way;
@@ -246,11 +263,11 @@ class CutTracer {
       const auto piece = mesh_.piece_at(point);
       if (!piece) break;
       const Heading here = field_.towards(*piece, point, direction);
-      if (here.excess > options_.normal_margin) return way;
+      if (here.excess > kNormalMargin) return way;
       const Vector3 middle = point + 0.5 * step * here.in_plane;
       const auto ahead = mesh_.piece_at(middle);
       const Heading there = ahead ? field_.towards(*ahead, middle, here.axis) : here;
-      if (there.excess > options_.normal_margin) return way;
+      if (there.excess > kNormalMargin) return way;
       const Vector3 next = point + step * there.in_plane;
       if (!has(next)) {
         way.points.push_back(last_inside(point, next));
@@ -299,7 +316,7 @@ class CutTracer {
     if (line.points.size() < 2) return;
     double length = 0;
     for (std::size_t k = 1; k < line.points.size(); ++k) length += norm(line.points[k] - line.points[k - 1]);
-    if (length < kShortest * options_.spacing && !(back.at_boundary && forth.at_boundary)) return;
+    if (length < kShortest * spacing_ && !(back.at_boundary && forth.at_boundary)) return;
     for (std::size_t k = 0; k < line.points.size(); ++k) drawn_.add(line.points[k], ways[k]);
     add_seeds(line, ways);
     lines_.push_back(std::move(line));
@@ -307,10 +324,10 @@ class CutTracer {
 
   /// Seeds one spacing to either side, and along the curve for the other axis.
   void add_seeds(const CutLine& line, const std::vector<Vector3>& ways) {
-    const auto every = static_cast<std::size_t>(std::max(1.0, std::round(1 / options_.step_share)));
+    const auto every = static_cast<std::size_t>(std::max(1.0, std::round(1 / kStepShare)));
     // Not at the ends: a curve from there would run along the boundary.
     for (std::size_t k = every / 2 + 1; k + 1 + every / 2 < line.points.size(); k += every) {
-      const Vector3 aside = options_.spacing * across(ways[k]);
+      const Vector3 aside = spacing_ * across(ways[k]);
       seeds_.push_back(line.points[k]);
       seeds_.push_back(line.points[k] + aside);
       seeds_.push_back(line.points[k] - aside);
@@ -319,7 +336,7 @@ class CutTracer {
 
   const CutMesh& mesh_;
   CutField field_;
-  CutLineOptions options_;
+  double spacing_;
   const std::function<bool(const Vector3&)>& is_inside_;
   DrawnPoints drawn_;
   std::deque<Vector3> seeds_;
@@ -328,10 +345,9 @@ class CutTracer {
 
 }  // namespace
 
-std::vector<CutLine> cut_lines(const CutMesh& mesh, std::span<const AxisNames> names,
-                               const CutLineOptions& options,
+std::vector<CutLine> cut_lines(const CutMesh& mesh, std::span<const AxisNames> names, double spacing,
                                const std::function<bool(const Vector3&)>& is_inside) {
-  return CutTracer(mesh, names, options, is_inside).lines();
+  return CutTracer(mesh, names, spacing, is_inside).lines();
 }
 
 }  // namespace crossgrain

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "display/smooth_corners.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "base/parallel.hpp"
 
 namespace crossgrain {
+namespace {
+
+/// Largest angle between faces that are shown as one curved face.
+constexpr double kSmoothDeg = 32;
+
+}  // namespace
 
 SmoothCorners::SmoothCorners(const std::vector<Vector3>& vertices,
-                             const std::vector<std::array<std::uint32_t, 3>>& triangles, double smooth_deg)
+                             const std::vector<std::array<std::uint32_t, 3>>& triangles)
     : triangles_(triangles),
-      least_cosine_(std::cos(smooth_deg * std::numbers::pi / 180)),
+      least_cosine_(std::cos(kSmoothDeg * std::numbers::pi / 180)),
       area_vectors_(triangles.size()),
       normals_(triangles.size()),
       begin_(vertices.size() + 1, 0),

@@ -10,15 +10,12 @@
 
 namespace crossgrain {
 
-/// Largest angle between faces that are shown as one curved face, degrees.
-inline constexpr double kSmoothDeg = 32;
-
-/// For each triangle and corner, the triangles at that vertex whose normals are within `smooth_deg` of its
-/// own. Refers to `triangles`. Safe to use from any number of threads.
+/// For each triangle and corner, the triangles at that vertex whose normals are within 32 degrees of its own:
+/// they are shown as one curved face. Refers to `triangles`. Safe to use from any number of threads.
 class SmoothCorners {
  public:
   SmoothCorners(const std::vector<Vector3>& vertices,
-                const std::vector<std::array<std::uint32_t, 3>>& triangles, double smooth_deg = kSmoothDeg);
+                const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
   /// Normal of a triangle with twice its area as length.
   const Vector3& area_vector(std::size_t triangle) const { return area_vectors_[triangle]; }

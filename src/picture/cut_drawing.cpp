@@ -201,11 +201,10 @@ void CutDrawing::add_glyphs(Drawing& drawing, double unit, double towards) const
 }
 
 void CutDrawing::add_lines(Drawing& drawing, double unit) {
-  CutLineOptions options{kFrameSpacing * unit};
   DrawnRods rods{RodLook::kInk, {}, {}, true};
   has_axis_ = {};
   for (const CutLine& line :
-       cut_lines(mesh_, names_, options, [&](const Vector3& point) { return is_inside(point); }))
+       cut_lines(mesh_, names_, kFrameSpacing * unit, [&](const Vector3& point) { return is_inside(point); }))
     for (std::size_t k = 1; k < line.points.size(); ++k) {
       const std::uint8_t name = line.names[k - 1];
       has_axis_[name] = true;

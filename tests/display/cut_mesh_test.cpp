@@ -109,9 +109,8 @@ TEST(CutMesh, HasSeamsThatEndAtSingularLinesOrTheBoundary) {
 
 TEST(CutLines, RunStraightAlongTheAxesOfABoxFromSideToSide) {
   const CutMesh mesh(box_of_tets(), kPlane);
-  CutLineOptions options;
-  options.spacing = 0.4;
-  const auto lines = cut_lines(mesh, mesh.named_axes(), options, [](const Vector3&) { return true; });
+  constexpr double kSpacing = 0.4;
+  const auto lines = cut_lines(mesh, mesh.named_axes(), kSpacing, [](const Vector3&) { return true; });
   ASSERT_GT(lines.size(), 10u);
   for (const CutLine& line : lines) {
     ASSERT_EQ(line.names.size() + 1, line.points.size());
@@ -124,11 +123,10 @@ TEST(CutLines, RunStraightAlongTheAxesOfABoxFromSideToSide) {
 
 TEST(CutLines, HaveOneAlongTheMiddleOfAThinWall) {
   const CutMesh mesh(box_of_tets(), kPlane);
-  CutLineOptions options;
-  options.spacing = 1;
+  constexpr double kSpacing = 1;
   const auto along_wall = [&](double thickness) {
     const auto is_inside = [&](const Vector3& p) { return p[1] > 1.35 && p[1] < 1.35 + thickness; };
-    auto lines = cut_lines(mesh, mesh.named_axes(), options, is_inside);
+    auto lines = cut_lines(mesh, mesh.named_axes(), kSpacing, is_inside);
     std::erase_if(lines, [](const CutLine& line) { return line.names[0] != 0; });
     return lines;
   };
@@ -147,9 +145,8 @@ TEST(CutLines, FollowTheEarlierNameOfTwoEquallySteepAxes) {
   const TetFrameField field = solve_onto(TetDomain(box), solve_options);
   const ShownField shown(field);
   const CutMesh mesh(shown, {2, 2.1});
-  CutLineOptions options;
-  options.spacing = 0.4;
-  const auto lines = cut_lines(mesh, mesh.named_axes(), options, [](const Vector3&) { return true; });
+  constexpr double kSpacing = 0.4;
+  const auto lines = cut_lines(mesh, mesh.named_axes(), kSpacing, [](const Vector3&) { return true; });
   ASSERT_GT(lines.size(), 10u);
   for (const CutLine& line : lines)
     for (const std::uint8_t name : line.names) EXPECT_LT(name, 2) << "y and z run alike on the cut";
@@ -161,12 +158,11 @@ TEST(CutLines, GoRoundARingOnce) {
   const FrameField field = solve(make_torus(1, 0.3, 48, 24), solve_options);
   const ShownField shown(field);
   const CutMesh mesh(shown, {2, 0.01});
-  CutLineOptions options;
-  options.spacing = 0.15;
+  constexpr double kSpacing = 0.15;
   const auto is_inside = [](const Vector3& point) {
     return std::abs(std::hypot(point[0], point[1]) - 1) < 0.3;
   };
-  for (const CutLine& line : cut_lines(mesh, mesh.named_axes(), options, is_inside)) {
+  for (const CutLine& line : cut_lines(mesh, mesh.named_axes(), kSpacing, is_inside)) {
     double length = 0;
     for (std::size_t k = 1; k < line.points.size(); ++k) length += norm(line.points[k] - line.points[k - 1]);
     EXPECT_LT(length, 2 * 3.15 * 1.3);
@@ -175,17 +171,16 @@ TEST(CutLines, GoRoundARingOnce) {
 
 TEST(CutLines, KeepApartWhereTheyRunAlongTheSameAxis) {
   const CutMesh mesh(ball(), {2, 0.02});
-  CutLineOptions options;
-  options.spacing = 0.2;
+  constexpr double kSpacing = 0.2;
   const auto lines =
-      cut_lines(mesh, mesh.named_axes(), options, [](const Vector3& point) { return norm(point) < 1; });
+      cut_lines(mesh, mesh.named_axes(), kSpacing, [](const Vector3& point) { return norm(point) < 1; });
   ASSERT_GT(lines.size(), 10u);
   for (const CutLine& a : lines) {
     for (const CutLine& b : lines) {
       if (&a == &b) continue;
       for (std::size_t i = 1; i + 1 < a.points.size(); ++i) {
         for (std::size_t j = 1; j + 1 < b.points.size(); ++j) {
-          if (norm(a.points[i] - b.points[j]) > 0.5 * options.least_share * options.spacing) continue;
+          if (norm(a.points[i] - b.points[j]) > 0.5 * 0.55 * kSpacing) continue;
           const Vector3 u = a.points[i + 1] - a.points[i - 1], v = b.points[j + 1] - b.points[j - 1];
           EXPECT_LT(std::abs(dot(u, v)), 0.8 * norm(u) * norm(v));
         }

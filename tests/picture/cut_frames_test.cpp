@@ -75,7 +75,7 @@ TEST(FrameCrosses, StandOnThePlane) {
 
 TEST(CornerNormals, AreTheFacesOwnAtRightAngles) {
   const TriangleMesh box = make_box({2, 1, 1.5});
-  const auto normals = corner_normals(SmoothCorners(box.vertices, box.triangles, 30), box.triangles.size());
+  const auto normals = corner_normals(SmoothCorners(box.vertices, box.triangles), box.triangles.size());
   for (std::size_t t = 0; t < box.triangles.size(); ++t) {
     const auto& [a, b, c] = box.triangles[t];
     const Vector3 own =
