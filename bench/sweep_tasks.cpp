@@ -57,7 +57,7 @@ std::vector<double> seconds_of_blocks(const FieldGraph<4>& graph) {
   const ThreadLimit one_thread(1);
   FieldState<4> state = state_of<4>(random_frames(graph.size(), 1));
   std::vector<std::uint8_t> awake(graph.order().block_count(), 0);
-  const auto sweep = [&] { manifold_sweep_over<4>(graph, state, 1.4, {awake, {}, 0}); };
+  const auto sweep = [&] { manifold_sweep(graph, state, 1.4, {awake, {}, 0}); };
   double idle = seconds_of(sweep);
   for (int i = 0; i < 20; ++i) idle = std::min(idle, seconds_of(sweep));
   std::vector<double> seconds(awake.size());

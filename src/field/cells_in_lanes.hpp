@@ -56,17 +56,17 @@ struct VisitedCells {
 };
 
 /// Calls visit(CellsInLanes<W>, block) for the visited cells in the order, compiled for this processor, W
-/// being the number of lanes of type Number. Blocks are visited from several threads: one with blocks beside
+/// being the number of its lanes of floats. Blocks are visited from several threads: one with blocks beside
 /// it as soon as those of lower phases are done, also those of other processes, given the messages between
 /// them; others phase by phase.
-template <class Number, class Visit>
+template <class Visit>
 void visit_in_lanes(const SweepOrder& order, const Visit& visit, const VisitedCells& visited = {},
                     SweepMessages* messages = nullptr) {
   const std::function<void(std::size_t)> visit_block = [&](std::size_t block) {  // compiled once
     if (!visited.blocks.empty() && !visited.blocks[block]) return;
     std::vector<std::uint32_t> chosen;
     run_in_lanes([&]<int Doubles>() {
-      constexpr int W = Doubles * static_cast<int>(sizeof(double) / sizeof(Number));
+      constexpr int W = 2 * Doubles;
       for (std::size_t r = order.block_begin[block]; r < order.block_begin[block + 1]; ++r) {
         const std::span<const std::uint32_t> run = visited.choose(order.run(r), chosen);
         for (std::size_t i = 0; i < run.size(); i += W) visit(CellsInLanes<W>(run, i), block);
@@ -83,18 +83,6 @@ void visit_in_lanes(const SweepOrder& order, const Visit& visit, const VisitedCe
     parallel_for(
         order.phase_begin[phase + 1] - first, [&](std::size_t k) { visit_block(first + k); }, 1);
   }
-}
-
-/// Returns for each block the sum of what visit(CellsInLanes<W>, double& sum) adds. It adds one number per
-/// cell, in the cells' order, so the sums are bitwise identical for any number of threads and lanes.
-template <class Number, class Visit>
-std::vector<double> block_sums_in_lanes(const SweepOrder& order, const Visit& visit,
-                                        const VisitedCells& visited = {}, SweepMessages* messages = nullptr) {
-  std::vector<double> sums(order.block_count(), 0.0);
-  visit_in_lanes<Number>(
-      order, [&]<int W>(const CellsInLanes<W>& cells, std::size_t block) { visit(cells, sums[block]); },
-      visited, messages);
-  return sums;
 }
 
 /// Held axes of the cells (CellForms::hold_axis), with a mask of the cells that have one.

@@ -8,7 +8,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "base/parallel.hpp"
@@ -97,10 +96,10 @@ struct PredictedDecrease {
 };
 
 /// Adds the decrease of f for each cell to `decrease`. Returns it.
-template <class Number, int D, int W>
+template <int D, int W>
 std::array<double, W> update_cells(const FieldGraph<D>& graph, FieldState<D>& state,
                                    const CellsInLanes<W>& cells, double over_relaxation, double& decrease) {
-  using Real = BasicLanes<Number, W>;
+  using Real = SingleLanes<W>;
   const LocalEnergy<D, Real> energy(graph, state.coefficients, cells);
   const auto frame = from_stored<Real>(state.frames, cells);
   const Coefficients<D, Real> h = frame_coefficients<D>(frame);
@@ -153,37 +152,26 @@ void wake_around(const Adjacency& adjacency, const CellsInLanes<W>& cells, std::
 
 }  // namespace
 
-template <int D, class Number>
-std::vector<double> manifold_sweep_over(const FieldGraph<D>& graph, FieldState<D>& state,
-                                        double over_relaxation, const RestingCells& resting) {
+template <int D>
+std::vector<double> manifold_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double over_relaxation,
+                                   const RestingCells& resting) {
   std::optional<SweepMessages> messages;
   if (!graph.halo().empty())
     messages.emplace(graph.halo(), graph.order(), std::span(state.coefficients), resting.awake);
-  return block_sums_in_lanes<Number>(
+  std::vector<double> decreases(graph.order().block_count(), 0.0);
+  visit_in_lanes(
       graph.order(),
-      [&]<int W>(const CellsInLanes<W>& cells, double& sum) {
-        const auto fell = update_cells<Number>(graph, state, cells, over_relaxation, sum);
+      [&]<int W>(const CellsInLanes<W>& cells, std::size_t block) {
+        const auto fell = update_cells(graph, state, cells, over_relaxation, decreases[block]);
         if (!resting.awake.empty()) wake_around(graph.adjacency(), cells, fell, resting);
       },
       {resting.awake_blocks, resting.awake}, messages ? &*messages : nullptr);
+  return decreases;
 }
 
-template <int D>
-double manifold_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double over_relaxation) {
-  const std::vector<double> decreases = manifold_sweep_over<D>(graph, state, over_relaxation);
-  return std::accumulate(decreases.begin(), decreases.end(), 0.0);
-}
-
-#define CROSSGRAIN_INSTANTIATE(D, Number)                                                                   \
-  template std::vector<double> manifold_sweep_over<D, Number>(const FieldGraph<D>&, FieldState<D>&, double, \
-                                                              const RestingCells&);
-CROSSGRAIN_INSTANTIATE(3, float)
-CROSSGRAIN_INSTANTIATE(3, double)
-CROSSGRAIN_INSTANTIATE(4, float)
-CROSSGRAIN_INSTANTIATE(4, double)
-#undef CROSSGRAIN_INSTANTIATE
-
-template double manifold_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double);
-template double manifold_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double);
+template std::vector<double> manifold_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double,
+                                               const RestingCells&);
+template std::vector<double> manifold_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double,
+                                               const RestingCells&);
 
 }  // namespace crossgrain

@@ -15,18 +15,6 @@ namespace crossgrain {
 /// side of a valley.
 inline constexpr double kLargestStep_rad = 0.5;
 
-/// Visits all cells once, colour by colour. Returns the decrease of the graph's energy in its own degree. The
-/// energy never rises: a step that would raise it is halved, and dropped after a few halvings. The result
-/// does not depend on the number of threads.
-///
-/// In degree 3 a cell's energy is replaced by an upper bound (local_energy.hpp): if no weight is negative,
-/// the energy falls by at least the returned value.
-///
-/// `over_relaxation` in [1, 2) multiplies the Newton step (successive over-relaxation), so that errors that
-/// span many cells fade in far fewer sweeps.
-template <int D>
-double manifold_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double over_relaxation = 1);
-
 /// What a sweep leaves out. A cell whose step lowered the energy by no more than `least_decrease` rests until
 /// a neighbour's step lowers it by more.
 struct RestingCells {
@@ -35,16 +23,23 @@ struct RestingCells {
   double least_decrease = 0;
 };
 
-/// Sweeps all that does not rest, with arithmetic in `Number`, float or double. Returns the decrease of the
-/// energy for each block.
+/// Visits all cells that do not rest once, colour by colour. Returns the decrease of the graph's energy in
+/// its own degree, for each block. The energy never rises: a step that would raise it is halved, and dropped
+/// after a few halvings. The result does not depend on the number of threads.
 ///
-/// Frames and coefficients are stored in single precision. Arithmetic in single precision settles at the same
-/// energies to 1e-5 (tests/field/sweep_test.cpp) at twice the speed.
-template <int D, class Number = float>
-std::vector<double> manifold_sweep_over(const FieldGraph<D>& graph, FieldState<D>& state,
-                                        double over_relaxation, const RestingCells& resting = {});
+/// In degree 3 a cell's energy is replaced by an upper bound (local_energy.hpp): if no weight is negative,
+/// the energy falls by at least the returned values.
+///
+/// `over_relaxation` in [1, 2) multiplies the Newton step (successive over-relaxation), so that errors that
+/// span many cells fade in far fewer sweeps. Arithmetic is in single precision: it settles at the energies of
+/// double precision to 1e-5, at twice the speed (docs/notes/performance.md, "The sweep").
+template <int D>
+std::vector<double> manifold_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double over_relaxation,
+                                   const RestingCells& resting = {});
 
-extern template double manifold_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double);
-extern template double manifold_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double);
+extern template std::vector<double> manifold_sweep<3>(const FieldGraph<3>&, FieldState<3>&, double,
+                                                      const RestingCells&);
+extern template std::vector<double> manifold_sweep<4>(const FieldGraph<4>&, FieldState<4>&, double,
+                                                      const RestingCells&);
 
 }  // namespace crossgrain

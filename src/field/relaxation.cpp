@@ -123,7 +123,7 @@ void relaxation_sweep(const FieldGraph<D>& graph, FieldState<D>& state, double s
   std::optional<SweepMessages> messages;
   if (!graph.halo().empty())
     messages.emplace(graph.halo(), graph.order(), std::span(state.coefficients), std::span<std::uint8_t>());
-  visit_in_lanes<float>(
+  visit_in_lanes(
       graph.order(),
       [&]<int W>(const CellsInLanes<W>& cells, std::size_t) {
         relax_cells(graph, state, cells, symmetrisation, over_relaxation, penalty_shares);

@@ -118,7 +118,7 @@ SettledFrames settled(const FieldGraph<D>& graph, std::vector<StoredQuaternion> 
     const double least_decrease = plan.resting_share * allowance() / static_cast<double>(share.of_all);
     const std::vector<double> decreases = decreases_of_all(
         share, graph.order(),
-        manifold_sweep_over(graph, state, over_relaxation, {blocks.awake(), awake, least_decrease}));
+        manifold_sweep(graph, state, over_relaxation, {blocks.awake(), awake, least_decrease}));
     const double decrease = std::accumulate(decreases.begin(), decreases.end(), 0.0);
     result.energy -= decrease;
     after_sweep(result.energy);

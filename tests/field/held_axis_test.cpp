@@ -6,10 +6,10 @@
 #include "field/connected_level.hpp"
 #include "field/energy.hpp"
 #include "field/leaf_stencil.hpp"
-#include "field/manifold_sweep.hpp"
 #include "field/octree_graph.hpp"
 #include "field/relaxation.hpp"
 #include "field/solve_tuning.hpp"
+#include "field/whole_sweep.hpp"
 #include "grid/test_solid.hpp"
 #include "harmonics/frame.hpp"
 #include "harmonics/random_samples.hpp"
@@ -23,6 +23,7 @@ using testing::connect_leaves;
 using testing::connectivity_of;
 using testing::RandomSamples;
 using testing::TestSolid;
+using testing::whole_sweep;
 
 constexpr std::uint32_t kCells = 12;
 
@@ -54,7 +55,7 @@ TYPED_TEST(HeldAxis, StaysWhereItIsWhileTheEnergyFalls) {
   }
   FieldState<D> state = state_of<D>(frames);
   const double before = graph_energy(graph, state);
-  for (int sweep = 0; sweep < 50; ++sweep) manifold_sweep(graph, state);
+  for (int sweep = 0; sweep < 50; ++sweep) whole_sweep(graph, state);
   EXPECT_LT(graph_energy(graph, state), 0.9 * before);
   for (std::uint32_t i = 0; i < kCells; i += 2) {
     const Vector3 kept = axes_of(from_stored(state.frames[i]))[i % 3];
@@ -74,7 +75,7 @@ TYPED_TEST(HeldAxis, TurnsToTheBestFrameAboutItsAxis) {
   graph.forms.hold_axis(1, {0, 0, 1});
   const Quaternion turned = from_rotation_vector({0, 0, 0.6});
   FieldState<D> state = state_of<D>({to_stored(Quaternion{}), to_stored(turned)});
-  for (int sweep = 0; sweep < 10; ++sweep) manifold_sweep(graph, state);
+  for (int sweep = 0; sweep < 10; ++sweep) whole_sweep(graph, state);
   EXPECT_NEAR(graph_energy(graph, state), 0, 1e-10);
 }
 

@@ -7,7 +7,7 @@
 
 #include "field/cell_colours.hpp"
 #include "field/energy.hpp"
-#include "field/manifold_sweep.hpp"
+#include "field/whole_sweep.hpp"
 #include "harmonics/random_samples.hpp"
 
 namespace crossgrain {
@@ -15,6 +15,7 @@ namespace {
 
 using testing::colours_of;
 using testing::RandomSamples;
+using testing::whole_sweep;
 
 /// Cells on a line of cubes, each joined to those up to `reach` away with a chance of a half.
 Adjacency ribbon(std::uint32_t cells, std::uint32_t reach) {
@@ -85,7 +86,7 @@ TEST_P(SweepOrderTest, LetsASweepLowerTheEnergyByWhatItSays) {
                       CellForms<4>(kCells)};
   FieldState<4> state = state_of<4>(random_frames(kCells, 4));
   const double before = graph_energy(graph, state);
-  const double decrease = manifold_sweep(graph, state, 1.4);
+  const double decrease = whole_sweep(graph, state, 1.4);
   EXPECT_GT(decrease, 0.1 * before);
   EXPECT_NEAR((before - graph_energy(graph, state)) / decrease, 1, 1e-5);
 }

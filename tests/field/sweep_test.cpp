@@ -9,9 +9,9 @@
 #include "constraint/frame_form.hpp"
 #include "field/energy.hpp"
 #include "field/local_energy.hpp"
-#include "field/manifold_sweep.hpp"
 #include "field/relaxation.hpp"
 #include "field/swept_graphs.hpp"
+#include "field/whole_sweep.hpp"
 #include "grid/test_solid.hpp"
 #include "harmonics/random_samples.hpp"
 #include "support/shapes.hpp"
@@ -25,6 +25,7 @@ using testing::kStored;
 using testing::RandomSamples;
 using testing::small_graph;
 using testing::TestSolid;
+using testing::whole_sweep;
 
 /// A graph of one cell with a form that a single frame meets.
 template <int D>
@@ -131,11 +132,11 @@ TYPED_TEST(SweepTest, NewtonStepSquaresTheDistanceToTheMinimiser) {
     const double error_rad = 0.05;
     const Quaternion start = from_rotation_vector(error_rad * random.direction()) * wanted;
     FieldState<D> state = state_of<D>({to_stored(start)});
-    manifold_sweep(graph, state);
+    whole_sweep(graph, state);
     const double after_one = testing::misorientation_rad(from_stored(state.frames[0]), wanted);
     EXPECT_LT(after_one, 2 * error_rad * error_rad);
-    manifold_sweep(graph, state);
-    manifold_sweep(graph, state);
+    whole_sweep(graph, state);
+    whole_sweep(graph, state);
     // What single precision resolves; the square root in the angle of near quaternions costs half the digits.
     EXPECT_LT(testing::misorientation_rad(from_stored(state.frames[0]), wanted), 5e-6);
   }
@@ -149,7 +150,7 @@ TYPED_TEST(SweepTest, ManifoldSweepsFindTheFormsFrameFromAnywhere) {
     const Quaternion wanted = random.rotation();
     const FieldGraph<D> graph = one_cell_graph<D>(wanted);
     FieldState<D> state = state_of<D>({to_stored(random.rotation())});
-    for (int sweep = 0; sweep < 20; ++sweep) manifold_sweep(graph, state);
+    for (int sweep = 0; sweep < 20; ++sweep) whole_sweep(graph, state);
     found += testing::misorientation_rad(from_stored(state.frames[0]), wanted) < 1e-4;
   }
   // |h(R) - h(S)| has no local minimum but S in degree 4; a start near a maximum may need more sweeps.
@@ -164,7 +165,7 @@ TYPED_TEST(SweepTest, ManifoldSweepNeverRaisesTheEnergyHoweverOverRelaxed) {
     double energy = graph_energy(graph, state);
     const double first = energy;
     for (int sweep = 0; sweep < 30; ++sweep) {
-      manifold_sweep(graph, state, over_relaxation);
+      whole_sweep(graph, state, over_relaxation);
       const double next = graph_energy(graph, state);
       ASSERT_LE(next, energy * (1 + kStored)) << over_relaxation;
       energy = next;
@@ -211,13 +212,13 @@ TYPED_TEST(SweepTest, OverRelaxationReachesTheSameMinimumInAThirdOfTheSweeps) {
   const FieldGraph<D> graph = twisted_bar<D>();
   const std::vector<StoredQuaternion> start(graph.size(), to_stored(Quaternion{}));
   FieldState<D> best = state_of<D>(start);
-  for (int sweep = 0; sweep < 3000; ++sweep) manifold_sweep(graph, best);
+  for (int sweep = 0; sweep < 3000; ++sweep) whole_sweep(graph, best);
   const double minimum = graph_energy(graph, best);
   const auto sweeps_to_the_minimum = [&](double over_relaxation) {
     FieldState<D> state = state_of<D>(start);
     int sweeps = 0;
     while (graph_energy(graph, state) > 1.001 * minimum && sweeps < 3000) {
-      manifold_sweep(graph, state, over_relaxation);
+      whole_sweep(graph, state, over_relaxation);
       ++sweeps;
     }
     return sweeps;
@@ -233,7 +234,7 @@ TYPED_TEST(SweepTest, ManifoldSweepReportsByHowMuchTheEnergyFell) {
   FieldState<D> state = state_of<D>(random_frames(graph.size(), 5));
   for (int sweep = 0; sweep < 5; ++sweep) {
     const double before = graph_energy(graph, state);
-    const double decrease = manifold_sweep(graph, state);
+    const double decrease = whole_sweep(graph, state);
     const double fell = before - graph_energy(graph, state);
     EXPECT_GT(fell, decrease - kStored * before);
     // Degree 3 knows a lower bound only, far from it while neighbours still disagree.
@@ -245,26 +246,12 @@ TYPED_TEST(SweepTest, ManifoldSweepKeepsCoefficientsThoseOfTheFrames) {
   constexpr int D = TypeParam::value;
   const auto graph = graph_of<D>(this->level_, this->bracket_.solid());
   FieldState<D> state = state_of<D>(random_frames(graph.size(), 6));
-  manifold_sweep(graph, state);
+  whole_sweep(graph, state);
   for (std::size_t i = 0; i < state.size(); ++i) {
     const auto h = frame_coefficients<D>(from_stored(state.frames[i]));
     // A dozen roundings in single precision.
     ASSERT_LT(testing::largest_difference(h, from_stored<D>(state.coefficients[i])), 3e-6);
   }
-}
-
-TYPED_TEST(SweepTest, SweepsInSinglePrecisionSettleAtTheEnergyOfSweepsInDouble) {
-  constexpr int D = TypeParam::value;
-  const auto graph = graph_of<D>(this->level_, this->bracket_.solid());
-  FieldState<D> in_single = state_of<D>(random_frames(graph.size(), 6));
-  // From random frames any rounding decides which valley is found: they set out together.
-  for (int sweep = 0; sweep < 40; ++sweep) manifold_sweep_over<D, double>(graph, in_single, 1.4);
-  FieldState<D> in_double = in_single;
-  for (int sweep = 0; sweep < 200; ++sweep) {
-    manifold_sweep_over<D, float>(graph, in_single, 1.4);
-    manifold_sweep_over<D, double>(graph, in_double, 1.4);
-  }
-  EXPECT_NEAR(graph_energy(graph, in_single) / graph_energy(graph, in_double), 1, 1e-5);
 }
 
 TYPED_TEST(SweepTest, CellsThatAllMoveRestInNoSweep) {
@@ -273,8 +260,7 @@ TYPED_TEST(SweepTest, CellsThatAllMoveRestInNoSweep) {
   FieldState<D> state = state_of<D>(random_frames(graph.size(), 7)), with_rests = state;
   std::vector<std::uint8_t> awake(graph.size(), 1);
   for (int sweep = 0; sweep < 3; ++sweep) {
-    EXPECT_EQ(manifold_sweep_over<D>(graph, state, 1.4),
-              manifold_sweep_over<D>(graph, with_rests, 1.4, {{}, awake, 0}));
+    EXPECT_EQ(manifold_sweep(graph, state, 1.4), manifold_sweep(graph, with_rests, 1.4, {{}, awake, 0}));
   }
   EXPECT_EQ(state.coefficients, with_rests.coefficients);
 }
@@ -288,7 +274,7 @@ TYPED_TEST(SweepTest, RestEndsBesideACellThatMovesEnough) {
     const std::uint32_t first = graph.order().cells.back();  // none is visited after it
     awake[first] = 1;
     const auto before = state.coefficients;
-    const auto decreases = manifold_sweep_over<D>(graph, state, 1.4, {{}, awake, least});
+    const auto decreases = manifold_sweep(graph, state, 1.4, {{}, awake, least});
     for (std::uint32_t i = 0; i < graph.size(); ++i)
       ASSERT_EQ(state.coefficients[i] == before[i], i != first);
     std::vector<std::uint8_t> expected(graph.size(), 0);
@@ -311,7 +297,7 @@ TYPED_TEST(SweepTest, SweepsWithRestsAreTheSameToTheBitForAnyNumberOfThreads) {
     const ThreadLimit limit(threads);
     FieldState<D> state = state_of<D>(random_frames(graph.size(), 7));
     std::vector<std::uint8_t> awake(graph.size(), 1);
-    for (int sweep = 0; sweep < 12; ++sweep) manifold_sweep_over<D>(graph, state, 1.4, {{}, awake, 1e-3});
+    for (int sweep = 0; sweep < 12; ++sweep) manifold_sweep(graph, state, 1.4, {{}, awake, 1e-3});
     results.push_back(std::move(state));
     resting.push_back(static_cast<std::size_t>(std::count(awake.begin(), awake.end(), 0)));
   }
@@ -330,7 +316,7 @@ TYPED_TEST(SweepTest, SweepsAreTheSameToTheBitForAnyNumberOfThreads) {
     FieldState<D> state = state_of<D>(random_frames(graph.size(), 7));
     for (int sweep = 0; sweep < 3; ++sweep) relaxation_sweep(graph, state, 0.5);
     project_to_frames(state);
-    for (int sweep = 0; sweep < 3; ++sweep) manifold_sweep(graph, state);
+    for (int sweep = 0; sweep < 3; ++sweep) whole_sweep(graph, state);
     results.push_back(std::move(state));
   }
   EXPECT_EQ(results[0].coefficients, results[1].coefficients);
