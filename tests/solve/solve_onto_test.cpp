@@ -182,6 +182,41 @@ TEST_F(SolveOntoCylinder, IsTheSameToTheBitForOneAndTwoThreads) {
   EXPECT_EQ(energies[0], energies[1]);
 }
 
+void expect_same_bits(const TetFrameField& a, const TetFrameField& b) {
+  EXPECT_EQ(a.vertex_quaternions(), b.vertex_quaternions());
+  EXPECT_EQ(a.tet_quaternions(), b.tet_quaternions());
+  EXPECT_EQ(onto_of(a).dirichlet, onto_of(b).dirichlet);
+}
+
+TEST_F(SolveOntoCylinder, WithAFieldOnTheGridMadeElsewhereIsTheSameToTheBit) {
+  OntoStart start;
+  start.solve = [](const FrameField* earlier, const TriangleMesh& surface, const SolveTuning& sized,
+                   const Monitor& monitor) {
+    EXPECT_EQ(earlier, nullptr);
+    return std::optional(solve(surface, sized, monitor));
+  };
+  expect_same_bits(solve_onto(domain(), start, SolveTuning(), {}).value(), solve_onto(domain()));
+}
+
+TEST_F(SolveOntoCylinder, FromAnEarlierFieldIsWhatThatBecomesToTheBit) {
+  const FrameField earlier = solve_onto(domain()).grid();
+  SolveTuning options;
+  options.seed = 7;
+  OntoStart start;
+  start.earlier = &earlier;
+  const TetFrameField field = solve_onto(domain(), start, options, {}).value();
+  SolveTuning sized = sized_for(domain(), options);
+  sized.onto.other_starts.clear();
+  expect_same_bits(field, carry_onto(solve_from(earlier, domain().boundary(), sized), domain(), sized));
+}
+
+TEST_F(SolveOntoCylinder, IsNothingWhereAnotherProcessHasTheFieldOnTheGrid) {
+  OntoStart start;
+  start.solve = [](const FrameField*, const TriangleMesh&, const SolveTuning&,
+                   const Monitor&) -> std::optional<FrameField> { return std::nullopt; };
+  EXPECT_FALSE(solve_onto(domain(), start, SolveTuning(), {}));
+}
+
 TEST_F(SolveOntoCylinder, HasNearlyTheSameEnergyHoweverItIsTurned) {
   // On coarser tets the places that singular curves can take differ by 3 %.
   const TetMesh mesh = tet_cylinder(12);
