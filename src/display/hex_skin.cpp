@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/ascending.hpp"
 #include "base/parallel.hpp"
 #include "measure/hex_quality.hpp"
 
@@ -24,8 +25,7 @@ HexSkin skin_of(const HexMesh& mesh, const std::vector<std::uint8_t>& is_shown) 
       skin.edges.push_back({low, high});
     }
   }
-  std::sort(skin.edges.begin(), skin.edges.end());
-  skin.edges.erase(std::unique(skin.edges.begin(), skin.edges.end()), skin.edges.end());
+  sort_uniquely(skin.edges);
   return skin;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/ascending.hpp"
 #include "base/parallel.hpp"
 
 namespace crossgrain {
@@ -34,8 +35,7 @@ CornersOfLeaves::CornersOfLeaves(const FieldData& field) : rows_(field.tree.size
   const auto code_of = [&](std::size_t k) { return corner_code(field.tree[leaves_[k / 8]], k % 8); };
   std::vector<std::uint64_t> sorted(8 * leaves_.size());
   parallel_for(sorted.size(), [&](std::size_t k) { sorted[k] = code_of(k); });
-  std::sort(sorted.begin(), sorted.end());
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  sort_uniquely(sorted);
   index_.resize(8 * leaves_.size());
   parallel_for(index_.size(), [&](std::size_t k) {
     index_[k] = static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), code_of(k)) -

@@ -5,13 +5,10 @@
 #include <map>
 #include <utility>
 
+#include "base/ascending.hpp"
+
 namespace crossgrain {
 namespace {
-
-void sort_and_unite(std::vector<std::uint32_t>& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
 
 /// Returns the block of the order that has the leaves [k kShareUnit, (k + 1) kShareUnit) of a share, for all
 /// k.
@@ -56,7 +53,7 @@ SweepHalo::SweepHalo(const Adjacency& adjacency, const Share& share, const Ghost
     std::tie(part.phase, part.rank) = phase_and_rank;
     for (auto* numbers :
          {&part.own, &part.ghosts, &part.wakes, &part.may_be_woken, &part.senders, &part.waiters}) {
-      sort_and_unite(*numbers);
+      sort_uniquely(*numbers);
       numbers->shrink_to_fit();
     }
     parts_.push_back(std::move(part));

@@ -5,6 +5,7 @@
 #include <array>
 #include <numeric>
 
+#include "base/ascending.hpp"
 #include "base/parallel.hpp"
 #include "field/field_graph.hpp"
 
@@ -28,8 +29,7 @@ std::vector<Blocks> neighbouring_blocks(const Adjacency& adjacency, std::size_t 
         if (block != own && (blocks.empty() || blocks.back() != block)) blocks.push_back(block);
       }
     }
-    std::sort(blocks.begin(), blocks.end());
-    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    sort_uniquely(blocks);
   });
   return result;
 }

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/ascending.hpp"
 #include "base/vector3.hpp"
 #include "sampling/tube_entry.hpp"
 
@@ -28,8 +29,7 @@ ArcTubes::ArcTubes(const LeafFinder& finder, std::vector<GridEdge> edges, double
     : edges_(std::move(edges)), radius_cells_(radius_cells) {
   assert(radius_cells >= 0 && radius_cells <= 1);
   for (std::uint32_t k = 0; k < edges_.size(); ++k) enter(finder, k);
-  std::sort(at_leaves_.begin(), at_leaves_.end());
-  at_leaves_.erase(std::unique(at_leaves_.begin(), at_leaves_.end()), at_leaves_.end());
+  sort_uniquely(at_leaves_);
 }
 
 void ArcTubes::enter(const LeafFinder& finder, std::uint32_t edge) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/ascending.hpp"
 #include "base/parallel.hpp"
 #include "sampling/frame_blend.hpp"
 #include "sampling/tube_entry.hpp"
@@ -78,8 +79,7 @@ void TetLines::add_tubes(double arc_distance_cells) {
     }
     walk_.finder().for_near(box, [&](std::uint32_t tet) { tubes_at_tets_.push_back({tet, k}); });
   }
-  std::sort(tubes_at_tets_.begin(), tubes_at_tets_.end());
-  tubes_at_tets_.erase(std::unique(tubes_at_tets_.begin(), tubes_at_tets_.end()), tubes_at_tets_.end());
+  sort_uniquely(tubes_at_tets_);
 }
 
 double TetLines::share_to_tube(std::uint32_t tet, const Vector3& from, const Vector3& to) const {

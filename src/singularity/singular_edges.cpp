@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 
+#include "base/ascending.hpp"
 #include "base/parallel.hpp"
 #include "crossgrain/singularity_graph.hpp"
 #include "grid/leaf_surroundings.hpp"
@@ -146,8 +147,7 @@ std::vector<GridEdge> singular_edges(const Octree& tree, std::span<const StoredQ
 SingularEdges by_end_points(const std::vector<GridEdge>& edges, const RootCube& root) {
   std::vector<GridPoint> points;
   for (const GridEdge& edge : edges) points.insert(points.end(), {edge.start, edge.end()});
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_uniquely(points);
   const auto index_of = [&](const GridPoint& point) {
     return static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), point) - points.begin());
   };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 
+#include "base/ascending.hpp"
 #include "base/parallel.hpp"
 #include "singularity/cube_group.hpp"
 #include "tets/tet_shape.hpp"
@@ -168,8 +169,7 @@ SingularEdges singular_tet_edges(const TetSolid& solid, std::span<const Quaterni
   singular.edges = edges_of(solid, frames, matchings);
   std::vector<std::uint32_t> place(solid.mesh.vertices.size(), kNoTet), used;
   for (const SingularEdge& edge : singular.edges) used.insert(used.end(), edge.ends.begin(), edge.ends.end());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  sort_uniquely(used);
   for (std::uint32_t k = 0; k < used.size(); ++k) place[used[k]] = k;
 
   std::vector<std::uint8_t> on_boundary(solid.mesh.vertices.size(), 0);

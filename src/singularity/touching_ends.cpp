@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/ascending.hpp"
 #include "base/disjoint_sets.hpp"
 
 namespace crossgrain {
@@ -31,8 +32,7 @@ class LeavesNear {
     for (int x = 0; x < counts[0]; ++x)
       for (int y = 0; y < counts[1]; ++y)
         for (int z = 0; z < counts[2]; ++z) add(low + step * Vector3{x + 0.5, y + 0.5, z + 0.5});
-    std::sort(leaves_.begin(), leaves_.end());
-    leaves_.erase(std::unique(leaves_.begin(), leaves_.end()), leaves_.end());
+    sort_uniquely(leaves_);
   }
 
   /// The leaves, ascending.
@@ -131,8 +131,7 @@ std::vector<OpenLeaf> leaves_around(std::span<const PairOfEnds> pairs, const Sin
     std::copy_if(near.leaves().begin(), near.leaves().end(), std::back_inserter(own),
                  [&](CellIndex leaf) { return share.owns(leaf); });
   }
-  std::sort(own.begin(), own.end());
-  own.erase(std::unique(own.begin(), own.end()), own.end());
+  sort_uniquely(own);
   std::vector<OpenLeaf> leaves;
   for (const CellIndex leaf : own) leaves.push_back({tree[leaf], open_faces[leaf]});
   return gathered_values<OpenLeaf>(*share.exchange, leaves);
